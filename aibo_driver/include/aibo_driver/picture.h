@@ -1,0 +1,24 @@
+/// @file picture.h
+#ifndef AIBO_DRIVER_PICTURE_H
+#define AIBO_DRIVER_PICTURE_H
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace aibo_driver {
+
+/// One picture as the robot sent it. Never changed once it is delivered, so it may be shared between threads.
+struct Picture {
+  std::vector<std::uint8_t> jpeg;                         ///< the robot's bytes, without the protocol's header
+  std::chrono::steady_clock::time_point first_byte_time;  ///< arrival of the first byte of the picture's header
+  int width = 0;                                          ///< pixels, from the JPEG's own frame header
+  int height = 0;                                         ///< pixels, from the JPEG's own frame header
+};
+
+using PicturePtr = std::shared_ptr<const Picture>;
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_PICTURE_H

@@ -1,0 +1,86 @@
+/// @file version1.h
+/// Version 1 of the RCServer's wire protocol: what robots in the field speak. Used by both sides; C++98, no I/O.
+///
+/// A request begins with two bytes, a capital letter and an identifier; a reply begins with a small letter.
+/// Integers are little-endian, except for the size of a picture, which is big-endian (report, section 3.4.1).
+/// docs/protocol.md tells the whole of it.
+#ifndef PROTOCOL_VERSION1_H
+#define PROTOCOL_VERSION1_H
+
+#include <stddef.h>
+
+namespace protocol {
+
+/// TCP port of the RCServer (report, section 2.2).
+const int RCSERVER_PORT = 54321;
+
+/// JPEG quality that clients ask for unless told otherwise (report, section 3.3.3).
+const unsigned char DEFAULT_JPEG_QUALITY = 85;
+
+/// Highest JPEG quality; a higher one means this one (report, section 3.3.6).
+const unsigned char MAX_JPEG_QUALITY = 100;
+
+/// Largest picture, in bytes, that either side sends or accepts. The worst 208x160 picture at 4:2:0 and quality 100
+/// stays below 99.5 KiB (libjpeg-turbo's tjBufSize); at 4:4:4 it would stay below 197 KiB.
+const size_t MAX_PICTURE_SIZE = 256 * 1024;
+
+/// The first bytes of every request (report, section 2.3).
+struct BasicGetCommand {
+  char command;              ///< capital letter
+  unsigned char identifier;  ///< JPEG quality, joint, sensor...: what the letter makes of it
+};
+
+const char REQUEST_PICTURE = 'F';        ///< one picture, identifier = JPEG quality
+const char REQUEST_STREAM_TOGGLE = 'W';  ///< pictures without end, or no more of them; identifier = JPEG quality
+
+const char REPLY_PICTURE = 'f';  ///< answers `F`, and carries every picture of a stream
+const char REPLY_ERROR = 'e';
+
+/// Codes of an error reply.
+enum ErrorCode {
+  ERROR_REFUSED = 0,        ///< unknown command, wrong size, not allowed, anything else
+  ERROR_FILE_MISSING = 1,   ///< file missing or unreadable
+  ERROR_NOT_A_MOTION = 2    ///< the name does not end in .MTN
+};
+
+const size_t BASIC_COMMAND_SIZE = 2;   ///< bytes of an encoded BasicGetCommand
+const size_t PICTURE_HEADER_SIZE = 5;  ///< bytes before the JPEG: `f` and its size
+const size_t VALUE_REPLY_SIZE = 4;     ///< bytes of a value or error reply: letter, identifier, int16
+
+/// A reply of four bytes: a value or an error.
+struct ValueReply {
+  char letter;               ///< small letter of the request, or REPLY_ERROR
+  unsigned char identifier;  ///< of the request; 0 for an error
+  short value;               ///< the value, or an ErrorCode
+};
+
+/// Writes BASIC_COMMAND_SIZE bytes.
+void encodeCommand(const BasicGetCommand& command, unsigned char* out);
+
+/// Reads BASIC_COMMAND_SIZE bytes.
+BasicGetCommand decodeCommand(const unsigned char* in);
+
+/// Writes PICTURE_HEADER_SIZE bytes.
+/// @param size bytes of the JPEG that follows, 1..MAX_PICTURE_SIZE
+void encodePictureHeader(size_t size, unsigned char* out);
+
+/// Reads PICTURE_HEADER_SIZE bytes.
+/// @param[out] size bytes of the JPEG that follows, as announced, whatever that is
+/// @return false if these bytes are no picture header or if the size is 0 or above MAX_PICTURE_SIZE
+bool decodePictureHeader(const unsigned char* in, size_t* size);
+
+/// Writes VALUE_REPLY_SIZE bytes.
+void encodeValueReply(const ValueReply& reply, unsigned char* out);
+
+/// Reads VALUE_REPLY_SIZE bytes.
+ValueReply decodeValueReply(const unsigned char* in);
+
+/// True if `letter` begins a reply of VALUE_REPLY_SIZE bytes: a value, an acknowledgement or an error.
+bool isValueReply(char letter);
+
+/// A quality as the server uses it: what is above MAX_JPEG_QUALITY becomes MAX_JPEG_QUALITY.
+unsigned char limitJpegQuality(unsigned char quality);
+
+}  // namespace protocol
+
+#endif  // PROTOCOL_VERSION1_H

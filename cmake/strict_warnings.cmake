@@ -1,0 +1,12 @@
+# One set of warnings for everything that is ours. They are errors unless a packager switches that off.
+option(AIBO_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
+
+function(aibo_strict_warnings)
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wcast-align
+      -Wnon-virtual-dtor -Woverloaded-virtual -Wunused)
+    if(AIBO_WARNINGS_AS_ERRORS)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endforeach()
+endfunction()
