@@ -1,0 +1,48 @@
+# What the scripts share. Sourced by them, never run.
+set -euo pipefail
+
+project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=$project_dir/.build
+
+# The system's own tools first: a python3 or cmake from elsewhere (pyenv, conda, pip) knows nothing of its ROS packages.
+export PATH=/usr/bin:/bin:$PATH
+export PYTHONNOUSERSITE=1
+export HOME=${HOME:-/root}
+
+say() {
+  printf '\n== %s\n' "$*"
+}
+
+# Each argument is one line: what went wrong, then what to do about it.
+fail() {
+  printf '\n%s: %s\n' "${0##*/}" "$1" >&2
+  shift
+  [ $# -eq 0 ] || printf '  %s\n' "$@" >&2
+  exit 1
+}
+
+# Prints the comment at the top of the running script: its --help.
+print_help() {
+  sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"
+}
+
+# setup.bash files are not written for `set -u`.
+source_setup() {
+  set +u
+  # shellcheck disable=SC1090
+  source "$1"
+  set -u
+}
+
+# Debian has ROS in /usr; Ubuntu 20.04 has it in /opt/ros/noetic.
+if [ -f /opt/ros/noetic/setup.bash ]; then
+  source_setup /opt/ros/noetic/setup.bash
+fi
+
+# Nodes started from here talk to each other on this machine alone, whatever the caller's environment and even where
+# the host's name cannot be resolved, and write their logs to the folder given.
+use_private_ros() {
+  unset ROS_HOSTNAME ROS_NAMESPACE ROS_MASTER_URI ROSCONSOLE_CONFIG_FILE
+  export ROS_IP=127.0.0.1 ROS_HOME=$1 ROS_LOG_DIR=$1/log
+  mkdir -p "$ROS_LOG_DIR"
+}
