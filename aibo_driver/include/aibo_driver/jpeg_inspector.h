@@ -1,0 +1,37 @@
+/// @file jpeg_inspector.h
+/// Tells whole camera pictures from damaged or hostile ones without decoding them.
+#ifndef AIBO_DRIVER_JPEG_INSPECTOR_H
+#define AIBO_DRIVER_JPEG_INSPECTOR_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace aibo_driver {
+
+/// What inspectJpeg() found.
+struct JpegInspection {
+  int width = 0;        ///< pixels; 0 if the frame header was not reached
+  int height = 0;       ///< pixels; 0 if the frame header was not reached
+  std::string problem;  ///< what is wrong with the picture; empty if it is good
+
+  bool good() const { return problem.empty(); }
+};
+
+/// Checks that the bytes are one whole picture as the RCServer sends them, by walking its markers.
+///
+/// Good is: a baseline JPEG (SOF0: neither progressive nor arithmetic) of 8 bit YCbCr, in 4:4:4, 4:2:2, 4:4:0 or
+/// 4:2:0, in one scan, that begins with SOI and ends with EOI and has nothing behind it, of a size that a camera of
+/// the ERS-7 (208x160 and its layers 104x80, 52x40 and 416x320) or of the ERS-210 (176x144, 88x72, 44x36, 352x288)
+/// can have. So nothing larger than 416x320 is ever decoded, whatever a header announces, and no picture can take
+/// longer to decode than its size says.
+///
+/// Damage inside of the compressed data shows only when it is decoded. Nothing is allocated for a good picture.
+///
+/// @param data not null unless size is 0
+/// @param size bytes
+JpegInspection inspectJpeg(const std::uint8_t* data, std::size_t size);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_JPEG_INSPECTOR_H
