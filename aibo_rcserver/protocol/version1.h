@@ -30,20 +30,36 @@ struct BasicGetCommand {
   unsigned char identifier;  ///< JPEG quality, joint, sensor...: what the letter makes of it
 };
 
-const char REQUEST_PICTURE = 'F';        ///< one picture, identifier = JPEG quality
-const char REQUEST_STREAM_TOGGLE = 'W';  ///< pictures without end, or no more of them; identifier = JPEG quality
+const char REQUEST_PICTURE = 'F';           ///< one picture, identifier = JPEG quality
+const char REQUEST_STREAM_TOGGLE = 'W';     ///< pictures without end, or no more of them; identifier = JPEG quality
+const char REQUEST_NEWER_VERSION = 'X';     ///< go on with the version of the protocol that the identifier names
+const char REQUEST_JOINT = 'J';             ///< joint angle, read or set
+const char REQUEST_SENSOR = 'S';            ///< sensor value, read or left out of and taken into the block
+const char REQUEST_MAX_VELOCITY = 'V';      ///< a joint's greatest speed, read or set
+const char REQUEST_MAX_ACCELERATION = 'A';  ///< a joint's greatest acceleration, read or set
+const char REQUEST_LED = 'L';               ///< one LED or all of them
+const char REQUEST_FACE_LEDS = 'Y';         ///< all LEDs with a face mode
+const char REQUEST_EARS = 'K';              ///< one ear or both
+const char REQUEST_SHUT_DOWN = 'Q';         ///< motors off, then shut down
+const char REQUEST_REBOOT = 'R';            ///< motors off, then reboot
+const char REQUEST_UPLOAD_MOTION = 'U';     ///< the bytes of a motion file follow
+const char REQUEST_DELETE_MOTION = 'D';     ///< delete a motion file
+const char REQUEST_PLAY_MOTION = 'P';       ///< play a motion file
+const char REQUEST_UPLOAD_OBJECT = 'C';     ///< the bytes of an OPEN-R object follow
 
 const char REPLY_PICTURE = 'f';  ///< answers `F`, and carries every picture of a stream
 const char REPLY_ERROR = 'e';
 
 /// Codes of an error reply.
 enum ErrorCode {
-  ERROR_REFUSED = 0,        ///< unknown command, wrong size, not allowed, anything else
-  ERROR_FILE_MISSING = 1,   ///< file missing or unreadable
-  ERROR_NOT_A_MOTION = 2    ///< the name does not end in .MTN
+  ERROR_REFUSED = 0,       ///< unknown command, wrong size, not allowed, anything else
+  ERROR_FILE_MISSING = 1,  ///< file missing or unreadable
+  ERROR_NOT_A_MOTION = 2   ///< the name does not end in .MTN
 };
 
 const size_t BASIC_COMMAND_SIZE = 2;   ///< bytes of an encoded BasicGetCommand
+const size_t VALUE_REQUEST_SIZE = 4;   ///< bytes of a request with a value: letter, identifier, int16
+const size_t FILE_REQUEST_SIZE = 18;   ///< bytes of a request with a file name: letter, identifier, char[12], 2 uint16
 const size_t PICTURE_HEADER_SIZE = 5;  ///< bytes before the JPEG: `f` and its size
 const size_t VALUE_REPLY_SIZE = 4;     ///< bytes of a value or error reply: letter, identifier, int16
 

@@ -1,0 +1,111 @@
+#include "protocol/request_reader.h"
+
+#include <string.h>
+
+namespace protocol {
+
+namespace {
+
+const size_t NAME_SIZE = 12;  // of a file: 8 characters, a dot, 3 characters
+
+bool hasTwoSizes(char letter) {
+  return letter == REQUEST_JOINT || letter == REQUEST_SENSOR || letter == REQUEST_MAX_VELOCITY ||
+         letter == REQUEST_MAX_ACCELERATION;
+}
+
+bool isFollowedByFile(char letter) {
+  return letter == REQUEST_UPLOAD_MOTION || letter == REQUEST_UPLOAD_OBJECT;
+}
+
+// The size a request has by its letter; 0 if there is no such letter.
+size_t sizeOf(char letter) {
+  switch (letter) {
+    case REQUEST_PICTURE:
+    case REQUEST_STREAM_TOGGLE:
+    case REQUEST_NEWER_VERSION:
+      return BASIC_COMMAND_SIZE;
+    case REQUEST_LED:
+    case REQUEST_FACE_LEDS:
+    case REQUEST_EARS:
+    case REQUEST_SHUT_DOWN:
+    case REQUEST_REBOOT:
+      return VALUE_REQUEST_SIZE;
+    case REQUEST_UPLOAD_MOTION:
+    case REQUEST_DELETE_MOTION:
+    case REQUEST_PLAY_MOTION:
+    case REQUEST_UPLOAD_OBJECT:
+      return FILE_REQUEST_SIZE;
+    default:
+      return 0;
+  }
+}
+
+size_t decodeUnsigned16(const unsigned char* in) {
+  return static_cast<size_t>(in[0]) | (static_cast<size_t>(in[1]) << 8);
+}
+
+}  // namespace
+
+const size_t RequestReader::MAX_APPENDED;
+const size_t RequestReader::MAX_REQUESTS;
+
+RequestReader::RequestReader() : waiting_size_(0), announced_size_(0) {}
+
+void RequestReader::reset() {
+  waiting_size_ = 0;
+  announced_size_ = 0;
+}
+
+size_t RequestReader::append(const unsigned char* bytes, size_t size) {
+  const size_t room = sizeof(waiting_) - waiting_size_;
+  const size_t taken = size < room ? size : room;
+  memcpy(waiting_ + waiting_size_, bytes, taken);
+  waiting_size_ += taken;
+  return taken;
+}
+
+bool RequestReader::next(Request* request) {
+  skipAnnounced();
+  const size_t size = frontSize();
+  if (size == 0) {
+    return false;
+  }
+  request->basic = decodeCommand(waiting_);
+  const char letter = request->basic.command;
+  request->valid = hasTwoSizes(letter) ? size <= VALUE_REQUEST_SIZE : sizeOf(letter) != 0;
+  request->payload_size = request->valid ? size - BASIC_COMMAND_SIZE : 0;
+  memcpy(request->payload, waiting_ + BASIC_COMMAND_SIZE, request->payload_size);
+  if (isFollowedByFile(letter)) {
+    const unsigned char* size_fields = request->payload + NAME_SIZE;
+    announced_size_ = decodeUnsigned16(size_fields) * 512 + decodeUnsigned16(size_fields + 2);
+  }
+  consume(size);
+  return true;
+}
+
+void RequestReader::skipAnnounced() {
+  const size_t skipped = announced_size_ < waiting_size_ ? announced_size_ : waiting_size_;
+  announced_size_ -= skipped;
+  consume(skipped);
+}
+
+// Size of the request that the waiting bytes begin with; 0 if it is not whole.
+size_t RequestReader::frontSize() const {
+  if (waiting_size_ < BASIC_COMMAND_SIZE) {
+    return 0;
+  }
+  const char letter = static_cast<char>(waiting_[0]);
+  if (hasTwoSizes(letter)) {
+    return waiting_size_ == VALUE_REQUEST_SIZE - 1 ? 0 : waiting_size_;
+  }
+  // Nobody knows the size of an unknown request. Two bytes is what every request has at least.
+  const size_t size = sizeOf(letter) != 0 ? sizeOf(letter) : BASIC_COMMAND_SIZE;
+  return waiting_size_ < size ? 0 : size;
+}
+
+void RequestReader::consume(size_t size) {
+  waiting_size_ -= size;
+  memmove(waiting_, waiting_ + size, waiting_size_);
+}
+
+}  // namespace protocol

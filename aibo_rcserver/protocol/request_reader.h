@@ -1,0 +1,74 @@
+/// @file request_reader.h
+/// Splits the bytes a version 1 client sends into requests.
+#ifndef PROTOCOL_REQUEST_READER_H
+#define PROTOCOL_REQUEST_READER_H
+
+#include <stddef.h>
+
+#include "protocol/version1.h"
+
+namespace protocol {
+
+/// One request of a version 1 client, or what was found in its place.
+struct Request {
+  bool valid;             ///< false: an unknown letter or a wrong size, to be answered by one error
+  BasicGetCommand basic;  ///< letter and identifier
+  size_t payload_size;    ///< bytes of payload: 0, 2 (an int16) or 16 (name, a, b)
+  unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];  ///< what follows letter and identifier
+};
+
+/// Splits a byte stream into version 1 requests. No I/O, and memory of a fixed size.
+///
+/// Nearly every request has the size that its letter says, so that it does not matter how TCP splits or joins the
+/// bytes. `J`, `S`, `V` and `A` exist in two sizes, and servers since 2005 have told them apart by the number of bytes
+/// that were there at once. For a request that begins with one of these four letters:
+///
+/// | bytes waiting | what it is |
+/// |---|---|
+/// | 1 | not enough yet |
+/// | 2 | a read |
+/// | 3 | the beginning of a write: the last byte is waited for |
+/// | 4 | a write |
+/// | more | a wrong size: all that is waiting makes one invalid request |
+///
+/// "Waiting" is what append() has brought and next() has not taken. A write whose four bytes TCP delivers two by two is
+/// therefore taken for a read; version 1 has no cure for that.
+///
+/// After `U` and `C` follow as many bytes as the request announces. The reader skips them, so that the content of a
+/// refused file is never taken for requests.
+///
+/// Not thread-safe.
+class RequestReader {
+ public:
+  /// Most bytes one append() takes while no more than one unfinished request is waiting.
+  static const size_t MAX_APPENDED = 1024;
+
+  /// Most requests next() can find in what one append() has brought: the shortest request has two bytes.
+  static const size_t MAX_REQUESTS = (MAX_APPENDED + FILE_REQUEST_SIZE) / BASIC_COMMAND_SIZE;
+
+  RequestReader();
+
+  /// Forgets everything: a new client.
+  void reset();
+
+  /// Adds received bytes.
+  /// @return how many were taken: all of them if `size` is at most MAX_APPENDED and next() has said false before
+  size_t append(const unsigned char* bytes, size_t size);
+
+  /// Takes the next request out of the waiting bytes.
+  /// @return false if there is no whole one
+  bool next(Request* request);
+
+ private:
+  void skipAnnounced();
+  size_t frontSize() const;
+  void consume(size_t size);
+
+  unsigned char waiting_[MAX_APPENDED + FILE_REQUEST_SIZE];
+  size_t waiting_size_;
+  size_t announced_size_;  ///< bytes of a refused file that are still to come
+};
+
+}  // namespace protocol
+
+#endif  // PROTOCOL_REQUEST_READER_H

@@ -1,0 +1,78 @@
+#include "protocol/version1.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <vector>
+
+namespace protocol {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(Version1, CommandIsTheLetterThenTheIdentifier) {
+  std::array<unsigned char, BASIC_COMMAND_SIZE> bytes{};
+  encodeCommand({REQUEST_PICTURE, 85}, bytes.data());
+  EXPECT_THAT(bytes, ElementsAre('F', 85));
+  const BasicGetCommand command = decodeCommand(bytes.data());
+  EXPECT_EQ(command.command, 'F');
+  EXPECT_EQ(command.identifier, 85);
+}
+
+TEST(Version1, SizeOfPictureIsBigEndian) {
+  std::array<unsigned char, PICTURE_HEADER_SIZE> bytes{};
+  encodePictureHeader(0x00012345, bytes.data());
+  EXPECT_THAT(bytes, ElementsAre('f', 0x00, 0x01, 0x23, 0x45));
+  size_t size = 0;
+  EXPECT_TRUE(decodePictureHeader(bytes.data(), &size));
+  EXPECT_EQ(size, 0x00012345U);
+}
+
+TEST(Version1, PictureHeaderIsRefusedWhenLetterOrSizeIsImpossible) {
+  const std::vector<std::array<unsigned char, PICTURE_HEADER_SIZE>> impossible = {
+      {'F', 0, 0, 1, 0}, {'e', 0, 0, 1, 0}, {'f', 0, 0, 0, 0}, {'f', 0, 4, 0, 1}, {'f', 255, 255, 255, 255}};
+  for (const auto& bytes : impossible) {
+    size_t size = 0;
+    EXPECT_FALSE(decodePictureHeader(bytes.data(), &size)) << bytes[0] << " with size " << size;
+  }
+}
+
+TEST(Version1, LargestPictureIsAccepted) {
+  std::array<unsigned char, PICTURE_HEADER_SIZE> bytes{};
+  encodePictureHeader(MAX_PICTURE_SIZE, bytes.data());
+  size_t size = 0;
+  EXPECT_TRUE(decodePictureHeader(bytes.data(), &size));
+  EXPECT_EQ(size, MAX_PICTURE_SIZE);
+}
+
+TEST(Version1, ValueIsLittleEndianAndSigned) {
+  std::array<unsigned char, VALUE_REPLY_SIZE> bytes{};
+  encodeValueReply({'j', 11, -2}, bytes.data());
+  EXPECT_THAT(bytes, ElementsAre('j', 11, 0xfe, 0xff));
+  for (const int value : {-32768, -300, -1, 0, 1, 300, 32767}) {
+    encodeValueReply({'j', 3, static_cast<short>(value)}, bytes.data());
+    const ValueReply reply = decodeValueReply(bytes.data());
+    EXPECT_EQ(reply.letter, 'j');
+    EXPECT_EQ(reply.identifier, 3);
+    EXPECT_EQ(reply.value, value);
+  }
+}
+
+TEST(Version1, PictureLetterBeginsNoValueReply) {
+  EXPECT_TRUE(isValueReply(REPLY_ERROR));
+  EXPECT_TRUE(isValueReply('j'));
+  EXPECT_FALSE(isValueReply(REPLY_PICTURE));
+  EXPECT_FALSE(isValueReply('J'));
+  EXPECT_FALSE(isValueReply('\0'));
+}
+
+TEST(Version1, QualityAboveHundredMeansHundred) {
+  EXPECT_EQ(limitJpegQuality(0), 0);
+  EXPECT_EQ(limitJpegQuality(85), 85);
+  EXPECT_EQ(limitJpegQuality(100), 100);
+  EXPECT_EQ(limitJpegQuality(101), 100);
+  EXPECT_EQ(limitJpegQuality(255), 100);
+}
+
+}  // namespace
+}  // namespace protocol
