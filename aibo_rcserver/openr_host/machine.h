@@ -1,0 +1,95 @@
+/// @file machine.h
+/// OPEN-R on Linux: boots the objects of a memory stick and runs them.
+#ifndef OPENR_HOST_MACHINE_H
+#define OPENR_HOST_MACHINE_H
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "openr_host/clock.h"
+#include "openr_host/object_description.h"
+#include "openr_host/virtual_robot.h"
+
+namespace openr_host {
+
+/// The wireless console's port on the robot (report, section 2.2).
+constexpr std::uint16_t kConsolePort = 59000;
+
+/// The memory stick cannot be booted. The text names the file and line, or the port, and says what to do.
+class BootError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct MachineOptions {
+  /// Address of this computer that clients may connect to; "0.0.0.0" is all of them.
+  std::string bind_address = "127.0.0.1";
+
+  /// From a port of the robot to the port it has on this computer; 0 is any free one, see Machine::hostPort(). These
+  /// are taken by boot(). A port that does not stand here is the same on both, and taken when an object listens on it.
+  std::map<std::uint16_t, std::uint16_t> ports = {{kConsolePort, kConsolePort}};
+
+  /// Folder that holds what the robot has on its memory stick: OPEN-R/MW/CONF/OBJECT.CFG and CONNECT.CFG, whatever
+  /// the case of these names.
+  std::string memory_stick;
+
+  /// What each file named in OBJECT.CFG is on Linux, by its name in capitals: {"RCSERVER.BIN", describeRCServer()}.
+  std::map<std::string, ObjectDescription> catalog;
+
+  /// Gets what the console prints, besides the telnet listeners; null is nowhere. Must outlive the machine.
+  std::ostream* console = nullptr;
+};
+
+/// One robot: its objects, their messages, sockets and time, all on the one thread that calls these functions. Each
+/// message is handled to its end before the next one. One thread may have several machines, one at a time running.
+class Machine {
+ public:
+  /// @param clock, robot must outlive the machine
+  Machine(MachineOptions options, Clock& clock, VirtualRobot& robot);
+
+  /// Calls shutdown().
+  ~Machine();
+
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  /// Reads OBJECT.CFG and CONNECT.CFG, takes the ports, makes the objects, calls DoInit of all in the order of
+  /// OBJECT.CFG, connects them, calls DoStart of all. Once only.
+  /// @throw BootError; nothing is left running then
+  void boot();
+
+  /// Handles what comes until stop() is called.
+  void run();
+
+  /// Makes run() return soon. The one function that may be called from any thread and from a signal handler.
+  void stop() noexcept;
+
+  /// Handles everything that is to be done now, without waiting: the clock's frame, messages, sockets. For tests.
+  void runPending();
+
+  /// Handles what comes until `done` says so. For tests that wait for a socket.
+  /// @param limit safety net
+  /// @return false if the limit was reached
+  bool runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit = std::chrono::seconds(20));
+
+  /// DoStop of all objects, DoDestroy of all, all sockets closed. What is still queued is dropped.
+  void shutdown() noexcept;
+
+  /// The port on this computer that stands for a port of the robot, after boot().
+  /// @throw std::out_of_range if MachineOptions::ports does not name it
+  std::uint16_t hostPort(std::uint16_t robot_port) const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_MACHINE_H

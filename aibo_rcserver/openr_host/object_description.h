@@ -1,0 +1,40 @@
+/// @file object_description.h
+/// What the machine has to know of an object before it can make one. openr_stub_generator writes it from stub.cfg.
+#ifndef OPENR_HOST_OBJECT_DESCRIPTION_H
+#define OPENR_HOST_OBJECT_DESCRIPTION_H
+
+#include <OPENR/OObject.h>
+#include <ant.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+/// A service that data leaves from. A function that stub.cfg calls `null` is empty here.
+struct SubjectDescription {
+  std::string service;  ///< "Object.Name.Data.S"
+  std::function<void(OObject&, const OControlEvent&)> control;
+  std::function<void(OObject&, const OReadyEvent&)> ready;
+};
+
+/// A service that data comes to.
+struct ObserverDescription {
+  std::string service;  ///< "Object.Name.Data.O"
+  std::function<void(OObject&, const OConnectEvent&)> connect;
+  std::function<void(OObject&, const ONotifyEvent&)> notify;
+};
+
+struct ObjectDescription {
+  std::string name;
+  std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
+  std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
+  std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME
+  std::function<std::unique_ptr<OObject>()> create;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_OBJECT_DESCRIPTION_H

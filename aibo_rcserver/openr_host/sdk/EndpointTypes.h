@@ -1,0 +1,8 @@
+/// @file EndpointTypes.h
+/// What kinds of endpoint antEnvCreateEndpointMsg can make.
+#ifndef OPENR_ENDPOINTTYPES_H
+#define OPENR_ENDPOINTTYPES_H
+
+enum EndpointType { EndpointType_TCP = 1 };
+
+#endif  // OPENR_ENDPOINTTYPES_H

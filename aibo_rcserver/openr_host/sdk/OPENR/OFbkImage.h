@@ -1,0 +1,49 @@
+/// @file OFbkImage.h
+/// Reads one band of one layer of a camera image.
+#ifndef OPENR_OFBKIMAGE_H
+#define OPENR_OFBKIMAGE_H
+
+#include <OPENR/ODataFormats.h>
+
+typedef longword OCdtChannel;  ///< of the colour detection, 0..7
+
+/// A view, without a copy, of one band. The bands of a layer are interleaved row by row: a row of Y, the same row of
+/// Cr, of Cb, and where the layer has them (odataFBK_YCrCb_HPF) of Y_LH, Y_HL and Y_HH; then the next row of Y.
+///
+/// The first 16 pixels of the last row are no picture but tag bytes: 0-1 the field counter, little-endian, 4-7 and
+/// 8-11 how many sixteenths of a pixel count the colour detection found in its channels 4-7 and 0-3.
+class OFbkImage {
+ public:
+  /// @param info, data of one layer: OFbkImageVectorData::GetInfo() and GetData(), which must outlive this
+  OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
+
+  /// False if the layer has no such band. Nothing else may be asked then.
+  bool IsValid() const { return pointer_ != 0; }
+
+  /// The first pixel.
+  byte* Pointer() const { return pointer_; }
+  int Width() const { return width_; }
+  int Height() const { return height_; }
+  /// Bytes between the last pixel of a row and the first of the next: pixel (x, y) is
+  /// Pointer()[y * (Width() + Skip()) + x].
+  int Skip() const { return skip_; }
+  /// @param x 0..Width()-1
+  /// @param y 0..Height()-1, from the top
+  byte Pixel(int x, int y) const { return pointer_[y * (width_ + skip_) + x]; }
+
+  /// Counts the camera's fields; from the tag bytes.
+  word FieldCounter() const;
+  /// How many pixels the colour detection found in a channel; from the tag bytes.
+  /// @param channel 0..7
+  word ColorFrequency(OCdtChannel channel) const;
+
+ private:
+  byte Tag(int index) const { return Pixel(index, height_ - 1); }
+
+  byte* pointer_;
+  int width_;
+  int height_;
+  int skip_;
+};
+
+#endif  // OPENR_OFBKIMAGE_H

@@ -1,0 +1,42 @@
+/// @file virtual_robot.h
+/// The body behind the system object OVirtualRobotComm.
+#ifndef OPENR_HOST_VIRTUAL_ROBOT_H
+#define OPENR_HOST_VIRTUAL_ROBOT_H
+
+#include <OPENR/OPENR.h>
+#include <OPENR/OPrimitiveControl.h>
+#include <OPENR/RCRegion.h>
+
+#include <string>
+
+namespace openr_host {
+
+/// All calls come from the thread that runs the machine.
+class VirtualRobot {
+ public:
+  virtual ~VirtualRobot() = default;
+
+  /// The model's name as OPENR::GetRobotDesign() gives it: "ERS-7". Also the section of OBJECT.CFG that is read.
+  virtual std::string design() const = 0;
+
+  /// @name What OPENR::OpenPrimitive() and its like do; their header says what is returned.
+  /// @{
+  virtual OStatus openPrimitive(const char* locator, OPrimitiveID* id) = 0;
+  virtual OStatus closePrimitive(OPrimitiveID id) = 0;
+  virtual OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size,
+                                   void* result, size_t result_size) = 0;
+  /// @}
+
+  /// Asked once a frame, with growing numbers, whether anybody looks or not. When the host has held the process up,
+  /// frames are left out: an image that was due in one of those is due now.
+  virtual bool cameraImageDue(longword frame) = 0;
+
+  /// Takes the image that is due: an OFbkImageVectorData and its pixels in one region. Called only if an observer of
+  /// OVirtualRobotComm.FbkImageSensor is ready. The robot keeps its own reference to the region, and may draw in it
+  /// again when RCRegion::NumberOfReference() is back to 1.
+  virtual RCRegion* captureImage(longword frame) = 0;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_VIRTUAL_ROBOT_H
