@@ -1,4 +1,5 @@
 # What the scripts share. Sourced by them, never run.
+# shellcheck shell=bash
 set -euo pipefail
 
 project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
