@@ -1,0 +1,69 @@
+#include "aibo_driver.h"
+
+#include <ros/console.h>
+
+#include "ros_log_sink.h"
+
+namespace aibo_driver {
+namespace {
+
+constexpr const char* kDefaultNamespace = "aibo";
+
+// Started bare, by rosrun, the driver is found under the same names as when launched.
+ros::NodeHandle driverHandle(const ros::NodeHandle& handle) {
+  if (handle.getNamespace() != "/") {
+    return handle;
+  }
+  ROS_INFO_STREAM("Started in the root namespace: topics and services are under /" << kDefaultNamespace << ".");
+  return ros::NodeHandle(handle, kDefaultNamespace);
+}
+
+void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
+  for (const std::string& name : parameters.unknown) {
+    ROS_WARN_STREAM("Parameter " << name_prefix << "/" << name
+                                 << " is none of the driver's and is ignored: is it misspelt?");
+  }
+}
+
+}  // namespace
+
+AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
+    : parameters_(readDriverParameters(private_handle)),
+      handle_(driverHandle(handle)),
+      control_(
+          parameters_.stream_on_start, parameters_.stream_on_demand, [this] { return cameraHasSubscribers(); },
+          [this](bool on) { client_.setStreaming(on); }),
+      connection_(handle_, parameters_.client),
+      camera_(ros::NodeHandle(handle_, "camera"), parameters_, [this] { control_.subscribersChanged(); }),
+      raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { control_.subscribersChanged(); }),
+      client_(parameters_.client, makeCallbacks()),
+      services_(handle_, parameters_, client_, control_, [this](const Picture& p) { return camera_.toMessage(p); }),
+      diagnostics_(handle_, private_handle, name, {parameters_.client, client_, control_, meter_, raw_images_}) {
+  warnOfUnknown(parameters_, private_handle.getNamespace());
+  control_.start();
+  client_.start();
+}
+
+AiboDriver::~AiboDriver() {
+  client_.stop();
+}
+
+RcServerClient::Callbacks AiboDriver::makeCallbacks() {
+  RcServerClient::Callbacks callbacks;
+  callbacks.on_picture = [this](const PicturePtr& picture) { publishPicture(*picture); };
+  callbacks.on_status = [this](const ConnectionStatus& status) { connection_.publish(status); };
+  callbacks.on_streaming = [this](bool streaming) { services_.publishStreaming(streaming); };
+  callbacks.log = makeRosLogSink();
+  return callbacks;
+}
+
+void AiboDriver::publishPicture(const Picture& picture) {
+  raw_images_.publish(camera_.publish(picture));
+  meter_.add(picture.jpeg.size(), picture.first_byte_time);
+}
+
+bool AiboDriver::cameraHasSubscribers() const {
+  return camera_.hasSubscribers() || raw_images_.hasSubscribers();
+}
+
+}  // namespace aibo_driver

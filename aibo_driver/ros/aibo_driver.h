@@ -1,0 +1,58 @@
+/// @file aibo_driver.h
+#ifndef AIBO_DRIVER_AIBO_DRIVER_H
+#define AIBO_DRIVER_AIBO_DRIVER_H
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "aibo_driver/rcserver_client.h"
+#include "camera_publisher.h"
+#include "connection_publisher.h"
+#include "driver_diagnostics.h"
+#include "driver_parameters.h"
+#include "raw_image_publisher.h"
+#include "stream_control.h"
+#include "stream_meter.h"
+#include "stream_services.h"
+
+namespace aibo_driver {
+
+/// The whole driver: what node and nodelet wrap. docs/ros_interface.md tells what it looks like from outside.
+class AiboDriver {
+ public:
+  /// Begins to connect and to publish. A robot that is not there is no error: the driver goes on trying.
+  /// @param handle the driver's namespace; the root namespace means /aibo
+  /// @param private_handle where the parameters are
+  /// @param name of the node or nodelet, with its namespace, for the diagnostics
+  /// @throw InvalidArgumentException a parameter is wrong; the message names it and what is allowed
+  AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
+
+  /// Ends within a second.
+  ~AiboDriver();
+
+  AiboDriver(const AiboDriver&) = delete;
+  AiboDriver& operator=(const AiboDriver&) = delete;
+
+ private:
+  RcServerClient::Callbacks makeCallbacks();
+  void publishPicture(const Picture& picture);
+  bool cameraHasSubscribers() const;
+
+  // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
+  // control_ is started, it does nothing about them.
+  const DriverParameters parameters_;
+  ros::NodeHandle handle_;
+  StreamMeter meter_;
+  StreamControl control_;
+  ConnectionPublisher connection_;
+  CameraPublisher camera_;
+  RawImagePublisher raw_images_;
+  RcServerClient client_;
+  StreamServices services_;
+  DriverDiagnostics diagnostics_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_AIBO_DRIVER_H

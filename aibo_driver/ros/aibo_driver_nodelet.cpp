@@ -1,0 +1,28 @@
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <exception>
+#include <memory>
+
+#include "aibo_driver.h"
+
+namespace aibo_driver {
+
+/// The driver inside of a nodelet manager, where messages reach other nodelets without being copied.
+class AiboDriverNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    try {
+      driver_ = std::make_unique<AiboDriver>(getNodeHandle(), getPrivateNodeHandle(), getName());
+    } catch (const std::exception& error) {
+      NODELET_FATAL_STREAM("The driver cannot start. " << error.what());
+      throw;  // the manager answers that it could not load the nodelet
+    }
+  }
+
+  std::unique_ptr<AiboDriver> driver_;
+};
+
+}  // namespace aibo_driver
+
+PLUGINLIB_EXPORT_CLASS(aibo_driver::AiboDriverNodelet, nodelet::Nodelet)

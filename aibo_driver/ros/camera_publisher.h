@@ -1,0 +1,51 @@
+/// @file camera_publisher.h
+#ifndef AIBO_DRIVER_CAMERA_PUBLISHER_H
+#define AIBO_DRIVER_CAMERA_PUBLISHER_H
+
+#include <camera_info_manager/camera_info_manager.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <functional>
+#include <string>
+
+#include "aibo_driver/picture.h"
+#include "driver_parameters.h"
+#include "picture_stamper.h"
+
+namespace aibo_driver {
+
+/// Publishes each picture as the robot sent it (image_raw/compressed), and its camera_info with the same header.
+///
+/// The calibration is camera_info_manager's, with the service set_camera_info in the camera's namespace. Without a
+/// calibration camera_info holds the picture's width and height and zeros, which by CameraInfo.msg means uncalibrated.
+class CameraPublisher {
+ public:
+  /// @param camera_handle the camera's namespace
+  /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
+  /// @throw InvalidArgumentException camera_info_url is none that camera_info_manager understands
+  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+                  const std::function<void()>& subscribers_changed);
+
+  /// Never blocks. From one thread at a time.
+  /// @return the message that was published
+  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture);
+
+  /// The picture as a message, with the same header each time. From any thread.
+  sensor_msgs::CompressedImage toMessage(const Picture& picture);
+
+  bool hasSubscribers() const;
+
+ private:
+  void publishCameraInfo(const std_msgs::Header& header, const Picture& picture);
+
+  const std::string frame_id_;
+  PictureStamper stamper_;
+  camera_info_manager::CameraInfoManager camera_info_;
+  ros::Publisher compressed_publisher_;
+  ros::Publisher camera_info_publisher_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CAMERA_PUBLISHER_H

@@ -1,0 +1,67 @@
+#include "connection_publisher.h"
+
+#include <aibo_driver/Connection.h>
+
+#include <cstdint>
+
+namespace aibo_driver {
+namespace {
+
+std::uint8_t stateConstant(ConnectionState state) {
+  switch (state) {
+    case ConnectionState::kConnected:
+      return Connection::CONNECTED;
+    case ConnectionState::kConnecting:
+      return Connection::CONNECTING;
+    case ConnectionState::kDisconnected:
+      break;
+  }
+  return Connection::DISCONNECTED;
+}
+
+}  // namespace
+
+std::string robotAddress(const ClientOptions& options) {
+  return options.host + ":" + std::to_string(options.port);
+}
+
+std::string describeConnection(const ConnectionStatus& status, const ClientOptions& options) {
+  std::string text;
+  switch (status.state) {
+    case ConnectionState::kConnected:
+      return "connected to " + robotAddress(options) + ", protocol version " + std::to_string(status.protocol_version);
+    case ConnectionState::kConnecting:
+      text = "connecting to " + robotAddress(options);
+      break;
+    case ConnectionState::kDisconnected:
+      text = "not connected to " + robotAddress(options);
+      break;
+  }
+  if (!status.reason.empty()) {
+    text += ": " + status.reason;
+  }
+  if (!status.advice.empty()) {
+    text += " (" + status.advice + ")";
+  }
+  return text;
+}
+
+ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const ClientOptions& options)
+    : options_(options), publisher_(ros::NodeHandle(handle).advertise<Connection>("connection", 1, true)) {
+  publish(ConnectionStatus());
+}
+
+void ConnectionPublisher::publish(const ConnectionStatus& status) {
+  Connection message;
+  message.header.stamp = ros::Time::now();
+  message.state = stateConstant(status.state);
+  message.text = describeConnection(status, options_);
+  message.host = options_.host;
+  message.port = static_cast<std::uint16_t>(options_.port);
+  message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
+  message.reason = status.reason;
+  message.advice = status.advice;
+  publisher_.publish(message);
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,100 @@
+#include "driver_diagnostics.h"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <cstdio>
+
+#include "connection_publisher.h"
+
+namespace aibo_driver {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+constexpr double kPeriod = 1.0;  // seconds, REP 107
+
+std::string oneDecimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f", value);
+  return text;
+}
+
+const char* yesOrNo(bool value) {
+  return value ? "yes" : "no";
+}
+
+}  // namespace
+
+DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                                     const std::string& name, const Sources& sources)
+    : sources_(sources), updater_(handle, private_handle, name) {
+  updater_.setHardwareID(robotAddress(sources_.options));
+  updater_.add("connection", this, &DriverDiagnostics::reportConnection);
+  updater_.add("stream", this, &DriverDiagnostics::reportStream);
+  timer_ = ros::NodeHandle(handle).createSteadyTimer(ros::WallDuration(kPeriod),
+                                                     [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
+}
+
+void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
+  const ConnectionStatus connection = sources_.client.status();
+  const ClientStatistics statistics = sources_.client.statistics();
+  const bool connected = connection.state == ConnectionState::kConnected;
+  // Before the first attempt has ended nothing has gone wrong yet.
+  const bool failed = !connected && !connection.reason.empty();
+  const auto level = connected ? DiagnosticStatus::OK : failed ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
+  status.summary(level, describeConnection(connection, sources_.options));
+  status.add("host", sources_.options.host);
+  status.add("port", sources_.options.port);
+  status.add("protocol version", connection.protocol_version);
+  status.add("reason", connection.reason);
+  status.add("what to check", connection.advice);
+  status.add("connections made", statistics.connections);
+  status.add("attempts failed", statistics.failed_attempts);
+  status.add("streams given up for silence", statistics.stalls);
+  status.add("protocol errors", statistics.protocol_errors);
+  status.add("bytes received", statistics.bytes_received);
+}
+
+void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
+  const StreamMeter::Reading reading = sources_.meter.read();
+  const ClientStatistics client = sources_.client.statistics();
+  const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
+  const std::uint64_t damaged = client.corrupt_pictures + raw.decode_errors;
+  const std::uint64_t newly_damaged = damaged - reported_damaged_;
+  reported_damaged_ = damaged;
+  const bool wanted = sources_.control.wanted();
+  const bool streaming = sources_.client.streaming();
+
+  if (newly_damaged > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(newly_damaged) +
+                                               " damaged pictures dropped: is the RCServer on the robot the one that "
+                                               "belongs to this driver, and its memory stick in order?");
+  } else if (reading.pictures > 0) {
+    status.summary(DiagnosticStatus::OK, oneDecimal(reading.picturesPerSecond()) + " pictures/s, " +
+                                             oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
+  } else if (!wanted) {
+    status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
+  } else if (sources_.control.waitsForSubscriber()) {
+    status.summary(DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
+  } else if (!streaming) {
+    status.summary(DiagnosticStatus::WARN, "no pictures: the robot is not connected");
+  } else {
+    status.summary(DiagnosticStatus::WARN, "no pictures although the stream is on: does the robot's camera run?");
+  }
+  status.add("stream wanted", yesOrNo(wanted));
+  status.add("streaming", yesOrNo(streaming));
+  status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
+  status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
+  status.add("first byte to published, mean ms", oneDecimal(1000.0 * reading.mean_latency));
+  status.add("first byte to published, longest ms", oneDecimal(1000.0 * reading.max_latency));
+  status.add("pictures received", client.pictures);
+  status.add("pictures damaged", client.corrupt_pictures);
+  status.add("pictures nobody asked for", client.unexpected_pictures);
+  status.add("pictures dropped for newer ones", client.stale_pictures);
+  status.add("images decoded", raw.published);
+  status.add("images not decodable", raw.decode_errors);
+  status.add("images dropped for newer ones", raw.skipped);
+}
+
+}  // namespace aibo_driver

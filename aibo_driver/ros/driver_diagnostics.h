@@ -1,0 +1,48 @@
+/// @file driver_diagnostics.h
+#ifndef AIBO_DRIVER_DRIVER_DIAGNOSTICS_H
+#define AIBO_DRIVER_DRIVER_DIAGNOSTICS_H
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <cstdint>
+#include <string>
+
+#include "aibo_driver/rcserver_client.h"
+#include "raw_image_publisher.h"
+#include "stream_control.h"
+#include "stream_meter.h"
+
+namespace aibo_driver {
+
+/// Publishes /diagnostics once a second, by the wall's clock and whether or not pictures come: one status for the
+/// connection, one for the stream. A stream that is off, or that nobody has demanded, is no fault.
+class DriverDiagnostics {
+ public:
+  /// What is reported on; all of it must outlive the DriverDiagnostics.
+  struct Sources {
+    const ClientOptions& options;
+    const RcServerClient& client;
+    const StreamControl& control;
+    StreamMeter& meter;
+    const RawImagePublisher& raw_images;
+  };
+
+  /// @param name of the node or nodelet, with its namespace
+  DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name,
+                    const Sources& sources);
+
+ private:
+  void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  Sources sources_;
+  std::uint64_t reported_damaged_ = 0;
+  diagnostic_updater::Updater updater_;
+  ros::SteadyTimer timer_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_DRIVER_DIAGNOSTICS_H

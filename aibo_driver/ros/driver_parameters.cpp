@@ -1,0 +1,186 @@
+#include "driver_parameters.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+/// Reads one parameter after the other and remembers which names exist.
+class ParameterReader {
+ public:
+  ParameterReader(const XmlRpcValue& values, const std::string& name_prefix)
+      : values_(values), name_prefix_(name_prefix) {}
+
+  void read(const std::string& name, int minimum, int maximum, int* out) {
+    const std::string allowed = "a whole number, " + std::to_string(minimum) + ".." + std::to_string(maximum);
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    if (value.getType() != XmlRpcValue::TypeInt) {
+      refuse(name, value, allowed);
+    }
+    const int number = value;
+    if (number < minimum || number > maximum) {
+      refuse(name, value, allowed);
+    }
+    *out = number;
+  }
+
+  /// A time in seconds.
+  template <typename Duration>
+  void read(const std::string& name, double minimum, double maximum, Duration* out) {
+    std::ostringstream allowed;
+    allowed << "a number of seconds, " << minimum << ".." << maximum;
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    double seconds = NAN;
+    if (value.getType() == XmlRpcValue::TypeInt) {
+      seconds = static_cast<int>(value);
+    } else if (value.getType() == XmlRpcValue::TypeDouble) {
+      seconds = value;
+    }
+    if (!(seconds >= minimum && seconds <= maximum)) {
+      refuse(name, value, allowed.str());
+    }
+    *out = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+  }
+
+  void read(const std::string& name, bool* out) {
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    if (value.getType() != XmlRpcValue::TypeBoolean) {
+      refuse(name, value, "true or false");
+    }
+    *out = value;
+  }
+
+  /// @param acceptable says whether a text is; `allowed` describes such a text
+  template <typename Predicate>
+  void read(const std::string& name, const std::string& allowed, Predicate acceptable, std::string* out) {
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    if (value.getType() != XmlRpcValue::TypeString) {
+      refuse(name, value, allowed);
+    }
+    const std::string text = value;
+    if (!acceptable(text)) {
+      refuse(name, value, allowed);
+    }
+    *out = text;
+  }
+
+  std::vector<std::string> unknown() {
+    std::vector<std::string> names;
+    if (values_.getType() != XmlRpcValue::TypeStruct) {
+      return names;
+    }
+    for (auto& entry : values_) {
+      // A struct is a namespace below ours, which belongs to somebody else.
+      if (known_.count(entry.first) == 0 && entry.second.getType() != XmlRpcValue::TypeStruct) {
+        names.push_back(entry.first);
+      }
+    }
+    return names;
+  }
+
+  /// A name that is read elsewhere.
+  void addKnown(const std::string& name) { known_.insert(name); }
+
+ private:
+  bool find(const std::string& name, XmlRpcValue* value) {
+    known_.insert(name);
+    if (values_.getType() != XmlRpcValue::TypeStruct || !values_.hasMember(name)) {
+      return false;
+    }
+    *value = values_[name];
+    return true;
+  }
+
+  [[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) const {
+    std::ostringstream message;
+    message << "Parameter " << name_prefix_ << name << " is ";
+    if (value.getType() == XmlRpcValue::TypeString) {
+      message << "the text '" << static_cast<std::string>(XmlRpcValue(value)) << "'";
+    } else {
+      message << value;
+    }
+    message << "; allowed is " << allowed << ".";
+    throw InvalidArgumentException(message.str());
+  }
+
+  XmlRpcValue values_;
+  std::string name_prefix_;
+  std::set<std::string> known_;
+};
+
+bool isWord(const std::string& text) {
+  return !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
+}
+
+bool isFrame(const std::string& text) {
+  return isWord(text) && text.front() != '/';
+}
+
+bool isCameraName(const std::string& text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+bool isCameraInfoUrl(const std::string& text) {
+  return text.empty() || text.rfind("file:///", 0) == 0 || text.rfind("file://${ROS_HOME}", 0) == 0 ||
+         text.rfind("package://", 0) == 0;
+}
+
+}  // namespace
+
+DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::string& name_prefix) {
+  DriverParameters parameters;
+  ParameterReader reader(values, name_prefix);
+  reader.read("host", "the robot's name or address, without blanks", isWord, &parameters.client.host);
+  reader.read("port", 1, 65535, &parameters.client.port);
+  reader.read("jpeg_quality", 1, 100, &parameters.client.jpeg_quality);
+  reader.read("connect_timeout", 0.05, 60.0, &parameters.client.connect_timeout);
+  reader.read("read_timeout", 0.05, 60.0, &parameters.client.read_timeout);
+  reader.read("reconnect_wait_max", 0.01, 60.0, &parameters.client.reconnect_wait_max);
+  const double wait_max = std::chrono::duration<double>(parameters.client.reconnect_wait_max).count();
+  parameters.client.reconnect_wait_min =
+      std::min(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
+  reader.read("reconnect_wait_min", 0.01, wait_max, &parameters.client.reconnect_wait_min);
+
+  reader.read("stream_on_start", &parameters.stream_on_start);
+  reader.read("stream_on_demand", &parameters.stream_on_demand);
+  reader.read("take_picture_timeout", 0.1, 60.0, &parameters.take_picture_timeout);
+  reader.read("time_offset", -60.0, 60.0, &parameters.time_offset);
+
+  reader.read("frame_id", "a frame's name, not empty, without blanks, not beginning with '/'", isFrame,
+              &parameters.frame_id);
+  reader.read("camera_name", "a name of letters, digits and underscores", isCameraName, &parameters.camera_name);
+  reader.read("camera_info_url", "file:///FILE.yaml, package://PACKAGE/FILE.yaml or empty", isCameraInfoUrl,
+              &parameters.camera_info_url);
+  reader.addKnown("diagnostic_period");
+  parameters.unknown = reader.unknown();
+  return parameters;
+}
+
+DriverParameters readDriverParameters(const ros::NodeHandle& private_handle) {
+  XmlRpcValue values;
+  private_handle.getParam(private_handle.getNamespace(), values);
+  return parseDriverParameters(values, private_handle.getNamespace() + "/");
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,42 @@
+/// @file driver_parameters.h
+#ifndef AIBO_DRIVER_DRIVER_PARAMETERS_H
+#define AIBO_DRIVER_DRIVER_PARAMETERS_H
+
+#include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/rcserver_client.h"
+
+namespace aibo_driver {
+
+/// The driver's private parameters, read once at start. docs/ros_interface.md tells what each one means to a user.
+struct DriverParameters {
+  ClientOptions client;           ///< host, port, jpeg_quality, the time limits and the reconnect waits
+  bool stream_on_start = true;    ///< is the stream wanted before anybody calls set_streaming
+  bool stream_on_demand = false;  ///< stream only while a camera topic has a subscriber
+  std::string frame_id = "camera_optical_frame";
+  std::string camera_name = "aibo";                      ///< letters, digits and underscores
+  std::string camera_info_url;                           ///< empty: camera_info_manager's own default
+  std::chrono::nanoseconds time_offset{0};               ///< added to every stamp; at most 60 s either way
+  std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
+
+  std::vector<std::string> unknown;  ///< names that were given and that nobody reads: most likely misspelt
+};
+
+/// Checks what a user gave. Needs no ROS master.
+/// @param values a struct of parameters, or an invalid value when there are none
+/// @param name_prefix put before a parameter's name in messages, such as "/aibo/aibo_driver/"
+/// @throw InvalidArgumentException a value has the wrong type or is out of its range; the message says which is allowed
+DriverParameters parseDriverParameters(const XmlRpc::XmlRpcValue& values, const std::string& name_prefix);
+
+/// Reads and checks the parameters in the namespace of `private_handle`.
+/// @throw InvalidArgumentException as parseDriverParameters()
+DriverParameters readDriverParameters(const ros::NodeHandle& private_handle);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_DRIVER_PARAMETERS_H

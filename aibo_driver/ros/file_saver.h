@@ -1,0 +1,28 @@
+/// @file file_saver.h
+#ifndef AIBO_DRIVER_FILE_SAVER_H
+#define AIBO_DRIVER_FILE_SAVER_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+
+/// A file could not be saved; the message says why and what to do.
+class SaveException : public Exception {
+ public:
+  using Exception::Exception;
+};
+
+/// Writes the whole file or, on any error, leaves what was there before. Whoever looks never sees half a file.
+/// @param path absolute, or relative to the working directory of the process; `~` is not expanded
+/// @return the absolute path of the file
+/// @throw SaveException the folder does not exist, permission is missing, the disk is full, the path names something
+///   that is no regular file, ...
+std::string saveFile(const std::string& path, const std::vector<std::uint8_t>& bytes);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_FILE_SAVER_H

@@ -1,0 +1,28 @@
+#include "image_decoder.h"
+
+#include <ros/console.h>
+#include <ros/transport_hints.h>
+
+namespace aibo_driver {
+
+ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(handle) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  raw_images_ = std::make_unique<RawImagePublisher>(handle_, "image_raw", [this] { updateSubscription(); });
+  const std::string topic = handle_.resolveName("image_raw");
+  ROS_INFO_STREAM("Decoding " << topic << "/compressed to " << topic << " while somebody listens.");
+}
+
+void ImageDecoder::updateSubscription() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!raw_images_->hasSubscribers()) {
+    subscriber_.shutdown();
+  } else if (!subscriber_) {
+    const boost::function<void(const sensor_msgs::CompressedImageConstPtr&)> on_picture =
+        [this](const sensor_msgs::CompressedImageConstPtr& picture) { raw_images_->publish(picture); };
+    subscriber_ =
+        handle_.subscribe<sensor_msgs::CompressedImage>(handle_.resolveName("image_raw") + "/compressed", 1, on_picture,
+                                                        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  }
+}
+
+}  // namespace aibo_driver

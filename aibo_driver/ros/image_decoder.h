@@ -1,0 +1,33 @@
+/// @file image_decoder.h
+#ifndef AIBO_DRIVER_IMAGE_DECODER_H
+#define AIBO_DRIVER_IMAGE_DECODER_H
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <memory>
+#include <mutex>
+
+#include "raw_image_publisher.h"
+
+namespace aibo_driver {
+
+/// Decodes image_raw/compressed to image_raw, for bags that hold only the robot's JPEGs. Subscribes to the one only
+/// while the other has a subscriber. Headers are kept.
+class ImageDecoder {
+ public:
+  /// @param handle the camera's namespace
+  explicit ImageDecoder(const ros::NodeHandle& handle);
+
+ private:
+  void updateSubscription();
+
+  ros::NodeHandle handle_;
+  std::mutex mutex_;  ///< callbacks may come before the constructor has ended
+  std::unique_ptr<RawImagePublisher> raw_images_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_IMAGE_DECODER_H

@@ -1,0 +1,50 @@
+#include "jpeg_decoder.h"
+
+#include <turbojpeg.h>
+
+#include <string>
+
+#include "aibo_driver/jpeg_inspector.h"
+
+namespace aibo_driver {
+namespace {
+
+constexpr int kBytesPerPixel = 3;
+
+// libjpeg-turbo 2.0 has no limit of scans yet; inspectJpeg() lets only single scans through anyhow.
+#ifdef TJFLAG_LIMITSCANS
+constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
+#else
+constexpr int kFlags = TJFLAG_STOPONWARNING;
+#endif
+
+}  // namespace
+
+void JpegDecoder::Closer::operator()(void* handle) const {
+  tjDestroy(handle);
+}
+
+JpegDecoder::JpegDecoder() : handle_(tjInitDecompress()) {
+  if (!handle_) {
+    throw DecodeException(std::string("cannot make a JPEG decoder: ") + tjGetErrorStr2(nullptr));
+  }
+}
+
+BgrImage JpegDecoder::decode(const std::uint8_t* jpeg, std::size_t size) {
+  const JpegInspection inspection = inspectJpeg(jpeg, size);
+  if (!inspection.good()) {
+    throw DecodeException(inspection.problem);
+  }
+  BgrImage image;
+  image.width = inspection.width;
+  image.height = inspection.height;
+  image.pixels.resize(static_cast<std::size_t>(kBytesPerPixel) * static_cast<std::size_t>(image.width) *
+                      static_cast<std::size_t>(image.height));
+  if (tjDecompress2(handle_.get(), jpeg, static_cast<unsigned long>(size), image.pixels.data(), image.width,
+                    image.width * kBytesPerPixel, image.height, TJPF_BGR, kFlags) != 0) {
+    throw DecodeException(std::string("the compressed data is damaged: ") + tjGetErrorStr2(handle_.get()));
+  }
+  return image;
+}
+
+}  // namespace aibo_driver

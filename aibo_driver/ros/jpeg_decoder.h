@@ -1,0 +1,51 @@
+/// @file jpeg_decoder.h
+/// JPEG to pixels. No ROS in it.
+#ifndef AIBO_DRIVER_JPEG_DECODER_H
+#define AIBO_DRIVER_JPEG_DECODER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+
+/// The bytes are no whole, undamaged picture of the robot's camera; the message says what is wrong.
+class DecodeException : public Exception {
+ public:
+  using Exception::Exception;
+};
+
+/// Rows from top to bottom without padding, three bytes a pixel: blue, green, red.
+struct BgrImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< 3 * width * height
+};
+
+/// Decodes the robot's pictures, one after the other.
+///
+/// A picture that inspectJpeg() does not find good is refused before anything is allocated for it, and a decoder's
+/// warning is an error: half a picture with grey blocks in it is worth less than none, and a hostile one costs no more
+/// time than a good one. An object belongs to one thread at a time.
+class JpegDecoder {
+ public:
+  /// @throw DecodeException there is no memory for a decoder
+  JpegDecoder();
+
+  /// @param jpeg not null unless size is 0
+  /// @throw DecodeException the picture is damaged, or none that the camera can make
+  BgrImage decode(const std::uint8_t* jpeg, std::size_t size);
+
+ private:
+  struct Closer {
+    void operator()(void* handle) const;
+  };
+  std::unique_ptr<void, Closer> handle_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_JPEG_DECODER_H

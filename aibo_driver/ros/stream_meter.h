@@ -1,0 +1,46 @@
+/// @file stream_meter.h
+#ifndef AIBO_DRIVER_STREAM_METER_H
+#define AIBO_DRIVER_STREAM_METER_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+
+namespace aibo_driver {
+
+/// Measures the published pictures between one reading and the next. Every function may be called from any thread.
+class StreamMeter {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  struct Reading {
+    double seconds = 0.0;        ///< since the reading before
+    std::uint64_t pictures = 0;  ///< published in this time
+    std::uint64_t bytes = 0;     ///< of their JPEGs
+    double mean_latency = 0.0;   ///< s, from a picture's first byte to its publication; 0 without pictures
+    double max_latency = 0.0;    ///< s
+    double picturesPerSecond() const { return seconds > 0.0 ? static_cast<double>(pictures) / seconds : 0.0; }
+    double kilobytesPerSecond() const { return seconds > 0.0 ? static_cast<double>(bytes) / seconds / 1000.0 : 0.0; }
+  };
+
+  explicit StreamMeter(std::function<SteadyTime()> now = std::chrono::steady_clock::now);
+
+  /// A picture has just been published.
+  void add(std::size_t bytes, SteadyTime first_byte_time);
+
+  /// What happened since the last call, or since construction.
+  Reading read();
+
+ private:
+  const std::function<SteadyTime()> now_;
+  std::mutex mutex_;
+  SteadyTime last_reading_;
+  Reading current_;
+  double latency_sum_ = 0.0;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_STREAM_METER_H
