@@ -1,0 +1,148 @@
+#include "rcserver/Connection.h"
+
+#include <entry.h>
+#include <stdio.h>
+#include <string.h>
+
+namespace {
+
+// What the IPStack may hold of what was sent. It is what a client that stops reading still gets when it goes on, so it
+// is small: two or three pictures.
+const size_t ENDPOINT_POOL_SIZE = 8192;
+
+size_t number_of_endpoints = 0;
+
+}  // namespace
+
+const size_t Connection::PICTURE_CAPACITY;
+
+Connection::Connection()
+    : object_(oidUNDEF),
+      buffer_(NULL),
+      endpoint_number_(0),
+      state_(CLOSED),
+      sending_(false),
+      receiving_(false),
+      replies_size_(0) {
+  client_name_[0] = '\0';
+}
+
+bool Connection::Create(OID object) {
+  object_ = object;
+  stack_ = antStackRef("IPStack");
+  antEnvCreateSharedBufferMsg create(SEND_SIZE + RECEIVE_SIZE);
+  create.Call(stack_, sizeof(create));
+  if (create.error != ANT_SUCCESS) {
+    return false;
+  }
+  shared_buffer_ = create.buffer;
+  shared_buffer_.Map();
+  buffer_ = static_cast<byte*>(shared_buffer_.GetAddress());
+  return true;
+}
+
+void Connection::Destroy() {
+  if (buffer_ == NULL) {
+    return;
+  }
+  shared_buffer_.UnMap();
+  antEnvDestroySharedBufferMsg destroy(shared_buffer_);
+  destroy.Call(stack_, sizeof(destroy));
+  buffer_ = NULL;
+}
+
+bool Connection::Owns(const void* continuation) const {
+  return state_ != CLOSED && reinterpret_cast<size_t>(continuation) == endpoint_number_;
+}
+
+bool Connection::Listen(Port port) {
+  antEnvCreateEndpointMsg create(EndpointType_TCP, ENDPOINT_POOL_SIZE);
+  create.Call(stack_, sizeof(create));
+  if (create.error != ANT_SUCCESS) {
+    return false;
+  }
+  endpoint_ = create.moduleRef;
+  endpoint_number_ = ++number_of_endpoints;
+  state_ = LISTENING;
+  TCPEndpointListenMsg listen(endpoint_, IP_ADDR_ANY, port);
+  if (!Post(listen, Extra_Entry[entryListenCont], sizeof(listen))) {
+    Close(true);
+    return false;
+  }
+  return true;
+}
+
+void Connection::Accepted(const TCPEndpointListenMsg& answer) {
+  state_ = CONNECTED;
+  sending_ = false;
+  receiving_ = false;
+  replies_size_ = 0;
+  reader_.reset();
+  const unsigned address = answer.fAddress;
+  sprintf(client_name_, "%u.%u.%u.%u:%u", address >> 24, (address >> 16) & 0xff, (address >> 8) & 0xff, address & 0xff,
+          static_cast<unsigned>(answer.fPort));
+}
+
+void Connection::Close(bool abort) {
+  if (state_ == CLOSING || state_ == CLOSED) {
+    return;
+  }
+  state_ = CLOSING;
+  TCPEndpointCloseMsg close(endpoint_);
+  close.abort = abort;
+  if (!Post(close, Extra_Entry[entryCloseCont], sizeof(close))) {
+    state_ = CLOSED;
+  }
+}
+
+void Connection::Closed() {
+  state_ = CLOSED;
+}
+
+byte* Connection::PictureBuffer() {
+  return SendBuffer() + protocol::PICTURE_HEADER_SIZE;
+}
+
+bool Connection::SendPicture(size_t size) {
+  protocol::encodePictureHeader(size, SendBuffer());
+  return Send(protocol::PICTURE_HEADER_SIZE + size);
+}
+
+void Connection::AddReply(const protocol::ValueReply& reply) {
+  protocol::encodeValueReply(reply, replies_ + replies_size_);
+  replies_size_ += protocol::VALUE_REPLY_SIZE;
+}
+
+void Connection::Received(const TCPEndpointReceiveMsg& answer) {
+  receiving_ = false;
+  reader_.append(ReceiveBuffer(), static_cast<size_t>(answer.sizeMin));
+}
+
+bool Connection::Continue() {
+  if (!sending_ && replies_size_ > 0) {
+    memcpy(SendBuffer(), replies_, replies_size_);
+    if (!Send(replies_size_)) {
+      return false;
+    }
+    replies_size_ = 0;
+  }
+  return receiving_ || replies_size_ > 0 || Receive();
+}
+
+bool Connection::Send(size_t size) {
+  TCPEndpointSendMsg send(endpoint_, SendBuffer(), static_cast<int>(size));
+  sending_ = Post(send, Extra_Entry[entrySendCont], sizeof(send));
+  return sending_;
+}
+
+bool Connection::Receive() {
+  TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), 1, static_cast<int>(RECEIVE_SIZE));
+  receiving_ = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
+  return receiving_;
+}
+
+// Sends a message to the IPStack, whose answer will say by endpoint_number_ which endpoint it concerns.
+bool Connection::Post(antEnvMsg& message, Selector entry, size_t size) {
+  message.continuation = reinterpret_cast<void*>(endpoint_number_);
+  return message.Send(stack_, object_, entry, size) == ANT_SUCCESS;
+}

@@ -1,0 +1,210 @@
+#include "rcserver/ImageObserver.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+namespace {
+
+struct Arrival {
+  bool sent;
+  int quality;
+};
+
+bool operator==(const Arrival& a, const Arrival& b) {
+  return a.sent == b.sent && (!a.sent || a.quality == b.quality);
+}
+
+std::ostream& operator<<(std::ostream& out, const Arrival& arrival) {
+  return arrival.sent ? out << "picture of quality " << arrival.quality : out << "nothing";
+}
+
+const Arrival kNothing{false, 0};
+
+Arrival picture(int quality) {
+  return {true, quality};
+}
+
+class ImageObserverTest : public ::testing::Test {
+ protected:
+  Arrival imageArrives() {
+    unsigned char quality = 0;
+    const bool sent = observer_.ImageArrived(&quality);
+    return {sent, quality};
+  }
+
+  void bringTo(ImageObserverState state) {
+    if (state == IOS_PICTURE) {
+      observer_.RequestPicture(70);
+    }
+    if (state == IOS_CONTINUOUS || state == IOS_STOPSEND) {
+      observer_.ToggleStream(80);
+    }
+    if (state == IOS_STOPSEND) {
+      observer_.ToggleStream(80);
+    }
+    ASSERT_EQ(observer_.State(), state);
+  }
+
+  ImageObserver observer_;
+};
+
+// The table of the four states and four events, row by row.
+
+TEST_F(ImageObserverTest, BeginsIdle) {
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, IdleThenPictureRequestTakesOnePicture) {
+  EXPECT_TRUE(observer_.RequestPicture(85));
+  EXPECT_EQ(observer_.State(), IOS_PICTURE);
+  EXPECT_EQ(imageArrives(), picture(85));
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, IdleThenToggleBeginsTheStream) {
+  observer_.ToggleStream(85);
+  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
+}
+
+TEST_F(ImageObserverTest, IdleThenImageSendsNothing) {
+  EXPECT_EQ(imageArrives(), kNothing);
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, IdleThenClientGoneStaysIdle) {
+  observer_.ClientGone();
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, PictureThenPictureRequestOwesOneMore) {
+  bringTo(IOS_PICTURE);
+  EXPECT_TRUE(observer_.RequestPicture(20));
+  EXPECT_EQ(observer_.State(), IOS_PICTURE);
+  EXPECT_EQ(imageArrives(), picture(70));
+  EXPECT_EQ(observer_.State(), IOS_PICTURE);
+  EXPECT_EQ(imageArrives(), picture(20));
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, PictureThenToggleSendsTheOwedPictureBeforeTheStream) {
+  bringTo(IOS_PICTURE);
+  observer_.ToggleStream(30);
+  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
+  EXPECT_EQ(imageArrives(), picture(70));
+  EXPECT_EQ(imageArrives(), picture(30));
+}
+
+TEST_F(ImageObserverTest, PictureThenImageSendsOneAndIsIdle) {
+  bringTo(IOS_PICTURE);
+  EXPECT_EQ(imageArrives(), picture(70));
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+  EXPECT_EQ(imageArrives(), kNothing);
+}
+
+TEST_F(ImageObserverTest, PictureThenClientGoneOwesNothing) {
+  bringTo(IOS_PICTURE);
+  observer_.ClientGone();
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+  EXPECT_EQ(imageArrives(), kNothing);
+}
+
+TEST_F(ImageObserverTest, ContinuousThenPictureRequestOwesOneAndTheStreamGoesOn) {
+  bringTo(IOS_CONTINUOUS);
+  EXPECT_TRUE(observer_.RequestPicture(20));
+  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
+  EXPECT_EQ(imageArrives(), picture(20));
+  EXPECT_EQ(imageArrives(), picture(80));
+  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
+}
+
+TEST_F(ImageObserverTest, ContinuousThenToggleStops) {
+  bringTo(IOS_CONTINUOUS);
+  observer_.ToggleStream(85);
+  EXPECT_EQ(observer_.State(), IOS_STOPSEND);
+}
+
+TEST_F(ImageObserverTest, ContinuousThenImagesSendsEachOfThem) {
+  bringTo(IOS_CONTINUOUS);
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(imageArrives(), picture(80));
+  }
+  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
+}
+
+TEST_F(ImageObserverTest, ContinuousThenClientGoneEndsTheStream) {
+  bringTo(IOS_CONTINUOUS);
+  observer_.RequestPicture(20);
+  observer_.ClientGone();
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+  EXPECT_EQ(imageArrives(), kNothing);
+}
+
+TEST_F(ImageObserverTest, StopsendThenPictureRequestTakesOnePicture) {
+  bringTo(IOS_STOPSEND);
+  EXPECT_TRUE(observer_.RequestPicture(20));
+  EXPECT_EQ(observer_.State(), IOS_PICTURE);
+  EXPECT_EQ(imageArrives(), picture(20));
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, StopsendThenToggleStreamsAgainAtTheNewQuality) {
+  bringTo(IOS_STOPSEND);
+  observer_.ToggleStream(10);
+  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
+  EXPECT_EQ(imageArrives(), picture(10));
+}
+
+TEST_F(ImageObserverTest, StopsendThenImageSendsNothingAndIsIdle) {
+  bringTo(IOS_STOPSEND);
+  EXPECT_EQ(imageArrives(), kNothing);
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, StopsendThenClientGoneIsIdle) {
+  bringTo(IOS_STOPSEND);
+  observer_.ClientGone();
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+// Sequences.
+
+TEST_F(ImageObserverTest, PicturesOwedWhenTheStreamStopsAreSentAfterIt) {
+  bringTo(IOS_CONTINUOUS);
+  observer_.RequestPicture(20);
+  observer_.RequestPicture(21);
+  observer_.ToggleStream(80);
+  EXPECT_EQ(imageArrives(), kNothing);
+  EXPECT_EQ(observer_.State(), IOS_PICTURE);
+  EXPECT_EQ(imageArrives(), picture(20));
+  EXPECT_EQ(imageArrives(), picture(21));
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+TEST_F(ImageObserverTest, OwedPicturesKeepTheirOrderAndTheirQualities) {
+  for (int round = 0; round < 5; ++round) {
+    for (int quality = 0; quality <= 100; ++quality) {
+      ASSERT_TRUE(observer_.RequestPicture(static_cast<unsigned char>(quality)));
+    }
+    for (int quality = 0; quality <= 100; ++quality) {
+      ASSERT_EQ(imageArrives(), picture(quality));
+    }
+    ASSERT_EQ(imageArrives(), kNothing);
+  }
+}
+
+TEST_F(ImageObserverTest, OwesNoMoreThanItsLimitAndForgetsNoneOfThose) {
+  for (size_t i = 0; i < ImageObserver::MAX_OWED; ++i) {
+    ASSERT_TRUE(observer_.RequestPicture(static_cast<unsigned char>(i % 101)));
+  }
+  EXPECT_FALSE(observer_.RequestPicture(85));
+  EXPECT_EQ(imageArrives(), picture(0));
+  EXPECT_TRUE(observer_.RequestPicture(85));
+  for (size_t i = 1; i < ImageObserver::MAX_OWED; ++i) {
+    ASSERT_EQ(imageArrives(), picture(static_cast<int>(i % 101)));
+  }
+  EXPECT_EQ(imageArrives(), picture(85));
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+}
+
+}  // namespace

@@ -1,0 +1,267 @@
+#include "rcserver/JpegEncoder.h"
+
+#include <gtest/gtest.h>
+#include <turbojpeg.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "camera_image_fixture.h"
+
+namespace {
+
+using Pixel = CameraImageFixture::Pixel;
+
+// A decoded picture at full resolution, chroma too.
+struct Decoded {
+  int width = 0;
+  int height = 0;
+  int subsampling = -1;
+  int colorspace = -1;
+  std::vector<uint8_t> rgb;
+
+  const uint8_t* at(int x, int y) const { return rgb.data() + 3 * (y * width + x); }
+};
+
+Decoded decode(const std::vector<uint8_t>& jpeg) {
+  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitDecompress(), tjDestroy);
+  Decoded decoded;
+  EXPECT_EQ(tjDecompressHeader3(handle.get(), jpeg.data(), jpeg.size(), &decoded.width, &decoded.height,
+                                &decoded.subsampling, &decoded.colorspace),
+            0);
+  decoded.rgb.resize(static_cast<size_t>(3 * decoded.width * decoded.height));
+  EXPECT_EQ(tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), decoded.rgb.data(), decoded.width, 0, decoded.height,
+                          TJPF_RGB, TJFLAG_STOPONWARNING),
+            0)
+      << tjGetErrorStr2(handle.get());
+  return decoded;
+}
+
+// The source as RGB, by the equations of JFIF, without the tag.
+std::array<double, 3> rgbOf(const CameraImage& image, size_t x, size_t y) {
+  const size_t row = y == image.height - 1 && x < CameraImage::TAG_SIZE ? y - 1 : y;
+  const double luminance = image.y[row * image.stride + x];
+  const double cb = image.cb[row * image.stride + x] - 128.0;
+  const double cr = image.cr[row * image.stride + x] - 128.0;
+  const auto clip = [](double value) { return std::min(255.0, std::max(0.0, value)); };
+  return {clip(luminance + 1.402 * cr), clip(luminance - 0.344136 * cb - 0.714136 * cr), clip(luminance + 1.772 * cb)};
+}
+
+double psnr(const CameraImage& image, const Decoded& decoded) {
+  double error = 0;
+  for (size_t y = 0; y < image.height; ++y) {
+    for (size_t x = 0; x < image.width; ++x) {
+      const std::array<double, 3> source = rgbOf(image, x, y);
+      const uint8_t* pixel = decoded.at(static_cast<int>(x), static_cast<int>(y));
+      for (size_t channel = 0; channel < 3; ++channel) {
+        error += (source[channel] - pixel[channel]) * (source[channel] - pixel[channel]);
+      }
+    }
+  }
+  return 10 * std::log10(255.0 * 255.0 * 3.0 * static_cast<double>(image.width * image.height) / error);
+}
+
+class JpegEncoderTest : public ::testing::Test {
+ protected:
+  std::vector<uint8_t> encode(const CameraImage& image, int quality) {
+    std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(image.width, image.height));
+    jpeg.resize(encoder_.Encode(image, quality, jpeg.data(), jpeg.size()));
+    EXPECT_FALSE(jpeg.empty()) << encoder_.LastError();
+    return jpeg;
+  }
+
+  JpegEncoder encoder_;
+};
+
+TEST_F(JpegEncoderTest, MakesABaselineJpegOf208x160WithHalvedChroma) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  const std::vector<uint8_t> jpeg = encode(scene.image(), 85);
+  const Decoded decoded = decode(jpeg);
+  EXPECT_EQ(decoded.width, 208);
+  EXPECT_EQ(decoded.height, 160);
+  EXPECT_EQ(decoded.subsampling, TJSAMP_420);
+  EXPECT_EQ(decoded.colorspace, TJCS_YCbCr);
+  const std::string text(jpeg.begin(), jpeg.end());
+  EXPECT_EQ(text.substr(0, 3), "\xff\xd8\xff");
+  EXPECT_EQ(text.substr(text.size() - 2), "\xff\xd9");
+  EXPECT_NE(text.find(std::string("\xff\xc0\x00\x11\x08", 5)), std::string::npos) << "no SOF0: not baseline";
+}
+
+TEST_F(JpegEncoderTest, PictureAtQuality85LooksLikeItsSourceAndHasTheReportsSize) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  const std::vector<uint8_t> jpeg = encode(scene.image(), 85);
+  EXPECT_GT(psnr(scene.image(), decode(jpeg)), 33.0);
+  EXPECT_GT(jpeg.size(), 3000U);
+  EXPECT_LT(jpeg.size(), 7000U);
+}
+
+TEST_F(JpegEncoderTest, HigherQualityMeansMoreBytesAndABetterPicture) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  size_t last_size = 0;
+  double last_psnr = 0;
+  for (const int quality : {5, 25, 50, 75, 85, 95, 100}) {
+    const std::vector<uint8_t> jpeg = encode(scene.image(), quality);
+    const double now = psnr(scene.image(), decode(jpeg));
+    EXPECT_GT(jpeg.size(), last_size) << "quality " << quality;
+    EXPECT_GT(now, last_psnr) << "quality " << quality;
+    last_size = jpeg.size();
+    last_psnr = now;
+  }
+}
+
+TEST_F(JpegEncoderTest, EveryQualityFrom0To100MakesAPicture) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  for (int quality = 0; quality <= 100; ++quality) {
+    EXPECT_EQ(decode(encode(scene.image(), quality)).width, 208) << "quality " << quality;
+  }
+}
+
+TEST_F(JpegEncoderTest, PictureDoesNotDependOnTheOneBefore) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  const CameraImageFixture other = CameraImageFixture::scene(104, 80, 2);
+  const std::vector<uint8_t> first = encode(scene.image(), 85);
+  encode(scene.image(), 10);
+  encode(other.image(), 85);
+  EXPECT_EQ(encode(scene.image(), 85), first);
+}
+
+TEST_F(JpegEncoderTest, RedIsRedAndBlueIsBlue) {
+  const Decoded red = decode(encode(CameraImageFixture::plain({76, 85, 255}).image(), 95));
+  EXPECT_GT(red.at(100, 80)[0], 245);
+  EXPECT_LT(red.at(100, 80)[1], 10);
+  EXPECT_LT(red.at(100, 80)[2], 10);
+  const Decoded blue = decode(encode(CameraImageFixture::plain({29, 255, 107}).image(), 95));
+  EXPECT_LT(blue.at(100, 80)[0], 10);
+  EXPECT_LT(blue.at(100, 80)[1], 10);
+  EXPECT_GT(blue.at(100, 80)[2], 245);
+}
+
+TEST_F(JpegEncoderTest, EachPlaceOfThePictureShowsThatPlaceOfTheImage) {
+  const CameraImageFixture quadrants(208, 160, [](size_t x, size_t y) {
+    return Pixel{static_cast<uint8_t>(x < 104 ? 60 : 200), static_cast<uint8_t>(y < 80 ? 90 : 160), 128};
+  });
+  EXPECT_GT(psnr(quadrants.image(), decode(encode(quadrants.image(), 90))), 35.0);
+}
+
+TEST_F(JpegEncoderTest, PictureIsTheSameWhateverTheSkipBetweenRows) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  const CameraImage interleaved = scene.image();
+  const size_t size = interleaved.width * interleaved.height;
+  std::vector<uint8_t> planes(3 * size);
+  for (size_t y = 0; y < interleaved.height; ++y) {
+    for (size_t x = 0; x < interleaved.width; ++x) {
+      const size_t to = y * interleaved.width + x;
+      const size_t from = y * interleaved.stride + x;
+      planes[to] = interleaved.y[from];
+      planes[size + to] = interleaved.cr[from];
+      planes[2 * size + to] = interleaved.cb[from];
+    }
+  }
+  const CameraImage packed{planes.data(), planes.data() + size, planes.data() + 2 * size, 208, 160, 208};
+  EXPECT_EQ(encode(packed, 85), encode(interleaved, 85));
+}
+
+TEST_F(JpegEncoderTest, TagIsPaintedOverInThePictureAndUntouchedInTheImage) {
+  CameraImageFixture tagged = CameraImageFixture::plain({100, 128, 128});
+  tagged.setTag(255, 0xffff);
+  const std::vector<uint8_t> before = tagged.bytes();
+  EXPECT_EQ(encode(tagged.image(), 85), encode(CameraImageFixture::plain({100, 128, 128}).image(), 85));
+  EXPECT_EQ(tagged.bytes(), before);
+}
+
+TEST_F(JpegEncoderTest, NothingButTheTagIsPaintedOver) {
+  const CameraImageFixture edge(208, 160, [](size_t x, size_t y) {
+    return Pixel{static_cast<uint8_t>(y == 159 && x >= CameraImage::TAG_SIZE ? 240 : 20), 128, 128};
+  });
+  const Decoded decoded = decode(encode(edge.image(), 100));
+  EXPECT_GT(decoded.at(static_cast<int>(CameraImage::TAG_SIZE), 159)[1], 200);
+  EXPECT_GT(decoded.at(207, 159)[1], 200);
+  EXPECT_LT(decoded.at(static_cast<int>(CameraImage::TAG_SIZE), 158)[1], 60);
+}
+
+TEST(CameraImage, FieldCounterIsReadLittleEndianFromTheTag) {
+  CameraImageFixture tagged = CameraImageFixture::plain({100, 128, 128});
+  tagged.setTag(0, 0x1234);
+  EXPECT_EQ(tagged.image().FieldCounter(), 0x1234);
+}
+
+struct Size {
+  size_t width;
+  size_t height;
+};
+
+class JpegEncoderSizes : public ::testing::TestWithParam<Size> {};
+
+TEST_P(JpegEncoderSizes, AreEncodedWholeWithoutReadingBeyondTheImage) {
+  const auto [width, height] = GetParam();
+  const CameraImageFixture scene = CameraImageFixture::scene(width, height);
+  std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(width, height));
+  JpegEncoder encoder;
+  jpeg.resize(encoder.Encode(scene.image(), 95, jpeg.data(), jpeg.size()));
+  const Decoded decoded = decode(jpeg);
+  EXPECT_EQ(decoded.width, static_cast<int>(width));
+  EXPECT_EQ(decoded.height, static_cast<int>(height));
+  EXPECT_GT(psnr(scene.image(), decoded), 30.0);
+}
+
+// The layers of the ERS-7, double resolution, the layers of the ERS-210, and sizes that no macroblock divides.
+INSTANTIATE_TEST_SUITE_P(Cameras, JpegEncoderSizes,
+                         ::testing::Values(Size{208, 160}, Size{104, 80}, Size{52, 40}, Size{416, 320}, Size{176, 144},
+                                           Size{88, 72}, Size{44, 36}, Size{33, 17}, Size{15, 3}, Size{1, 2}),
+                         [](const auto& size) {
+                           return std::to_string(size.param.width) + "x" + std::to_string(size.param.height);
+                         });
+
+TEST_F(JpegEncoderTest, NoiseAtQuality100FitsIntoTheWorstCaseSize) {
+  EXPECT_EQ(JpegEncoder::WorstCaseSize(208, 160), 101888U);
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> level(0, 255);
+  const auto any = [&] { return static_cast<uint8_t>(level(random)); };
+  const auto black_or_white = [&] { return static_cast<uint8_t>(level(random) < 128 ? 0 : 255); };
+  const CameraImageFixture noise(208, 160, [&](size_t, size_t) { return Pixel{any(), any(), any()}; });
+  const CameraImageFixture binary(208, 160, [&](size_t, size_t) {
+    return Pixel{black_or_white(), black_or_white(), black_or_white()};
+  });
+  // Noise that survives the halving of chroma, too: squares of two by two.
+  std::vector<Pixel> squares(104 * 80);
+  for (Pixel& square : squares) {
+    square = {0, black_or_white(), black_or_white()};
+  }
+  const CameraImageFixture coarse(208, 160, [&](size_t x, size_t y) {
+    const Pixel& square = squares[y / 2 * 104 + x / 2];
+    return Pixel{black_or_white(), square.cb, square.cr};
+  });
+  EXPECT_GT(encode(noise.image(), 100).size(), 64U * 1024U) << "the report's buffer would have been enough";
+  EXPECT_GT(encode(binary.image(), 100).size(), 64U * 1024U);
+  EXPECT_GT(encode(coarse.image(), 100).size(), 64U * 1024U);
+}
+
+TEST_F(JpegEncoderTest, FailsWithAReasonWhenTheBufferIsTooSmallAndWorksAgainAfterwards) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  const size_t size = encode(scene.image(), 85).size();
+  for (const size_t capacity : {size_t{1}, size_t{100}, size_t{700}, size / 2, size - 1}) {
+    std::vector<uint8_t> small(capacity);
+    EXPECT_EQ(encoder_.Encode(scene.image(), 85, small.data(), small.size()), 0U);
+    EXPECT_STRNE(encoder_.LastError(), "");
+  }
+  EXPECT_EQ(encode(scene.image(), 85).size(), size);
+}
+
+TEST_F(JpegEncoderTest, RefusesSizesNoCameraHas) {
+  const CameraImageFixture scene = CameraImageFixture::scene();
+  std::vector<uint8_t> jpeg(1000);
+  for (const Size size : {Size{0, 160}, Size{208, 0}, Size{208, 1}, Size{417, 320}, Size{416, 321}}) {
+    CameraImage image = scene.image();
+    image.width = size.width;
+    image.height = size.height;
+    EXPECT_EQ(encoder_.Encode(image, 85, jpeg.data(), jpeg.size()), 0U);
+    EXPECT_NE(std::string(encoder_.LastError()).find(std::to_string(size.width) + " x "), std::string::npos);
+  }
+}
+
+}  // namespace
