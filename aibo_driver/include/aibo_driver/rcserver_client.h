@@ -14,6 +14,8 @@
 
 namespace aibo_driver {
 
+class Transport;
+
 /// How to reach the robot, and how patient to be with it. Checked by the constructor of RcServerClient.
 struct ClientOptions {
   std::string host = "127.0.0.1";  ///< name or address of the robot; not empty
@@ -39,13 +41,13 @@ struct ConnectionStatus {
 struct ClientStatistics {
   std::uint64_t connections = 0;          ///< connections that were established
   std::uint64_t failed_attempts = 0;      ///< attempts that were not
-  std::uint64_t stalls = 0;               ///< running streams given up for silence
+  std::uint64_t stalls = 0;               ///< connections given up because a picture was due and did not come
   std::uint64_t protocol_errors = 0;      ///< connections given up for what the peer sent
   std::uint64_t pictures = 0;             ///< good pictures delivered
   std::uint64_t corrupt_pictures = 0;     ///< pictures dropped: not a whole baseline JPEG of a size the camera has
   std::uint64_t unexpected_pictures = 0;  ///< good pictures dropped: nobody had asked (a stream being stopped)
-  std::uint64_t stale_pictures = 0;       ///< good pictures dropped because a newer one was already waiting
-  std::uint64_t bytes_received = 0;       ///< bytes read from the socket
+  std::uint64_t stale_pictures = 0;  ///< good pictures dropped: they had waited unread while this process was held up
+  std::uint64_t bytes_received = 0;  ///< bytes read from the socket
 };
 
 /// Keeps one connection to an RCServer, and gets pictures over it.
@@ -58,7 +60,8 @@ struct ClientStatistics {
 class RcServerClient {
  public:
   /// Called on the client's thread with every good picture of the stream, and with those taken by takePicture().
-  /// Must not block and must not call stop(): while it runs, nothing is read from the robot.
+  /// Must not block, and must call neither stop() nor takePicture(): while it runs, nothing is read from the robot.
+  /// What it throws is logged.
   using PictureCallback = std::function<void(const PicturePtr& picture)>;
   /// Called on the client's thread each time the connection status changes. Same rules.
   using StatusCallback = std::function<void(const ConnectionStatus& status)>;
@@ -76,13 +79,17 @@ class RcServerClient {
   /// @throw InvalidArgumentException if an option is out of its range; the message names it and the range.
   RcServerClient(const ClientOptions& options, Callbacks callbacks);
 
+  /// The same over another transport than TCP: for tests.
+  RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<Transport> transport);
+
   /// Calls stop().
   ~RcServerClient();
 
   RcServerClient(const RcServerClient&) = delete;
   RcServerClient& operator=(const RcServerClient&) = delete;
 
-  /// Begins to connect. Does nothing if it has begun already. May not be called again after stop().
+  /// Begins to connect. Does nothing if it has begun already.
+  /// @throw Exception after stop(): a client that was stopped stays stopped
   void start();
 
   /// Ends the connection and the thread, within a second in every state; a takePicture() in progress ends with
@@ -107,8 +114,11 @@ class RcServerClient {
   /// Without a stream it is one picture of the given quality. During a stream of a version 1 server it is the
   /// stream's next picture, at the stream's quality: such a server must not be sent `F` while it streams.
   ///
+  /// A damaged picture is no answer: it is asked for again, as long as the time allows. If the time passes while the
+  /// robot owes a picture, the connection is made anew, since nobody could tell which request its next one answers.
+  ///
   /// @param quality 0..100; 0 = the stream's quality
-  /// @param timeout longest time to wait, above 0
+  /// @param timeout longest time to wait, 1 ms..1 h
   /// @param[out] from_stream if not null: true if the picture was taken from the running stream
   /// @return the picture, never null
   /// @throw InvalidArgumentException quality or timeout out of range
@@ -116,6 +126,7 @@ class RcServerClient {
   /// @throw TimeoutException connected, but no picture came in time
   /// @throw CommandException the robot answered with an error
   /// @throw StoppedException stop() was called
+  /// @throw Exception called from a callback
   PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, bool* from_stream = nullptr);
 
   /// A snapshot of the connection's status.

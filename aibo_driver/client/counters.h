@@ -1,0 +1,41 @@
+/// @file counters.h
+#ifndef AIBO_DRIVER_CLIENT_COUNTERS_H
+#define AIBO_DRIVER_CLIENT_COUNTERS_H
+
+#include <atomic>
+#include <cstdint>
+
+#include "aibo_driver/rcserver_client.h"
+
+namespace aibo_driver {
+
+/// ClientStatistics that one thread counts while others look.
+struct Counters {
+  std::atomic<std::uint64_t> connections{0};
+  std::atomic<std::uint64_t> failed_attempts{0};
+  std::atomic<std::uint64_t> stalls{0};
+  std::atomic<std::uint64_t> protocol_errors{0};
+  std::atomic<std::uint64_t> pictures{0};
+  std::atomic<std::uint64_t> corrupt_pictures{0};
+  std::atomic<std::uint64_t> unexpected_pictures{0};
+  std::atomic<std::uint64_t> stale_pictures{0};
+  std::atomic<std::uint64_t> bytes_received{0};
+
+  ClientStatistics snapshot() const {
+    ClientStatistics result;
+    result.connections = connections;
+    result.failed_attempts = failed_attempts;
+    result.stalls = stalls;
+    result.protocol_errors = protocol_errors;
+    result.pictures = pictures;
+    result.corrupt_pictures = corrupt_pictures;
+    result.unexpected_pictures = unexpected_pictures;
+    result.stale_pictures = stale_pictures;
+    result.bytes_received = bytes_received;
+    return result;
+  }
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_COUNTERS_H

@@ -1,0 +1,61 @@
+#include "client/fault.h"
+
+#include <utility>
+
+namespace aibo_driver {
+
+Fault::Fault(FaultKind kind, const std::string& reason, std::string advice)
+    : NetworkException(reason), kind_(kind), advice_(std::move(advice)) {}
+
+Fault Fault::nameNotFound(const std::string& host, const std::string& detail) {
+  return Fault(FaultKind::kNameNotFound, "the name '" + host + "' cannot be looked up: " + detail,
+               "Check the robot's name, or give its IP address instead.");
+}
+
+Fault Fault::refused(const std::string& address) {
+  return Fault(
+      FaultKind::kRefused, address + " refused the connection",
+      "Is the RCServer running there, is this its port, and is no other client connected? It serves one at a time.");
+}
+
+Fault Fault::unreachable(const std::string& address, const std::string& detail) {
+  return Fault(FaultKind::kUnreachable, address + " cannot be reached: " + detail,
+               "Check the robot's address, its WLAN, and this machine's network.");
+}
+
+Fault Fault::noAnswer(const std::string& address, std::chrono::milliseconds limit) {
+  return Fault(FaultKind::kNoAnswer, address + " did not answer within " + std::to_string(limit.count()) + " ms",
+               "Is the robot switched on, is its WLAN up, and is this its address?");
+}
+
+Fault Fault::turnedAway(const std::string& address) {
+  return Fault(FaultKind::kTurnedAway, address + " closed the connection as soon as it was made",
+               "Is another client connected? The RCServer serves one at a time.");
+}
+
+Fault Fault::closed(const std::string& address) {
+  return Fault(FaultKind::kClosed, address + " closed the connection",
+               "Was the robot switched off, or its RCServer stopped?");
+}
+
+Fault Fault::silent(const std::string& address, std::chrono::milliseconds limit) {
+  return Fault(FaultKind::kSilent,
+               address + " sent nothing for " + std::to_string(limit.count()) + " ms while a picture was due",
+               "Is the robot still on and within reach of its WLAN?");
+}
+
+Fault Fault::pictureOverdue(const std::string& address, std::chrono::milliseconds limit) {
+  return Fault(FaultKind::kSilent, address + " sent no whole picture within " + std::to_string(limit.count()) + " ms",
+               "Is the robot within reach of its WLAN, and is the time allowed long enough?");
+}
+
+Fault Fault::protocol(const std::string& address, const std::string& detail) {
+  return Fault(FaultKind::kProtocol, address + " does not speak the RCServer's protocol: " + detail,
+               "Is it really an RCServer that listens there?");
+}
+
+Fault Fault::internal(const std::string& detail) {
+  return Fault(FaultKind::kInternal, "this side failed: " + detail, "Check the memory and open files of this machine.");
+}
+
+}  // namespace aibo_driver

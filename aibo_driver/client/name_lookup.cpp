@@ -1,0 +1,78 @@
+#include "client/name_lookup.h"
+
+#include <netdb.h>
+
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "client/event.h"
+
+namespace aibo_driver {
+
+NameLookupResult resolveWithSystem(const std::string& host, int port) {
+  addrinfo hints = {};
+  hints.ai_family = AF_UNSPEC;
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_NUMERICSERV;
+  addrinfo* list = nullptr;
+  NameLookupResult result;
+  const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &list);
+  if (error != 0) {
+    result.problem = ::gai_strerror(error);
+    return result;
+  }
+  const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owner(list, &::freeaddrinfo);
+  for (const addrinfo* entry = list; entry != nullptr; entry = entry->ai_next) {
+    SocketAddress address = {};
+    address.size = entry->ai_addrlen;
+    std::memcpy(&address.storage, entry->ai_addr, entry->ai_addrlen);
+    result.addresses.push_back(address);
+  }
+  return result;
+}
+
+struct NameLookup::Lookup {
+  std::string host;
+  int port;
+  Event finished;
+  std::mutex mutex;
+  NameLookupResult result;  // guarded by mutex
+};
+
+NameLookup::NameLookup(Resolver resolver) : resolver_(std::move(resolver)) {}
+
+void NameLookup::start(const std::string& host, int port) {
+  if (lookup_ && lookup_->host == host && lookup_->port == port) {
+    return;
+  }
+  const auto lookup = std::make_shared<Lookup>();
+  lookup->host = host;
+  lookup->port = port;
+  std::thread([lookup, resolver = resolver_] {
+    NameLookupResult result;
+    try {
+      result = resolver(lookup->host, lookup->port);
+    } catch (const std::exception& error) {
+      result.problem = error.what();
+    }
+    const std::lock_guard<std::mutex> lock(lookup->mutex);
+    lookup->result = std::move(result);
+    lookup->finished.raise();
+  }).detach();
+  lookup_ = lookup;
+}
+
+int NameLookup::descriptor() const {
+  return lookup_->finished.descriptor();
+}
+
+NameLookupResult NameLookup::take() {
+  const auto lookup = std::exchange(lookup_, nullptr);
+  const std::lock_guard<std::mutex> lock(lookup->mutex);
+  return std::move(lookup->result);
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,48 @@
+/// @file notifier.h
+#ifndef AIBO_DRIVER_CLIENT_NOTIFIER_H
+#define AIBO_DRIVER_CLIENT_NOTIFIER_H
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "aibo_driver/rcserver_client.h"
+
+namespace aibo_driver {
+
+/// Calls the owner's callbacks, those that are set. What one of them throws is logged and goes no further.
+class Notifier {
+ public:
+  explicit Notifier(RcServerClient::Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
+
+  void picture(const PicturePtr& picture) const noexcept { call(callbacks_.on_picture, "on_picture", picture); }
+  void status(const ConnectionStatus& status) const noexcept { call(callbacks_.on_status, "on_status", status); }
+  void streaming(bool streaming) const noexcept { call(callbacks_.on_streaming, "on_streaming", streaming); }
+
+  void log(LogLevel level, const std::string& message) const noexcept {
+    try {
+      if (callbacks_.log) {
+        callbacks_.log(level, message);
+      }
+    } catch (...) {  // there is nobody left to tell
+    }
+  }
+
+ private:
+  template <typename Callback, typename Argument>
+  void call(const Callback& callback, const char* name, const Argument& argument) const noexcept {
+    try {
+      if (callback) {
+        callback(argument);
+      }
+    } catch (const std::exception& error) {
+      log(LogLevel::kError, std::string("The callback ") + name + " has thrown: " + error.what());
+    }
+  }
+
+  RcServerClient::Callbacks callbacks_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_NOTIFIER_H

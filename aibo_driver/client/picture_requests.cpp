@@ -1,0 +1,50 @@
+#include "client/picture_requests.h"
+
+#include <algorithm>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+
+PictureRequests::TimePoint PictureRequests::nextDeadline() const {
+  TimePoint earliest = TimePoint::max();
+  for (const PictureRequest& request : requests_) {
+    earliest = std::min(earliest, request.deadline);
+  }
+  return earliest;
+}
+
+void PictureRequests::answerFront(const PicturePtr& picture) {
+  requests_.front().promise.set_value({picture, false});
+  requests_.pop_front();
+}
+
+void PictureRequests::answerFromStream(const PicturePtr& picture) {
+  while (!requests_.empty() && requests_.front().since < picture->first_byte_time) {
+    requests_.front().promise.set_value({picture, true});
+    requests_.pop_front();
+  }
+}
+
+void PictureRequests::failFront(const std::exception_ptr& why) {
+  requests_.front().promise.set_exception(why);
+  requests_.pop_front();
+}
+
+void PictureRequests::failAll(const std::exception_ptr& why) {
+  while (!requests_.empty()) {
+    failFront(why);
+  }
+}
+
+void PictureRequests::expire(TimePoint now, const std::string& remark) {
+  const auto first_expired = std::stable_partition(requests_.begin(), requests_.end(),
+                                                   [now](const PictureRequest& each) { return each.deadline > now; });
+  for (auto request = first_expired; request != requests_.end(); ++request) {
+    request->promise.set_exception(std::make_exception_ptr(
+        TimeoutException("no picture within " + std::to_string(request->timeout.count()) + " ms" + remark)));
+  }
+  requests_.erase(first_expired, requests_.end());
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,36 @@
+#include "client/stall_detector.h"
+
+namespace aibo_driver {
+
+void StallDetector::restart(TimePoint now) {
+  catching_up_ = false;
+  fresh_since_ = now;
+  last_empty_ = now;
+  last_bytes_ = now;
+}
+
+void StallDetector::bytesArrived(TimePoint now) {
+  last_bytes_ = now;
+  if (!catching_up_ && now - last_empty_ > kStallLimit) {
+    catching_up_ = true;
+    catching_up_since_ = now;
+  } else if (catching_up_ && now - catching_up_since_ > kCatchUpLimit) {
+    catching_up_ = false;
+    fresh_since_ = now;
+    last_empty_ = now;
+  }
+}
+
+void StallDetector::foundEmpty(TimePoint now) {
+  last_empty_ = now;
+  if (catching_up_ && now - last_bytes_ >= kQuietTime) {
+    catching_up_ = false;
+    fresh_since_ = now;
+  }
+}
+
+StallDetector::TimePoint StallDetector::nextLook() const {
+  return catching_up_ ? last_bytes_ + kQuietTime : last_empty_ + kStallLimit / 2;
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,52 @@
+/// @file stall_detector.h
+#ifndef AIBO_DRIVER_CLIENT_STALL_DETECTOR_H
+#define AIBO_DRIVER_CLIENT_STALL_DETECTOR_H
+
+#include <chrono>
+
+namespace aibo_driver {
+
+/// Notices that the client's own thread has not kept up with a stream, and which pictures are stale because of it.
+///
+/// While the thread keeps up, it finds the socket empty many times a second. If it has not for kStallLimit, pictures of
+/// unknown age have piled up in the kernels of both machines (measured: up to 5 s old after a pause of 5 s). All of
+/// them are stale until the socket has stayed empty for kQuietTime: longer than the robot's answer to a freed window
+/// takes, shorter than the pause between two camera images (32 ms less the transfer of a picture).
+class StallDetector {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  static constexpr std::chrono::milliseconds kStallLimit{100};
+  static constexpr std::chrono::milliseconds kQuietTime{15};
+  /// Whatever had piled up has been read after this time, even if the socket is never empty.
+  static constexpr std::chrono::milliseconds kCatchUpLimit{500};
+
+  explicit StallDetector(TimePoint now) { restart(now); }
+
+  /// The stream begins: the socket is empty.
+  void restart(TimePoint now);
+
+  /// Bytes were read at this time.
+  void bytesArrived(TimePoint now);
+
+  /// Nothing was left to read at this time.
+  void foundEmpty(TimePoint now);
+
+  /// When the socket has to be looked at again at the latest.
+  TimePoint nextLook() const;
+
+  /// True for a picture of the stream that may have waited for long.
+  /// @param first_byte_time when its first byte was read
+  bool isStale(TimePoint first_byte_time) const { return catching_up_ || first_byte_time < fresh_since_; }
+
+ private:
+  bool catching_up_ = false;
+  TimePoint catching_up_since_;
+  TimePoint fresh_since_;
+  TimePoint last_empty_;
+  TimePoint last_bytes_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_STALL_DETECTOR_H

@@ -1,0 +1,17 @@
+#include "client/stream_control.h"
+
+namespace aibo_driver {
+
+void StreamControl::toggled(TimePoint now) {
+  on_ = !on_;
+  if (!on_) {
+    off_since_ = now;
+    quiet_since_ = now;
+  }
+}
+
+StreamControl::TimePoint StreamControl::drainedAt() const {
+  return quiet_since_ == TimePoint::min() ? quiet_since_ : quiet_since_ + kDrainTime;
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,218 @@
+#include "client/tcp_transport.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "client/fault.h"
+
+namespace aibo_driver {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+// Small, so that few pictures can grow stale in the kernel while this process does not read.
+constexpr int kReceiveBufferSize = 16 * 1024;
+// A peer that has vanished while nothing is due is noticed after 4 s: one of silence, then 3 unanswered probes.
+constexpr int kKeepAliveIdle = 1;      // s
+constexpr int kKeepAliveInterval = 1;  // s
+constexpr int kKeepAliveCount = 3;
+// A request that is not acknowledged for so long will not be.
+constexpr int kUserTimeout = 2000;  // ms
+
+std::string describe(int error) {
+  return std::generic_category().message(error);
+}
+
+void setOption(int socket, int level, int name, int value) {
+  if (::setsockopt(socket, level, name, &value, sizeof value) != 0) {
+    throw Fault::internal("setsockopt: " + describe(errno));
+  }
+}
+
+FileDescriptor openSocket(int family) {
+  FileDescriptor socket(::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) {
+    throw Fault::internal("socket: " + describe(errno));
+  }
+  setOption(socket.get(), IPPROTO_TCP, TCP_NODELAY, 1);
+  setOption(socket.get(), SOL_SOCKET, SO_RCVBUF, kReceiveBufferSize);
+  setOption(socket.get(), SOL_SOCKET, SO_KEEPALIVE, 1);
+  setOption(socket.get(), IPPROTO_TCP, TCP_KEEPIDLE, kKeepAliveIdle);
+  setOption(socket.get(), IPPROTO_TCP, TCP_KEEPINTVL, kKeepAliveInterval);
+  setOption(socket.get(), IPPROTO_TCP, TCP_KEEPCNT, kKeepAliveCount);
+  setOption(socket.get(), IPPROTO_TCP, TCP_USER_TIMEOUT, kUserTimeout);
+  return socket;
+}
+
+// Who connects to a port of this machine where nobody listens may be given that very port as its own, and then talks to
+// itself (TCP's simultaneous open).
+bool isConnectedToItself(int socket) {
+  sockaddr_storage own = {};
+  sockaddr_storage peer = {};
+  socklen_t own_size = sizeof own;
+  socklen_t peer_size = sizeof peer;
+  return ::getsockname(socket, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 &&
+         ::getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &peer_size) == 0 && own_size == peer_size &&
+         std::memcmp(&own, &peer, own_size) == 0;
+}
+
+int pollTimeout(TimePoint deadline) {
+  const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
+  return static_cast<int>(std::clamp(left, milliseconds(0), milliseconds(60000)).count());
+}
+
+}  // namespace
+
+TcpTransport::TcpTransport(Resolver resolver) : name_lookup_(std::move(resolver)) {}
+
+void TcpTransport::connect(const std::string& host, int port, TimePoint deadline) {
+  const TimePoint begin = steady_clock::now();
+  address_ = host + ":" + std::to_string(port);
+  const std::vector<SocketAddress> addresses = lookUp(host, port, deadline).addresses;
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    const bool last = i + 1 == addresses.size();
+    const TimePoint now = steady_clock::now();
+    const TimePoint share = now + (deadline - now) / static_cast<int>(addresses.size() - i);
+    try {
+      FileDescriptor socket = connectTo(addresses[i], share);
+      if (socket.valid()) {
+        socket_ = std::move(socket);
+        return;
+      }
+    } catch (const Fault&) {
+      if (last) {
+        throw;
+      }
+    }
+  }
+  throw Fault::noAnswer(address_, std::chrono::round<milliseconds>(deadline - begin));
+}
+
+NameLookupResult TcpTransport::lookUp(const std::string& host, int port, TimePoint deadline) {
+  name_lookup_.start(host, port);
+  if (!waitFor(name_lookup_.descriptor(), POLLIN, deadline)) {
+    throw Fault::nameNotFound(host, "the name server does not answer");
+  }
+  NameLookupResult result = name_lookup_.take();
+  if (!result.problem.empty()) {
+    throw Fault::nameNotFound(host, result.problem);
+  }
+  return result;
+}
+
+/// @return no descriptor if there was no answer until the deadline
+FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
+  FileDescriptor socket = openSocket(address.storage.ss_family);
+  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address.storage), address.size) != 0) {
+    if (errno != EINPROGRESS) {
+      throwFault(errno);
+    }
+    if (!waitFor(socket.get(), POLLOUT, deadline)) {
+      return FileDescriptor();
+    }
+    int error = 0;
+    socklen_t size = sizeof error;
+    ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &size);
+    if (error != 0) {
+      throwFault(error);
+    }
+  }
+  if (isConnectedToItself(socket.get())) {
+    const linger discard = {1, 0};  // leaves no trace that would keep a server from taking the port
+    ::setsockopt(socket.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
+    throw Fault::refused(address_);
+  }
+  return socket;
+}
+
+bool TcpTransport::wait(TimePoint deadline) {
+  return pollOnce(socket_.get(), POLLIN, deadline);
+}
+
+std::size_t TcpTransport::receive(std::uint8_t* buffer, std::size_t capacity) {
+  const ssize_t count = ::recv(socket_.get(), buffer, capacity, 0);
+  if (count > 0) {
+    return static_cast<std::size_t>(count);
+  }
+  if (count == 0) {
+    throw Fault::closed(address_);
+  }
+  if (errno == EAGAIN || errno == EINTR) {
+    return 0;
+  }
+  throwFault(errno);
+}
+
+void TcpTransport::send(const std::uint8_t* data, std::size_t size) {
+  const ssize_t count = ::send(socket_.get(), data, size, MSG_NOSIGNAL);
+  if (count < 0 && errno != EAGAIN) {
+    throwFault(errno);
+  }
+  if (count < static_cast<ssize_t>(size)) {
+    // Requests are a few bytes: the kernel's buffer is full of them only if the peer has not read for ages.
+    throw Fault::unreachable(address_, "it does not take requests any more");
+  }
+}
+
+void TcpTransport::close() noexcept {
+  socket_.close();
+}
+
+void TcpTransport::wakeUp() noexcept {
+  wake_up_.raise();
+}
+
+void TcpTransport::abort() noexcept {
+  aborted_ = true;
+  wake_up_.raise();
+}
+
+/// Waits on through calls of wakeUp().
+bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
+  while (!pollOnce(descriptor, events, deadline)) {
+    if (steady_clock::now() >= deadline) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// @return true if the descriptor has the events or an error; false at the deadline, or earlier
+bool TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline) {
+  pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}};  // poll() skips a descriptor of -1
+  const int count = ::poll(polled, 2, pollTimeout(deadline));
+  if (count < 0 && errno != EINTR) {
+    std::this_thread::sleep_for(milliseconds(10));  // the kernel is short of memory: no reason to spin
+  }
+  if (count > 0 && polled[0].revents != 0) {
+    wake_up_.clear();
+  }
+  if (aborted_) {
+    throw StoppedException("the client was stopped");
+  }
+  return count > 0 && polled[1].revents != 0;
+}
+
+void TcpTransport::throwFault(int error) const {
+  switch (error) {
+    case ECONNREFUSED:
+      throw Fault::refused(address_);
+    case ECONNRESET:
+    case EPIPE:
+      throw Fault::closed(address_);
+    default:
+      throw Fault::unreachable(address_, describe(error));
+  }
+}
+
+}  // namespace aibo_driver
