@@ -1,0 +1,25 @@
+/// @file node_process.h
+/// The process behind a ROS node on this machine.
+#ifndef AIBO_DRIVER_MONITOR_NODE_PROCESS_H
+#define AIBO_DRIVER_MONITOR_NODE_PROCESS_H
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace aibo_driver {
+
+/// Asks the ROS master and the node itself.
+/// @param node_name its full name, such as "/aibo/aibo_driver"
+/// @return none if the node does not answer, or runs on another machine
+std::optional<pid_t> processOfNode(const std::string& node_name);
+
+/// Processor time that all threads of a process on this machine have used since it began.
+/// @return none if there is no such process
+std::optional<std::chrono::nanoseconds> processorTime(pid_t process);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_MONITOR_NODE_PROCESS_H

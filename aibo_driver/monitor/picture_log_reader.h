@@ -1,0 +1,53 @@
+/// @file picture_log_reader.h
+#ifndef AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H
+#define AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aibo_driver {
+
+/// Reads what `aibo_rcserver --picture-log` writes: when the camera saw each picture that was sent.
+///
+/// The wire of protocol version 1 carries no time. So the simulated robot tells it on the side, a line a picture:
+/// the camera's time in nanoseconds since 1970, the size of the JPEG in bytes, and its CRC-32, by which the picture is
+/// known again. The log may be a file or a named pipe. Not thread-safe.
+class PictureLogReader {
+ public:
+  using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
+
+  /// @param path of the log; need not have been written to yet
+  /// @throw std::system_error if it cannot be opened
+  explicit PictureLogReader(const std::string& path);
+  ~PictureLogReader();
+
+  PictureLogReader(const PictureLogReader&) = delete;
+  PictureLogReader& operator=(const PictureLogReader&) = delete;
+
+  /// Takes in what has been written since the last call. Never waits.
+  void readNewLines();
+
+  /// When the camera saw this picture; none if the lines read so far do not say.
+  std::optional<Time> cameraTime(const std::vector<std::uint8_t>& jpeg) const;
+
+ private:
+  struct Entry {
+    Time camera_time;
+    std::uint64_t bytes;
+    std::uint32_t checksum;
+  };
+
+  void takeLine(const std::string& line);
+
+  int descriptor_;
+  std::string unfinished_line_;
+  std::deque<Entry> entries_;  // the oldest first
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H

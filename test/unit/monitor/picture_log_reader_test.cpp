@@ -1,0 +1,101 @@
+#include "picture_log_reader.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace aibo_driver {
+namespace {
+
+using std::chrono::nanoseconds;
+
+// The check value of CRC-32: the checksum of "123456789" is 0xCBF43926.
+const std::vector<std::uint8_t> kPicture{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+const std::string kPictureEntry = " 9 3421780262\n";
+
+class PictureLogReaderTest : public testing::Test {
+ protected:
+  PictureLogReaderTest() {
+    char name[] = "/tmp/picture_log_reader_test.XXXXXX";
+    folder_ = ::mkdtemp(name);
+    path_ = folder_ + "/picture_log";
+  }
+  ~PictureLogReaderTest() override {
+    ::unlink(path_.c_str());
+    ::rmdir(folder_.c_str());
+  }
+
+  void append(const std::string& text) { std::ofstream(path_, std::ios::app) << text << std::flush; }
+
+  std::string folder_;
+  std::string path_;
+};
+
+TEST_F(PictureLogReaderTest, KnowsAPictureByItsSizeAndChecksum) {
+  append("1000" + kPictureEntry);
+  PictureLogReader reader(path_);
+  reader.readNewLines();
+  ASSERT_TRUE(reader.cameraTime(kPicture));
+  EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture)->time_since_epoch());
+  EXPECT_FALSE(reader.cameraTime({'1', '2', '3', '4', '5', '6', '7', '8', '0'}));
+  EXPECT_FALSE(reader.cameraTime({}));
+}
+
+TEST_F(PictureLogReaderTest, WaitsForTheRestOfALineThatIsBeingWritten) {
+  append("10");
+  PictureLogReader reader(path_);
+  reader.readNewLines();
+  EXPECT_FALSE(reader.cameraTime(kPicture));
+  append("00" + kPictureEntry);
+  reader.readNewLines();
+  ASSERT_TRUE(reader.cameraTime(kPicture));
+  EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture)->time_since_epoch());
+}
+
+TEST_F(PictureLogReaderTest, TakesTheNewestOfTwoEqualPictures) {
+  append("1000" + kPictureEntry + "2000" + kPictureEntry);
+  PictureLogReader reader(path_);
+  reader.readNewLines();
+  ASSERT_TRUE(reader.cameraTime(kPicture));
+  EXPECT_EQ(nanoseconds(2000), reader.cameraTime(kPicture)->time_since_epoch());
+}
+
+TEST_F(PictureLogReaderTest, SkipsALineThatIsNoEntry) {
+  append("nonsense\n\n1000" + kPictureEntry);
+  PictureLogReader reader(path_);
+  reader.readNewLines();
+  EXPECT_TRUE(reader.cameraTime(kPicture));
+}
+
+TEST_F(PictureLogReaderTest, NeverWaitsAtAPipe) {
+  ASSERT_EQ(0, ::mkfifo(path_.c_str(), 0600));
+  PictureLogReader reader(path_);
+  reader.readNewLines();  // nobody writes
+  const int writer = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(writer, 0);
+  reader.readNewLines();  // nothing written
+  const std::string line = "1000" + kPictureEntry;
+  ASSERT_EQ(static_cast<ssize_t>(line.size()), ::write(writer, line.data(), line.size()));
+  reader.readNewLines();
+  ::close(writer);
+  EXPECT_TRUE(reader.cameraTime(kPicture));
+}
+
+TEST_F(PictureLogReaderTest, SaysWhichLogCannotBeOpened) {
+  try {
+    PictureLogReader reader(path_);
+    FAIL() << "opened a log that is not there";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(path_));
+  }
+}
+
+}  // namespace
+}  // namespace aibo_driver
