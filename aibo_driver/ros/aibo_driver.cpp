@@ -30,17 +30,17 @@ void warnOfUnknown(const DriverParameters& parameters, const std::string& name_p
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
     : parameters_(readDriverParameters(private_handle)),
       handle_(driverHandle(handle)),
-      control_(
+      policy_(
           parameters_.stream_on_start, parameters_.stream_on_demand, [this] { return cameraHasSubscribers(); },
           [this](bool on) { client_.setStreaming(on); }),
       connection_(handle_, parameters_.client),
-      camera_(ros::NodeHandle(handle_, "camera"), parameters_, [this] { control_.subscribersChanged(); }),
-      raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { control_.subscribersChanged(); }),
+      camera_(ros::NodeHandle(handle_, "camera"), parameters_, [this] { policy_.subscribersChanged(); }),
+      raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
       client_(parameters_.client, makeCallbacks()),
-      services_(handle_, parameters_, client_, control_, [this](const Picture& p) { return camera_.toMessage(p); }),
-      diagnostics_(handle_, private_handle, name, {parameters_.client, client_, control_, meter_, raw_images_}) {
+      services_(handle_, parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
+      diagnostics_(handle_, private_handle, name, {parameters_.client, client_, policy_, meter_, raw_images_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
-  control_.start();
+  policy_.start();
   client_.start();
 }
 

@@ -12,8 +12,8 @@
 #include "driver_diagnostics.h"
 #include "driver_parameters.h"
 #include "raw_image_publisher.h"
-#include "stream_control.h"
 #include "stream_meter.h"
+#include "stream_policy.h"
 #include "stream_services.h"
 
 namespace aibo_driver {
@@ -40,11 +40,11 @@ class AiboDriver {
   bool cameraHasSubscribers() const;
 
   // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
-  // control_ is started, it does nothing about them.
+  // policy_ is started, it does nothing about them.
   const DriverParameters parameters_;
   ros::NodeHandle handle_;
   StreamMeter meter_;
-  StreamControl control_;
+  StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
   RawImagePublisher raw_images_;

@@ -7,8 +7,11 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_driver");
+  // Outside of the try block: when the last handle goes, logging ends, and the reason below would not be seen.
+  const ros::NodeHandle handle;
+  const ros::NodeHandle private_handle("~");
   try {
-    const aibo_driver::AiboDriver driver(ros::NodeHandle(), ros::NodeHandle("~"), ros::this_node::getName());
+    const aibo_driver::AiboDriver driver(handle, private_handle, ros::this_node::getName());
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("The driver cannot start. " << error.what());

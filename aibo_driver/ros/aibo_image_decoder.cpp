@@ -7,8 +7,10 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_image_decoder");
+  // Outside of the try block: when the last handle goes, logging ends, and the reason below would not be seen.
+  const ros::NodeHandle handle;
   try {
-    const aibo_driver::ImageDecoder decoder{ros::NodeHandle()};
+    const aibo_driver::ImageDecoder decoder(handle);
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("The decoder cannot start. " << error.what());

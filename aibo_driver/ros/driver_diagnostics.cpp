@@ -63,7 +63,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   const std::uint64_t damaged = client.corrupt_pictures + raw.decode_errors;
   const std::uint64_t newly_damaged = damaged - reported_damaged_;
   reported_damaged_ = damaged;
-  const bool wanted = sources_.control.wanted();
+  const bool wanted = sources_.policy.wanted();
   const bool streaming = sources_.client.streaming();
 
   if (newly_damaged > 0) {
@@ -75,7 +75,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
                                              oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
   } else if (!wanted) {
     status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
-  } else if (sources_.control.waitsForSubscriber()) {
+  } else if (sources_.policy.waitsForSubscriber()) {
     status.summary(DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
   } else if (!streaming) {
     status.summary(DiagnosticStatus::WARN, "no pictures: the robot is not connected");

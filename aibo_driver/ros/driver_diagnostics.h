@@ -11,8 +11,8 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "raw_image_publisher.h"
-#include "stream_control.h"
 #include "stream_meter.h"
+#include "stream_policy.h"
 
 namespace aibo_driver {
 
@@ -24,7 +24,7 @@ class DriverDiagnostics {
   struct Sources {
     const ClientOptions& options;
     const RcServerClient& client;
-    const StreamControl& control;
+    const StreamPolicy& policy;
     StreamMeter& meter;
     const RawImagePublisher& raw_images;
   };

@@ -35,10 +35,10 @@ std::string describePicture(const Picture& picture, int asked_quality, int strea
 }  // namespace
 
 StreamServices::StreamServices(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                               RcServerClient& client, StreamControl& control, ToMessage to_message)
+                               RcServerClient& client, StreamPolicy& policy, ToMessage to_message)
     : parameters_(parameters),
       client_(client),
-      control_(control),
+      policy_(policy),
       to_message_(std::move(to_message)),
       take_picture_threads_(kTakePictureThreads, &take_picture_queue_) {
   ros::NodeHandle services(handle);
@@ -82,13 +82,13 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
 }
 
 bool StreamServices::setStreaming(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  control_.setWanted(request.data);
+  policy_.setWanted(request.data);
   response.success = describeStream(request.data, &response.message);
   return true;
 }
 
 bool StreamServices::toggleStreaming(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  response.success = describeStream(control_.toggleWanted(), &response.message);
+  response.success = describeStream(policy_.toggleWanted(), &response.message);
   return true;
 }
 
@@ -104,7 +104,7 @@ bool StreamServices::describeStream(bool wanted, std::string* message) const {
         describeConnection(status, parameters_.client) + ".";
     return false;
   }
-  *message = control_.waitsForSubscriber()
+  *message = policy_.waitsForSubscriber()
                  ? "The stream is on, on demand: pictures come as soon as a camera topic has a subscriber."
                  : "The stream is on.";
   return true;

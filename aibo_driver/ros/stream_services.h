@@ -14,7 +14,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "driver_parameters.h"
-#include "stream_control.h"
+#include "stream_policy.h"
 
 namespace aibo_driver {
 
@@ -27,10 +27,10 @@ class StreamServices {
   using ToMessage = std::function<sensor_msgs::CompressedImage(const Picture&)>;
 
   /// Publishes at once that the stream is off.
-  /// @param client, control must outlive this object
+  /// @param client, policy must outlive this object
   /// @param to_message makes the message that take_picture answers with; thread-safe
   StreamServices(const ros::NodeHandle& handle, const DriverParameters& parameters, RcServerClient& client,
-                 StreamControl& control, ToMessage to_message);
+                 StreamPolicy& policy, ToMessage to_message);
 
   /// A take_picture() that waits must have been ended before, by stopping the client.
   ~StreamServices();
@@ -52,7 +52,7 @@ class StreamServices {
 
   const DriverParameters parameters_;
   RcServerClient& client_;
-  StreamControl& control_;
+  StreamPolicy& policy_;
   const ToMessage to_message_;
 
   ros::Publisher streaming_publisher_;

@@ -1,6 +1,6 @@
-/// @file stream_control.h
-#ifndef AIBO_DRIVER_STREAM_CONTROL_H
-#define AIBO_DRIVER_STREAM_CONTROL_H
+/// @file stream_policy.h
+#ifndef AIBO_DRIVER_STREAM_POLICY_H
+#define AIBO_DRIVER_STREAM_POLICY_H
 
 #include <functional>
 #include <mutex>
@@ -11,12 +11,12 @@ namespace aibo_driver {
 ///
 /// It shall while the stream is wanted (~stream_on_start, set_streaming, toggle_streaming) and, with
 /// ~stream_on_demand, only while a camera topic has a subscriber too. Every function may be called from any thread.
-class StreamControl {
+class StreamPolicy {
  public:
   /// @param has_subscriber has a camera topic a subscriber at this moment
   /// @param set_streaming hands each decision on; must not block. Neither may call back into this class
-  StreamControl(bool wanted, bool on_demand, std::function<bool()> has_subscriber,
-                std::function<void(bool)> set_streaming);
+  StreamPolicy(bool wanted, bool on_demand, std::function<bool()> has_subscriber,
+               std::function<void(bool)> set_streaming);
 
   /// Hands the first decision on, and every later one. Before this, decisions are only remembered.
   void start();
@@ -53,4 +53,4 @@ class StreamControl {
 
 }  // namespace aibo_driver
 
-#endif  // AIBO_DRIVER_STREAM_CONTROL_H
+#endif  // AIBO_DRIVER_STREAM_POLICY_H

@@ -1,0 +1,25 @@
+#include "connection_publisher.h"
+
+#include <gmock/gmock.h>
+
+namespace aibo_driver {
+namespace {
+
+TEST(DescribeConnection, SaysWhereReasonAndAdvice) {
+  ClientOptions options;
+  options.host = "aibo.local";
+  ConnectionStatus status;
+  EXPECT_EQ(describeConnection(status, options), "not connected to aibo.local:54321");
+  status.state = ConnectionState::kConnecting;
+  status.reason = "connection refused";
+  status.advice = "is the RCServer running?";
+  EXPECT_EQ(describeConnection(status, options),
+            "connecting to aibo.local:54321: connection refused (is the RCServer running?)");
+  status = ConnectionStatus();
+  status.state = ConnectionState::kConnected;
+  status.protocol_version = 1;
+  EXPECT_EQ(describeConnection(status, options), "connected to aibo.local:54321, protocol version 1");
+}
+
+}  // namespace
+}  // namespace aibo_driver

@@ -1,0 +1,113 @@
+#include "driver_parameters.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using XmlRpc::XmlRpcValue;
+
+XmlRpcValue one(const std::string& name, const XmlRpcValue& value) {
+  XmlRpcValue values;
+  values[name] = value;
+  return values;
+}
+
+DriverParameters parse(const XmlRpcValue& values) {
+  return parseDriverParameters(values, "/aibo/aibo_driver/");
+}
+
+std::string refusal(const std::string& name, const XmlRpcValue& value) {
+  try {
+    parse(one(name, value));
+  } catch (const InvalidArgumentException& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
+  const DriverParameters parameters = parse(XmlRpcValue());
+  EXPECT_EQ(parameters.client.host, "127.0.0.1");
+  EXPECT_EQ(parameters.client.port, 54321);
+  EXPECT_EQ(parameters.client.jpeg_quality, 85);
+  EXPECT_TRUE(parameters.stream_on_start);
+  EXPECT_FALSE(parameters.stream_on_demand);
+  EXPECT_EQ(parameters.frame_id, "camera_optical_frame");
+  EXPECT_EQ(parameters.time_offset.count(), 0);
+  EXPECT_THAT(parameters.unknown, IsEmpty());
+}
+
+TEST(DriverParameters, AreTakenOver) {
+  XmlRpcValue values;
+  values["host"] = "aibo.local";
+  values["port"] = 1234;
+  values["jpeg_quality"] = 1;
+  values["connect_timeout"] = 3;
+  values["read_timeout"] = 0.25;
+  values["stream_on_start"] = XmlRpcValue(false);
+  values["stream_on_demand"] = XmlRpcValue(true);
+  values["time_offset"] = -0.02;
+  values["camera_info_url"] = "package://aibo_driver/config/camera.yaml";
+  const DriverParameters parameters = parse(values);
+  EXPECT_EQ(parameters.client.host, "aibo.local");
+  EXPECT_EQ(parameters.client.port, 1234);
+  EXPECT_EQ(parameters.client.jpeg_quality, 1);
+  EXPECT_EQ(parameters.client.connect_timeout, std::chrono::seconds(3));
+  EXPECT_EQ(parameters.client.read_timeout, std::chrono::milliseconds(250));
+  EXPECT_FALSE(parameters.stream_on_start);
+  EXPECT_TRUE(parameters.stream_on_demand);
+  EXPECT_EQ(parameters.time_offset, std::chrono::milliseconds(-20));
+  EXPECT_EQ(parameters.camera_info_url, "package://aibo_driver/config/camera.yaml");
+}
+
+TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
+  EXPECT_EQ(refusal("port", 0), "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535.");
+  EXPECT_THAT(refusal("port", 65536), HasSubstr("1..65535"));
+  EXPECT_THAT(refusal("jpeg_quality", 101), HasSubstr("1..100"));
+  EXPECT_THAT(refusal("connect_timeout", 0.0), HasSubstr("connect_timeout is 0"));
+  EXPECT_THAT(refusal("read_timeout", 61), HasSubstr("0.05..60"));
+  EXPECT_THAT(refusal("time_offset", 61.0), HasSubstr("-60..60"));
+  EXPECT_THAT(refusal("time_offset", std::stod("nan")), HasSubstr("-60..60"));
+}
+
+TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
+  EXPECT_EQ(refusal("port", "abc"),
+            "Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535.");
+  EXPECT_THAT(refusal("jpeg_quality", 85.5), HasSubstr("a whole number"));
+  EXPECT_THAT(refusal("read_timeout", "1"), HasSubstr("a number of seconds"));
+  EXPECT_THAT(refusal("stream_on_start", 1), HasSubstr("true or false"));
+  EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; allowed is"));
+}
+
+TEST(DriverParameters, AreRefusedWhenTheTextCannotBeMeant) {
+  EXPECT_THAT(refusal("host", ""), HasSubstr("name or address"));
+  EXPECT_THAT(refusal("host", "my robot"), HasSubstr("name or address"));
+  EXPECT_THAT(refusal("frame_id", "/camera"), HasSubstr("not beginning with '/'"));
+  EXPECT_THAT(refusal("camera_name", "my-camera"), HasSubstr("letters, digits and underscores"));
+  EXPECT_THAT(refusal("camera_info_url", "/home/me/camera.yaml"), HasSubstr("file:///"));
+}
+
+TEST(DriverParameters, ReconnectWaitsFollowTheirMaximum) {
+  const DriverParameters parameters = parse(one("reconnect_wait_max", 0.05));
+  EXPECT_EQ(parameters.client.reconnect_wait_max, std::chrono::milliseconds(50));
+  EXPECT_LE(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
+}
+
+TEST(DriverParameters, ThatNobodyReadsAreListed) {
+  XmlRpcValue values;
+  values["prot"] = 54321;
+  values["diagnostic_period"] = 2.0;
+  values["namespace_of_others"]["port"] = 1;
+  EXPECT_THAT(parse(values).unknown, ElementsAre("prot"));
+}
+
+}  // namespace
+}  // namespace aibo_driver

@@ -1,0 +1,106 @@
+#include "jpeg_decoder.h"
+
+#include <gmock/gmock.h>
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace aibo_driver {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int kWidth = 208;  // report, section 2.1.2
+constexpr int kHeight = 160;
+
+// Left half pure blue, right half a ramp from black to white, from top to bottom.
+std::vector<std::uint8_t> makeScene(int width, int height) {
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto grey = static_cast<std::uint8_t>(255 * y / height);
+      if (x < width / 2) {
+        pixels.insert(pixels.end(), {255, 0, 0});
+      } else {
+        pixels.insert(pixels.end(), {grey, grey, grey});
+      }
+    }
+  }
+  return pixels;
+}
+
+std::vector<std::uint8_t> encode(int width, int height, int flags = 0) {
+  const std::vector<std::uint8_t> pixels = makeScene(width, height);
+  const tjhandle compressor = tjInitCompress();
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  const int result =
+      tjCompress2(compressor, pixels.data(), width, 3 * width, height, TJPF_BGR, &data, &size, TJSAMP_420, 95, flags);
+  EXPECT_EQ(result, 0) << tjGetErrorStr2(compressor);
+  std::vector<std::uint8_t> jpeg(data, data + size);
+  tjFree(data);
+  tjDestroy(compressor);
+  return jpeg;
+}
+
+std::string refusal(const std::vector<std::uint8_t>& jpeg) {
+  JpegDecoder decoder;
+  try {
+    decoder.decode(jpeg.data(), jpeg.size());
+  } catch (const DecodeException& error) {
+    return error.what();
+  }
+  return "decoded";
+}
+
+TEST(JpegDecoder, DecodesToBlueGreenRedFromTopToBottom) {
+  const std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
+  JpegDecoder decoder;
+  const BgrImage image = decoder.decode(jpeg.data(), jpeg.size());
+  ASSERT_EQ(image.width, kWidth);
+  ASSERT_EQ(image.height, kHeight);
+  const std::vector<std::uint8_t> scene = makeScene(kWidth, kHeight);
+  ASSERT_EQ(image.pixels.size(), scene.size());
+  double error = 0.0;
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    const double difference = static_cast<double>(scene[i]) - static_cast<double>(image.pixels[i]);
+    error += difference * difference;
+  }
+  EXPECT_LT(error / static_cast<double>(scene.size()), 40.0);
+}
+
+TEST(JpegDecoder, RefusesDamagedCompressedDataInsteadOfReturningHalfAPicture) {
+  std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
+  // An end-of-image marker in the middle is what the decoder only warns about.
+  jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(jpeg.size() - jpeg.size() / 3), jpeg.end() - 2);
+  EXPECT_THAT(refusal(jpeg), HasSubstr("the compressed data is damaged"));
+}
+
+TEST(JpegDecoder, RefusesWhatIsNoJpeg) {
+  EXPECT_NE(refusal({}), "decoded");
+  EXPECT_NE(refusal(std::vector<std::uint8_t>(5000, 0x55)), "decoded");
+}
+
+TEST(JpegDecoder, RefusesASizeThatTheCameraCannotHave) {
+  EXPECT_NE(refusal(encode(640, 480)), "decoded");
+}
+
+TEST(JpegDecoder, RefusesProgressivePictures) {
+  EXPECT_NE(refusal(encode(kWidth, kHeight, TJFLAG_PROGRESSIVE)), "decoded");
+}
+
+TEST(JpegDecoder, DecodesTheNextPictureAfterADamagedOne) {
+  const std::vector<std::uint8_t> good = encode(kWidth, kHeight);
+  std::vector<std::uint8_t> bad = good;
+  bad.erase(bad.begin() + static_cast<std::ptrdiff_t>(bad.size() / 2), bad.end() - 2);
+  JpegDecoder decoder;
+  const BgrImage before = decoder.decode(good.data(), good.size());
+  EXPECT_THROW(decoder.decode(bad.data(), bad.size()), DecodeException);
+  EXPECT_EQ(decoder.decode(good.data(), good.size()).pixels, before.pixels);
+}
+
+}  // namespace
+}  // namespace aibo_driver
