@@ -38,7 +38,7 @@ class CameraImageFixture {
   /// Smooth shading with some sensor noise: 4 to 6 KB at quality 85, as the report's pictures.
   static CameraImageFixture scene(size_t width = 208, size_t height = 160, unsigned seed = 1) {
     std::mt19937 random(seed);
-    std::normal_distribution<double> noise(0, 2);
+    std::normal_distribution<double> noise(0, 1.5);
     return CameraImageFixture(width, height, [&](size_t column, size_t row) {
       const double x = static_cast<double>(column);
       const double y = static_cast<double>(row);

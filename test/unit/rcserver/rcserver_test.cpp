@@ -1,0 +1,501 @@
+#include "rcserver/RCServer.h"
+
+#include <gmock/gmock.h>
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "RCServer_stub.h"
+#include "fake_robot.h"
+#include "openr_host/clock.h"
+#include "openr_host/machine.h"
+#include "protocol/version1.h"
+#include "test_client.h"
+
+namespace {
+
+using openr_host::Machine;
+using openr_host::MachineOptions;
+using openr_host::SteppedClock;
+using protocol::RCSERVER_PORT;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr unsigned kImagesUntilSilent = RCServer::SILENT_CLIENT_FRAMES / FakeRobot::kFramesPerImage;
+
+std::string request(char letter, int identifier) {
+  return {letter, static_cast<char>(identifier)};
+}
+
+// What the JPEG says of its quality: the first number of its first quantisation table, which libjpeg makes 16 at
+// quality 50 and less above.
+int quantizerOf(const std::vector<uint8_t>& jpeg) {
+  const std::vector<uint8_t> marker = {0xff, 0xdb};
+  const auto table = std::search(jpeg.begin(), jpeg.end(), marker.begin(), marker.end());
+  return jpeg.end() - table > 5 ? table[5] : -1;
+}
+
+int quantizerFor(int quality) {
+  const int scale = quality < 50 ? 5000 / quality : 200 - 2 * quality;
+  return std::max(1, (16 * scale + 50) / 100);
+}
+
+struct Brightness {
+  int width = 0;
+  int height = 0;
+  int level = -1;
+};
+
+Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
+  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitDecompress(), tjDestroy);
+  Brightness brightness;
+  int subsampling = 0;
+  int colorspace = 0;
+  tjDecompressHeader3(handle.get(), jpeg.data(), jpeg.size(), &brightness.width, &brightness.height, &subsampling,
+                      &colorspace);
+  std::vector<uint8_t> gray(static_cast<size_t>(brightness.width * brightness.height));
+  if (tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), gray.data(), brightness.width, 0, brightness.height,
+                    TJPF_GRAY, TJFLAG_STOPONWARNING) == 0) {
+    brightness.level = gray[gray.size() / 2];
+  }
+  return brightness;
+}
+
+class RCServerTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    MachineOptions options;
+    options.ports = {{RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
+    options.memory_stick = MEMORY_STICK;
+    options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+    options.console = &console_;
+    machine_ = std::make_unique<Machine>(options, clock_, robot_);
+    machine_->boot();
+    machine_->runPending();
+  }
+
+  std::unique_ptr<TestClient> connect(int receive_buffer = 0) {
+    auto client = std::make_unique<TestClient>(machine_->hostPort(RCSERVER_PORT), receive_buffer);
+    machine_->runPending();
+    return client;
+  }
+
+  // Connects a client and waits until the server answers it.
+  std::unique_ptr<TestClient> connectServed() {
+    auto client = connect();
+    ask(*client, "");
+    return client;
+  }
+
+  // Sends requests and waits until all of them are handled: an unknown one at the end is answered at once.
+  void ask(TestClient& client, const std::string& requests) {
+    client.send(requests + "??");
+    const std::optional<Reply> reply = await(client);
+    ASSERT_TRUE(reply) << "no answer to the unknown request";
+    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+    machine_->runPending();
+  }
+
+  // The next reply, whenever it comes; empty if the server closes instead.
+  std::optional<Reply> await(TestClient& client) {
+    std::optional<Reply> reply;
+    EXPECT_TRUE(machine_->runUntil([&] { return (reply = client.next()).has_value() || client.ended(); }))
+        << "neither a reply nor an end";
+    return reply;
+  }
+
+  bool awaitEnd(TestClient& client) {
+    return machine_->runUntil([&] {
+      while (client.next()) {
+      }
+      return client.ended();
+    });
+  }
+
+  // Lets the camera take its next image.
+  void takeImage() {
+    for (longword frame = 0; frame < FakeRobot::kFramesPerImage; ++frame) {
+      clock_.step();
+      machine_->runPending();
+    }
+  }
+
+  void takeImages(unsigned count) {
+    for (unsigned i = 0; i < count; ++i) {
+      takeImage();
+    }
+  }
+
+  // Takes an image, and from the client the picture of it.
+  void expectPictureOfNextImage(TestClient& client, int quality) {
+    takeImage();
+    const std::optional<Reply> reply = await(client);
+    ASSERT_TRUE(reply && reply->letter == protocol::REPLY_PICTURE);
+    EXPECT_EQ(quantizerOf(reply->jpeg), quantizerFor(quality));
+    EXPECT_NEAR(brightnessOf(reply->jpeg).level, FakeRobot::brightness(robot_.lastImage()), 3);
+    machine_->runPending();
+  }
+
+  void expectNoPictureOfNextImage(TestClient& client) {
+    takeImage();
+    ask(client, "");
+    EXPECT_FALSE(client.next());
+  }
+
+  void expectNewClientIsServed() {
+    auto client = connectServed();
+    ask(*client, request('F', 85));
+    expectPictureOfNextImage(*client, 85);
+    expectNoPictureOfNextImage(*client);
+    client->close();
+    machine_->runPending();
+  }
+
+  std::ostringstream console_;
+  SteppedClock clock_;
+  FakeRobot robot_;
+  std::unique_ptr<Machine> machine_;
+};
+
+// ---------------------------------------------------------------------------------------------- the state machine
+
+struct Cell {
+  const char* name;
+  std::string before;          // requests that lead to the state
+  std::string event;           // a request; empty for a camera image
+  std::vector<int> qualities;  // of the pictures that the next camera images become; 0 for an image that becomes none
+};
+
+class StateMachine : public RCServerTest, public ::testing::WithParamInterface<Cell> {};
+
+TEST_P(StateMachine, SendsWhatTheTableSays) {
+  auto client = connectServed();
+  ask(*client, GetParam().before + GetParam().event);
+  for (const int quality : GetParam().qualities) {
+    if (quality > 0) {
+      expectPictureOfNextImage(*client, quality);
+    } else {
+      expectNoPictureOfNextImage(*client);
+    }
+  }
+}
+
+TEST_P(StateMachine, IsIdleForTheNextClient) {
+  auto client = connectServed();
+  ask(*client, GetParam().before + GetParam().event);
+  client->close();
+  machine_->runPending();
+  auto next = connectServed();
+  expectNoPictureOfNextImage(*next);
+  expectNoPictureOfNextImage(*next);
+  ask(*next, request('F', 85));
+  expectPictureOfNextImage(*next, 85);
+}
+
+const std::string kPicture = request('F', 70);
+const std::string kStream = request('W', 80);
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, StateMachine,
+    ::testing::Values(Cell{"IdleThenF", "", request('F', 20), {20, 0, 0}},
+                      Cell{"IdleThenW", "", request('W', 30), {30, 30, 30}}, Cell{"IdleThenImage", "", "", {0, 0}},
+                      Cell{"PictureThenF", kPicture, request('F', 20), {70, 20, 0, 0}},
+                      Cell{"PictureThenW", kPicture, request('W', 30), {70, 30, 30}},
+                      Cell{"PictureThenImage", kPicture, "", {70, 0, 0}},
+                      Cell{"ContinuousThenF", kStream, request('F', 20), {20, 80, 80}},
+                      Cell{"ContinuousThenW", kStream, request('W', 30), {0, 0, 0}},
+                      Cell{"ContinuousThenImage", kStream, "", {80, 80, 80}},
+                      Cell{"StopsendThenF", kStream + kStream, request('F', 20), {20, 0, 0}},
+                      Cell{"StopsendThenW", kStream + kStream, request('W', 30), {30, 30, 30}},
+                      Cell{"StopsendThenImage", kStream + kStream, "", {0, 0}},
+                      Cell{"OwedPicturesOutliveTheStream", kStream + kPicture + kStream, "", {0, 70, 0, 0}}),
+    [](const auto& cell) { return std::string(cell.param.name); });
+
+TEST_F(RCServerTest, PictureHasTheCamerasSize) {
+  auto client = connectServed();
+  ask(*client, request('F', 85));
+  takeImage();
+  const std::optional<Reply> reply = await(*client);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(brightnessOf(reply->jpeg).width, 208);
+  EXPECT_EQ(brightnessOf(reply->jpeg).height, 160);
+}
+
+TEST_F(RCServerTest, StreamCanBeToggledManyTimes) {
+  auto client = connectServed();
+  for (int round = 0; round < 20; ++round) {
+    ask(*client, request('W', 85));
+    expectPictureOfNextImage(*client, 85);
+    expectPictureOfNextImage(*client, 85);
+    ask(*client, request('W', 85));
+    expectNoPictureOfNextImage(*client);
+  }
+}
+
+TEST_F(RCServerTest, QualityAboveHundredMeansHundred) {
+  auto client = connectServed();
+  for (const int quality : {100, 101, 255}) {
+    ask(*client, request('F', quality));
+    expectPictureOfNextImage(*client, 100);
+  }
+}
+
+TEST_F(RCServerTest, EveryPictureRequestIsAnsweredByAnImageOfItsOwn) {
+  auto client = connectServed();
+  std::string requests;
+  for (int quality = 51; quality <= 90; ++quality) {
+    requests += request('F', quality);
+  }
+  ask(*client, requests);
+  for (int quality = 51; quality <= 90; ++quality) {
+    expectPictureOfNextImage(*client, quality);
+  }
+  expectNoPictureOfNextImage(*client);
+}
+
+TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
+  const int limit = static_cast<int>(ImageObserver::MAX_OWED);
+  auto client = connectServed();
+  std::string requests;
+  for (int i = 0; i < limit + 10; ++i) {
+    requests += request('F', 85);
+  }
+  client->send(requests);
+  for (int i = 0; i < 10; ++i) {
+    const std::optional<Reply> reply = await(*client);
+    ASSERT_TRUE(reply);
+    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+  }
+  machine_->runPending();
+  for (int i = 0; i < limit; ++i) {
+    expectPictureOfNextImage(*client, 85);
+  }
+  expectNoPictureOfNextImage(*client);
+}
+
+// ------------------------------------------------------------------------------------------------------ requests
+
+TEST_F(RCServerTest, RequestsMayComeByteByByte) {
+  auto client = connectServed();
+  for (const char byte : request('F', 60) + request('F', 61)) {
+    client->send(std::string{byte});
+    machine_->runPending();
+  }
+  ask(*client, "");
+  expectPictureOfNextImage(*client, 60);
+  expectPictureOfNextImage(*client, 61);
+}
+
+TEST_F(RCServerTest, WhatItDoesNotSpeakIsAnsweredByErrorZero) {
+  auto client = connectServed();
+  const std::string name(16, 'A');
+  for (const std::string& bytes :
+       {request('X', 2), request('J', 1), request('J', 1) + "ab", request('S', 5), request('V', 1), request('A', 1),
+        request('L', 1) + "ab", request('Y', 1) + "ab", request('K', 0) + "ab", request('Q', 0) + "ab",
+        request('R', 0) + "ab", request('D', 0) + name, request('P', 0) + name, request('Z', 0), request('f', 85)}) {
+    client->send(bytes);
+    const std::optional<Reply> reply = await(*client);
+    ASSERT_TRUE(reply) << bytes;
+    EXPECT_EQ(reply->letter, 'e') << bytes;
+    EXPECT_EQ(reply->value.identifier, 0) << bytes;
+    EXPECT_EQ(reply->value.value, protocol::ERROR_REFUSED) << bytes;
+    machine_->runPending();
+    EXPECT_FALSE(client->next()) << "a second answer to " << bytes;
+  }
+}
+
+TEST_F(RCServerTest, ContentOfARefusedUploadIsNotTakenForRequests) {
+  auto client = connectServed();
+  const std::string header = std::string("U\0WALK.MTN\0\0\0\0", 14) + std::string("\2\0\1\0", 4);
+  std::string content;
+  while (content.size() < 2 * 512 + 1) {
+    content += "W";
+  }
+  client->send(header + content);
+  const std::optional<Reply> reply = await(*client);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->letter, 'e');
+  expectNoPictureOfNextImage(*client);
+}
+
+TEST_F(RCServerTest, ErrorsAreNotLostWhileAPictureIsUnderWay) {
+  auto client = connectServed();
+  ask(*client, request('W', 85));
+  for (int i = 0; i < 50; ++i) {
+    takeImage();
+    client->send(request('?', i));
+  }
+  int errors = 0;
+  while (errors < 50) {
+    const std::optional<Reply> reply = await(*client);
+    ASSERT_TRUE(reply);
+    errors += reply->letter == protocol::REPLY_ERROR ? 1 : 0;
+  }
+}
+
+TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply) {
+  auto client = connect(4096);
+  // Until nothing more fits in: into the server, which stops to receive, and into the kernel.
+  const std::string flood(8192, '?');
+  size_t sent = 0;
+  for (int idle_rounds = 0; idle_rounds < 100;) {
+    const size_t now = client->send(flood);
+    sent += now;
+    idle_rounds = now == 0 ? idle_rounds + 1 : 0;
+    machine_->runPending();
+    ASSERT_LT(sent, 100U * 1024 * 1024) << "the server takes requests without end";
+  }
+  for (size_t replies = 0; replies < sent / 2; ++replies) {
+    const std::optional<Reply> reply = await(*client);
+    ASSERT_TRUE(reply) << "after " << replies << " of " << sent / 2;
+    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+  }
+}
+
+TEST_F(RCServerTest, ServesTheNextClientWhateverBytesTheLastOneSent) {
+  std::mt19937 random(54321);
+  std::uniform_int_distribution<int> byte(0, 255);
+  std::uniform_int_distribution<size_t> length(1, 3000);
+  std::uniform_int_distribution<size_t> piece(1, 700);
+  for (int round = 0; round < 60; ++round) {
+    auto client = connect();
+    std::string bytes(length(random), '\0');
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(byte(random)); });
+    for (size_t begin = 0; begin < bytes.size();) {
+      const size_t size = std::min(piece(random), bytes.size() - begin);
+      client->send(bytes.substr(begin, size));
+      machine_->runPending();
+      begin += size;
+      if (round % 3 == 0) {
+        takeImage();
+      }
+    }
+    round % 2 == 0 ? client->close() : client->reset();
+    machine_->runPending();
+    expectNewClientIsServed();
+  }
+}
+
+// ------------------------------------------------------------------------------------------- one client at a time
+
+TEST_F(RCServerTest, SecondClientIsTurnedAwayAndTheFirstIsNotDisturbed) {
+  auto first = connectServed();
+  ask(*first, request('W', 85));
+  for (int round = 0; round < 20; ++round) {
+    expectPictureOfNextImage(*first, 85);
+    auto second = connect();
+    second->send(request('F', 85));
+    EXPECT_TRUE(machine_->runUntil([&] { return second->ended(); }));
+    EXPECT_FALSE(second->next());
+    expectPictureOfNextImage(*first, 85);
+  }
+}
+
+TEST_F(RCServerTest, NextClientIsServedAtOnceWhenTheFirstHasGone) {
+  for (int round = 0; round < 100; ++round) {
+    auto client = connectServed();
+    round % 2 == 0 ? client->close() : client->reset();
+  }
+}
+
+TEST_F(RCServerTest, ClientSilentForTenSecondsIsReplacedByTheNext) {
+  auto first = connectServed();
+  takeImages(kImagesUntilSilent - 2);
+  auto too_early = connect();
+  EXPECT_TRUE(awaitEnd(*too_early));
+  EXPECT_FALSE(first->ended());
+  takeImages(4);
+  expectNewClientIsServed();
+  EXPECT_TRUE(awaitEnd(*first));
+  EXPECT_THAT(console_.str(), HasSubstr("it was silent and another one came"));
+}
+
+TEST_F(RCServerTest, ClientThatIsSilentButAloneStays) {
+  auto client = connectServed();
+  takeImages(3 * kImagesUntilSilent);
+  ask(*client, request('F', 85));
+  expectPictureOfNextImage(*client, 85);
+}
+
+TEST_F(RCServerTest, ClientThatOnlyReadsItsStreamIsNotSilent) {
+  auto first = connectServed();
+  ask(*first, request('W', 85));
+  for (unsigned i = 0; i < kImagesUntilSilent + 10; ++i) {
+    takeImage();
+    while (first->next()) {
+    }
+  }
+  auto second = connect();
+  EXPECT_TRUE(awaitEnd(*second));
+  expectPictureOfNextImage(*first, 85);
+}
+
+TEST_F(RCServerTest, ClientThatDoesNotReadItsStreamIsReplacedByTheNext) {
+  robot_.showNoise();
+  auto first = connect(4096);
+  first->send(request('W', 100));
+  takeImages(kImagesUntilSilent + 20);
+  auto second = connectServed();
+  EXPECT_TRUE(awaitEnd(*first));
+}
+
+TEST_F(RCServerTest, ClientGoneInTheMiddleOfAPictureMakesRoomForTheNext) {
+  for (int round = 0; round < 10; ++round) {
+    robot_.showNoise();
+    auto client = connect(4096);
+    client->send(request('W', 100));
+    takeImages(20);
+    round % 2 == 0 ? client->close() : client->reset();
+    EXPECT_TRUE(machine_->runUntil([&] {
+      auto next = connect();
+      next->send("??");
+      machine_->runPending();
+      return next->next().has_value();
+    }));
+  }
+}
+
+// --------------------------------------------------------------------------------------------------- slow clients
+
+TEST_F(RCServerTest, SlowClientGetsNewPicturesNotAllThatItMissed) {
+  robot_.showNoise();
+  auto client = connect(4096);
+  client->send(request('W', 100));
+  takeImages(200);
+  size_t late = 0;
+  while (machine_->runPending(), client->next()) {
+    ++late;
+  }
+  EXPECT_LE(late, 5U);
+  takeImage();
+  EXPECT_TRUE(await(*client)) << "the stream does not go on";
+}
+
+TEST_F(RCServerTest, ConsoleTellsWhatHappens) {
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
+  auto client = connectServed();
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: client 127.0.0.1:"));
+  ask(*client, request('W', 85));
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: stream on, quality 85\n"));
+  expectPictureOfNextImage(*client, 85);
+  expectPictureOfNextImage(*client, 85);
+  clock_.step(3 * FakeRobot::kFramesPerImage);  // the host is held up, and two camera images are lost
+  expectPictureOfNextImage(*client, 85);
+  ask(*client, request('W', 85));
+  expectNoPictureOfNextImage(*client);
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: stream off after "));
+  auto second = connect();
+  EXPECT_TRUE(awaitEnd(*second));
+  EXPECT_THAT(console_.str(), HasSubstr("is turned away"));
+  client->close();
+  machine_->runPending();
+  EXPECT_THAT(console_.str(), HasSubstr("is gone: it closed the connection\n"));
+}
+
+}  // namespace
