@@ -1,0 +1,241 @@
+#include "protocol/hello.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "protocol/utf8.h"
+
+namespace protocol {
+namespace version2 {
+
+namespace {
+
+enum Key { KEY_ROBOT, KEY_SERVER, KEY_FRAME_NUMBER, KEY_CAPABILITIES, KEY_LIMITS, KEY_COUNT };
+
+const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits"};
+
+// A piece of the payload; not ended by a zero byte.
+struct Text {
+  const char* begin;
+  const char* end;
+
+  size_t size() const { return static_cast<size_t>(end - begin); }
+  bool isEmpty() const { return begin == end; }
+  bool operator==(const char* other) const { return size() == strlen(other) && memcmp(begin, other, size()) == 0; }
+};
+
+// Takes off `text` what stands before the first `separator`, and the separator. If there is none, takes all.
+Text takeUntil(char separator, Text* text) {
+  const void* found = text->isEmpty() ? NULL : memchr(text->begin, separator, text->size());
+  Text taken = *text;
+  if (found == NULL) {
+    text->begin = text->end;
+  } else {
+    taken.end = static_cast<const char*>(found);
+    text->begin = taken.end + 1;
+  }
+  return taken;
+}
+
+// Reads all of `text` as a decimal number up to `limit`.
+bool parseUnsigned(const Text& text, unsigned limit, unsigned* value) {
+  unsigned sum = 0;
+  for (const char* digit = text.begin; digit != text.end; ++digit) {
+    if (*digit < '0' || *digit > '9') {
+      return false;
+    }
+    const unsigned next = static_cast<unsigned>(*digit - '0');
+    if (sum > (limit - next) / 10) {
+      return false;
+    }
+    sum = sum * 10 + next;
+  }
+  *value = sum;
+  return !text.isEmpty();
+}
+
+bool parseSigned(const Text& text, int* value) {
+  Text digits = text;
+  const bool is_negative = !text.isEmpty() && *text.begin == '-';
+  if (is_negative) {
+    ++digits.begin;
+  }
+  unsigned magnitude = 0;
+  if (!parseUnsigned(digits, INT_MAX, &magnitude)) {
+    return false;
+  }
+  *value = is_negative ? -static_cast<int>(magnitude) : static_cast<int>(magnitude);
+  return true;
+}
+
+const char* decodeText(const Text& value, char* out) {
+  if (value.size() > MAX_HELLO_TEXT_SIZE) {
+    return "a text of the hello is longer than 127 bytes";
+  }
+  memcpy(out, value.begin, value.size());
+  out[value.size()] = '\0';
+  return NULL;
+}
+
+bool decodeJointLimits(Text text, JointLimits* joint) {
+  unsigned id = 0;
+  const bool is_read = parseUnsigned(takeUntil(':', &text), UCHAR_MAX, &id) &&
+                       parseSigned(takeUntil(':', &text), &joint->lower) &&
+                       parseSigned(takeUntil(':', &text), &joint->upper) && parseSigned(text, &joint->speed);
+  joint->id = static_cast<unsigned char>(id);
+  return is_read && joint->lower <= joint->upper && joint->speed >= 0;
+}
+
+bool hasJoint(const Hello& hello, unsigned char id) {
+  for (size_t i = 0; i < hello.joint_count; ++i) {
+    if (hello.joints[i].id == id) {
+      return true;
+    }
+  }
+  return false;
+}
+
+const char* decodeLimits(Text value, Hello* hello) {
+  while (!value.isEmpty()) {
+    JointLimits joint;
+    if (!decodeJointLimits(takeUntil(' ', &value), &joint)) {
+      return "the limits of a joint are not id:lower:upper:speed";
+    }
+    if (hasJoint(*hello, joint.id)) {
+      return "a joint has its limits twice";
+    }
+    if (hello->joint_count == MAX_JOINTS) {
+      return "more joints than any robot has";
+    }
+    hello->joints[hello->joint_count++] = joint;
+  }
+  return NULL;
+}
+
+const char* decodeValue(Key key, const Text& value, Hello* hello) {
+  switch (key) {
+    case KEY_ROBOT:
+      return decodeText(value, hello->robot);
+    case KEY_SERVER:
+      return decodeText(value, hello->server);
+    case KEY_FRAME_NUMBER:
+      return parseUnsigned(value, UINT_MAX, &hello->frame_number) ? NULL : "the frame number is not a number";
+    case KEY_CAPABILITIES:
+      return decodeText(value, hello->capabilities);
+    case KEY_LIMITS:
+      return decodeLimits(value, hello);
+    default:
+      return NULL;
+  }
+}
+
+Key keyOf(const Text& name) {
+  int key = 0;
+  while (key < KEY_COUNT && !(name == KEY_NAMES[key])) {
+    ++key;
+  }
+  return static_cast<Key>(key);
+}
+
+const char* decodeLine(Text line, bool* is_there, Hello* hello) {
+  if (!isPlainText(line.begin, line.size())) {
+    return "the hello is not UTF-8 or holds control characters";
+  }
+  const Text name = takeUntil('=', &line);
+  if (name.isEmpty() || name.end == line.end) {
+    return "a line of the hello is not key=value";
+  }
+  const Key key = keyOf(name);
+  if (key == KEY_COUNT) {
+    return NULL;
+  }
+  if (is_there[key]) {
+    return "a key of the hello is there twice";
+  }
+  is_there[key] = true;
+  return decodeValue(key, line, hello);
+}
+
+// Appends to a payload in the making. MAX_HELLO_SIZE is room for all that a valid hello can hold.
+class Writer {
+ public:
+  explicit Writer(unsigned char* out) : out_(out), size_(0) {}
+
+  void append(const char* text) {
+    memcpy(out_ + size_, text, strlen(text));
+    size_ += strlen(text);
+  }
+
+  void appendKey(Key key) {
+    append(KEY_NAMES[key]);
+    append("=");
+  }
+
+  void appendLine(Key key, const char* value) {
+    appendKey(key);
+    append(value);
+    append("\n");
+  }
+
+  size_t size() const { return size_; }
+
+ private:
+  unsigned char* out_;
+  size_t size_;
+};
+
+}  // namespace
+
+size_t encodeHello(const Hello& hello, unsigned char* out) {
+  char number[16];
+  sprintf(number, "%u", hello.frame_number);
+  Writer writer(out);
+  writer.appendLine(KEY_ROBOT, hello.robot);
+  writer.appendLine(KEY_SERVER, hello.server);
+  writer.appendLine(KEY_FRAME_NUMBER, number);
+  writer.appendLine(KEY_CAPABILITIES, hello.capabilities);
+  writer.appendKey(KEY_LIMITS);
+  for (size_t i = 0; i < hello.joint_count; ++i) {
+    const JointLimits& joint = hello.joints[i];
+    char limits[64];
+    sprintf(limits, "%s%d:%d:%d:%d", i > 0 ? " " : "", joint.id, joint.lower, joint.upper, joint.speed);
+    writer.append(limits);
+  }
+  writer.append("\n");
+  return writer.size();
+}
+
+const char* decodeHello(const unsigned char* payload, size_t size, Hello* hello) {
+  const char* const begin = reinterpret_cast<const char*>(payload);
+  Text text = {begin, begin + size};
+  if (size == 0 || text.end[-1] != '\n') {
+    return "the hello does not end with a whole line";
+  }
+  bool is_there[KEY_COUNT] = {};
+  *hello = Hello();
+  while (!text.isEmpty()) {
+    if (const char* problem = decodeLine(takeUntil('\n', &text), is_there, hello)) {
+      return problem;
+    }
+  }
+  for (int key = 0; key < KEY_COUNT; ++key) {
+    if (!is_there[key]) {
+      return "the hello lacks robot, server, frame_number, capabilities or limits";
+    }
+  }
+  return NULL;
+}
+
+bool hasCapability(const Hello& hello, const char* word) {
+  Text text = {hello.capabilities, hello.capabilities + strlen(hello.capabilities)};
+  while (!text.isEmpty()) {
+    if (takeUntil(' ', &text) == word) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace version2
+}  // namespace protocol

@@ -1,0 +1,190 @@
+#include "protocol/frame_reader.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+
+#include "bytes.h"
+
+namespace protocol {
+namespace version2 {
+namespace {
+
+using ::testing::ElementsAreArray;
+using ::testing::IsEmpty;
+
+struct Frame {
+  FrameHeader header;
+  Bytes payload;
+};
+
+bool operator==(const Frame& a, const Frame& b) {
+  return a.header.kind == b.header.kind && a.header.id == b.header.id &&
+         a.header.request_number == b.header.request_number && a.payload == b.payload;
+}
+
+Frame frameOf(char kind, unsigned char id, unsigned short request_number, const Bytes& payload) {
+  return Frame{{kind, id, request_number, static_cast<unsigned>(payload.size())}, payload};
+}
+
+Bytes encode(const Frame& frame) {
+  Bytes bytes(FRAME_HEADER_SIZE);
+  encodeFrameHeader(frame.header, bytes.data());
+  return bytes + frame.payload;
+}
+
+class FrameReaderTest : public ::testing::Test {
+ protected:
+  static constexpr size_t kCapacity = 1000;
+
+  // All frames in the bytes; fails at one that is too large.
+  std::vector<Frame> receive(const Bytes& bytes) {
+    std::vector<Frame> frames;
+    for (size_t used = 0; used < bytes.size();) {
+      size_t taken = 0;
+      const FrameReader::Result result = reader_.append(bytes.data() + used, bytes.size() - used, &taken);
+      EXPECT_NE(result, FrameReader::FRAME_TOO_LARGE);
+      EXPECT_GT(taken, 0U);
+      used += taken;
+      if (result == FrameReader::FRAME_COMPLETE) {
+        const unsigned char* payload = reader_.payload();
+        frames.push_back({reader_.header(), Bytes(payload, payload + reader_.header().payload_size)});
+      }
+    }
+    return frames;
+  }
+
+  Bytes buffer_ = Bytes(kCapacity);
+  FrameReader reader_{buffer_.data(), buffer_.size()};
+};
+
+TEST_F(FrameReaderTest, FindsAFrameWithoutPayload) {
+  EXPECT_THAT(receive(hex("48 00 00 07 00 00 00 00")), ElementsAreArray({frameOf('H', 0, 7, {})}));
+}
+
+TEST_F(FrameReaderTest, FindsAFrameWithPayload) {
+  EXPECT_THAT(receive(hex("57 55 01 02 00 00 00 04 01 00 00 01")),
+              ElementsAreArray({frameOf('W', 85, 0x0102, hex("01 00 00 01"))}));
+}
+
+TEST_F(FrameReaderTest, FindsFramesByteByByte) {
+  const Frame frame = frameOf('t', 1, 0, hex("01 02 03"));
+  const Bytes bytes = encode(frame);
+  for (int round = 0; round < 3; ++round) {
+    for (size_t i = 0; i + 1 < bytes.size(); ++i) {
+      EXPECT_THAT(receive({bytes[i]}), IsEmpty());
+    }
+    EXPECT_THAT(receive({bytes.back()}), ElementsAreArray({frame}));
+  }
+}
+
+TEST_F(FrameReaderTest, KnowsTheFirstByteOfAFrame) {
+  EXPECT_TRUE(reader_.isBetweenFrames());
+  receive(hex("57"));
+  EXPECT_FALSE(reader_.isBetweenFrames());
+  receive(hex("55 01 02 00 00 00 01"));
+  EXPECT_FALSE(reader_.isBetweenFrames());
+  receive(hex("00"));
+  EXPECT_TRUE(reader_.isBetweenFrames());
+  receive(hex("57"));
+  EXPECT_FALSE(reader_.isBetweenFrames());
+}
+
+TEST_F(FrameReaderTest, TakesNoMoreThanOneFrameAtATime) {
+  const Bytes bytes = encode(frameOf('J', 0, 1, hex("01 02"))) + encode(frameOf('H', 0, 2, {}));
+  size_t taken = 0;
+  EXPECT_EQ(reader_.append(bytes.data(), bytes.size(), &taken), FrameReader::FRAME_COMPLETE);
+  EXPECT_EQ(taken, 10U);
+  EXPECT_EQ(reader_.append(bytes.data() + taken, bytes.size() - taken, &taken), FrameReader::FRAME_COMPLETE);
+  EXPECT_EQ(taken, 8U);
+  EXPECT_EQ(reader_.header().kind, 'H');
+}
+
+TEST_F(FrameReaderTest, TakesAPayloadThatJustFits) {
+  const Frame frame = frameOf('U', 0, 1, Bytes(kCapacity, 0x5a));
+  EXPECT_THAT(receive(encode(frame)), ElementsAreArray({frame}));
+}
+
+TEST_F(FrameReaderTest, RefusesALargerPayloadAtItsHeader) {
+  const Bytes header = encode({{'U', 0, 1, kCapacity + 1}, {}});
+  EXPECT_THAT(receive(firstOf(header, FRAME_HEADER_SIZE - 1)), IsEmpty());
+  size_t taken = 0;
+  EXPECT_EQ(reader_.append(&header.back(), 1, &taken), FrameReader::FRAME_TOO_LARGE);
+  EXPECT_EQ(reader_.header().payload_size, kCapacity + 1);
+}
+
+TEST_F(FrameReaderTest, RefusesFourGibibytesWithoutTouchingMemory) {
+  const Bytes bytes = hex("66 00 00 00 ff ff ff ff") + Bytes(kCapacity + 1, 0x11);
+  size_t taken = 0;
+  EXPECT_EQ(reader_.append(bytes.data(), bytes.size(), &taken), FrameReader::FRAME_TOO_LARGE);
+  EXPECT_EQ(taken, bytes.size());
+  EXPECT_THAT(buffer_, ::testing::Each(0));
+}
+
+TEST_F(FrameReaderTest, FindsNothingMoreAfterAFrameTooLargeUntilItIsReset) {
+  const Bytes too_large = hex("66 00 00 00 00 01 00 00");
+  const Bytes hello = encode(frameOf('H', 0, 1, {}));
+  size_t taken = 0;
+  reader_.append(too_large.data(), too_large.size(), &taken);
+  EXPECT_EQ(reader_.append(hello.data(), hello.size(), &taken), FrameReader::FRAME_TOO_LARGE);
+  EXPECT_EQ(taken, hello.size());
+  reader_.reset();
+  EXPECT_THAT(receive(hello), ElementsAreArray({frameOf('H', 0, 1, {})}));
+}
+
+TEST_F(FrameReaderTest, ForgetsAHalfFrameWhenItIsReset) {
+  receive(hex("57 55 01 02 00 00 00 04 01"));
+  reader_.reset();
+  EXPECT_TRUE(reader_.isBetweenFrames());
+  EXPECT_THAT(receive(hex("48 00 00 07 00 00 00 00")), ElementsAreArray({frameOf('H', 0, 7, {})}));
+}
+
+TEST_F(FrameReaderTest, BearsToBeGivenNothing) {
+  size_t taken = 1;
+  EXPECT_EQ(reader_.append(nullptr, 0, &taken), FrameReader::FRAME_INCOMPLETE);
+  EXPECT_EQ(taken, 0U);
+}
+
+TEST_F(FrameReaderTest, FindsTheSameFramesHoweverTheBytesAreSplitOrJoined) {
+  std::mt19937 random(20061);
+  const auto upTo = [&random](size_t limit) { return std::uniform_int_distribution<size_t>(0, limit)(random); };
+  std::vector<Frame> frames;
+  Bytes bytes;
+  for (int i = 0; i < 200; ++i) {
+    Bytes payload(i % 3 == 0 ? upTo(kCapacity) : upTo(12));
+    std::generate(payload.begin(), payload.end(), [&] { return static_cast<unsigned char>(upTo(255)); });
+    frames.push_back(frameOf("HFWJVTfte"[upTo(8)], static_cast<unsigned char>(upTo(255)),
+                             static_cast<unsigned short>(upTo(65535)), payload));
+    bytes = bytes + encode(frames.back());
+  }
+  for (const size_t longest_piece : {1U, 2U, 7U, 8U, 9U, 100U, 1460U, 1000000U}) {
+    std::vector<Frame> found;
+    for (size_t used = 0; used < bytes.size();) {
+      const size_t size = std::min(1 + upTo(longest_piece - 1), bytes.size() - used);
+      const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(used);
+      const std::vector<Frame> more = receive(Bytes(begin, begin + static_cast<std::ptrdiff_t>(size)));
+      found.insert(found.end(), more.begin(), more.end());
+      used += size;
+    }
+    EXPECT_TRUE(found == frames) << "in pieces of up to " << longest_piece;
+  }
+}
+
+TEST(FrameLimits, LetEachSidesLargestFrameThroughAndNotOneByteMore) {
+  for (const size_t limit : {MAX_PAYLOAD_TOWARDS_CLIENT, MAX_PAYLOAD_TOWARDS_ROBOT}) {
+    Bytes buffer(limit);
+    FrameReader reader(buffer.data(), buffer.size());
+    size_t taken = 0;
+    const Bytes largest = encode(frameOf('f', 0, 0, Bytes(limit)));
+    EXPECT_EQ(reader.append(largest.data(), largest.size(), &taken), FrameReader::FRAME_COMPLETE);
+    const Bytes larger = encode(frameOf('f', 0, 0, Bytes(limit + 1)));
+    EXPECT_EQ(reader.append(larger.data(), larger.size(), &taken), FrameReader::FRAME_TOO_LARGE);
+  }
+  EXPECT_EQ(MAX_PAYLOAD_TOWARDS_CLIENT, 262144U);
+  EXPECT_EQ(MAX_PAYLOAD_TOWARDS_ROBOT, 65536U);
+}
+
+}  // namespace
+}  // namespace version2
+}  // namespace protocol

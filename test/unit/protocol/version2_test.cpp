@@ -1,0 +1,460 @@
+#include "protocol/version2.h"
+
+#include <gmock/gmock.h>
+
+#include <climits>
+#include <functional>
+#include <string>
+
+#include "bytes.h"
+#include "protocol/hello.h"
+
+namespace protocol {
+namespace version2 {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsNull;
+using ::testing::NotNull;
+
+// What an encoder with one argument writes. The byte behind the room it may use has to stay as it was.
+template <typename Encoder, typename Value>
+Bytes encoded(Encoder encode, const Value& value, size_t room) {
+  Bytes bytes(room + 1, 0xee);
+  const size_t size = encode(value, bytes.data());
+  EXPECT_LE(size, room);
+  EXPECT_EQ(bytes.back(), 0xee);
+  bytes.resize(size);
+  return bytes;
+}
+
+JointTargets twoTargets() {
+  JointTargets targets{};
+  targets.duration_ms = 500;
+  targets.count = 2;
+  targets.joints[0] = {2, 500000};
+  targets.joints[1] = {11, -1308997};
+  return targets;
+}
+
+const char kTwoTargets[] =
+    "01 f4 02 00 "              // 500 ms, two joints
+    "02 00 00 00 00 07 a1 20 "  // 2: 500000
+    "0b 00 00 00 ff ec 06 bb";  // 11: -1308997
+
+SpeedLimits twoLimits() {
+  SpeedLimits limits{};
+  limits.count = 2;
+  limits.joints[0] = {1, 3185226};
+  limits.joints[1] = {52, 15162548};
+  return limits;
+}
+
+const char kTwoLimits[] =
+    "01 00 00 00 00 30 9a 4a "  // 1: 3185226
+    "34 00 00 00 00 e7 5c b4";  // 52: 15162548
+
+Telemetry threeValues() {
+  Telemetry telemetry{};
+  telemetry.frame_number = 0x80000001U;
+  telemetry.count = 3;
+  telemetry.entries[0] = {GROUP_JOINT, 3, -1};
+  telemetry.entries[1] = {GROUP_SENSOR, 63, -9806650};
+  telemetry.entries[2] = {GROUP_SENSOR, 14, 1};
+  return telemetry;
+}
+
+const char kThreeValues[] =
+    "80 00 00 01 00 03 00 00 "  // frame 2147483649, three values
+    "4a 03 00 00 ff ff ff ff "  // joint 3: -1
+    "53 3f 00 00 ff 6a 5c c6 "  // sensor 63: -9806650 (-1 g upwards)
+    "53 0e 00 00 00 00 00 01";  // sensor 14, a paw: pressed
+
+const char kPicture[] =
+    "00 01 02 03 0a 0b 0c 0d "  // image 66051, frame 168496141
+    "00 d0 00 a0 55 00 00 00 "  // 208x160, quality 85, layer H
+    "ff d8 ff d9";              // a JPEG that is no more than begin and end
+
+const char* decodePictureBytes(const Bytes& bytes) {
+  ImageHeader header{};
+  size_t jpeg_size = 0;
+  return decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
+}
+
+// Each layout's decoder, as far as the question is what it refuses.
+template <typename Value>
+std::function<const char*(const Bytes&)> verdict(const char* (*decode)(const unsigned char*, size_t, Value*)) {
+  return [decode](const Bytes& bytes) {
+    Value value{};
+    return decode(bytes.data(), bytes.size(), &value);
+  };
+}
+
+TEST(Version2, IsAskedForInVersion1) {
+  unsigned char request[BASIC_COMMAND_SIZE];
+  encodeCommand(versionRequest(), request);
+  EXPECT_THAT(request, ::testing::ElementsAre('X', 2));
+
+  unsigned char reply[VALUE_REPLY_SIZE];
+  encodeValueReply(versionReply(), reply);
+  EXPECT_THAT(reply, ::testing::ElementsAre('x', 2, 0, 0));
+}
+
+TEST(Version2, IsAgreedToByNothingButItsReply) {
+  EXPECT_TRUE(agreesToVersion2(versionReply()));
+  EXPECT_FALSE(agreesToVersion2({'e', 0, ERROR_REFUSED}));
+  EXPECT_FALSE(agreesToVersion2({'e', 2, 0}));
+  EXPECT_FALSE(agreesToVersion2({'x', 1, 0}));
+  EXPECT_FALSE(agreesToVersion2({'x', 2, 1}));
+}
+
+TEST(FrameHeader, IsEightBytesBigEndian) {
+  EXPECT_EQ(encoded(encodeFrameHeader, FrameHeader{'W', 85, 0x0102, 0x03040506}, FRAME_HEADER_SIZE),
+            hex("57 55 01 02 03 04 05 06"));
+
+  const FrameHeader header = decodeFrameHeader(hex("66 ff fe 01 ff 00 00 02").data());
+  EXPECT_EQ(header.kind, 'f');
+  EXPECT_EQ(header.id, 255);
+  EXPECT_EQ(header.request_number, 0xfe01);
+  EXPECT_EQ(header.payload_size, 0xff000002U);
+}
+
+TEST(FrameHeader, NamesTheReplyAfterTheRequest) {
+  EXPECT_EQ(replyKind(REQUEST_PICTURE), PICTURE);
+  EXPECT_EQ(replyKind(REQUEST_TELEMETRY), TELEMETRY_PUSH);
+  EXPECT_EQ(replyKind(REQUEST_HELLO), 'h');
+  EXPECT_EQ(replyKind('Z'), 'z');
+}
+
+TEST(PictureRequest, IsTheLayer) {
+  EXPECT_EQ(encoded(encodePictureRequest, LAYER_DOUBLE, PICTURE_REQUEST_SIZE), hex("03"));
+
+  Layer layer = LAYER_DOUBLE;
+  ASSERT_THAT(decodePictureRequest(hex("01").data(), 1, &layer), IsNull());
+  EXPECT_EQ(layer, LAYER_MIDDLE);
+}
+
+TEST(PictureRequest, RefusesALayerThatTheCameraHasNot) {
+  EXPECT_THAT(verdict(decodePictureRequest)(hex("04")), HasSubstr("layer"));
+  EXPECT_THAT(verdict(decodePictureRequest)(hex("ff")), HasSubstr("layer"));
+}
+
+TEST(StreamSettings, SayOnLayerAndEveryNthImage) {
+  EXPECT_EQ(encoded(encodeStreamSettings, StreamSettings{true, LAYER_LOW, 0x0102}, STREAM_SETTINGS_SIZE),
+            hex("01 02 01 02"));
+  EXPECT_EQ(encoded(encodeStreamSettings, StreamSettings{false, LAYER_HIGH, 1}, STREAM_SETTINGS_SIZE),
+            hex("00 00 00 01"));
+
+  StreamSettings settings{};
+  ASSERT_THAT(decodeStreamSettings(hex("01 03 ff fe").data(), 4, &settings), IsNull());
+  EXPECT_TRUE(settings.on);
+  EXPECT_EQ(settings.layer, LAYER_DOUBLE);
+  EXPECT_EQ(settings.every_nth_image, 0xfffe);
+  ASSERT_THAT(decodeStreamSettings(hex("00 00 00 01").data(), 4, &settings), IsNull());
+  EXPECT_FALSE(settings.on);
+}
+
+TEST(StreamSettings, RefuseWhatHasNoMeaning) {
+  EXPECT_THAT(verdict(decodeStreamSettings)(hex("02 00 00 01")), HasSubstr("neither off (0) nor on (1)"));
+  EXPECT_THAT(verdict(decodeStreamSettings)(hex("01 04 00 01")), HasSubstr("layer"));
+  EXPECT_THAT(verdict(decodeStreamSettings)(hex("01 00 00 00")), HasSubstr("every 0th"));
+}
+
+TEST(JointTargets, SayDurationAndAPositionForEachJoint) {
+  EXPECT_EQ(encoded(encodeJointTargets, twoTargets(), MAX_JOINT_TARGETS_SIZE), hex(kTwoTargets));
+
+  const Bytes bytes = hex(kTwoTargets);
+  JointTargets targets{};
+  ASSERT_THAT(decodeJointTargets(bytes.data(), bytes.size(), &targets), IsNull());
+  EXPECT_EQ(targets.duration_ms, 500);
+  ASSERT_EQ(targets.count, 2);
+  EXPECT_EQ(targets.joints[0].id, 2);
+  EXPECT_EQ(targets.joints[0].value, 500000);
+  EXPECT_EQ(targets.joints[1].id, 11);
+  EXPECT_EQ(targets.joints[1].value, -1308997);
+}
+
+TEST(JointTargets, MayBeForNoJoint) {
+  JointTargets targets = twoTargets();
+  EXPECT_THAT(decodeJointTargets(hex("00 00 00 00").data(), 4, &targets), IsNull());
+  EXPECT_EQ(targets.count, 0);
+}
+
+TEST(JointTargets, CarryTheOutermostValues) {
+  JointTargets targets{};
+  targets.duration_ms = USHRT_MAX;
+  targets.count = 2;
+  targets.joints[0] = {0, INT_MIN};
+  targets.joints[1] = {255, INT_MAX};
+  const Bytes bytes = encoded(encodeJointTargets, targets, MAX_JOINT_TARGETS_SIZE);
+  EXPECT_EQ(bytes, hex("ff ff 02 00 00 00 00 00 80 00 00 00 ff 00 00 00 7f ff ff ff"));
+
+  JointTargets again{};
+  ASSERT_THAT(decodeJointTargets(bytes.data(), bytes.size(), &again), IsNull());
+  EXPECT_EQ(again.joints[0].value, INT_MIN);
+  EXPECT_EQ(again.joints[1].value, INT_MAX);
+}
+
+TEST(JointTargets, RefuseACountThatDoesNotFitTheSize) {
+  const Bytes entries(MAX_JOINTS * 8, 0);
+  for (const char* header : {"00 00 01 00", "00 00 1f 00", "00 00 21 00", "00 00 ff 00", "00 00 00 00"}) {
+    EXPECT_THAT(verdict(decodeJointTargets)(hex(header) + entries), HasSubstr("count")) << header;
+  }
+}
+
+// `count` different joints from id 0 on.
+Bytes jointEntries(size_t count) {
+  Bytes bytes;
+  for (size_t id = 0; id < count; ++id) {
+    bytes = bytes + Bytes{static_cast<unsigned char>(id), 0, 0, 0, 0, 0, 0, 1};
+  }
+  return bytes;
+}
+
+TEST(JointTargets, TakeAsManyJointsAsThereIsRoomForAndNoMore) {
+  EXPECT_THAT(verdict(decodeJointTargets)(hex("00 00 20 00") + jointEntries(32)), IsNull());
+  EXPECT_THAT(verdict(decodeJointTargets)(hex("00 00 21 00") + jointEntries(33)), HasSubstr("more joints"));
+  EXPECT_THAT(verdict(decodeJointTargets)(hex("00 00 ff 00") + jointEntries(255)), HasSubstr("more joints"));
+}
+
+TEST(JointTargets, RefuseAJointNamedTwice) {
+  Bytes bytes = hex(kTwoTargets);
+  bytes[12] = bytes[4];
+  EXPECT_THAT(verdict(decodeJointTargets)(bytes), HasSubstr("twice"));
+}
+
+TEST(SpeedLimits, SayASpeedForEachJoint) {
+  EXPECT_EQ(encoded(encodeSpeedLimits, twoLimits(), MAX_SPEED_LIMITS_SIZE), hex(kTwoLimits));
+
+  const Bytes bytes = hex(kTwoLimits);
+  SpeedLimits limits{};
+  ASSERT_THAT(decodeSpeedLimits(bytes.data(), bytes.size(), &limits), IsNull());
+  ASSERT_EQ(limits.count, 2);
+  EXPECT_EQ(limits.joints[0].id, 1);
+  EXPECT_EQ(limits.joints[0].value, 3185226);
+  EXPECT_EQ(limits.joints[1].id, 52);
+  EXPECT_EQ(limits.joints[1].value, 15162548);
+}
+
+TEST(SpeedLimits, AreReadByAnEmptyRequest) {
+  EXPECT_EQ(encoded(encodeSpeedLimits, SpeedLimits{}, MAX_SPEED_LIMITS_SIZE), Bytes());
+  SpeedLimits limits = twoLimits();
+  ASSERT_THAT(decodeSpeedLimits(nullptr, 0, &limits), IsNull());
+  EXPECT_EQ(limits.count, 0);
+}
+
+TEST(SpeedLimits, TakeAsManyJointsAsThereIsRoomForAndNoMore) {
+  EXPECT_THAT(verdict(decodeSpeedLimits)(jointEntries(32)), IsNull());
+  EXPECT_THAT(verdict(decodeSpeedLimits)(jointEntries(33)), HasSubstr("more joints"));
+  EXPECT_THAT(verdict(decodeSpeedLimits)(Bytes(MAX_PAYLOAD_TOWARDS_ROBOT, 0)), HasSubstr("more joints"));
+}
+
+TEST(SpeedLimits, RefuseAJointNamedTwice) {
+  Bytes bytes = hex(kTwoLimits);
+  bytes[8] = bytes[0];
+  EXPECT_THAT(verdict(decodeSpeedLimits)(bytes), HasSubstr("twice"));
+}
+
+TEST(TelemetryPeriod, IsANumberOfFrames) {
+  EXPECT_EQ(encoded(encodeTelemetryPeriod, static_cast<unsigned short>(0x0102), TELEMETRY_PERIOD_SIZE), hex("01 02"));
+
+  unsigned short frames = 0;
+  ASSERT_THAT(decodeTelemetryPeriod(hex("00 04").data(), 2, &frames), IsNull());
+  EXPECT_EQ(frames, 4);
+}
+
+TEST(Telemetry, SaysWhenAndWhatWasMeasured) {
+  EXPECT_EQ(encoded(encodeTelemetry, threeValues(), MAX_TELEMETRY_SIZE), hex(kThreeValues));
+
+  const Bytes bytes = hex(kThreeValues);
+  Telemetry telemetry{};
+  ASSERT_THAT(decodeTelemetry(bytes.data(), bytes.size(), &telemetry), IsNull());
+  EXPECT_EQ(telemetry.frame_number, 0x80000001U);
+  ASSERT_EQ(telemetry.count, 3);
+  EXPECT_EQ(telemetry.entries[0].group, GROUP_JOINT);
+  EXPECT_EQ(telemetry.entries[0].id, 3);
+  EXPECT_EQ(telemetry.entries[0].value, -1);
+  EXPECT_EQ(telemetry.entries[1].group, GROUP_SENSOR);
+  EXPECT_EQ(telemetry.entries[1].id, 63);
+  EXPECT_EQ(telemetry.entries[1].value, -9806650);
+  EXPECT_EQ(telemetry.entries[2].id, 14);
+  EXPECT_EQ(telemetry.entries[2].value, 1);
+}
+
+// A push of `count` values that announces `announced`.
+Bytes telemetryOf(size_t count, unsigned announced) {
+  Bytes bytes{0, 0, 0, 1, static_cast<unsigned char>(announced >> 8), static_cast<unsigned char>(announced), 0, 0};
+  for (size_t i = 0; i < count; ++i) {
+    bytes = bytes + hex("53 01 00 00 00 00 00 00");
+  }
+  return bytes;
+}
+
+TEST(Telemetry, TakesAsManyValuesAsThereIsRoomForAndNoMore) {
+  EXPECT_THAT(verdict(decodeTelemetry)(telemetryOf(0, 0)), IsNull());
+  EXPECT_THAT(verdict(decodeTelemetry)(telemetryOf(128, 128)), IsNull());
+  EXPECT_THAT(verdict(decodeTelemetry)(telemetryOf(129, 129)), HasSubstr("more values"));
+}
+
+TEST(Telemetry, RefusesACountThatDoesNotFitTheSize) {
+  for (const unsigned announced : {0U, 1U, 3U, 0x0102U, 0x0202U, 0xffffU}) {
+    EXPECT_THAT(verdict(decodeTelemetry)(telemetryOf(2, announced)), HasSubstr("count")) << announced;
+  }
+}
+
+TEST(Telemetry, RefusesAnUnknownGroup) {
+  Bytes bytes = hex(kThreeValues);
+  bytes[16] = 'L';
+  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("neither J nor S"));
+}
+
+TEST(Picture, HasItsHeaderBeforeTheJpeg) {
+  const ImageHeader written{0x00010203, 0x0a0b0c0d, 208, 160, 85, LAYER_HIGH};
+  EXPECT_EQ(encoded(encodeImageHeader, written, IMAGE_HEADER_SIZE), firstOf(hex(kPicture), IMAGE_HEADER_SIZE));
+
+  const Bytes bytes = hex(kPicture);
+  ImageHeader header{};
+  size_t jpeg_size = 0;
+  ASSERT_THAT(decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size), IsNull());
+  EXPECT_EQ(header.image_count, 0x00010203U);
+  EXPECT_EQ(header.frame_number, 0x0a0b0c0dU);
+  EXPECT_EQ(header.width, 208);
+  EXPECT_EQ(header.height, 160);
+  EXPECT_EQ(header.quality, 85);
+  EXPECT_EQ(header.layer, LAYER_HIGH);
+  EXPECT_EQ(jpeg_size, 4U);
+}
+
+TEST(Picture, MayBeAsLargeAsAFrameAllows) {
+  Bytes bytes = hex(kPicture);
+  bytes.resize(MAX_PAYLOAD_TOWARDS_CLIENT);
+  ImageHeader header{};
+  size_t jpeg_size = 0;
+  ASSERT_THAT(decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size), IsNull());
+  EXPECT_EQ(jpeg_size, MAX_JPEG_SIZE);
+}
+
+TEST(Picture, RefusesAHeaderThatCannotBe) {
+  const auto with = [](size_t offset, unsigned char value) {
+    Bytes bytes = hex(kPicture);
+    bytes[offset] = value;
+    return bytes;
+  };
+  EXPECT_THAT(decodePictureBytes(with(9, 0)), HasSubstr("no width"));
+  EXPECT_THAT(decodePictureBytes(with(11, 0)), HasSubstr("no height"));
+  EXPECT_THAT(decodePictureBytes(with(12, 101)), HasSubstr("quality"));
+  EXPECT_THAT(decodePictureBytes(with(13, 4)), HasSubstr("layer"));
+  EXPECT_THAT(decodePictureBytes(firstOf(hex(kPicture), IMAGE_HEADER_SIZE)), HasSubstr("no picture"));
+}
+
+std::string textOf(const ErrorMessage& message) {
+  return std::string(message.text, message.text_size);
+}
+
+TEST(ErrorMessage, SaysACodeAndWhy) {
+  const std::string text = "no joint 99; \xc3\xa9t\xc3\xa9";
+  const Bytes bytes =
+      encoded(encodeErrorMessage, ErrorMessage{CODE_NOT_SUPPORTED, text.data(), text.size()}, MAX_ERROR_MESSAGE_SIZE);
+  EXPECT_EQ(bytes, hex("00 02") + bytesOf(text));
+
+  ErrorMessage message{};
+  ASSERT_THAT(decodeErrorMessage(bytes.data(), bytes.size(), &message), IsNull());
+  EXPECT_EQ(message.code, CODE_NOT_SUPPORTED);
+  EXPECT_EQ(textOf(message), text);
+}
+
+TEST(ErrorMessage, MayHaveACodeOfANewerServerAndNoText) {
+  ErrorMessage message{};
+  ASSERT_THAT(decodeErrorMessage(hex("ff fe").data(), 2, &message), IsNull());
+  EXPECT_EQ(message.code, 0xfffe);
+  EXPECT_EQ(textOf(message), "");
+}
+
+TEST(ErrorMessage, IsCutAfterAWholeCharacter) {
+  std::string text(MAX_ERROR_TEXT_SIZE - 1, 'a');
+  const Bytes bytes =
+      encoded(encodeErrorMessage, ErrorMessage{0, (text + "\xc3\xa9").data(), text.size() + 2}, MAX_ERROR_MESSAGE_SIZE);
+  EXPECT_EQ(bytes, hex("00 00") + bytesOf(text));
+}
+
+TEST(ErrorMessage, RefusesATextThatWouldSpoilALog) {
+  EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 1b 5b 32 4a")), HasSubstr("control"));
+  EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 ff fe")), HasSubstr("UTF-8"));
+}
+
+struct Layout {
+  const char* name;
+  Bytes payload;
+  std::function<const char*(const Bytes&)> decode;
+  // Offsets that are 0 by contract.
+  std::vector<size_t> reserved;
+};
+
+const Layout kLayouts[] = {
+    {"PictureRequest", hex("00"), verdict(decodePictureRequest), {}},
+    {"StreamSettings", hex("01 00 00 01"), verdict(decodeStreamSettings), {}},
+    {"JointTargets", hex(kTwoTargets), verdict(decodeJointTargets), {3, 5, 6, 7, 13, 14, 15}},
+    {"SpeedLimits", hex(kTwoLimits), verdict(decodeSpeedLimits), {1, 2, 3, 9, 10, 11}},
+    {"TelemetryPeriod", hex("00 04"), verdict(decodeTelemetryPeriod), {}},
+    {"Telemetry", hex(kThreeValues), verdict(decodeTelemetry), {6, 7, 10, 11, 18, 19, 26, 27}},
+    {"Picture", hex(kPicture), decodePictureBytes, {14, 15}},
+    {"ErrorMessage", hex("00 02 c3 a9"), verdict(decodeErrorMessage), {}},
+};
+
+class EveryLayout : public ::testing::TestWithParam<Layout> {
+ protected:
+  // Payloads without a count end where the frame ends: shorter ones can be whole as well.
+  bool isWholeAt(size_t size) const {
+    const std::string name = GetParam().name;
+    return (name == "SpeedLimits" && size % 8 == 0) || (name == "Picture" && size > IMAGE_HEADER_SIZE) ||
+           (name == "ErrorMessage" && size == 2);
+  }
+};
+
+TEST_P(EveryLayout, IsAccepted) {
+  EXPECT_THAT(GetParam().decode(GetParam().payload), IsNull());
+}
+
+TEST_P(EveryLayout, IsRefusedWhenBytesAreMissing) {
+  for (size_t size = 0; size < GetParam().payload.size(); ++size) {
+    const char* const problem = GetParam().decode(firstOf(GetParam().payload, size));
+    if (isWholeAt(size)) {
+      EXPECT_THAT(problem, IsNull()) << size;
+    } else {
+      EXPECT_THAT(problem, NotNull()) << size;
+    }
+  }
+}
+
+TEST_P(EveryLayout, IsRefusedWithAByteTooMany) {
+  const std::string name = GetParam().name;
+  if (name == "Picture" || name == "ErrorMessage") {
+    return;  // these go on to the end of the frame
+  }
+  EXPECT_THAT(GetParam().decode(GetParam().payload + Bytes{0}), NotNull());
+}
+
+TEST_P(EveryLayout, IsRefusedWithAReservedByteInUse) {
+  for (const size_t offset : GetParam().reserved) {
+    Bytes payload = GetParam().payload;
+    payload[offset] = 1;
+    EXPECT_THAT(GetParam().decode(payload), HasSubstr("reserved")) << offset;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Version2, EveryLayout, ::testing::ValuesIn(kLayouts),
+                         [](const auto& layout) { return std::string(layout.param.name); });
+
+TEST(Version2, LeavesTheResultAloneWhenItRefuses) {
+  Bytes bytes = hex(kTwoTargets);
+  bytes.pop_back();
+  JointTargets targets = twoTargets();
+  targets.duration_ms = 7;
+  ASSERT_THAT(decodeJointTargets(bytes.data(), bytes.size(), &targets), NotNull());
+  EXPECT_EQ(targets.duration_ms, 7);
+  EXPECT_EQ(targets.count, 2);
+}
+
+}  // namespace
+}  // namespace version2
+}  // namespace protocol
