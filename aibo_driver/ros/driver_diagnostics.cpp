@@ -86,8 +86,8 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("streaming", yesOrNo(streaming));
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
   status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
-  status.add("first byte to published, mean ms", oneDecimal(1000.0 * reading.mean_latency));
-  status.add("first byte to published, longest ms", oneDecimal(1000.0 * reading.max_latency));
+  status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
+  status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
   status.add("pictures received", client.pictures);
   status.add("pictures damaged", client.corrupt_pictures);
   status.add("pictures nobody asked for", client.unexpected_pictures);
