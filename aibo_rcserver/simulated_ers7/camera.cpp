@@ -1,0 +1,39 @@
+#include "simulated_ers7/camera.h"
+
+#include "simulated_ers7/camera_timing.h"
+#include "simulated_ers7/fbk_image_writer.h"
+
+namespace simulated_ers7 {
+
+Camera::Camera(PictureSource& source, OPrimitiveID id) : source_(source), id_(id) {}
+
+bool Camera::imageDue(longword frame) {
+  const longword images = imagesUpTo(frame);
+  const bool due = images != images_seen_;
+  images_seen_ = images;
+  return due;
+}
+
+RCRegion* Camera::capture(longword frame) {
+  const longword image_number = imagesUpTo(frame);
+  RCRegion* region = freeRegion();
+  writeFbkImage(region, source_.picture(frame * kFrameSeconds, image_number, settings_), frame, image_number);
+  return region;
+}
+
+OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {
+  return controlCamera(request, param, param_size, &settings_);
+}
+
+RCRegion* Camera::freeRegion() {
+  for (const auto& region : regions_) {
+    if (region->NumberOfReference() == 1) {
+      return region.get();
+    }
+  }
+  regions_.emplace_back(new RCRegion(fbkImageSize()));
+  prepareFbkImage(regions_.back().get(), id_);
+  return regions_.back().get();
+}
+
+}  // namespace simulated_ers7

@@ -1,0 +1,33 @@
+/// @file image_sensor.h
+/// What lens, sensor and electronics make of the light: brighter or darker, tinted, darker towards the corners, noisy.
+#ifndef SIMULATED_ERS7_IMAGE_SENSOR_H
+#define SIMULATED_ERS7_IMAGE_SENSOR_H
+
+#include <cstdint>
+#include <vector>
+
+#include "simulated_ers7/camera_settings.h"
+#include "simulated_ers7/renderer.h"
+#include "simulated_ers7/ycrcb_image.h"
+
+namespace simulated_ers7 {
+
+/// The same seed, image number, settings and light always give the same picture.
+class ImageSensor {
+ public:
+  explicit ImageSensor(std::uint64_t seed);
+
+  /// @param image_number makes the noise of each picture another one
+  void expose(const LightImage& light, const CameraSettings& settings, longword image_number,
+              YCrCbImage* picture) const;
+
+ private:
+  std::uint64_t seed_;
+  std::vector<Color> lens_;           ///< what reaches each pixel, 1 = all
+  std::vector<float> tone_curve_;     ///< from light to 0..255
+  std::vector<float> random_values_;  ///< normally distributed, deviation 1
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_IMAGE_SENSOR_H

@@ -1,0 +1,26 @@
+/// @file picture_source.h
+/// Where the camera gets its pictures from.
+#ifndef SIMULATED_ERS7_PICTURE_SOURCE_H
+#define SIMULATED_ERS7_PICTURE_SOURCE_H
+
+#include <OPENR/OPENR.h>
+
+#include "simulated_ers7/camera_settings.h"
+#include "simulated_ers7/ycrcb_image.h"
+
+namespace simulated_ers7 {
+
+class PictureSource {
+ public:
+  virtual ~PictureSource() = default;
+
+  /// What the camera sees.
+  /// @param seconds since the robot was switched on
+  /// @param image_number of the camera's image, in which its noise differs from the others'
+  /// @return valid until the next call
+  virtual const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) = 0;
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_PICTURE_SOURCE_H

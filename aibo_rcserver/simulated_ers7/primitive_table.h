@@ -1,0 +1,35 @@
+/// @file primitive_table.h
+/// The ERS-7's primitives: what OPENR::OpenPrimitive() finds at which locator, and what is open.
+#ifndef SIMULATED_ERS7_PRIMITIVE_TABLE_H
+#define SIMULATED_ERS7_PRIMITIVE_TABLE_H
+
+#include <OPENR/OPENR.h>
+
+#include <map>
+
+namespace simulated_ers7 {
+
+/// The camera's number.
+constexpr OPrimitiveID kCameraPrimitive = 1;
+
+/// A primitive has the same number however often it is opened, and stays open until it was closed as often.
+class PrimitiveTable {
+ public:
+  /// @param locator as in Sony's Model Information ERS-7, "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
+  /// @param[out] id left alone unless oSUCCESS is returned
+  /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
+  OStatus open(const char* locator, OPrimitiveID* id);
+
+  /// @param id a number, or oprimitiveID_UNDEF to close all that are open
+  /// @return oINVALID_PRIMITIVE_ID if it is not open
+  OStatus close(OPrimitiveID id);
+
+  bool isOpen(OPrimitiveID id) const { return times_opened_.count(id) != 0; }
+
+ private:
+  std::map<OPrimitiveID, int> times_opened_;  ///< has only those that are open
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_PRIMITIVE_TABLE_H

@@ -1,0 +1,27 @@
+#include "simulated_ers7/scene_view.h"
+
+#include <cmath>
+
+namespace simulated_ers7 {
+
+HeadAngles restingHead() {
+  const double degree = std::acos(-1.0) / 180;
+  HeadAngles angles;
+  angles.neck_tilt = -25 * degree;
+  angles.head_tilt = 10 * degree;
+  return angles;
+}
+
+SceneView::SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
+
+Eigen::Isometry3d SceneView::camera() const {
+  return Eigen::Translation3d(0, 0, kStandingHeight) * cameraInBody(head_);
+}
+
+const YCrCbImage& SceneView::picture(double seconds, longword image_number, const CameraSettings& settings) {
+  scene_.setTime(seconds);
+  sensor_.expose(renderer_.render(camera()), settings, image_number, &picture_);
+  return picture_;
+}
+
+}  // namespace simulated_ers7

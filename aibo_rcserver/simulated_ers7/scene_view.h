@@ -1,0 +1,42 @@
+/// @file scene_view.h
+/// The scene as the camera in the robot's head sees it.
+#ifndef SIMULATED_ERS7_SCENE_VIEW_H
+#define SIMULATED_ERS7_SCENE_VIEW_H
+
+#include <cstdint>
+
+#include "simulated_ers7/head_kinematics.h"
+#include "simulated_ers7/image_sensor.h"
+#include "simulated_ers7/picture_source.h"
+#include "simulated_ers7/renderer.h"
+#include "simulated_ers7/scene.h"
+
+namespace simulated_ers7 {
+
+/// How the robot holds its head at first: it looks at the ball, and past it at the station.
+HeadAngles restingHead();
+
+class SceneView : public PictureSource {
+ public:
+  /// @param scene is moved on to the time of each picture; must outlive the view
+  SceneView(Scene& scene, std::uint64_t seed);
+
+  /// Turns the head; until then it is as restingHead() says. Counts from the next picture.
+  void setHead(const HeadAngles& angles) { head_ = angles; }
+
+  /// Pose of the camera in the room.
+  Eigen::Isometry3d camera() const;
+
+  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
+
+ private:
+  Scene& scene_;
+  HeadAngles head_ = restingHead();
+  Renderer renderer_;
+  ImageSensor sensor_;
+  YCrCbImage picture_;
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_SCENE_VIEW_H
