@@ -60,7 +60,7 @@ class Machine {
   Machine& operator=(const Machine&) = delete;
 
   /// Reads OBJECT.CFG and CONNECT.CFG, takes the ports, makes the objects, calls DoInit of all in the order of
-  /// OBJECT.CFG, connects them, calls DoStart of all. Once only.
+  /// OBJECT.CFG, connects them, calls DoStart of all. After shutdown() a machine may boot again.
   /// @throw BootError; nothing is left running then
   void boot();
 

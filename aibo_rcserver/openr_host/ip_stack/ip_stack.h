@@ -1,0 +1,77 @@
+/// @file ip_stack.h
+#ifndef OPENR_HOST_IP_STACK_IP_STACK_H
+#define OPENR_HOST_IP_STACK_IP_STACK_H
+
+#include <TCPEndpointMsg.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "openr_host/ip_stack/endpoint.h"
+#include "openr_host/ip_stack/envelope.h"
+#include "openr_host/ip_stack/poll_set.h"
+#include "openr_host/ip_stack/shared_buffers.h"
+#include "openr_host/ip_stack/tcp_listener.h"
+
+namespace openr_host {
+
+/// The system object IPStack: answers the messages of ant.h and TCPEndpointMsg.h with this computer's sockets.
+class IpStack {
+ public:
+  /// @param bind_address IPv4 address of this computer that all ports are on
+  /// @param deliver takes answered messages to the object that sent them
+  /// @param objects_are_busy whether messages wait for objects. While they do, a client whom nobody listens for is not
+  /// turned away yet: one of them may be about to listen.
+  IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy);
+
+  /// Takes a port of this computer for a port of the robot.
+  /// @return the port taken
+  /// @throw as TcpListener
+  std::uint16_t takePort(std::uint16_t robot_port, std::uint16_t host_port);
+
+  /// What antEnvMsg::Call() does.
+  antError call(antEnvMsg& message, std::size_t size);
+
+  /// What antEnvMsg::Send() does.
+  antError send(const Envelope& message, std::size_t size);
+
+  void addTo(PollSet& poll_set);
+
+ private:
+  struct TcpPort {
+    TcpListener listener;
+    std::deque<longword> waiting;  ///< endpoints that listen, the first come first
+  };
+
+  antError answerAtOnce(antEnvMsg& message);
+  void createSharedBuffer(antEnvCreateSharedBufferMsg& message);
+  void destroySharedBuffer(antEnvDestroySharedBufferMsg& message);
+  void createEndpoint(antEnvCreateEndpointMsg& message);
+  void closeEndpoint(TCPEndpointCloseMsg& message);
+
+  void listen(const Envelope& message);
+  void sendData(const Envelope& message);
+  void receiveData(const Envelope& message);
+  template <typename Message>
+  void refuse(const Envelope& message, TCPEndpointError error);
+
+  Endpoint* find(const antModuleRef& module);
+  void acceptOn(TcpPort& port);
+  void letGo(FileDescriptor socket, bool abort);
+
+  const std::string bind_address_;
+  const Endpoint::Deliver deliver_;
+  const std::function<bool()> objects_are_busy_;
+  SharedBuffers buffers_;
+  std::map<longword, Endpoint> endpoints_;
+  longword last_endpoint_ = 0;
+  std::map<std::uint16_t, TcpPort> ports_;
+  std::deque<FileDescriptor> closing_;  ///< closed by us, not yet by the client; the oldest first
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_IP_STACK_IP_STACK_H

@@ -1,0 +1,41 @@
+/// @file shared_buffers.h
+#ifndef OPENR_HOST_IP_STACK_SHARED_BUFFERS_H
+#define OPENR_HOST_IP_STACK_SHARED_BUFFERS_H
+
+#include <cstddef>
+#include <map>
+#include <memory>
+
+namespace openr_host {
+
+/// The memory that objects and the IPStack share.
+class SharedBuffers {
+ public:
+  /// @param size rounded up to whole pages of 4096 bytes (OPEN-R SDK Internet Protocol Version4)
+  /// @return null if size is 0 or if there is no such memory
+  void* create(std::size_t size);
+
+  bool contains(const void* address) const { return buffers_.count(address) != 0; }
+  void destroy(const void* address) { buffers_.erase(address); }
+
+  /// Whether all of this lies in one of them.
+  bool containsRange(const void* begin, std::size_t size) const { return find(begin, size) != buffers_.end(); }
+
+  /// Whether the range lies in the buffer that begins at `address`.
+  bool containsRange(const void* address, const void* begin, std::size_t size) const;
+
+ private:
+  struct Buffer {
+    std::unique_ptr<unsigned char[]> memory;
+    std::size_t size;
+  };
+  using Buffers = std::map<const void*, Buffer, std::less<>>;
+
+  Buffers::const_iterator find(const void* begin, std::size_t size) const;
+
+  Buffers buffers_;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_IP_STACK_SHARED_BUFFERS_H

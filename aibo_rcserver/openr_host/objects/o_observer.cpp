@@ -1,0 +1,51 @@
+#include <OPENR/OObserver.h>
+
+#include <stdexcept>
+
+#include "openr_host/objects/observer_service.h"
+#include "openr_host/system.h"
+
+namespace {
+
+openr_host::ObserverService& registered(openr_host::ObserverService* service) {
+  if (service == nullptr) {
+    throw std::logic_error("an observer is used before REGISTER_ALL_ENTRY");
+  }
+  return *service;
+}
+
+}  // namespace
+
+OObserver::OObserver() : service_(nullptr) {}
+
+OObserver::~OObserver() {
+  delete service_;
+}
+
+void OObserver::Register(OID object, int index) {
+  if (service_ == nullptr) {
+    openr_host::System& system = openr_host::System::current();
+    service_ = new openr_host::ObserverService(system, {object, index});
+    system.add(*service_);
+  }
+}
+
+void OObserver::AssertReady() {
+  registered(service_).announceReady(true);
+}
+
+void OObserver::AssertReady(const SubjectID& subject) {
+  registered(service_).announceReady(subject, true);
+}
+
+void OObserver::DeassertReady() {
+  registered(service_).announceReady(false);
+}
+
+void OObserver::DeassertReady(const SubjectID& subject) {
+  registered(service_).announceReady(subject, false);
+}
+
+int OObserver::NumberOfSubjects() const {
+  return registered(service_).numberOfSubjects();
+}

@@ -1,0 +1,226 @@
+#include "openr_host/system.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace openr_host {
+namespace {
+
+thread_local System* current_system = nullptr;
+
+void requireSuccess(OStatus status, const std::string& object, const char* function) {
+  if (status != oSUCCESS) {
+    throw std::runtime_error("object " + object + ": " + function + "() returned " + std::to_string(status) +
+                             " instead of oSUCCESS");
+  }
+}
+
+template <typename Service, typename Id>
+Service& findService(const std::vector<Service*>& services, const Id& id, const std::string& object) {
+  const auto found =
+      std::find_if(services.begin(), services.end(), [&](const Service* service) { return service->id() == id; });
+  if (found == services.end()) {
+    throw std::runtime_error("object " + object +
+                             " has not made its services known: its DoInit() needs NEW_ALL_SUBJECT_AND_OBSERVER and "
+                             "REGISTER_ALL_ENTRY");
+  }
+  return **found;
+}
+
+template <typename Description>
+int indexOf(const std::vector<Description>& services, const std::string& name) {
+  const auto found = std::find_if(services.begin(), services.end(),
+                                  [&](const Description& description) { return description.service == name; });
+  return found == services.end() ? -1 : static_cast<int>(found - services.begin());
+}
+
+}  // namespace
+
+class System::Running {
+ public:
+  Running(System& system, const LoadedObject& object)
+      : system_(system),
+        previous_system_(std::exchange(current_system, &system)),
+        previous_object_(std::exchange(system.running_, &object)) {}
+  ~Running() {
+    system_.running_ = previous_object_;
+    current_system = previous_system_;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  System& system_;
+  System* previous_system_;
+  const LoadedObject* previous_object_;
+};
+
+System::System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot)
+    : robot_(robot),
+      console_(console_output),
+      ip_stack_(
+          bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); }) {}
+
+System::~System() {
+  shutdown();
+}
+
+System& System::current() {
+  if (current_system == nullptr) {
+    throw std::logic_error("this OPEN-R call needs a machine: call it from a function that a machine calls");
+  }
+  return *current_system;
+}
+
+System* System::currentOrNull() {
+  return current_system;
+}
+
+const std::string& System::runningObject() const {
+  return running_->description.name;
+}
+
+OObject& System::create(const ObjectDescription& description) {
+  objects_.push_back({description, nullptr});
+  LoadedObject& object = objects_.back();
+  const Running running(*this, object);
+  object.object = description.create();
+  object.object->myOID_ = static_cast<OID>(objects_.size());
+  for (const auto& subject : description.subjects) {
+    service_names_.push_back(subject.service);
+  }
+  for (const auto& observer : description.observers) {
+    service_names_.push_back(observer.service);
+  }
+  return *object.object;
+}
+
+void System::initialize() {
+  for (auto& object : objects_) {
+    const Running running(*this, object);
+    requireSuccess(object.object->DoInit(OSystemEvent()), object.description.name, "DoInit");
+    object.initialized = true;
+  }
+}
+
+void System::connect(const std::string& subject_name, const std::string& observer_name) {
+  SubjectID subject_id{oidUNDEF, -1};
+  ObserverID observer_id{oidUNDEF, -1};
+  for (OID id = 1; id <= objects_.size(); ++id) {
+    const ObjectDescription& description = loaded(id).description;
+    const int subject_index = indexOf(description.subjects, subject_name);
+    const int observer_index = indexOf(description.observers, observer_name);
+    subject_id = subject_index < 0 ? subject_id : SubjectID{id, subject_index};
+    observer_id = observer_index < 0 ? observer_id : ObserverID{id, observer_index};
+  }
+  subject(subject_id).connect(observer_id);
+  observer(observer_id).connect(subject_id);
+
+  LoadedObject& sender = loaded(subject_id.object);
+  const auto& control = sender.description.subjects[static_cast<std::size_t>(subject_id.index)].control;
+  if (control) {
+    const Running running(*this, sender);
+    control(*sender.object, OControlEvent(subject_id.index, observer_id));
+  }
+  LoadedObject& receiver = loaded(observer_id.object);
+  const auto& connected = receiver.description.observers[static_cast<std::size_t>(observer_id.index)].connect;
+  if (connected) {
+    const Running running(*this, receiver);
+    connected(*receiver.object, OConnectEvent(observer_id.index, subject_id));
+  }
+}
+
+void System::start() {
+  for (auto& object : objects_) {
+    const Running running(*this, object);
+    requireSuccess(object.object->DoStart(OSystemEvent()), object.description.name, "DoStart");
+    object.started = true;
+  }
+}
+
+void System::shutdown() noexcept {
+  for (auto& object : objects_) {
+    if (std::exchange(object.started, false)) {
+      const Running running(*this, object);
+      object.object->DoStop(OSystemEvent());
+    }
+  }
+  messages_.clear();
+  for (auto& object : objects_) {
+    if (std::exchange(object.initialized, false)) {
+      const Running running(*this, object);
+      object.object->DoDestroy(OSystemEvent());
+    }
+  }
+  messages_.clear();
+  objects_.clear();
+}
+
+void System::runAs(OObject& object, const std::function<void()>& function) {
+  const Running running(*this, loaded(object.myOID_));
+  function();
+}
+
+void System::postReady(const ObserverID& observer_id, const SubjectID& subject_id, bool ready) {
+  messages_.push_back({subject_id.object, [=](LoadedObject& receiver) {
+                         subject(subject_id).setReady(observer_id, ready);
+                         const auto index = static_cast<std::size_t>(subject_id.index);
+                         if (const auto& function = receiver.description.subjects[index].ready) {
+                           function(*receiver.object, OReadyEvent(subject_id.index, observer_id, ready));
+                         }
+                       }});
+}
+
+void System::postNotification(const SubjectID& subject_id, const ObserverID& observer_id, const Regions& data) {
+  messages_.push_back({observer_id.object, [=](LoadedObject& receiver) {
+                         const auto index = static_cast<std::size_t>(observer_id.index);
+                         if (const auto& function = receiver.description.observers[index].notify) {
+                           std::vector<RCRegion*> regions;
+                           for (const auto& region : data) {
+                             regions.push_back(region.get());
+                           }
+                           function(*receiver.object, ONotifyEvent(observer_id.index, subject_id, regions.data(),
+                                                                   static_cast<int>(regions.size())));
+                         }
+                       }});
+}
+
+void System::postAnswer(const Envelope& answer) {
+  messages_.push_back({answer.object(), [=](LoadedObject& receiver) {
+                         receiver.description.extra_entries[answer.entry()](*receiver.object, answer.content());
+                       }});
+}
+
+bool System::hasEntry(OID object, Selector entry) const {
+  return object != oidUNDEF && object <= objects_.size() &&
+         entry < objects_[object - 1].description.extra_entries.size();
+}
+
+void System::handleMessages() {
+  for (std::size_t left = messages_.size(); left > 0; --left) {
+    const Message message = std::move(messages_.front());
+    messages_.pop_front();
+    LoadedObject& receiver = loaded(message.receiver);
+    const Running running(*this, receiver);
+    message.handle(receiver);
+  }
+}
+
+void System::forget(const SubjectService& subject) {
+  subjects_.erase(std::remove(subjects_.begin(), subjects_.end(), &subject), subjects_.end());
+}
+
+void System::forget(const ObserverService& observer) {
+  observers_.erase(std::remove(observers_.begin(), observers_.end(), &observer), observers_.end());
+}
+
+SubjectService& System::subject(const SubjectID& id) {
+  return findService(subjects_, id, loaded(id.object).description.name);
+}
+
+ObserverService& System::observer(const ObserverID& id) {
+  return findService(observers_, id, loaded(id.object).description.name);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,112 @@
+/// @file system.h
+/// What the SDK's classes and calls find behind them: one robot's objects and the messages between them.
+#ifndef OPENR_HOST_SYSTEM_H
+#define OPENR_HOST_SYSTEM_H
+
+#include <OPENR/OObject.h>
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "openr_host/console/console.h"
+#include "openr_host/ip_stack/ip_stack.h"
+#include "openr_host/object_description.h"
+#include "openr_host/objects/observer_service.h"
+#include "openr_host/objects/subject_service.h"
+#include "openr_host/virtual_robot.h"
+
+namespace openr_host {
+
+/// Internal to openr_host; Machine is its outside.
+class System {
+ public:
+  System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot);
+  ~System();
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  /// The system whose object is being called on this thread.
+  /// @throw std::logic_error if there is none
+  static System& current();
+  static System* currentOrNull();
+
+  Console& console() { return console_; }
+  IpStack& ipStack() { return ip_stack_; }
+  VirtualRobot& robot() { return robot_; }
+
+  /// Name of the object that is being called.
+  const std::string& runningObject() const;
+
+  /// @name Life of the objects
+  /// @{
+  OObject& create(const ObjectDescription& description);
+  const std::vector<std::string>& serviceNames() const { return service_names_; }
+  /// @throw std::runtime_error if an object does not succeed; the text names it
+  void initialize();
+  /// @param subject, observer service names that serviceNames() holds
+  /// @throw std::runtime_error if an object has not registered its services
+  void connect(const std::string& subject, const std::string& observer);
+  /// @throw std::runtime_error as initialize()
+  void start();
+  /// Stops and destroys the objects that have come so far, and drops what is queued.
+  void shutdown() noexcept;
+  /// Calls something as the object it belongs to.
+  void runAs(OObject& object, const std::function<void()>& function);
+  /// @}
+
+  /// @name Messages
+  /// @{
+  void postReady(const ObserverID& observer, const SubjectID& subject, bool ready);
+  void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
+  void postAnswer(const Envelope& answer);
+  bool hasEntry(OID object, Selector entry) const;
+  bool hasMessages() const { return !messages_.empty(); }
+  /// Handles the messages that are queued now, each to its end, but not those that come meanwhile.
+  void handleMessages();
+  /// @}
+
+  /// @name For OSubject and OObserver
+  /// @{
+  void add(SubjectService& subject) { subjects_.push_back(&subject); }
+  void add(ObserverService& observer) { observers_.push_back(&observer); }
+  void forget(const SubjectService& subject);
+  void forget(const ObserverService& observer);
+  /// @}
+
+ private:
+  struct LoadedObject {
+    ObjectDescription description;
+    std::unique_ptr<OObject> object;
+    bool initialized = false;
+    bool started = false;
+  };
+
+  struct Message {
+    OID receiver;
+    std::function<void(LoadedObject&)> handle;
+  };
+
+  /// While one of these lives, it is this object that is being called.
+  class Running;
+
+  LoadedObject& loaded(OID id) { return objects_[id - 1]; }
+  SubjectService& subject(const SubjectID& id);
+  ObserverService& observer(const ObserverID& id);
+
+  VirtualRobot& robot_;
+  Console console_;
+  IpStack ip_stack_;
+  std::deque<LoadedObject> objects_;  ///< the object with OID n is at n - 1
+  std::vector<std::string> service_names_;
+  std::vector<SubjectService*> subjects_;
+  std::vector<ObserverService*> observers_;
+  std::deque<Message> messages_;
+  const LoadedObject* running_ = nullptr;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_SYSTEM_H
