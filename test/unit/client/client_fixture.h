@@ -1,0 +1,54 @@
+/// @file client_fixture.h
+#ifndef TEST_UNIT_CLIENT_CLIENT_FIXTURE_H
+#define TEST_UNIT_CLIENT_CLIENT_FIXTURE_H
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "aibo_driver/exceptions.h"
+#include "aibo_driver/rcserver_client.h"
+#include "recorder.h"
+#include "scripted_server.h"
+#include "test_pictures.h"
+
+/// A client and the server it talks to, over loopback.
+class ClientFixture : public testing::Test {
+ protected:
+  static aibo_driver::ClientOptions optionsFor(const ScriptedServer& server) {
+    aibo_driver::ClientOptions options;
+    options.port = server.port();
+    options.connect_timeout = std::chrono::seconds(10);
+    options.read_timeout = std::chrono::seconds(10);
+    options.reconnect_wait_min = std::chrono::milliseconds(10);
+    options.reconnect_wait_max = std::chrono::milliseconds(50);
+    return options;
+  }
+
+  /// Starts the client, and its stream.
+  /// @return the server's end
+  ScriptedPeer startStream() {
+    client_.setStreaming(true);
+    client_.start();
+    return acceptStream();
+  }
+
+  /// Waits for the client to come (back) and to ask for its stream.
+  ScriptedPeer acceptStream() {
+    ScriptedPeer peer = server_.accept();
+    expectCommand(&peer, 'W', 85);
+    return peer;
+  }
+
+  static void expectCommand(ScriptedPeer* peer, char letter, int quality) {
+    const protocol::BasicGetCommand command = peer->readCommand();
+    EXPECT_EQ(letter, command.command);
+    EXPECT_EQ(quality, command.identifier);
+  }
+
+  ScriptedServer server_;
+  Recorder recorder_;
+  aibo_driver::RcServerClient client_{optionsFor(server_), recorder_.callbacks()};
+};
+
+#endif  // TEST_UNIT_CLIENT_CLIENT_FIXTURE_H

@@ -1,0 +1,238 @@
+#include <dirent.h>
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <thread>
+
+#include "client_fixture.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using test_pictures::Bytes;
+
+namespace {
+
+std::size_t openDescriptors() {
+  const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir("/proc/self/fd"), &::closedir);
+  std::size_t count = 0;
+  while (::readdir(folder.get()) != nullptr) {
+    ++count;
+  }
+  return count;
+}
+
+class ConnectionFaultsTest : public ClientFixture {
+ protected:
+  /// The client drops the connection, says why, comes back, asks for its stream again, and gets it.
+  void expectRecovery(ScriptedPeer* peer, const std::string& reason) {
+    EXPECT_TRUE(recorder_.waitForReason(reason)) << client_.status().reason;
+    peer->waitUntilClosed();
+    const std::size_t pictures = recorder_.pictures().size();
+    ScriptedPeer next = acceptStream();
+    const Bytes jpeg = test_pictures::makeNumbered(4711);
+    next.sendPicture(jpeg);
+    ASSERT_TRUE(recorder_.waitForPictures(pictures + 1));
+    EXPECT_EQ(jpeg, recorder_.pictures().back()->jpeg);
+  }
+
+  void expectProtocolError(const Bytes& bytes, const std::string& reason) {
+    ScriptedPeer peer = startStream();
+    peer.sendPicture(test_pictures::makeNumbered(1));
+    peer.send(bytes);
+    expectRecovery(&peer, reason);
+    EXPECT_EQ(1u, client_.statistics().protocol_errors);
+    EXPECT_EQ(2u, client_.statistics().pictures);
+  }
+};
+
+TEST_F(ConnectionFaultsTest, AServerThatAppearsLaterIsFound) {
+  server_.vanish();
+  client_.setStreaming(true);
+  client_.start();
+  ASSERT_TRUE(recorder_.waitForReason("refused the connection"));
+  EXPECT_THAT(client_.status().advice, testing::HasSubstr("Is the RCServer running there"));
+  server_.listen();
+  ScriptedPeer peer = acceptStream();
+  peer.sendPicture(test_pictures::make());
+  EXPECT_TRUE(recorder_.waitForPictures(1));
+  EXPECT_GE(client_.statistics().failed_attempts, 1u);
+}
+
+TEST_F(ConnectionFaultsTest, AReasonIsLoggedOnceAndNotOnceAnAttempt) {
+  server_.vanish();
+  client_.start();
+  while (client_.statistics().failed_attempts < 10) {
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  EXPECT_EQ(1, recorder_.logged("No connection to the robot"));
+}
+
+TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayHasProbablyAnotherOne) {
+  client_.setStreaming(true);
+  client_.start();
+  for (int i = 0; i < 5; ++i) {
+    server_.accept().close();
+  }
+  ASSERT_TRUE(recorder_.waitForReason("closed the connection as soon as it was made"));
+  ScriptedPeer peer = acceptStream();
+  peer.sendPicture(test_pictures::make());
+  EXPECT_TRUE(recorder_.waitForPictures(1));
+  EXPECT_EQ(1, recorder_.logged("Is another client connected?"));
+}
+
+TEST_F(ConnectionFaultsTest, ACloseBetweenPicturesIsRecoveredFrom) {
+  ScriptedPeer peer = startStream();
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  ASSERT_TRUE(recorder_.waitForPictures(1));
+  peer.close();
+  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
+  acceptStream();
+  EXPECT_EQ((std::vector<bool>{true, false, true}), recorder_.streaming());
+}
+
+TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTheCutPictureNeverDelivered) {
+  const Bytes reply = test_pictures::makeReply(test_pictures::make());
+  client_.setStreaming(true);
+  client_.start();
+  const auto size = static_cast<std::ptrdiff_t>(reply.size());
+  for (const std::ptrdiff_t cut : {std::ptrdiff_t{1}, std::ptrdiff_t{2}, std::ptrdiff_t{4}, std::ptrdiff_t{5},
+                                   std::ptrdiff_t{6}, size / 2, size - 1}) {
+    for (const bool reset : {false, true}) {
+      ScriptedPeer peer = acceptStream();
+      peer.send(Bytes(reply.begin(), reply.begin() + cut));
+      reset ? peer.reset() : peer.close();
+    }
+  }
+  ScriptedPeer peer = acceptStream();
+  peer.send(reply);
+  ASSERT_TRUE(recorder_.waitForPictures(1));
+  EXPECT_EQ(1u, client_.statistics().pictures);
+  EXPECT_EQ(0u, client_.statistics().corrupt_pictures);
+  EXPECT_EQ(15u, client_.statistics().connections);
+}
+
+TEST_F(ConnectionFaultsTest, AWrongLetterIsAProtocolError) {
+  expectProtocolError({'y' + 1}, "does not speak the RCServer's protocol: a reply that begins with byte 122");
+}
+
+TEST_F(ConnectionFaultsTest, APictureOfSizeZeroIsAProtocolError) {
+  expectProtocolError({'f', 0, 0, 0, 0}, "a picture of 0 bytes");
+}
+
+TEST_F(ConnectionFaultsTest, APictureOfFourGigabytesIsAProtocolError) {
+  expectProtocolError({'f', 0xFF, 0xFF, 0xFF, 0xFF}, "a picture of 4294967295 bytes");
+}
+
+TEST_F(ConnectionFaultsTest, AWebServerIsNoRcServer) {
+  const std::string answer = "HTTP/1.1 400 Bad Request\r\n";
+  expectProtocolError(Bytes(answer.begin(), answer.end()), "does not speak the RCServer's protocol");
+}
+
+TEST_F(ConnectionFaultsTest, GarbageInsteadOfAJpegIsDroppedAndTheConnectionKept) {
+  ScriptedPeer peer = startStream();
+  peer.sendPicture(Bytes(5000, 0x55));
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  ASSERT_TRUE(recorder_.waitForPictures(1));
+  EXPECT_EQ(1u, client_.statistics().corrupt_pictures);
+  EXPECT_EQ(1u, client_.statistics().connections);
+  EXPECT_EQ(1, recorder_.logged("damaged picture"));
+}
+
+TEST_F(ConnectionFaultsTest, AnAnswerNobodyAskedForIsLoggedAndTheConnectionKept) {
+  ScriptedPeer peer = startStream();
+  peer.send({'j', 1, 0, 0});
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  ASSERT_TRUE(recorder_.waitForPictures(1));
+  EXPECT_EQ(1u, client_.statistics().connections);
+  EXPECT_EQ(1, recorder_.logged("an answer that nobody had asked for: 'j'"));
+}
+
+TEST_F(ConnectionFaultsTest, ARefusedStreamIsToldWithTheRobotsCode) {
+  ScriptedPeer peer = startStream();
+  peer.send({'e', 0, 0, 0});
+  expectRecovery(&peer, "refused to stream pictures: error code 0");
+}
+
+class SilenceTest : public ConnectionFaultsTest {
+ protected:
+  static ClientOptions impatient(const ScriptedServer& server) {
+    ClientOptions options = optionsFor(server);
+    options.read_timeout = milliseconds(150);
+    return options;
+  }
+
+  Recorder impatient_recorder_;
+  RcServerClient impatient_client_{impatient(server_), impatient_recorder_.callbacks()};
+};
+
+TEST_F(SilenceTest, ASilentStreamIsGivenUpAndAskedForAgain) {
+  impatient_client_.setStreaming(true);
+  impatient_client_.start();
+  ScriptedPeer peer = acceptStream();
+  peer.waitUntilClosed();
+  EXPECT_TRUE(impatient_recorder_.waitForReason("sent nothing for 150 ms while a picture was due"));
+  EXPECT_EQ(1u, impatient_client_.statistics().stalls);
+  acceptStream();
+}
+
+TEST_F(SilenceTest, ASilentServerIsLeftAloneWhileNothingIsDue) {
+  impatient_client_.start();
+  ScriptedPeer peer = server_.accept();
+  ASSERT_TRUE(impatient_recorder_.waitForLog("Connected to"));  // nothing was due for a second
+  EXPECT_EQ(1u, impatient_client_.statistics().connections);
+}
+
+TEST_F(SilenceTest, AServerThatStopsAmidAPictureIsGivenUp) {
+  impatient_client_.setStreaming(true);
+  impatient_client_.start();
+  ScriptedPeer peer = acceptStream();
+  const Bytes reply = test_pictures::makeReply(test_pictures::make());
+  peer.send(Bytes(reply.begin(), reply.begin() + 1000));
+  peer.waitUntilClosed();
+  acceptStream();
+  EXPECT_EQ(0u, impatient_client_.statistics().pictures);
+}
+
+TEST_F(ConnectionFaultsTest, ManyReconnectsLeaveNoDescriptorBehind) {
+  client_.setStreaming(true);
+  client_.start();
+  acceptStream().close();
+  acceptStream().reset();
+  std::size_t before = 0;
+  for (int i = 0; i < 60; ++i) {
+    ScriptedPeer peer = acceptStream();
+    before = before == 0 ? openDescriptors() : before;
+    EXPECT_EQ(before, openDescriptors());
+    switch (i % 3) {
+      case 0:
+        peer.close();
+        break;
+      case 1:
+        peer.reset();
+        break;
+      default:
+        peer.send({'?'});
+        peer.waitUntilClosed();
+    }
+  }
+}
+
+TEST_F(ConnectionFaultsTest, FailedAttemptsLeaveNoDescriptorBehind) {
+  server_.vanish();
+  client_.start();
+  while (client_.statistics().failed_attempts < 3) {
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  client_.stop();
+  const std::size_t idle = openDescriptors();
+  for (int round = 0; round < 5; ++round) {
+    RcServerClient client(optionsFor(server_), {});
+    client.start();
+    while (client.statistics().failed_attempts < 5) {
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+  }
+  EXPECT_EQ(idle, openDescriptors());
+}
+
+}  // namespace

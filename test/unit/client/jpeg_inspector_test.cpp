@@ -1,0 +1,204 @@
+#include "aibo_driver/jpeg_inspector.h"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "test_pictures.h"
+
+using aibo_driver::inspectJpeg;
+using aibo_driver::JpegInspection;
+using test_pictures::Bytes;
+using test_pictures::PictureKind;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+namespace {
+
+// Where things stand in a segment, counted from its 0xFF (ITU T.81, B.2.2 and B.2.3).
+constexpr std::size_t kFrameHeight = 5;
+constexpr std::size_t kFrameWidth = 7;
+constexpr std::size_t kFrameComponentCount = 9;
+constexpr std::size_t kFramePrecision = 4;
+constexpr std::size_t kFrameLumaSampling = 11;
+constexpr std::size_t kScanSpectralEnd = 12;
+
+constexpr std::uint8_t kSof0 = 0xC0;
+constexpr std::uint8_t kSos = 0xDA;
+constexpr std::uint8_t kDht = 0xC4;
+constexpr std::uint8_t kDqt = 0xDB;
+
+std::string problemOf(const Bytes& jpeg) {
+  return inspectJpeg(jpeg.data(), jpeg.size()).problem;
+}
+
+/// The ordinary picture with one byte of a segment set to another value.
+Bytes alter(std::uint8_t marker, std::size_t offset, int value) {
+  Bytes jpeg = test_pictures::make();
+  jpeg.at(test_pictures::findMarker(jpeg, marker) + offset) = static_cast<std::uint8_t>(value);
+  return jpeg;
+}
+
+void setSize(Bytes* jpeg, int width, int height) {
+  const std::size_t frame = test_pictures::findMarker(*jpeg, kSof0);
+  jpeg->at(frame + kFrameHeight) = static_cast<std::uint8_t>(height >> 8);
+  jpeg->at(frame + kFrameHeight + 1) = static_cast<std::uint8_t>(height);
+  jpeg->at(frame + kFrameWidth) = static_cast<std::uint8_t>(width >> 8);
+  jpeg->at(frame + kFrameWidth + 1) = static_cast<std::uint8_t>(width);
+}
+
+void removeAll(Bytes* jpeg, std::uint8_t marker) {
+  std::size_t at = 2;
+  while (jpeg->at(at + 1) != kSos) {
+    const std::size_t length = 2u + jpeg->at(at + 2) * 256u + jpeg->at(at + 3);
+    if (jpeg->at(at + 1) == marker) {
+      jpeg->erase(jpeg->begin() + static_cast<std::ptrdiff_t>(at),
+                  jpeg->begin() + static_cast<std::ptrdiff_t>(at + length));
+    } else {
+      at += length;
+    }
+  }
+}
+
+TEST(JpegInspectorTest, PicturesOfEverySizeACameraHasAreGood) {
+  for (const auto& [width, height] :
+       {std::pair<int, int>{208, 160}, {104, 80}, {52, 40}, {416, 320}, {176, 144}, {88, 72}, {44, 36}, {352, 288}}) {
+    PictureKind kind;
+    kind.width = width;
+    kind.height = height;
+    const Bytes jpeg = test_pictures::make(kind);
+    const JpegInspection inspection = inspectJpeg(jpeg.data(), jpeg.size());
+    EXPECT_TRUE(inspection.good()) << inspection.problem;
+    EXPECT_EQ(width, inspection.width);
+    EXPECT_EQ(height, inspection.height);
+  }
+}
+
+TEST(JpegInspectorTest, PicturesOfEveryQualityAndUsualSubsamplingAreGood) {
+  for (const int subsampling : {TJSAMP_420, TJSAMP_422, TJSAMP_444, TJSAMP_440}) {
+    for (const int quality : {1, 25, 50, 85, 95, 100}) {
+      PictureKind kind;
+      kind.subsampling = subsampling;
+      kind.quality = quality;
+      EXPECT_EQ("", problemOf(test_pictures::make(kind))) << subsampling << " " << quality;
+    }
+  }
+}
+
+TEST(JpegInspectorTest, FillBytesBeforeAMarkerAreAllowed) {
+  Bytes jpeg = test_pictures::make();
+  jpeg.insert(jpeg.begin() + static_cast<std::ptrdiff_t>(test_pictures::findMarker(jpeg, kSof0)), 3, 0xFF);
+  jpeg.insert(jpeg.end() - 2, 2, 0xFF);
+  EXPECT_EQ("", problemOf(jpeg));
+}
+
+TEST(JpegInspectorTest, APictureCutAtAnyLengthIsRefused) {
+  const Bytes jpeg = test_pictures::make();
+  for (std::size_t size = 0; size < jpeg.size(); ++size) {
+    // A copy of its own, so that a sanitizer sees a read behind the end.
+    const std::unique_ptr<std::uint8_t[]> cut(new std::uint8_t[size]);
+    std::copy_n(jpeg.begin(), size, cut.get());
+    EXPECT_FALSE(inspectJpeg(cut.get(), size).good()) << size;
+  }
+}
+
+TEST(JpegInspectorTest, BytesBehindTheEndAreRefused) {
+  const Bytes jpeg = test_pictures::make();
+  Bytes longer = jpeg;
+  longer.push_back(0);
+  EXPECT_EQ("bytes behind its end", problemOf(longer));
+  Bytes twice = jpeg;
+  twice.insert(twice.end(), jpeg.begin(), jpeg.end());
+  EXPECT_EQ("bytes behind its end", problemOf(twice));
+}
+
+TEST(JpegInspectorTest, WhatIsNoJpegIsRefused) {
+  EXPECT_THAT(problemOf({}), HasSubstr("not a JPEG"));
+  EXPECT_THAT(problemOf(Bytes(5000, 0)), HasSubstr("not a JPEG"));
+  EXPECT_THAT(problemOf({'G', 'I', 'F', '8', '9', 'a'}), HasSubstr("not a JPEG"));
+  EXPECT_EQ("cut off in its header", problemOf({0xFF, 0xD8}));
+}
+
+TEST(JpegInspectorTest, ProgressiveAndArithmeticJpegsAreRefused) {
+  PictureKind kind;
+  kind.flags = TJFLAG_PROGRESSIVE;
+  EXPECT_THAT(problemOf(test_pictures::make(kind)), HasSubstr("not a baseline JPEG"));
+  for (const int process : {0xC1, 0xC2, 0xC3, 0xC5, 0xC9, 0xCA, 0xCB}) {
+    EXPECT_THAT(problemOf(alter(kSof0, 1, process)), HasSubstr("not a baseline JPEG"));
+  }
+}
+
+TEST(JpegInspectorTest, SizesThatNoCameraHasAreRefused) {
+  for (const auto& [width, height] :
+       {std::pair<int, int>{65500, 65500}, {0, 0}, {208, 0}, {160, 208}, {208, 161}, {640, 480}, {65535, 1}}) {
+    Bytes jpeg = test_pictures::make();
+    setSize(&jpeg, width, height);
+    EXPECT_EQ("a size that no camera has: " + std::to_string(width) + "x" + std::to_string(height), problemOf(jpeg));
+  }
+}
+
+TEST(JpegInspectorTest, OtherColoursThanYCbCrAreRefused) {
+  PictureKind grey;
+  grey.subsampling = TJSAMP_GRAY;
+  EXPECT_EQ("not 3 colour components", problemOf(test_pictures::make(grey)));
+  EXPECT_EQ("not 3 colour components", problemOf(alter(kSof0, kFrameComponentCount, 4)));
+  EXPECT_EQ("not 8 bits a sample", problemOf(alter(kSof0, kFramePrecision, 12)));
+  Bytes rgb = test_pictures::make();
+  rgb.insert(rgb.begin() + 2, {0xFF, 0xEE, 0, 14, 'A', 'd', 'o', 'b', 'e', 0, 100, 0, 0, 0, 0, 0});
+  EXPECT_EQ("its colours are not YCbCr", problemOf(rgb));
+  rgb.at(2 + 15) = 1;  // Adobe's transform: YCbCr
+  EXPECT_EQ("", problemOf(rgb));
+}
+
+TEST(JpegInspectorTest, UnusualSubsamplingIsRefused) {
+  for (const int sampling : {0x00, 0x41, 0x14, 0x44, 0x33, 0xFF}) {
+    EXPECT_EQ("an unusual subsampling", problemOf(alter(kSof0, kFrameLumaSampling, sampling)));
+  }
+}
+
+TEST(JpegInspectorTest, AScanThatIsNotTheOnlyOneOfABaselinePictureIsRefused) {
+  EXPECT_EQ("not a baseline scan", problemOf(alter(kSos, kScanSpectralEnd, 5)));
+  EXPECT_EQ("not one scan of all components", problemOf(alter(kSos, 4, 1)));
+  EXPECT_EQ("a scan of components that the frame does not have", problemOf(alter(kSos, 5, 77)));
+  Bytes jpeg = test_pictures::make();
+  jpeg.at(jpeg.size() / 2) = 0xFF;
+  jpeg.at(jpeg.size() / 2 + 1) = kSos;
+  EXPECT_EQ("a marker amid its compressed data", problemOf(jpeg));
+}
+
+TEST(JpegInspectorTest, APictureWithoutItsTablesIsRefused) {
+  for (const std::uint8_t table : {kDqt, kDht}) {
+    Bytes jpeg = test_pictures::make();
+    removeAll(&jpeg, table);
+    EXPECT_EQ("its tables are missing", problemOf(jpeg));
+  }
+}
+
+TEST(JpegInspectorTest, ASegmentThatLiesAboutItsLengthIsRefused) {
+  for (const std::uint8_t marker : {std::uint8_t{0xE0}, kDqt, kSof0, kDht}) {
+    Bytes jpeg = alter(marker, 2, 0xFF);
+    EXPECT_EQ("cut off in its header", problemOf(jpeg));
+    jpeg = alter(marker, 2, 0);
+    jpeg.at(test_pictures::findMarker(jpeg, marker) + 3) = 1;
+    EXPECT_EQ("a segment of impossible length", problemOf(jpeg));
+  }
+}
+
+TEST(JpegInspectorTest, RandomDamageNeverReadsBeyondTheBytes) {
+  const Bytes jpeg = test_pictures::make();
+  std::minstd_rand random(7);
+  for (int round = 0; round < 20000; ++round) {
+    const std::size_t size = 1 + random() % jpeg.size();
+    const std::unique_ptr<std::uint8_t[]> damaged(new std::uint8_t[size]);
+    std::copy_n(jpeg.begin(), size, damaged.get());
+    for (int i = 0; i < 4; ++i) {
+      damaged[random() % std::min<std::size_t>(size, 700)] = static_cast<std::uint8_t>(random());
+    }
+    inspectJpeg(damaged.get(), size);
+  }
+}
+
+}  // namespace

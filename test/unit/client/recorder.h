@@ -1,0 +1,100 @@
+/// @file recorder.h
+#ifndef TEST_UNIT_CLIENT_RECORDER_H
+#define TEST_UNIT_CLIENT_RECORDER_H
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/rcserver_client.h"
+
+/// Keeps what a client tells through its callbacks, and waits for it. Must outlive the client.
+class Recorder {
+ public:
+  aibo_driver::RcServerClient::Callbacks callbacks() {
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) {
+      change([&] { pictures_.push_back(picture); });
+    };
+    callbacks.on_status = [this](const aibo_driver::ConnectionStatus& status) {
+      change([&] { statuses_.push_back(status); });
+    };
+    callbacks.on_streaming = [this](bool streaming) { change([&] { streaming_.push_back(streaming); }); };
+    callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
+    return callbacks;
+  }
+
+  /// @return false if there were not so many in a generous time
+  bool waitForPictures(std::size_t count) {
+    return waitFor([this, count] { return pictures_.size() >= count; });
+  }
+
+  /// Waits until the last status is this one.
+  bool waitForState(aibo_driver::ConnectionState state) {
+    return waitFor([this, state] { return !statuses_.empty() && statuses_.back().state == state; });
+  }
+
+  /// Waits until some status had a reason that contains this text.
+  bool waitForReason(const std::string& text) {
+    return waitFor([this, &text] {
+      return std::any_of(statuses_.begin(), statuses_.end(), [&text](const aibo_driver::ConnectionStatus& status) {
+        return status.reason.find(text) != std::string::npos && !status.advice.empty();
+      });
+    });
+  }
+
+  bool waitForLog(const std::string& text) {
+    return waitFor([this, &text] { return countLog(text) > 0; });
+  }
+
+  bool waitForStreaming(const std::vector<bool>& history) {
+    return waitFor([this, &history] { return streaming_ == history; });
+  }
+
+  std::vector<aibo_driver::PicturePtr> pictures() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return pictures_;
+  }
+
+  std::vector<bool> streaming() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return streaming_;
+  }
+
+  /// Lines logged that contain this text.
+  long logged(const std::string& text) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return countLog(text);
+  }
+
+ private:
+  template <typename Change>
+  void change(const Change& apply) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    apply();
+    changed_.notify_all();
+  }
+
+  template <typename Condition>
+  bool waitFor(const Condition& condition) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return changed_.wait_for(lock, std::chrono::seconds(20), condition);
+  }
+
+  long countLog(const std::string& text) const {
+    return std::count_if(log_.begin(), log_.end(),
+                         [&text](const std::string& line) { return line.find(text) != std::string::npos; });
+  }
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<aibo_driver::PicturePtr> pictures_;
+  std::vector<aibo_driver::ConnectionStatus> statuses_;
+  std::vector<bool> streaming_;
+  std::vector<std::string> log_;
+};
+
+#endif  // TEST_UNIT_CLIENT_RECORDER_H

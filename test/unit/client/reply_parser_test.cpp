@@ -1,0 +1,125 @@
+#include "client/reply_parser.h"
+
+#include <gmock/gmock.h>
+
+#include <initializer_list>
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+#include "test_pictures.h"
+
+using aibo_driver::ProtocolException;
+using aibo_driver::ReplyHandler;
+using aibo_driver::ReplyParser;
+using test_pictures::Bytes;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+using TimePoint = ReplyHandler::TimePoint;
+
+TimePoint at(int milliseconds) {
+  return TimePoint() + std::chrono::milliseconds(milliseconds);
+}
+
+class ReplyParserTest : public testing::Test, protected ReplyHandler {
+ protected:
+  void feed(const Bytes& bytes, TimePoint arrival = TimePoint()) {
+    parser_.feed(bytes.data(), bytes.size(), arrival, *this);
+  }
+
+  std::string complaintAbout(const Bytes& bytes) {
+    try {
+      feed(bytes);
+    } catch (const ProtocolException& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  void onPicture(Bytes jpeg, TimePoint first_byte_time) override {
+    pictures_.push_back(std::move(jpeg));
+    times_.push_back(first_byte_time);
+  }
+  void onValueReply(const protocol::ValueReply& reply) override { values_.push_back(reply); }
+
+  ReplyParser parser_;
+  std::vector<Bytes> pictures_;
+  std::vector<TimePoint> times_;
+  std::vector<protocol::ValueReply> values_;
+};
+
+const Bytes kPayload = {1, 2, 3, 'f', 0, 0, 0, 1, 'e'};
+
+TEST_F(ReplyParserTest, APictureIsFoundWhereverItIsCutInTwo) {
+  const Bytes reply = test_pictures::makeReply(kPayload);
+  for (std::size_t cut = 1; cut < reply.size(); ++cut) {
+    pictures_.clear();
+    times_.clear();
+    const auto middle = reply.begin() + static_cast<std::ptrdiff_t>(cut);
+    feed(Bytes(reply.begin(), middle), at(10));
+    EXPECT_FALSE(parser_.betweenReplies());
+    feed(Bytes(middle, reply.end()), at(20));
+    EXPECT_TRUE(parser_.betweenReplies());
+    EXPECT_THAT(pictures_, ElementsAre(kPayload));
+    EXPECT_THAT(times_, ElementsAre(at(10))) << "the time is that of the first byte";
+  }
+}
+
+TEST_F(ReplyParserTest, RepliesAreFoundByteByByte) {
+  Bytes stream = test_pictures::makeReply(kPayload);
+  stream.insert(stream.end(), {'j', 3, 0x18, 0xFC});
+  const Bytes more = test_pictures::makeReply(Bytes(300, 7));
+  stream.insert(stream.end(), more.begin(), more.end());
+  for (const std::uint8_t byte : stream) {
+    feed({byte});
+  }
+  EXPECT_THAT(pictures_, ElementsAre(kPayload, Bytes(300, 7)));
+  ASSERT_EQ(1u, values_.size());
+  EXPECT_EQ('j', values_[0].letter);
+  EXPECT_EQ(3, values_[0].identifier);
+  EXPECT_EQ(-1000, values_[0].value);
+}
+
+TEST_F(ReplyParserTest, RepliesThatCameTogetherAreAllFound) {
+  Bytes stream;
+  for (std::uint8_t i = 0; i < 5; ++i) {
+    const Bytes reply = test_pictures::makeReply(Bytes(100u + i, i));
+    stream.insert(stream.end(), reply.begin(), reply.end());
+  }
+  stream.insert(stream.end(), {'e', 0, 2, 0});
+  feed(stream);
+  EXPECT_EQ(5u, pictures_.size());
+  EXPECT_EQ(Bytes(104, 4), pictures_.back());
+  ASSERT_EQ(1u, values_.size());
+  EXPECT_EQ(2, values_[0].value);
+}
+
+TEST_F(ReplyParserTest, TheLargestPictureIsTaken) {
+  feed(test_pictures::makeReply(Bytes(protocol::MAX_PICTURE_SIZE, 9)));
+  ASSERT_EQ(1u, pictures_.size());
+  EXPECT_EQ(protocol::MAX_PICTURE_SIZE, pictures_[0].size());
+}
+
+TEST_F(ReplyParserTest, APictureOfImpossibleSizeIsAProtocolError) {
+  EXPECT_THAT(complaintAbout({'f', 0, 0, 0, 0}), HasSubstr("a picture of 0 bytes; 1 to 262144 are possible"));
+  parser_ = ReplyParser();
+  EXPECT_THAT(complaintAbout({'f', 0, 4, 0, 1}), HasSubstr("262145 bytes"));
+  parser_ = ReplyParser();
+  EXPECT_THAT(complaintAbout({'f', 0x7F, 0xFF, 0xFF, 0xFF}), HasSubstr("2147483647 bytes"));
+  parser_ = ReplyParser();
+  EXPECT_THAT(complaintAbout({'f', 0x80, 0, 0, 0}), HasSubstr("2147483648 bytes"));
+  parser_ = ReplyParser();
+  EXPECT_THAT(complaintAbout({'f', 0xFF, 0xFF, 0xFF, 0xFF}), HasSubstr("4294967295 bytes"));
+}
+
+TEST_F(ReplyParserTest, AReplyOfNoKnownKindIsAProtocolErrorAtItsFirstByte) {
+  for (const int letter : std::initializer_list<int>{'F', 'W', 'w', 'z', '\0', 0xFF, 0x80, '<', 'H'}) {
+    parser_ = ReplyParser();
+    EXPECT_THAT(complaintAbout({static_cast<std::uint8_t>(letter)}),
+                HasSubstr("begins with byte " + std::to_string(letter)));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,138 @@
+#include "scripted_server.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "test_pictures.h"
+
+using aibo_driver::FileDescriptor;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr milliseconds kPatience{20000};
+
+void check(bool good, const char* what) {
+  if (!good) {
+    throw std::system_error(errno, std::generic_category(), what);
+  }
+}
+
+bool readableWithin(int descriptor, milliseconds time) {
+  pollfd polled = {descriptor, POLLIN, 0};
+  const int count = ::poll(&polled, 1, static_cast<int>(time.count()));
+  check(count >= 0, "poll");
+  return count > 0;
+}
+
+}  // namespace
+
+protocol::BasicGetCommand ScriptedPeer::readCommand() {
+  const auto command = readCommandWithin(kPatience);
+  if (!command) {
+    throw std::runtime_error("the client has sent no command");
+  }
+  return *command;
+}
+
+std::optional<protocol::BasicGetCommand> ScriptedPeer::readCommandWithin(milliseconds time) {
+  unsigned char bytes[protocol::BASIC_COMMAND_SIZE];
+  if (!readableWithin(socket_.get(), time)) {
+    return std::nullopt;
+  }
+  const ssize_t size = ::recv(socket_.get(), bytes, sizeof bytes, MSG_WAITALL);
+  if (size != static_cast<ssize_t>(sizeof bytes)) {
+    throw std::runtime_error("the client has closed the connection");
+  }
+  return protocol::decodeCommand(bytes);
+}
+
+void ScriptedPeer::send(const Bytes& bytes) {
+  std::size_t sent = 0;
+  while (sent < bytes.size()) {
+    const ssize_t count = ::send(socket_.get(), bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+    check(count >= 0, "send");
+    sent += static_cast<std::size_t>(count);
+  }
+}
+
+void ScriptedPeer::sendPicture(const Bytes& jpeg) {
+  send(test_pictures::makeReply(jpeg));
+}
+
+void ScriptedPeer::reset() {
+  const linger discard = {1, 0};
+  check(::setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard) == 0, "SO_LINGER");
+  socket_.close();
+}
+
+void ScriptedPeer::waitUntilClosed() {
+  char ignored[256];
+  do {
+    if (!readableWithin(socket_.get(), kPatience)) {
+      throw std::runtime_error("the client has not closed the connection");
+    }
+  } while (::recv(socket_.get(), ignored, sizeof ignored, 0) > 0);
+}
+
+ScriptedServer::ScriptedServer(Begin begin) {
+  bind();
+  if (begin == Begin::kListening) {
+    listen();
+  }
+}
+
+void ScriptedServer::bind() {
+  socket_ = FileDescriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  check(socket_.valid(), "socket");
+  const int yes = 1;
+  check(::setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0, "SO_REUSEADDR");
+  sockaddr_in address = {};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(static_cast<std::uint16_t>(port_));
+  check(::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0, "bind");
+  socklen_t size = sizeof address;
+  check(::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size) == 0, "getsockname");
+  port_ = ntohs(address.sin_port);
+}
+
+void ScriptedServer::listen(int backlog) {
+  if (!std::exchange(listening_, true)) {
+    check(::listen(socket_.get(), backlog) == 0, "listen");
+  }
+}
+
+void ScriptedServer::vanish() {
+  socket_.close();
+  listening_ = false;
+  bind();
+}
+
+ScriptedPeer ScriptedServer::accept() {
+  if (!readableWithin(socket_.get(), kPatience)) {
+    throw std::runtime_error("no client has come");
+  }
+  FileDescriptor socket(::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+  check(socket.valid(), "accept");
+  const int yes = 1;
+  check(::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes) == 0, "TCP_NODELAY");
+  return ScriptedPeer(std::move(socket));
+}
+
+bool ScriptedServer::clientComesWithin(milliseconds time) {
+  if (!readableWithin(socket_.get(), time)) {
+    return false;
+  }
+  accept();
+  return true;
+}

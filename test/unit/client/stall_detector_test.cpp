@@ -1,0 +1,80 @@
+#include "client/stall_detector.h"
+
+#include <gtest/gtest.h>
+
+using aibo_driver::StallDetector;
+using std::chrono::milliseconds;
+
+namespace {
+
+class StallDetectorTest : public testing::Test {
+ protected:
+  using TimePoint = StallDetector::TimePoint;
+
+  /// A picture arrives whole; returns whether it is stale.
+  bool pictureIsStale() {
+    detector_.bytesArrived(now_);
+    const bool stale = detector_.isStale(now_);
+    detector_.foundEmpty(now_);
+    return stale;
+  }
+
+  TimePoint now_ = TimePoint() + milliseconds(5000);
+  StallDetector detector_{now_};
+};
+
+TEST_F(StallDetectorTest, NothingIsStaleWhileTheThreadKeepsUp) {
+  for (int i = 0; i < 100; ++i) {
+    now_ += milliseconds(i % 2 == 0 ? 32 : 40);
+    EXPECT_FALSE(pictureIsStale());
+  }
+}
+
+TEST_F(StallDetectorTest, NothingIsStaleAfterAPauseOfTheRobotThatTheThreadHasWatched) {
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_LE(detector_.nextLook() - now_, StallDetector::kStallLimit / 2);
+    now_ = detector_.nextLook();
+    detector_.foundEmpty(now_);
+  }
+  EXPECT_FALSE(pictureIsStale());
+  EXPECT_FALSE(pictureIsStale());
+}
+
+TEST_F(StallDetectorTest, AfterAStallPicturesAreStaleUntilTheSocketHasBeenQuiet) {
+  now_ += milliseconds(5000);
+  EXPECT_TRUE(pictureIsStale());
+  now_ += milliseconds(5);
+  EXPECT_TRUE(pictureIsStale()) << "the robot has just refilled the freed window";
+  now_ = detector_.nextLook();
+  detector_.foundEmpty(now_);
+  now_ += milliseconds(10);
+  EXPECT_FALSE(pictureIsStale());
+}
+
+TEST_F(StallDetectorTest, APictureThatBeganBeforeTheQuietIsStaleEvenIfItEndsAfterIt) {
+  now_ += milliseconds(5000);
+  const TimePoint begin = now_;
+  detector_.bytesArrived(begin);
+  detector_.foundEmpty(begin);
+  now_ += StallDetector::kQuietTime;
+  detector_.foundEmpty(now_);
+  now_ += milliseconds(5);
+  detector_.bytesArrived(now_);
+  EXPECT_TRUE(detector_.isStale(begin));
+  EXPECT_FALSE(detector_.isStale(now_));
+}
+
+TEST_F(StallDetectorTest, ARobotThatNeverPausesIsCaughtUpWithInTheEnd) {
+  now_ += milliseconds(200);
+  int stale = 0;
+  while (pictureIsStale()) {
+    ++stale;
+    now_ += milliseconds(1);
+  }
+  EXPECT_GE(stale, StallDetector::kCatchUpLimit.count());
+  EXPECT_LE(stale, StallDetector::kCatchUpLimit.count() + 2);
+  now_ += milliseconds(1);
+  EXPECT_FALSE(pictureIsStale());
+}
+
+}  // namespace

@@ -1,0 +1,140 @@
+#include <gmock/gmock.h>
+
+#include <future>
+#include <memory>
+
+#include "client/tcp_transport.h"
+#include "client_fixture.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using std::chrono::steady_clock;
+using test_pictures::Bytes;
+
+namespace {
+
+class StopTest : public ClientFixture {
+ protected:
+  static void expectToStopWithinASecond(RcServerClient* client) {
+    const auto begin = steady_clock::now();
+    client->stop();
+    EXPECT_LT(steady_clock::now() - begin, seconds(1));
+    EXPECT_EQ(ConnectionState::kDisconnected, client->status().state);
+    EXPECT_FALSE(client->streaming());
+    client->stop();
+  }
+};
+
+TEST_F(StopTest, BeforeItWasStarted) {
+  expectToStopWithinASecond(&client_);
+  EXPECT_THROW(client_.start(), Exception);
+  EXPECT_THROW(client_.takePicture(0, seconds(1)), StoppedException);
+}
+
+TEST_F(StopTest, WhileIdle) {
+  client_.start();
+  ScriptedPeer peer = server_.accept();
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  expectToStopWithinASecond(&client_);
+  peer.waitUntilClosed();
+}
+
+TEST_F(StopTest, WhileConnectingToAnAddressThatDoesNotAnswer) {
+  ScriptedServer full(ScriptedServer::Begin::kAbsent);
+  full.listen(0);
+  TcpTransport other;
+  other.connect("127.0.0.1", full.port(), steady_clock::now() + seconds(10));
+  Recorder recorder;
+  RcServerClient client(optionsFor(full), recorder.callbacks());
+  client.start();
+  ASSERT_TRUE(recorder.waitForState(ConnectionState::kConnecting));
+  expectToStopWithinASecond(&client);
+}
+
+TEST_F(StopTest, WhileWaitingToReconnect) {
+  server_.vanish();
+  ClientOptions options = optionsFor(server_);
+  options.reconnect_wait_min = seconds(60);
+  options.reconnect_wait_max = seconds(60);
+  Recorder recorder;
+  RcServerClient client(options, recorder.callbacks());
+  client.start();
+  ASSERT_TRUE(recorder.waitForReason("refused"));
+  expectToStopWithinASecond(&client);
+}
+
+TEST_F(StopTest, WhileANameIsLookedUp) {
+  std::promise<void> looking;
+  std::promise<void> name_server_answers;
+  std::promise<void> finished;
+  auto resolver = [&, answer = name_server_answers.get_future().share()](const std::string&, int) {
+    looking.set_value();
+    answer.wait();
+    finished.set_value();
+    return NameLookupResult();
+  };
+  {
+    RcServerClient client(optionsFor(server_), {}, std::make_unique<TcpTransport>(resolver));
+    client.start();
+    looking.get_future().wait();
+    expectToStopWithinASecond(&client);
+  }
+  name_server_answers.set_value();  // the lookup goes on after the client is gone, and hurts nobody
+  finished.get_future().wait();
+}
+
+TEST_F(StopTest, AmidAPicture) {
+  ScriptedPeer peer = startStream();
+  const Bytes reply = test_pictures::makeReply(test_pictures::make());
+  peer.send(Bytes(reply.begin(), reply.begin() + 1000));
+  while (client_.statistics().bytes_received < 1000) {
+    std::this_thread::yield();
+  }
+  expectToStopWithinASecond(&client_);
+}
+
+TEST_F(StopTest, WhileTheStreamIsRunning) {
+  ScriptedPeer peer = startStream();
+  auto robot = std::async(std::launch::async, [&] {
+    try {
+      for (;;) {
+        peer.sendPicture(test_pictures::make());
+      }
+    } catch (const std::exception&) {  // the client has gone
+    }
+  });
+  ASSERT_TRUE(recorder_.waitForPictures(10));
+  expectToStopWithinASecond(&client_);
+  const std::size_t pictures = recorder_.pictures().size();
+  robot.wait();
+  EXPECT_EQ(pictures, recorder_.pictures().size());
+}
+
+TEST_F(StopTest, EndsCallsOfTakePictureThatAreWaiting) {
+  client_.start();
+  ScriptedPeer peer = server_.accept();
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  std::vector<std::future<PicturePtr>> taken;
+  for (int i = 0; i < 3; ++i) {
+    taken.push_back(std::async(std::launch::async, [&] { return client_.takePicture(40, seconds(60)); }));
+  }
+  expectCommand(&peer, 'F', 40);
+  expectToStopWithinASecond(&client_);
+  for (auto& each : taken) {
+    EXPECT_THROW(each.get(), StoppedException);
+  }
+}
+
+TEST_F(StopTest, FromSeveralThreadsAtOnce) {
+  startStream();
+  std::vector<std::future<void>> stops;
+  for (int i = 0; i < 4; ++i) {
+    stops.push_back(std::async(std::launch::async, [&] { client_.stop(); }));
+  }
+  for (auto& each : stops) {
+    each.get();
+  }
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+#include <gmock/gmock.h>
+
+#include <future>
+
+#include "client_fixture.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test_pictures::Bytes;
+using testing::HasSubstr;
+
+namespace {
+
+class TakePictureTest : public ClientFixture {
+ protected:
+  ScriptedPeer connect() {
+    client_.start();
+    ScriptedPeer peer = server_.accept();
+    EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+    return peer;
+  }
+
+  std::future<PicturePtr> takeInBackground(int quality, milliseconds timeout = seconds(20)) {
+    return std::async(std::launch::async, [this, quality, timeout] { return client_.takePicture(quality, timeout); });
+  }
+
+  template <typename Expected, typename Call>
+  static std::string complaintOf(const Call& call) {
+    try {
+      call();
+    } catch (const Expected& error) {
+      return error.what();
+    }
+    return "not thrown";
+  }
+};
+
+TEST_F(TakePictureTest, WithoutAStreamOnePictureOfTheGivenQualityIsTaken) {
+  ScriptedPeer peer = connect();
+  auto taken = takeInBackground(40);
+  expectCommand(&peer, 'F', 40);
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  EXPECT_EQ(test_pictures::makeNumbered(1), taken.get()->jpeg);
+  EXPECT_EQ(1u, recorder_.pictures().size());
+}
+
+TEST_F(TakePictureTest, DuringTheStreamItIsTheNextPictureOfTheStream) {
+  ScriptedPeer peer = startStream();
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  ASSERT_TRUE(recorder_.waitForPictures(1));
+  bool from_stream = false;
+  auto taken = std::async(std::launch::async, [&] { return client_.takePicture(40, seconds(20), &from_stream); });
+  unsigned number = 2;
+  while (taken.wait_for(milliseconds(10)) != std::future_status::ready && number < 1000) {
+    peer.sendPicture(test_pictures::makeNumbered(number++));
+  }
+  EXPECT_NE(test_pictures::makeNumbered(1), taken.get()->jpeg);
+  EXPECT_TRUE(from_stream);
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F into the own stream";
+}
+
+TEST_F(TakePictureTest, SeveralCallersGetAPictureOfTheirOwnQualityEach) {
+  ScriptedPeer peer = connect();
+  std::vector<std::future<PicturePtr>> taken;
+  for (int quality = 1; quality <= 8; ++quality) {
+    taken.push_back(takeInBackground(quality));
+  }
+  for (int i = 0; i < 8; ++i) {
+    const protocol::BasicGetCommand command = peer.readCommand();
+    EXPECT_EQ('F', command.command);
+    EXPECT_FALSE(peer.readCommandWithin(milliseconds(5))) << "one at a time";
+    peer.sendPicture(test_pictures::makeNumbered(command.identifier));
+  }
+  for (unsigned quality = 1; quality <= 8; ++quality) {
+    EXPECT_EQ(test_pictures::makeNumbered(quality), taken[quality - 1].get()->jpeg);
+  }
+}
+
+TEST_F(TakePictureTest, WithoutAConnectionItFailsAtOnceAndSaysWhatToCheck) {
+  EXPECT_THAT(complaintOf<NetworkException>([&] { client_.takePicture(0, seconds(20)); }),
+              HasSubstr("has not been started"));
+  server_.vanish();
+  client_.start();
+  ASSERT_TRUE(recorder_.waitForReason("refused"));
+  const std::string complaint = complaintOf<NetworkException>([&] { client_.takePicture(0, seconds(20)); });
+  EXPECT_THAT(complaint, HasSubstr("refused the connection"));
+  EXPECT_THAT(complaint, HasSubstr("Is the RCServer running there"));
+}
+
+TEST_F(TakePictureTest, AConnectionThatBreaksWhileWaitingSaysWhatToCheck) {
+  ScriptedPeer peer = connect();
+  auto taken = takeInBackground(40);
+  expectCommand(&peer, 'F', 40);
+  peer.send({'e', 0});
+  peer.close();
+  EXPECT_THAT(complaintOf<NetworkException>([&] { taken.get(); }), HasSubstr("closed the connection. Was the robot"));
+}
+
+TEST_F(TakePictureTest, ARequestIsNotRepeatedAfterAReconnect) {
+  ScriptedPeer peer = connect();
+  auto taken = takeInBackground(40);
+  expectCommand(&peer, 'F', 40);
+  peer.close();
+  EXPECT_THROW(taken.get(), NetworkException);
+  ScriptedPeer next = server_.accept();
+  EXPECT_FALSE(next.readCommandWithin(milliseconds(50)));
+}
+
+TEST_F(TakePictureTest, ARobotThatOwesThePictureTooLongIsReconnectedTo) {
+  ScriptedPeer peer = connect();
+  EXPECT_THAT(complaintOf<TimeoutException>([&] { client_.takePicture(40, milliseconds(100)); }),
+              HasSubstr("no picture within 100 ms"));
+  peer.waitUntilClosed();
+  server_.accept();
+  EXPECT_TRUE(recorder_.waitForReason("sent no whole picture within 100 ms"));
+}
+
+TEST_F(TakePictureTest, ARefusalIsToldWithTheRobotsCode) {
+  ScriptedPeer peer = connect();
+  auto taken = takeInBackground(40);
+  expectCommand(&peer, 'F', 40);
+  peer.send({'e', 0, 1, 0});
+  EXPECT_THAT(complaintOf<CommandException>([&] { taken.get(); }), HasSubstr("error code 1"));
+  EXPECT_EQ(1u, client_.statistics().connections);
+}
+
+TEST_F(TakePictureTest, StartingTheStreamWaitsForTheOwedPicture) {
+  ScriptedPeer peer = connect();
+  auto taken = takeInBackground(40);
+  expectCommand(&peer, 'F', 40);
+  client_.setStreaming(true);
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(50)));
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  EXPECT_EQ(test_pictures::makeNumbered(1), taken.get()->jpeg);
+  expectCommand(&peer, 'W', 85);
+}
+
+TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {
+  EXPECT_THROW(client_.takePicture(-1, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client_.takePicture(101, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client_.takePicture(50, milliseconds(0)), InvalidArgumentException);
+  EXPECT_THROW(client_.takePicture(50, milliseconds::max()), InvalidArgumentException);
+}
+
+TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
+  std::promise<std::string> complaint;
+  RcServerClient* self = nullptr;
+  RcServerClient::Callbacks callbacks;
+  callbacks.on_picture = [&](const PicturePtr&) {
+    complaint.set_value(complaintOf<Exception>([&] { self->takePicture(0, seconds(20)); }));
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  self = &client;
+  client.setStreaming(true);
+  client.start();
+  ScriptedPeer peer = acceptStream();
+  peer.sendPicture(test_pictures::make());
+  EXPECT_THAT(complaint.get_future().get(), HasSubstr("cannot be called from a callback"));
+}
+
+}  // namespace

@@ -1,0 +1,125 @@
+#include "client/tcp_transport.h"
+
+#include <gmock/gmock.h>
+
+#include <future>
+
+#include "aibo_driver/exceptions.h"
+#include "client/fault.h"
+#include "scripted_server.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using std::chrono::steady_clock;
+using testing::HasSubstr;
+
+namespace {
+
+TimePoint in(milliseconds time) {
+  return steady_clock::now() + time;
+}
+
+template <typename Call>
+FaultKind faultOf(const Call& call) {
+  try {
+    call();
+  } catch (const Fault& fault) {
+    EXPECT_STRNE("", fault.what());
+    EXPECT_NE("", fault.advice());
+    return fault.kind();
+  }
+  ADD_FAILURE() << "no fault";
+  return FaultKind::kInternal;
+}
+
+TEST(TcpTransportTest, BytesGoBothWays) {
+  ScriptedServer server;
+  TcpTransport transport;
+  transport.connect("localhost", server.port(), in(seconds(10)));
+  ScriptedPeer peer = server.accept();
+  const std::uint8_t request[] = {'F', 85};
+  transport.send(request, sizeof request);
+  EXPECT_EQ(85, peer.readCommand().identifier);
+  std::uint8_t buffer[16];
+  EXPECT_EQ(0u, transport.receive(buffer, sizeof buffer));
+  peer.send({1, 2, 3});
+  ASSERT_TRUE(transport.wait(in(seconds(10))));
+  EXPECT_EQ(3u, transport.receive(buffer, sizeof buffer));
+  EXPECT_FALSE(transport.wait(in(milliseconds(1))));
+}
+
+TEST(TcpTransportTest, EveryKindOfFailureIsToldApart) {
+  ScriptedServer absent(ScriptedServer::Begin::kAbsent);
+  TcpTransport transport;
+  EXPECT_EQ(FaultKind::kRefused, faultOf([&] { transport.connect("127.0.0.1", absent.port(), in(seconds(10))); }));
+  EXPECT_EQ(FaultKind::kNameNotFound,
+            faultOf([&] { transport.connect("no.such.robot.invalid", 54321, in(seconds(20))); }));
+  EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] { transport.connect("255.255.255.255", 54321, in(seconds(10))); }));
+}
+
+TEST(TcpTransportTest, AnAddressThatDoesNotAnswerIsGivenUpAtTheDeadline) {
+  ScriptedServer server(ScriptedServer::Begin::kAbsent);
+  server.listen(0);
+  TcpTransport first;
+  first.connect("127.0.0.1", server.port(), in(seconds(10)));  // fills the backlog: who comes next is not answered
+  TcpTransport second;
+  EXPECT_EQ(FaultKind::kNoAnswer, faultOf([&] { second.connect("127.0.0.1", server.port(), in(milliseconds(200))); }));
+}
+
+TEST(TcpTransportTest, TheNextAddressOfANameIsTriedIfTheFirstFails) {
+  ScriptedServer absent(ScriptedServer::Begin::kAbsent);
+  ScriptedServer server;
+  TcpTransport transport([&](const std::string&, int) {
+    NameLookupResult result = resolveWithSystem("127.0.0.1", absent.port());
+    result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
+    return result;
+  });
+  transport.connect("robot", 54321, in(seconds(10)));
+  server.accept();
+}
+
+TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
+  ScriptedServer server;
+  TcpTransport transport;
+  std::uint8_t buffer[16];
+  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  server.accept().close();
+  ASSERT_TRUE(transport.wait(in(seconds(10))));
+  EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
+  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  server.accept().reset();
+  ASSERT_TRUE(transport.wait(in(seconds(10))));
+  EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
+}
+
+TEST(TcpTransportTest, WakeUpEndsAWaitEvenIfItCameBefore) {
+  TcpTransport transport;
+  transport.wakeUp();
+  const TimePoint begin = steady_clock::now();
+  EXPECT_FALSE(transport.wait(in(seconds(20))));
+  EXPECT_LT(steady_clock::now() - begin, seconds(10));
+}
+
+TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByTheNextAttempt) {
+  ScriptedServer server;
+  std::promise<void> name_server_answers;
+  int lookups = 0;
+  TcpTransport transport([&, answer = name_server_answers.get_future().share()](const std::string&, int) {
+    ++lookups;
+    answer.wait();
+    return resolveWithSystem("127.0.0.1", server.port());
+  });
+  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(milliseconds(50))); }));
+  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(milliseconds(50))); }));
+  name_server_answers.set_value();
+  transport.connect("aibo", 54321, in(seconds(10)));
+  EXPECT_EQ(1, lookups);
+}
+
+TEST(TcpTransportTest, AThrowingResolverIsALookupThatFailed) {
+  TcpTransport transport([](const std::string&, int) -> NameLookupResult { throw std::bad_alloc(); });
+  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(seconds(10))); }));
+}
+
+}  // namespace
