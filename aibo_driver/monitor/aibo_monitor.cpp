@@ -82,11 +82,11 @@ class Monitor {
   }
 
   bool isOver(steady_clock::time_point now) const {
-    const auto longerThan = [now](steady_clock::time_point begin, double limit) {
+    const auto longer_than = [now](steady_clock::time_point begin, double limit) {
       return limit > 0 && std::chrono::duration<double>(now - begin).count() >= limit - 0.5;
     };
-    return first_picture_time_ ? longerThan(*first_picture_time_, seconds_)
-                               : longerThan(start_, first_picture_timeout_);
+    return first_picture_time_ ? longer_than(*first_picture_time_, seconds_)
+                               : longer_than(start_, first_picture_timeout_);
   }
 
   void report(nanoseconds elapsed) {

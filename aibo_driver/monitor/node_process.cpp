@@ -3,9 +3,11 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
-#include <time.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 #include <xmlrpcpp/XmlRpcValue.h>
+
+#include <cstdint>
+#include <ctime>
 
 namespace aibo_driver {
 

@@ -100,7 +100,7 @@ void Machine::Implementation::boot() {
 }
 
 void Machine::Implementation::load() {
-  system_ = std::make_unique<System>(options_.bind_address, options_.console, robot_);
+  system_ = std::make_unique<System>(options_.bind_address, options_.console, robot_, options_.on_send);
   createObjects();
   const auto connections = readConnections();
   takePorts();
@@ -119,7 +119,8 @@ System& Machine::Implementation::running() const {
 }
 
 void Machine::Implementation::createObjects() {
-  robot_comm_ = static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_)));
+  robot_comm_ =
+      static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_, options_.on_camera_image)));
 
   const std::string path = findOnMemoryStick(options_.memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG");
   std::ifstream file = openConfiguration(path);

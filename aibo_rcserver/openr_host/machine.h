@@ -4,6 +4,7 @@
 #define OPENR_HOST_MACHINE_H
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -44,6 +45,12 @@ struct MachineOptions {
 
   /// Gets what the console prints, besides the telnet listeners; null is nowhere. Must outlive the machine.
   std::ostream* console = nullptr;
+
+  /// @name For who measures; may be empty. Called by the thread that runs the machine.
+  /// @{
+  std::function<void()> on_camera_image;                            ///< an image is handed to the objects now
+  std::function<void(const void* data, std::size_t size)> on_send;  ///< an object sends these bytes; none has left yet
+  /// @}
 };
 
 /// One robot: its objects, their messages, sockets and time, all on the one thread that calls these functions. Each

@@ -56,11 +56,13 @@ class System::Running {
   const LoadedObject* previous_object_;
 };
 
-System::System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot)
+System::System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot,
+               IpStack::OnSend on_send)
     : robot_(robot),
       console_(console_output),
       ip_stack_(
-          bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); }) {}
+          bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); },
+          std::move(on_send)) {}
 
 System::~System() {
   shutdown();

@@ -23,7 +23,8 @@ namespace openr_host {
 /// Internal to openr_host; Machine is its outside.
 class System {
  public:
-  System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot);
+  /// @param on_send as IpStack
+  System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot, IpStack::OnSend on_send);
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;

@@ -50,10 +50,12 @@ bool drain(int socket) {
 
 }  // namespace
 
-IpStack::IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy)
+IpStack::IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy,
+                 OnSend on_send)
     : bind_address_(std::move(bind_address)),
       deliver_(std::move(deliver)),
-      objects_are_busy_(std::move(objects_are_busy)) {}
+      objects_are_busy_(std::move(objects_are_busy)),
+      on_send_(std::move(on_send)) {}
 
 std::uint16_t IpStack::takePort(std::uint16_t robot_port, std::uint16_t host_port) {
   const auto taken = ports_.emplace(robot_port, TcpPort{TcpListener(bind_address_, host_port), {}}).first;
@@ -175,6 +177,9 @@ void IpStack::sendData(const Envelope& message) {
   } else if (request.size < 1 || !buffers_.containsRange(request.buffer, static_cast<std::size_t>(request.size))) {
     refuse<TCPEndpointSendMsg>(message, TCP_BUFFER_INVALID);
   } else {
+    if (on_send_) {
+      on_send_(request.buffer, static_cast<std::size_t>(request.size));
+    }
     endpoint->send(message);
   }
 }

@@ -21,11 +21,14 @@ namespace openr_host {
 /// The system object IPStack: answers the messages of ant.h and TCPEndpointMsg.h with this computer's sockets.
 class IpStack {
  public:
+  using OnSend = std::function<void(const void* data, std::size_t size)>;
+
   /// @param bind_address IPv4 address of this computer that all ports are on
   /// @param deliver takes answered messages to the object that sent them
   /// @param objects_are_busy whether messages wait for objects. While they do, a client whom nobody listens for is not
   /// turned away yet: one of them may be about to listen.
-  IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy);
+  /// @param on_send told of bytes that are about to be sent; may be empty
+  IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
 
   /// Takes a port of this computer for a port of the robot.
   /// @return the port taken
@@ -65,6 +68,7 @@ class IpStack {
   const std::string bind_address_;
   const Endpoint::Deliver deliver_;
   const std::function<bool()> objects_are_busy_;
+  const OnSend on_send_;
   SharedBuffers buffers_;
   std::map<longword, Endpoint> endpoints_;
   longword last_endpoint_ = 0;

@@ -2,11 +2,11 @@
 
 namespace openr_host {
 
-ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot) {
+ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot, const std::function<void()>& on_image) {
   ObjectDescription description;
   description.name = "OVirtualRobotComm";
   description.subjects.push_back({"OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S", nullptr, nullptr});
-  description.create = [&robot] { return std::make_unique<VirtualRobotComm>(robot); };
+  description.create = [&robot, on_image] { return std::make_unique<VirtualRobotComm>(robot, on_image); };
   return description;
 }
 
@@ -34,6 +34,9 @@ OStatus VirtualRobotComm::DoDestroy(const OSystemEvent& /*event*/) {
 void VirtualRobotComm::beginFrame(longword frame) {
   if (robot_.cameraImageDue(frame) && image_sensor_->IsAnyReady()) {
     image_sensor_->SetData(robot_.captureImage(frame));
+    if (on_image_) {
+      on_image_();
+    }
     image_sensor_->NotifyObservers();
   }
 }

@@ -5,6 +5,10 @@
 #include <OPENR/OObject.h>
 #include <OPENR/OSubject.h>
 
+#include <functional>
+#include <memory>
+#include <utility>
+
 #include "openr_host/object_description.h"
 #include "openr_host/virtual_robot.h"
 
@@ -13,9 +17,11 @@ namespace openr_host {
 /// The system object OVirtualRobotComm (report, section 2.1.1): the gates between the robot's body and the objects.
 class VirtualRobotComm : public OObject {
  public:
-  static ObjectDescription describe(VirtualRobot& robot);
+  /// @param on_image called when an image is handed to the observers; may be empty
+  static ObjectDescription describe(VirtualRobot& robot, const std::function<void()>& on_image);
 
-  explicit VirtualRobotComm(VirtualRobot& robot) : robot_(robot) {}
+  VirtualRobotComm(VirtualRobot& robot, std::function<void()> on_image)
+      : robot_(robot), on_image_(std::move(on_image)) {}
 
   OStatus DoInit(const OSystemEvent& event) override;
   OStatus DoStart(const OSystemEvent& event) override;
@@ -27,6 +33,7 @@ class VirtualRobotComm : public OObject {
 
  private:
   VirtualRobot& robot_;
+  const std::function<void()> on_image_;
   std::unique_ptr<OSubject> image_sensor_;
 };
 

@@ -2,14 +2,13 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "log_file_fixture.h"
 
 namespace aibo_driver {
 namespace {
@@ -20,27 +19,11 @@ using std::chrono::nanoseconds;
 const std::vector<std::uint8_t> kPicture{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
 const std::string kPictureEntry = " 9 3421780262\n";
 
-class PictureLogReaderTest : public testing::Test {
- protected:
-  PictureLogReaderTest() {
-    char name[] = "/tmp/picture_log_reader_test.XXXXXX";
-    folder_ = ::mkdtemp(name);
-    path_ = folder_ + "/picture_log";
-  }
-  ~PictureLogReaderTest() override {
-    ::unlink(path_.c_str());
-    ::rmdir(folder_.c_str());
-  }
-
-  void append(const std::string& text) { std::ofstream(path_, std::ios::app) << text << std::flush; }
-
-  std::string folder_;
-  std::string path_;
-};
+class PictureLogReaderTest : public LogFileFixture {};
 
 TEST_F(PictureLogReaderTest, KnowsAPictureByItsSizeAndChecksum) {
   append("1000" + kPictureEntry);
-  PictureLogReader reader(path_);
+  PictureLogReader reader(path());
   reader.readNewLines();
   ASSERT_TRUE(reader.cameraTime(kPicture));
   EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture)->time_since_epoch());
@@ -50,7 +33,7 @@ TEST_F(PictureLogReaderTest, KnowsAPictureByItsSizeAndChecksum) {
 
 TEST_F(PictureLogReaderTest, WaitsForTheRestOfALineThatIsBeingWritten) {
   append("10");
-  PictureLogReader reader(path_);
+  PictureLogReader reader(path());
   reader.readNewLines();
   EXPECT_FALSE(reader.cameraTime(kPicture));
   append("00" + kPictureEntry);
@@ -61,7 +44,7 @@ TEST_F(PictureLogReaderTest, WaitsForTheRestOfALineThatIsBeingWritten) {
 
 TEST_F(PictureLogReaderTest, TakesTheNewestOfTwoEqualPictures) {
   append("1000" + kPictureEntry + "2000" + kPictureEntry);
-  PictureLogReader reader(path_);
+  PictureLogReader reader(path());
   reader.readNewLines();
   ASSERT_TRUE(reader.cameraTime(kPicture));
   EXPECT_EQ(nanoseconds(2000), reader.cameraTime(kPicture)->time_since_epoch());
@@ -69,16 +52,16 @@ TEST_F(PictureLogReaderTest, TakesTheNewestOfTwoEqualPictures) {
 
 TEST_F(PictureLogReaderTest, SkipsALineThatIsNoEntry) {
   append("nonsense\n\n1000" + kPictureEntry);
-  PictureLogReader reader(path_);
+  PictureLogReader reader(path());
   reader.readNewLines();
   EXPECT_TRUE(reader.cameraTime(kPicture));
 }
 
 TEST_F(PictureLogReaderTest, NeverWaitsAtAPipe) {
-  ASSERT_EQ(0, ::mkfifo(path_.c_str(), 0600));
-  PictureLogReader reader(path_);
+  makePipe();
+  PictureLogReader reader(path());
   reader.readNewLines();  // nobody writes
-  const int writer = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  const int writer = ::open(path().c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
   ASSERT_GE(writer, 0);
   reader.readNewLines();  // nothing written
   const std::string line = "1000" + kPictureEntry;
@@ -90,10 +73,10 @@ TEST_F(PictureLogReaderTest, NeverWaitsAtAPipe) {
 
 TEST_F(PictureLogReaderTest, SaysWhichLogCannotBeOpened) {
   try {
-    PictureLogReader reader(path_);
+    PictureLogReader reader(path());
     FAIL() << "opened a log that is not there";
   } catch (const std::system_error& error) {
-    EXPECT_NE(std::string::npos, std::string(error.what()).find(path_));
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(path()));
   }
 }
 

@@ -1,0 +1,36 @@
+#ifndef TEST_UNIT_MONITOR_LOG_FILE_FIXTURE_H
+#define TEST_UNIT_MONITOR_LOG_FILE_FIXTURE_H
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace aibo_driver {
+
+/// A path for a log in a folder of its own, both gone after the test.
+class LogFileFixture : public testing::Test {
+ protected:
+  LogFileFixture() {
+    std::string name = std::filesystem::temp_directory_path() / "picture_log_test.XXXXXX";
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~LogFileFixture() override { std::filesystem::remove_all(folder_); }
+
+  std::string path() const { return folder_ / "picture_log"; }
+  std::uintmax_t sizeOfLog() const { return std::filesystem::file_size(path()); }
+  void append(const std::string& text) const { std::ofstream(path(), std::ios::app) << text << std::flush; }
+  void makePipe() const { ASSERT_EQ(0, ::mkfifo(path().c_str(), 0600)); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // TEST_UNIT_MONITOR_LOG_FILE_FIXTURE_H

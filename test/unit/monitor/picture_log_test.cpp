@@ -1,0 +1,100 @@
+// What aibo_rcserver writes is what aibo_monitor reads.
+
+#include "picture_log.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "log_file_fixture.h"
+#include "picture_log_reader.h"
+#include "protocol/version1.h"
+
+namespace aibo_driver {
+namespace {
+
+using Clock = std::chrono::system_clock;
+using Bytes = std::vector<std::uint8_t>;
+
+class PictureLogTest : public LogFileFixture {
+ protected:
+  void send(const Bytes& jpeg) {
+    Bytes message(protocol::PICTURE_HEADER_SIZE);
+    protocol::encodePictureHeader(jpeg.size(), message.data());
+    message.insert(message.end(), jpeg.begin(), jpeg.end());
+    log_.aboutToSend(message.data(), message.size());
+  }
+
+  std::optional<PictureLogReader::Time> loggedTime(const Bytes& jpeg) {
+    reader_.readNewLines();
+    return reader_.cameraTime(jpeg);
+  }
+
+  PictureLog log_{path()};
+  PictureLogReader reader_{path()};
+};
+
+TEST_F(PictureLogTest, TellsWhenTheCameraSawThePictureThatIsSent) {
+  const Bytes first{1, 2, 3};
+  const Bytes second{4, 5, 6};
+  const auto begin = Clock::now();
+  log_.cameraImageTaken();
+  const auto between = Clock::now();
+  send(first);
+  log_.cameraImageTaken();
+  const auto end = Clock::now();
+  send(second);
+  ASSERT_TRUE(loggedTime(first));
+  EXPECT_GE(*loggedTime(first), begin);
+  EXPECT_LE(*loggedTime(first), between);
+  ASSERT_TRUE(loggedTime(second));
+  EXPECT_GE(*loggedTime(second), between);
+  EXPECT_LE(*loggedTime(second), end);
+}
+
+TEST_F(PictureLogTest, PassesOverWhatIsNotAPicture) {
+  const Bytes jpeg{1, 2, 3};
+  log_.cameraImageTaken();
+  const Bytes error_reply{'e', 0, 0, 0};
+  log_.aboutToSend(error_reply.data(), error_reply.size());
+  const Bytes short_header{'f', 0, 0};
+  log_.aboutToSend(short_header.data(), short_header.size());
+  const Bytes half_a_picture{'f', 0, 0, 0, 6, 1, 2, 3};
+  log_.aboutToSend(half_a_picture.data(), half_a_picture.size());
+  EXPECT_FALSE(loggedTime(jpeg));
+  EXPECT_EQ(0u, sizeOfLog());
+}
+
+TEST_F(PictureLogTest, SaysWhichFileCannotBeOpened) {
+  try {
+    PictureLog log(path() + "/below_a_file");
+    FAIL() << "opened a log below a file";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(path()));
+  }
+}
+
+class PictureLogPipeTest : public LogFileFixture {};
+
+TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyEmpties) {
+  makePipe();
+  PictureLog log(path());
+  PictureLogReader reader(path());
+  const Bytes message{'f', 0, 0, 0, 1, 42};
+  for (int picture = 0; picture < 10000; ++picture) {
+    log.aboutToSend(message.data(), message.size());
+  }
+  reader.readNewLines();
+  EXPECT_TRUE(reader.cameraTime({42}));
+  log.cameraImageTaken();
+  log.aboutToSend(message.data(), message.size());
+  reader.readNewLines();
+  EXPECT_GT(reader.cameraTime({42})->time_since_epoch().count(), 0);
+}
+
+}  // namespace
+}  // namespace aibo_driver
