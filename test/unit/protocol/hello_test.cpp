@@ -150,6 +150,10 @@ TEST(Hello, IsRefusedWithAFrameNumberThatIsNone) {
   }
 }
 
+TEST(Hello, MayHaveAJointThatCannotMove) {
+  EXPECT_THAT(verdict(with("1:-1308997:0:3185226", "0:7:7:0")), IsNull());
+}
+
 TEST(Hello, IsRefusedWithLimitsThatAreNone) {
   for (const char* limits : {"1", "1:0:1", "1:0:1:2:3", "256:0:1:2", "-1:0:1:2", "1:1:0:2", "1:0:1:-2", "1::1:2",
                              "1:0:1:2  2:0:1:2", "1:-:1:2", "1:0:2147483648:2"}) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <climits>
 #include <functional>
 #include <string>
@@ -17,13 +18,14 @@ using ::testing::HasSubstr;
 using ::testing::IsNull;
 using ::testing::NotNull;
 
-// What an encoder with one argument writes. The byte behind the room it may use has to stay as it was.
+// What an encoder writes. Behind that, everything has to stay as it was.
 template <typename Encoder, typename Value>
 Bytes encoded(Encoder encode, const Value& value, size_t room) {
-  Bytes bytes(room + 1, 0xee);
+  Bytes bytes(room + 8, 0xee);
   const size_t size = encode(value, bytes.data());
   EXPECT_LE(size, room);
-  EXPECT_EQ(bytes.back(), 0xee);
+  EXPECT_TRUE(std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end(),
+                          [](unsigned char byte) { return byte == 0xee; }));
   bytes.resize(size);
   return bytes;
 }
@@ -134,7 +136,8 @@ TEST(PictureRequest, IsTheLayer) {
   EXPECT_EQ(layer, LAYER_MIDDLE);
 }
 
-TEST(PictureRequest, RefusesALayerThatTheCameraHasNot) {
+TEST(PictureRequest, TakesEveryLayerThatTheCameraHasAndNoOther) {
+  EXPECT_THAT(verdict(decodePictureRequest)(hex("03")), IsNull());
   EXPECT_THAT(verdict(decodePictureRequest)(hex("04")), HasSubstr("layer"));
   EXPECT_THAT(verdict(decodePictureRequest)(hex("ff")), HasSubstr("layer"));
 }
@@ -342,7 +345,9 @@ TEST(Picture, RefusesAHeaderThatCannotBe) {
   };
   EXPECT_THAT(decodePictureBytes(with(9, 0)), HasSubstr("no width"));
   EXPECT_THAT(decodePictureBytes(with(11, 0)), HasSubstr("no height"));
+  EXPECT_THAT(decodePictureBytes(with(12, 100)), IsNull());
   EXPECT_THAT(decodePictureBytes(with(12, 101)), HasSubstr("quality"));
+  EXPECT_THAT(decodePictureBytes(with(13, 3)), IsNull());
   EXPECT_THAT(decodePictureBytes(with(13, 4)), HasSubstr("layer"));
   EXPECT_THAT(decodePictureBytes(firstOf(hex(kPicture), IMAGE_HEADER_SIZE)), HasSubstr("no picture"));
 }
