@@ -42,7 +42,7 @@ class CameraImageFixture {
     return CameraImageFixture(width, height, [&](size_t column, size_t row) {
       const double x = static_cast<double>(column);
       const double y = static_cast<double>(row);
-      const double edge = std::fmod(x + 0.5 * y, 40) < 20 ? 18 : -18;
+      const double edge = std::fmod(x + 0.5 * y, 40) < 20 ? 10 : -10;
       return Pixel{level(120 + 50 * std::sin(x / 31) + 30 * std::cos(y / 19) + edge + noise(random)),
                    level(120 + 30 * std::cos((x - y) / 25) + noise(random)),
                    level(128 + 40 * std::sin((x + y) / 30) + noise(random))};
