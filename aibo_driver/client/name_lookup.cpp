@@ -11,12 +11,13 @@
 #include "client/event.h"
 
 namespace aibo_driver {
+namespace {
 
-NameLookupResult resolveWithSystem(const std::string& host, int port) {
+NameLookupResult resolve(const std::string& host, int port, int flags) {
   addrinfo hints = {};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_NUMERICSERV;
+  hints.ai_flags = AI_NUMERICSERV | flags;
   addrinfo* list = nullptr;
   NameLookupResult result;
   const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &list);
@@ -32,6 +33,16 @@ NameLookupResult resolveWithSystem(const std::string& host, int port) {
     result.addresses.push_back(address);
   }
   return result;
+}
+
+}  // namespace
+
+NameLookupResult resolveWithSystem(const std::string& host, int port) {
+  return resolve(host, port, 0);
+}
+
+NameLookupResult resolveNumeric(const std::string& host, int port) {
+  return resolve(host, port, AI_NUMERICHOST);
 }
 
 struct NameLookup::Lookup {

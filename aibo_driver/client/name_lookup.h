@@ -25,8 +25,11 @@ struct NameLookupResult {
 /// Looks a name up, however long it takes. Called on a thread of its own.
 using Resolver = std::function<NameLookupResult(const std::string& host, int port)>;
 
-/// The system's resolver: /etc/hosts, DNS, mDNS, whatever is configured; numeric addresses too.
+/// The system's resolver: /etc/hosts, DNS, mDNS, whatever is configured.
 NameLookupResult resolveWithSystem(const std::string& host, int port);
+
+/// Numeric addresses only; never blocks.
+NameLookupResult resolveNumeric(const std::string& host, int port);
 
 /// Looks up one name at a time, in the background.
 ///

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "aibo_driver/exceptions.h"
-
 namespace aibo_driver {
 
 PictureRequests::TimePoint PictureRequests::nextDeadline() const {
@@ -15,25 +13,25 @@ PictureRequests::TimePoint PictureRequests::nextDeadline() const {
 }
 
 void PictureRequests::answerFront(const PicturePtr& picture) {
-  requests_.front().promise.set_value({picture, false});
+  requests_.front().promise.set_value({PictureAnswer::Outcome::kTaken, picture, false, ""});
   requests_.pop_front();
 }
 
 void PictureRequests::answerFromStream(const PicturePtr& picture) {
   while (!requests_.empty() && requests_.front().since < picture->first_byte_time) {
-    requests_.front().promise.set_value({picture, true});
+    requests_.front().promise.set_value({PictureAnswer::Outcome::kTaken, picture, true, ""});
     requests_.pop_front();
   }
 }
 
-void PictureRequests::failFront(const std::exception_ptr& why) {
-  requests_.front().promise.set_exception(why);
+void PictureRequests::failFront(PictureAnswer::Outcome outcome, const std::string& problem) {
+  requests_.front().promise.set_value({outcome, nullptr, false, problem});
   requests_.pop_front();
 }
 
-void PictureRequests::failAll(const std::exception_ptr& why) {
+void PictureRequests::failAll(PictureAnswer::Outcome outcome, const std::string& problem) {
   while (!requests_.empty()) {
-    failFront(why);
+    failFront(outcome, problem);
   }
 }
 
@@ -41,8 +39,8 @@ void PictureRequests::expire(TimePoint now, const std::string& remark) {
   const auto first_expired = std::stable_partition(requests_.begin(), requests_.end(),
                                                    [now](const PictureRequest& each) { return each.deadline > now; });
   for (auto request = first_expired; request != requests_.end(); ++request) {
-    request->promise.set_exception(std::make_exception_ptr(
-        TimeoutException("no picture within " + std::to_string(request->timeout.count()) + " ms" + remark)));
+    const std::string problem = "no picture within " + std::to_string(request->timeout.count()) + " ms" + remark;
+    request->promise.set_value({PictureAnswer::Outcome::kTimeout, nullptr, false, problem});
   }
   requests_.erase(first_expired, requests_.end());
 }

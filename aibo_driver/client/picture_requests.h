@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <deque>
-#include <exception>
 #include <future>
 #include <string>
 
@@ -12,10 +11,15 @@
 
 namespace aibo_driver {
 
-/// What RcServerClient::takePicture() waits for.
+/// What RcServerClient::takePicture() waits for: a picture, or why there is none. A failure is a value until it has
+/// reached the caller's thread, and is thrown there.
 struct PictureAnswer {
-  PicturePtr picture;
-  bool from_stream = false;
+  enum class Outcome { kTaken, kTimeout, kRefused, kConnectionLost, kStopped };
+
+  Outcome outcome = Outcome::kTaken;
+  PicturePtr picture;        ///< null unless taken
+  bool from_stream = false;  ///< taken from the running stream
+  std::string problem;       ///< empty if taken
 };
 
 /// A call of RcServerClient::takePicture() that is in progress.
@@ -47,14 +51,14 @@ class PictureRequests {
   /// Gives a picture of the stream to everybody whose request is older than it.
   void answerFromStream(const PicturePtr& picture);
 
-  /// The first request has been refused or has failed.
-  void failFront(const std::exception_ptr& why);
+  /// The first request will not be answered.
+  void failFront(PictureAnswer::Outcome outcome, const std::string& problem);
 
-  /// Nobody will be answered any more.
-  void failAll(const std::exception_ptr& why);
+  /// None of the requests will be answered.
+  void failAll(PictureAnswer::Outcome outcome, const std::string& problem);
 
-  /// Ends the requests whose deadline has passed, with a TimeoutException.
-  /// @param remark added to its message; may be empty
+  /// Ends the requests whose deadline has passed.
+  /// @param remark added to the problem; may be empty
   void expire(TimePoint now, const std::string& remark);
 
  private:

@@ -154,7 +154,7 @@ class RcServerClient::Implementation {
         onFault(Fault::internal(error.what()));
       }
     }
-    endConnection("the client was stopped", "", std::make_exception_ptr(StoppedException("the client was stopped")));
+    endConnection("the client was stopped", "", PictureAnswer::Outcome::kStopped);
   }
 
   // Comes back only by an exception.
@@ -239,7 +239,6 @@ class RcServerClient::Implementation {
 
   void onFault(const Fault& cause) {
     const Fault fault = wasTurnedAway(cause) ? Fault::turnedAway(address_) : cause;
-    const std::string text = std::string(fault.what()) + ". " + fault.advice();
     const bool silent = fault.kind() == FaultKind::kSilent;
     counters_.stalls += silent ? 1 : 0;
     counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;
@@ -247,11 +246,11 @@ class RcServerClient::Implementation {
     next_attempt_ = steady_clock::now() + backoff_.next();
     if (fault.what() != logged_reason_) {
       logged_reason_ = fault.what();
-      notifier_.log(LogLevel::kWarn, "No connection to the robot: " + text + " Trying again until it works.");
+      notifier_.log(LogLevel::kWarn, "No connection to the robot: " + logged_reason_ + ". " + fault.advice() +
+                                         " Trying again until it works.");
     }
-    endConnection(
-        fault.what(), fault.advice(),
-        silent ? std::make_exception_ptr(TimeoutException(text)) : std::make_exception_ptr(NetworkException(text)));
+    endConnection(fault.what(), fault.advice(),
+                  silent ? PictureAnswer::Outcome::kTimeout : PictureAnswer::Outcome::kConnectionLost);
   }
 
   bool wasTurnedAway(const Fault& fault) const {
@@ -259,8 +258,8 @@ class RcServerClient::Implementation {
            steady_clock::now() - connected_ < kTurnedAwayTime;
   }
 
-  // Calls of takePicture() that are in progress end with `why`; later ones are refused because of the status.
-  void endConnection(const std::string& reason, const std::string& advice, const std::exception_ptr& why) {
+  // Calls of takePicture() that are in progress end with `outcome`; later ones are refused because of the status.
+  void endConnection(const std::string& reason, const std::string& advice, PictureAnswer::Outcome outcome) {
     transport_->close();
     updateStreaming(false);
     updateStatus([&](ConnectionStatus& status) {
@@ -271,7 +270,7 @@ class RcServerClient::Implementation {
     });
     if (session_) {
       takeNews(steady_clock::now());
-      session_->failRequests(why);
+      session_->failRequests(outcome, advice.empty() ? reason : reason + ". " + advice);
       session_.reset();
     }
   }
@@ -362,6 +361,18 @@ bool RcServerClient::streaming() const {
 
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, bool* from_stream) {
   const PictureAnswer answer = implementation_->takePicture(quality, timeout);
+  switch (answer.outcome) {
+    case PictureAnswer::Outcome::kTaken:
+      break;
+    case PictureAnswer::Outcome::kTimeout:
+      throw TimeoutException(answer.problem);
+    case PictureAnswer::Outcome::kRefused:
+      throw CommandException(answer.problem);
+    case PictureAnswer::Outcome::kConnectionLost:
+      throw NetworkException(answer.problem);
+    case PictureAnswer::Outcome::kStopped:
+      throw StoppedException(answer.problem);
+  }
   if (from_stream != nullptr) {
     *from_stream = answer.from_stream;
   }

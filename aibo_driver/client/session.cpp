@@ -133,8 +133,7 @@ void Session::onValueReply(const protocol::ValueReply& reply) {
   if (error && picture_owed_) {
     settled_ = true;
     picture_owed_ = false;
-    requests_.failFront(
-        std::make_exception_ptr(CommandException(address_ + " refused to take a picture: " + code + ".")));
+    requests_.failFront(PictureAnswer::Outcome::kRefused, address_ + " refused to take a picture: " + code + ".");
   } else if (error && stream_.on()) {
     throw Fault::protocol(address_, "it refused to stream pictures: " + code);
   } else {

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +40,7 @@ class Session final : private ReplyHandler {
   void add(PictureRequest request, TimePoint now);
 
   /// Ends all calls of takePicture().
-  void failRequests(const std::exception_ptr& why) { requests_.failAll(why); }
+  void failRequests(PictureAnswer::Outcome outcome, const std::string& problem) { requests_.failAll(outcome, problem); }
 
   /// The command to send now, if any; taken for sent. Asked for whenever anything may have changed.
   std::optional<protocol::BasicGetCommand> nextCommand(const StreamWish& wish, TimePoint now);

@@ -78,7 +78,7 @@ TcpTransport::TcpTransport(Resolver resolver) : name_lookup_(std::move(resolver)
 void TcpTransport::connect(const std::string& host, int port, TimePoint deadline) {
   const TimePoint begin = steady_clock::now();
   address_ = host + ":" + std::to_string(port);
-  const std::vector<SocketAddress> addresses = lookUp(host, port, deadline).addresses;
+  const std::vector<SocketAddress> addresses = lookUp(host, port, deadline);
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     const bool last = i + 1 == addresses.size();
     const TimePoint now = steady_clock::now();
@@ -98,16 +98,20 @@ void TcpTransport::connect(const std::string& host, int port, TimePoint deadline
   throw Fault::noAnswer(address_, std::chrono::round<milliseconds>(deadline - begin));
 }
 
-NameLookupResult TcpTransport::lookUp(const std::string& host, int port, TimePoint deadline) {
+std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int port, TimePoint deadline) {
+  NameLookupResult result = resolveNumeric(host, port);
+  if (result.problem.empty()) {
+    return result.addresses;
+  }
   name_lookup_.start(host, port);
   if (!waitFor(name_lookup_.descriptor(), POLLIN, deadline)) {
     throw Fault::nameNotFound(host, "the name server does not answer");
   }
-  NameLookupResult result = name_lookup_.take();
+  result = name_lookup_.take();
   if (!result.problem.empty()) {
     throw Fault::nameNotFound(host, result.problem);
   }
-  return result;
+  return result.addresses;
 }
 
 /// @return no descriptor if there was no answer until the deadline

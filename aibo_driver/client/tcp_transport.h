@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 #include "client/event.h"
 #include "client/file_descriptor.h"
@@ -26,7 +27,7 @@ class TcpTransport : public Transport {
   void abort() noexcept override;
 
  private:
-  NameLookupResult lookUp(const std::string& host, int port, TimePoint deadline);
+  std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
   FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
   bool waitFor(int descriptor, short events, TimePoint deadline);
   bool pollOnce(int descriptor, short events, TimePoint deadline);

@@ -75,7 +75,9 @@ TEST_F(StopTest, WhileANameIsLookedUp) {
     return NameLookupResult();
   };
   {
-    RcServerClient client(optionsFor(server_), {}, std::make_unique<TcpTransport>(resolver));
+    ClientOptions options = optionsFor(server_);
+    options.host = "aibo";
+    RcServerClient client(options, {}, std::make_unique<TcpTransport>(resolver));
     client.start();
     looking.get_future().wait();
     expectToStopWithinASecond(&client);
