@@ -16,11 +16,8 @@ constexpr std::uint64_t kRandomValues = 4096;
 
 /// Deviation of the noise, in 1/255, at medium gain: with it a picture of the scene has, at JPEG quality 85, the 3 to
 /// 6 KB of the report's (section 3.3.3).
-constexpr float kNoiseY = 1.6f;
+constexpr float kNoiseY = 1.5f;
 constexpr float kNoiseColor = 1.0f;
-
-/// The light that is left at the corners: less, and bluish, as in pictures of real robots.
-const Color kCornerLight(0.70, 0.74, 0.80);
 
 /// Steele's splittable generator ("SplitMix64"): one addition and a good mix per number.
 class FastRandom {
@@ -37,18 +34,6 @@ class FastRandom {
  private:
   std::uint64_t state_;
 };
-
-std::vector<Color> makeLens() {
-  std::vector<Color> lens;
-  const double corner = std::hypot(kPictureWidth / 2.0, kPictureHeight / 2.0);
-  for (int y = 0; y < kPictureHeight; ++y) {
-    for (int x = 0; x < kPictureWidth; ++x) {
-      const double radius = std::hypot(x + 0.5 - kPictureWidth / 2.0, y + 0.5 - kPictureHeight / 2.0) / corner;
-      lens.push_back(1 - radius * radius * (1 - kCornerLight));
-    }
-  }
-  return lens;
-}
 
 /// The usual power law, with a shoulder instead of a hard end: bright light is compressed, not cut.
 std::vector<float> makeToneCurve() {
@@ -92,7 +77,7 @@ Color whiteBalanceOf(const CameraSettings& settings) {
 }  // namespace
 
 ImageSensor::ImageSensor(std::uint64_t seed)
-    : seed_(seed), lens_(makeLens()), tone_curve_(makeToneCurve()), random_values_(makeRandomValues()) {}
+    : seed_(seed), tone_curve_(makeToneCurve()), random_values_(makeRandomValues()) {}
 
 void ImageSensor::expose(const LightImage& light, const CameraSettings& settings, longword image_number,
                          YCrCbImage* picture) const {
@@ -105,7 +90,7 @@ void ImageSensor::expose(const LightImage& light, const CameraSettings& settings
     return tone_curve_[static_cast<std::size_t>(std::min(value, kToneSteps - 1.0))];
   };
   for (std::size_t i = 0; i < light.size(); ++i) {
-    const Color steps = light[i] * lens_[i] * scale;
+    const Color steps = light[i] * scale;
     const YCrCb color = toYCrCb(tone(steps[0]), tone(steps[1]), tone(steps[2]));
     const std::uint64_t bits = random.next();
     picture->y[i] = toByte(color.y + noise_y * random_values_[bits % kRandomValues]);

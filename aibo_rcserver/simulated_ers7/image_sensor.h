@@ -1,5 +1,5 @@
 /// @file image_sensor.h
-/// What lens, sensor and electronics make of the light: brighter or darker, tinted, darker towards the corners, noisy.
+/// What sensor and electronics make of the light: colours of the right brightness and tint, with noise.
 #ifndef SIMULATED_ERS7_IMAGE_SENSOR_H
 #define SIMULATED_ERS7_IMAGE_SENSOR_H
 
@@ -23,7 +23,6 @@ class ImageSensor {
 
  private:
   std::uint64_t seed_;
-  std::vector<Color> lens_;           ///< what reaches each pixel, 1 = all
   std::vector<float> tone_curve_;     ///< from light to 0..255
   std::vector<float> random_values_;  ///< normally distributed, deviation 1
 };

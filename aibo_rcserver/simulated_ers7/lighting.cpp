@@ -12,10 +12,10 @@ using Eigen::Vector3d;
 
 // The room's lamp, seen from the middle of the carpet: above, to the left and behind the robot.
 const Vector3d kToLamp = Vector3d(-0.42, 0.50, 0.76).normalized();
-const Color kLampLight(0.80, 0.76, 0.68);
+const Color kLampLight(0.96, 0.91, 0.82);
 // Light from everywhere: cool from above, warm and weak from the floor.
-const Color kLightFromAbove(0.46, 0.48, 0.52);
-const Color kLightFromBelow(0.17, 0.19, 0.14);
+const Color kLightFromAbove(0.56, 0.58, 0.62);
+const Color kLightFromBelow(0.34, 0.35, 0.30);
 
 /// Tangent of half the angle under which the lamp is seen: how fast shadows lose their edge.
 constexpr double kLampSize = 0.16;

@@ -49,7 +49,7 @@ Body makeBone() {
       parts.push_back({sphere({end, side, 0}, knob), Surface::kBone});
     }
   }
-  return Body({0.62, -0.20, knob}, 1.0, std::move(parts));
+  return Body({0.64, -0.13, knob}, 1.0, std::move(parts));
 }
 
 /// A plate to lie down on, with the dock that holds the robot's belly, and the pole it finds its way home by.

@@ -20,7 +20,7 @@ Eigen::Isometry3d SceneView::camera() const {
 
 const YCrCbImage& SceneView::picture(double seconds, longword image_number, const CameraSettings& settings) {
   scene_.setTime(seconds);
-  sensor_.expose(renderer_.render(camera()), settings, image_number, &picture_);
+  sensor_.expose(lens_.project(renderer_.render(camera())), settings, image_number, &picture_);
   return picture_;
 }
 

@@ -7,6 +7,7 @@
 
 #include "simulated_ers7/head_kinematics.h"
 #include "simulated_ers7/image_sensor.h"
+#include "simulated_ers7/lens.h"
 #include "simulated_ers7/picture_source.h"
 #include "simulated_ers7/renderer.h"
 #include "simulated_ers7/scene.h"
@@ -33,6 +34,7 @@ class SceneView : public PictureSource {
   Scene& scene_;
   HeadAngles head_ = restingHead();
   Renderer renderer_;
+  Lens lens_;
   ImageSensor sensor_;
   YCrCbImage picture_;
 };

@@ -15,6 +15,9 @@ const Color kOak(0.42, 0.25, 0.125);
 const Color kWallCream(0.62, 0.555, 0.45);
 const Color kPaintWhite(0.74, 0.73, 0.70);
 const Color kDoorBlue(0.16, 0.25, 0.36);
+const Color kPosterSand(0.72, 0.42, 0.16);
+const Color kPosterTeal(0.10, 0.36, 0.38);
+const Color kWindowSky(1.9, 2.2, 2.6);  // shines by itself
 const Color kCeilingWhite(0.75, 0.75, 0.75);
 const Color kBallPink(0.80, 0.085, 0.24);
 const Color kBonePink(0.78, 0.14, 0.26);
@@ -123,8 +126,8 @@ Color carpet(const Span& x, const Span& y) {
   constexpr double kTuft = 0.005;
   constexpr double kPatch = 0.035;
   const double width = std::max(x.width(), y.width());
-  const double pile = texture(0.22, kTuft, width, x.middle() / kTuft, y.middle() / kTuft) +
-                      texture(0.16, kPatch, width, x.middle() / kPatch, y.middle() / kPatch);
+  const double pile = texture(0.06, kTuft, width, x.middle() / kTuft, y.middle() / kTuft) +
+                      texture(0.09, kPatch, width, x.middle() / kPatch, y.middle() / kPatch);
   return mix(kCarpetGreen, kLineWhite, 0.94 * fieldLines(x, y)) * (1 + pile);
 }
 
@@ -137,7 +140,7 @@ Color parquet(const Span& x, const Span& y) {
   const Span along(x.middle() + kPlankLength * cellValue(row, 0), x.width());
   const auto column = static_cast<int64_t>(std::floor(along.middle() / kPlankLength));
   const double tone = 0.30 * visibility(kPlankWidth, y.width()) * (cellValue(row, column) - 0.5);
-  const double grain = texture(0.16, kGrain, y.width(), along.middle() / (12 * kGrain), y.middle() / kGrain);
+  const double grain = texture(0.13, kGrain, y.width(), along.middle() / (12 * kGrain), y.middle() / kGrain);
   const double gap = std::max(repeatedCoverage(y, kPlankWidth, kGap), repeatedCoverage(along, kPlankLength, kGap));
   return kOak * ((1 + tone + grain) * (1 - 0.6 * gap));
 }
@@ -156,24 +159,48 @@ Appearance floorAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint
   return {mix(parquet(x, y), carpet(x, y), on_carpet)};
 }
 
-/// Cream walls with a white skirting board; in the wall ahead a blue door.
+/// Something flat on a wall: a rectangle with a frame around it.
+struct Panel {
+  Eigen::Vector3d wall_normal;
+  double left;  ///< lower and upper end along the wall, in the room's x or y
+  double right;
+  double bottom;
+  double top;
+  double frame_width;
+  Color frame;
+  Color filling;
+};
+
+const Panel kPanels[] = {
+    {{-1, 0, 0}, -1.30, -0.50, 0.01, 2.00, 0.07, kPaintWhite, kDoorBlue},
+    {{-1, 0, 0}, 0.10, 0.90, 0.42, 0.98, 0.03, kOak, kPosterSand},
+    {{0, -1, 0}, 0.40, 1.90, 0.75, 2.00, 0.06, kPaintWhite, kWindowSky},
+    {{0, 1, 0}, 0.60, 1.30, 0.60, 1.10, 0.03, kOak, kPosterTeal},
+};
+
+Color wallPanels(const SceneHit& hit, const Color& wall, const Span& along, const Span& z) {
+  Color color = wall;
+  for (const Panel& panel : kPanels) {
+    if (panel.wall_normal == hit.normal) {
+      const double outer = coverage(along, panel.left - panel.frame_width, panel.right + panel.frame_width) *
+                           coverage(z, panel.bottom - panel.frame_width, panel.top + panel.frame_width);
+      const double inner = coverage(along, panel.left, panel.right) * coverage(z, panel.bottom, panel.top);
+      color = mix(mix(color, panel.frame, outer), panel.filling, inner);
+    }
+  }
+  return color;
+}
+
+/// Cream walls with a white skirting board, a door, a window and two pictures.
 Appearance wallAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint) {
   constexpr double kSkirtingHeight = 0.08;
   constexpr double kGroove = 0.012;
-  constexpr double kDoorRight = -1.30;
-  constexpr double kDoorLeft = -0.50;
-  constexpr double kDoorHeight = 2.0;
-  constexpr double kFrame = 0.07;
-  const Span y(hit.point.y(), footprint.y());
+  const int axis = hit.normal.x() != 0 ? 1 : 0;
+  const Span along(hit.point[axis], footprint[axis]);
   const Span z(hit.point.z(), footprint.z());
   Color color = mix(kWallCream, kPaintWhite, coverage(z, 0, kSkirtingHeight));
   color = mix(color, 0.5 * kWallCream, coverage(z, kSkirtingHeight, kSkirtingHeight + kGroove));
-  if (hit.normal.x() == -1) {
-    const double frame = coverage(y, kDoorRight - kFrame, kDoorLeft + kFrame) * coverage(z, 0, kDoorHeight + kFrame);
-    const double door = coverage(y, kDoorRight, kDoorLeft) * coverage(z, 0.01, kDoorHeight);
-    color = mix(mix(color, kPaintWhite, frame), kDoorBlue, door);
-  }
-  return {color};
+  return {wallPanels(hit, color, along, z)};
 }
 
 Appearance poleAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint) {
