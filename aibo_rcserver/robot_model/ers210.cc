@@ -1,0 +1,46 @@
+#include "robot_model/tables.h"
+
+namespace robot_model {
+
+namespace {
+
+const Joint JOINTS[] = {
+    {"head_tilt", 1, "PRM:/r1/c1-Joint2:j1", RANGE(-82, 43), RANGE(-85, 46), 2105000, GAINS(0x0A, 0x08, 0x0C)},
+    {"head_pan", 2, "PRM:/r1/c1/c2-Joint2:j2", RANGE(-89.6, 89.6), RANGE(-92.6, 92.6), 3011000,
+     GAINS(0x0D, 0x08, 0x0B)},
+    {"head_roll", 3, "PRM:/r1/c1/c2/c3-Joint2:j3", RANGE(-29, 29), RANGE(-32, 32), 3011000, GAINS(0x0A, 0x08, 0x0C)},
+    {"mouth", 4, "PRM:/r1/c1/c2/c3/c4-Joint2:j4", RANGE(-47, -3), RANGE(-50, 0), 4374000, GAINS(0x0E, 0x08, 0x10)},
+    {"left_front_rotator", 11, "PRM:/r2/c1-Joint2:j1", RANGE(-117, 117), RANGE(-120, 120), 2814000,
+     GAINS(0x16, 0x04, 0x08)},
+    {"left_front_elevator", 12, "PRM:/r2/c1/c2-Joint2:j2", RANGE(-11, 89), RANGE(-14, 92), 2498000,
+     GAINS(0x14, 0x04, 0x06)},
+    {"left_front_knee", 13, "PRM:/r2/c1/c2/c3-Joint2:j3", RANGE(-27, 147), RANGE(-30, 150), 2836000,
+     GAINS(0x23, 0x04, 0x05)},
+    {"left_hind_rotator", 21, "PRM:/r3/c1-Joint2:j1", RANGE(-117, 117), RANGE(-120, 120), 2814000,
+     GAINS(0x16, 0x04, 0x08)},
+    {"left_hind_elevator", 22, "PRM:/r3/c1/c2-Joint2:j2", RANGE(-11, 89), RANGE(-14, 92), 2498000,
+     GAINS(0x14, 0x04, 0x06)},
+    {"left_hind_knee", 23, "PRM:/r3/c1/c2/c3-Joint2:j3", RANGE(-27, 147), RANGE(-30, 150), 2836000,
+     GAINS(0x23, 0x04, 0x05)},
+    {"right_front_rotator", 31, "PRM:/r4/c1-Joint2:j1", RANGE(-117, 117), RANGE(-120, 120), 2814000,
+     GAINS(0x16, 0x04, 0x08)},
+    {"right_front_elevator", 32, "PRM:/r4/c1/c2-Joint2:j2", RANGE(-11, 89), RANGE(-14, 92), 2498000,
+     GAINS(0x14, 0x04, 0x06)},
+    {"right_front_knee", 33, "PRM:/r4/c1/c2/c3-Joint2:j3", RANGE(-27, 147), RANGE(-30, 150), 2836000,
+     GAINS(0x23, 0x04, 0x05)},
+    {"right_hind_rotator", 41, "PRM:/r5/c1-Joint2:j1", RANGE(-117, 117), RANGE(-120, 120), 2814000,
+     GAINS(0x16, 0x04, 0x08)},
+    {"right_hind_elevator", 42, "PRM:/r5/c1/c2-Joint2:j2", RANGE(-11, 89), RANGE(-14, 92), 2498000,
+     GAINS(0x14, 0x04, 0x06)},
+    {"right_hind_knee", 43, "PRM:/r5/c1/c2/c3-Joint2:j3", RANGE(-27, 147), RANGE(-30, 150), 2836000,
+     GAINS(0x23, 0x04, 0x05)},
+    {"tail_pan", 51, "PRM:/r6/c1-Joint2:j1", RANGE(-22, 22), RANGE(-25, 25), 4472000, GAINS(0x0A, 0x00, 0x18)},
+    {"tail_tilt", 52, "PRM:/r6/c2-Joint2:j2", RANGE(-22, 22), RANGE(-25, 25), 4472000, GAINS(0x07, 0x00, 0x11)},
+};
+
+}  // namespace
+
+// Sony's Model Information ERS-210 names no coupled limits.
+const RobotModel ERS210 = {"ERS-210", JOINTS, sizeof(JOINTS) / sizeof(JOINTS[0]), 0, 0};
+
+}  // namespace robot_model

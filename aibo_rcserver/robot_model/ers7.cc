@@ -1,0 +1,81 @@
+#include "robot_model/tables.h"
+
+namespace robot_model {
+
+namespace {
+
+const Joint JOINTS[] = {
+    {"neck_tilt", 1, "PRM:/r1/c1-Joint2:11", RANGE(-75, 0), RANGE(-80, 3), 3185226, GAINS(0x0A, 0x04, 0x02)},
+    {"head_pan", 2, "PRM:/r1/c1/c2-Joint2:12", RANGE(-88, 88), RANGE(-93, 93), 10057460, GAINS(0x08, 0x02, 0x04)},
+    {"head_tilt", 3, "PRM:/r1/c1/c2/c3-Joint2:13", RANGE(-15, 45), RANGE(-20, 50), 5781403, GAINS(0x08, 0x04, 0x02)},
+    {"mouth", 4, "PRM:/r1/c1/c2/c3/c4-Joint2:14", RANGE(-55, -3), RANGE(-60, 0), 10144726, GAINS(0x08, 0x00, 0x04)},
+    {"left_front_rotator", 11, "PRM:/r2/c1-Joint2:21", RANGE(-115, 130), RANGE(-120, 135), 4865105,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"left_front_elevator", 12, "PRM:/r2/c1/c2-Joint2:22", RANGE(-10, 88), RANGE(-15, 93), 5279621,
+     GAINS(0x14, 0x04, 0x01)},
+    {"left_front_knee", 13, "PRM:/r2/c1/c2/c3-Joint2:23", RANGE(-25, 122), RANGE(-30, 127), 5279621,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"left_hind_rotator", 21, "PRM:/r3/c1-Joint2:31", RANGE(-130, 115), RANGE(-135, 120), 4865105,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"left_hind_elevator", 22, "PRM:/r3/c1/c2-Joint2:32", RANGE(-10, 88), RANGE(-15, 93), 5279621,
+     GAINS(0x14, 0x04, 0x01)},
+    {"left_hind_knee", 23, "PRM:/r3/c1/c2/c3-Joint2:33", RANGE(-25, 122), RANGE(-30, 127), 5279621,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"right_front_rotator", 31, "PRM:/r4/c1-Joint2:41", RANGE(-115, 130), RANGE(-120, 135), 4865105,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"right_front_elevator", 32, "PRM:/r4/c1/c2-Joint2:42", RANGE(-10, 88), RANGE(-15, 93), 5279621,
+     GAINS(0x14, 0x04, 0x01)},
+    {"right_front_knee", 33, "PRM:/r4/c1/c2/c3-Joint2:43", RANGE(-25, 122), RANGE(-30, 127), 5279621,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"right_hind_rotator", 41, "PRM:/r5/c1-Joint2:51", RANGE(-130, 115), RANGE(-135, 120), 4865105,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"right_hind_elevator", 42, "PRM:/r5/c1/c2-Joint2:52", RANGE(-10, 88), RANGE(-15, 93), 5279621,
+     GAINS(0x14, 0x04, 0x01)},
+    {"right_hind_knee", 43, "PRM:/r5/c1/c2/c3-Joint2:53", RANGE(-25, 122), RANGE(-30, 127), 5279621,
+     GAINS(0x1C, 0x08, 0x01)},
+    {"tail_pan", 51, "PRM:/r6/c2-Joint2:62", RANGE(-45, 45), RANGE(-60, 60), 15162548, GAINS(0x0A, 0x04, 0x04)},
+    {"tail_tilt", 52, "PRM:/r6/c1-Joint2:61", RANGE(5, 60), RANGE(0, 65), 15162548, GAINS(0x0A, 0x04, 0x04)},
+};
+
+// Rotator and elevator: section 2.1.2.
+const CouplingRow FRONT_LEG[] = {
+    ROW(-115, -76, -1), ROW(-75, -54, -2), ROW(-55, -46, -3), ROW(-45, -36, -4), ROW(-35, -31, -5), ROW(-30, -26, -6),
+    ROW(-25, -21, -7),  ROW(-20, -16, -8), ROW(-15, -11, -9), ROW(-10, 20, -10), ROW(21, 25, -9),   ROW(26, 30, -8),
+    ROW(29, 40, -7),    ROW(41, 45, -6),   ROW(46, 50, -5),   ROW(51, 55, -4),   ROW(56, 65, -3),   ROW(64, 130, -2),
+};
+
+const CouplingRow HIND_LEG[] = {
+    ROW(-130, -71, 0), ROW(-70, -56, -1), ROW(-55, -46, -2), ROW(-45, -41, -3), ROW(-40, -36, -4), ROW(-35, -31, -5),
+    ROW(-30, -26, -6), ROW(-25, -21, -7), ROW(-20, -16, -8), ROW(-15, -11, -9), ROW(-10, 15, -10), ROW(16, 20, -9),
+    ROW(21, 25, -8),   ROW(26, 30, -7),   ROW(31, 35, -6),   ROW(36, 40, -5),   ROW(41, 45, -4),   ROW(46, 50, -3),
+    ROW(51, 60, -2),   ROW(61, 70, -1),   ROW(71, 115, 0),
+};
+
+// Neck and head: while the mouth is not further open than -30 degrees, which the other table looks after.
+const CouplingRow NECK[] = {
+    ROW(-75, -39, 5),
+    ROW(-40, 0, -5),
+};
+
+// Mouth and head. Sony says nothing of a mouth that is open further than -30 degrees. The jaw comes closer to the neck
+// then, so the head is held as high as anywhere in what Sony does say.
+const CouplingRow MOUTH[] = {
+    ROW(-55, -31, 5),
+    ROW(-30, -3, -5),
+};
+
+#define COUPLING(leader, follower, rows) \
+  { leader, follower, rows, sizeof(rows) / sizeof(rows[0]) }
+
+// Leaders and followers are places in JOINTS.
+const Coupling COUPLINGS[] = {
+    COUPLING(4, 5, FRONT_LEG),  COUPLING(7, 8, HIND_LEG), COUPLING(10, 11, FRONT_LEG),
+    COUPLING(13, 14, HIND_LEG), COUPLING(0, 2, NECK),     COUPLING(3, 2, MOUTH),
+};
+
+}  // namespace
+
+const RobotModel ERS7 = {"ERS-7", JOINTS, sizeof(JOINTS) / sizeof(JOINTS[0]), COUPLINGS,
+                         sizeof(COUPLINGS) / sizeof(COUPLINGS[0])};
+
+}  // namespace robot_model

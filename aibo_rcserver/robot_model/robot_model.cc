@@ -1,0 +1,88 @@
+#include "robot_model/robot_model.h"
+
+#include <string.h>
+
+#include <algorithm>
+
+#include "robot_model/tables.h"
+
+namespace robot_model {
+
+const RobotModel* findRobotModel(const char* design) {
+  const RobotModel* const models[] = {&ERS7, &ERS210};
+  for (size_t i = 0; i < sizeof(models) / sizeof(models[0]); ++i) {
+    if (strcmp(models[i]->design, design) == 0) {
+      return models[i];
+    }
+  }
+  return 0;
+}
+
+int findJointByIdentifier(const RobotModel& model, int identifier) {
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    if (model.joints[i].identifier == identifier) {
+      return i;
+    }
+  }
+  return NO_JOINT;
+}
+
+int findJointByName(const RobotModel& model, const char* name) {
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    if (strcmp(model.joints[i].name, name) == 0) {
+      return i;
+    }
+  }
+  return NO_JOINT;
+}
+
+int findJointByLocator(const RobotModel& model, const char* locator) {
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    if (strcmp(model.joints[i].locator, locator) == 0) {
+      return i;
+    }
+  }
+  return NO_JOINT;
+}
+
+int defaultAcceleration(const Joint& joint) {
+  return joint.highest_speed * 10;
+}
+
+int coupledLowest(const Coupling& coupling, int leader_position) {
+  const CouplingRow* const rows = coupling.rows;
+  const int last = coupling.number_of_rows - 1;
+
+  int first_not_below = 0;
+  while (first_not_below < last && rows[first_not_below].to < leader_position) {
+    ++first_not_below;
+  }
+  int last_not_above = last;
+  while (last_not_above > 0 && rows[last_not_above].from > leader_position) {
+    --last_not_above;
+  }
+  // One row, two that overlap, or the two beside a gap.
+  return std::max(rows[first_not_below].lowest, rows[last_not_above].lowest);
+}
+
+int lowestPosition(const RobotModel& model, int joint, const int* posture) {
+  int lowest = model.joints[joint].lowest;
+  for (int i = 0; i < model.number_of_couplings; ++i) {
+    const Coupling& coupling = model.couplings[i];
+    if (coupling.follower == joint) {
+      lowest = std::max(lowest, coupledLowest(coupling, posture[coupling.leader]));
+    }
+  }
+  return lowest;
+}
+
+void clampPosture(const RobotModel& model, int* posture) {
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    posture[i] = std::min(std::max(posture[i], model.joints[i].lowest), model.joints[i].highest);
+  }
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    posture[i] = std::max(posture[i], lowestPosition(model, i, posture));
+  }
+}
+
+}  // namespace robot_model
