@@ -10,10 +10,10 @@ namespace openr_host {
 namespace {
 
 std::string withoutCommentAndSpace(const std::string& line) {
-  static const std::regex content(R"(^\s*([^#]*?)\s*(#.*)?$)");
-  std::smatch part;
-  std::regex_match(line, part, content);
-  return part[1];
+  const char space[] = " \t\r";
+  const std::string text = line.substr(0, line.find('#'));
+  const auto begin = text.find_first_not_of(space);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(space) - begin + 1);
 }
 
 std::string inCapitals(std::string text) {

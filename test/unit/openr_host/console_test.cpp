@@ -1,0 +1,122 @@
+// The wireless console.
+#include <OPENR/OSyslog.h>
+#include <gmock/gmock.h>
+
+#include "test_client.h"
+#include "test_system.h"
+
+namespace openr_host {
+namespace {
+
+using testing::HasSubstr;
+
+class ConsoleTest : public testing::Test {
+ protected:
+  ConsoleTest() {
+    test_.boot();
+    port_ = test_.system.console().takePort("127.0.0.1", 0);
+  }
+
+  void print(const std::string& text) {
+    test_.as(object_, [&] { OSYSPRINT(("%s", text.c_str())); });
+  }
+
+  /// Prints until this listener gets something: then it has been accepted.
+  void awaitAccepted(TestClient& listener) {
+    ASSERT_TRUE(test_.runUntil([&] {
+      print(".");
+      return !listener.received().empty();
+    }));
+  }
+
+  TestSystem test_;
+  TestObject& object_ = test_.add("Object");
+  std::uint16_t port_ = 0;
+};
+
+TEST_F(ConsoleTest, PrintsToItsStreamAndToEveryListener) {
+  TestClient first(port_);
+  TestClient second(port_);
+  awaitAccepted(first);
+  awaitAccepted(second);
+  test_.as(object_, [] { OSYSPRINT(("%d and %s\n", 42, "text")); });
+  const auto has_it = [](TestClient& listener) {
+    return listener.received().find("42 and text\n") != std::string::npos;
+  };
+  EXPECT_TRUE(test_.runUntil([&] { return has_it(first) && has_it(second); }));
+  EXPECT_THAT(test_.output.str(), HasSubstr("42 and text\n"));
+}
+
+TEST_F(ConsoleTest, ALogLineNamesItsPriorityAndItsObject) {
+  test_.as(object_, [] {
+    OSYSLOG1((osyslogERROR, "no %s", "image"));
+    OSYSLOG1((osyslogWARNING, "hm"));
+    OSYSLOG1((osyslogINFO, "well"));
+    OSYSDEBUG(("not in this build\n"));
+  });
+  EXPECT_EQ(test_.output.str(), "ERROR Object: no image\nWARNING Object: hm\nINFO Object: well\n");
+}
+
+TEST_F(ConsoleTest, AListenerThatDoesNotReadIsNotWaitedForAndIsToldWhatItLost) {
+  TestClient slow(port_, 4096);
+  TestClient quick(port_);
+  awaitAccepted(slow);
+  awaitAccepted(quick);
+  const std::string line = std::string(1023, '#') + "\n";
+  std::size_t printed = 0;
+  // Far more than the kernel and the console together keep for one listener.
+  for (; printed < 16 * 1024; ++printed) {
+    print(line);
+    quick.received();
+  }
+  EXPECT_TRUE(test_.runUntil([&] { return quick.received().size() >= printed * line.size(); }));
+  ASSERT_TRUE(test_.runUntil([&] { return slow.received().find(" messages lost") != std::string::npos; }));
+  EXPECT_LT(slow.received().size(), printed * line.size());
+  print("now then\n");
+  EXPECT_TRUE(test_.runUntil([&] { return slow.received().find("now then\n") != std::string::npos; }));
+}
+
+TEST_F(ConsoleTest, AListenerThatGoesDisturbsNobody) {
+  TestClient staying(port_);
+  awaitAccepted(staying);
+  {
+    TestClient closing(port_);
+    awaitAccepted(closing);
+    TestClient resetting(port_);
+    awaitAccepted(resetting);
+    resetting.reset();
+  }
+  print("one\n");
+  test_.runPending();
+  print("two\n");
+  EXPECT_TRUE(test_.runUntil([&] { return staying.received().find("one\ntwo\n") != std::string::npos; }));
+}
+
+TEST_F(ConsoleTest, WhatAListenerTypesIsIgnored) {
+  TestClient listener(port_);
+  awaitAccepted(listener);
+  listener.send("hello?\r\n");
+  test_.runPending();
+  print("still here\n");
+  EXPECT_TRUE(test_.runUntil([&] { return listener.received().find("still here\n") != std::string::npos; }));
+}
+
+TEST_F(ConsoleTest, OneListenerTooManyIsToldAndTurnedAway) {
+  std::vector<std::unique_ptr<TestClient>> listeners;
+  for (std::size_t i = 0; i < Console::kMostListeners; ++i) {
+    listeners.push_back(std::make_unique<TestClient>(port_));
+    awaitAccepted(*listeners.back());
+  }
+  TestClient newcomer(port_);
+  ASSERT_TRUE(test_.runUntil([&] { return newcomer.isAtEnd(); }));
+  EXPECT_THAT(newcomer.received(), HasSubstr("8 listeners already"));
+
+  listeners.pop_back();
+  test_.runPending();
+  TestClient next(port_);
+  awaitAccepted(next);
+  EXPECT_FALSE(next.isAtEnd());
+}
+
+}  // namespace
+}  // namespace openr_host

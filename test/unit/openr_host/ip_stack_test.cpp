@@ -1,0 +1,461 @@
+// TCP endpoints on real sockets, from an object's point of view (OPEN-R SDK Internet Protocol Version4).
+#include <gmock/gmock.h>
+#include <netinet/tcp.h>
+
+#include <cstring>
+
+#include "test_client.h"
+#include "test_system.h"
+
+namespace openr_host {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr Port kRobotPort = 7000;
+constexpr std::size_t kPoolSize = 16 * 1024;
+constexpr int kBufferSize = 4 * 1024 * 1024;
+
+/// What came back from the stack.
+struct Answer {
+  antOperation operation;
+  int error;
+  int size;  ///< of a receive
+  void* continuation;
+};
+
+bool operator==(const Answer& answer, const std::pair<antOperation, int>& expected) {
+  return answer.operation == expected.first && answer.error == expected.second;
+}
+
+std::pair<antOperation, int> is(antOperation operation, int error) {
+  return {operation, error};
+}
+
+class IpStackTest : public testing::Test {
+ protected:
+  IpStackTest() {
+    object_.on_answer = [this](ANTENVMSG message) { record(*antEnvMsg::Receive(message)); };
+    test_.boot();
+    host_port_ = test_.system.ipStack().takePort(kRobotPort, 0);
+    antEnvCreateSharedBufferMsg message(kBufferSize);
+    EXPECT_EQ(call(message), ANT_SUCCESS);
+    EXPECT_EQ(message.error, ANT_SUCCESS);
+    EXPECT_EQ(message.buffer.Map(), ANT_SUCCESS);
+    shared_buffer_ = message.buffer;
+    buffer_ = static_cast<byte*>(message.buffer.GetAddress());
+  }
+
+  void record(const antEnvMsg& message) {
+    Answer answer{message.operation, 0, 0, message.continuation};
+    switch (message.operation) {
+      case antOperation_TCPListen:
+        answer.error = static_cast<const TCPEndpointListenMsg&>(message).error;
+        client_address_ = static_cast<const TCPEndpointListenMsg&>(message).fAddress;
+        client_port_ = static_cast<const TCPEndpointListenMsg&>(message).fPort;
+        break;
+      case antOperation_TCPSend:
+        answer.error = static_cast<const TCPEndpointSendMsg&>(message).error;
+        break;
+      case antOperation_TCPReceive:
+        answer.error = static_cast<const TCPEndpointReceiveMsg&>(message).error;
+        answer.size = static_cast<const TCPEndpointReceiveMsg&>(message).sizeMin;
+        break;
+      case antOperation_TCPClose:
+        answer.error = static_cast<const TCPEndpointCloseMsg&>(message).error;
+        break;
+      default:
+        break;
+    }
+    answers_.push_back(answer);
+  }
+
+  template <typename Message>
+  antError call(Message& message) {
+    antError error = ANT_FAIL;
+    test_.as(object_, [&] { error = message.Call(stack_, sizeof(message)); });
+    return error;
+  }
+
+  template <typename Message>
+  antError post(Message message, int continuation = 0) {
+    message.continuation = reinterpret_cast<void*>(continuation);
+    antError error = ANT_FAIL;
+    test_.as(object_, [&] { error = message.Send(stack_, object_.id(), 0, sizeof(message)); });
+    return error;
+  }
+
+  antModuleRef createEndpoint(std::size_t pool_size = kPoolSize) {
+    antEnvCreateEndpointMsg message(EndpointType_TCP, pool_size);
+    call(message);
+    EXPECT_EQ(message.error, ANT_SUCCESS);
+    return message.moduleRef;
+  }
+
+  void listen(const antModuleRef& endpoint, int continuation = 0) {
+    EXPECT_EQ(post(TCPEndpointListenMsg(endpoint, IP_ADDR_ANY, kRobotPort), continuation), ANT_SUCCESS);
+  }
+  void send(const antModuleRef& endpoint, int size) { post(TCPEndpointSendMsg(endpoint, buffer_, size)); }
+  void send(const antModuleRef& endpoint, const std::string& text) {
+    std::memcpy(buffer_, text.data(), text.size());
+    send(endpoint, static_cast<int>(text.size()));
+  }
+  void receive(const antModuleRef& endpoint, int min, int max) {
+    post(TCPEndpointReceiveMsg(endpoint, buffer_, min, max));
+  }
+  void close(const antModuleRef& endpoint, bool abort = false) {
+    TCPEndpointCloseMsg message(endpoint);
+    message.abort = abort;
+    post(message);
+  }
+
+  /// Runs until that many answers have come back in all.
+  bool haveAnswers(std::size_t count) {
+    return test_.runUntil([&] { return answers_.size() >= count; });
+  }
+
+  /// An endpoint with a client; the listening is forgotten.
+  antModuleRef connect(std::optional<TestClient>& client, int receive_buffer = 0, std::size_t pool_size = kPoolSize) {
+    const antModuleRef endpoint = createEndpoint(pool_size);
+    listen(endpoint);
+    client.emplace(host_port_, receive_buffer);
+    EXPECT_TRUE(haveAnswers(1));
+    EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPListen, TCP_SUCCESS)));
+    answers_.clear();
+    return endpoint;
+  }
+
+  std::string inBuffer(int size) const {
+    return {reinterpret_cast<const char*>(buffer_), static_cast<std::size_t>(size)};
+  }
+
+  TestSystem test_;
+  TestObject& object_ = test_.add("Object");
+  const antStackRef stack_{"IPStack"};
+  std::uint16_t host_port_ = 0;
+  antSharedBuffer shared_buffer_;
+  byte* buffer_ = nullptr;
+  std::vector<Answer> answers_;
+  IPAddress client_address_ = 0;
+  Port client_port_ = 0;
+};
+
+TEST_F(IpStackTest, ListeningIsAnsweredWithTheClientsAddressWhenOneComes) {
+  listen(createEndpoint(), 7);
+  test_.runPending();
+  EXPECT_THAT(answers_, IsEmpty());
+  const TestClient client(host_port_);
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPListen, TCP_SUCCESS)));
+  EXPECT_EQ(answers_[0].continuation, reinterpret_cast<void*>(7));
+  EXPECT_EQ(client_address_, 0x7f000001U);
+  EXPECT_EQ(client_port_, client.port());
+}
+
+TEST_F(IpStackTest, AReceiveIsAnsweredOnceTheLeastNumberOfBytesIsThere) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  receive(endpoint, 3, 10);
+  for (const char letter : {'a', 'b'}) {
+    client->send(std::string(1, letter));
+    test_.runPending();
+    EXPECT_THAT(answers_, IsEmpty());
+  }
+  client->send("c");
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPReceive, TCP_SUCCESS)));
+  EXPECT_EQ(answers_[0].size, 3);
+  EXPECT_EQ(inBuffer(3), "abc");
+}
+
+TEST_F(IpStackTest, AReceiveTakesNoMoreThanTheMostAndLeavesTheRest) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  client->send("abcdefg");
+  receive(endpoint, 1, 4);
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_EQ(answers_[0].size, 4);
+  EXPECT_EQ(inBuffer(4), "abcd");
+  receive(endpoint, 3, 3);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_EQ(inBuffer(3), "efg");
+}
+
+TEST_F(IpStackTest, ALargeSendArrivesWholeAlthoughTheSendBufferIsSmall) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client, 4096);
+  for (int i = 0; i < kBufferSize; ++i) {
+    buffer_[i] = static_cast<byte>(i * 31 + i / 251);
+  }
+  send(endpoint, kBufferSize);
+  test_.runPending();
+  EXPECT_THAT(answers_, IsEmpty()) << "nobody reads, and yet 4 MiB have found room in 16 KiB";
+  ASSERT_TRUE(test_.runUntil([&] { return client->received().size() == kBufferSize; }));
+  EXPECT_EQ(client->received(), inBuffer(kBufferSize));
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPSend, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, OneSendAndOneReceiveMayBeUnderWayAndASecondOfEachIsBusy) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client, 4096);
+  receive(endpoint, 1, 1);
+  send(endpoint, kBufferSize);
+  send(endpoint, 1);
+  receive(endpoint, 1, 1);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPSend, TCP_CONNECTION_BUSY),
+                                    is(antOperation_TCPReceive, TCP_CONNECTION_BUSY)));
+  // The first ones are none the worse for it.
+  client->send("x");
+  ASSERT_TRUE(test_.runUntil([&] { return client->received().size() == kBufferSize && answers_.size() == 4; }));
+  EXPECT_THAT(answers_, testing::Contains(is(antOperation_TCPSend, TCP_SUCCESS)));
+  EXPECT_THAT(answers_, testing::Contains(is(antOperation_TCPReceive, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, AReceiveEndsWithConnectionClosedWhenTheClientHasClosed) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  client->send("ab");
+  receive(endpoint, 3, 10);
+  client->close();
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED)));
+  EXPECT_EQ(answers_[0].size, 2);
+}
+
+TEST_F(IpStackTest, WhatTheClientSentBeforeItClosedIsReceivedFirst) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  client->send("last words");
+  client->close();
+  receive(endpoint, 1, 100);
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_EQ(inBuffer(answers_[0].size), "last words");
+  receive(endpoint, 1, 100);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_EQ(answers_[1].error, TCP_CONNECTION_CLOSED);
+}
+
+TEST_F(IpStackTest, AClientThatHasFinishedSendingStillGetsItsReply) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  client->finishSending();
+  receive(endpoint, 1, 1);
+  send(endpoint, "reply");
+  ASSERT_TRUE(test_.runUntil([&] { return client->received() == "reply"; }));
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_THAT(answers_, testing::UnorderedElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
+                                                      is(antOperation_TCPSend, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, AResetEndsBothTheSendAndTheReceive) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client, 4096);
+  receive(endpoint, 1, 1);
+  send(endpoint, kBufferSize);
+  test_.runPending();
+  client->reset();
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_THAT(answers_, testing::UnorderedElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_RESET),
+                                                      is(antOperation_TCPSend, TCP_CONNECTION_RESET)));
+  send(endpoint, 1);
+  ASSERT_TRUE(haveAnswers(3));
+  EXPECT_EQ(answers_[2].error, TCP_CONNECTION_RESET);
+}
+
+TEST_F(IpStackTest, ClosingEndsWhatIsUnderWayFirst) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client, 4096);
+  receive(endpoint, 1, 1);
+  send(endpoint, kBufferSize);
+  close(endpoint);
+  ASSERT_TRUE(haveAnswers(3));
+  EXPECT_THAT(answers_,
+              ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
+                          is(antOperation_TCPSend, TCP_CONNECTION_CLOSED), is(antOperation_TCPClose, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, TheClientGetsWhatWasSentBeforeTheCloseThoughItsOwnBytesWereNeverRead) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  client->send("nobody reads this");
+  send(endpoint, "goodbye");
+  close(endpoint);
+  ASSERT_TRUE(test_.runUntil([&] { return client->isAtEnd(); }));
+  EXPECT_EQ(client->received(), "goodbye");
+  client->send("nor this");
+  test_.runPending();
+  EXPECT_FALSE(client->wasReset());
+}
+
+TEST_F(IpStackTest, AnAbortResetsTheConnection) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  close(endpoint, true);
+  ASSERT_TRUE(test_.runUntil([&] { return client->wasReset(); }));
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPClose, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, ClosingAListeningEndpointEndsTheListening) {
+  const auto endpoint = createEndpoint();
+  listen(endpoint);
+  close(endpoint);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_THAT(answers_,
+              ElementsAre(is(antOperation_TCPListen, TCP_CONNECTION_CLOSED), is(antOperation_TCPClose, TCP_SUCCESS)));
+  TestClient client(host_port_);
+  EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd(); }));
+}
+
+TEST_F(IpStackTest, ANewcomerIsTurnedAwayAtOnceWhileNobodyListens) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  TestClient newcomer(host_port_);
+  ASSERT_TRUE(test_.runUntil([&] { return newcomer.isAtEnd() || newcomer.wasReset(); }));
+  send(endpoint, "still here");
+  EXPECT_TRUE(test_.runUntil([&] { return client->received() == "still here"; }));
+}
+
+TEST_F(IpStackTest, EndpointsThatListenOnOnePortGetTheClientsInTheirOrder) {
+  listen(createEndpoint(), 1);
+  listen(createEndpoint(), 2);
+  const TestClient first(host_port_);
+  const TestClient second(host_port_);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_EQ(answers_[0].continuation, reinterpret_cast<void*>(1));
+  EXPECT_EQ(answers_[1].continuation, reinterpret_cast<void*>(2));
+}
+
+TEST_F(IpStackTest, ANewEndpointListensAgainAfterAClose) {
+  for (int round = 0; round < 3; ++round) {
+    std::optional<TestClient> client;
+    const auto endpoint = connect(client);
+    close(endpoint);
+    ASSERT_TRUE(haveAnswers(1));
+    answers_.clear();
+  }
+}
+
+TEST_F(IpStackTest, AClientThatComesWhileTheObjectIsAboutToListenAgainIsServed) {
+  std::optional<TestClient> client;
+  antModuleRef endpoint = connect(client);
+  object_.on_answer = [&](ANTENVMSG message) {
+    record(*antEnvMsg::Receive(message));
+    if (answers_.back().operation == antOperation_TCPReceive) {
+      close(endpoint);
+    } else if (answers_.back().operation == antOperation_TCPClose) {
+      listen(createEndpoint());
+    }
+  };
+  receive(endpoint, 1, 1);
+  client->close();
+  TestClient next(host_port_);
+  ASSERT_TRUE(haveAnswers(3));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
+                                    is(antOperation_TCPClose, TCP_SUCCESS), is(antOperation_TCPListen, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, ConnectionsSendAtOnceAndNoticeAVanishedClient) {
+  TcpListener listener("127.0.0.1", 0);
+  const TestClient client(listener.port());
+  std::optional<TcpConnection> connection;
+  ASSERT_TRUE(test_.runUntil([&] { return (connection = listener.accept()).has_value(); }));
+  const auto option = [&](int level, int name) {
+    int value = -1;
+    socklen_t size = sizeof(value);
+    getsockopt(connection->socket.get(), level, name, &value, &size);
+    return value;
+  };
+  EXPECT_EQ(option(IPPROTO_TCP, TCP_NODELAY), 1);
+  EXPECT_EQ(option(SOL_SOCKET, SO_KEEPALIVE), 1);
+  EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPIDLE), 1);
+  EXPECT_EQ(option(IPPROTO_TCP, TCP_USER_TIMEOUT), 2000);
+}
+
+TEST_F(IpStackTest, DataOutsideASharedBufferIsRefused) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  byte own[16];
+  post(TCPEndpointSendMsg(endpoint, own, sizeof(own)));
+  post(TCPEndpointSendMsg(endpoint, buffer_ + 1, kBufferSize));
+  post(TCPEndpointSendMsg(endpoint, buffer_, 0));
+  post(TCPEndpointReceiveMsg(endpoint, own, 1, sizeof(own)));
+  post(TCPEndpointReceiveMsg(endpoint, buffer_, 1, kBufferSize + 1));
+  post(TCPEndpointReceiveMsg(endpoint, buffer_, 0, 1));
+  post(TCPEndpointReceiveMsg(endpoint, buffer_, 2, 1));
+  ASSERT_TRUE(haveAnswers(7));
+  for (const auto& answer : answers_) {
+    EXPECT_EQ(answer.error, TCP_BUFFER_INVALID);
+  }
+}
+
+TEST_F(IpStackTest, WhatCannotBeAskedOfAnEndpointInItsStateIsInvalid) {
+  const auto endpoint = createEndpoint();
+  send(endpoint, 1);
+  receive(endpoint, 1, 1);
+  send(antModuleRef(), 1);
+  close(antModuleRef());
+  listen(antModuleRef());
+  ASSERT_TRUE(haveAnswers(5));
+  listen(endpoint);
+  listen(endpoint);
+  ASSERT_TRUE(haveAnswers(6));
+  for (const auto& answer : answers_) {
+    EXPECT_EQ(answer.error, TCP_OPERATION_INVALID);
+  }
+}
+
+TEST_F(IpStackTest, APortThatAnotherProgramHasIsInUse) {
+  TcpListener other_program("127.0.0.1", 0);
+  post(TCPEndpointListenMsg(createEndpoint(), IP_ADDR_ANY, other_program.port()));
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_EQ(answers_[0].error, TCP_ADDRESSINUSE);
+}
+
+TEST_F(IpStackTest, WhatNeedsAClientCanBeSentButNotCalled) {
+  TCPEndpointListenMsg message(createEndpoint(), IP_ADDR_ANY, kRobotPort);
+  EXPECT_EQ(call(message), ANT_FAIL);
+  EXPECT_EQ(message.error, TCP_FAIL);
+}
+
+TEST_F(IpStackTest, AMessageToNoSuchStackObjectOrEntryFails) {
+  TCPEndpointCloseMsg message(createEndpoint());
+  test_.as(object_, [&] {
+    EXPECT_EQ(message.Call(antStackRef("OtherStack"), sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Call(stack_, sizeof(antEnvMsg)), ANT_FAIL);
+    EXPECT_EQ(message.Send(stack_, oidUNDEF, 0, sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Send(stack_, object_.id() + 1, 0, sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Send(stack_, object_.id(), 1, sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Call(stack_, sizeof(message)), ANT_SUCCESS);
+  });
+  EXPECT_EQ(message.error, TCP_SUCCESS);
+}
+
+TEST_F(IpStackTest, ASharedBufferHasWholePagesAndGoesBackWhenNothingUsesIt) {
+  antEnvCreateSharedBufferMsg create(1);
+  call(create);
+  std::memset(create.buffer.GetAddress(), 1, 4096);
+
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  post(TCPEndpointReceiveMsg(endpoint, static_cast<byte*>(create.buffer.GetAddress()), 4096, 4096));
+  antEnvDestroySharedBufferMsg destroy(create.buffer);
+  call(destroy);
+  EXPECT_EQ(destroy.error, ANT_FAIL) << "a receive is writing to it";
+  close(endpoint);
+  call(destroy);
+  EXPECT_EQ(destroy.error, ANT_SUCCESS);
+  call(destroy);
+  EXPECT_EQ(destroy.error, ANT_FAIL) << "it has gone";
+
+  antEnvCreateSharedBufferMsg empty(0);
+  call(empty);
+  EXPECT_EQ(empty.error, ANT_FAIL);
+  EXPECT_EQ(empty.buffer.Map(), ANT_FAIL);
+}
+
+}  // namespace
+}  // namespace openr_host

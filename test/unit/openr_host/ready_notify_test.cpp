@@ -1,0 +1,307 @@
+// How data goes from a subject to its observers (report, section 2.1.1).
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+#include <gmock/gmock.h>
+
+#include "test_system.h"
+
+namespace openr_host {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class ReadyNotifyTest : public testing::Test {
+ protected:
+  ReadyNotifyTest() {
+    record(receiver_, received_);
+    record(other_receiver_, other_received_);
+  }
+
+  static void record(TestObject& object, std::vector<std::string>& received) {
+    object.on_notify = [&received](const ONotifyEvent& event) {
+      for (int i = 0; i < event.NumOfData(); ++i) {
+        const RCRegion& region = *event.RCData(i);
+        received.emplace_back(static_cast<const char*>(event.Data(i)), region.Size());
+      }
+    };
+  }
+
+  void boot() { test_.boot({{"Sender", "Receiver"}, {"Sender", "Other"}}); }
+
+  void assertReady(TestObject& object) {
+    test_.as(object, [&] { object.observer().AssertReady(); });
+    test_.run();
+  }
+
+  void notify(const std::string& text) {
+    test_.as(sender_, [&] {
+      sender_.subject().SetData(text.data(), text.size());
+      sender_.subject().NotifyObservers();
+    });
+  }
+
+  TestSystem test_;
+  TestObject& sender_ = test_.add("Sender");
+  TestObject& receiver_ = test_.add("Receiver");
+  TestObject& other_receiver_ = test_.add("Other");
+  std::vector<std::string> received_;
+  std::vector<std::string> other_received_;
+};
+
+TEST_F(ReadyNotifyTest, DataForAnObserverThatIsNotReadyNeverReachesIt) {
+  boot();
+  notify("lost");
+  test_.run();
+  assertReady(receiver_);
+  EXPECT_THAT(received_, IsEmpty());
+  notify("seen");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("seen"));
+}
+
+TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThrough) {
+  boot();
+  assertReady(receiver_);
+  notify("first");
+  notify("second");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("first"));
+  assertReady(receiver_);
+  notify("third");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("first", "third"));
+}
+
+TEST_F(ReadyNotifyTest, OnlyTheObserversThatAreReadyAreNotified) {
+  boot();
+  assertReady(other_receiver_);
+  test_.as(sender_, [&] {
+    EXPECT_TRUE(sender_.subject().IsReady());
+    EXPECT_TRUE(sender_.subject().IsAnyReady());
+    EXPECT_FALSE(sender_.subject().IsAllReady());
+    EXPECT_TRUE(sender_.subject().IsReady(other_receiver_.observerId()));
+    EXPECT_FALSE(sender_.subject().IsReady(receiver_.observerId()));
+  });
+  notify("for the other");
+  test_.run();
+  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(other_received_, ElementsAre("for the other"));
+}
+
+TEST_F(ReadyNotifyTest, DeassertReadyTakesTheReadinessBack) {
+  boot();
+  assertReady(receiver_);
+  assertReady(other_receiver_);
+  test_.as(sender_, [&] { EXPECT_TRUE(sender_.subject().IsAllReady()); });
+  test_.as(receiver_, [&] { receiver_.observer().DeassertReady(sender_.subjectId()); });
+  test_.run();
+  notify("data");
+  test_.run();
+  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(other_received_, ElementsAre("data"));
+}
+
+TEST_F(ReadyNotifyTest, TheSubjectIsToldWhoIsReadyAndWhoIsNoMore) {
+  std::vector<std::string> events;
+  sender_.on_ready = [&](const OReadyEvent& event) {
+    EXPECT_EQ(event.SbjIndex(), 0);
+    EXPECT_NE(event.IsAssert(), event.IsDeassert());
+    events.push_back(std::string(event.SenderID() == receiver_.observerId() ? "receiver" : "other") +
+                     (event.IsAssert() ? " ready" : " not ready"));
+    // The subject knows it already when it is told.
+    EXPECT_EQ(sender_.subject().IsReady(event.SenderID()), event.IsAssert());
+  };
+  boot();
+  assertReady(receiver_);
+  assertReady(other_receiver_);
+  test_.as(receiver_, [&] { receiver_.observer().DeassertReady(); });
+  test_.run();
+  EXPECT_THAT(events, ElementsAre("receiver ready", "other ready", "receiver not ready"));
+}
+
+TEST_F(ReadyNotifyTest, AnObserverAnswersTheSubjectItWasNotifiedBy) {
+  receiver_.on_notify = [&](const ONotifyEvent& event) {
+    EXPECT_EQ(event.ObsIndex(), 0);
+    EXPECT_TRUE(event.SenderID() == sender_.subjectId());
+    received_.emplace_back("notified");
+    receiver_.observer().AssertReady(event.SenderID());
+  };
+  boot();
+  assertReady(receiver_);
+  notify("a");
+  test_.run();
+  notify("b");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("notified", "notified"));
+}
+
+TEST_F(ReadyNotifyTest, MessagesAreHandledInTheOrderInWhichTheyWereSentAndEachToItsEnd) {
+  std::vector<std::string> order;
+  receiver_.on_notify = [&](const ONotifyEvent&) {
+    order.emplace_back("receiver begins");
+    receiver_.observer().AssertReady();
+    order.emplace_back("receiver ends");
+  };
+  other_receiver_.on_notify = [&](const ONotifyEvent&) { order.emplace_back("other"); };
+  sender_.on_ready = [&](const OReadyEvent&) { order.emplace_back("sender"); };
+  boot();
+  assertReady(receiver_);
+  assertReady(other_receiver_);
+  order.clear();
+  notify("data");
+  EXPECT_THAT(order, IsEmpty());
+  test_.run();
+  EXPECT_THAT(order, ElementsAre("receiver begins", "receiver ends", "other", "sender"));
+}
+
+TEST_F(ReadyNotifyTest, DataSetSeveralTimesComesInOneNotification) {
+  int events = 0;
+  boot();
+  const auto count = receiver_.on_notify;
+  receiver_.on_notify = [&](const ONotifyEvent& event) {
+    ++events;
+    count(event);
+  };
+  assertReady(receiver_);
+  test_.as(sender_, [&] {
+    sender_.subject().SetData("one", 3);
+    sender_.subject().SetData("two", 3);
+    sender_.subject().NotifyObservers();
+  });
+  test_.run();
+  EXPECT_EQ(events, 1);
+  EXPECT_THAT(received_, ElementsAre("one", "two"));
+}
+
+TEST_F(ReadyNotifyTest, DataCanBeSetAndSentForOneObserverAlone) {
+  boot();
+  assertReady(receiver_);
+  assertReady(other_receiver_);
+  auto* region = new RCRegion(1);
+  *region->Base() = 'x';
+  test_.as(sender_, [&] {
+    sender_.subject().SetData(other_receiver_.observerId(), region);
+    sender_.subject().NotifyObservers();
+  });
+  test_.run();
+  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(other_received_, ElementsAre("x"));
+
+  test_.as(sender_, [&] {
+    sender_.subject().SetData(region);
+    sender_.subject().NotifyObserver(receiver_.observerId());
+  });
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("x"));
+  EXPECT_THAT(other_received_, ElementsAre("x"));
+  test_.as(sender_, [&] { sender_.subject().ClearBuffer(); });
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  region->RemoveReference();
+}
+
+TEST_F(ReadyNotifyTest, ClearedDataIsNotSent) {
+  boot();
+  assertReady(receiver_);
+  test_.as(sender_, [&] {
+    sender_.subject().SetData("old", 3);
+    sender_.subject().ClearBuffer();
+    sender_.subject().NotifyObservers();
+  });
+  test_.run();
+  EXPECT_THAT(received_, IsEmpty());
+  notify("new");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("new"));
+}
+
+TEST_F(ReadyNotifyTest, ASubjectThatIsNotEnabledSendsNothing) {
+  boot();
+  assertReady(receiver_);
+  test_.as(sender_, [&] { sender_.subject().Enable(false); });
+  notify("data");
+  test_.run();
+  EXPECT_THAT(received_, IsEmpty());
+}
+
+TEST_F(ReadyNotifyTest, ARegionReturnsToItsMakerWhenEveryObserverIsDoneWithIt) {
+  boot();
+  assertReady(receiver_);
+  auto* region = new RCRegion(4);
+  RCRegion* kept = nullptr;
+  receiver_.on_notify = [&](const ONotifyEvent& event) {
+    EXPECT_EQ(event.RCData(0), region);  // not a copy
+    kept = event.RCData(0);
+    kept->AddReference();
+  };
+  test_.as(sender_, [&] {
+    sender_.subject().SetData(region);
+    EXPECT_GT(region->NumberOfReference(), 1);
+    sender_.subject().NotifyObservers();
+  });
+  EXPECT_GT(region->NumberOfReference(), 1);
+  test_.run();
+  EXPECT_EQ(region->NumberOfReference(), 2);
+  kept->RemoveReference();
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  region->RemoveReference();
+}
+
+TEST_F(ReadyNotifyTest, ARegionThatNobodyWasReadyForReturnsAtOnce) {
+  boot();
+  auto* region = new RCRegion(4);
+  test_.as(sender_, [&] {
+    sender_.subject().SetData(region);
+    sender_.subject().NotifyObservers();
+  });
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  region->RemoveReference();
+}
+
+TEST_F(ReadyNotifyTest, BothEndsAreToldOfTheirConnection) {
+  std::vector<std::string> events;
+  sender_.on_control = [&](const OControlEvent& event) {
+    events.emplace_back(event.SenderID() == receiver_.observerId() ? "sender to receiver" : "sender to other");
+  };
+  receiver_.on_connect = [&](const OConnectEvent& event) {
+    events.emplace_back(event.SenderID() == sender_.subjectId() ? "receiver" : "?");
+  };
+  boot();
+  EXPECT_THAT(events, ElementsAre("sender to receiver", "receiver", "sender to other"));
+  test_.as(receiver_, [&] { EXPECT_EQ(receiver_.observer().NumberOfSubjects(), 1); });
+}
+
+TEST_F(ReadyNotifyTest, AnObjectThatHasNotRegisteredItsServicesIsNamed) {
+  try {
+    test_.system.connect("Sender.Out.Data.S", "Receiver.In.Data.O");
+    FAIL() << "connected before DoInit";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("Sender"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("REGISTER_ALL_ENTRY"));
+  }
+}
+
+TEST_F(ReadyNotifyTest, PrimitivesAreTheRobots) {
+  boot();
+  test_.as(sender_, [&] {
+    OPrimitiveID camera = 0;
+    EXPECT_EQ(OPENR::OpenPrimitive("PRM:/nowhere", &camera), oNOT_FOUND);
+    EXPECT_EQ(OPENR::OpenPrimitive("PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1", &camera), oSUCCESS);
+    OPrimitiveControl_CameraParam gain(ocamparamGAIN_HIGH);
+    EXPECT_EQ(OPENR::ControlPrimitive(camera, oprmreqCAM_SET_GAIN, &gain, sizeof(gain), nullptr, 0), oSUCCESS);
+    EXPECT_EQ(OPENR::ControlPrimitive(camera + 1, oprmreqCAM_SET_GAIN, &gain, sizeof(gain), nullptr, 0),
+              oINVALID_PRIMITIVE_ID);
+    EXPECT_EQ(OPENR::ClosePrimitive(camera), oSUCCESS);
+    char design[orobotdesignNAME_MAX];
+    EXPECT_EQ(OPENR::GetRobotDesign(design), oSUCCESS);
+    EXPECT_STREQ(design, "ERS-7");
+  });
+}
+
+TEST(OpenrCallTest, WithoutAMachineSaysSo) {
+  OPrimitiveID id = 0;
+  EXPECT_THROW(OPENR::OpenPrimitive("PRM:/r1", &id), std::logic_error);
+}
+
+}  // namespace
+}  // namespace openr_host
