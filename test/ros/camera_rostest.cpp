@@ -1,0 +1,203 @@
+// What the driver publishes on the camera's topics.
+
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/SetCameraInfo.h>
+#include <std_msgs/Bool.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnostics_listener.h"
+#include "driver_process.h"
+#include "recording_proxy.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+
+namespace {
+
+using test_support::DiagnosticsListener;
+using test_support::DriverProcess;
+using test_support::RecordingProxy;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using ::testing::Each;
+
+using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
+using CameraInfoListener = TopicListener<sensor_msgs::CameraInfo>;
+using ImageListener = TopicListener<sensor_msgs::Image>;
+
+constexpr std::size_t kEnough = 30;  // pictures: about a second of them
+
+template <typename Message>
+void ignore(const boost::shared_ptr<const Message>&) {}
+
+template <typename Message>
+ros::Subscriber subscribeAndIgnore(const std::string& topic) {
+  return ros::NodeHandle().subscribe<Message>(topic, 1, &ignore<Message>);
+}
+
+TEST(Camera, PublishedPicturesAreTheRobotsOwnByteForByteAndWithoutAGap) {
+  SimulatedRobot robot;
+  RecordingProxy proxy(robot.port());
+  CompressedListener pictures("/bytes/camera/image_raw/compressed");
+  DriverProcess driver("/bytes", proxy.port());
+  const auto published = pictures.waitForCount(kEnough);
+  ASSERT_GE(published.size(), kEnough);
+
+  const std::vector<std::vector<std::uint8_t>> sent = proxy.picturesFromRobot();
+  const auto first = std::find(sent.begin(), sent.end(), published.front()->data);
+  ASSERT_NE(first, sent.end()) << "the first picture is none that the robot sent";
+  ASSERT_GE(static_cast<std::size_t>(sent.end() - first), kEnough);
+  for (std::size_t i = 0; i < kEnough; ++i) {
+    ASSERT_EQ(published[i]->data, *(first + static_cast<std::ptrdiff_t>(i))) << "picture " << i;
+    EXPECT_EQ(published[i]->format, "bgr8; jpeg compressed bgr8");
+  }
+}
+
+TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/stamps/camera/image_raw/compressed");
+  CameraInfoListener camera_infos("/stamps/camera/camera_info");
+  ImageListener images("/stamps/camera/image_raw");
+  const ros::Time begin = ros::Time::now();
+  DriverProcess driver("/stamps", robot.port(), {"_frame_id:=aibo_eye"});
+  ASSERT_TRUE(images.waitFor([](const sensor_msgs::Image&) { return true; }));
+  images.clear();
+  const auto decoded = images.waitForCount(kEnough);
+  ASSERT_GE(decoded.size(), kEnough);
+  const ros::Time end = ros::Time::now();
+
+  ros::Time last;
+  for (const sensor_msgs::ImageConstPtr& image : decoded) {
+    EXPECT_GT(image->header.stamp, last);
+    EXPECT_GE(image->header.stamp, begin);
+    EXPECT_LE(image->header.stamp, end);
+    last = image->header.stamp;
+    EXPECT_EQ(image->header.frame_id, "aibo_eye");
+    const auto same_header = [&image](const auto& message) {
+      return message.header.stamp == image->header.stamp && message.header.frame_id == image->header.frame_id;
+    };
+    EXPECT_TRUE(pictures.waitFor(same_header));
+    EXPECT_TRUE(camera_infos.waitFor(same_header));
+  }
+}
+
+TEST(Camera, TheTimeOffsetIsAddedToTheStamps) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/offset/camera/image_raw/compressed");
+  DriverProcess driver("/offset", robot.port(), {"_time_offset:=30"});
+  const auto published = pictures.waitForCount(1);
+  ASSERT_FALSE(published.empty());
+  EXPECT_GT(published.front()->header.stamp, ros::Time::now());
+}
+
+TEST(Camera, ImagesAreBgrOfThePicturesSize) {
+  SimulatedRobot robot;
+  ImageListener images("/image/camera/image_raw");
+  DriverProcess driver("/image", robot.port());
+  const auto decoded = images.waitForCount(1);
+  ASSERT_FALSE(decoded.empty());
+  const sensor_msgs::Image& image = *decoded.front();
+  EXPECT_EQ(image.encoding, "bgr8");
+  EXPECT_EQ(image.width, 208u);
+  EXPECT_EQ(image.height, 160u);
+  EXPECT_EQ(image.step, 3u * 208u);
+  EXPECT_EQ(image.data.size(), 3u * 208u * 160u);
+}
+
+TEST(Camera, ImagesAreDecodedOnlyWhileSomebodySubscribes) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/lazy/camera/image_raw/compressed");
+  DiagnosticsListener diagnostics;
+  DriverProcess driver("/lazy", robot.port());
+  const auto decoded = [](const diagnostic_msgs::DiagnosticStatus& status) {
+    return DiagnosticsListener::value(status, "images decoded");
+  };
+  const std::string stream = "lazy/aibo_driver: stream";
+
+  ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
+  EXPECT_EQ(decoded(diagnostics.waitForNext(stream)), "0");
+  {
+    ImageListener images("/lazy/camera/image_raw");
+    ASSERT_GE(images.waitForCount(3).size(), 3u);
+  }
+  // The driver hears of the unsubscription a little later than we do, so take two numbers that are apart in time.
+  pictures.clear();
+  ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
+  const std::string after_unsubscription = decoded(diagnostics.waitForNext(stream));
+  EXPECT_NE(after_unsubscription, "0");
+  pictures.clear();
+  ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
+  EXPECT_EQ(decoded(diagnostics.waitForNext(stream)), after_unsubscription);
+}
+
+TEST(Camera, CameraInfoIsZeroUntilTheCameraIsCalibratedAndThenTheCalibration) {
+  namespace fs = std::filesystem;
+  const fs::path file = fs::temp_directory_path() / ("camera_rostest." + std::to_string(::getpid()) + ".yaml");
+  SimulatedRobot robot;
+  CameraInfoListener camera_infos("/calibration/camera/camera_info");
+  DriverProcess driver("/calibration", robot.port(), {"_camera_info_url:=file://" + file.string()});
+  const auto published = camera_infos.waitForCount(1);
+  ASSERT_FALSE(published.empty());
+  EXPECT_EQ(published.front()->width, 208u);
+  EXPECT_EQ(published.front()->height, 160u);
+  EXPECT_THAT(published.front()->K, Each(0.0));
+  EXPECT_THAT(published.front()->P, Each(0.0));
+  EXPECT_EQ(published.front()->distortion_model, "");
+
+  sensor_msgs::SetCameraInfo set_camera_info;
+  set_camera_info.request.camera_info.width = 208;
+  set_camera_info.request.camera_info.height = 160;
+  set_camera_info.request.camera_info.distortion_model = "plumb_bob";
+  set_camera_info.request.camera_info.D.assign(5, 0.0);
+  set_camera_info.request.camera_info.K = {190.0, 0.0, 104.0, 0.0, 190.0, 80.0, 0.0, 0.0, 1.0};
+  ASSERT_TRUE(ros::service::call("/calibration/camera/set_camera_info", set_camera_info));
+  ASSERT_TRUE(set_camera_info.response.success) << set_camera_info.response.status_message;
+  EXPECT_TRUE(camera_infos.waitFor([](const sensor_msgs::CameraInfo& info) { return info.K[0] == 190.0; }));
+  fs::remove(file);
+}
+
+TEST(Camera, OnDemandTheRobotStreamsOnlyWhileSomebodySubscribes) {
+  SimulatedRobot robot;
+  TopicListener<std_msgs::Bool> streaming("/demand/streaming");
+  DiagnosticsListener diagnostics;
+  DriverProcess driver("/demand", robot.port(), {"_stream_on_demand:=true"});
+  const auto is = [](bool value) {
+    return [value](const std_msgs::Bool& message) { return static_cast<bool>(message.data) == value; };
+  };
+  const auto is_idle = [](const diagnostic_msgs::DiagnosticStatus& status) {
+    return status.level == diagnostic_msgs::DiagnosticStatus::OK && status.message.find("idle") != std::string::npos;
+  };
+  // While the robot is connected and nobody subscribes.
+  EXPECT_NE(diagnostics
+                .waitFor("demand/aibo_driver: connection",
+                         [](const auto& status) { return status.level == diagnostic_msgs::DiagnosticStatus::OK; })
+                .name,
+            "");
+  EXPECT_NE(diagnostics.waitFor("demand/aibo_driver: stream", is_idle).name, "");
+  EXPECT_FALSE(streaming.waitFor(is(true), std::chrono::milliseconds(0)));
+  const std::string camera = "/demand/camera/";
+  const std::vector<std::function<ros::Subscriber()>> subscriptions = {
+      [&] { return subscribeAndIgnore<sensor_msgs::Image>(camera + "image_raw"); },
+      [&] { return subscribeAndIgnore<sensor_msgs::CompressedImage>(camera + "image_raw/compressed"); },
+      [&] { return subscribeAndIgnore<sensor_msgs::CameraInfo>(camera + "camera_info"); }};
+  for (const auto& subscribe : subscriptions) {
+    streaming.clear();
+    ros::Subscriber subscriber = subscribe();
+    EXPECT_TRUE(streaming.waitFor(is(true)));
+    streaming.clear();
+    subscriber.shutdown();
+    EXPECT_TRUE(streaming.waitFor(is(false)));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,197 @@
+// Node, nodelet and decoder as a user starts them.
+
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <signal.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "driver_process.h"
+#include "recording_proxy.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+
+namespace {
+
+using test_support::DriverProcess;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::RecordingProxy;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
+using ImageListener = TopicListener<sensor_msgs::Image>;
+
+TEST(Node, StartedBareIsFoundUnderAibo) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/aibo/camera/image_raw/compressed");
+  DriverProcess driver("/", robot.port());
+  EXPECT_FALSE(pictures.waitForCount(1).empty());
+  EXPECT_TRUE(ros::service::exists("/aibo/take_picture", false));
+  driver.waitForOutput("under /aibo", kSafetyNet);
+}
+
+TEST(Node, StartedInItsNamespaceDoesNotDoubleIt) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/aibo/camera/image_raw/compressed");
+  DriverProcess driver("/aibo", robot.port());
+  EXPECT_FALSE(pictures.waitForCount(1).empty());
+  EXPECT_FALSE(ros::service::exists("/aibo/aibo/take_picture", false));
+}
+
+TEST(Node, EndsWithAnErrorThatNamesABadParameterAndItsRange) {
+  DriverProcess driver("/bad", 54321, {"_jpeg_quality:=101"});
+  const auto status = driver.waitForExit(kSafetyNet);
+  ASSERT_TRUE(status.has_value());
+  EXPECT_NE(*status, 0);
+  driver.waitForOutput("/bad/aibo_driver/jpeg_quality is 101; allowed is a whole number, 1\\.\\.100", kSafetyNet);
+}
+
+TEST(Node, WarnsOfAMisspeltParameter) {
+  DriverProcess driver("/misspelt", 54321, {"_jpg_quality:=50"});
+  driver.waitForOutput("/misspelt/aibo_driver/jpg_quality", kSafetyNet);
+}
+
+TEST(Node, EndsWithinASecondOfCtrlC) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/ctrl_c/camera/image_raw/compressed");
+  DriverProcess streaming("/ctrl_c", robot.port());
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  streaming.signal(SIGINT);
+  EXPECT_EQ(streaming.waitForExit(std::chrono::seconds(1)), 0);
+
+  robot.kill();
+  DriverProcess alone("/ctrl_c", robot.port());
+  alone.waitForOutput(std::to_string(robot.port()), kSafetyNet);
+  alone.signal(SIGINT);
+  EXPECT_EQ(alone.waitForExit(std::chrono::seconds(1)), 0);
+}
+
+TEST(Node, TwoDriversServeTwoRobots) {
+  SimulatedRobot left_robot;
+  SimulatedRobot right_robot;
+  RecordingProxy left_proxy(left_robot.port());
+  RecordingProxy right_proxy(right_robot.port());
+  CompressedListener left_pictures("/left/camera/image_raw/compressed");
+  CompressedListener right_pictures("/right/camera/image_raw/compressed");
+  DriverProcess left("/left", left_proxy.port());
+  DriverProcess right("/right", right_proxy.port(), {"_jpeg_quality:=40"});
+  const auto left_published = left_pictures.waitForCount(10);
+  const auto right_published = right_pictures.waitForCount(10);
+  ASSERT_GE(left_published.size(), 10u);
+  ASSERT_GE(right_published.size(), 10u);
+  EXPECT_THAT(left_proxy.picturesFromRobot(), Contains(left_published.back()->data));
+  EXPECT_THAT(right_proxy.picturesFromRobot(), Contains(right_published.back()->data));
+  EXPECT_NE(left_published.back()->data, right_published.back()->data);
+}
+
+Process startNodelet(const std::string& type, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"rosrun", "nodelet", "nodelet", "standalone", type};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return Process(command);
+}
+
+TEST(Nodelet, PublishesThePictures) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/nodelet/camera/image_raw/compressed");
+  ImageListener images("/nodelet/camera/image_raw");
+  const Process nodelet =
+      startNodelet("aibo_driver/AiboDriverNodelet", {"__ns:=/nodelet", "_port:=" + std::to_string(robot.port())});
+  EXPECT_FALSE(pictures.waitForCount(1).empty()) << nodelet.output();
+  EXPECT_FALSE(images.waitForCount(1).empty()) << nodelet.output();
+}
+
+TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
+  Process nodelet = startNodelet("aibo_driver/AiboDriverNodelet", {"__ns:=/bad_nodelet", "_port:=0"});
+  nodelet.waitForOutput("port is 0; allowed is a whole number, 1\\.\\.65535", kSafetyNet);
+}
+
+// A picture of a robot, published again as from a bag.
+class Decoder : public ::testing::Test {
+ protected:
+  Decoder() {
+    CompressedListener pictures("/source/camera/image_raw/compressed");
+    SimulatedRobot robot;
+    DriverProcess driver("/source", robot.port());
+    const auto received = pictures.waitForCount(1);
+    if (!received.empty()) {
+      picture_ = *received.front();
+    }
+    picture_.header.stamp = ros::Time(1234, 5678);
+    publisher_ = ros::NodeHandle().advertise<sensor_msgs::CompressedImage>("/bag/camera/image_raw/compressed", 10);
+  }
+
+  // Publishes until an image comes, as a bag would go on.
+  sensor_msgs::ImageConstPtr publishUntilDecoded(ImageListener& images) {
+    for (int i = 0; i < 300; ++i) {
+      publisher_.publish(picture_);
+      const auto decoded = images.waitForCount(1, std::chrono::milliseconds(100));
+      if (!decoded.empty()) {
+        return decoded.front();
+      }
+    }
+    return nullptr;
+  }
+
+  bool waitForSubscribers(std::uint32_t count) const {
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    while (publisher_.getNumSubscribers() != count && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return publisher_.getNumSubscribers() == count;
+  }
+
+  void decodesWhileSomebodyListens() {
+    auto images = std::make_unique<ImageListener>("/bag/camera/image_raw");
+    const sensor_msgs::ImageConstPtr image = publishUntilDecoded(*images);
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->header.stamp, picture_.header.stamp);
+    EXPECT_EQ(image->header.frame_id, picture_.header.frame_id);
+    EXPECT_EQ(image->encoding, "bgr8");
+    EXPECT_EQ(image->width, 208u);
+    EXPECT_TRUE(waitForSubscribers(1));
+    images.reset();
+    EXPECT_TRUE(waitForSubscribers(0)) << "still subscribed although nobody listens";
+  }
+
+  sensor_msgs::CompressedImage picture_;
+  ros::Publisher publisher_;
+};
+
+TEST_F(Decoder, NodeSubscribesOnlyWhileSomebodyListensAndKeepsTheHeader) {
+  Process decoder({AIBO_IMAGE_DECODER, "__ns:=/bag/camera"});
+  decoder.waitForOutput("/bag/camera/image_raw/compressed", kSafetyNet);
+  EXPECT_EQ(publisher_.getNumSubscribers(), 0u);
+  decodesWhileSomebodyListens();
+  EXPECT_TRUE(decoder.isRunning());
+}
+
+TEST_F(Decoder, NodeletDoesTheSame) {
+  const Process decoder = startNodelet("aibo_driver/ImageDecoderNodelet", {"__ns:=/bag/camera"});
+  decodesWhileSomebodyListens();
+}
+
+TEST_F(Decoder, NodeLivesThroughDamagedPictures) {
+  Process decoder({AIBO_IMAGE_DECODER, "__ns:=/bag/camera"});
+  ImageListener images("/bag/camera/image_raw");
+  ASSERT_TRUE(publishUntilDecoded(images));
+  const std::vector<std::uint8_t> good = picture_.data;
+  picture_.data.resize(good.size() / 2);
+  publisher_.publish(picture_);
+  decoder.waitForOutput("was not decoded", kSafetyNet);
+  picture_.data.clear();
+  publisher_.publish(picture_);
+  picture_.data = good;
+  images.clear();
+  EXPECT_TRUE(publishUntilDecoded(images));
+  EXPECT_TRUE(decoder.isRunning());
+}
+
+}  // namespace

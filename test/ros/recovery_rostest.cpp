@@ -1,0 +1,132 @@
+// How the driver lives through the faults of robot and network.
+
+#include <aibo_driver/Connection.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "diagnostics_listener.h"
+#include "driver_process.h"
+#include "recording_proxy.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+
+namespace {
+
+using aibo_driver::Connection;
+using test_support::DiagnosticsListener;
+using test_support::DriverProcess;
+using test_support::RecordingProxy;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
+
+// From the return of the robot to the first picture.
+constexpr std::chrono::seconds kRecoveryLimit{3};
+
+TopicListener<Connection>::ConstPtr waitForState(TopicListener<Connection>& connection, std::uint8_t state) {
+  return connection.waitFor([state](const Connection& message) { return message.state == state; });
+}
+
+TEST(Recovery, PicturesComeAgainWithinThreeSecondsOfTheReturnOfAKilledRobot) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/killed/camera/image_raw/compressed");
+  TopicListener<Connection> connection("/killed/connection");
+  DriverProcess driver("/killed", robot.port());
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  for (int round = 0; round < 3; ++round) {
+    connection.clear();
+    robot.kill();
+    const auto lost = waitForState(connection, Connection::DISCONNECTED);
+    ASSERT_TRUE(lost);
+    EXPECT_NE(lost->reason, "");
+    EXPECT_NE(lost->advice, "");
+    pictures.clear();
+    robot.restart();
+    EXPECT_FALSE(pictures.waitForCount(1, kRecoveryLimit).empty()) << "round " << round;
+    EXPECT_TRUE(waitForState(connection, Connection::CONNECTED));
+  }
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST(Recovery, NoFileDescriptorIsLostOverFiftyBrokenConnections) {
+  constexpr int kRounds = 50;
+  SimulatedRobot robot;
+  RecordingProxy proxy(robot.port());
+  CompressedListener pictures("/broken/camera/image_raw/compressed");
+  DriverProcess driver("/broken", proxy.port(), {"_reconnect_wait_max:=0.05"});
+  std::size_t open_files = 0;
+  for (int round = 0; round <= kRounds; ++round) {
+    pictures.clear();
+    ASSERT_FALSE(pictures.waitForCount(1).empty()) << "round " << round;
+    if (round == 1) {
+      open_files = driver.openFiles();
+    }
+    if (round < kRounds) {
+      proxy.cut();
+    }
+  }
+  EXPECT_EQ(driver.openFiles(), open_files);
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST(Recovery, ARobotThatFallsSilentIsGivenUpAndFoundAgain) {
+  SimulatedRobot robot;
+  RecordingProxy proxy(robot.port());
+  CompressedListener pictures("/silence/camera/image_raw/compressed");
+  TopicListener<Connection> connection("/silence/connection");
+  DriverProcess driver("/silence", proxy.port());
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  connection.clear();
+  proxy.setMute(true);
+  ASSERT_TRUE(waitForState(connection, Connection::DISCONNECTED));
+  proxy.cut();
+  proxy.setMute(false);
+  pictures.clear();
+  EXPECT_FALSE(pictures.waitForCount(1).empty());
+}
+
+TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
+  auto robot = std::make_unique<SimulatedRobot>();
+  robot->kill();
+  CompressedListener pictures("/absent/camera/image_raw/compressed");
+  TopicListener<Connection> connection("/absent/connection");
+  DiagnosticsListener diagnostics;
+  DriverProcess driver("/absent", robot->port());
+  const auto told = connection.waitFor([](const Connection& message) { return !message.reason.empty(); });
+  ASSERT_TRUE(told);
+  EXPECT_THAT(told->text, HasSubstr("127.0.0.1:" + std::to_string(robot->port())));
+  EXPECT_NE(told->advice, "");
+  const auto status = diagnostics.waitFor("absent/aibo_driver: connection", [](const auto& s) {
+    return s.level == diagnostic_msgs::DiagnosticStatus::ERROR;
+  });
+  EXPECT_THAT(status.message, HasSubstr(told->advice));
+  robot->restart();
+  EXPECT_FALSE(pictures.waitForCount(1, kRecoveryLimit).empty());
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST(Recovery, StampsGoOnIncreasingAfterAReconnect) {
+  SimulatedRobot robot;
+  RecordingProxy proxy(robot.port());
+  CompressedListener pictures("/increase/camera/image_raw/compressed");
+  DriverProcess driver("/increase", proxy.port());
+  ASSERT_FALSE(pictures.waitForCount(10).empty());
+  proxy.cut();
+  ASSERT_TRUE(pictures.waitForNext());
+  const std::size_t so_far = pictures.count();
+  ros::Time last;
+  for (const auto& picture : pictures.waitForCount(so_far + 10)) {
+    EXPECT_GT(picture->header.stamp, last);
+    last = picture->header.stamp;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,23 @@
+/// @file driver_process.h
+#ifndef AIBO_DRIVER_TEST_DRIVER_PROCESS_H
+#define AIBO_DRIVER_TEST_DRIVER_PROCESS_H
+
+#include <string>
+#include <vector>
+
+#include "process.h"
+
+namespace test_support {
+
+/// The executable aibo_driver_node in a namespace of its own.
+class DriverProcess : public Process {
+ public:
+  /// @param name_space such as "/services"
+  /// @param port where it finds its robot, on 127.0.0.1
+  /// @param parameters further private parameters, such as "_stream_on_start:=false"
+  DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {});
+};
+
+}  // namespace test_support
+
+#endif  // AIBO_DRIVER_TEST_DRIVER_PROCESS_H

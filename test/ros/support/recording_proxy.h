@@ -1,0 +1,56 @@
+/// @file recording_proxy.h
+#ifndef AIBO_DRIVER_TEST_RECORDING_PROXY_H
+#define AIBO_DRIVER_TEST_RECORDING_PROXY_H
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace test_support {
+
+/// Stands between driver and robot on a free port, passes every byte on, and remembers it. One connection at a time.
+class RecordingProxy {
+ public:
+  /// @param robot_port where the robot listens, on 127.0.0.1
+  explicit RecordingProxy(int robot_port);
+  ~RecordingProxy();
+
+  RecordingProxy(const RecordingProxy&) = delete;
+  RecordingProxy& operator=(const RecordingProxy&) = delete;
+
+  int port() const { return port_; }
+
+  /// Breaks the present connection, if there is one.
+  void cut() { cut_ = true; }
+
+  /// From now on nothing is passed on, though connections stay and are accepted; or it is again.
+  void setMute(bool mute) { mute_ = mute; }
+
+  /// The JPEGs that the robot has sent since the proxy began, in this order.
+  std::vector<std::vector<std::uint8_t>> picturesFromRobot() const;
+
+  /// What the driver has sent since the proxy began.
+  std::string bytesFromDriver() const;
+
+ private:
+  void run();
+  void serve(int driver);
+
+  const int robot_port_;
+  int listener_ = -1;
+  int port_ = 0;
+  std::atomic<bool> stopping_{false};
+  std::atomic<bool> cut_{false};
+  std::atomic<bool> mute_{false};
+  mutable std::mutex mutex_;
+  std::vector<std::vector<std::uint8_t>> from_robot_;  ///< one entry for each connection
+  std::string from_driver_;
+  std::thread thread_;
+};
+
+}  // namespace test_support
+
+#endif  // AIBO_DRIVER_TEST_RECORDING_PROXY_H

@@ -1,0 +1,33 @@
+/// @file simulated_robot.h
+#ifndef AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
+#define AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
+
+#include <memory>
+
+#include "process.h"
+
+namespace test_support {
+
+/// The executable aibo_rcserver with a simulated ERS-7, on a free port of 127.0.0.1.
+class SimulatedRobot {
+ public:
+  SimulatedRobot() { start(0); }
+
+  int port() const { return port_; }
+
+  /// Kills it without a farewell.
+  void kill() { process_.reset(); }
+
+  /// Starts it again, on the same port. Returns when it listens.
+  void restart() { start(port_); }
+
+ private:
+  void start(int port);
+
+  int port_ = 0;
+  std::unique_ptr<Process> process_;
+};
+
+}  // namespace test_support
+
+#endif  // AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
