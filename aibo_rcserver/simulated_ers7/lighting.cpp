@@ -44,8 +44,8 @@ double lampBeside(const Body& body, const Vector3d& point) {
 /// Share of the light from everywhere that `body` leaves for `point`: the darkness around where things touch. Feels
 /// its way along the normal and looks how much nearer the body is there than it would be if it were not in the way.
 double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& normal) {
-  constexpr double kSteps[] = {0.012, 0.030, 0.060};
-  constexpr double kFarthest = 2 * 0.060;
+  constexpr double kSteps[] = {0.010, 0.022, 0.045};
+  constexpr double kFarthest = 2 * 0.045;
   const double outer = body.reach() + kFarthest;
   if ((body.position() - point).squaredNorm() > outer * outer || body.signedDistance(point) > kFarthest) {
     return 1;

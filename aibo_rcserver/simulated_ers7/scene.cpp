@@ -52,13 +52,26 @@ Body makeBone() {
   return Body({0.64, -0.13, knob}, 1.0, std::move(parts));
 }
 
-/// A plate to lie down on, with the dock that holds the robot's belly, and the pole it finds its way home by.
+/// Where the charging station stands and how it is turned.
+const Vector3d kStation(1.42, 0.42, 0);
+constexpr double kStationYaw = 0.45;
+
+/// A plate to lie down on, with the dock that holds the robot's belly.
 Body makeStation() {
-  return Body({1.42, 0.42, 0}, 0.45,
+  return Body(kStation, kStationYaw,
               {{Box{{0, 0, 0.012}, {0.15, 0.13, 0.012}}, Surface::kStation},
                {Box{{0.02, 0, 0.040}, {0.09, 0.055, 0.016}}, Surface::kStationDock},
-               {Box{{0.12, 0, 0.060}, {0.028, 0.085, 0.036}}, Surface::kStation},
-               {Capsule{{0.12, 0, 0.09}, {0.12, 0, 0.30}, 0.018}, Surface::kStationPole}});
+               {Box{{0.12, 0, 0.060}, {0.028, 0.085, 0.036}}, Surface::kStation}});
+}
+
+/// The pole at the back of the station, by which the robot finds its way home.
+Body makeStationPole() {
+  const double half_length = 0.105;
+  const double foot = 0.09;
+  const Vector3d position =
+      kStation + Vector3d(0.12 * std::cos(kStationYaw), 0.12 * std::sin(kStationYaw), foot + half_length);
+  return Body(position, kStationYaw,
+              {{Capsule{{0, 0, -half_length}, {0, 0, half_length}, 0.018}, Surface::kStationPole}});
 }
 
 Body makeCube(double x, double y, double yaw, double size, Surface surface) {
@@ -124,7 +137,11 @@ double Body::signedDistance(const Vector3d& point) const {
 }
 
 Scene::Scene()
-    : bodies_{makeBall(), makeBone(), makeStation(), makeCube(2.05, -0.62, 0.5, 0.14, Surface::kBlueCube),
+    : bodies_{makeBall(),
+              makeBone(),
+              makeStation(),
+              makeStationPole(),
+              makeCube(2.05, -0.62, 0.5, 0.14, Surface::kBlueCube),
               makeCube(2.20, -0.40, -0.2, 0.11, Surface::kYellowCube)} {
   setTime(0);
 }

@@ -205,8 +205,8 @@ Appearance wallAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint)
 
 Appearance poleAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint) {
   const Span z(hit.local_point.z(), footprint.z());
-  const double blue = coverage(z, 0.16, 0.215);
-  const double pink = coverage(z, 0.24, 0.295);
+  const double blue = coverage(z, -0.035, 0.020);
+  const double pink = coverage(z, 0.045, 0.100);
   return {mix(mix(kStationWhite, kPoleBlue, blue), kPolePink, pink), 0.3};
 }
 
