@@ -3,13 +3,22 @@
 #ifndef OPENR_HOST_VIRTUAL_ROBOT_H
 #define OPENR_HOST_VIRTUAL_ROBOT_H
 
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 #include <OPENR/OPrimitiveControl.h>
 #include <OPENR/RCRegion.h>
 
 #include <string>
+#include <vector>
 
 namespace openr_host {
+
+/// What one effector is told to do in one frame.
+struct EffectorCommand {
+  OPrimitiveID primitive;
+  ODataType type;  ///< such as odataJOINT_COMMAND2; says which of the value types of ODataFormats.h lies over `value`
+  OCommandValue value;
+};
 
 /// All calls come from the thread that runs the machine.
 class VirtualRobot {
@@ -25,7 +34,23 @@ class VirtualRobot {
   virtual OStatus closePrimitive(OPrimitiveID id) = 0;
   virtual OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size,
                                    void* result, size_t result_size) = 0;
+  virtual OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) = 0;
+  virtual OStatus enableJointGain(OPrimitiveID id) = 0;
+  virtual OStatus disableJointGain(OPrimitiveID id) = 0;
+  virtual OStatus getJointValue(OPrimitiveID id, OJointValue* value) = 0;
+  virtual OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) = 0;
+  virtual OStatus setMotorPower(OPower power) = 0;
   /// @}
+
+  /// One frame of 8 ms passes. Called for every frame in turn, also for those in which the host had held the process
+  /// up, so that no part of a motion is lost.
+  /// @param commands of OVirtualRobotComm.Effector for this frame; none if no object has sent any
+  virtual void passFrame(longword frame, const std::vector<EffectorCommand>& commands) = 0;
+
+  /// Reads all sensors and joints: an OSensorFrameVectorData, each entry with the four frames that end with this one.
+  /// Called every fourth frame (32 ms), and only if an observer of OVirtualRobotComm.Sensor is ready. The region is
+  /// the robot's as with captureImage().
+  virtual RCRegion* captureSensors(longword frame) = 0;
 
   /// Asked once a frame, with growing numbers, whether anybody looks or not. When the host has held the process up,
   /// frames are left out: an image that was due in one of those is due now.

@@ -3,6 +3,7 @@
 #ifndef OPENR_OPENRAPI_H
 #define OPENR_OPENRAPI_H
 
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 #include <OPENR/OPrimitiveControl.h>
 
@@ -25,6 +26,38 @@ OStatus ClosePrimitive(OPrimitiveID primitiveID);
 /// @return oINVALID_PRIMITIVE_ID if it is not open, oINVALID_ARG if request or argument is unknown to it
 OStatus ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest request, void* param, size_t paramSize,
                          void* result, size_t resultSize);
+
+/// Memory for a command vector with this many entries, all of them with a dataOffset of their own.
+/// @param[out] memID to make an RCRegion of: RCRegion(memID, vectorInfo.offset, vector, vectorInfo.totalSize)
+OStatus NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector);
+
+/// Gives it back; not before its RCRegion is free.
+OStatus DeleteCommandVectorData(MemoryRegionID memID);
+
+/// @name Joints
+/// `primitiveID` may be oprimitiveID_UNDEF, which means all joints that are open, except with the two that read.
+/// @return oINVALID_PRIMITIVE_ID if it is not open or no joint
+/// @{
+
+/// Gains of the servo, each with its shift. They count from the next EnableJointGain().
+OStatus SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds);
+
+/// The servo holds its joint where it was commanded last: command the present position first.
+OStatus EnableJointGain(OPrimitiveID primitiveID);
+
+/// The joint can be moved by hand.
+OStatus DisableJointGain(OPrimitiveID primitiveID);
+
+/// What the joint reports now.
+OStatus GetJointValue(OPrimitiveID primitiveID, OJointValue* value);
+/// @}
+
+/// What a sensor reports now.
+/// @return oINVALID_PRIMITIVE_ID if it is not open or no sensor
+OStatus GetSensorValue(OPrimitiveID primitiveID, OSensorValue* value);
+
+/// Power of all motors. It is off when the robot boots; without it no gain has an effect.
+OStatus SetMotorPower(OPower power);
 
 /// Name of the robot's model, "ERS-7" or "ERS-210".
 /// @param[out] design at least orobotdesignNAME_MAX characters
