@@ -64,6 +64,7 @@ bool Connection::Listen(Port port) {
   endpoint_ = create.moduleRef;
   endpoint_number_ = ++number_of_endpoints;
   state_ = LISTENING;
+  client_name_[0] = '\0';
   TCPEndpointListenMsg listen(endpoint_, IP_ADDR_ANY, port);
   if (!Post(listen, Extra_Entry[entryListenCont], sizeof(listen))) {
     Close(true);

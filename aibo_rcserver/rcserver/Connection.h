@@ -80,6 +80,9 @@ class Connection {
   /// @return false if the IPStack refuses
   bool Continue();
 
+  /// True if a client has come since Listen().
+  bool HadClient() const { return client_name_[0] != '\0'; }
+
   /// The client's address, "192.168.1.2:40000".
   const char* ClientName() const { return client_name_; }
 

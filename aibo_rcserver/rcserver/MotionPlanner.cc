@@ -19,15 +19,6 @@ int Clamped(int value, int low, int high) {
   return std::min(std::max(value, low), high);
 }
 
-bool IsFollower(const robot_model::RobotModel& robot, int joint) {
-  for (int i = 0; i < robot.number_of_couplings; ++i) {
-    if (robot.couplings[i].follower == joint) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // The follower's lower limit while the leader may be anywhere in the span. It is highest at one of its ends: see
 // robot_model::Coupling.
 int CoupledLowest(const Coupling& coupling, const JointMotion::Span& leader) {
@@ -39,12 +30,9 @@ int CoupledLowest(const Coupling& coupling, const JointMotion::Span& leader) {
 MotionPlanner::MotionPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(0) {
   int posture[robot_model::MAX_JOINTS] = {0};
   clampPosture(robot_, posture);
-  int first = 0;
-  int last = robot_.number_of_joints;
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     motions_[i].Place(posture[i]);
     LeaveCommand(i);
-    followers_first_[IsFollower(robot_, i) ? first++ : --last] = i;
   }
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     SetSpeedLimit(i, robot_.joints[i].highest_speed);
@@ -133,14 +121,13 @@ int MotionPlanner::SetAccelerationLimit(int joint, int limit) {
 
 void MotionPlanner::NextFrame() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    const int joint = followers_first_[i];
-    const int wanted = motions_[joint].WantedStep();
-    const int allowed = AllowedStep(joint, wanted);
+    const int wanted = motions_[i].WantedStep();
+    const int allowed = AllowedStep(i, wanted);
     if (allowed != wanted) {
       // It may wait for one of its own company, which therefore must not wait for it.
-      LeaveCommand(joint);
+      LeaveCommand(i);
     }
-    motions_[joint].Advance(allowed);
+    motions_[i].Advance(allowed);
   }
   ArriveTogether();
 }

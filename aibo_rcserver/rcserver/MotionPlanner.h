@@ -18,10 +18,10 @@
 /// - Its speed and its change of speed are within its limits. A joint that is faster than a new limit brakes.
 /// - It moves on a trapezoid (JointMotion.h), meets its target exactly, and takes a new target without a jump.
 /// - The body is not hit: where the table couples two joints, the follower is never below the lower limit that goes
-///   with the leader's place. Even if both started to brake now, whichever would stop first, that would stay so: each
-///   checks its step against all places that the other can still get to while it brakes. The follower chooses first and
-///   keeps above the limit for where the leader is bound to go; then the leader is held back until there is room. All
-///   of this is checked per frame, on top of the targets, which fit together from the start.
+///   with the leader's place. Targets are made to fit together when they are set. On the way, one joint after the other
+///   checks its next step against all places that its partner can still get to while it brakes, so that even if both
+///   started to brake now, whichever stopped first, the limit would hold. A joint that finds no room goes as near as it
+///   may and waits: the rotator for its elevator to rise, the elevator for its rotator to pass.
 ///
 /// Speeds and accelerations are rounded down to whole microradians a frame, and a frame a frame.
 ///
@@ -75,9 +75,9 @@ class MotionPlanner {
   int SetSpeedLimit(int joint, int limit);
   int SpeedLimit(int joint) const { return speed_limits_[joint]; }
 
-  /// @param limit taken into 15625..what reaches the joint's highest speed within one frame. A lower limit than before
-  ///   waits until the joint stands (is slow enough to stop from one frame to the next), because it would pass its
-  ///   target otherwise; a higher one counts from the next target on.
+  /// @param limit taken into 15625..what reaches the joint's highest speed within one frame. A higher limit than before
+  ///   counts at once; a lower one waits until the joint stands (is slow enough to stop with it from one frame to the
+  ///   next), because it would pass its target otherwise.
   /// @return the limit accepted
   int SetAccelerationLimit(int joint, int limit);
   int AccelerationLimit(int joint) const { return acceleration_limits_[joint]; }
@@ -107,7 +107,6 @@ class MotionPlanner {
   int acceleration_limits_[robot_model::MAX_JOINTS];  ///< microradian/s^2
   unsigned commands_[robot_model::MAX_JOINTS];        ///< joints with the same number arrive together
   unsigned last_command_;
-  int followers_first_[robot_model::MAX_JOINTS];  ///< all joints, in the order in which they choose their steps
 };
 
 #endif  // RCSERVER_MOTION_PLANNER_H

@@ -166,7 +166,10 @@ void RCServer::CloseCont(ANTENVMSG msg) {
     return;
   }
   connection->Closed();
-  ListenWhereClosed();
+  // Where nobody has come because listening failed, trying at once would fail again: Notify() tries later.
+  if (connection->HadClient()) {
+    ListenWhereClosed();
+  }
 }
 
 void RCServer::ListenWhereClosed() {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -138,6 +139,20 @@ TEST(Camera, ImagesAreDecodedOnlyWhileSomebodySubscribes) {
   pictures.clear();
   ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
   EXPECT_EQ(decoded(diagnostics.waitForNext(stream)), after_unsubscription);
+}
+
+TEST(Camera, NobodyElsePublishesJpegsWhereImageTransportHasACompressedPlugin) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/plugin/camera/image_raw/compressed");
+  ImageListener images("/plugin/camera/image_raw");
+  const char* packages = std::getenv("ROS_PACKAGE_PATH");
+  ASSERT_NE(packages, nullptr);
+  DriverProcess driver("/plugin", robot.port(), {},
+                       {{"ROS_PACKAGE_PATH", std::string(COMPRESSED_PLUGIN_PACKAGE) + ":" + packages}});
+  ASSERT_FALSE(images.waitForCount(kEnough).empty());
+  for (const sensor_msgs::CompressedImageConstPtr& picture : pictures.waitForCount(kEnough)) {
+    ASSERT_EQ(picture->format, "bgr8; jpeg compressed bgr8");
+  }
 }
 
 TEST(Camera, CameraInfoIsZeroUntilTheCameraIsCalibratedAndThenTheCalibration) {

@@ -187,7 +187,7 @@ TEST(TakePicture, WithTheRobotGoneSaysWhyAndWhatToCheck) {
 }
 
 TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
-  ConnectedDriver connected("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=3"});
+  ConnectedDriver connected("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=4", "_read_timeout:=60"});
   connected.proxy.setMute(true);
   std::future<TakePicture::Response> waiting = std::async(std::launch::async, [] { return takePicture("/silent", 0); });
   EXPECT_TRUE(setStreaming("/silent", false).success);

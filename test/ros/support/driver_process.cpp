@@ -11,7 +11,8 @@ std::vector<std::string> command(const std::string& name_space, int port, const 
 
 }  // namespace
 
-DriverProcess::DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters)
-    : Process(command(name_space, port, parameters)) {}
+DriverProcess::DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters,
+                             const std::map<std::string, std::string>& environment)
+    : Process(command(name_space, port, parameters), environment) {}
 
 }  // namespace test_support

@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_TEST_DRIVER_PROCESS_H
 #define AIBO_DRIVER_TEST_DRIVER_PROCESS_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ class DriverProcess : public Process {
   /// @param name_space such as "/services"
   /// @param port where it finds its robot, on 127.0.0.1
   /// @param parameters further private parameters, such as "_stream_on_start:=false"
-  DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {});
+  /// @param environment as for Process
+  DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {},
+                const std::map<std::string, std::string>& environment = {});
 };
 
 }  // namespace test_support

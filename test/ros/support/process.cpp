@@ -26,7 +26,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-std::vector<std::string> mergedEnvironment(const std::map<std::string, std::string>& added) {
+std::vector<std::string> mergedEnvironment(std::map<std::string, std::string> added) {
+  added.emplace("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1");  // or a pipe gets ROS_INFO only when the process ends
   std::vector<std::string> result;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;

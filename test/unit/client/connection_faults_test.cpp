@@ -86,7 +86,7 @@ TEST_F(ConnectionFaultsTest, ACloseBetweenPicturesIsRecoveredFrom) {
   ASSERT_TRUE(recorder_.waitForPictures(1));
   peer.close();
   ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
-  acceptStream();
+  const ScriptedPeer next = acceptStream();
   EXPECT_TRUE(recorder_.waitForStreaming({true, false, true}));
 }
 

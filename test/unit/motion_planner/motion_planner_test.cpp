@@ -37,11 +37,16 @@ std::vector<int> allJoints() {
   return joints;
 }
 
-bool isCoupled(int joint) {
+bool isLeader(int joint) {
   const robot_model::Coupling* const couplings = ers7().couplings;
-  return std::any_of(couplings, couplings + ers7().number_of_couplings, [joint](const robot_model::Coupling& coupling) {
-    return coupling.leader == joint || coupling.follower == joint;
-  });
+  return std::any_of(couplings, couplings + ers7().number_of_couplings,
+                     [joint](const robot_model::Coupling& coupling) { return coupling.leader == joint; });
+}
+
+bool isFollower(int joint) {
+  const robot_model::Coupling* const couplings = ers7().couplings;
+  return std::any_of(couplings, couplings + ers7().number_of_couplings,
+                     [joint](const robot_model::Coupling& coupling) { return coupling.follower == joint; });
 }
 
 // Where all joints are.
@@ -108,10 +113,11 @@ class RandomClient {
     return static_cast<int>(std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random_)));
   }
 
-  // Somewhat more than the joint's range.
+  // Somewhat more than the joint's range; for a follower, mostly where its leaders matter.
   int position(int joint) {
     const robot_model::Joint& limits = ers7().joints[joint];
-    return between(limits.mechanical_lowest, limits.mechanical_highest);
+    const bool low = isFollower(joint) && between(0, 3) > 0;
+    return between(limits.mechanical_lowest, low ? microradians(6) : limits.mechanical_highest);
   }
 
   std::vector<JointTarget> targets() {
@@ -171,12 +177,19 @@ class Inspector {
       : planner_(planner),
         posture_(postureOf(planner)),
         steps_(posture_.size(), 0),
-        accelerations_(posture_.size(), 0) {}
+        accelerations_(posture_.size(), 0) {
+    noteLimits();
+  }
 
-  void nextFrame() {
+  // To be called after every command.
+  void noteLimits() {
     for (const int i : allJoints()) {
       noteAcceleration(i);
     }
+  }
+
+  void nextFrame() {
+    noteLimits();
     planner_.NextFrame();
     const std::vector<int> before = posture_;
     posture_ = postureOf(planner_);
@@ -191,8 +204,6 @@ class Inspector {
       steps_[index] = step;
     }
   }
-
-  const std::vector<int>& posture() const { return posture_; }
 
  private:
   static int framesLimit(int acceleration) { return acceleration / (kFramesPerSecond * kFramesPerSecond); }
@@ -264,6 +275,7 @@ TEST(MotionPlanner, NeverExceedsALimitWhateverIsCommanded) {
   for (int i = 0; i < 10000 && !HasFailure(); ++i) {
     SCOPED_TRACE("command " + std::to_string(i));
     client.command(planner);
+    inspector.noteLimits();
     const int frames = client.between(0, 1) * client.between(0, 30);
     for (int frame = 0; frame < frames; ++frame) {
       inspector.nextFrame();
@@ -358,7 +370,7 @@ TEST(MotionPlanner, LetsJointsArriveTogetherWhateverWasCommandedBefore) {
     planner.SetTargets(targets.data(), static_cast<int>(targets.size()), duration);
     std::vector<int> joints;
     for (const JointTarget& target : targets) {
-      if (!isCoupled(target.joint)) {
+      if (!isLeader(target.joint) && !isFollower(target.joint)) {
         joints.push_back(target.joint);
       }
     }
@@ -437,6 +449,9 @@ TEST(MotionPlanner, TakesTheJointsOfACommandInAnyOrder) {
     const int duration = client.between(0, 500);
     MotionPlanner planner(ers7());
     MotionPlanner other(ers7());
+    std::vector<JointTarget> before = client.targets();
+    planner.SetTargets(before.data(), static_cast<int>(before.size()), 0);
+    other.SetTargets(before.data(), static_cast<int>(before.size()), 0);
     planner.SetTargets(targets.data(), static_cast<int>(targets.size()), duration);
     other.SetTargets(reversed.data(), static_cast<int>(reversed.size()), duration);
     ASSERT_EQ(targetsOf(planner), targetsOf(other));
@@ -501,6 +516,19 @@ TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
   EXPECT_LT(frames, 2 * kFramesPerSecond + kFramesPerSecond / 3);
   EXPECT_EQ(planner.Position(rotator), microradians(100));
   EXPECT_EQ(planner.Position(elevator), microradians(-2));
+}
+
+TEST(MotionPlanner, LetsAWaitingJointGoAsNearAsItMay) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  planner.SetTarget(elevator, microradians(-10));
+  runUntilAllHaveArrived(planner);
+  planner.SetSpeedLimit(elevator, 125);
+  planner.SetTarget(rotator, microradians(100));
+  run(planner, 50);
+  EXPECT_EQ(planner.Position(rotator), microradians(20));
+  EXPECT_EQ(planner.Speed(rotator), 0);
 }
 
 TEST(MotionPlanner, LowersTheElevatorOnlyAsTheRotatorMakesRoom) {
@@ -568,6 +596,7 @@ TEST(MotionPlanner, DoesNotLowerAnElevatorToWhereAHeldRotatorStands) {
   runUntilAllHaveArrived(planner);
   EXPECT_LT(planner.Position(rotator), microradians(-76));
   EXPECT_EQ(planner.Position(elevator), microradians(-1));
+  EXPECT_EQ(planner.Target(elevator), microradians(-1));
 }
 
 TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {

@@ -1,6 +1,7 @@
 // TCP endpoints on real sockets, from an object's point of view (OPEN-R SDK Internet Protocol Version4).
 #include <gmock/gmock.h>
 #include <netinet/tcp.h>
+#include <sys/resource.h>
 
 #include <cstring>
 
@@ -197,6 +198,19 @@ TEST_F(IpStackTest, ALargeSendArrivesWholeAlthoughTheSendBufferIsSmall) {
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPSend, TCP_SUCCESS)));
 }
 
+TEST_F(IpStackTest, ASmallPoolHoldsLittleForAClientThatDoesNotRead) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client, 4096, 8 * 1024);
+  constexpr std::size_t kPicture = 4 * 1024;
+  std::size_t pictures = 0;
+  do {
+    send(endpoint, kPicture);
+    test_.runPending();
+    ++pictures;
+  } while (answers_.size() == pictures);
+  EXPECT_LE(pictures, 16U);  // hundreds, if the kernel chose
+}
+
 TEST_F(IpStackTest, OneSendAndOneReceiveMayBeUnderWayAndASecondOfEachIsBusy) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client, 4096);
@@ -317,6 +331,22 @@ TEST_F(IpStackTest, ANewcomerIsTurnedAwayAtOnceWhileNobodyListens) {
   ASSERT_TRUE(test_.runUntil([&] { return newcomer.isAtEnd() || newcomer.wasReset(); }));
   send(endpoint, "still here");
   EXPECT_TRUE(test_.runUntil([&] { return client->received() == "still here"; }));
+}
+
+TEST_F(IpStackTest, AClientForWhomThereIsNoDescriptorLeftIsTurnedAwayAndTheNextOneIsServed) {
+  listen(createEndpoint());
+  TestClient client(host_port_);
+  rlimit usual{};
+  getrlimit(RLIMIT_NOFILE, &usual);
+  rlimit exhausted = usual;
+  exhausted.rlim_cur = static_cast<rlim_t>(FileDescriptor(dup(STDERR_FILENO)).get());  // the lowest that is free
+  setrlimit(RLIMIT_NOFILE, &exhausted);
+  EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd() || client.wasReset(); }));
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_THAT(answers_, IsEmpty());
+  const TestClient next(host_port_);
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPListen, TCP_SUCCESS)));
 }
 
 TEST_F(IpStackTest, EndpointsThatListenOnOnePortGetTheClientsInTheirOrder) {

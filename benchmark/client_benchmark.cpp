@@ -1,0 +1,137 @@
+// What the driver's own work on a picture costs: finding it in the byte stream, checking it, decoding it beside bare
+// TurboJPEG. The pictures are of 208x160 at quality 85, 4:2:0.
+#include <benchmark/benchmark.h>
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "aibo_driver/jpeg_inspector.h"
+#include "client/counters.h"
+#include "client/notifier.h"
+#include "client/reply_parser.h"
+#include "client/session.h"
+#include "jpeg_decoder.h"
+#include "test_pictures.h"
+
+namespace {
+
+using test_pictures::Bytes;
+
+constexpr std::size_t kPictures = 16;
+constexpr std::size_t kReadSize = 16 * 1024;  // what one read from the socket gives at most
+
+std::vector<Bytes> makePictures() {
+  std::vector<Bytes> pictures;
+  for (unsigned i = 0; i < kPictures; ++i) {
+    pictures.push_back(test_pictures::makeNumbered(i));
+  }
+  return pictures;
+}
+
+Bytes makeStream() {
+  Bytes stream;
+  for (const Bytes& picture : makePictures()) {
+    const Bytes reply = test_pictures::makeReply(picture);
+    stream.insert(stream.end(), reply.begin(), reply.end());
+  }
+  return stream;
+}
+
+template <typename Feed>
+void feedInReads(const Bytes& stream, const Feed& feed) {
+  for (std::size_t at = 0; at < stream.size(); at += kReadSize) {
+    feed(stream.data() + at, std::min(kReadSize, stream.size() - at));
+  }
+}
+
+/// Reports the time of one picture, and its size.
+void setCounters(benchmark::State& state, std::size_t bytes) {
+  const auto pictures = static_cast<double>(state.iterations() * static_cast<benchmark::IterationCount>(kPictures));
+  state.counters["s_per_picture"] =
+      benchmark::Counter(pictures, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["bytes"] = static_cast<double>(bytes) / kPictures;
+}
+
+class Discard final : public aibo_driver::ReplyHandler {
+ public:
+  void onPicture(Bytes jpeg, TimePoint) override { benchmark::DoNotOptimize(jpeg.data()); }
+  void onValueReply(const protocol::ValueReply&) override {}
+};
+
+void BM_Parse(benchmark::State& state) {
+  const Bytes stream = makeStream();
+  aibo_driver::ReplyParser parser;
+  Discard discard;
+  for (auto _ : state) {
+    feedInReads(stream, [&](const std::uint8_t* data, std::size_t size) { parser.feed(data, size, {}, discard); });
+  }
+  setCounters(state, stream.size());
+}
+BENCHMARK(BM_Parse);
+
+void BM_Inspect(benchmark::State& state) {
+  const std::vector<Bytes> pictures = makePictures();
+  for (auto _ : state) {
+    for (const Bytes& picture : pictures) {
+      benchmark::DoNotOptimize(aibo_driver::inspectJpeg(picture.data(), picture.size()));
+    }
+  }
+  setCounters(state, makeStream().size());
+}
+BENCHMARK(BM_Inspect);
+
+/// All that happens between the socket and the callback: parse, inspect, judge, wrap.
+void BM_Session(benchmark::State& state) {
+  const Bytes stream = makeStream();
+  const auto now = aibo_driver::Session::TimePoint() + std::chrono::hours(1);
+  const aibo_driver::Notifier notifier(
+      {[](const aibo_driver::PicturePtr& p) { benchmark::DoNotOptimize(p.get()); }, nullptr, nullptr, nullptr});
+  aibo_driver::Counters counters;
+  aibo_driver::Session session("robot", std::chrono::milliseconds(500), notifier, counters, now);
+  aibo_driver::StreamWish wish;
+  wish.streaming = true;
+  session.nextCommand(wish, now);
+  for (auto _ : state) {
+    feedInReads(stream, [&](const std::uint8_t* data, std::size_t size) { session.bytesArrived(data, size, now); });
+  }
+  if (counters.pictures == 0 || counters.corrupt_pictures + counters.stale_pictures > 0) {
+    state.SkipWithError("pictures were lost");
+  }
+  setCounters(state, stream.size());
+}
+BENCHMARK(BM_Session);
+
+void BM_Decode(benchmark::State& state) {
+  const std::vector<Bytes> pictures = makePictures();
+  aibo_driver::JpegDecoder decoder;
+  for (auto _ : state) {
+    for (const Bytes& picture : pictures) {
+      benchmark::DoNotOptimize(decoder.decode(picture.data(), picture.size()).pixels.data());
+    }
+  }
+  setCounters(state, makeStream().size());
+}
+BENCHMARK(BM_Decode);
+
+/// The limit: one handle, one buffer, no check.
+void BM_DecodeBareTurboJpeg(benchmark::State& state) {
+  const std::vector<Bytes> pictures = makePictures();
+  const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), &tjDestroy);
+  std::vector<unsigned char> pixels(208 * 160 * 3);
+  for (auto _ : state) {
+    for (const Bytes& picture : pictures) {
+      if (tjDecompress2(decoder.get(), picture.data(), picture.size(), pixels.data(), 208, 0, 160, TJPF_BGR, 0) != 0) {
+        state.SkipWithError(tjGetErrorStr2(decoder.get()));
+      }
+      benchmark::DoNotOptimize(pixels.data());
+    }
+  }
+  setCounters(state, makeStream().size());
+}
+BENCHMARK(BM_DecodeBareTurboJpeg);
+
+}  // namespace
+
+BENCHMARK_MAIN();

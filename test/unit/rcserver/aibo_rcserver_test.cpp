@@ -1,0 +1,94 @@
+// The executable, as scripts and roslaunch use it.
+#include <gmock/gmock.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "child_process.h"
+#include "test_client.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<std::string> command(const std::vector<std::string>& options) {
+  std::vector<std::string> arguments = {AIBO_RCSERVER, "--memory-stick", MEMORY_STICK};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return arguments;
+}
+
+const std::vector<std::string> kFreePorts = {"--port", "0", "--console-port", "0"};
+
+// Waits until it listens.
+std::string portOf(ChildProcess& robot) {
+  const std::string text = "RCServer listening on 127.0.0.1:";
+  const std::string line = robot.readLineWith(text);
+  EXPECT_GT(line.size(), text.size()) << robot.printed();
+  return line.substr(std::min(line.size(), text.size()));
+}
+
+TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    ChildProcess robot(command(kFreePorts));
+    TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
+    client.send("FU");
+    std::optional<Reply> reply;
+    for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
+      reply = client.next();
+      ::poll(nullptr, 0, 10);
+    }
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->letter, protocol::REPLY_PICTURE);
+    robot.signal(signal);
+    EXPECT_EQ(robot.wait(), 0) << robot.printed();
+    EXPECT_THAT(robot.printed(), HasSubstr("Stopped\n"));
+  }
+}
+
+TEST(AiboRCServer, PassesOverTheArgumentsThatRoslaunchAdds) {
+  std::vector<std::string> options = kFreePorts;
+  options.insert(options.end(), {"__name:=robot", "__log:=/nowhere/robot.log"});
+  ChildProcess robot(command(options));
+  portOf(robot);
+  robot.signal(SIGTERM);
+  EXPECT_EQ(robot.wait(), 0);
+}
+
+TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--port", "65536"},          {"--port", "-1"},    {"--port", "x"}, {"--console-port", "65536"},
+      {"--seconds-per-image", "0"}, {"--no-such-option"}};
+  for (const std::vector<std::string>& options : wrong) {
+    ChildProcess robot(command(options));
+    EXPECT_EQ(robot.wait(), 2) << options[0];
+    EXPECT_THAT(robot.printed(), HasSubstr(options[0]));
+  }
+}
+
+TEST(AiboRCServer, SaysWhichPortIsInUse) {
+  ChildProcess first(command(kFreePorts));
+  const std::string port = portOf(first);
+  ChildProcess second(command({"--port", port, "--console-port", "0"}));
+  EXPECT_EQ(second.wait(), 1);
+  EXPECT_THAT(second.printed(), HasSubstr(port));
+}
+
+TEST(AiboRCServer, SaysWhichMemoryStickIsNotThere) {
+  ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
+  EXPECT_EQ(robot.wait(), 1);
+  EXPECT_THAT(robot.printed(), HasSubstr("/nowhere"));
+}
+
+TEST(AiboRCServer, FindsItsMemoryStickByItself) {
+  ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
+  portOf(robot);
+  robot.signal(SIGTERM);
+  EXPECT_EQ(robot.wait(), 0) << robot.printed();
+}
+
+}  // namespace

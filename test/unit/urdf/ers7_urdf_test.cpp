@@ -1,0 +1,238 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+
+#include "robot_model/robot_model.h"
+#include "simulated_ers7/head_kinematics.h"
+#include "urdf_model.h"
+
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+// The file's numbers have six digits behind the point.
+constexpr double kPrecision = 2e-6;
+
+class Ers7Urdf : public ::testing::Test {
+ protected:
+  // `millimetres` in the body, and where the link's own axes point there.
+  void expectPose(const std::string& link, const Posture& posture, const Vector3d& millimetres, const Vector3d& x_axis,
+                  const Vector3d& z_axis) {
+    const Isometry3d pose = urdf_.linkPose(link, posture);
+    EXPECT_LT((pose.translation() - millimetres / 1000).norm(), kPrecision) << pose.translation().transpose() * 1000;
+    EXPECT_LT((pose.linear().col(0) - x_axis).norm(), kPrecision) << pose.linear().col(0).transpose();
+    EXPECT_LT((pose.linear().col(2) - z_axis).norm(), kPrecision) << pose.linear().col(2).transpose();
+  }
+
+  const UrdfModel urdf_{ERS7_URDF};
+  const robot_model::RobotModel& table_{*robot_model::findRobotModel("ERS-7")};
+
+  const Vector3d forward_{1, 0, 0};
+  const Vector3d left_{0, 1, 0};
+  const Vector3d up_{0, 0, 1};
+};
+
+TEST_F(Ers7Urdf, HasTheJointsOfTheTableAndNoOtherThatMove) {
+  std::set<std::string> expected;
+  for (int i = 0; i < table_.number_of_joints; ++i) {
+    expected.insert(table_.joints[i].name);
+  }
+  std::set<std::string> found;
+  for (const auto& joint : urdf_.model().joints_) {
+    if (joint.second->type != urdf::Joint::FIXED) {
+      found.insert(joint.first);
+    }
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST_F(Ers7Urdf, HasTheLimitsAndSpeedsOfTheTable) {
+  for (int i = 0; i < table_.number_of_joints; ++i) {
+    const robot_model::Joint& expected = table_.joints[i];
+    SCOPED_TRACE(expected.name);
+    const urdf::JointConstSharedPtr joint = urdf_.model().getJoint(expected.name);
+    ASSERT_TRUE(joint);
+    EXPECT_EQ(joint->type, urdf::Joint::REVOLUTE);
+    EXPECT_EQ(joint->child_link_name, joint->name + "_link");
+    ASSERT_TRUE(joint->limits);
+    EXPECT_EQ(std::lround(joint->limits->lower * 1e6), expected.lowest);
+    EXPECT_EQ(std::lround(joint->limits->upper * 1e6), expected.highest);
+    EXPECT_EQ(std::lround(joint->limits->velocity * 1e6), expected.highest_speed);
+  }
+}
+
+// In what follows, positions are in millimetres. The links are those of the kinematic table:
+//   head: neck joint at (67.5, 0, 19.5); head joints 80 up the neck; camera 81.06 ahead of them and 14.6 below.
+//   legs: rotator and elevator at (+-65, +-62.5, 0); knee 69.5 down the leg, 9 ahead in front, 9 behind at the back;
+//         ball of the foot, from the knee, in front 65.434 * sin 4.4088 = 5.0300 behind and 65.434 * cos 4.4088 =
+//         65.2404 below, at the back 67.647 * sin 11.537 = 13.5294 ahead and 67.647 * cos 11.537 = 66.2803 below;
+//         4.7 to the outside.
+//   tail: joints at (-102, 0, 33); at zero it points up.
+
+// Straight legs and neck: the lengths just add up.
+TEST_F(Ers7Urdf, WithAllJointsAtZeroEverythingIsStraight) {
+  expectPose("camera_optical_frame", {}, {67.5 + 81.06, 0, 19.5 + 80 - 14.6}, -left_, forward_);
+  expectPose("left_front_foot_link", {}, {65 + 9 - 5.0300, 62.5 + 4.7, -69.5 - 65.2404}, forward_, up_);
+  expectPose("right_hind_foot_link", {}, {-65 - 9 + 13.5294, -62.5 - 4.7, -69.5 - 66.2803}, forward_, up_);
+  expectPose("tail_pan_link", {}, {-102, 0, 33}, forward_, up_);
+}
+
+// Every joint by a right angle, so that each link lies along an axis of the body, whether the robot can do it or not.
+TEST_F(Ers7Urdf, WithAllJointsAtARightAngleEverythingLiesAlongAnAxis) {
+  const double right_angle = 90 * kDegree;
+
+  // Neck down to the front: the head joints are 80 ahead, the head's up is forward, its forward is down. Pan to the
+  // left about the neck: its forward is left. Tilt up: its forward is what was up, forward; its up is what was back,
+  // right.
+  expectPose("camera_optical_frame",
+             {{"neck_tilt", -right_angle}, {"head_pan", right_angle}, {"head_tilt", right_angle}},
+             {67.5 + 80 + 81.06, 14.6, 19.5}, -up_, forward_);
+
+  // Rotator forward: the leg points ahead, its front is up. Elevator outwards: it points left, its outside is back.
+  // Knee: the shank points where the leg's front is, up; the shank's front is where the leg came from, right.
+  expectPose(
+      "left_front_foot_link",
+      {{"left_front_rotator", right_angle}, {"left_front_elevator", right_angle}, {"left_front_knee", right_angle}},
+      {65 - 4.7, 62.5 + 69.5 + 5.0300, 9 + 65.2404}, -left_, -up_);
+
+  // Rotator forward: the leg points ahead, its front is up. Elevator outwards: it points right, its outside is back.
+  // Hind knee: the shank points where the leg's back is, down; the shank's front is where the leg points, right.
+  expectPose(
+      "right_hind_foot_link",
+      {{"right_hind_rotator", right_angle}, {"right_hind_elevator", right_angle}, {"right_hind_knee", right_angle}},
+      {-65 - 4.7, -62.5 - 69.5 - 13.5294, -9 - 66.2803}, -left_, up_);
+
+  // Tilt: the tail points forward. Pan: it points left. Its own x is turned down by the tilt and left there by the pan.
+  expectPose("tail_pan_link", {{"tail_tilt", right_angle}, {"tail_pan", right_angle}}, {-102, 0, 33}, -up_, left_);
+}
+
+// Angles of 30 and 60 degrees, as a robot has them that stands and looks aside.
+TEST_F(Ers7Urdf, InAnEverydayPostureItIsWhereTheSketchSays) {
+  const double half = 0.5;                 // sin 30
+  const double long_side = 0.86602540378;  // cos 30
+
+  // Neck 30 to the front: it points along (half, 0, long_side), its front along (long_side, 0, -half). Pan 30 to the
+  // left: the head's front is long_side of the neck's and half of left: (0.75, 0.5, -0.433013).
+  //   x: 67.5 + 80 * half      + 81.06 * 0.75     - 14.6 * half      = 160.995
+  //   y:                         81.06 * 0.5                         =  40.53
+  //   z: 19.5 + 80 * long_side - 81.06 * 0.433013 - 14.6 * long_side =  41.0380
+  expectPose("camera_optical_frame", {{"neck_tilt", -30 * kDegree}, {"head_pan", 30 * kDegree}},
+             {160.995, 40.53, 41.0380}, {half * long_side, -long_side, -half * half}, {0.75, 0.5, -half * long_side});
+
+  // Leg 30 to the back: it points along (-half, -long_side) in x and z, its front along (long_side, -half).
+  //   knee: x 65 - 69.5 * half + 9 * long_side = 38.0442; z -69.5 * long_side - 9 * half = -64.6888
+  // Knee bent by 60: the shank points 30 to the front, (half, -long_side), its front along (long_side, half).
+  //   foot: x 38.0442 + 65.2404 * half - 5.0300 * long_side = 66.3083; z -64.6888 - 65.2404 * long_side - 5.0300 * half
+  expectPose("left_front_foot_link", {{"left_front_rotator", -30 * kDegree}, {"left_front_knee", 60 * kDegree}},
+             {66.3083, 67.2, -123.7036}, {long_side, 0, half}, {-half, 0, long_side});
+
+  // The hind leg the other way round. It points 30 to the front, along (half, -long_side), its front along (long_side,
+  // half); the knee is 9 behind.
+  //   knee: x -65 + 69.5 * half - 9 * long_side = -38.0442; z -69.5 * long_side - 9 * half = -64.6888
+  // Knee bent by 60: the shank points 30 to the back, (-half, -long_side), its front along (long_side, -half).
+  //   foot: x -38.0442 - 66.2803 * half + 13.5294 * long_side = -59.4675
+  //         z -64.6888 - 66.2803 * long_side - 13.5294 * half = -128.8539
+  expectPose("right_hind_foot_link", {{"right_hind_rotator", 30 * kDegree}, {"right_hind_knee", 60 * kDegree}},
+             {-59.4675, -67.2, -128.8539}, {long_side, 0, -half}, {half, 0, long_side});
+
+  // Tail 30 to the front: it points along (half, 0, long_side). Pan 30: long_side of that and half of left.
+  expectPose("tail_pan_link", {{"tail_tilt", 30 * kDegree}, {"tail_pan", 30 * kDegree}}, {-102, 0, 33},
+             {long_side, 0, -half}, {half * long_side, half, 0.75});
+}
+
+TEST_F(Ers7Urdf, OpensTheMouthDownwards) {
+  // The chin, 30 ahead of the mouth's joint, which is (40, 0, -17.5) from the head joints at (67.5, 0, 99.5).
+  const Vector3d chin = urdf_.linkPose("mouth_link", {{"mouth", -30 * kDegree}}) * Vector3d(0.030, 0, 0);
+  const Vector3d expected(67.5 + 40 + 30 * std::cos(30 * kDegree), 0, 99.5 - 17.5 - 15);
+  EXPECT_LT((chin - expected / 1000).norm(), kPrecision) << chin.transpose() * 1000;
+}
+
+TEST_F(Ers7Urdf, LooksWithItsInfraredBeamsWhereTheRobotDoes) {
+  const double down = 30 * kDegree;
+  expectPose("range_chest_link", {}, {109.136, 0, -3.384}, {std::cos(down), 0, -std::sin(down)},
+             {std::sin(down), 0, std::cos(down)});
+  // In the head, 76.9 ahead of its joints at (67.5, 0, 99.5), the near one 2.8 right of the camera, the far one 8.0
+  // left.
+  const std::map<std::string, Vector3d> places = {{"range_near_link", {67.5 + 76.9, -2.8, 99.5 + 1.9}},
+                                                  {"range_far_link", {67.5 + 76.9, 8.0, 99.5 + 1.1}}};
+  for (const auto& place : places) {
+    const Isometry3d sensor = urdf_.linkPose(place.first, {});
+    EXPECT_LT((sensor.translation() * 1000 - place.second).norm(), 0.1) << place.first;
+    const Vector3d beam = sensor.linear().col(0);
+    EXPECT_LT(std::acos(beam.dot(forward_)), 3 * kDegree) << place.first;
+    EXPECT_LT(beam.z(), 0) << place.first;
+  }
+}
+
+TEST_F(Ers7Urdf, MeasuresAccelerationInTheBodysAxes) {
+  EXPECT_TRUE(urdf_.linkPose("imu_link", {}).linear().isIdentity(kPrecision));
+}
+
+class RandomPostures : public Ers7Urdf {
+ protected:
+  Posture next() {
+    Posture posture;
+    for (int i = 0; i < table_.number_of_joints; ++i) {
+      const robot_model::Joint& joint = table_.joints[i];
+      posture[joint.name] = std::uniform_real_distribution<double>(joint.lowest * 1e-6, joint.highest * 1e-6)(random_);
+    }
+    return posture;
+  }
+
+ private:
+  std::mt19937 random_{2006};
+};
+
+TEST_F(RandomPostures, HaveTheCameraWhereTheSimulatedRobotHasIt) {
+  for (int i = 0; i < 1000; ++i) {
+    const Posture posture = next();
+    simulated_ers7::HeadAngles angles;
+    angles.neck_tilt = posture.at("neck_tilt");
+    angles.head_pan = posture.at("head_pan");
+    angles.head_tilt = posture.at("head_tilt");
+    const Isometry3d expected = simulated_ers7::cameraInBody(angles);
+    const Isometry3d camera = urdf_.linkPose("camera_link", posture);
+    ASSERT_TRUE(camera.isApprox(expected, kPrecision)) << camera.matrix() << "\n\n" << expected.matrix();
+
+    // The optical frame is the same place, with z ahead, x to the right and y down.
+    const Isometry3d optical = urdf_.linkPose("camera_optical_frame", posture);
+    ASSERT_LT((optical.translation() - camera.translation()).norm(), kPrecision);
+    ASSERT_LT((optical.linear().col(2) - camera.linear().col(0)).norm(), kPrecision);
+    ASSERT_LT((optical.linear().col(0) + camera.linear().col(1)).norm(), kPrecision);
+  }
+}
+
+TEST_F(RandomPostures, OfLeftLegsAreMirroredByRightLegs) {
+  for (int i = 0; i < 1000; ++i) {
+    Posture posture = next();
+    for (const std::string end : {"front", "hind"}) {
+      for (const char* joint : {"_rotator", "_elevator", "_knee"}) {
+        posture["right_" + end + joint] = posture["left_" + end + joint];
+      }
+      const Vector3d left = urdf_.linkPose("left_" + end + "_foot_link", posture).translation();
+      const Vector3d right = urdf_.linkPose("right_" + end + "_foot_link", posture).translation();
+      ASSERT_LT((right - Vector3d(left.x(), -left.y(), left.z())).norm(), kPrecision);
+    }
+  }
+}
+
+TEST_F(RandomPostures, MoveEveryLinkThatIsBehindAJoint) {
+  const Posture posture = next();
+  for (const auto& joint : urdf_.model().joints_) {
+    if (joint.second->type == urdf::Joint::REVOLUTE) {
+      Posture moved = posture;
+      moved[joint.first] += 0.1;
+      const std::string& link = joint.second->child_link_name;
+      EXPECT_FALSE(urdf_.linkPose(link, moved).isApprox(urdf_.linkPose(link, posture), 0.01)) << joint.first;
+    }
+  }
+}
+
+}  // namespace
