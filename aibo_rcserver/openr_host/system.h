@@ -14,6 +14,7 @@
 #include "openr_host/console/console.h"
 #include "openr_host/ip_stack/ip_stack.h"
 #include "openr_host/object_description.h"
+#include "openr_host/objects/command_vector_memory.h"
 #include "openr_host/objects/observer_service.h"
 #include "openr_host/objects/subject_service.h"
 #include "openr_host/virtual_robot.h"
@@ -37,6 +38,7 @@ class System {
   Console& console() { return console_; }
   IpStack& ipStack() { return ip_stack_; }
   VirtualRobot& robot() { return robot_; }
+  CommandVectorMemory& commandVectorMemory() { return command_vector_memory_; }
 
   /// Name of the object that is being called.
   const std::string& runningObject() const;
@@ -100,6 +102,7 @@ class System {
   VirtualRobot& robot_;
   Console console_;
   IpStack ip_stack_;
+  CommandVectorMemory command_vector_memory_;
   std::deque<LoadedObject> objects_;  ///< the object with OID n is at n - 1
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;

@@ -20,6 +20,12 @@ struct EffectorCommand {
   OCommandValue value;
 };
 
+using EffectorCommands = std::vector<EffectorCommand>;
+
+/// Frames that are passed to the robot at once after the host has held the process up: one second, which no command
+/// vector outlasts and which costs little to make up for.
+constexpr longword kMostFramesCaughtUp = 125;
+
 /// All calls come from the thread that runs the machine.
 class VirtualRobot {
  public:
@@ -42,14 +48,21 @@ class VirtualRobot {
   virtual OStatus setMotorPower(OPower power) = 0;
   /// @}
 
-  /// One frame of 8 ms passes. Called for every frame in turn, also for those in which the host had held the process
-  /// up, so that no part of a motion is lost.
+  /// Whether the primitive is open and an effector that takes commands of this type. Asked of every entry of a command
+  /// vector when the vector comes; may have changed when its commands are due.
+  virtual bool takesCommand(OPrimitiveID id, ODataType type) const = 0;
+
+  /// One frame of 8 ms passes, and what follows is of the body as it is then. Called for every frame in turn, also for
+  /// those in which the host had held the process up, so that no part of a motion is lost. If that was for longer than
+  /// kMostFramesCaughtUp frames, only so many are passed, the latest ones, and the commands that waited are played in
+  /// these.
   /// @param commands of OVirtualRobotComm.Effector for this frame; none if no object has sent any
-  virtual void passFrame(longword frame, const std::vector<EffectorCommand>& commands) = 0;
+  virtual void passFrame(longword frame, const EffectorCommands& commands) = 0;
 
   /// Reads all sensors and joints: an OSensorFrameVectorData, each entry with the four frames that end with this one.
-  /// Called every fourth frame (32 ms), and only if an observer of OVirtualRobotComm.Sensor is ready. The region is
-  /// the robot's as with captureImage().
+  /// Called every fourth frame (32 ms): 3, 7, 11..., and only if an observer of OVirtualRobotComm.Sensor is ready. When
+  /// the host has held the process up, only the last of the vectors that were due is asked for, right after
+  /// passFrame() of its frame. The region is the robot's as with captureImage().
   virtual RCRegion* captureSensors(longword frame) = 0;
 
   /// Asked once a frame, with growing numbers, whether anybody looks or not. When the host has held the process up,

@@ -17,6 +17,44 @@ OStatus OPENR::ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest requ
   return System::current().robot().controlPrimitive(primitiveID, request, param, paramSize, result, resultSize);
 }
 
+OStatus OPENR::NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector) {
+  OCommandVectorData* created = System::current().commandVectorMemory().create(count);
+  if (created == nullptr) {
+    return oINVALID_ARG;
+  }
+  *memID = created->vectorInfo.memRegionID;
+  *vector = created;
+  return oSUCCESS;
+}
+
+OStatus OPENR::DeleteCommandVectorData(MemoryRegionID memID) {
+  return System::current().commandVectorMemory().destroy(memID) ? oSUCCESS : oINVALID_ARG;
+}
+
+OStatus OPENR::SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds) {
+  return System::current().robot().setJointGain(primitiveID, pg, ig, dg, ps, is, ds);
+}
+
+OStatus OPENR::EnableJointGain(OPrimitiveID primitiveID) {
+  return System::current().robot().enableJointGain(primitiveID);
+}
+
+OStatus OPENR::DisableJointGain(OPrimitiveID primitiveID) {
+  return System::current().robot().disableJointGain(primitiveID);
+}
+
+OStatus OPENR::GetJointValue(OPrimitiveID primitiveID, OJointValue* value) {
+  return System::current().robot().getJointValue(primitiveID, value);
+}
+
+OStatus OPENR::GetSensorValue(OPrimitiveID primitiveID, OSensorValue* value) {
+  return System::current().robot().getSensorValue(primitiveID, value);
+}
+
+OStatus OPENR::SetMotorPower(OPower power) {
+  return System::current().robot().setMotorPower(power);
+}
+
 OStatus OPENR::GetRobotDesign(char* design) {
   const std::string name = System::current().robot().design();
   design[name.copy(design, orobotdesignNAME_MAX - 1)] = '\0';

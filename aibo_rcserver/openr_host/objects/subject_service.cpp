@@ -6,14 +6,6 @@
 #include "openr_host/system.h"
 
 namespace openr_host {
-namespace {
-
-std::shared_ptr<RCRegion> reference(RCRegion* region) {
-  region->AddReference();
-  return {region, [](RCRegion* referenced) { referenced->RemoveReference(); }};
-}
-
-}  // namespace
 
 SubjectService::~SubjectService() {
   system_.forget(*this);

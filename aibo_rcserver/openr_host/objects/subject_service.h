@@ -4,15 +4,13 @@
 
 #include <OPENR/ObjcommEvent.h>
 
-#include <memory>
 #include <vector>
+
+#include "openr_host/objects/regions.h"
 
 namespace openr_host {
 
 class System;
-
-/// Data on its way, each region with a reference that goes when the last copy of this goes.
-using Regions = std::vector<std::shared_ptr<RCRegion>>;
 
 /// What an OSubject is inside: its observers, which of them are ready, and what was set for them.
 class SubjectService {

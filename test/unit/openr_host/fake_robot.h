@@ -4,6 +4,8 @@
 
 #include <OPENR/ODataFormats.h>
 
+#include <cstring>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,21 +14,28 @@
 
 namespace openr_host {
 
-/// A robot whose camera has an image in the frames that a test names, 4x1 pixels with the frame number as field
-/// counter.
+/// A robot that writes down what is asked of it. Its camera has an image in the frames that a test names, 4x1 pixels
+/// with the frame number as field counter. Its sensors have one entry, whose value in each frame is the frame's number.
+/// Its joints take odataJOINT_COMMAND2 and are the primitives 1 to 20.
 class FakeRobot : public VirtualRobot {
  public:
   ~FakeRobot() override {
-    if (image_ != nullptr) {
-      image_->RemoveReference();
+    for (RCRegion* region : {image_, sensors_}) {
+      if (region != nullptr) {
+        region->RemoveReference();
+      }
     }
   }
 
   std::set<longword> frames_with_image;
   std::vector<longword> frames_seen;
   std::vector<longword> frames_captured;
+  std::vector<std::string> calls;                                   ///< "passFrame 3", "setMotorPower 1" ...
+  std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
+  OStatus joint_status = oSUCCESS;                                  ///< what all calls for joints and sensors return
 
   RCRegion* image() const { return image_; }
+  RCRegion* sensors() const { return sensors_; }
 
   std::string design() const override { return "ERS-7"; }
 
@@ -48,7 +57,56 @@ class FakeRobot : public VirtualRobot {
                : oINVALID_ARG;
   }
 
+  OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override {
+    return record("setJointGain", {id, pg, ig, dg, ps, is, ds});
+  }
+
+  OStatus enableJointGain(OPrimitiveID id) override { return record("enableJointGain", {id}); }
+  OStatus disableJointGain(OPrimitiveID id) override { return record("disableJointGain", {id}); }
+  OStatus setMotorPower(OPower power) override { return record("setMotorPower", {power}); }
+
+  OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
+    value->value = 1000;
+    return record("getJointValue", {id});
+  }
+
+  OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override {
+    value->value = 2000;
+    return record("getSensorValue", {id});
+  }
+
+  bool takesCommand(OPrimitiveID id, ODataType type) const override {
+    return id >= 1 && id <= 20 && type == odataJOINT_COMMAND2;
+  }
+
+  void passFrame(longword frame, const EffectorCommands& commands) override {
+    record("passFrame", {frame});
+    for (const auto& command : commands) {
+      OJointCommandValue2 value;
+      std::memcpy(&value, &command.value, sizeof(value));
+      commanded[frame][command.primitive] = value.value;
+    }
+  }
+
+  RCRegion* captureSensors(longword frame) override {
+    record("captureSensors", {frame});
+    if (sensors_ == nullptr) {
+      sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) + sizeof(OSensorFrameData));
+    }
+    void* base = sensors_->Base();
+    auto* vector = static_cast<OSensorFrameVectorData*>(base);
+    OSensorFrameInfo& info = *vector->GetInfo(0);
+    info.frameNumber = frame - 3;
+    info.numFrames = 4;
+    info.dataOffset = sizeof(OSensorFrameVectorData);
+    for (longword i = 0; i < info.numFrames; ++i) {
+      vector->GetData(0)->frame[i].value = static_cast<slongword>(info.frameNumber + i);
+    }
+    return sensors_;
+  }
+
   bool cameraImageDue(longword frame) override {
+    record("cameraImageDue", {frame});
     frames_seen.push_back(frame);
     return frames_with_image.count(frame) != 0;
   }
@@ -70,7 +128,16 @@ class FakeRobot : public VirtualRobot {
   }
 
  private:
+  OStatus record(std::string call, const std::vector<longword>& arguments) {
+    for (const longword argument : arguments) {
+      call += " " + std::to_string(argument);
+    }
+    calls.push_back(call);
+    return joint_status;
+  }
+
   RCRegion* image_ = nullptr;
+  RCRegion* sensors_ = nullptr;
 };
 
 }  // namespace openr_host

@@ -27,11 +27,14 @@ OStatus ClosePrimitive(OPrimitiveID primitiveID);
 OStatus ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest request, void* param, size_t paramSize,
                          void* result, size_t resultSize);
 
-/// Memory for a command vector with this many entries, all of them with a dataOffset of their own.
+/// Memory for a command vector with room for this many entries (maxNumData), all of them with a dataOffset of their
+/// own. It has none yet (numData).
 /// @param[out] memID to make an RCRegion of: RCRegion(memID, vectorInfo.offset, vector, vectorInfo.totalSize)
+/// @return oINVALID_ARG if that is no entry, or more than any robot has effectors
 OStatus NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector);
 
 /// Gives it back; not before its RCRegion is free.
+/// @return oINVALID_ARG if there is none with this number
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 
 /// @name Joints

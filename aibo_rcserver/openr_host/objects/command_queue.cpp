@@ -1,0 +1,92 @@
+#include "openr_host/objects/command_queue.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace openr_host {
+namespace {
+
+constexpr std::size_t kInfoOffset = offsetof(OCommandVectorData, info);
+
+void require(bool condition, const std::string& otherwise) {
+  if (!condition) {
+    throw std::invalid_argument(otherwise);
+  }
+}
+
+std::string text(std::size_t number) {
+  return std::to_string(number);
+}
+
+ODataVectorInfo readHeader(const RCRegion& region) {
+  ODataVectorInfo header{};
+  require(region.Size() >= sizeof(header), "its region of " + text(region.Size()) + " bytes has no room for a header");
+  std::memcpy(&header, region.Base(), sizeof(header));
+  require(header.type == odataCOMMAND_VECTOR, "its type is " + text(header.type) + " instead of odataCOMMAND_VECTOR");
+  require(header.numData > 0, "its numData is 0");
+  require(header.numData <= header.maxNumData,
+          "its numData is " + text(header.numData) + ", its maxNumData only " + text(header.maxNumData));
+  require(header.numData <= (region.Size() - kInfoOffset) / sizeof(OCommandInfo),
+          "its region of " + text(region.Size()) + " bytes has no room for numData " + text(header.numData));
+  return header;
+}
+
+OCommandInfo readInfo(const RCRegion& region, std::size_t entry, std::size_t entries, const VirtualRobot& robot) {
+  OCommandInfo info{};
+  std::memcpy(&info, region.Base() + kInfoOffset + entry * sizeof(info), sizeof(info));
+  const std::string name = "its entry " + text(entry) + " for primitive " + text(info.primitiveID);
+  require(robot.takesCommand(info.primitiveID, info.type),
+          name + ": that is not open, or takes no commands of type " + text(info.type));
+  require(info.numFrames > 0 && info.numFrames <= ocommandMAX_FRAMES,
+          name + ": numFrames is " + text(info.numFrames) + " instead of 1 to " + text(ocommandMAX_FRAMES));
+  require(info.frameSize == sizeof(OCommandValue),
+          name + ": frameSize is " + text(info.frameSize) + " instead of " + text(sizeof(OCommandValue)));
+  const std::size_t begin = info.dataOffset;
+  const std::size_t end = begin + info.numFrames * sizeof(OCommandValue);
+  require(begin >= kInfoOffset + entries * sizeof(info) && end <= region.Size(),
+          name + ": dataOffset " + text(begin) + " leads out of the data of its region of " + text(region.Size()) +
+              " bytes");
+  return info;
+}
+
+std::deque<EffectorCommands> readFrames(const RCRegion& region, const VirtualRobot& robot) {
+  const std::size_t entries = readHeader(region).numData;
+  std::deque<EffectorCommands> frames;
+  for (std::size_t entry = 0; entry < entries; ++entry) {
+    const OCommandInfo info = readInfo(region, entry, entries, robot);
+    frames.resize(std::max<std::size_t>(frames.size(), info.numFrames));
+    for (std::size_t frame = 0; frame < info.numFrames; ++frame) {
+      EffectorCommand command{info.primitiveID, info.type, {}};
+      std::memcpy(&command.value, region.Base() + info.dataOffset + frame * sizeof(command.value),
+                  sizeof(command.value));
+      frames[frame].push_back(command);
+    }
+  }
+  return frames;
+}
+
+}  // namespace
+
+void CommandQueue::add(RCRegion& region, const VirtualRobot& robot) {
+  require(hasRoom(), text(kMostVectors) + " are waiting already: send one more for each Ready");
+  vectors_.push_back({reference(&region), readFrames(region, robot)});
+}
+
+EffectorCommands CommandQueue::next() {
+  if (vectors_.empty()) {
+    return {};
+  }
+  auto& frames = vectors_.front().frames;
+  EffectorCommands commands = std::move(frames.front());
+  frames.pop_front();
+  if (frames.empty()) {
+    vectors_.pop_front();
+  }
+  return commands;
+}
+
+}  // namespace openr_host
