@@ -5,7 +5,8 @@
 
 namespace simulated_ers7 {
 
-Camera::Camera(PictureSource& source, OPrimitiveID id) : source_(source), id_(id) {}
+Camera::Camera(PictureSource& source, OPrimitiveID id)
+    : source_(source), regions_(fbkImageSize(), [id](RCRegion* region) { prepareFbkImage(region, id); }) {}
 
 bool Camera::imageDue(longword frame) {
   const longword images = imagesUpTo(frame);
@@ -16,24 +17,13 @@ bool Camera::imageDue(longword frame) {
 
 RCRegion* Camera::capture(longword frame) {
   const longword image_number = imagesUpTo(frame);
-  RCRegion* region = freeRegion();
+  RCRegion* region = regions_.freeRegion();
   writeFbkImage(region, source_.picture(frame * kFrameSeconds, image_number, settings_), frame, image_number);
   return region;
 }
 
 OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {
   return controlCamera(request, param, param_size, &settings_);
-}
-
-RCRegion* Camera::freeRegion() {
-  for (const auto& region : regions_) {
-    if (region->NumberOfReference() == 1) {
-      return region.get();
-    }
-  }
-  regions_.emplace_back(new RCRegion(fbkImageSize()));
-  prepareFbkImage(regions_.back().get(), id_);
-  return regions_.back().get();
 }
 
 }  // namespace simulated_ers7

@@ -7,11 +7,9 @@
 #include <OPENR/OPrimitiveControl.h>
 #include <OPENR/RCRegion.h>
 
-#include <memory>
-#include <vector>
-
 #include "simulated_ers7/camera_settings.h"
 #include "simulated_ers7/picture_source.h"
+#include "simulated_ers7/region_pool.h"
 
 namespace simulated_ers7 {
 
@@ -27,8 +25,7 @@ class Camera {
   /// @param frame not lower than in the call before
   bool imageDue(longword frame);
 
-  /// Takes an image. It is drawn into a region that nobody but the camera refers to any more, or into a new one if
-  /// all are in use: as many are made as the slowest observer keeps.
+  /// Takes an image. It is drawn into a region that nobody but the camera refers to (region_pool.h).
   RCRegion* capture(longword frame);
 
   /// @see controlCamera()
@@ -37,17 +34,10 @@ class Camera {
   const CameraSettings& settings() const { return settings_; }
 
  private:
-  struct RemoveReference {
-    void operator()(RCRegion* region) const { region->RemoveReference(); }
-  };
-
-  RCRegion* freeRegion();
-
   PictureSource& source_;
-  OPrimitiveID id_;
   CameraSettings settings_;
   longword images_seen_ = 0;
-  std::vector<std::unique_ptr<RCRegion, RemoveReference>> regions_;
+  RegionPool regions_;
 };
 
 }  // namespace simulated_ers7

@@ -11,7 +11,7 @@
 namespace simulated_ers7 {
 
 /// Shows the photographs of a folder in the order of their names, one after the other, and then again. They are shown
-/// as they are: without noise, whatever the camera's settings.
+/// as they are: without noise, whatever the camera's settings and wherever the head looks.
 class PhotoShow : public PictureSource {
  public:
   /// Reads all photographs (photograph.h) of the folder, not of its subfolders, other files left alone.
@@ -19,6 +19,7 @@ class PhotoShow : public PictureSource {
   /// @throw PhotographError if there is no such folder, no photograph in it, or one that cannot be read
   PhotoShow(const std::string& folder, double seconds_per_picture);
 
+  void setHead(const HeadAngles& /*angles*/) override {}
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
 
  private:

@@ -6,6 +6,7 @@
 #include <OPENR/OPENR.h>
 
 #include "simulated_ers7/camera_settings.h"
+#include "simulated_ers7/head_kinematics.h"
 #include "simulated_ers7/ycrcb_image.h"
 
 namespace simulated_ers7 {
@@ -13,6 +14,9 @@ namespace simulated_ers7 {
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
+
+  /// Turns the head with the camera in it. Counts from the next picture.
+  virtual void setHead(const HeadAngles& angles) = 0;
 
   /// What the camera sees.
   /// @param seconds since the robot was switched on

@@ -1,35 +1,24 @@
 #include "simulated_ers7/primitive_table.h"
 
-#include <algorithm>
-#include <iterator>
-#include <string>
-
 namespace simulated_ers7 {
-namespace {
 
-struct Primitive {
-  OPrimitiveID id;
-  const char* locator;
-};
-
-constexpr Primitive kPrimitives[] = {
-    {kCameraPrimitive, "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"},
-};
-
-}  // namespace
+PrimitiveTable::PrimitiveTable(const robot_model::RobotModel& model) {
+  primitives_["PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"] = kCameraPrimitive;
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    primitives_[model.joints[i].locator] = jointPrimitive(static_cast<std::size_t>(i));
+  }
+}
 
 OStatus PrimitiveTable::open(const char* locator, OPrimitiveID* id) {
   if (locator == nullptr || id == nullptr) {
     return oINVALID_ARG;
   }
-  const auto found =
-      std::find_if(std::begin(kPrimitives), std::end(kPrimitives),
-                   [locator](const Primitive& primitive) { return std::string(locator) == primitive.locator; });
-  if (found == std::end(kPrimitives)) {
+  const auto found = primitives_.find(locator);
+  if (found == primitives_.end()) {
     return oNOT_FOUND;
   }
-  ++times_opened_[found->id];
-  *id = found->id;
+  ++times_opened_[found->second];
+  *id = found->second;
   return oSUCCESS;
 }
 

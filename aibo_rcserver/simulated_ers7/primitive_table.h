@@ -5,16 +5,27 @@
 
 #include <OPENR/OPENR.h>
 
+#include <cstddef>
 #include <map>
+#include <string>
+
+#include "robot_model/robot_model.h"
 
 namespace simulated_ers7 {
 
 /// The camera's number.
 constexpr OPrimitiveID kCameraPrimitive = 1;
 
+/// The number of a joint, from its place in the robot's table.
+constexpr OPrimitiveID jointPrimitive(std::size_t joint) {
+  return static_cast<OPrimitiveID>(kCameraPrimitive + 1 + joint);
+}
+
 /// A primitive has the same number however often it is opened, and stays open until it was closed as often.
 class PrimitiveTable {
  public:
+  explicit PrimitiveTable(const robot_model::RobotModel& model);
+
   /// @param locator as in Sony's Model Information ERS-7, "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
   /// @param[out] id left alone unless oSUCCESS is returned
   /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
@@ -27,7 +38,8 @@ class PrimitiveTable {
   bool isOpen(OPrimitiveID id) const { return times_opened_.count(id) != 0; }
 
  private:
-  std::map<OPrimitiveID, int> times_opened_;  ///< has only those that are open
+  std::map<std::string, OPrimitiveID> primitives_;  ///< by locator
+  std::map<OPrimitiveID, int> times_opened_;        ///< has only those that are open
 };
 
 }  // namespace simulated_ers7

@@ -1,16 +1,6 @@
 #include "simulated_ers7/scene_view.h"
 
-#include <cmath>
-
 namespace simulated_ers7 {
-
-HeadAngles restingHead() {
-  const double degree = std::acos(-1.0) / 180;
-  HeadAngles angles;
-  angles.neck_tilt = -25 * degree;
-  angles.head_tilt = 10 * degree;
-  return angles;
-}
 
 SceneView::SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 

@@ -10,20 +10,18 @@
 #include "simulated_ers7/lens.h"
 #include "simulated_ers7/picture_source.h"
 #include "simulated_ers7/renderer.h"
+#include "simulated_ers7/resting_posture.h"
 #include "simulated_ers7/scene.h"
 
 namespace simulated_ers7 {
-
-/// How the robot holds its head at first: it looks at the ball, and past it at the station.
-HeadAngles restingHead();
 
 class SceneView : public PictureSource {
  public:
   /// @param scene is moved on to the time of each picture; must outlive the view
   SceneView(Scene& scene, std::uint64_t seed);
 
-  /// Turns the head; until then it is as restingHead() says. Counts from the next picture.
-  void setHead(const HeadAngles& angles) { head_ = angles; }
+  /// Until then the head is as restingHead() says.
+  void setHead(const HeadAngles& angles) override { head_ = angles; }
 
   /// Pose of the camera in the room.
   Eigen::Isometry3d camera() const;

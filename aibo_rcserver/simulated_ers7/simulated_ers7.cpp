@@ -1,10 +1,26 @@
 #include "simulated_ers7/simulated_ers7.h"
 
+#include <cstring>
+
+#include "robot_model/robot_model.h"
 #include "simulated_ers7/photo_show.h"
 #include "simulated_ers7/scene_view.h"
+#include "simulated_ers7/sensor_frame_writer.h"
 
 namespace simulated_ers7 {
 namespace {
+
+const robot_model::RobotModel& model() {
+  return *robot_model::findRobotModel("ERS-7");
+}
+
+std::vector<OPrimitiveID> jointPrimitives() {
+  std::vector<OPrimitiveID> primitives;
+  for (int i = 0; i < model().number_of_joints; ++i) {
+    primitives.push_back(jointPrimitive(static_cast<std::size_t>(i)));
+  }
+  return primitives;
+}
 
 std::unique_ptr<PictureSource> makePictures(const SimulatedErs7::Options& options, Scene& scene) {
   if (!options.images_folder.empty()) {
@@ -16,10 +32,15 @@ std::unique_ptr<PictureSource> makePictures(const SimulatedErs7::Options& option
 }  // namespace
 
 SimulatedErs7::SimulatedErs7(const Options& options)
-    : pictures_(makePictures(options, scene_)), camera_(*pictures_, kCameraPrimitive) {}
+    : primitives_(model()),
+      joints_(model(), options.seed),
+      sensor_regions_(sensorFramesSize(joints_.all().size()),
+                      [](RCRegion* region) { prepareSensorFrames(region, jointPrimitives()); }),
+      pictures_(makePictures(options, scene_)),
+      camera_(*pictures_, kCameraPrimitive) {}
 
 std::string SimulatedErs7::design() const {
-  return "ERS-7";
+  return model().design;
 }
 
 OStatus SimulatedErs7::openPrimitive(const char* locator, OPrimitiveID* id) {
@@ -38,11 +59,90 @@ OStatus SimulatedErs7::controlPrimitive(OPrimitiveID id, OPrimitiveRequest reque
   return id == kCameraPrimitive ? camera_.control(request, param, param_size) : oINVALID_ARG;
 }
 
+OStatus SimulatedErs7::setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) {
+  return forJoints(id, [&](Joint& joint) {
+    joint.setGains({pg, ig, dg, ps, is, ds});
+    return oSUCCESS;
+  });
+}
+
+OStatus SimulatedErs7::enableJointGain(OPrimitiveID id) {
+  return forJoints(id, [](Joint& joint) { return joint.enableGain(); });
+}
+
+OStatus SimulatedErs7::disableJointGain(OPrimitiveID id) {
+  return forJoints(id, [](Joint& joint) {
+    joint.disableGain();
+    return oSUCCESS;
+  });
+}
+
+OStatus SimulatedErs7::getJointValue(OPrimitiveID id, OJointValue* value) {
+  const Joint* joint = openJoint(id);
+  if (joint == nullptr) {
+    return oINVALID_PRIMITIVE_ID;
+  }
+  if (value == nullptr) {
+    return oINVALID_ARG;
+  }
+  *value = joint->readings().back();
+  return joint->status();
+}
+
+OStatus SimulatedErs7::getSensorValue(OPrimitiveID /*id*/, OSensorValue* /*value*/) {
+  return oINVALID_PRIMITIVE_ID;
+}
+
+OStatus SimulatedErs7::setMotorPower(OPower power) {
+  joints_.setPower(power == opowerON);
+  return oSUCCESS;
+}
+
+void SimulatedErs7::passFrame(longword /*frame*/, const std::vector<openr_host::EffectorCommand>& commands) {
+  for (const auto& command : commands) {
+    Joint* joint = openJoint(command.primitive);
+    if (joint != nullptr && command.type == odataJOINT_COMMAND2) {
+      OJointCommandValue2 value;
+      static_assert(sizeof(value) == sizeof(command.value), "one is laid over the other");
+      std::memcpy(&value, &command.value, sizeof(value));
+      joint->command(value.value);
+    }
+  }
+  joints_.passFrame();
+}
+
+RCRegion* SimulatedErs7::captureSensors(longword frame) {
+  RCRegion* region = sensor_regions_.freeRegion();
+  writeSensorFrames(region, frame, joints_.all());
+  return region;
+}
+
+OStatus SimulatedErs7::forJoints(OPrimitiveID id, const std::function<OStatus(Joint&)>& action) {
+  if (id != oprimitiveID_UNDEF) {
+    Joint* joint = openJoint(id);
+    return joint == nullptr ? oINVALID_PRIMITIVE_ID : action(*joint);
+  }
+  OStatus status = oSUCCESS;
+  for (std::size_t i = 0; i < joints_.all().size(); ++i) {
+    if (primitives_.isOpen(jointPrimitive(i))) {
+      const OStatus result = action(joints_.all()[i]);
+      status = result == oSUCCESS ? status : result;
+    }
+  }
+  return status;
+}
+
+Joint* SimulatedErs7::openJoint(OPrimitiveID id) {
+  const std::size_t joint = id - jointPrimitive(0);
+  return primitives_.isOpen(id) && joint < joints_.all().size() ? &joints_.all()[joint] : nullptr;
+}
+
 bool SimulatedErs7::cameraImageDue(longword frame) {
   return camera_.imageDue(frame);
 }
 
 RCRegion* SimulatedErs7::captureImage(longword frame) {
+  pictures_->setHead(joints_.head());
   return camera_.capture(frame);
 }
 

@@ -1,19 +1,24 @@
 /// @file simulated_ers7.h
 /// A Sony Aibo ERS-7 without the metal, for openr_host::Machine.
 ///
-/// What it has so far is its camera. It stands still and looks at a ball that rolls to and fro (scene.h), or shows
-/// photographs (photo_show.h).
+/// It has its camera and its 18 joints (joint.h; not the ears). It stands in a room and looks at a ball that rolls to
+/// and fro (scene.h), or shows photographs (photo_show.h). Its head moves the camera; its legs move, but do not carry
+/// it anywhere.
 #ifndef SIMULATED_ERS7_SIMULATED_ERS7_H
 #define SIMULATED_ERS7_SIMULATED_ERS7_H
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "openr_host/virtual_robot.h"
 #include "simulated_ers7/camera.h"
+#include "simulated_ers7/joints.h"
 #include "simulated_ers7/picture_source.h"
 #include "simulated_ers7/primitive_table.h"
+#include "simulated_ers7/region_pool.h"
 #include "simulated_ers7/scene.h"
 
 namespace simulated_ers7 {
@@ -25,7 +30,7 @@ struct SimulatedErs7Options {
   /// How long each photograph is shown, in seconds, above 0.
   double seconds_per_image = 2;
 
-  /// Of the camera's noise. The same seed gives the same images.
+  /// Of the noise of camera and joints. The same seed gives the same images and the same readings.
   std::uint64_t seed = 1;
 };
 
@@ -42,13 +47,54 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus closePrimitive(OPrimitiveID id) override;
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
+
+  /// @name Joints. `id` may be oprimitiveID_UNDEF: all that are open; of several failures one is returned.
+  /// All return oINVALID_PRIMITIVE_ID if the primitive is not open or no joint.
+  /// @{
+  OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
+
+  /// @see Joint::enableGain() for what else is returned
+  OStatus enableJointGain(OPrimitiveID id) override;
+  OStatus disableJointGain(OPrimitiveID id) override;
+  /// @}
+
+  /// What the joint measured at the end of the last frame.
+  /// @param id of one joint
+  /// @return oALERT_JOINT_UNCONTROLLABLE, with the value given all the same, if the joint cannot follow its command
+  ///         (Joint::status())
+  OStatus getJointValue(OPrimitiveID id, OJointValue* value) override;
+
+  /// @return oINVALID_PRIMITIVE_ID: there are no sensors yet
+  OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override;
+
+  OStatus setMotorPower(OPower power) override;
+
+  /// Takes commands of type odataJOINT_COMMAND2 for joints that are open, and passes over others.
+  void passFrame(longword frame, const std::vector<openr_host::EffectorCommand>& commands) override;
+  RCRegion* captureSensors(longword frame) override;
+
   bool cameraImageDue(longword frame) override;
+
+  /// The camera looks from where the head is after the last frame that passed.
   RCRegion* captureImage(longword frame) override;
 
   const CameraSettings& cameraSettings() const { return camera_.settings(); }
 
+  /// Where the joints really are.
+  const Joints& joints() const { return joints_; }
+
+  /// Something holds a joint fast, or no longer does.
+  /// @param joint a name of robot_model.h, "head_pan"
+  /// @throw std::invalid_argument if there is no such joint
+  void jam(const std::string& joint, bool jammed) { joints_.named(joint).jam(jammed); }
+
  private:
+  OStatus forJoints(OPrimitiveID id, const std::function<OStatus(Joint&)>& action);
+  Joint* openJoint(OPrimitiveID id);
+
   PrimitiveTable primitives_;
+  Joints joints_;
+  RegionPool sensor_regions_;
   Scene scene_;
   std::unique_ptr<PictureSource> pictures_;
   Camera camera_;

@@ -1,0 +1,37 @@
+/// @file region_pool.h
+/// Regions for data that the robot hands to its observers again and again.
+#ifndef SIMULATED_ERS7_REGION_POOL_H
+#define SIMULATED_ERS7_REGION_POOL_H
+
+#include <OPENR/RCRegion.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace simulated_ers7 {
+
+/// As many regions are made as the slowest observer keeps. Not thread-safe.
+class RegionPool {
+ public:
+  /// @param size of each region in bytes
+  /// @param prepare writes into a new region what is the same whenever it is used
+  RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare);
+
+  /// A region that nobody but the pool refers to: one that was used before, or a new one if all are in use.
+  RCRegion* freeRegion();
+
+ private:
+  struct RemoveReference {
+    void operator()(RCRegion* region) const { region->RemoveReference(); }
+  };
+
+  std::size_t size_;
+  std::function<void(RCRegion*)> prepare_;
+  std::vector<std::unique_ptr<RCRegion, RemoveReference>> regions_;
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_REGION_POOL_H
