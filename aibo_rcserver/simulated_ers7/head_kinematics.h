@@ -15,7 +15,7 @@ struct HeadAngles {
   double head_tilt = 0;  ///< -15..45 degrees, positive looks up
 };
 
-/// How high the body's origin, the middle between the front shoulders and the hips, stands over the floor, in metres
+/// How high the body's origin, the middle between the joints of its four legs, stands over the floor, in metres
 /// (Webots' model of the ERS-7).
 constexpr double kStandingHeight = 0.143;
 

@@ -1,6 +1,6 @@
 /// @file scene_layout.h
-/// Where things are in the scene. Metres and seconds, in the frame of scene.h. A scene of our own: apart from the
-/// ball's size nothing here is measured.
+/// Where things are in the scene. Metres and seconds, in the frame of scene.h. A scene of our own: nothing here
+/// is measured, but the ball and the bone are about as large as those that came with the robot.
 #ifndef SIMULATED_ERS7_SCENE_LAYOUT_H
 #define SIMULATED_ERS7_SCENE_LAYOUT_H
 
@@ -20,7 +20,7 @@ constexpr double kCenterCircleRadius = 0.28;
 constexpr double kPenaltyAreaDepth = 0.40;
 constexpr double kPenaltyAreaHalfWidth = 0.55;
 
-/// The ball on the halfway line. It has the size of the pink ball that Sony gave to its robots, 85 mm across.
+/// The ball on the halfway line.
 constexpr double kBallRadius = 0.0425;
 constexpr double kBallX = kCarpetX;
 constexpr double kBallSwing = 0.16;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <thread>
 
 #include "aibo_driver/exceptions.h"
 #include "aibo_driver/rcserver_client.h"
@@ -44,6 +45,20 @@ class ClientFixture : public testing::Test {
     const protocol::BasicGetCommand command = peer->readCommand();
     EXPECT_EQ(letter, command.command);
     EXPECT_EQ(quality, command.identifier);
+  }
+
+  /// Waits until the condition holds.
+  /// @return false if it did not in a generous time
+  template <typename Condition>
+  static bool eventually(const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > end) {
+        return false;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
   }
 
   ScriptedServer server_;

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <memory>
-#include <thread>
 
 #include "client_fixture.h"
 
@@ -61,9 +60,7 @@ TEST_F(ConnectionFaultsTest, AServerThatAppearsLaterIsFound) {
 TEST_F(ConnectionFaultsTest, AReasonIsLoggedOnceAndNotOnceAnAttempt) {
   server_.vanish();
   client_.start();
-  while (client_.statistics().failed_attempts < 10) {
-    std::this_thread::sleep_for(milliseconds(5));
-  }
+  ASSERT_TRUE(eventually([&] { return client_.statistics().failed_attempts >= 10; }));
   EXPECT_EQ(1, recorder_.logged("No connection to the robot"));
 }
 
@@ -220,17 +217,13 @@ TEST_F(ConnectionFaultsTest, ManyReconnectsLeaveNoDescriptorBehind) {
 TEST_F(ConnectionFaultsTest, FailedAttemptsLeaveNoDescriptorBehind) {
   server_.vanish();
   client_.start();
-  while (client_.statistics().failed_attempts < 3) {
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+  ASSERT_TRUE(eventually([&] { return client_.statistics().failed_attempts >= 3; }));
   client_.stop();
   const std::size_t idle = openDescriptors();
   for (int round = 0; round < 5; ++round) {
     RcServerClient client(optionsFor(server_), {});
     client.start();
-    while (client.statistics().failed_attempts < 5) {
-      std::this_thread::sleep_for(milliseconds(1));
-    }
+    ASSERT_TRUE(eventually([&] { return client.statistics().failed_attempts >= 5; }));
   }
   EXPECT_EQ(idle, openDescriptors());
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <future>
 #include <stdexcept>
 #include <thread>
 
@@ -121,8 +122,15 @@ TEST_F(RcServerClientTest, RapidTogglesEndWithTheWantedParity) {
     client_.setStreaming(i % 2 == 0);
   }
   client_.setStreaming(true);
+  // Once a call that came after all the toggles is answered from the stream, they have all been carried out.
+  auto taken = std::async(std::launch::async, [&] { return client_.takePicture(0, std::chrono::seconds(20)); });
+  while (taken.wait_for(milliseconds(10)) != std::future_status::ready) {
+    peer.sendPicture(test_pictures::make());
+  }
+  EXPECT_NE(nullptr, taken.get());
   int toggles = 0;
-  while (peer.readCommandWithin(milliseconds(200))) {
+  while (const auto command = peer.readCommandWithin(milliseconds(0))) {
+    EXPECT_EQ('W', command->command);
     ++toggles;
   }
   EXPECT_EQ(1, toggles % 2);
@@ -171,16 +179,12 @@ TEST_F(RcServerClientTest, AThreadHeldUpDeliversNoStalePictures) {
   client.start();
   ScriptedPeer peer = acceptStream();
   peer.sendPicture(test_pictures::makeNumbered(1));
-  while (delivered == 0) {
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+  ASSERT_TRUE(eventually([&] { return delivered > 0; }));
   peer.sendPicture(test_pictures::makeNumbered(2));
   peer.sendPicture(test_pictures::makeNumbered(3));
   std::this_thread::sleep_for(milliseconds(250));  // this wait is what is tested: pictures grow old meanwhile
   held = false;
-  while (client.statistics().stale_pictures < 2) {
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+  EXPECT_TRUE(eventually([&] { return client.statistics().stale_pictures == 2; }));
   unsigned next = 4;
   while (recorder.pictures().size() < 2 && next < 1000) {
     std::this_thread::sleep_for(milliseconds(40));
@@ -217,9 +221,7 @@ TEST_F(RcServerClientTest, WorksWithoutAnyCallback) {
   client.start();
   ScriptedPeer peer = acceptStream();
   peer.sendPicture(test_pictures::makeNumbered(1));
-  while (client.statistics().pictures == 0) {
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+  EXPECT_TRUE(eventually([&] { return client.statistics().pictures == 1; }));
 }
 
 TEST_F(RcServerClientTest, StartingTwiceConnectsOnce) {

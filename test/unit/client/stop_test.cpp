@@ -90,9 +90,7 @@ TEST_F(StopTest, AmidAPicture) {
   ScriptedPeer peer = startStream();
   const Bytes reply = test_pictures::makeReply(test_pictures::make());
   peer.send(Bytes(reply.begin(), reply.begin() + 1000));
-  while (client_.statistics().bytes_received < 1000) {
-    std::this_thread::yield();
-  }
+  ASSERT_TRUE(eventually([&] { return client_.statistics().bytes_received >= 1000; }));
   expectToStopWithinASecond(&client_);
 }
 

@@ -400,6 +400,19 @@ TEST_F(RCServerTest, NextClientIsServedAtOnceWhenTheFirstHasGone) {
   }
 }
 
+TEST_F(RCServerTest, HalfARequestIsForgottenWithItsClient) {
+  for (const std::string& half : {std::string("F"), "U1WALK.MTN" + std::string(8, '\xff')}) {
+    auto client = connectServed();
+    client->send(half);
+    machine_->runPending();
+    client->close();
+    machine_->runPending();
+    // The server has two places for clients. One of these two gets the same as the one before.
+    expectNewClientIsServed();
+    expectNewClientIsServed();
+  }
+}
+
 TEST_F(RCServerTest, ClientSilentForTenSecondsIsReplacedByTheNext) {
   auto first = connectServed();
   takeImages(kImagesUntilSilent - 2);
