@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <sstream>
 #include <thread>
 
@@ -128,12 +129,15 @@ TEST_F(MachineTest, AsksForAnImageOnceAFrameAndDeliversTheOnesThatAreDue) {
   EXPECT_EQ(robot_.image()->NumberOfReference(), 1);
 }
 
-TEST_F(MachineTest, FramesMissedByAProcessThatWasHeldUpAreSkipped) {
+TEST_F(MachineTest, FramesMissedByAProcessThatWasHeldUpPassForTheBodyAndAreLeftOutByTheCamera) {
   boot();
   machine_->runPending();
   clock_.step(100);
   machine_->runPending();
   EXPECT_THAT(robot_.frames_seen, ElementsAre(0, 100));
+  EXPECT_EQ(std::count_if(robot_.calls.begin(), robot_.calls.end(),
+                          [](const std::string& call) { return call.rfind("passFrame", 0) == 0; }),
+            101);
 }
 
 TEST_F(MachineTest, NoImageIsCapturedWhenNoObserverIsConnected) {

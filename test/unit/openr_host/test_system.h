@@ -91,7 +91,7 @@ class TestSystem {
   }
 
   /// Does something as an object, which only its own functions may do.
-  void as(TestObject& object, const std::function<void()>& function) { system.runAs(object, function); }
+  void as(OObject& object, const std::function<void()>& function) { system.runAs(object, function); }
 
   /// Handles messages until there are none. No sockets.
   void run() {
