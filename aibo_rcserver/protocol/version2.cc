@@ -230,6 +230,22 @@ const char* decodeTelemetryPeriod(const unsigned char* payload, size_t size, uns
   return NULL;
 }
 
+size_t encodeMotorState(bool on, unsigned char* out) {
+  out[0] = on ? 1 : 0;
+  return MOTOR_STATE_SIZE;
+}
+
+const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on) {
+  if (size != MOTOR_STATE_SIZE) {
+    return WRONG_SIZE;
+  }
+  if (payload[0] > 1) {
+    return "the motors are neither on nor off";
+  }
+  *on = payload[0] == 1;
+  return NULL;
+}
+
 size_t encodeTelemetry(const Telemetry& telemetry, unsigned char* out) {
   encodeBigEndian32(telemetry.frame_number, out);
   encodeBigEndian16(telemetry.count, out + 4);

@@ -59,10 +59,12 @@ const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality
 const char REQUEST_JOINTS = 'J';        ///< joints to positions; answered by what was accepted
 const char REQUEST_SPEED_LIMITS = 'V';  ///< speed limits of joints, set or read; answered by those in force
 const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force, values are then pushed
+const char REQUEST_MOTORS = 'O';        ///< motors on or off, or asks which; answered by the state in force
 
 const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
 const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; else the reply to `T`, a period
-const char ERROR_MESSAGE = 'e';   ///< a request refused, or, with request_number 0, why the server will hang up
+const char ERROR_MESSAGE = 'e';   ///< a request refused; with request_number 0, a joint's fault, or why the
+                                  ///< server will hang up
 
 /// The kind of a request's reply unless it is refused: the small letter.
 char replyKind(char request_kind);
@@ -151,6 +153,11 @@ const size_t MAX_TELEMETRY_SIZE = 8 + MAX_TELEMETRY_ENTRIES * 8;
 size_t encodeTelemetry(const Telemetry& telemetry, unsigned char* out);
 const char* decodeTelemetry(const unsigned char* payload, size_t size, Telemetry* telemetry);
 
+/// Payload of `O` and of its reply: uint8 1 = on, 0 = off. An empty request only asks.
+const size_t MOTOR_STATE_SIZE = 1;
+size_t encodeMotorState(bool on, unsigned char* out);
+const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on);
+
 /// What stands before the JPEG in the payload of `f`: uint32 image count, uint32 frame number, uint16 width, uint16
 /// height, uint8 quality, uint8 layer, uint16 0.
 struct ImageHeader {
@@ -176,9 +183,10 @@ const char* decodePicture(const unsigned char* payload, size_t size, ImageHeader
 
 /// Codes of an error message. A receiver has to bear codes that it does not know.
 enum {
-  CODE_REFUSED = 0,       ///< bad payload, unknown joint, not allowed, anything else
-  CODE_FILE_MISSING = 1,  ///< file missing or unreadable, as in version 1
-  CODE_NOT_SUPPORTED = 2  ///< a kind of request that this server does not know or cannot do (yet)
+  CODE_REFUSED = 0,        ///< bad payload, unknown joint, not allowed, anything else
+  CODE_FILE_MISSING = 1,   ///< file missing or unreadable, as in version 1
+  CODE_NOT_SUPPORTED = 2,  ///< a kind of request that this server does not know or cannot do (yet)
+  CODE_JOINT_FAULT = 3     ///< pushed: a joint does not follow what it is told; the text names it
 };
 
 /// Payload of `e`: uint16 code, then a text without end mark, which may be empty.

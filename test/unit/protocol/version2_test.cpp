@@ -266,6 +266,23 @@ TEST(TelemetryPeriod, IsANumberOfFrames) {
   EXPECT_EQ(frames, 4);
 }
 
+TEST(MotorState, IsOnOrOff) {
+  unsigned char payload[MOTOR_STATE_SIZE];
+  for (const bool state : {true, false}) {
+    EXPECT_EQ(encodeMotorState(state, payload), MOTOR_STATE_SIZE);
+    EXPECT_EQ(payload[0], state ? 1 : 0);
+    bool on = !state;
+    EXPECT_THAT(decodeMotorState(payload, sizeof(payload), &on), IsNull());
+    EXPECT_EQ(on, state);
+  }
+}
+
+TEST(MotorState, IsNothingElse) {
+  const unsigned char payload[] = {2};
+  bool on = false;
+  EXPECT_THAT(decodeMotorState(payload, sizeof(payload), &on), HasSubstr("motors"));
+}
+
 TEST(Telemetry, SaysWhenAndWhatWasMeasured) {
   EXPECT_EQ(encoded(encodeTelemetry, threeValues(), MAX_TELEMETRY_SIZE), hex(kThreeValues));
 
@@ -403,6 +420,7 @@ const Layout kLayouts[] = {
     {"TelemetryPeriod", hex("00 04"), verdict(decodeTelemetryPeriod), {}},
     {"Telemetry", hex(kThreeValues), verdict(decodeTelemetry), {6, 7, 10, 11, 18, 19, 26, 27}},
     {"Picture", hex(kPicture), decodePictureBytes, {14, 15}},
+    {"MotorState", hex("01"), verdict(decodeMotorState), {}},
     {"ErrorMessage", hex("00 02 c3 a9"), verdict(decodeErrorMessage), {}},
 };
 
