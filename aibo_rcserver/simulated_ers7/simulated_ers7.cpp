@@ -78,15 +78,14 @@ OStatus SimulatedErs7::disableJointGain(OPrimitiveID id) {
 }
 
 OStatus SimulatedErs7::getJointValue(OPrimitiveID id, OJointValue* value) {
-  const Joint* joint = openJoint(id);
-  if (joint == nullptr) {
+  if (!isOpenJoint(id)) {
     return oINVALID_PRIMITIVE_ID;
   }
   if (value == nullptr) {
     return oINVALID_ARG;
   }
-  *value = joint->readings().back();
-  return joint->status();
+  *value = joint(id).readings().back();
+  return joint(id).status();
 }
 
 OStatus SimulatedErs7::getSensorValue(OPrimitiveID /*id*/, OSensorValue* /*value*/) {
@@ -98,14 +97,17 @@ OStatus SimulatedErs7::setMotorPower(OPower power) {
   return oSUCCESS;
 }
 
-void SimulatedErs7::passFrame(longword /*frame*/, const std::vector<openr_host::EffectorCommand>& commands) {
+bool SimulatedErs7::takesCommand(OPrimitiveID id, ODataType type) const {
+  return type == odataJOINT_COMMAND2 && isOpenJoint(id);
+}
+
+void SimulatedErs7::passFrame(longword /*frame*/, const openr_host::EffectorCommands& commands) {
   for (const auto& command : commands) {
-    Joint* joint = openJoint(command.primitive);
-    if (joint != nullptr && command.type == odataJOINT_COMMAND2) {
+    if (takesCommand(command.primitive, command.type)) {
       OJointCommandValue2 value;
       static_assert(sizeof(value) == sizeof(command.value), "one is laid over the other");
       std::memcpy(&value, &command.value, sizeof(value));
-      joint->command(value.value);
+      joint(command.primitive).command(value.value);
     }
   }
   joints_.passFrame();
@@ -119,22 +121,18 @@ RCRegion* SimulatedErs7::captureSensors(longword frame) {
 
 OStatus SimulatedErs7::forJoints(OPrimitiveID id, const std::function<OStatus(Joint&)>& action) {
   if (id != oprimitiveID_UNDEF) {
-    Joint* joint = openJoint(id);
-    return joint == nullptr ? oINVALID_PRIMITIVE_ID : action(*joint);
+    return isOpenJoint(id) ? action(joint(id)) : oINVALID_PRIMITIVE_ID;
   }
   OStatus status = oSUCCESS;
-  for (std::size_t i = 0; i < joints_.all().size(); ++i) {
-    if (primitives_.isOpen(jointPrimitive(i))) {
-      const OStatus result = action(joints_.all()[i]);
-      status = result == oSUCCESS ? status : result;
-    }
+  for (const OPrimitiveID one : jointPrimitives()) {
+    const OStatus result = isOpenJoint(one) ? action(joint(one)) : oSUCCESS;
+    status = result == oSUCCESS ? status : result;
   }
   return status;
 }
 
-Joint* SimulatedErs7::openJoint(OPrimitiveID id) {
-  const std::size_t joint = id - jointPrimitive(0);
-  return primitives_.isOpen(id) && joint < joints_.all().size() ? &joints_.all()[joint] : nullptr;
+bool SimulatedErs7::isOpenJoint(OPrimitiveID id) const {
+  return primitives_.isOpen(id) && id != kCameraPrimitive;
 }
 
 bool SimulatedErs7::cameraImageDue(longword frame) {

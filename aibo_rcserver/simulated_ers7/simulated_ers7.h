@@ -69,8 +69,11 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
   OStatus setMotorPower(OPower power) override;
 
-  /// Takes commands of type odataJOINT_COMMAND2 for joints that are open, and passes over others.
-  void passFrame(longword frame, const std::vector<openr_host::EffectorCommand>& commands) override;
+  /// Joints take odataJOINT_COMMAND2 only; that their gain is off does not keep them from taking it (joint.h).
+  bool takesCommand(OPrimitiveID id, ODataType type) const override;
+
+  /// Passes over commands that are not taken (any more).
+  void passFrame(longword frame, const openr_host::EffectorCommands& commands) override;
   RCRegion* captureSensors(longword frame) override;
 
   bool cameraImageDue(longword frame) override;
@@ -90,7 +93,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
  private:
   OStatus forJoints(OPrimitiveID id, const std::function<OStatus(Joint&)>& action);
-  Joint* openJoint(OPrimitiveID id);
+  bool isOpenJoint(OPrimitiveID id) const;
+  Joint& joint(OPrimitiveID id) { return joints_.all()[id - jointPrimitive(0)]; }
 
   PrimitiveTable primitives_;
   Joints joints_;

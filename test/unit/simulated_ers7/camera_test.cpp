@@ -25,6 +25,7 @@ class TestPicture : public PictureSource {
     }
   }
 
+  void setHead(const HeadAngles& /*angles*/) override {}
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& /*settings*/) override {
     last_seconds = seconds;
     last_image_number = image_number;
