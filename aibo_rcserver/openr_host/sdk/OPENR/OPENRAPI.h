@@ -42,7 +42,7 @@ OStatus DeleteCommandVectorData(MemoryRegionID memID);
 /// @return oINVALID_PRIMITIVE_ID if it is not open or no joint
 /// @{
 
-/// Gains of the servo, each with its shift. They count from the next EnableJointGain().
+/// Gains of the servo, each with its shift. They count at once, whether set before or after EnableJointGain().
 OStatus SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds);
 
 /// The servo holds its joint where it was commanded last: command the present position first.
