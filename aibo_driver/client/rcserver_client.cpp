@@ -379,6 +379,22 @@ PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, bool* 
   return answer.picture;
 }
 
+void RcServerClient::commandJoints(const std::vector<JointTarget>&, milliseconds) {
+  throw CommandException("a server of version 1 of the protocol is not told to move joints yet");
+}
+
+void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>&) {
+  throw CommandException("a server of version 1 of the protocol is not told speed limits yet");
+}
+
+bool RcServerClient::setMotors(bool, milliseconds) {
+  throw CommandException("the robot's server speaks version 1 of the protocol, which cannot switch the motors");
+}
+
+void RcServerClient::setTelemetryPeriod(int frames) {
+  checkRange("telemetry period", frames, 0, 65535, " frames");
+}
+
 ConnectionStatus RcServerClient::status() const {
   return implementation_->status();
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace aibo_driver {
@@ -15,6 +16,10 @@ struct Picture {
   std::chrono::steady_clock::time_point first_byte_time;  ///< arrival of the first byte of the picture's header
   int width = 0;                                          ///< pixels, from the JPEG's own frame header
   int height = 0;                                         ///< pixels, from the JPEG's own frame header
+
+  // A version 1 server does not tell what follows.
+  std::optional<std::uint32_t> frame_number;  ///< OPEN-R frame (8 ms) in which the camera took the image
+  std::optional<std::uint32_t> image_count;   ///< the camera's own count of images
 };
 
 using PicturePtr = std::shared_ptr<const Picture>;

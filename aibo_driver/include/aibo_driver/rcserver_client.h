@@ -8,9 +8,13 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "aibo_driver/joints.h"
 #include "aibo_driver/log.h"
 #include "aibo_driver/picture.h"
+#include "aibo_driver/robot_info.h"
+#include "aibo_driver/telemetry.h"
 
 namespace aibo_driver {
 
@@ -21,6 +25,7 @@ struct ClientOptions {
   std::string host = "127.0.0.1";  ///< name or address of the robot; not empty
   int port = 54321;                ///< 1..65535; the RCServer's port (report, section 2.2)
   int jpeg_quality = 85;           ///< 1..100, of the stream (report, section 3.3.3, gives 85 as the standard)
+  int protocol_version = 0;        ///< 0 = the newest that the server speaks; 1 = version 1 without asking
   std::chrono::milliseconds connect_timeout{2000};     ///< 50 ms..60 s, name lookup included
   std::chrono::milliseconds read_timeout{500};         ///< 50 ms..60 s; a running stream silent for so long is dead
   std::chrono::milliseconds reconnect_wait_min{100};   ///< 10 ms..reconnect_wait_max; doubles with each failure
@@ -32,9 +37,13 @@ enum class ConnectionState { kDisconnected, kConnecting, kConnected };
 /// Where the client stands with the robot.
 struct ConnectionStatus {
   ConnectionState state = ConnectionState::kDisconnected;
-  int protocol_version = 0;  ///< 1 once connected; 0 while not
+  int protocol_version = 0;  ///< 1 or 2 once connected; 0 while not
   std::string reason;        ///< why the last connection or attempt ended; empty when all is well
   std::string advice;        ///< what the user should check; empty when all is well
+  RobotInfo robot;           ///< who is there, once connected to a version 2 server; else empty
+  /// What a version 2 server has last reported by itself, such as a joint that does not move or why it hangs up. Stays
+  /// until the next connection; empty if there was nothing.
+  std::string robot_message;
 };
 
 /// Counters since start(). All of them only ever grow.
@@ -48,30 +57,41 @@ struct ClientStatistics {
   std::uint64_t unexpected_pictures = 0;  ///< good pictures dropped: nobody had asked (a stream being stopped)
   std::uint64_t stale_pictures = 0;  ///< good pictures dropped: they had waited unread while this process was held up
   std::uint64_t bytes_received = 0;  ///< bytes read from the socket
+  std::uint64_t telemetry = 0;       ///< telemetry delivered
+  std::uint64_t refusals = 0;        ///< requests that the robot refused
 };
 
-/// Keeps one connection to an RCServer, and gets pictures over it.
+/// Keeps one connection to an RCServer, gets pictures and telemetry over it, and moves the joints.
 ///
 /// A thread of its own connects, reconnects after every fault with growing, jittered waits, and splits the byte
-/// stream into pictures and replies. The wish to stream survives reconnects; a request for a single picture does not.
-/// All waiting is done on the steady clock and ends at once when stop() is called.
+/// stream into pictures and replies. It asks each server for version 2 of the protocol, and goes on with version 1 if
+/// the server refuses or says nothing to that for 500 ms. The wishes to stream and for telemetry survive reconnects; a
+/// request for a single picture does not, and a command to the joints never does. All waiting is done on the steady
+/// clock and ends at once when stop() is called.
 ///
 /// Every member function may be called from any thread, except where it says otherwise.
 class RcServerClient {
  public:
   /// Called on the client's thread with every good picture of the stream, and with those taken by takePicture().
-  /// Must not block, and must call neither stop() nor takePicture(): while it runs, nothing is read from the robot.
-  /// What it throws is logged.
+  /// Must not block, and must not call stop(), takePicture() or setMotors(): while it runs, nothing is read from the
+  /// robot. What it throws is logged.
   using PictureCallback = std::function<void(const PicturePtr& picture)>;
   /// Called on the client's thread each time the connection status changes. Same rules.
   using StatusCallback = std::function<void(const ConnectionStatus& status)>;
   /// Called on the client's thread each time streaming() changes. Same rules.
   using StreamingCallback = std::function<void(bool streaming)>;
+  /// Called on the client's thread with what the robot has measured. If several arrived together, only with the newest.
+  /// Same rules.
+  using TelemetryCallback = std::function<void(const Telemetry& telemetry)>;
+  /// Called on the client's thread with where joints were accepted to go, after the robot has clamped it. Same rules.
+  using JointsAcceptedCallback = std::function<void(const std::vector<JointTarget>& targets)>;
 
   struct Callbacks {
     PictureCallback on_picture;
     StatusCallback on_status;
     StreamingCallback on_streaming;
+    TelemetryCallback on_telemetry;
+    JointsAcceptedCallback on_joints_accepted;
     LogSink log;
   };
 
@@ -100,8 +120,8 @@ class RcServerClient {
   /// connection stands, and again after each reconnect. Idempotent: wanting what is wanted already sends nothing.
   void setStreaming(bool on);
 
-  /// The quality of the stream's pictures. Takes effect when the stream is next started; a running stream of a
-  /// version 1 server keeps the quality it was started with.
+  /// The quality of the stream's pictures. A running stream of a version 2 server changes at once; that of a version 1
+  /// server keeps the quality it was started with until it is next started.
   /// @param quality 1..100
   /// @throw InvalidArgumentException outside of the range
   void setJpegQuality(int quality);
@@ -111,11 +131,13 @@ class RcServerClient {
 
   /// Waits for a picture that was taken after this call.
   ///
-  /// Without a stream it is one picture of the given quality. During a stream of a version 1 server it is the
-  /// stream's next picture, at the stream's quality: such a server must not be sent `F` while it streams.
+  /// It is one picture of the given quality, taken for this call alone, except during a stream of a version 1 server:
+  /// then it is the stream's next picture, at the stream's quality, because such a server must not be sent `F` while it
+  /// streams.
   ///
-  /// A damaged picture is no answer: it is asked for again, as long as the time allows. If the time passes while the
-  /// robot owes a picture, the connection is made anew, since nobody could tell which request its next one answers.
+  /// A damaged picture is no answer: it is asked for again, as long as the time allows. If the time passes while a
+  /// version 1 server owes a picture, the connection is made anew, since nobody could tell which request its next one
+  /// answers.
   ///
   /// @param quality 0..100; 0 = the stream's quality
   /// @param timeout longest time to wait, 1 ms..1 h
@@ -128,6 +150,50 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
   PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, bool* from_stream = nullptr);
+
+  /// Sends joints to positions: together, in one request, and at once. Returns without waiting for the answer, which
+  /// comes through on_joints_accepted, or through the log if the robot refuses.
+  ///
+  /// A command is carried out once or not at all: nothing is kept while there is no connection, and what a connection
+  /// that breaks has not carried out is dropped. If commands come faster than the robot answers, each joint goes to its
+  /// latest target, and older ones that have not been sent are dropped.
+  ///
+  /// A version 1 server is told joint after joint, waiting for the answer to each, and without the duration, which
+  /// such a server does not know: the joints move as fast as their speed limits allow.
+  ///
+  /// @param targets 1..32 joints, each once
+  /// @param duration 0..65535 ms; all joints arrive after it; 0 = each as fast as its limits allow
+  /// @throw InvalidArgumentException an id, a position, their number or the duration is out of range
+  /// @throw NetworkException not connected; the message says why and what to check
+  /// @throw CommandException the server says that it has no joints to command
+  /// @throw StoppedException stop() was called
+  void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
+
+  /// Sets how fast joints may move. Sent before later commands to the joints, under the same rules: after a reconnect
+  /// it is not set again.
+  /// @param limits 1..32 joints, each once
+  /// @throw as commandJoints()
+  void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
+
+  /// Switches the gains of all joints on or off: off, the joints can be moved by hand.
+  /// @param timeout longest time to wait, 1 ms..1 h
+  /// @return what the robot says is now the case
+  /// @throw InvalidArgumentException timeout out of range
+  /// @throw NetworkException no connection, or it broke while waiting
+  /// @throw TimeoutException connected, but no answer came in time
+  /// @throw CommandException the robot refused, or its server cannot do it: no version 1 server can
+  /// @throw StoppedException stop() was called
+  /// @throw Exception called from a callback
+  bool setMotors(bool on, std::chrono::milliseconds timeout);
+
+  /// What is wanted: telemetry each so many OPEN-R frames of 8 ms, or none. Takes effect as setStreaming() does.
+  ///
+  /// A version 1 server sends no telemetry. While some is wanted it is asked for one joint after the other, 20 a second
+  /// whatever the period, so that the answers cost the stream of pictures nothing.
+  ///
+  /// @param frames 0..65535; 0 = none; 4 (32 ms) is as often as the robot measures
+  /// @throw InvalidArgumentException outside of the range
+  void setTelemetryPeriod(int frames);
 
   /// A snapshot of the connection's status.
   ConnectionStatus status() const;

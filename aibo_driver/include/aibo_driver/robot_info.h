@@ -1,0 +1,27 @@
+/// @file robot_info.h
+#ifndef AIBO_DRIVER_ROBOT_INFO_H
+#define AIBO_DRIVER_ROBOT_INFO_H
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/joints.h"
+
+namespace aibo_driver {
+
+/// What a version 2 server says of itself. Empty for a version 1 server, which says nothing.
+struct RobotInfo {
+  std::string design;                     ///< as OPEN-R names it: "ERS-7"
+  std::string server;                     ///< name and version of the server
+  std::vector<std::string> capabilities;  ///< letters of the requests it serves: "F", "J", "O"...
+  std::vector<JointLimits> joint_limits;  ///< of each joint
+
+  bool hasCapability(const std::string& word) const {
+    return std::find(capabilities.begin(), capabilities.end(), word) != capabilities.end();
+  }
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_ROBOT_INFO_H
