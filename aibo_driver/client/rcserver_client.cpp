@@ -160,8 +160,9 @@ class RcServerClient::Implementation {
   // Comes back only by an exception.
   void connectAndServe() {
     pauseUntil(next_attempt_);
+    attempt_began_ = steady_clock::now();
     updateStatus([](ConnectionStatus& status) { status.state = ConnectionState::kConnecting; });
-    transport_->connect(options_.host, options_.port, steady_clock::now() + options_.connect_timeout);
+    transport_->connect(options_.host, options_.port, attempt_began_ + options_.connect_timeout);
     ++counters_.connections;
     connected_ = steady_clock::now();
     session_.emplace(address_, options_.read_timeout, notifier_, counters_, connected_);
@@ -243,7 +244,8 @@ class RcServerClient::Implementation {
     counters_.stalls += silent ? 1 : 0;
     counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;
     counters_.failed_attempts += session_ ? 0 : 1;
-    next_attempt_ = steady_clock::now() + backoff_.next();
+    // An attempt that took its time needs no pause after it.
+    next_attempt_ = (session_ ? steady_clock::now() : attempt_began_) + backoff_.next();
     if (fault.what() != logged_reason_) {
       logged_reason_ = fault.what();
       notifier_.log(LogLevel::kWarn, "No connection to the robot: " + logged_reason_ + ". " + fault.advice() +
@@ -320,6 +322,7 @@ class RcServerClient::Implementation {
   // Used by the client's thread alone.
   std::optional<Session> session_;  // there while connected
   TimePoint connected_;             // since when
+  TimePoint attempt_began_;         // the present or last one to connect
   TimePoint next_attempt_;
   ReconnectBackoff backoff_;
   std::string logged_reason_;  // the reason that was logged last; empty since a connection has worked

@@ -87,8 +87,8 @@ TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
     const auto same_header = [&image](const auto& message) {
       return message.header.stamp == image->header.stamp && message.header.frame_id == image->header.frame_id;
     };
-    EXPECT_TRUE(pictures.waitFor(same_header));
-    EXPECT_TRUE(camera_infos.waitFor(same_header));
+    ASSERT_TRUE(pictures.waitFor(same_header));
+    ASSERT_TRUE(camera_infos.waitFor(same_header));
   }
 }
 

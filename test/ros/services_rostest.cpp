@@ -190,6 +190,7 @@ TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
   ConnectedDriver connected("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=4", "_read_timeout:=60"});
   connected.proxy.setMute(true);
   std::future<TakePicture::Response> waiting = std::async(std::launch::async, [] { return takePicture("/silent", 0); });
+  ASSERT_TRUE(connected.proxy.waitForDriver("F", kSafetyNet));
   EXPECT_TRUE(setStreaming("/silent", false).success);
   EXPECT_EQ(waiting.wait_for(std::chrono::seconds(0)), std::future_status::timeout) << "set_streaming had to wait";
   ASSERT_EQ(waiting.wait_for(kSafetyNet), std::future_status::ready);

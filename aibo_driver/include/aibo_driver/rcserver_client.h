@@ -29,7 +29,7 @@ struct ClientOptions {
   std::chrono::milliseconds connect_timeout{2000};     ///< 50 ms..60 s, name lookup included
   std::chrono::milliseconds read_timeout{500};         ///< 50 ms..60 s; a running stream silent for so long is dead
   std::chrono::milliseconds reconnect_wait_min{100};   ///< 10 ms..reconnect_wait_max; doubles with each failure
-  std::chrono::milliseconds reconnect_wait_max{2000};  ///< up to 60 s; the longest wait between two attempts
+  std::chrono::milliseconds reconnect_wait_max{2000};  ///< up to 60 s; the longest wait from one attempt to the next
 };
 
 enum class ConnectionState { kDisconnected, kConnecting, kConnected };

@@ -95,11 +95,8 @@ void RecordingProxy::serve(int driver) {
   }
   std::array<std::uint8_t, 65536> buffer{};
   while (connected && !stopping_ && !cut_) {
-    if (mute_) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(kPollMilliseconds));
-      continue;
-    }
-    std::array<pollfd, 2> ends{{{driver, POLLIN, 0}, {robot, POLLIN, 0}}};
+    // poll() leaves out a negative descriptor.
+    std::array<pollfd, 2> ends{{{driver, POLLIN, 0}, {mute_ ? -1 : robot, POLLIN, 0}}};
     ::poll(ends.data(), ends.size(), kPollMilliseconds);
     for (const pollfd& end : ends) {
       if (end.revents == 0) {
@@ -119,6 +116,7 @@ void RecordingProxy::serve(int driver) {
           from_driver_.append(buffer.begin(), buffer.begin() + count);
         }
       }
+      changed_.notify_all();
       connected = connected && sendAll(end.fd == robot ? driver : robot, buffer.data(), bytes);
     }
   }
@@ -145,6 +143,11 @@ std::vector<std::vector<std::uint8_t>> RecordingProxy::picturesFromRobot() const
 std::string RecordingProxy::bytesFromDriver() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return from_driver_;
+}
+
+bool RecordingProxy::waitForDriver(const std::string& text, std::chrono::seconds timeout) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return changed_.wait_for(lock, timeout, [&] { return from_driver_.find(text) != std::string::npos; });
 }
 
 }  // namespace test_support

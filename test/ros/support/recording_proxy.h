@@ -3,6 +3,8 @@
 #define AIBO_DRIVER_TEST_RECORDING_PROXY_H
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -26,7 +28,7 @@ class RecordingProxy {
   /// Breaks the present connection, if there is one.
   void cut() { cut_ = true; }
 
-  /// From now on nothing is passed on, though connections stay and are accepted; or it is again.
+  /// From now on the driver hears nothing from the robot, though connections stay and are accepted; or it does again.
   void setMute(bool mute) { mute_ = mute; }
 
   /// The JPEGs that the robot has sent since the proxy began, in this order.
@@ -34,6 +36,10 @@ class RecordingProxy {
 
   /// What the driver has sent since the proxy began.
   std::string bytesFromDriver() const;
+
+  /// Waits until the driver has sent this text.
+  /// @return false if it did not come in time
+  bool waitForDriver(const std::string& text, std::chrono::seconds timeout);
 
  private:
   void run();
@@ -46,6 +52,7 @@ class RecordingProxy {
   std::atomic<bool> cut_{false};
   std::atomic<bool> mute_{false};
   mutable std::mutex mutex_;
+  std::condition_variable changed_;
   std::vector<std::vector<std::uint8_t>> from_robot_;  ///< one entry for each connection
   std::string from_driver_;
   std::thread thread_;
