@@ -265,6 +265,7 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJoints) {
   EXPECT_EQ(vector->vectorInfo.infoOffset, 192u);
   EXPECT_EQ(vector->vectorInfo.infoSize, 32u);
   ASSERT_EQ(vector->vectorInfo.numData, 18u);
+  longword end_of_last = 192 + 18 * 32;
   for (int i = 0; i < 18; ++i) {
     const OSensorFrameInfo& info = *vector->GetInfo(i);
     ASSERT_EQ(names.count(info.primitiveID), 1u);
@@ -274,7 +275,9 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJoints) {
     EXPECT_EQ(info.numFrames, 4u);
     EXPECT_EQ(info.frameSize, 16u);
     EXPECT_EQ(info.dataSize, 256u);
-    ASSERT_LE(info.dataOffset + info.dataSize, region->Size());
+    ASSERT_GE(info.dataOffset, end_of_last) << "entries overlap";
+    end_of_last = info.dataOffset + info.dataSize;
+    ASSERT_LE(end_of_last, region->Size());
     for (std::size_t frame = 0; frame < 4; ++frame) {
       const OJointValue& expected = reported[info.primitiveID][4 + frame];
       EXPECT_EQ(std::memcmp(&vector->GetData(i)->frame[frame], &expected, sizeof(expected)), 0) << frame;
