@@ -19,6 +19,8 @@
 #include "openr_host/machine.h"
 #include "picture_log.h"
 #include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "rcserver/RCServer.h"
 #include "simulated_ers7/simulated_ers7.h"
 
 namespace {
@@ -35,6 +37,7 @@ struct Options {
   int port = 0;
   int console_port = 0;
   bool no_console = false;
+  int protocol_version = 0;
   std::string memory_stick;
   std::string picture_log;
   simulated_ers7::SimulatedErs7Options robot;
@@ -58,6 +61,8 @@ po::options_description describe(Options& options) {
     ("console-port", po::value(&options.console_port)->default_value(openr_host::kConsolePort),
      "port of the wireless console, for telnet; 0 is any free one")
     ("no-console", po::bool_switch(&options.no_console), "leave the wireless console out")
+    ("protocol-version", po::value(&options.protocol_version)->default_value(protocol::version2::VERSION),
+     "newest version of the protocol that the RCServer speaks; 1 makes it answer like a server of 2005 or 2006")
     ("memory-stick", po::value(&options.memory_stick)->default_value(ownMemoryStick()),
      "folder with what is on the robot's memory stick")
     ("images", po::value(&options.robot.images_folder),
@@ -92,6 +97,9 @@ void parse(const po::options_description& description, const std::vector<std::st
   options.help = values.count("help") > 0;
   checkPort("port", options.port);
   checkPort("console-port", options.console_port);
+  if (options.protocol_version != 1 && options.protocol_version != protocol::version2::VERSION) {
+    throw po::error("option '--protocol-version' must be 1 or 2");
+  }
   if (!(options.robot.seconds_per_image > 0)) {
     throw po::error("option '--seconds-per-image' must be above 0");
   }
@@ -145,6 +153,7 @@ void run(const Options& options) {
     machine_options.on_send = [&](const void* data, std::size_t size) { picture_log->aboutToSend(data, size); };
   }
   openr_host::Machine machine(machine_options, clock, robot);
+  RCServer::SetNewestVersion(options.protocol_version);
   stopOnSignal(machine);
   machine.boot();
   announce(machine, options);

@@ -47,6 +47,7 @@ size_t decodeUnsigned16(const unsigned char* in) {
 }  // namespace
 
 const size_t RequestReader::MAX_APPENDED;
+const size_t RequestReader::MAX_WAITING;
 const size_t RequestReader::MAX_REQUESTS;
 
 RequestReader::RequestReader() : waiting_size_(0), announced_size_(0) {}
@@ -81,6 +82,13 @@ bool RequestReader::next(Request* request) {
   }
   consume(size);
   return true;
+}
+
+size_t RequestReader::takeWaiting(unsigned char* out) {
+  const size_t size = waiting_size_;
+  memcpy(out, waiting_, size);
+  waiting_size_ = 0;
+  return size;
 }
 
 void RequestReader::skipAnnounced() {

@@ -43,8 +43,11 @@ class RequestReader {
   /// Most bytes one append() takes while no more than one unfinished request is waiting.
   static const size_t MAX_APPENDED = 1024;
 
+  /// Most bytes that can be waiting.
+  static const size_t MAX_WAITING = MAX_APPENDED + FILE_REQUEST_SIZE;
+
   /// Most requests next() can find in what one append() has brought: the shortest request has two bytes.
-  static const size_t MAX_REQUESTS = (MAX_APPENDED + FILE_REQUEST_SIZE) / BASIC_COMMAND_SIZE;
+  static const size_t MAX_REQUESTS = MAX_WAITING / BASIC_COMMAND_SIZE;
 
   RequestReader();
 
@@ -59,12 +62,18 @@ class RequestReader {
   /// @return false if there is no whole one
   bool next(Request* request);
 
+  /// Takes out all bytes that were added and that no request was made of: behind the request for version 2 they are
+  /// version 2's.
+  /// @param[out] out room for MAX_WAITING bytes
+  /// @return how many there were
+  size_t takeWaiting(unsigned char* out);
+
  private:
   void skipAnnounced();
   size_t frontSize() const;
   void consume(size_t size);
 
-  unsigned char waiting_[MAX_APPENDED + FILE_REQUEST_SIZE];
+  unsigned char waiting_[MAX_WAITING];
   size_t waiting_size_;
   size_t announced_size_;  ///< bytes of a refused file that are still to come
 };

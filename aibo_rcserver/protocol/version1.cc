@@ -30,20 +30,28 @@ bool decodePictureHeader(const unsigned char* in, size_t* size) {
   return in[0] == static_cast<unsigned char>(REPLY_PICTURE) && *size > 0 && *size <= MAX_PICTURE_SIZE;
 }
 
+void encodeValue(short value, unsigned char* out) {
+  const unsigned bits = static_cast<unsigned short>(value);
+  out[0] = static_cast<unsigned char>(bits & 0xff);
+  out[1] = static_cast<unsigned char>(bits >> 8);
+}
+
+short decodeValue(const unsigned char* in) {
+  const int value = in[0] | (in[1] << 8);
+  return static_cast<short>(value >= 0x8000 ? value - 0x10000 : value);
+}
+
 void encodeValueReply(const ValueReply& reply, unsigned char* out) {
-  const unsigned value = static_cast<unsigned short>(reply.value);
   out[0] = static_cast<unsigned char>(reply.letter);
   out[1] = reply.identifier;
-  out[2] = static_cast<unsigned char>(value & 0xff);
-  out[3] = static_cast<unsigned char>(value >> 8);
+  encodeValue(reply.value, out + 2);
 }
 
 ValueReply decodeValueReply(const unsigned char* in) {
-  const int value = in[2] | (in[3] << 8);
   ValueReply reply;
   reply.letter = static_cast<char>(in[0]);
   reply.identifier = in[1];
-  reply.value = static_cast<short>(value >= 0x8000 ? value - 0x10000 : value);
+  reply.value = decodeValue(in + 2);
   return reply;
 }
 

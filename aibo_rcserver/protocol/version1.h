@@ -85,6 +85,14 @@ void encodePictureHeader(size_t size, unsigned char* out);
 /// @return false if these bytes are no picture header or if the size is 0 or above MAX_PICTURE_SIZE
 bool decodePictureHeader(const unsigned char* in, size_t* size);
 
+const size_t VALUE_SIZE = 2;  ///< bytes of an encoded value, an int16
+
+/// Writes VALUE_SIZE bytes.
+void encodeValue(short value, unsigned char* out);
+
+/// Reads VALUE_SIZE bytes.
+short decodeValue(const unsigned char* in);
+
 /// Writes VALUE_REPLY_SIZE bytes.
 void encodeValueReply(const ValueReply& reply, unsigned char* out);
 

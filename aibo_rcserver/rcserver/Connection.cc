@@ -15,6 +15,9 @@ size_t number_of_endpoints = 0;
 }  // namespace
 
 const size_t Connection::PICTURE_CAPACITY;
+const size_t Connection::MESSAGE_CAPACITY;
+const size_t Connection::PICTURE_SIZE;
+const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
     : object_(oidUNDEF),
@@ -23,14 +26,16 @@ Connection::Connection()
       state_(CLOSED),
       sending_(false),
       receiving_(false),
-      replies_size_(0) {
+      picture_(NULL),
+      picture_size_(0),
+      is_sending_picture_(false) {
   client_name_[0] = '\0';
 }
 
 bool Connection::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
-  antEnvCreateSharedBufferMsg create(SEND_SIZE + RECEIVE_SIZE);
+  antEnvCreateSharedBufferMsg create(MESSAGE_CAPACITY + PICTURE_SIZE + RECEIVE_SIZE);
   create.Call(stack_, sizeof(create));
   if (create.error != ANT_SUCCESS) {
     return false;
@@ -77,8 +82,8 @@ void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   state_ = CONNECTED;
   sending_ = false;
   receiving_ = false;
-  replies_size_ = 0;
-  reader_.reset();
+  picture_size_ = 0;
+  is_sending_picture_ = false;
   const unsigned address = answer.fAddress;
   sprintf(client_name_, "%u.%u.%u.%u:%u", address >> 24, (address >> 16) & 0xff, (address >> 8) & 0xff, address & 0xff,
           static_cast<unsigned>(answer.fPort));
@@ -100,46 +105,43 @@ void Connection::Closed() {
   state_ = CLOSED;
 }
 
-byte* Connection::PictureBuffer() {
-  return SendBuffer() + protocol::PICTURE_HEADER_SIZE;
+bool Connection::SendMessage(size_t size) {
+  return Send(MessageBuffer(), size);
 }
 
-bool Connection::SendPicture(size_t size) {
-  protocol::encodePictureHeader(size, SendBuffer());
-  return Send(protocol::PICTURE_HEADER_SIZE + size);
+bool Connection::SendPicture(const byte* header, size_t header_size, size_t size) {
+  picture_ = PictureBuffer() - header_size;
+  picture_size_ = header_size + size;
+  memcpy(picture_, header, header_size);
+  return sending_ || SendWaitingPicture();
 }
 
-void Connection::AddReply(const protocol::ValueReply& reply) {
-  protocol::encodeValueReply(reply, replies_ + replies_size_);
-  replies_size_ += protocol::VALUE_REPLY_SIZE;
-}
-
-void Connection::Received(const TCPEndpointReceiveMsg& answer) {
-  receiving_ = false;
-  reader_.append(ReceiveBuffer(), static_cast<size_t>(answer.sizeMin));
-}
-
-bool Connection::Continue() {
-  if (!sending_ && replies_size_ > 0) {
-    memcpy(SendBuffer(), replies_, replies_size_);
-    if (!Send(replies_size_)) {
-      return false;
-    }
-    replies_size_ = 0;
+bool Connection::Sent() {
+  sending_ = false;
+  if (is_sending_picture_) {
+    is_sending_picture_ = false;
+    picture_size_ = 0;
   }
-  return receiving_ || replies_size_ > 0 || Receive();
-}
-
-bool Connection::Send(size_t size) {
-  TCPEndpointSendMsg send(endpoint_, SendBuffer(), static_cast<int>(size));
-  sending_ = Post(send, Extra_Entry[entrySendCont], sizeof(send));
-  return sending_;
+  return picture_size_ == 0 || SendWaitingPicture();
 }
 
 bool Connection::Receive() {
-  TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), 1, static_cast<int>(RECEIVE_SIZE));
-  receiving_ = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
+  if (!receiving_) {
+    TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), 1, static_cast<int>(RECEIVE_SIZE));
+    receiving_ = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
+  }
   return receiving_;
+}
+
+bool Connection::SendWaitingPicture() {
+  is_sending_picture_ = true;
+  return Send(picture_, picture_size_);
+}
+
+bool Connection::Send(byte* bytes, size_t size) {
+  TCPEndpointSendMsg send(endpoint_, bytes, static_cast<int>(size));
+  sending_ = Post(send, Extra_Entry[entrySendCont], sizeof(send));
+  return sending_;
 }
 
 // Sends a message to the IPStack, whose answer will say by endpoint_number_ which endpoint it concerns.

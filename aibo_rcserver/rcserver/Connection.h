@@ -7,21 +7,23 @@
 #include <TCPEndpointMsg.h>
 #include <ant.h>
 
-#include "protocol/request_reader.h"
-#include "protocol/version1.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Session.h"
 
 /// Listens, serves one client and closes, again and again: each time with a new endpoint, because an endpoint of the
 /// IPStack serves one connection.
 ///
-/// At most one send and one receive are under way at a time. Replies that cannot be sent at once are kept, in order.
-/// While any are kept nothing is received: a client that asks without reading the answers is slowed down by TCP, and
-/// the memory for replies has a fixed size.
+/// At most one send and one receive are under way at a time. A picture may be handed over while a message is under way,
+/// and is sent right after it, so that answers and telemetry cost the stream no picture.
 class Connection {
  public:
   enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
 
   /// Bytes of a picture that can be sent: 100 KiB, which hold any 208x160 picture (JpegEncoder::WorstCaseSize).
   static const size_t PICTURE_CAPACITY = 100 * 1024;
+
+  /// Bytes of messages that can be sent at once: all that an outbox holds.
+  static const size_t MESSAGE_CAPACITY = Outbox::CAPACITY;
 
   Connection();
 
@@ -53,32 +55,40 @@ class Connection {
   /// The answer to Close(): from CLOSING to CLOSED.
   void Closed();
 
-  /// Where to put the next picture, PICTURE_CAPACITY bytes. Not while IsSending().
-  byte* PictureBuffer();
-
-  /// Sends the picture in PictureBuffer(), header and picture at once. Not while IsSending().
-  /// @return false if the IPStack refuses
-  bool SendPicture(size_t size);
-
-  /// Keeps a reply, to be sent by Continue().
-  void AddReply(const protocol::ValueReply& reply);
-
-  /// A send is under way.
+  /// True while a message or a picture is being sent.
   bool IsSending() const { return sending_; }
 
-  /// The answer to a send.
-  void Sent() { sending_ = false; }
+  /// Where to put the next message, MESSAGE_CAPACITY bytes. Not while IsSending().
+  byte* MessageBuffer() const { return buffer_; }
 
-  /// The answer to a receive: its bytes are for NextRequest() now.
-  void Received(const TCPEndpointReceiveMsg& answer);
-
-  /// The next request of the client.
-  /// @return false if there is no whole one
-  bool NextRequest(protocol::Request* request) { return reader_.next(request); }
-
-  /// Sends kept replies and receives more, as far as that is possible now. To be called whenever something was done.
+  /// Sends the message in MessageBuffer(). Not while IsSending().
   /// @return false if the IPStack refuses
-  bool Continue();
+  bool SendMessage(size_t size);
+
+  /// False while there is a picture that has not been sent.
+  bool TakesPicture() const { return picture_size_ == 0; }
+
+  /// Where to put the next picture, PICTURE_CAPACITY bytes. Only if TakesPicture().
+  byte* PictureBuffer() const { return MessageBuffer() + MESSAGE_CAPACITY + Session::MAX_PICTURE_HEADER_SIZE; }
+
+  /// Sends the picture in PictureBuffer(), header and picture at once, as soon as no message is under way.
+  /// @param header, header_size what goes before it, up to Session::MAX_PICTURE_HEADER_SIZE bytes
+  /// @return false if the IPStack refuses
+  bool SendPicture(const byte* header, size_t header_size, size_t size);
+
+  /// The answer to a send: begins to send the picture that waits, if there is one.
+  /// @return false if the IPStack refuses
+  bool Sent();
+
+  /// Asks the IPStack for bytes, unless it has been asked already.
+  /// @return false if it refuses
+  bool Receive();
+
+  /// The answer to Receive().
+  void Received() { receiving_ = false; }
+
+  /// The bytes that Received() has brought, until the next Receive().
+  const byte* ReceivedBytes() const { return ReceiveBuffer(); }
 
   /// True if a client has come since Listen().
   bool HadClient() const { return client_name_[0] != '\0'; }
@@ -90,15 +100,14 @@ class Connection {
   Connection(const Connection&);
   Connection& operator=(const Connection&);
 
-  // Of the shared buffer: what is sent, then what is received.
-  static const size_t SEND_SIZE = protocol::PICTURE_HEADER_SIZE + PICTURE_CAPACITY;
-  static const size_t RECEIVE_SIZE = protocol::RequestReader::MAX_APPENDED;
+  // Parts of the shared buffer, in this order: a message, a picture with its header, what is received.
+  static const size_t PICTURE_SIZE = Session::MAX_PICTURE_HEADER_SIZE + PICTURE_CAPACITY;
+  static const size_t RECEIVE_SIZE = Session::INPUT_CAPACITY;
 
-  bool Send(size_t size);
-  bool Receive();
+  bool SendWaitingPicture();
+  bool Send(byte* bytes, size_t size);
   bool Post(antEnvMsg& message, Selector entry, size_t size);
-  byte* SendBuffer() const { return buffer_; }
-  byte* ReceiveBuffer() const { return buffer_ + SEND_SIZE; }
+  byte* ReceiveBuffer() const { return buffer_ + MESSAGE_CAPACITY + PICTURE_SIZE; }
 
   OID object_;
   antStackRef stack_;
@@ -109,9 +118,9 @@ class Connection {
   State state_;
   bool sending_;
   bool receiving_;
-  protocol::RequestReader reader_;
-  byte replies_[protocol::RequestReader::MAX_REQUESTS * protocol::VALUE_REPLY_SIZE];
-  size_t replies_size_;
+  byte* picture_;            ///< with its header
+  size_t picture_size_;      ///< 0: there is none
+  bool is_sending_picture_;  ///< else it waits
   char client_name_[sizeof("255.255.255.255:65535")];
 };
 

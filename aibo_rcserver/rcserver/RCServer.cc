@@ -10,10 +10,10 @@ namespace {
 
 const longword FRAMES_PER_SECOND = 125;  // of 8 ms
 
-// Puts the bands of the high-resolution layer together.
-bool FindPlanes(OFbkImageVectorData* image_vector, CameraImage* image) {
-  OFbkImageInfo* info = image_vector->GetInfo(ofbkimageLAYER_H);
-  byte* data = image_vector->GetData(ofbkimageLAYER_H);
+// Puts the bands of a layer together.
+bool FindPlanes(OFbkImageVectorData* image_vector, OFbkImageLayer layer, CameraImage* image) {
+  OFbkImageInfo* info = image_vector->GetInfo(layer);
+  byte* data = image_vector->GetData(layer);
   OFbkImage y(info, data, ofbkimageBAND_Y);
   OFbkImage cr(info, data, ofbkimageBAND_Cr);
   OFbkImage cb(info, data, ofbkimageBAND_Cb);
@@ -27,6 +27,12 @@ bool FindPlanes(OFbkImageVectorData* image_vector, CameraImage* image) {
   image->height = static_cast<size_t>(y.Height());
   image->stride = static_cast<size_t>(y.Width() + y.Skip());
   return true;
+}
+
+// OPEN-R gives the data of an event as constant, and its own classes take it as not. Nothing is written there.
+template <typename Vector>
+Vector* VectorOf(const ONotifyEvent& event) {
+  return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
 const char* ReasonOf(TCPEndpointError error) {
@@ -45,15 +51,23 @@ const char* ReasonOf(TCPEndpointError error) {
 }  // namespace
 
 const longword RCServer::SILENT_CLIENT_FRAMES;
+const longword RCServer::HEARTBEAT_FRAMES;
+int RCServer::newest_version = protocol::version2::VERSION;
 
 RCServer::RCServer()
     : client_(NULL),
+      session_(NULL),
       now_(0),
+      last_bytes_received_(0),
       last_sign_of_life_(0),
       last_attempt_(0),
+      is_streaming_(false),
+      image_count_(0),
+      last_of_stream_(0),
       stream_pictures_(0),
-      images_left_out_(0),
-      field_counter_(0) {}
+      images_left_out_(0) {
+  design_[0] = '\0';
+}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -65,12 +79,17 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
       return oFAIL;
     }
   }
+  OPENR::GetRobotDesign(design_);
+  joint_driver_.Open();
+  session_ = new Session(design_, joint_driver_.Joints(), joint_driver_, newest_version);
   return oSUCCESS;
 }
 
 OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
+  joint_driver_.Switch(true);
+  joint_driver_.SendCommands(subject[sbjEffector]);
   ListenWhereClosed();
   OSYSPRINT(("RCServer: waiting for a client on port %d\n", protocol::RCSERVER_PORT));
   return oSUCCESS;
@@ -86,22 +105,39 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
     connections_[i].Destroy();
   }
+  delete session_;
+  session_ = NULL;
+  joint_driver_.Close();
   DELETE_ALL_SUBJECT_AND_OBSERVER;
   return oSUCCESS;
 }
 
-void RCServer::Notify(const ONotifyEvent& event) {
-  // OPEN-R gives the data as constant, and its own classes take it as not. Nothing is written here.
-  OFbkImageVectorData* image_vector = static_cast<OFbkImageVectorData*>(const_cast<void*>(event.Data(0)));
-  now_ = image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber;
-  if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
-    ListenWhereClosed();
-  }
+void RCServer::NotifyImage(const ONotifyEvent& event) {
+  OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
+  PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
+  CountImage(image_vector);
   // What cannot be sent now is left out, never kept: the next picture shows what is then.
-  if (client_ != NULL && !client_->IsSending()) {
+  if (client_ != NULL && client_->TakesPicture()) {
     SendImage(image_vector);
   }
   observer[event.ObsIndex()]->AssertReady();
+}
+
+void RCServer::NotifySensor(const ONotifyEvent& event) {
+  longword frame = 0;
+  if (joint_driver_.ReadSensors(VectorOf<OSensorFrameVectorData>(event), &frame)) {
+    PassTime(frame);
+    session_->Measured(frame);
+  }
+  if (client_ != NULL) {
+    ServeClient();
+  }
+  joint_driver_.SendCommands(subject[sbjEffector]);
+  observer[event.ObsIndex()]->AssertReady();
+}
+
+void RCServer::ReadyEffector(const OReadyEvent&) {
+  joint_driver_.SendCommands(subject[sbjEffector]);
 }
 
 void RCServer::ListenCont(ANTENVMSG msg) {
@@ -136,9 +172,12 @@ void RCServer::SendCont(ANTENVMSG msg) {
     DropClient(ReasonOf(answer->error), true);
     return;
   }
-  client_->Sent();
   last_sign_of_life_ = now_;
-  ContinueClient();
+  if (!client_->Sent()) {
+    DropClient("the IPStack does not send", true);
+    return;
+  }
+  ServeClient();
 }
 
 void RCServer::ReceiveCont(ANTENVMSG msg) {
@@ -151,12 +190,10 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   last_sign_of_life_ = now_;
-  client_->Received(*answer);
-  protocol::Request request;
-  while (client_->NextRequest(&request)) {
-    HandleRequest(request);
-  }
-  ContinueClient();
+  last_bytes_received_ = now_;
+  client_->Received();
+  session_->AddInput(client_->ReceivedBytes(), static_cast<size_t>(answer->sizeMin));
+  ServeClient();
 }
 
 void RCServer::CloseCont(ANTENVMSG msg) {
@@ -166,9 +203,21 @@ void RCServer::CloseCont(ANTENVMSG msg) {
     return;
   }
   connection->Closed();
-  // Where nobody has come because listening failed, trying at once would fail again: Notify() tries later.
+  // Where nobody has come because listening failed, trying at once would fail again: PassTime() tries later.
   if (connection->HadClient()) {
     ListenWhereClosed();
+  }
+}
+
+void RCServer::PassTime(longword frame) {
+  if (static_cast<slongword>(frame - now_) > 0) {
+    now_ = frame;
+  }
+  if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
+    ListenWhereClosed();
+  }
+  if (client_ != NULL && session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
+    DropClient("it has been silent for 5 s", true);
   }
 }
 
@@ -193,8 +242,10 @@ Connection* RCServer::FindConnection(const void* continuation) {
 void RCServer::Admit(Connection* newcomer) {
   client_ = newcomer;
   last_sign_of_life_ = now_;
+  last_bytes_received_ = now_;
+  session_->Begin();
   OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
-  ContinueClient();
+  ServeClient();
 }
 
 void RCServer::TurnAway(Connection* newcomer) {
@@ -208,80 +259,95 @@ void RCServer::DropClient(const char* reason, bool abort) {
   OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
   client_->Close(abort);
   client_ = NULL;
-  image_observer_.ClientGone();
+  session_->End();
+  is_streaming_ = false;
+  joint_driver_.SendCommands(subject[sbjEffector]);
 }
 
-void RCServer::HandleRequest(const protocol::Request& request) {
-  const unsigned char quality = protocol::limitJpegQuality(request.basic.identifier);
-  if (request.valid && request.basic.command == protocol::REQUEST_PICTURE) {
-    EndStoppedStream();
-    if (image_observer_.RequestPicture(quality)) {
-      return;
-    }
-  } else if (request.valid && request.basic.command == protocol::REQUEST_STREAM_TOGGLE) {
-    ToggleStream(quality);
-    return;
-  }
-  const protocol::ValueReply refusal = {protocol::REPLY_ERROR, 0, protocol::ERROR_REFUSED};
-  client_->AddReply(refusal);
-}
-
-void RCServer::ToggleStream(unsigned char quality) {
-  EndStoppedStream();
-  image_observer_.ToggleStream(quality);
-  if (image_observer_.State() == IOS_CONTINUOUS) {
-    stream_pictures_ = 0;
-    images_left_out_ = 0;
-    OSYSPRINT(("RCServer: stream on, quality %d\n", static_cast<int>(quality)));
+// Does all that can be done for the client now.
+void RCServer::ServeClient() {
+  session_->HandleRequests(now_);
+  ReportStream();
+  joint_driver_.SendCommands(subject[sbjEffector]);
+  if (!SendOutput()) {
+    DropClient("the IPStack does not send", true);
+  } else if (session_->IsOver() && !client_->IsSending()) {
+    DropClient("it broke the protocol", false);
+  } else if (session_->WantsInput() && !client_->Receive()) {
+    DropClient("the IPStack does not receive", true);
   }
 }
 
-// The stop code: runs once, when IOS_STOPSEND is about to be left.
-void RCServer::EndStoppedStream() {
-  if (image_observer_.State() == IOS_STOPSEND) {
-    OSYSPRINT(
-        ("RCServer: stream off after %lu pictures, %lu camera images left out\n", stream_pictures_, images_left_out_));
+bool RCServer::SendOutput() {
+  if (client_->IsSending() || !session_->HasOutput()) {
+    return true;
+  }
+  return client_->SendMessage(session_->TakeOutput(client_->MessageBuffer()));
+}
+
+void RCServer::CountImage(OFbkImageVectorData* image_vector) {
+  CameraImage image;
+  if (FindPlanes(image_vector, ofbkimageLAYER_H, &image)) {
+    image_count_ += static_cast<unsigned short>(image.FieldCounter() - image_count_);
   }
 }
 
 void RCServer::SendImage(OFbkImageVectorData* image_vector) {
-  EndStoppedStream();
-  unsigned char quality = 0;
-  if (!image_observer_.ImageArrived(&quality)) {
+  PictureOrder order;
+  if (!session_->Camera().ImageArrived(image_count_, &order)) {
     return;
   }
   CameraImage image;
-  if (!FindPlanes(image_vector, &image)) {
+  if (!FindPlanes(image_vector, order.layer, &image)) {
     OSYSLOG1((osyslogERROR, "RCServer: the camera image has no Y, Cr and Cb bands"));
     DropClient("there is no picture for it", true);
     return;
   }
-  const size_t size = encoder_.Encode(image, quality, client_->PictureBuffer(), Connection::PICTURE_CAPACITY);
+  SendPicture(image, order, image_vector->GetInfo(order.layer)->frameNumber);
+}
+
+void RCServer::SendPicture(const CameraImage& image, const PictureOrder& order, longword frame) {
+  const size_t size = encoder_.Encode(image, order.quality, client_->PictureBuffer(), Connection::PICTURE_CAPACITY);
   if (size == 0) {
     OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", encoder_.LastError()));
     DropClient("there is no picture for it", true);
     return;
   }
-  CountStreamPicture(image);
-  if (!client_->SendPicture(size)) {
+  const protocol::version2::ImageHeader image_header = {image_count_,
+                                                        frame,
+                                                        static_cast<unsigned short>(image.width),
+                                                        static_cast<unsigned short>(image.height),
+                                                        order.quality,
+                                                        static_cast<protocol::version2::Layer>(order.layer)};
+  byte header[Session::MAX_PICTURE_HEADER_SIZE];
+  const size_t header_size = session_->EncodePictureHeader(order, image_header, size, header);
+  CountStreamPicture();
+  if (!client_->SendPicture(header, header_size, size)) {
     DropClient("the IPStack does not send", true);
   }
 }
 
-void RCServer::CountStreamPicture(const CameraImage& image) {
-  if (image_observer_.State() != IOS_CONTINUOUS) {
+void RCServer::CountStreamPicture() {
+  if (!is_streaming_) {
     return;
   }
-  const unsigned short field_counter = image.FieldCounter();
   if (stream_pictures_ > 0) {
-    images_left_out_ += static_cast<unsigned short>(field_counter - field_counter_ - 1);
+    images_left_out_ += image_count_ - last_of_stream_ - 1;
   }
-  field_counter_ = field_counter;
+  last_of_stream_ = image_count_;
   ++stream_pictures_;
 }
 
-void RCServer::ContinueClient() {
-  if (!client_->Continue()) {
-    DropClient("the IPStack does not go on", true);
+// Tells the console when the stream has begun or stopped.
+void RCServer::ReportStream() {
+  const bool is_streaming = session_->Camera().State() == IOS_CONTINUOUS;
+  if (is_streaming && !is_streaming_) {
+    stream_pictures_ = 0;
+    images_left_out_ = 0;
+    OSYSPRINT(("RCServer: stream on, quality %d\n", static_cast<int>(session_->Camera().StreamQuality())));
+  } else if (!is_streaming && is_streaming_) {
+    OSYSPRINT(
+        ("RCServer: stream off after %lu pictures, %lu camera images left out\n", stream_pictures_, images_left_out_));
   }
+  is_streaming_ = is_streaming;
 }

@@ -6,24 +6,35 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
+#include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
 #include <ant.h>
 #include <def.h>
 
 #include "rcserver/CameraImage.h"
 #include "rcserver/Connection.h"
-#include "rcserver/ImageObserver.h"
+#include "rcserver/JointDriver.h"
 #include "rcserver/JpegEncoder.h"
+#include "rcserver/Session.h"
 
-/// Serves version 1 of the protocol (docs/protocol.md) on TCP port 54321.
+/// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
 /// Everything happens in one of the entry points below, each of which returns without waiting. The robot's time is the
-/// frame number of the camera image that came last, in frames of 8 ms.
+/// number of the frame, of 8 ms, in which joints were measured or the camera took an image last.
+///
+/// When the robot starts, all joints hold where they are.
 class RCServer : public OObject {
  public:
   /// A client that has sent nothing for so many frames, and to whom no send was completed, is taken for dead as soon
   /// as another one wants its place: 10 s.
   static const longword SILENT_CLIENT_FRAMES = 1250;
+
+  /// A client of version 2 that has sent nothing for so many frames is dropped: 5 s.
+  static const longword HEARTBEAT_FRAMES = 625;
+
+  /// The newest version of the protocol that is spoken by servers started from now on: 1 or 2, which it is from the
+  /// beginning. For the host, where one stands in for an old server.
+  static void SetNewestVersion(int version) { newest_version = version; }
 
   RCServer();
   virtual ~RCServer() {}
@@ -37,7 +48,13 @@ class RCServer : public OObject {
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
   /// A camera image is there (gate Image).
-  void Notify(const ONotifyEvent& event);
+  void NotifyImage(const ONotifyEvent& event);
+
+  /// Joints have been measured (gate Sensor).
+  void NotifySensor(const ONotifyEvent& event);
+
+  /// The robot takes one more command vector (gate Effector).
+  void ReadyEffector(const OReadyEvent& event);
 
   /// @name Answers of the IPStack
   /// @{
@@ -51,28 +68,40 @@ class RCServer : public OObject {
   // One for the client, one to turn the next one away, or to let it in when the first has gone silent.
   static const int NUMBER_OF_CONNECTIONS = 2;
 
+  RCServer(const RCServer&);
+  RCServer& operator=(const RCServer&);
+
+  void PassTime(longword frame);
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
   void TurnAway(Connection* newcomer);
   void DropClient(const char* reason, bool abort);
-  void HandleRequest(const protocol::Request& request);
-  void ToggleStream(unsigned char quality);
-  void EndStoppedStream();
+  void ServeClient();
+  bool SendOutput();
+  void CountImage(OFbkImageVectorData* image_vector);
   void SendImage(OFbkImageVectorData* image_vector);
-  void CountStreamPicture(const CameraImage& image);
-  void ContinueClient();
+  void SendPicture(const CameraImage& image, const PictureOrder& order, longword frame);
+  void CountStreamPicture();
+  void ReportStream();
+
+  static int newest_version;
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   Connection* client_;  ///< the connection that is served; NULL if there is none
-  ImageObserver image_observer_;
+  JointDriver joint_driver_;
+  char design_[orobotdesignNAME_MAX];
+  Session* session_;  ///< with the client; there is one from DoInit to DoDestroy
   JpegEncoder encoder_;
-  longword now_;                   ///< frame number of the latest camera image
+  longword now_;
+  longword last_bytes_received_;   ///< from the client
   longword last_sign_of_life_;     ///< of the client
   longword last_attempt_;          ///< to listen
+  bool is_streaming_;              ///< as far as the console has been told
+  unsigned image_count_;           ///< the camera's own count, which has 16 bits, carried on to 32
+  unsigned last_of_stream_;        ///< image_count_ of the last picture of the stream
   unsigned long stream_pictures_;  ///< sent in the current stream
   unsigned long images_left_out_;  ///< of the camera, in the current stream
-  unsigned short field_counter_;   ///< of the last picture sent
 };
 
 #endif  // RCSERVER_RCSERVER_H

@@ -1,5 +1,5 @@
 /// @file fake_robot.h
-/// A robot with nothing but a camera, whose every image tells which one it is.
+/// A robot whose camera images tell which ones they are, and whose joints are always where they are to be.
 #ifndef TEST_FAKE_ROBOT_H
 #define TEST_FAKE_ROBOT_H
 
@@ -7,21 +7,47 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "openr_host/virtual_robot.h"
+#include "robot_model/robot_model.h"
 
-/// Takes an image every four frames, beginning with frame 4. Each has one brightness all over, which is another one
-/// than that of the ten images before and after.
+/// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each has one brightness all
+/// over, which is another one than that of the ten images before and after.
+///
+/// Has the joints of an ERS-7, beginning in a posture that is allowed. A joint whose gain is on is in each frame where
+/// it was commanded last, unless it is jammed; what it reports is exact.
 class FakeRobot : public openr_host::VirtualRobot {
  public:
   static constexpr longword kFramesPerImage = 4;
   static constexpr size_t kWidth = 208;
   static constexpr size_t kHeight = 160;
 
-  FakeRobot() : region_(new RCRegion(sizeof(OFbkImageVectorData) + 3 * kWidth * kHeight)) {}
-  ~FakeRobot() override { region_->RemoveReference(); }
+  struct FakeJoint {
+    bool open = false;
+    bool gain = false;
+    bool jammed = false;
+    bool refuses_gain = false;
+    robot_model::PidGains gains = {};
+    int position = 0;
+    int reference = 0;
+    std::vector<int> path;  ///< its position at the end of each frame
+  };
+
+  FakeRobot() : region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * 3 * kWidth * kHeight)) {
+    std::vector<int> posture(joints.size(), 0);
+    robot_model::clampPosture(model, posture.data());
+    for (size_t i = 0; i < joints.size(); ++i) {
+      joints[i].position = joints[i].reference = posture[i];
+    }
+  }
+  ~FakeRobot() override {
+    region_->RemoveReference();
+    sensors_->RemoveReference();
+  }
   FakeRobot(const FakeRobot&) = delete;
   FakeRobot& operator=(const FakeRobot&) = delete;
 
@@ -35,11 +61,89 @@ class FakeRobot : public openr_host::VirtualRobot {
   void showNoise() { noise_ = true; }
 
   std::string design() const override { return "ERS-7"; }
-  OStatus openPrimitive(const char*, OPrimitiveID*) override { return oNOT_FOUND; }
-  OStatus closePrimitive(OPrimitiveID) override { return oINVALID_PRIMITIVE_ID; }
+  OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
+    const int joint = robot_model::findJointByLocator(model, locator);
+    if (joint == robot_model::NO_JOINT || locator == missing_locator) {
+      return oNOT_FOUND;
+    }
+    joints[static_cast<size_t>(joint)].open = true;
+    *id = kFirstPrimitive + static_cast<OPrimitiveID>(joint);
+    return oSUCCESS;
+  }
+  OStatus closePrimitive(OPrimitiveID id) override {
+    at(id).open = false;
+    return oSUCCESS;
+  }
   OStatus controlPrimitive(OPrimitiveID, OPrimitiveRequest, void*, size_t, void*, size_t) override {
     return oINVALID_PRIMITIVE_ID;
   }
+
+  OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override {
+    at(id).gains = {pg, ig, dg, ps, is, ds};
+    return oSUCCESS;
+  }
+  OStatus enableJointGain(OPrimitiveID id) override {
+    if (at(id).refuses_gain) {
+      return oALERT_JOINT_UNCONTROLLABLE;
+    }
+    at(id).gain = true;
+    return oSUCCESS;
+  }
+  OStatus disableJointGain(OPrimitiveID id) override {
+    at(id).gain = false;
+    return oSUCCESS;
+  }
+  OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
+    *value = read(at(id));
+    return oSUCCESS;
+  }
+  OStatus getSensorValue(OPrimitiveID, OSensorValue*) override { return oINVALID_PRIMITIVE_ID; }
+  OStatus setMotorPower(OPower power) override {
+    powered = power == opowerON;
+    return oSUCCESS;
+  }
+  bool takesCommand(OPrimitiveID id, ODataType type) const override {
+    return id >= kFirstPrimitive && id - kFirstPrimitive < joints.size() && type == odataJOINT_COMMAND2;
+  }
+
+  void passFrame(longword, const openr_host::EffectorCommands& commands) override {
+    for (const openr_host::EffectorCommand& command : commands) {
+      OJointCommandValue2 value;
+      std::memcpy(&value, &command.value, sizeof(value));
+      at(command.primitive).reference = value.value;
+    }
+    for (FakeJoint& joint : joints) {
+      if (powered && joint.gain && !joint.jammed) {
+        joint.position = joint.reference;
+      }
+      joint.path.push_back(joint.position);
+    }
+  }
+
+  RCRegion* captureSensors(longword frame) override {
+    auto* vector = reinterpret_cast<OSensorFrameVectorData*>(sensors_->Base());
+    vector->vectorInfo.numData = static_cast<longword>(joints.size());
+    for (size_t i = 0; i < joints.size(); ++i) {
+      OSensorFrameInfo* info = vector->GetInfo(static_cast<int>(i));
+      info->primitiveID = kFirstPrimitive + static_cast<OPrimitiveID>(i);
+      info->frameNumber = frame - 3;
+      info->numFrames = 4;
+      info->dataOffset = static_cast<longword>(sizeof(OSensorFrameVectorData) +
+                                               joints.size() * sizeof(OSensorFrameInfo) + i * sizeof(OSensorFrameData));
+      const OJointValue value = read(joints[i]);
+      std::memcpy(&vector->GetData(static_cast<int>(i))->frame[3], &value, sizeof(value));
+    }
+    return sensors_;
+  }
+
+  FakeJoint& joint(const std::string& name) {
+    return joints[static_cast<size_t>(robot_model::findJointByName(model, name.c_str()))];
+  }
+
+  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  std::vector<FakeJoint> joints = std::vector<FakeJoint>(static_cast<size_t>(model.number_of_joints));
+  bool powered = false;
+  std::string missing_locator;  ///< of a joint that does not open
 
   bool cameraImageDue(longword frame) override {
     const longword image = frame / kFramesPerImage;
@@ -50,29 +154,53 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   RCRegion* captureImage(longword frame) override {
     auto* vector = reinterpret_cast<OFbkImageVectorData*>(region_->Base());
-    OFbkImageInfo* info = vector->GetInfo(ofbkimageLAYER_H);
-    info->type = odataFBK_YCrCb;
-    info->frameNumber = frame;
-    info->dataOffset = sizeof(OFbkImageVectorData);
-    info->dataSize = 3 * kWidth * kHeight;
-    info->width = kWidth;
-    info->height = kHeight;
-    byte* pixels = vector->GetData(ofbkimageLAYER_H);
-    for (size_t row = 0; row < kHeight; ++row) {
-      std::fill_n(pixels + 3 * kWidth * row, kWidth, static_cast<byte>(brightness(image_)));
-      std::fill_n(pixels + 3 * kWidth * row + kWidth, 2 * kWidth, byte{128});
+    longword offset = sizeof(OFbkImageVectorData);
+    for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L}) {
+      drawLayer(frame, offset, *vector, layer);
+      offset += vector->GetInfo(layer)->dataSize;
     }
-    if (noise_) {
-      std::generate_n(pixels, 3 * kWidth * kHeight, [this] { return static_cast<byte>(random_() & 0xff); });
-    }
-    byte* tag = pixels + 3 * kWidth * (kHeight - 1);
-    tag[0] = static_cast<byte>(image_ & 0xff);
-    tag[1] = static_cast<byte>(image_ >> 8);
     return region_;
   }
 
  private:
+  static constexpr OPrimitiveID kFirstPrimitive = 100;
+
+  FakeJoint& at(OPrimitiveID id) { return joints.at(id - kFirstPrimitive); }
+
+  static OJointValue read(const FakeJoint& joint) {
+    OJointValue value{};
+    value.value = joint.position;
+    value.refValue = joint.reference;
+    value.pwmDuty = joint.reference == joint.position ? 0 : 512;
+    return value;
+  }
+
+  void drawLayer(longword frame, longword offset, OFbkImageVectorData& vector, OFbkImageLayer layer) {
+    const size_t width = kWidth >> layer;
+    const size_t height = kHeight >> layer;
+    OFbkImageInfo* info = vector.GetInfo(layer);
+    info->type = odataFBK_YCrCb;
+    info->frameNumber = frame;
+    info->dataOffset = offset;
+    info->dataSize = static_cast<longword>(3 * width * height);
+    info->width = static_cast<longword>(width);
+    info->height = static_cast<longword>(height);
+    byte* pixels = vector.GetData(layer);
+    for (size_t row = 0; row < height; ++row) {
+      std::fill_n(pixels + 3 * width * row, width, static_cast<byte>(brightness(image_)));
+      std::fill_n(pixels + 3 * width * row + width, 2 * width, byte{128});
+    }
+    if (noise_) {
+      std::generate_n(pixels, 3 * width * height, [this] { return static_cast<byte>(random_() & 0xff); });
+    }
+    byte* tag = pixels + 3 * width * (height - 1);
+    tag[0] = static_cast<byte>(image_ & 0xff);
+    tag[1] = static_cast<byte>(image_ >> 8);
+  }
+
   RCRegion* region_;
+  RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
+                                    joints.size() * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;
   bool noise_ = false;
   std::minstd_rand random_;

@@ -21,6 +21,10 @@ std::ostream& operator<<(std::ostream& out, const Arrival& arrival) {
 
 const Arrival kNothing{false, 0};
 
+PictureOrder ofQuality(int quality) {
+  return {static_cast<unsigned char>(quality), 0, 0};
+}
+
 Arrival picture(int quality) {
   return {true, quality};
 }
@@ -28,25 +32,26 @@ Arrival picture(int quality) {
 class ImageObserverTest : public ::testing::Test {
  protected:
   Arrival imageArrives() {
-    unsigned char quality = 0;
-    const bool sent = observer_.ImageArrived(&quality);
-    return {sent, quality};
+    PictureOrder order = {};
+    const bool sent = observer_.ImageArrived(++image_count_, &order);
+    return {sent, order.quality};
   }
 
   void bringTo(ImageObserverState state) {
     if (state == IOS_PICTURE) {
-      observer_.RequestPicture(70);
+      observer_.RequestPicture(ofQuality(70));
     }
     if (state == IOS_CONTINUOUS || state == IOS_STOPSEND) {
-      observer_.ToggleStream(80);
+      observer_.ToggleStream(ofQuality(80));
     }
     if (state == IOS_STOPSEND) {
-      observer_.ToggleStream(80);
+      observer_.ToggleStream(ofQuality(80));
     }
     ASSERT_EQ(observer_.State(), state);
   }
 
   ImageObserver observer_;
+  unsigned image_count_ = 0;
 };
 
 // The table of the four states and four events, row by row.
@@ -56,14 +61,14 @@ TEST_F(ImageObserverTest, BeginsIdle) {
 }
 
 TEST_F(ImageObserverTest, IdleThenPictureRequestTakesOnePicture) {
-  EXPECT_TRUE(observer_.RequestPicture(85));
+  EXPECT_TRUE(observer_.RequestPicture(ofQuality(85)));
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
   EXPECT_EQ(imageArrives(), picture(85));
   EXPECT_EQ(observer_.State(), IOS_IDLE);
 }
 
 TEST_F(ImageObserverTest, IdleThenToggleBeginsTheStream) {
-  observer_.ToggleStream(85);
+  observer_.ToggleStream(ofQuality(85));
   EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
 }
 
@@ -79,7 +84,7 @@ TEST_F(ImageObserverTest, IdleThenClientGoneStaysIdle) {
 
 TEST_F(ImageObserverTest, PictureThenPictureRequestOwesOneMore) {
   bringTo(IOS_PICTURE);
-  EXPECT_TRUE(observer_.RequestPicture(20));
+  EXPECT_TRUE(observer_.RequestPicture(ofQuality(20)));
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
   EXPECT_EQ(imageArrives(), picture(70));
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
@@ -89,7 +94,7 @@ TEST_F(ImageObserverTest, PictureThenPictureRequestOwesOneMore) {
 
 TEST_F(ImageObserverTest, PictureThenToggleSendsTheOwedPictureBeforeTheStream) {
   bringTo(IOS_PICTURE);
-  observer_.ToggleStream(30);
+  observer_.ToggleStream(ofQuality(30));
   EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
   EXPECT_EQ(imageArrives(), picture(70));
   EXPECT_EQ(imageArrives(), picture(30));
@@ -111,7 +116,7 @@ TEST_F(ImageObserverTest, PictureThenClientGoneOwesNothing) {
 
 TEST_F(ImageObserverTest, ContinuousThenPictureRequestOwesOneAndTheStreamGoesOn) {
   bringTo(IOS_CONTINUOUS);
-  EXPECT_TRUE(observer_.RequestPicture(20));
+  EXPECT_TRUE(observer_.RequestPicture(ofQuality(20)));
   EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
   EXPECT_EQ(imageArrives(), picture(20));
   EXPECT_EQ(imageArrives(), picture(80));
@@ -120,7 +125,7 @@ TEST_F(ImageObserverTest, ContinuousThenPictureRequestOwesOneAndTheStreamGoesOn)
 
 TEST_F(ImageObserverTest, ContinuousThenToggleStops) {
   bringTo(IOS_CONTINUOUS);
-  observer_.ToggleStream(85);
+  observer_.ToggleStream(ofQuality(85));
   EXPECT_EQ(observer_.State(), IOS_STOPSEND);
 }
 
@@ -134,7 +139,7 @@ TEST_F(ImageObserverTest, ContinuousThenImagesSendsEachOfThem) {
 
 TEST_F(ImageObserverTest, ContinuousThenClientGoneEndsTheStream) {
   bringTo(IOS_CONTINUOUS);
-  observer_.RequestPicture(20);
+  observer_.RequestPicture(ofQuality(20));
   observer_.ClientGone();
   EXPECT_EQ(observer_.State(), IOS_IDLE);
   EXPECT_EQ(imageArrives(), kNothing);
@@ -142,7 +147,7 @@ TEST_F(ImageObserverTest, ContinuousThenClientGoneEndsTheStream) {
 
 TEST_F(ImageObserverTest, StopsendThenPictureRequestTakesOnePicture) {
   bringTo(IOS_STOPSEND);
-  EXPECT_TRUE(observer_.RequestPicture(20));
+  EXPECT_TRUE(observer_.RequestPicture(ofQuality(20)));
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
   EXPECT_EQ(imageArrives(), picture(20));
   EXPECT_EQ(observer_.State(), IOS_IDLE);
@@ -150,7 +155,7 @@ TEST_F(ImageObserverTest, StopsendThenPictureRequestTakesOnePicture) {
 
 TEST_F(ImageObserverTest, StopsendThenToggleStreamsAgainAtTheNewQuality) {
   bringTo(IOS_STOPSEND);
-  observer_.ToggleStream(10);
+  observer_.ToggleStream(ofQuality(10));
   EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
   EXPECT_EQ(imageArrives(), picture(10));
 }
@@ -171,9 +176,9 @@ TEST_F(ImageObserverTest, StopsendThenClientGoneIsIdle) {
 
 TEST_F(ImageObserverTest, PicturesOwedWhenTheStreamStopsAreSentAfterIt) {
   bringTo(IOS_CONTINUOUS);
-  observer_.RequestPicture(20);
-  observer_.RequestPicture(21);
-  observer_.ToggleStream(80);
+  observer_.RequestPicture(ofQuality(20));
+  observer_.RequestPicture(ofQuality(21));
+  observer_.ToggleStream(ofQuality(80));
   EXPECT_EQ(imageArrives(), kNothing);
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
   EXPECT_EQ(imageArrives(), picture(20));
@@ -184,7 +189,7 @@ TEST_F(ImageObserverTest, PicturesOwedWhenTheStreamStopsAreSentAfterIt) {
 TEST_F(ImageObserverTest, OwedPicturesKeepTheirOrderAndTheirQualities) {
   for (int round = 0; round < 5; ++round) {
     for (int quality = 0; quality <= 100; ++quality) {
-      ASSERT_TRUE(observer_.RequestPicture(static_cast<unsigned char>(quality)));
+      ASSERT_TRUE(observer_.RequestPicture(ofQuality(static_cast<unsigned char>(quality))));
     }
     for (int quality = 0; quality <= 100; ++quality) {
       ASSERT_EQ(imageArrives(), picture(quality));
@@ -195,11 +200,11 @@ TEST_F(ImageObserverTest, OwedPicturesKeepTheirOrderAndTheirQualities) {
 
 TEST_F(ImageObserverTest, OwesNoMoreThanItsLimitAndForgetsNoneOfThose) {
   for (size_t i = 0; i < ImageObserver::MAX_OWED; ++i) {
-    ASSERT_TRUE(observer_.RequestPicture(static_cast<unsigned char>(i % 101)));
+    ASSERT_TRUE(observer_.RequestPicture(ofQuality(static_cast<unsigned char>(i % 101))));
   }
-  EXPECT_FALSE(observer_.RequestPicture(85));
+  EXPECT_FALSE(observer_.RequestPicture(ofQuality(85)));
   EXPECT_EQ(imageArrives(), picture(0));
-  EXPECT_TRUE(observer_.RequestPicture(85));
+  EXPECT_TRUE(observer_.RequestPicture(ofQuality(85)));
   for (size_t i = 1; i < ImageObserver::MAX_OWED; ++i) {
     ASSERT_EQ(imageArrives(), picture(static_cast<int>(i % 101)));
   }

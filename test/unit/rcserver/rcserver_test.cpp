@@ -16,6 +16,7 @@
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "protocol/version1.h"
+#include "rcserver/RCServer.h"
 #include "test_client.h"
 
 namespace {
@@ -292,7 +293,7 @@ TEST_F(RCServerTest, WhatItDoesNotSpeakIsAnsweredByErrorZero) {
   auto client = connectServed();
   const std::string name(16, 'A');
   for (const std::string& bytes :
-       {request('X', 2), request('J', 1), request('J', 1) + "ab", request('S', 5), request('V', 1), request('A', 1),
+       {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 5), request('V', 0), request('A', 60),
         request('L', 1) + "ab", request('Y', 1) + "ab", request('K', 0) + "ab", request('Q', 0) + "ab",
         request('R', 0) + "ab", request('D', 0) + name, request('P', 0) + name, request('Z', 0), request('f', 85)}) {
     client->send(bytes);

@@ -1,0 +1,128 @@
+#include "rcserver/Session.h"
+
+#include <stdio.h>
+#include <string.h>
+
+using protocol::Request;
+using protocol::version2::FrameHeader;
+using protocol::version2::FrameReader;
+
+const size_t Session::INPUT_CAPACITY;
+const size_t Session::MAX_PICTURE_HEADER_SIZE;
+
+Session::Session(const char* design, JointControl& joints, Motors& motors, int newest_version)
+    : joints_(joints),
+      newest_version_(newest_version),
+      version_(1),
+      is_over_(false),
+      version1_(joints, motors, camera_, outbox_),
+      version2_(design, joints, motors, camera_, outbox_),
+      frame_reader_(payload_, sizeof(payload_)),
+      has_requests_(false),
+      input_begin_(0),
+      input_end_(0) {}
+
+void Session::Begin() {
+  version_ = 1;
+  is_over_ = false;
+  has_requests_ = false;
+  input_begin_ = 0;
+  input_end_ = 0;
+  request_reader_.reset();
+  frame_reader_.reset();
+  outbox_.Clear();
+  version1_.Begin();
+  version2_.Begin();
+}
+
+void Session::End() {
+  camera_.ClientGone();
+  joints_.ClientGone();
+  Begin();
+}
+
+bool Session::WantsInput() const {
+  return !is_over_ && !has_requests_ && input_begin_ == input_end_;
+}
+
+void Session::AddInput(const unsigned char* bytes, size_t size) {
+  if (version_ == 1) {
+    request_reader_.append(bytes, size);
+    has_requests_ = true;
+    return;
+  }
+  memcpy(input_, bytes, size);
+  input_begin_ = 0;
+  input_end_ = size;
+}
+
+void Session::HandleRequests(unsigned now) {
+  if (version_ == 1) {
+    HandleVersion1();
+  }
+  if (version_ == protocol::version2::VERSION) {
+    HandleVersion2(now);
+  }
+}
+
+void Session::Measured(unsigned frame) {
+  if (version_ == protocol::version2::VERSION) {
+    version2_.Measured(frame);
+  }
+}
+
+size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image,
+                                    size_t jpeg_size, unsigned char* out) const {
+  if (version_ == 1) {
+    protocol::encodePictureHeader(jpeg_size, out);
+    return protocol::PICTURE_HEADER_SIZE;
+  }
+  const size_t image_header_size = encodeImageHeader(image, out + protocol::version2::FRAME_HEADER_SIZE);
+  const FrameHeader header = {protocol::version2::PICTURE, order.quality, order.request_number,
+                              static_cast<unsigned>(image_header_size + jpeg_size)};
+  return encodeFrameHeader(header, out) + image_header_size;
+}
+
+void Session::HandleVersion1() {
+  while (version_ == 1 && outbox_.HasRoom()) {
+    Request request;
+    has_requests_ = request_reader_.next(&request);
+    if (!has_requests_) {
+      return;
+    }
+    const bool asks_for_version2 = request.valid && request.basic.command == protocol::REQUEST_NEWER_VERSION &&
+                                   request.basic.identifier == protocol::version2::VERSION;
+    if (asks_for_version2 && newest_version_ >= protocol::version2::VERSION) {
+      ChangeToVersion2();
+    } else {
+      version1_.Handle(request);
+    }
+  }
+}
+
+void Session::HandleVersion2(unsigned now) {
+  while (!is_over_ && input_begin_ < input_end_ && outbox_.HasRoom()) {
+    size_t taken = 0;
+    const FrameReader::Result result = frame_reader_.append(input_ + input_begin_, input_end_ - input_begin_, &taken);
+    input_begin_ += taken;
+    if (result == FrameReader::FRAME_COMPLETE) {
+      version2_.Handle(frame_reader_.header(), frame_reader_.payload(), now);
+    } else if (result == FrameReader::FRAME_TOO_LARGE) {
+      char text[128];
+      sprintf(text, "a request of %u bytes is too large; the server hangs up", frame_reader_.header().payload_size);
+      version2_.Refuse(frame_reader_.header(), protocol::version2::CODE_REFUSED, text);
+      is_over_ = true;
+    }
+  }
+}
+
+// Bytes that have come behind the request are version 2's.
+void Session::ChangeToVersion2() {
+  unsigned char message[protocol::VALUE_REPLY_SIZE];
+  protocol::encodeValueReply(protocol::version2::versionReply(), message);
+  outbox_.Add(message, sizeof(message));
+  version_ = protocol::version2::VERSION;
+  has_requests_ = false;
+  input_begin_ = 0;
+  input_end_ = request_reader_.takeWaiting(input_);
+}

@@ -1,0 +1,99 @@
+/// @file Session.h
+/// What one client and the server say to each other.
+#ifndef RCSERVER_SESSION_H
+#define RCSERVER_SESSION_H
+
+#include <stddef.h>
+
+#include "protocol/frame_reader.h"
+#include "protocol/request_reader.h"
+#include "protocol/version2.h"
+#include "rcserver/ImageObserver.h"
+#include "rcserver/JointControl.h"
+#include "rcserver/Motors.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Version1Commands.h"
+#include "rcserver/Version2Commands.h"
+
+/// Makes requests of the bytes that come, has them carried out in the version of the protocol that the client has
+/// chosen, and keeps the answers until they can be sent. Pure logic: no OPEN-R. Memory of a fixed size: requests that
+/// have come wait while there is no room for their answers, and meanwhile nothing more is received.
+class Session {
+ public:
+  /// Most bytes that AddInput() takes.
+  static const size_t INPUT_CAPACITY = protocol::RequestReader::MAX_APPENDED;
+
+  /// Largest header of a picture, in either version.
+  static const size_t MAX_PICTURE_HEADER_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
+
+  /// @param design of the robot, as OPEN-R names it
+  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2. All references must outlive this.
+  Session(const char* design, JointControl& joints, Motors& motors, int newest_version);
+
+  /// A client has come. It speaks version 1 until it asks for another one.
+  void Begin();
+
+  /// The client is gone, and with it all that it left behind: the camera idles, the joints hold.
+  void End();
+
+  /// True if bytes may be added: there is no request left to be handled.
+  bool WantsInput() const;
+
+  /// Adds received bytes; only if WantsInput().
+  void AddInput(const unsigned char* bytes, size_t size);
+
+  /// Handles requests as long as there is room for the answers. To be called when bytes were added or taken.
+  /// @param now OPEN-R frame
+  void HandleRequests(unsigned now);
+
+  /// All joints have been measured.
+  /// @param frame in which
+  void Measured(unsigned frame);
+
+  bool HasOutput() const { return !outbox_.IsEmpty(); }
+
+  /// Takes out what is to be sent, pictures apart.
+  /// @param[out] out room for Outbox::CAPACITY bytes
+  size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
+
+  /// True if the client broke the protocol: it is to be left as soon as it has got the last output.
+  bool IsOver() const { return is_over_; }
+
+  /// True if a client that says nothing is to be left (version 2).
+  bool ExpectsHeartbeat() const { return version_ == protocol::version2::VERSION; }
+
+  ImageObserver& Camera() { return camera_; }
+
+  /// Writes what goes before a picture, in the client's version.
+  /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
+  /// @return how many bytes it is
+  size_t EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image, size_t jpeg_size,
+                             unsigned char* out) const;
+
+ private:
+  Session(const Session&);
+  Session& operator=(const Session&);
+
+  void HandleVersion1();
+  void HandleVersion2(unsigned now);
+  void ChangeToVersion2();
+
+  JointControl& joints_;
+  const int newest_version_;
+  int version_;
+  bool is_over_;
+  ImageObserver camera_;
+  Outbox outbox_;
+  Version1Commands version1_;
+  Version2Commands version2_;
+  protocol::RequestReader request_reader_;
+  unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
+  protocol::version2::FrameReader frame_reader_;
+  bool has_requests_;                                          ///< of version 1 that may be whole
+  unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
+  size_t input_begin_;
+  size_t input_end_;
+};
+
+#endif  // RCSERVER_SESSION_H
