@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,13 +61,35 @@ TEST(AiboRCServer, PassesOverTheArgumentsThatRoslaunchAdds) {
 }
 
 TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
-  const std::vector<std::vector<std::string>> wrong = {
-      {"--port", "65536"},          {"--port", "-1"},    {"--port", "x"}, {"--console-port", "65536"},
-      {"--seconds-per-image", "0"}, {"--no-such-option"}};
+  const std::vector<std::vector<std::string>> wrong = {{"--port", "65536"},
+                                                       {"--port", "-1"},
+                                                       {"--port", "x"},
+                                                       {"--console-port", "65536"},
+                                                       {"--seconds-per-image", "0"},
+                                                       {"--protocol-version", "3"},
+                                                       {"--protocol-version", "0"},
+                                                       {"--no-such-option"}};
   for (const std::vector<std::string>& options : wrong) {
     ChildProcess robot(command(options));
     EXPECT_EQ(robot.wait(), 2) << options[0];
     EXPECT_THAT(robot.printed(), HasSubstr(options[0]));
+  }
+}
+
+TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
+  for (const auto& [version, letter] : std::map<std::string, char>{{"2", 'x'}, {"1", 'e'}}) {
+    std::vector<std::string> options = kFreePorts;
+    options.insert(options.end(), {"--protocol-version", version});
+    ChildProcess robot(command(options));
+    TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
+    client.send("X\2");
+    std::optional<Reply> reply;
+    for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
+      reply = client.next();
+      ::poll(nullptr, 0, 10);
+    }
+    ASSERT_TRUE(reply) << version;
+    EXPECT_EQ(reply->letter, letter) << version;
   }
 }
 

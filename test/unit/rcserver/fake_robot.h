@@ -31,6 +31,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool gain = false;
     bool jammed = false;
     bool refuses_gain = false;
+    bool reports_no_duty = false;
     robot_model::PidGains gains = {};
     int position = 0;
     int reference = 0;
@@ -171,7 +172,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     OJointValue value{};
     value.value = joint.position;
     value.refValue = joint.reference;
-    value.pwmDuty = joint.reference == joint.position ? 0 : 512;
+    value.pwmDuty = joint.reference == joint.position || joint.reports_no_duty ? 0 : 512;
     return value;
   }
 

@@ -212,4 +212,47 @@ TEST_F(ImageObserverTest, OwesNoMoreThanItsLimitAndForgetsNoneOfThose) {
   EXPECT_EQ(observer_.State(), IOS_IDLE);
 }
 
+// What version 2 adds.
+
+TEST_F(ImageObserverTest, StreamOfEveryThirdImageLeavesOutTheOthers) {
+  observer_.StartStream(ofQuality(60), 3);
+  for (int round = 0; round < 5; ++round) {
+    EXPECT_EQ(imageArrives(), picture(60));
+    EXPECT_EQ(imageArrives(), kNothing);
+    EXPECT_EQ(imageArrives(), kNothing);
+  }
+}
+
+TEST_F(ImageObserverTest, ImageThatCameTooEarlyToBeSentCountsForEveryNth) {
+  observer_.StartStream(ofQuality(60), 3);
+  EXPECT_EQ(imageArrives(), picture(60));
+  image_count_ += 10;
+  EXPECT_EQ(imageArrives(), picture(60));
+  EXPECT_EQ(imageArrives(), kNothing);
+}
+
+TEST_F(ImageObserverTest, StreamGoesOnWithNewSettings) {
+  observer_.StartStream(ofQuality(60), 3);
+  EXPECT_EQ(imageArrives(), picture(60));
+  observer_.StartStream(ofQuality(61), 1);
+  EXPECT_EQ(imageArrives(), picture(61));
+  EXPECT_EQ(imageArrives(), picture(61));
+}
+
+TEST_F(ImageObserverTest, StoppingWhereThereIsNoStreamChangesNothing) {
+  observer_.StopStream();
+  EXPECT_EQ(observer_.State(), IOS_IDLE);
+  bringTo(IOS_PICTURE);
+  observer_.StopStream();
+  EXPECT_EQ(observer_.State(), IOS_PICTURE);
+}
+
+TEST_F(ImageObserverTest, PictureIsOfTheLayerAndForTheRequestThatAskedForIt) {
+  observer_.RequestPicture({60, 2, 4711});
+  PictureOrder order = {};
+  ASSERT_TRUE(observer_.ImageArrived(1, &order));
+  EXPECT_EQ(order.layer, 2);
+  EXPECT_EQ(order.request_number, 4711);
+}
+
 }  // namespace

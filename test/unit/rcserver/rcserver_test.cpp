@@ -1,127 +1,31 @@
 #include "rcserver/RCServer.h"
 
 #include <gmock/gmock.h>
-#include <turbojpeg.h>
 
 #include <algorithm>
 #include <memory>
 #include <random>
-#include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
-#include "RCServer_stub.h"
 #include "fake_robot.h"
-#include "openr_host/clock.h"
-#include "openr_host/machine.h"
+#include "picture_checks.h"
 #include "protocol/version1.h"
-#include "rcserver/RCServer.h"
-#include "test_client.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
-using openr_host::Machine;
-using openr_host::MachineOptions;
-using openr_host::SteppedClock;
-using protocol::RCSERVER_PORT;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr unsigned kImagesUntilSilent = RCServer::SILENT_CLIENT_FRAMES / FakeRobot::kFramesPerImage;
 
-std::string request(char letter, int identifier) {
-  return {letter, static_cast<char>(identifier)};
-}
-
-// What the JPEG says of its quality: the first number of its first quantisation table, which libjpeg makes 16 at
-// quality 50 and less above.
-int quantizerOf(const std::vector<uint8_t>& jpeg) {
-  const std::vector<uint8_t> marker = {0xff, 0xdb};
-  const auto table = std::search(jpeg.begin(), jpeg.end(), marker.begin(), marker.end());
-  return jpeg.end() - table > 5 ? table[5] : -1;
-}
-
-int quantizerFor(int quality) {
-  const int scale = quality < 50 ? 5000 / quality : 200 - 2 * quality;
-  return std::max(1, (16 * scale + 50) / 100);
-}
-
-struct Brightness {
-  int width = 0;
-  int height = 0;
-  int level = -1;
-};
-
-Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
-  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitDecompress(), tjDestroy);
-  Brightness brightness;
-  int subsampling = 0;
-  int colorspace = 0;
-  tjDecompressHeader3(handle.get(), jpeg.data(), jpeg.size(), &brightness.width, &brightness.height, &subsampling,
-                      &colorspace);
-  std::vector<uint8_t> gray(static_cast<size_t>(brightness.width * brightness.height));
-  if (tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), gray.data(), brightness.width, 0, brightness.height,
-                    TJPF_GRAY, TJFLAG_STOPONWARNING) == 0) {
-    brightness.level = gray[gray.size() / 2];
-  }
-  return brightness;
-}
-
-class RCServerTest : public ::testing::Test {
+class RCServerTest : public RCServerFixture {
  protected:
-  void SetUp() override {
-    MachineOptions options;
-    options.ports = {{RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
-    options.memory_stick = MEMORY_STICK;
-    options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
-    options.console = &console_;
-    machine_ = std::make_unique<Machine>(options, clock_, robot_);
-    machine_->boot();
-    machine_->runPending();
-  }
-
-  std::unique_ptr<TestClient> connect(int receive_buffer = 0) {
-    auto client = std::make_unique<TestClient>(machine_->hostPort(RCSERVER_PORT), receive_buffer);
-    machine_->runPending();
-    return client;
-  }
-
-  // Connects a client and waits until the server answers it.
-  std::unique_ptr<TestClient> connectServed() {
-    auto client = connect();
-    ask(*client, "");
-    return client;
-  }
-
-  // Sends requests and waits until all of them are handled: an unknown one at the end is answered at once.
-  void ask(TestClient& client, const std::string& requests) {
-    client.send(requests + "??");
-    const std::optional<Reply> reply = await(client);
-    ASSERT_TRUE(reply) << "no answer to the unknown request";
-    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
-    machine_->runPending();
-  }
-
-  // The next reply, whenever it comes; empty if the server closes instead.
-  std::optional<Reply> await(TestClient& client) {
-    std::optional<Reply> reply;
-    EXPECT_TRUE(machine_->runUntil([&] { return (reply = client.next()).has_value() || client.ended(); }))
-        << "neither a reply nor an end";
-    return reply;
-  }
-
-  bool awaitEnd(TestClient& client) {
-    return machine_->runUntil([&] { return client.ended(); });
-  }
+  void SetUp() override { boot(robot_); }
 
   // Lets the camera take its next image.
-  void takeImage() {
-    for (longword frame = 0; frame < FakeRobot::kFramesPerImage; ++frame) {
-      clock_.step();
-      machine_->runPending();
-    }
-  }
+  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
 
   void takeImages(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
@@ -154,10 +58,7 @@ class RCServerTest : public ::testing::Test {
     machine_->runPending();
   }
 
-  std::ostringstream console_;
-  SteppedClock clock_;
   FakeRobot robot_;
-  std::unique_ptr<Machine> machine_;
 };
 
 // ---------------------------------------------------------------------------------------------- the state machine

@@ -17,12 +17,19 @@
 #include <vector>
 
 #include "protocol/version1.h"
+#include "protocol/version2.h"
 
 /// What a server sent: a picture or a reply of four bytes.
 struct Reply {
   char letter = '\0';
   std::vector<uint8_t> jpeg;     ///< of a picture
   protocol::ValueReply value{};  ///< of all else
+};
+
+/// What a server sent in version 2.
+struct Frame {
+  protocol::version2::FrameHeader header{};
+  std::vector<uint8_t> payload;
 };
 
 class TestClient {
@@ -84,6 +91,35 @@ class TestClient {
                       received_.begin() + static_cast<std::ptrdiff_t>(protocol::PICTURE_HEADER_SIZE + size));
     consume(protocol::PICTURE_HEADER_SIZE + size);
     return reply;
+  }
+
+  /// The next `size` bytes, whatever they are; nothing if they are not all here.
+  std::vector<uint8_t> take(size_t size) {
+    receive();
+    std::vector<uint8_t> bytes;
+    if (received_.size() >= size) {
+      bytes.assign(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(size));
+      consume(size);
+    }
+    return bytes;
+  }
+
+  /// The next whole frame of version 2, if it is here already.
+  std::optional<Frame> nextFrame() {
+    using protocol::version2::FRAME_HEADER_SIZE;
+    receive();
+    if (received_.size() < FRAME_HEADER_SIZE) {
+      return std::nullopt;
+    }
+    Frame frame;
+    frame.header = protocol::version2::decodeFrameHeader(received_.data());
+    if (received_.size() < FRAME_HEADER_SIZE + frame.header.payload_size) {
+      return std::nullopt;
+    }
+    const auto begin = received_.begin() + FRAME_HEADER_SIZE;
+    frame.payload.assign(begin, begin + static_cast<std::ptrdiff_t>(frame.header.payload_size));
+    consume(FRAME_HEADER_SIZE + frame.header.payload_size);
+    return frame;
   }
 
   /// True if the server has closed the connection; next() may still find what it sent before.

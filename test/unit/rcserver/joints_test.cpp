@@ -1,0 +1,486 @@
+// Joints, as version 1 moves them, and what the server does of its own accord.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fake_robot.h"
+#include "protocol/angles.h"
+#include "protocol/version1.h"
+#include "rcserver_fixture.h"
+#include "robot_model/robot_model.h"
+#include "simulated_ers7/simulated_ers7.h"
+
+namespace {
+
+using protocol::centidegreesFromMicroradians;
+using protocol::microradiansFromCentidegrees;
+using robot_model::Joint;
+using ::testing::Each;
+using ::testing::Eq;
+using ::testing::Field;
+using ::testing::HasSubstr;
+
+constexpr int kNeckTilt = 1;
+constexpr int kHeadPan = 2;
+constexpr int kLeftFrontRotator = 11;
+constexpr int kTailPan = 51;
+
+// More than enough for any motion with the standard limits.
+constexpr unsigned kLongestMotion = 500;
+
+// Sensor readings come this often, and two command vectors may be waiting.
+constexpr unsigned kUntilMeasured = 12;
+
+class JointsTest : public RCServerFixture {
+ protected:
+  void SetUp() override { start(); }
+
+  void start() {
+    machine_.reset();
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    client_ = connectServed();
+  }
+
+  // The answer to a request of version 1 that is answered by four bytes.
+  protocol::ValueReply answerTo(const std::string& bytes) {
+    client_->send(bytes);
+    const std::optional<Reply> reply = await(*client_);
+    machine_->runPending();
+    return reply ? reply->value : protocol::ValueReply{};
+  }
+
+  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
+    const protocol::ValueReply reply = answerTo(bytes);
+    EXPECT_EQ(reply.letter, letter) << bytes;
+    EXPECT_EQ(reply.identifier, identifier) << bytes;
+    EXPECT_EQ(reply.value, value) << bytes;
+  }
+
+  void expectRefusal(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
+
+  std::vector<int> positions() const {
+    std::vector<int> all;
+    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+      all.push_back(joint.position);
+    }
+    return all;
+  }
+
+  FakeRobot robot_;
+  std::unique_ptr<TestClient> client_;
+};
+
+// ---------------------------------------------------------------------------------------------------------- booting
+
+TEST_F(JointsTest, StartHoldsAllJointsWhereTheyAreWithTheGainsOfTheTable) {
+  for (size_t i = 0; i < robot_.joints.size(); ++i) {
+    const FakeRobot::FakeJoint& joint = robot_.joints[i];
+    const robot_model::PidGains& gains = robot_.model.joints[i].gains;
+    EXPECT_TRUE(joint.gain);
+    EXPECT_THAT(joint.path, Each(joint.path.front()));
+    EXPECT_EQ(joint.gains.proportional, gains.proportional);
+    EXPECT_EQ(joint.gains.integral, gains.integral);
+    EXPECT_EQ(joint.gains.derivative, gains.derivative);
+    EXPECT_EQ(joint.gains.proportional_shift, gains.proportional_shift);
+  }
+  EXPECT_TRUE(robot_.powered);
+}
+
+TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
+  machine_.reset();
+  for (FakeRobot::FakeJoint& joint : robot_.joints) {
+    joint.gain = false;
+    joint.reference = 12345;  // what some program commanded last
+    joint.path.clear();
+  }
+  start();
+  for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+    EXPECT_TRUE(joint.gain);
+    EXPECT_THAT(joint.path, Each(joint.path.front()));
+  }
+}
+
+TEST_F(JointsTest, RobotWithAJointMissingShowsPicturesAndRefusesToMove) {
+  machine_.reset();
+  robot_.missing_locator = robot_.model.joints[3].locator;
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr(robot_.missing_locator));
+  expectRefusal(request('J', kHeadPan));
+  expectRefusal(request('J', kHeadPan, 100));
+  client_->send(request('F', 85));
+  passFrames(FakeRobot::kFramesPerImage);
+  const std::optional<Reply> reply = await(*client_);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->letter, 'f');
+}
+
+TEST_F(JointsTest, JointWhoseGainDoesNotGoOnIsNamedOnTheConsole) {
+  machine_.reset();
+  robot_.joint("mouth").refuses_gain = true;
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("mouth does not hold"));
+}
+
+TEST_F(JointsTest, PrimitivesAreClosedWhenTheRobotShutsDown) {
+  machine_->shutdown();
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::open, false)));
+}
+
+// ---------------------------------------------------------------------------------------------------- version 1: J
+
+TEST_F(JointsTest, EveryJointIsReadAndSetByItsIdentifier) {
+  for (size_t i = 0; i < robot_.joints.size(); ++i) {
+    const Joint& joint = robot_.model.joints[i];
+    SCOPED_TRACE(joint.name);
+    const std::vector<int> before = positions();
+    const short target = centidegreesFromMicroradians(before[i] + (joint.highest - before[i]) / 4);
+    expectAnswer(request('J', joint.identifier), 'j', joint.identifier, centidegreesFromMicroradians(before[i]));
+    expectAnswer(request('J', joint.identifier, target), 'j', joint.identifier, target);
+    passFrames(kLongestMotion);
+    expectAnswer(request('J', joint.identifier), 'j', joint.identifier, target);
+    std::vector<int> expected = before;
+    expected[i] = microradiansFromCentidegrees(target);
+    EXPECT_EQ(positions(), expected);
+  }
+}
+
+TEST_F(JointsTest, TargetBeyondTheLimitsIsClampedAndTheReplySaysSo) {
+  expectAnswer(request('J', kHeadPan, 32767), 'j', kHeadPan, 8800);
+  passFrames(kLongestMotion);
+  EXPECT_EQ(robot_.joint("head_pan").position, 1535890);
+  expectAnswer(request('J', kNeckTilt, 100), 'j', kNeckTilt, 0);
+}
+
+TEST_F(JointsTest, IdentifierZeroSetsAllJointsEachWithinItsLimits) {
+  expectAnswer(request('J', 0, 1000), 'j', 0, 1000);
+  passFrames(kLongestMotion);
+  for (size_t i = 0; i < robot_.joints.size(); ++i) {
+    const Joint& joint = robot_.model.joints[i];
+    EXPECT_EQ(robot_.joints[i].position, std::min(std::max(174533, joint.lowest), joint.highest)) << joint.name;
+  }
+  expectRefusal(request('J', 0));
+}
+
+TEST_F(JointsTest, UnknownJointsAreRefused) {
+  for (const int identifier : {5, 10, 14, 44, 50, 53, 255}) {
+    for (const char letter : {'J', 'V', 'A', 'S'}) {
+      expectRefusal(request(letter, identifier));
+      expectRefusal(request(letter, identifier, 1));
+    }
+  }
+}
+
+TEST_F(JointsTest, JointMovesFromTheNextFrameOnWithinItsLimits) {
+  const Joint& joint = robot_.model.joints[robot_model::findJointByName(robot_.model, "head_pan")];
+  std::vector<int>& path = robot_.joint("head_pan").path;
+  passFrames(50);
+  path.clear();
+  expectAnswer(request('J', kHeadPan, 4000), 'j', kHeadPan, 4000);
+  passFrames(kLongestMotion);
+  EXPECT_GT(path[0], 0);
+  const int highest_step = joint.highest_speed / 125;
+  const int highest_change = robot_model::defaultAcceleration(joint) / 125 / 125;
+  for (size_t i = 2; i < path.size(); ++i) {
+    const int step = path[i] - path[i - 1];
+    ASSERT_LE(std::abs(step), highest_step);
+    ASSERT_LE(std::abs(step - (path[i - 1] - path[i - 2])), highest_change);
+  }
+  EXPECT_EQ(path.back(), microradiansFromCentidegrees(4000));
+}
+
+TEST_F(JointsTest, NewTargetOnTheWayIsTakenWithoutAJump) {
+  answerTo(request('J', kHeadPan, 8000));
+  passFrames(20);
+  answerTo(request('J', kHeadPan, -3000));
+  passFrames(kLongestMotion);
+  EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(-3000));
+}
+
+// ------------------------------------------------------------------------------------------------ version 1: V and A
+
+TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
+  expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
+  expectAnswer(request('V', kNeckTilt, 3000), 'v', kNeckTilt, 3000);
+  expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 3000);
+  std::vector<int>& path = robot_.joint("neck_tilt").path;
+  path.clear();
+  answerTo(request('J', kNeckTilt, -7000));
+  passFrames(kLongestMotion);
+  for (size_t i = 1; i < path.size(); ++i) {
+    ASSERT_LE(std::abs(path[i] - path[i - 1]), microradiansFromCentidegrees(3000) / 125);
+  }
+}
+
+TEST_F(JointsTest, SpeedLimitIsTakenIntoWhatTheJointCanDo) {
+  expectAnswer(request('V', kNeckTilt, 32767), 'v', kNeckTilt, 18250);
+  expectAnswer(request('V', kNeckTilt, -1), 'v', kNeckTilt, 1);
+}
+
+TEST_F(JointsTest, LimitsAboveWhatVersion1CanSayReadAsItsLargestValue) {
+  expectAnswer(request('V', kHeadPan), 'v', kHeadPan, 32767);
+  expectAnswer(request('A', kHeadPan), 'a', kHeadPan, 32767);
+}
+
+TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
+  expectAnswer(request('A', kTailPan, 5000), 'a', kTailPan, 5000);
+  expectAnswer(request('A', kTailPan), 'a', kTailPan, 5000);
+  std::vector<int>& path = robot_.joint("tail_pan").path;
+  path.clear();
+  answerTo(request('J', kTailPan, 4000));
+  passFrames(kLongestMotion);
+  for (size_t i = 2; i < path.size(); ++i) {
+    ASSERT_LE(std::abs(path[i] - 2 * path[i - 1] + path[i - 2]), microradiansFromCentidegrees(5000) / 125 / 125);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------- version 1: S
+
+class SensorBlockTest : public JointsTest {
+ protected:
+  // The values of S 0; the reply behind them is checked.
+  std::vector<int> readBlock(size_t values) {
+    client_->send(request('S', 0));
+    const size_t size = values * protocol::VALUE_SIZE + protocol::VALUE_REPLY_SIZE;
+    std::vector<uint8_t> bytes;
+    EXPECT_TRUE(machine_->runUntil([&] { return (bytes = client_->take(size)).size() == size; }));
+    EXPECT_EQ(std::vector<uint8_t>(bytes.end() - 4, bytes.end()), (std::vector<uint8_t>{'s', 0, 0, 0}));
+    std::vector<int> block;
+    for (size_t i = 0; i < values; ++i) {
+      block.push_back(protocol::decodeValue(bytes.data() + i * protocol::VALUE_SIZE));
+    }
+    return block;
+  }
+
+  std::vector<int> angles() const {
+    std::vector<int> all;
+    for (const int position : positions()) {
+      all.push_back(centidegreesFromMicroradians(position));
+    }
+    return all;
+  }
+};
+
+TEST_F(SensorBlockTest, JointReadAsASensorIsItsAngle) {
+  answerTo(request('J', kHeadPan, 1234));
+  passFrames(kLongestMotion);
+  expectAnswer(request('S', kHeadPan), 's', kHeadPan, 1234);
+}
+
+TEST_F(SensorBlockTest, BlockHoldsAllJointsInTheOrderOfTheTable) {
+  EXPECT_EQ(readBlock(18), angles());
+}
+
+TEST_F(SensorBlockTest, JointsAreLeftOutAndTakenIn) {
+  expectAnswer(request('S', kNeckTilt, 0), 's', kNeckTilt, 0);
+  expectAnswer(request('S', kHeadPan, 0), 's', kHeadPan, 0);
+  std::vector<int> expected = angles();
+  expected.erase(expected.begin(), expected.begin() + 2);
+  EXPECT_EQ(readBlock(16), expected);
+  expectAnswer(request('S', kNeckTilt, 1), 's', kNeckTilt, 1);
+  expectAnswer(request('S', kHeadPan, 1), 's', kHeadPan, 1);
+  EXPECT_EQ(readBlock(18), angles());
+}
+
+TEST_F(SensorBlockTest, NextClientFindsAllJointsInTheBlock) {
+  answerTo(request('S', kHeadPan, 0));
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  EXPECT_EQ(readBlock(18), angles());
+}
+
+TEST_F(SensorBlockTest, RefusesWhatIsNeitherInNorOut) {
+  expectRefusal(request('S', kHeadPan, 2));
+  expectRefusal(request('S', 0, 1));
+}
+
+// ----------------------------------------------------------------------------------------- version 1: two or four
+// bytes
+
+TEST_F(JointsTest, TwoBytesAreAReadFourAWriteAndMoreAreRefusedTogether) {
+  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
+  expectAnswer(request('J', kHeadPan, 500), 'j', kHeadPan, 500);
+  expectRefusal(request('J', kHeadPan) + request('J', kHeadPan, 900));
+  EXPECT_FALSE(client_->next());
+  passFrames(kLongestMotion);
+  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 500);
+}
+
+TEST_F(JointsTest, RequestsByteByByteAreUnderstoodWhereVersion1Can) {
+  // A read has its second byte when nothing more is there; a write comes as two bytes and two would be read as a read.
+  client_->send("J");
+  machine_->runPending();
+  expectAnswer(std::string{static_cast<char>(kHeadPan)}, 'j', kHeadPan, 0);
+}
+
+TEST_F(JointsTest, StreamAndJointsGoTogether) {
+  client_->send(request('W', 85));
+  int pictures = 0;
+  int answers = 0;
+  for (int i = 0; i < 100; ++i) {
+    passFrames(FakeRobot::kFramesPerImage);
+    client_->send(i % 2 == 0 ? request('J', kHeadPan) : request('J', kHeadPan, 10 * i));
+    for (const int before = answers; answers == before;) {
+      const std::optional<Reply> reply = await(*client_);
+      ASSERT_TRUE(reply);
+      pictures += reply->letter == 'f' ? 1 : 0;
+      answers += reply->letter == 'j' ? 1 : 0;
+    }
+    machine_->runPending();
+  }
+  EXPECT_EQ(answers, 100);
+  EXPECT_GE(pictures, 98) << "joints cost the stream pictures";
+}
+
+// ------------------------------------------------------------------------------------------------------- client gone
+
+TEST_F(JointsTest, ClientGoneInMidMotionLeavesTheJointsHolding) {
+  answerTo(request('J', kLeftFrontRotator, 12000));
+  passFrames(12);
+  ASSERT_GT(robot_.joint("left_front_rotator").position, 0);
+  client_->close();
+  passFrames(kUntilMeasured);
+  passFrames(30);
+  const std::vector<int> stopped = positions();
+  EXPECT_LT(robot_.joint("left_front_rotator").position, microradiansFromCentidegrees(11000));
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positions(), stopped);
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
+}
+
+TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
+  answerTo(request('V', kNeckTilt, 1000));
+  answerTo(request('A', kNeckTilt, 1000));
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
+  expectAnswer(request('A', kNeckTilt), 'a', kNeckTilt, 32767);
+}
+
+// --------------------------------------------------------------------------------------------------------------- jam
+
+TEST_F(JointsTest, JammedJointIsHeldWhereItIsAndTheNextQuestionAboutItIsAnsweredByAnError) {
+  robot_.joint("head_pan").jammed = true;
+  answerTo(request('J', kHeadPan, 5000));
+  answerTo(request('J', kTailPan, 3000));
+  passFrames(kLongestMotion);
+  EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
+  EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "it pushes on";
+  EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
+  expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
+  expectRefusal(request('J', kHeadPan));
+  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
+}
+
+TEST_F(JointsTest, FreedJointFollowsAgain) {
+  robot_.joint("head_pan").jammed = true;
+  answerTo(request('J', kHeadPan, 5000));
+  passFrames(kLongestMotion);
+  robot_.joint("head_pan").jammed = false;
+  expectRefusal(request('J', kHeadPan, 5000));
+  expectAnswer(request('J', kHeadPan, 5000), 'j', kHeadPan, 5000);
+  passFrames(kLongestMotion);
+  EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(5000));
+}
+
+TEST_F(JointsTest, FaultsAreNotToldToTheNextClient) {
+  robot_.joint("head_pan").jammed = true;
+  answerTo(request('J', kHeadPan, 5000));
+  passFrames(kLongestMotion);
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
+}
+
+// --------------------------------------------------------------------------------------------------- simulated robot
+
+class SimulatedJointsTest : public RCServerFixture {
+ protected:
+  void SetUp() override {
+    boot(robot_);
+    passFrames(50);
+    client_ = connectServed();
+  }
+
+  std::vector<double> positions() const {
+    std::vector<double> all;
+    for (const simulated_ers7::Joint& joint : robot_.joints().all()) {
+      all.push_back(joint.position());
+    }
+    return all;
+  }
+
+  int read(int identifier) {
+    client_->send(request('J', identifier));
+    const std::optional<Reply> reply = await(*client_);
+    EXPECT_TRUE(reply && reply->letter == 'j');
+    return reply ? reply->value.value : 0;
+  }
+
+  simulated_ers7::SimulatedErs7 robot_;
+  std::unique_ptr<TestClient> client_;
+};
+
+// Enough for a good part of any joint's range, and short because the camera renders what nobody looks at.
+constexpr unsigned kMotionOfOneSecond = 125;
+
+// The encoders are off by up to a step of 0.05 degree.
+constexpr double kEncoderError = 2.0 * simulated_ers7::Joint::kEncoderStep;
+
+TEST_F(SimulatedJointsTest, StandStillWhenTheRobotStarts) {
+  const simulated_ers7::SimulatedErs7 untouched;
+  for (size_t i = 0; i < positions().size(); ++i) {
+    EXPECT_NEAR(positions()[i], untouched.joints().all()[i].position(), kEncoderError);
+  }
+}
+
+TEST_F(SimulatedJointsTest, ReachTheirTargetsOneByOneAndLeaveTheOthersAlone) {
+  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    const Joint& joint = model.joints[i];
+    SCOPED_TRACE(joint.name);
+    std::vector<double> expected = positions();
+    const auto index = static_cast<size_t>(i);
+    const double target = expected[index] + (joint.highest - expected[index]) / 5;
+    client_->send(request('J', joint.identifier, centidegreesFromMicroradians(static_cast<int>(target))));
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply && reply->letter == 'j');
+    passFrames(kMotionOfOneSecond);
+    expected[index] = microradiansFromCentidegrees(reply->value.value);
+    EXPECT_NEAR(expected[index], target, 100);
+    for (size_t j = 0; j < expected.size(); ++j) {
+      EXPECT_NEAR(positions()[j], expected[j], kEncoderError) << model.joints[j].name;
+    }
+    EXPECT_NEAR(read(joint.identifier), reply->value.value, 15);
+  }
+}
+
+TEST_F(SimulatedJointsTest, MoveAllAtOnceWithoutAFalseAlarm) {
+  for (const int angle : {12000, -12000, 12000, 0}) {
+    client_->send(request('J', 0, angle));
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply && reply->letter == 'j');
+    passFrames(kMotionOfOneSecond);
+  }
+  EXPECT_EQ(console_.str().find("jammed"), std::string::npos) << console_.str();
+  EXPECT_EQ(console_.str().find("follow"), std::string::npos) << console_.str();
+}
+
+TEST_F(SimulatedJointsTest, JamIsFoundAndTheMotorSpared) {
+  robot_.jam("head_pan", true);
+  client_->send(request('J', kHeadPan, 8000));
+  ASSERT_TRUE(await(*client_));
+  passFrames(200);
+  EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
+  EXPECT_LT(std::abs(robot_.joints().named("head_pan").readings().back().pwmDuty), 50);
+}
+
+}  // namespace

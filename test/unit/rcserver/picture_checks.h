@@ -1,0 +1,47 @@
+/// @file picture_checks.h
+/// What a JPEG shows and how it was made.
+#ifndef TEST_PICTURE_CHECKS_H
+#define TEST_PICTURE_CHECKS_H
+
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+/// What the JPEG says of its quality: the first number of its first quantisation table, which libjpeg makes 16 at
+// quality 50 and less above.
+inline int quantizerOf(const std::vector<uint8_t>& jpeg) {
+  const std::vector<uint8_t> marker = {0xff, 0xdb};
+  const auto table = std::search(jpeg.begin(), jpeg.end(), marker.begin(), marker.end());
+  return jpeg.end() - table > 5 ? table[5] : -1;
+}
+
+inline int quantizerFor(int quality) {
+  const int scale = quality < 50 ? 5000 / quality : 200 - 2 * quality;
+  return std::max(1, (16 * scale + 50) / 100);
+}
+
+struct Brightness {
+  int width = 0;
+  int height = 0;
+  int level = -1;
+};
+
+inline Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
+  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitDecompress(), tjDestroy);
+  Brightness brightness;
+  int subsampling = 0;
+  int colorspace = 0;
+  tjDecompressHeader3(handle.get(), jpeg.data(), jpeg.size(), &brightness.width, &brightness.height, &subsampling,
+                      &colorspace);
+  std::vector<uint8_t> gray(static_cast<size_t>(brightness.width * brightness.height));
+  if (tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), gray.data(), brightness.width, 0, brightness.height,
+                    TJPF_GRAY, TJFLAG_STOPONWARNING) == 0) {
+    brightness.level = gray[gray.size() / 2];
+  }
+  return brightness;
+}
+
+#endif  // TEST_PICTURE_CHECKS_H

@@ -1,0 +1,92 @@
+/// @file rcserver_fixture.h
+/// A robot with an RCServer, the time of which a test passes itself.
+#ifndef TEST_RCSERVER_FIXTURE_H
+#define TEST_RCSERVER_FIXTURE_H
+
+#include <gmock/gmock.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "RCServer_stub.h"
+#include "openr_host/clock.h"
+#include "openr_host/machine.h"
+#include "openr_host/virtual_robot.h"
+#include "protocol/version1.h"
+#include "rcserver/RCServer.h"
+#include "test_client.h"
+
+inline std::string request(char letter, int identifier) {
+  return {letter, static_cast<char>(identifier)};
+}
+
+inline std::string request(char letter, int identifier, int value) {
+  return request(letter, identifier) + static_cast<char>(value & 0xff) + static_cast<char>((value >> 8) & 0xff);
+}
+
+class RCServerFixture : public ::testing::Test {
+ protected:
+  // The machine speaks to the robot until its end.
+  void TearDown() override { machine_.reset(); }
+
+  void boot(openr_host::VirtualRobot& robot) {
+    openr_host::MachineOptions options;
+    options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
+    options.memory_stick = MEMORY_STICK;
+    options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+    options.console = &console_;
+    machine_ = std::make_unique<openr_host::Machine>(options, clock_, robot);
+    machine_->boot();
+    machine_->runPending();
+  }
+
+  std::unique_ptr<TestClient> connect(int receive_buffer = 0) {
+    auto client = std::make_unique<TestClient>(machine_->hostPort(protocol::RCSERVER_PORT), receive_buffer);
+    machine_->runPending();
+    return client;
+  }
+
+  /// Connects a client and waits until the server answers it.
+  std::unique_ptr<TestClient> connectServed() {
+    auto client = connect();
+    ask(*client, "");
+    return client;
+  }
+
+  /// Sends requests and waits until all of them are handled: an unknown one at the end is answered at once.
+  void ask(TestClient& client, const std::string& requests) {
+    client.send(requests + "??");
+    const std::optional<Reply> reply = await(client);
+    ASSERT_TRUE(reply) << "no answer to the unknown request";
+    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+    machine_->runPending();
+  }
+
+  /// The next reply, whenever it comes; empty if the server closes instead.
+  std::optional<Reply> await(TestClient& client) {
+    std::optional<Reply> reply;
+    EXPECT_TRUE(machine_->runUntil([&] { return (reply = client.next()).has_value() || client.ended(); }))
+        << "neither a reply nor an end";
+    return reply;
+  }
+
+  bool awaitEnd(TestClient& client) {
+    return machine_->runUntil([&] { return client.ended(); });
+  }
+
+  void passFrames(unsigned count) {
+    for (unsigned i = 0; i < count; ++i) {
+      clock_.step();
+      machine_->runPending();
+    }
+  }
+
+  std::ostringstream console_;
+  openr_host::SteppedClock clock_;
+  std::unique_ptr<openr_host::Machine> machine_;
+};
+
+#endif  // TEST_RCSERVER_FIXTURE_H

@@ -1,0 +1,826 @@
+// Version 2 of the protocol, as a client sees it.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fake_robot.h"
+#include "picture_checks.h"
+#include "protocol/hello.h"
+#include "protocol/version2.h"
+#include "rcserver_fixture.h"
+
+namespace {
+
+using namespace protocol::version2;
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr unsigned char kNeckTilt = 1;
+constexpr unsigned char kHeadPan = 2;
+constexpr unsigned char kLeftFrontKnee = 13;
+constexpr unsigned char kTailPan = 51;
+constexpr unsigned char kNoJoint = 99;
+
+constexpr unsigned kLongestMotion = 500;
+constexpr unsigned kUntilMeasured = 12;
+
+std::string frame(char kind, int id, int request_number, const std::string& payload = {}) {
+  const FrameHeader header = {kind, static_cast<unsigned char>(id), static_cast<unsigned short>(request_number),
+                              static_cast<unsigned>(payload.size())};
+  std::string bytes(FRAME_HEADER_SIZE, '\0');
+  encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
+  return bytes + payload;
+}
+
+// The payload that `encode` makes of a value.
+template <typename Encode, typename Value>
+std::string payloadOf(Encode encode, const Value& value, size_t room) {
+  std::string bytes(room, '\0');
+  bytes.resize(encode(value, reinterpret_cast<unsigned char*>(bytes.data())));
+  return bytes;
+}
+
+std::string pictureOf(Layer layer) {
+  return payloadOf(encodePictureRequest, layer, PICTURE_REQUEST_SIZE);
+}
+
+std::string stream(bool on, Layer layer = LAYER_HIGH, unsigned short every_nth_image = 1) {
+  return payloadOf(encodeStreamSettings, StreamSettings{on, layer, every_nth_image}, STREAM_SETTINGS_SIZE);
+}
+
+using Values = std::vector<std::pair<unsigned char, int>>;
+
+std::string targets(const Values& joints, unsigned short duration = 0) {
+  JointTargets targets = {duration, static_cast<unsigned char>(joints.size()), {}};
+  for (size_t i = 0; i < joints.size(); ++i) {
+    targets.joints[i] = {joints[i].first, joints[i].second};
+  }
+  return payloadOf(encodeJointTargets, targets, MAX_JOINT_TARGETS_SIZE);
+}
+
+std::string limits(const Values& joints) {
+  SpeedLimits limits = {static_cast<unsigned char>(joints.size()), {}};
+  for (size_t i = 0; i < joints.size(); ++i) {
+    limits.joints[i] = {joints[i].first, joints[i].second};
+  }
+  return payloadOf(encodeSpeedLimits, limits, MAX_SPEED_LIMITS_SIZE);
+}
+
+std::string period(unsigned short frames) {
+  return payloadOf(encodeTelemetryPeriod, frames, TELEMETRY_PERIOD_SIZE);
+}
+
+std::string text(const Frame& frame) {
+  return {frame.payload.begin(), frame.payload.end()};
+}
+
+struct Picture {
+  FrameHeader frame{};
+  ImageHeader image{};
+  std::vector<uint8_t> jpeg;
+};
+
+class Version2Test : public RCServerFixture {
+ protected:
+  void SetUp() override {
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    connectVersion2();
+  }
+
+  void connectVersion2() {
+    client_ = connect();
+    client_->send(request('X', 2));
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply && agreesToVersion2(reply->value));
+    machine_->runPending();
+  }
+
+  void reconnect() {
+    client_->close();
+    machine_->runPending();
+    connectVersion2();
+  }
+
+  void send(const std::string& bytes) {
+    client_->send(bytes);
+    machine_->runPending();
+  }
+
+  std::optional<Frame> nextFrame() {
+    std::optional<Frame> next;
+    EXPECT_TRUE(machine_->runUntil([&] { return (next = client_->nextFrame()).has_value() || client_->ended(); }));
+    machine_->runPending();
+    return next;
+  }
+
+  // Sends a request whose answer comes at once. What is pushed meanwhile is passed over.
+  Frame answerTo(char kind, int id, const std::string& payload = {}) {
+    const int number = ++last_number_;
+    send(frame(kind, id, number, payload));
+    for (;;) {
+      const std::optional<Frame> answer = nextFrame();
+      if (!answer) {
+        ADD_FAILURE() << "no answer to " << kind;
+        return {};
+      }
+      if (answer->header.request_number != 0) {
+        EXPECT_EQ(answer->header.request_number, number);
+        return *answer;
+      }
+    }
+  }
+
+  void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {
+    ErrorMessage message = {};
+    EXPECT_EQ(answer.header.kind, ERROR_MESSAGE);
+    ASSERT_EQ(decodeErrorMessage(answer.payload.data(), answer.payload.size(), &message), nullptr);
+    EXPECT_EQ(message.code, code);
+    EXPECT_THAT(std::string(message.text, message.text_size), HasSubstr(text_in_it));
+  }
+
+  // The values of a reply to `J`.
+  Values acceptedBy(const Frame& answer) {
+    JointTargets accepted = {};
+    EXPECT_EQ(answer.header.kind, 'j');
+    EXPECT_EQ(decodeJointTargets(answer.payload.data(), answer.payload.size(), &accepted), nullptr);
+    return values(accepted.joints, accepted.count);
+  }
+
+  Values limitsIn(const Frame& answer) {
+    SpeedLimits limits = {};
+    EXPECT_EQ(answer.header.kind, 'v');
+    EXPECT_EQ(decodeSpeedLimits(answer.payload.data(), answer.payload.size(), &limits), nullptr);
+    return values(limits.joints, limits.count);
+  }
+
+  static Values values(const JointValue* joints, size_t count) {
+    Values all;
+    for (size_t i = 0; i < count; ++i) {
+      all.emplace_back(joints[i].id, joints[i].value);
+    }
+    return all;
+  }
+
+  bool motorsAfter(const std::string& payload) {
+    bool on = false;
+    const Frame answer = answerTo('O', 0, payload);
+    EXPECT_EQ(answer.header.kind, 'o');
+    EXPECT_EQ(decodeMotorState(answer.payload.data(), answer.payload.size(), &on), nullptr);
+    return on;
+  }
+
+  Hello hello() {
+    Hello hello = {};
+    const Frame answer = answerTo('H', 0);
+    EXPECT_EQ(answer.header.kind, 'h');
+    EXPECT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
+    return hello;
+  }
+
+  // Lets the camera take its next image.
+  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
+
+  Picture nextPicture() {
+    Picture picture;
+    for (std::optional<Frame> next = nextFrame(); next; next = nextFrame()) {
+      if (next->header.kind == PICTURE) {
+        size_t size = 0;
+        picture.frame = next->header;
+        EXPECT_EQ(decodePicture(next->payload.data(), next->payload.size(), &picture.image, &size), nullptr);
+        picture.jpeg.assign(next->payload.begin() + IMAGE_HEADER_SIZE, next->payload.end());
+        return picture;
+      }
+    }
+    ADD_FAILURE() << "no picture";
+    return picture;
+  }
+
+  // Takes what has come, all of it telemetry.
+  std::vector<Telemetry> telemetry() {
+    std::vector<Telemetry> all;
+    for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
+      EXPECT_EQ(next->header.kind, TELEMETRY_PUSH);
+      EXPECT_EQ(next->header.request_number, 0);
+      all.emplace_back();
+      EXPECT_EQ(decodeTelemetry(next->payload.data(), next->payload.size(), &all.back()), nullptr);
+    }
+    return all;
+  }
+
+  int positionOf(const std::string& joint) { return robot_.joint(joint).position; }
+
+  std::vector<int> positions() const {
+    std::vector<int> all;
+    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+      all.push_back(joint.position);
+    }
+    return all;
+  }
+
+  FakeRobot robot_;
+  std::unique_ptr<TestClient> client_;
+  int last_number_ = 0;
+};
+
+// ------------------------------------------------------------------------------------------------- changing to it
+
+TEST_F(Version2Test, BytesBehindTheRequestForItAreItsOwn) {
+  client_->close();
+  machine_->runPending();
+  client_ = connect();
+  const std::string bytes = request('F', 85) + request('X', 2) + frame('H', 0, 7) + frame('O', 0, 8);
+  for (const size_t first_piece : {1U, 2U, 3U, 4U, 5U, 11U, 12U, 13U}) {
+    SCOPED_TRACE(first_piece);
+    send(bytes.substr(0, first_piece));
+    send(bytes.substr(first_piece));
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply && agreesToVersion2(reply->value));
+    EXPECT_EQ(nextFrame()->header.request_number, 7);
+    EXPECT_EQ(nextFrame()->header.request_number, 8);
+    client_->close();
+    machine_->runPending();
+    client_ = connect();
+  }
+}
+
+TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
+  client_->close();
+  machine_->runPending();
+  auto client = connectServed();
+  client->send(request('J', kHeadPan));
+  const std::optional<Reply> reply = await(*client);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->letter, 'j');
+}
+
+TEST(NewestVersion, ServerThatIsToldToSpeakVersion1RefusesVersion2AndGoesOn) {
+  class Version1Robot : public RCServerFixture {
+   public:
+    void TestBody() override {
+      RCServer::SetNewestVersion(1);
+      boot(robot_);
+      RCServer::SetNewestVersion(VERSION);
+      auto client = connectServed();
+      client->send(request('X', 2));
+      const std::optional<Reply> refusal = await(*client);
+      ASSERT_TRUE(refusal);
+      EXPECT_EQ(refusal->letter, 'e');
+      machine_->runPending();
+      client->send(request('F', 85));
+      passFrames(FakeRobot::kFramesPerImage);
+      const std::optional<Reply> picture = await(*client);
+      ASSERT_TRUE(picture);
+      EXPECT_EQ(picture->letter, 'f');
+      TearDown();
+    }
+    FakeRobot robot_;
+  };
+  Version1Robot().TestBody();
+}
+
+// --------------------------------------------------------------------------------------------------------------- H
+
+TEST_F(Version2Test, HelloTellsRobotServerCapabilitiesAndLimits) {
+  const Hello said = hello();
+  EXPECT_STREQ(said.robot, "ERS-7");
+  EXPECT_THAT(said.server, HasSubstr("aibo_rcserver"));
+  for (const char* const word : {"H", "F", "W", "J", "V", "T", "O"}) {
+    EXPECT_TRUE(hasCapability(said, word)) << word;
+  }
+  EXPECT_FALSE(hasCapability(said, "L"));
+  ASSERT_EQ(said.joint_count, robot_.model.number_of_joints);
+  for (int i = 0; i < said.joint_count; ++i) {
+    EXPECT_EQ(said.joints[i].id, robot_.model.joints[i].identifier);
+    EXPECT_EQ(said.joints[i].lower, robot_.model.joints[i].lowest);
+    EXPECT_EQ(said.joints[i].upper, robot_.model.joints[i].highest);
+    EXPECT_EQ(said.joints[i].speed, robot_.model.joints[i].highest_speed);
+  }
+}
+
+TEST_F(Version2Test, HelloTellsTheTime) {
+  const unsigned before = hello().frame_number;
+  passFrames(100);
+  EXPECT_NEAR(hello().frame_number, before + 100, 4);
+}
+
+TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
+  send(frame('J', 0, 1, targets({{kHeadPan, 1000000}}, 60000)));
+  passFrames(RCServer::HEARTBEAT_FRAMES - 8);
+  EXPECT_FALSE(client_->ended());
+  passFrames(16);
+  EXPECT_TRUE(awaitEnd(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("silent for 5 s"));
+  passFrames(100);
+  const int held = positionOf("head_pan");
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positionOf("head_pan"), held);
+}
+
+TEST_F(Version2Test, ClientThatOnlyReadsIsSilent) {
+  send(frame('T', 0, 1, period(4)));
+  passFrames(RCServer::HEARTBEAT_FRAMES + 8);
+  EXPECT_TRUE(awaitEnd(*client_));
+}
+
+TEST_F(Version2Test, HeartbeatKeepsTheConnection) {
+  for (int second = 0; second < 20; ++second) {
+    hello();
+    passFrames(125);
+  }
+  EXPECT_FALSE(client_->ended());
+}
+
+// ---------------------------------------------------------------------------------------------------------- F and W
+
+TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureAlsoDuringAStream) {
+  answerTo('W', 80, stream(true));
+  send(frame('F', 20, 1001, pictureOf(LAYER_HIGH)) + frame('F', 30, 1002, pictureOf(LAYER_HIGH)));
+  const std::vector<std::pair<int, int>> expected = {{1001, 20}, {1002, 30}, {0, 80}, {0, 80}};
+  for (const auto& [number, quality] : expected) {
+    takeImage();
+    const Picture picture = nextPicture();
+    EXPECT_EQ(picture.frame.request_number, number);
+    EXPECT_EQ(picture.frame.id, quality);
+    EXPECT_EQ(picture.image.quality, quality);
+    EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(quality));
+    EXPECT_NEAR(brightnessOf(picture.jpeg).level, FakeRobot::brightness(robot_.lastImage()), 3);
+  }
+}
+
+TEST_F(Version2Test, PicturesOfAllLayersHaveTheirSizes) {
+  const std::map<Layer, std::pair<int, int>> sizes = {
+      {LAYER_HIGH, {208, 160}}, {LAYER_MIDDLE, {104, 80}}, {LAYER_LOW, {52, 40}}};
+  for (const auto& [layer, size] : sizes) {
+    send(frame('F', 85, 5, pictureOf(layer)));
+    takeImage();
+    const Picture picture = nextPicture();
+    const Brightness shown = brightnessOf(picture.jpeg);
+    EXPECT_EQ(picture.image.layer, layer);
+    EXPECT_EQ(picture.image.width, size.first);
+    EXPECT_EQ(picture.image.height, size.second);
+    EXPECT_EQ(shown.width, size.first);
+    EXPECT_EQ(shown.height, size.second);
+    EXPECT_NEAR(shown.level, FakeRobot::brightness(robot_.lastImage()), 3);
+  }
+}
+
+TEST_F(Version2Test, PictureOfDoubleResolutionIsNotSupported) {
+  expectRefusal(answerTo('F', 85, pictureOf(LAYER_DOUBLE)), CODE_NOT_SUPPORTED, "double");
+  expectRefusal(answerTo('W', 85, stream(true, LAYER_DOUBLE)), CODE_NOT_SUPPORTED, "double");
+  takeImage();
+  EXPECT_FALSE(client_->nextFrame());
+}
+
+TEST_F(Version2Test, QualityIsTheServersDefaultOrAtMostHundred) {
+  for (const auto& [asked, used] : std::map<int, int>{{255, 85}, {254, 100}, {101, 100}, {1, 1}}) {
+    send(frame('F', asked, 5, pictureOf(LAYER_HIGH)));
+    takeImage();
+    EXPECT_EQ(nextPicture().image.quality, used);
+  }
+}
+
+TEST_F(Version2Test, ImageHeaderTellsCountAndFrameOfTheImage) {
+  answerTo('W', 85, stream(true));
+  takeImage();
+  const ImageHeader first = nextPicture().image;
+  EXPECT_EQ(first.image_count, robot_.lastImage());
+  EXPECT_EQ(first.frame_number, robot_.lastImage() * FakeRobot::kFramesPerImage);
+  takeImage();
+  const ImageHeader second = nextPicture().image;
+  EXPECT_EQ(second.image_count, first.image_count + 1);
+  EXPECT_EQ(second.frame_number, first.frame_number + FakeRobot::kFramesPerImage);
+}
+
+TEST_F(Version2Test, PictureRequestsBeyondTheLimitAreRefusedAndTheOthersServed) {
+  const int limit = static_cast<int>(ImageObserver::MAX_OWED);
+  for (int i = 1; i <= limit; ++i) {
+    send(frame('F', 85, i, pictureOf(LAYER_LOW)));
+  }
+  last_number_ = limit;
+  expectRefusal(answerTo('F', 85, pictureOf(LAYER_LOW)), CODE_REFUSED, "owed");
+  for (int i = 1; i <= limit; ++i) {
+    send(frame('H', 0, 1000 + i));
+    takeImage();
+    ASSERT_EQ(nextPicture().frame.request_number, i);
+  }
+}
+
+TEST_F(Version2Test, StreamSettingsAreAnsweredByWhatIsAccepted) {
+  const Frame answer = answerTo('W', 255, stream(true, LAYER_MIDDLE, 3));
+  EXPECT_EQ(answer.header.kind, 'w');
+  EXPECT_EQ(answer.header.id, 85);
+  EXPECT_EQ(text(answer), stream(true, LAYER_MIDDLE, 3));
+}
+
+TEST_F(Version2Test, StreamOfEveryThirdImageLeavesOutTheOthers) {
+  answerTo('W', 85, stream(true, LAYER_LOW, 3));
+  for (int i = 0; i < 9; ++i) {
+    takeImage();
+  }
+  const unsigned first = nextPicture().image.image_count;
+  EXPECT_EQ(nextPicture().image.image_count, first + 3);
+  EXPECT_EQ(nextPicture().image.image_count, first + 6);
+  EXPECT_FALSE(client_->nextFrame());
+}
+
+TEST_F(Version2Test, StreamStopsWhenItIsSwitchedOff) {
+  answerTo('W', 85, stream(true));
+  takeImage();
+  nextPicture();
+  answerTo('W', 85, stream(false));
+  takeImage();
+  takeImage();
+  EXPECT_FALSE(client_->nextFrame());
+  answerTo('W', 85, stream(false));
+  takeImage();
+  EXPECT_FALSE(client_->nextFrame());
+}
+
+// --------------------------------------------------------------------------------------------------------------- J
+
+TEST_F(Version2Test, JointsMoveToTheirTargets) {
+  const std::vector<int> before = positions();
+  EXPECT_THAT(acceptedBy(answerTo('J', 0, targets({{kHeadPan, 500000}, {kTailPan, -300000}}))),
+              ElementsAre(std::make_pair(kHeadPan, 500000), std::make_pair(kTailPan, -300000)));
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positionOf("head_pan"), 500000);
+  EXPECT_EQ(positionOf("tail_pan"), -300000);
+  EXPECT_EQ(positionOf("left_front_knee"),
+            before[static_cast<size_t>(robot_model::findJointByName(robot_.model, "left_front_knee"))]);
+}
+
+TEST_F(Version2Test, JointsToldTogetherArriveTogether) {
+  answerTo('J', 0, targets({{kLeftFrontKnee, 1000000}, {kHeadPan, 100000}, {kTailPan, -300000}}, 2000));
+  const size_t begin = robot_.joint("head_pan").path.size();
+  passFrames(kLongestMotion);
+  std::vector<size_t> arrivals;
+  for (const char* const name : {"left_front_knee", "head_pan", "tail_pan"}) {
+    const std::vector<int>& path = robot_.joint(name).path;
+    arrivals.push_back(static_cast<size_t>(std::find(path.begin() + begin, path.end(), path.back()) - path.begin()) -
+                       begin);
+  }
+  EXPECT_THAT(arrivals, Each(arrivals.front()));
+  EXPECT_NEAR(static_cast<double>(arrivals.front()), 250, 4);
+}
+
+TEST_F(Version2Test, TargetsAreClampedAndTheReplySaysSo) {
+  EXPECT_THAT(acceptedBy(answerTo('J', 0, targets({{kHeadPan, 2000000000}, {kNeckTilt, -2000000000}}))),
+              ElementsAre(std::make_pair(kHeadPan, 1535890), std::make_pair(kNeckTilt, -1308997)));
+}
+
+TEST_F(Version2Test, UnknownJointRefusesTheWholeRequest) {
+  const std::vector<int> before = positions();
+  expectRefusal(answerTo('J', 0, targets({{kHeadPan, 500000}, {kNoJoint, 0}, {kTailPan, 0}})), CODE_REFUSED, "99");
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positions(), before);
+}
+
+TEST_F(Version2Test, RequestForNoJointIsAnswered) {
+  EXPECT_TRUE(acceptedBy(answerTo('J', 0, targets({}))).empty());
+}
+
+// --------------------------------------------------------------------------------------------------------------- V
+
+TEST_F(Version2Test, SpeedLimitsAreSetAndRead) {
+  EXPECT_THAT(limitsIn(answerTo('V', 0, limits({{kHeadPan, 1000000}, {kNeckTilt, 2000000000}}))),
+              ElementsAre(std::make_pair(kHeadPan, 1000000), std::make_pair(kNeckTilt, 3185226)));
+  const Values all = limitsIn(answerTo('V', 0));
+  ASSERT_EQ(all.size(), 18U);
+  EXPECT_THAT(all, ::testing::Contains(std::make_pair(kHeadPan, 1000000)));
+  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  std::vector<int>& path = robot_.joint("head_pan").path;
+  path.clear();
+  passFrames(kLongestMotion);
+  for (size_t i = 1; i < path.size(); ++i) {
+    ASSERT_LE(std::abs(path[i] - path[i - 1]), 1000000 / 125);
+  }
+}
+
+TEST_F(Version2Test, SpeedLimitForAnUnknownJointRefusesTheWholeRequest) {
+  expectRefusal(answerTo('V', 0, limits({{kHeadPan, 1000000}, {kNoJoint, 1}})), CODE_REFUSED, "99");
+  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kHeadPan, 10057460)));
+}
+
+// --------------------------------------------------------------------------------------------------------------- T
+
+TEST_F(Version2Test, TelemetryPeriodIsRoundedUpToWhatTheRobotCanMeasure) {
+  const std::map<int, int> expected = {{0, 0}, {1, 4}, {4, 4}, {5, 8}, {16, 16}, {65533, 65532}, {65535, 65532}};
+  for (const auto& [asked, answered] : expected) {
+    const Frame answer = answerTo('T', 0, period(static_cast<unsigned short>(asked)));
+    EXPECT_EQ(answer.header.kind, 't');
+    EXPECT_EQ(text(answer), period(static_cast<unsigned short>(answered))) << asked;
+  }
+}
+
+TEST_F(Version2Test, TelemetryComesAtItsPeriodWithAllJoints) {
+  for (const unsigned frames : {4U, 12U}) {
+    answerTo('T', 0, period(static_cast<unsigned short>(frames)));
+    passFrames(120);
+    const std::vector<Telemetry> all = telemetry();
+    EXPECT_EQ(all.size(), 120 / frames);
+    for (size_t i = 1; i < all.size(); ++i) {
+      EXPECT_EQ(all[i].frame_number, all[i - 1].frame_number + frames);
+    }
+    ASSERT_FALSE(all.empty());
+    ASSERT_EQ(all.back().count, 18);
+    for (size_t i = 0; i < 18; ++i) {
+      EXPECT_EQ(all.back().entries[i].group, GROUP_JOINT);
+      EXPECT_EQ(all.back().entries[i].id, robot_.model.joints[i].identifier);
+      EXPECT_EQ(all.back().entries[i].value, robot_.joints[i].position);
+    }
+  }
+  answerTo('T', 0, period(0));
+  passFrames(100);
+  EXPECT_TRUE(telemetry().empty());
+}
+
+TEST_F(Version2Test, TelemetryFollowsTheMotionFrameByFrame) {
+  answerTo('T', 0, period(4));
+  send(frame('J', 0, 1, targets({{kHeadPan, 1000000}}, 1000)));
+  nextFrame();
+  passFrames(200);
+  const std::vector<Telemetry> all = telemetry();
+  ASSERT_GT(all.size(), 40U);
+  for (const Telemetry& measured : all) {
+    EXPECT_EQ(measured.entries[1].value, robot_.joint("head_pan").path[measured.frame_number]);
+  }
+}
+
+TEST_F(Version2Test, TelemetryAndRepliesCostTheStreamNoPicture) {
+  answerTo('T', 0, period(4));
+  answerTo('W', 85, stream(true));
+  int pictures = 0;
+  int measurements = 0;
+  for (int i = 0; i < 200; ++i) {
+    send(frame('J', 0, 1 + i, targets({{kHeadPan, 1000 * i}})));
+    takeImage();
+    while (const std::optional<Frame> next = client_->nextFrame()) {
+      pictures += next->header.kind == PICTURE ? 1 : 0;
+      measurements += next->header.kind == TELEMETRY_PUSH ? 1 : 0;
+    }
+  }
+  EXPECT_GE(pictures, 199);
+  EXPECT_GE(measurements, 199);
+}
+
+TEST_F(Version2Test, ClientThatDoesNotReadGetsNewTelemetryNotAllThatItMissed) {
+  client_->close();
+  machine_->runPending();
+  robot_.showNoise();
+  client_ = connect(4096);
+  send(request('X', 2) + frame('T', 0, 1, period(4)) + frame('W', 100, 2, stream(true)));
+  for (int i = 0; i < 200; ++i) {
+    send(frame('H', 0, 3));
+    takeImage();
+  }
+  ASSERT_TRUE(await(*client_));
+  int late = 0;
+  while (const std::optional<Frame> next = client_->nextFrame()) {
+    late += next->header.kind == TELEMETRY_PUSH && next->header.request_number == 0 ? 1 : 0;
+    machine_->runPending();
+  }
+  EXPECT_LT(late, 20);
+}
+
+// --------------------------------------------------------------------------------------------------------------- O
+
+TEST_F(Version2Test, MotorsAreOnFromTheStartAndSwitchedOffAndOn) {
+  EXPECT_TRUE(motorsAfter(""));
+  EXPECT_FALSE(motorsAfter(std::string(1, '\0')));
+  EXPECT_FALSE(motorsAfter(""));
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false)));
+  EXPECT_TRUE(motorsAfter("\1"));
+  passFrames(kUntilMeasured);
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
+}
+
+TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
+  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  passFrames(10);
+  motorsAfter(std::string(1, '\0'));
+  passFrames(kUntilMeasured);
+  for (FakeRobot::FakeJoint& joint : robot_.joints) {
+    joint.position += 30000;
+  }
+  passFrames(100);
+  const std::vector<int> bent = positions();
+  motorsAfter("\1");
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positions(), bent);
+}
+
+TEST_F(Version2Test, JointsAreNotCommandedWhileTheMotorsAreOff) {
+  motorsAfter(std::string(1, '\0'));
+  expectRefusal(answerTo('J', 0, targets({{kHeadPan, 1000000}})), CODE_REFUSED, "motors are off");
+  motorsAfter("\1");
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positionOf("head_pan"), 0);
+}
+
+TEST_F(Version2Test, TargetSetWhileTheMotorsAreGoingOnIsReachedWithoutAJump) {
+  motorsAfter(std::string(1, '\0'));
+  passFrames(kUntilMeasured);
+  motorsAfter("\1");
+  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  std::vector<int>& path = robot_.joint("head_pan").path;
+  path.clear();
+  passFrames(kLongestMotion);
+  EXPECT_EQ(path.back(), 1000000);
+  for (size_t i = 1; i < path.size(); ++i) {
+    ASSERT_LE(std::abs(path[i] - path[i - 1]), 10057460 / 125);
+  }
+}
+
+TEST_F(Version2Test, MotorsStayAsTheyAreForTheNextClient) {
+  motorsAfter(std::string(1, '\0'));
+  reconnect();
+  EXPECT_FALSE(motorsAfter(""));
+}
+
+// -------------------------------------------------------------------------------------------------------------- jam
+
+TEST_F(Version2Test, JammedJointIsNamedOnceAndTheOthersGoOn) {
+  robot_.joint("head_pan").jammed = true;
+  answerTo('J', 0, targets({{kHeadPan, 1000000}, {kTailPan, 500000}}, 2000));
+  passFrames(kLongestMotion);
+  const std::optional<Frame> pushed = client_->nextFrame();
+  ASSERT_TRUE(pushed);
+  EXPECT_EQ(pushed->header.request_number, 0);
+  expectRefusal(*pushed, CODE_JOINT_FAULT, "head_pan is jammed");
+  EXPECT_FALSE(client_->nextFrame());
+  EXPECT_EQ(positionOf("tail_pan"), 500000);
+  EXPECT_EQ(robot_.joint("head_pan").reference, positionOf("head_pan"));
+}
+
+TEST_F(Version2Test, JointWhoseGainWentOffIsSaidNotToFollow) {
+  robot_.joint("head_pan").gain = false;
+  robot_.joint("head_pan").reports_no_duty = true;
+  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  passFrames(kLongestMotion);
+  const std::optional<Frame> pushed = client_->nextFrame();
+  ASSERT_TRUE(pushed);
+  expectRefusal(*pushed, CODE_JOINT_FAULT, "head_pan does not follow");
+}
+
+// ----------------------------------------------------------------------------------------------------- bad requests
+
+TEST_F(Version2Test, WhatItDoesNotKnowIsNotSupported) {
+  for (int kind = 0; kind < 256; ++kind) {
+    if (std::string("HFWJVTO").find(static_cast<char>(kind)) == std::string::npos) {
+      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O");
+    }
+  }
+  EXPECT_STREQ(hello().robot, "ERS-7");
+}
+
+TEST_F(Version2Test, MalformedRequestsAreRefusedAndTheConnectionGoesOn) {
+  const std::vector<std::pair<char, std::string>> malformed = {{'F', ""},    {'F', "\4"},  {'W', "abc"}, {'J', "abc"},
+                                                               {'V', "abc"}, {'T', "abc"}, {'O', "\2"},  {'O', "ab"}};
+  for (const auto& [kind, payload] : malformed) {
+    expectRefusal(answerTo(kind, 0, payload), CODE_REFUSED, "bad request");
+  }
+  expectRefusal(answerTo('J', 0, targets({{kHeadPan, 1}, {kHeadPan, 2}})), CODE_REFUSED, "twice");
+  EXPECT_STREQ(hello().robot, "ERS-7");
+}
+
+TEST_F(Version2Test, RequestWithoutANumberIsRefused) {
+  send(frame('H', 0, 0));
+  const std::optional<Frame> answer = nextFrame();
+  ASSERT_TRUE(answer);
+  expectRefusal(*answer, CODE_REFUSED, "number");
+}
+
+TEST_F(Version2Test, LargestFrameIsTakenAndALargerOneEndsTheConnectionWithAReason) {
+  const std::string largest = frame('Z', 0, 41, std::string(MAX_PAYLOAD_TOWARDS_ROBOT, 'z'));
+  for (size_t sent = 0; sent < largest.size();) {
+    sent += client_->send(largest.substr(sent));
+    machine_->runPending();
+  }
+  expectRefusal(*nextFrame(), CODE_NOT_SUPPORTED, "not supported");
+  FrameHeader header = {'Z', 0, 42, MAX_PAYLOAD_TOWARDS_ROBOT + 1};
+  std::string too_large(FRAME_HEADER_SIZE, '\0');
+  encodeFrameHeader(header, reinterpret_cast<unsigned char*>(too_large.data()));
+  send(too_large);
+  const std::optional<Frame> answer = nextFrame();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->header.request_number, 42);
+  expectRefusal(*answer, CODE_REFUSED, "too large");
+  EXPECT_TRUE(awaitEnd(*client_));
+  connectVersion2();
+  EXPECT_STREQ(hello().robot, "ERS-7");
+}
+
+// --------------------------------------------------------------------------------------------- splitting and joining
+
+TEST_F(Version2Test, RequestsAreUnderstoodHoweverTheirBytesAreSplitAndJoined) {
+  std::string requests;
+  std::vector<std::pair<char, int>> expected;
+  const std::vector<std::pair<char, std::string>> kinds = {{'H', ""},
+                                                           {'J', targets({{kHeadPan, 100000}, {kTailPan, 5}}, 100)},
+                                                           {'V', limits({{kHeadPan, 900000}})},
+                                                           {'V', ""},
+                                                           {'O', ""},
+                                                           {'T', period(0)},
+                                                           {'W', stream(false)},
+                                                           {'Z', std::string(1500, 'z')}};
+  for (int number = 1; number <= 400; ++number) {
+    const auto& [kind, payload] = kinds[static_cast<size_t>(number) % kinds.size()];
+    requests += frame(kind, 85, number, payload);
+    expected.emplace_back(kind == 'Z' ? 'e' : replyKind(kind), number);
+  }
+  std::mt19937 random(54321);
+  for (const size_t longest : {1U, 9U, 3000U}) {
+    std::vector<std::pair<char, int>> answers;
+    for (size_t begin = 0; answers.size() < expected.size();) {
+      const size_t length = std::min<size_t>(1 + random() % longest, requests.size() - begin);
+      begin += client_->send(requests.substr(begin, length));
+      machine_->runPending();
+      while (const std::optional<Frame> next = client_->nextFrame()) {
+        answers.emplace_back(next->header.kind, next->header.request_number);
+      }
+      ASSERT_FALSE(client_->ended());
+    }
+    EXPECT_EQ(answers, expected);
+  }
+}
+
+constexpr size_t kFlood = 256 * 1024;
+
+TEST_F(Version2Test, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply) {
+  client_->close();
+  machine_->runPending();
+  client_ = connect(4096);
+  send(request('X', 2));
+  ASSERT_TRUE(await(*client_));
+  std::string flood;
+  for (int i = 0; i < 1024; ++i) {
+    flood += frame('V', 0, 7);
+  }
+  // Far more than server and kernel hold of the replies, so that the server has to stop receiving.
+  size_t sent = 0;
+  while (sent < kFlood) {
+    const size_t now = client_->send(flood.substr(sent % flood.size()));
+    sent += now;
+    machine_->runPending();
+    if (now == 0) {
+      break;
+    }
+  }
+  for (size_t replies = 0; replies < sent / FRAME_HEADER_SIZE; ++replies) {
+    const std::optional<Frame> answer = nextFrame();
+    ASSERT_TRUE(answer) << "after " << replies;
+    ASSERT_EQ(answer->header.kind, 'v');
+  }
+}
+
+TEST_F(Version2Test, NextClientIsServedWhateverBytesTheLastOneSent) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 100; ++round) {
+    std::string bytes(1 + random() % 3000, '\0');
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(random() & 0xff); });
+    if (round % 2 == 0) {
+      // So that frames are small, and many are looked at.
+      for (size_t i = 0; i + FRAME_HEADER_SIZE < bytes.size(); i += FRAME_HEADER_SIZE + 3) {
+        bytes.replace(i, FRAME_HEADER_SIZE, frame("HFWJVTO"[random() % 7], 1, 1, "").replace(7, 1, "\3"));
+      }
+    }
+    send(bytes);
+    takeImage();
+    reconnect();
+    EXPECT_STREQ(hello().robot, "ERS-7");
+  }
+}
+
+// -------------------------------------------------------------------------------------------------------- client gone
+
+TEST_F(Version2Test, ClientGoneLeavesJointsHoldingAndNothingElse) {
+  answerTo('V', 0, limits({{kHeadPan, 500000}}));
+  answerTo('T', 0, period(4));
+  answerTo('W', 85, stream(true));
+  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  passFrames(50);
+  ASSERT_GT(positionOf("head_pan"), 0);
+  reconnect();
+  passFrames(50);
+  const int held = positionOf("head_pan");
+  EXPECT_LT(held, 900000);
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positionOf("head_pan"), held);
+  EXPECT_FALSE(client_->nextFrame()) << "stream or telemetry of the last client";
+  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kHeadPan, 10057460)));
+}
+
+}  // namespace
