@@ -19,6 +19,7 @@ class ClientFixture : public testing::Test {
   static aibo_driver::ClientOptions optionsFor(const ScriptedServer& server) {
     aibo_driver::ClientOptions options;
     options.port = server.port();
+    options.protocol_version = 1;
     options.connect_timeout = std::chrono::seconds(10);
     options.read_timeout = std::chrono::seconds(10);
     options.reconnect_wait_min = std::chrono::milliseconds(10);

@@ -1,4 +1,4 @@
-#include "client/session.h"
+#include "client/version1_session.h"
 
 #include <gmock/gmock.h>
 
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 namespace {
 
 /// The robot's end of a session, in stepped time: no sockets, no waiting.
-class SessionTest : public testing::Test {
+class Version1SessionTest : public testing::Test {
  protected:
   using TimePoint = Session::TimePoint;
 
@@ -26,10 +26,14 @@ class SessionTest : public testing::Test {
     return callbacks;
   }
 
-  /// What the session sends now: "" or letter and quality, as in "W85".
+  /// What the session sends now: "" or letter and identifier, as in "W85", and the value that is set, as in "J2=-100".
   std::string command() {
-    const auto command = session_.nextCommand(wish_, now_);
-    return command ? command->command + std::to_string(command->identifier) : "";
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return "";
+    }
+    const std::string command = static_cast<char>(bytes[0]) + std::to_string(bytes[1]);
+    return bytes.size() == 2 ? command : command + "=" + std::to_string(protocol::decodeValueReply(bytes.data()).value);
   }
 
   void receive(const Bytes& bytes) {
@@ -69,19 +73,23 @@ class SessionTest : public testing::Test {
   std::vector<PicturePtr> pictures_;
   Notifier notifier_{record(&pictures_)};
   Counters counters_;
-  StreamWish wish_{false, 85};
+  Wish wish_{false, 85, 0};
   TimePoint now_ = TimePoint() + milliseconds(100000);
-  Session session_{"robot:54321", milliseconds(500), notifier_, counters_, now_};
+  ServerHabits habits_;
+  Version1Session session_{{"robot:54321", milliseconds(500), notifier_, counters_},
+                           habits_,
+                           Version1Session::VersionAnswer::kNotAsked,
+                           now_};
 };
 
-TEST_F(SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
+TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
   EXPECT_EQ("", command());
   pass(milliseconds(3600 * 1000));
   EXPECT_EQ("", command());
   EXPECT_TRUE(session_.settled());
 }
 
-TEST_F(SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
+TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
   wish_.streaming = true;
   EXPECT_EQ("W85", command());
   EXPECT_EQ("", command());
@@ -92,7 +100,7 @@ TEST_F(SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
   EXPECT_EQ("", command());
 }
 
-TEST_F(SessionTest, RapidTogglesNeverLoseTheParity) {
+TEST_F(Version1SessionTest, RapidTogglesNeverLoseTheParity) {
   int toggles = 0;
   for (int i = 0; i < 1000; ++i) {
     wish_.streaming = i % 3 != 0;
@@ -102,7 +110,7 @@ TEST_F(SessionTest, RapidTogglesNeverLoseTheParity) {
   }
 }
 
-TEST_F(SessionTest, EveryPictureOfTheStreamIsDeliveredAlsoTwoInOneRead) {
+TEST_F(Version1SessionTest, EveryPictureOfTheStreamIsDeliveredAlsoTwoInOneRead) {
   wish_.streaming = true;
   command();
   Bytes two = test_pictures::makeReply(test_pictures::makeNumbered(1));
@@ -116,7 +124,7 @@ TEST_F(SessionTest, EveryPictureOfTheStreamIsDeliveredAlsoTwoInOneRead) {
   EXPECT_EQ(0u, counters_.stale_pictures);
 }
 
-TEST_F(SessionTest, AStreamThatIsSilentIsGivenUpAtTheLimit) {
+TEST_F(Version1SessionTest, AStreamThatIsSilentIsGivenUpAtTheLimit) {
   wish_.streaming = true;
   command();
   receivePicture(1);
@@ -124,13 +132,13 @@ TEST_F(SessionTest, AStreamThatIsSilentIsGivenUpAtTheLimit) {
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(SessionTest, AHalfReceivedPictureIsGivenUpAtTheLimit) {
+TEST_F(Version1SessionTest, AHalfReceivedPictureIsGivenUpAtTheLimit) {
   receive({'f', 0, 0});
   pass(milliseconds(499));
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(SessionTest, ASlowPictureIsNotGivenUpWhileItsBytesCome) {
+TEST_F(Version1SessionTest, ASlowPictureIsNotGivenUpWhileItsBytesCome) {
   wish_.streaming = true;
   command();
   const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
@@ -142,7 +150,7 @@ TEST_F(SessionTest, ASlowPictureIsNotGivenUpWhileItsBytesCome) {
   EXPECT_EQ(1u, pictures_.size());
 }
 
-TEST_F(SessionTest, AfterAStallOnlyFreshPicturesAreDelivered) {
+TEST_F(Version1SessionTest, AfterAStallOnlyFreshPicturesAreDelivered) {
   wish_.streaming = true;
   command();
   now_ += milliseconds(30);
@@ -160,7 +168,7 @@ TEST_F(SessionTest, AfterAStallOnlyFreshPicturesAreDelivered) {
   EXPECT_EQ(2u, counters_.pictures);
 }
 
-TEST_F(SessionTest, PicturesOfAStoppedStreamAreDroppedAndCounted) {
+TEST_F(Version1SessionTest, PicturesOfAStoppedStreamAreDroppedAndCounted) {
   wish_.streaming = true;
   command();
   receivePicture(1);
@@ -173,7 +181,7 @@ TEST_F(SessionTest, PicturesOfAStoppedStreamAreDroppedAndCounted) {
   EXPECT_EQ(2u, counters_.unexpected_pictures);
 }
 
-TEST_F(SessionTest, AServerThatDoesNotStopIsGivenUp) {
+TEST_F(Version1SessionTest, AServerThatDoesNotStopIsGivenUp) {
   wish_.streaming = true;
   command();
   wish_.streaming = false;
@@ -192,7 +200,7 @@ TEST_F(SessionTest, AServerThatDoesNotStopIsGivenUp) {
   EXPECT_NEAR(31, late, 2);
 }
 
-TEST_F(SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality) {
+TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality) {
   auto answer = takePicture(40);
   EXPECT_EQ("F40", command());
   EXPECT_EQ("", command());
@@ -205,12 +213,12 @@ TEST_F(SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality) {
   EXPECT_EQ("", command());
 }
 
-TEST_F(SessionTest, QualityZeroIsThatOfTheStream) {
+TEST_F(Version1SessionTest, QualityZeroIsThatOfTheStream) {
   auto answer = takePicture(0);
   EXPECT_EQ("F85", command());
 }
 
-TEST_F(SessionTest, SeveralCallersGetAPictureEachOfTheirOwnQuality) {
+TEST_F(Version1SessionTest, SeveralCallersGetAPictureEachOfTheirOwnQuality) {
   auto first = takePicture(10);
   auto second = takePicture(20);
   EXPECT_EQ("F10", command());
@@ -223,7 +231,7 @@ TEST_F(SessionTest, SeveralCallersGetAPictureEachOfTheirOwnQuality) {
   EXPECT_EQ(test_pictures::makeNumbered(2), second.get().picture->jpeg);
 }
 
-TEST_F(SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterTheCall) {
+TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterTheCall) {
   wish_.streaming = true;
   command();
   const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
@@ -245,7 +253,7 @@ TEST_F(SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterT
   EXPECT_EQ(got.picture, second.get().picture);
 }
 
-TEST_F(SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
+TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
   wish_.streaming = true;
   command();
   receivePicture(1);
@@ -264,7 +272,7 @@ TEST_F(SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
   EXPECT_EQ(test_pictures::makeNumbered(3), answer.get().picture->jpeg);
 }
 
-TEST_F(SessionTest, TheStreamIsNotToggledWhileAPictureIsOwed) {
+TEST_F(Version1SessionTest, TheStreamIsNotToggledWhileAPictureIsOwed) {
   auto answer = takePicture(30);
   EXPECT_EQ("F30", command());
   wish_.streaming = true;
@@ -274,41 +282,41 @@ TEST_F(SessionTest, TheStreamIsNotToggledWhileAPictureIsOwed) {
   EXPECT_EQ("W85", command());
 }
 
-TEST_F(SessionTest, AnOwedPictureThatDoesNotComeEndsTheCallAndTheConnection) {
+TEST_F(Version1SessionTest, AnOwedPictureThatDoesNotComeEndsTheCallAndTheConnection) {
   auto answer = takePicture(30, milliseconds(300));
   command();
   EXPECT_THROW(pass(milliseconds(300)), Fault);
-  EXPECT_EQ(PictureAnswer::Outcome::kTimeout, answer.get().outcome);
+  EXPECT_EQ(CallOutcome::kTimeout, answer.get().outcome);
 }
 
-TEST_F(SessionTest, ACallThatTimesOutBeforeItsRequestWasSentLeavesTheConnectionAlone) {
+TEST_F(Version1SessionTest, ACallThatTimesOutBeforeItsRequestWasSentLeavesTheConnectionAlone) {
   auto first = takePicture(30, milliseconds(400));
   auto second = takePicture(40, milliseconds(100));
   command();
   pass(milliseconds(150));
-  EXPECT_EQ(PictureAnswer::Outcome::kTimeout, second.get().outcome);
+  EXPECT_EQ(CallOutcome::kTimeout, second.get().outcome);
   receivePicture(1);
   EXPECT_TRUE(done(first));
   EXPECT_EQ("", command());
 }
 
-TEST_F(SessionTest, ARefusedPictureEndsTheCallWithTheRobotsCode) {
+TEST_F(Version1SessionTest, ARefusedPictureEndsTheCallWithTheRobotsCode) {
   auto answer = takePicture(30);
   command();
   receive({'e', 0, 1, 0});
   const PictureAnswer refusal = answer.get();
-  EXPECT_EQ(PictureAnswer::Outcome::kRefused, refusal.outcome);
+  EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
   EXPECT_EQ("robot:54321 refused to take a picture: error code 1.", refusal.problem);
   pass(milliseconds(5000));
 }
 
-TEST_F(SessionTest, ARefusedStreamEndsTheConnectionWithTheRobotsCode) {
+TEST_F(Version1SessionTest, ARefusedStreamEndsTheConnectionWithTheRobotsCode) {
   wish_.streaming = true;
   command();
   EXPECT_THROW(receive({'e', 0, 0, 0}), Fault);
 }
 
-TEST_F(SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
+TEST_F(Version1SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
   auto answer = takePicture(30);
   command();
   receive(test_pictures::makeReply(Bytes(5000, 0)));
@@ -318,7 +326,7 @@ TEST_F(SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
   EXPECT_EQ(1u, counters_.corrupt_pictures);
 }
 
-TEST_F(SessionTest, ACallThatGotOnlyDamagedPicturesSaysSo) {
+TEST_F(Version1SessionTest, ACallThatGotOnlyDamagedPicturesSaysSo) {
   auto answer = takePicture(30, milliseconds(200));
   const auto send_damaged_pictures = [this] {
     for (int i = 0; i < 10; ++i) {
@@ -331,7 +339,7 @@ TEST_F(SessionTest, ACallThatGotOnlyDamagedPicturesSaysSo) {
   EXPECT_THAT(answer.get().problem, HasSubstr("no picture within 200 ms; the last one was damaged: not a JPEG"));
 }
 
-TEST_F(SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoesOn) {
+TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoesOn) {
   wish_.streaming = true;
   command();
   Bytes damaged = test_pictures::makeNumbered(1);
