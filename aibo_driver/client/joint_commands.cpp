@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,22 +17,25 @@ namespace {
 constexpr double kFullTurn = 2 * 3.14159265358979323846;  // rad
 constexpr double kGreatestSpeed = 100;                    // rad/s
 
-/// Removes the joints of `newer` from `joints`.
 template <typename Joint>
-void removeJointsOf(const std::vector<Joint>& newer, std::vector<Joint>* joints) {
-  const auto is_newer = [&newer](const Joint& joint) {
-    return std::any_of(newer.begin(), newer.end(), [&joint](const Joint& other) { return other.id == joint.id; });
-  };
-  joints->erase(std::remove_if(joints->begin(), joints->end(), is_newer), joints->end());
+bool names(const std::vector<Joint>& joints, int id) {
+  return std::any_of(joints.begin(), joints.end(), [id](const Joint& joint) { return joint.id == id; });
 }
 
-/// Takes at most so many from the front of `joints`.
-template <typename Joint>
-std::vector<Joint> takeFront(std::size_t most, std::vector<Joint>* joints) {
-  const auto end = joints->begin() + static_cast<std::ptrdiff_t>(std::min(most, joints->size()));
-  std::vector<Joint> taken(joints->begin(), end);
-  joints->erase(joints->begin(), end);
-  return taken;
+bool shareAJoint(const JointCommand& a, const JointCommand& b) {
+  return std::any_of(a.targets.begin(), a.targets.end(),
+                     [&b](const JointTarget& target) { return names(b.targets, target.id); });
+}
+
+/// Removes targets from the commands, and the commands that have none left.
+template <typename Condition>
+void removeTargets(std::deque<JointCommand>* commands, const Condition& condition) {
+  for (JointCommand& command : *commands) {
+    command.targets.erase(std::remove_if(command.targets.begin(), command.targets.end(), condition),
+                          command.targets.end());
+  }
+  const auto is_empty = [](const JointCommand& command) { return command.targets.empty(); };
+  commands->erase(std::remove_if(commands->begin(), commands->end(), is_empty), commands->end());
 }
 
 template <typename Joint>
@@ -71,18 +75,24 @@ void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   }
 }
 
-void JointCommands::add(JointCommand command) {
-  for (JointCommand& older : commands_) {
-    removeJointsOf(command.targets, &older.targets);
-  }
-  commands_.push_back(std::move(command));
-  const auto is_empty = [](const JointCommand& each) { return each.targets.empty(); };
-  commands_.erase(std::remove_if(commands_.begin(), commands_.end(), is_empty), commands_.end());
+void JointCommands::add(const JointCommand& command) {
+  const auto place = std::find_if(commands_.begin(), commands_.end(),
+                                  [&command](const JointCommand& older) { return shareAJoint(older, command); });
+  const auto before = place - commands_.begin();  // no older command before this place names any of the joints
+  removeTargets(&commands_, [&command](const JointTarget& target) { return names(command.targets, target.id); });
+  commands_.insert(commands_.begin() + before, command);
 }
 
 void JointCommands::add(const std::vector<JointSpeedLimit>& limits) {
-  removeJointsOf(limits, &speed_limits_);
-  speed_limits_.insert(speed_limits_.end(), limits.begin(), limits.end());
+  for (const JointSpeedLimit& limit : limits) {
+    const auto older = std::find_if(speed_limits_.begin(), speed_limits_.end(),
+                                    [&limit](const JointSpeedLimit& each) { return each.id == limit.id; });
+    if (older == speed_limits_.end()) {
+      speed_limits_.push_back(limit);
+    } else {
+      *older = limit;
+    }
+  }
 }
 
 void JointCommands::append(const JointCommands& newer) {
@@ -93,14 +103,28 @@ void JointCommands::append(const JointCommands& newer) {
 }
 
 std::vector<JointSpeedLimit> JointCommands::takeSpeedLimits(std::size_t most) {
-  return takeFront(most, &speed_limits_);
+  const auto end = speed_limits_.begin() + static_cast<std::ptrdiff_t>(std::min(most, speed_limits_.size()));
+  std::vector<JointSpeedLimit> taken(speed_limits_.begin(), end);
+  speed_limits_.erase(speed_limits_.begin(), end);
+  return taken;
 }
 
-JointCommand JointCommands::takeTargets(std::size_t most) {
-  JointCommand taken = {commands_.front().duration, takeFront(most, &commands_.front().targets)};
-  if (commands_.front().targets.empty()) {
-    commands_.pop_front();
+JointCommand JointCommands::takeCommand() {
+  JointCommand command = std::move(commands_.front());
+  commands_.pop_front();
+  return command;
+}
+
+JointTarget JointCommands::takeTargetAfter(int id) {
+  std::map<int, JointTarget> targets;
+  for (const JointCommand& command : commands_) {
+    for (const JointTarget& target : command.targets) {
+      targets[target.id] = target;
+    }
   }
+  const auto next = targets.upper_bound(id);
+  const JointTarget taken = next == targets.end() ? targets.begin()->second : next->second;
+  removeTargets(&commands_, [&taken](const JointTarget& target) { return target.id == taken.id; });
   return taken;
 }
 

@@ -24,10 +24,11 @@ struct JointCommand {
 };
 
 /// What the joints have been told and has not been sent yet. Never grows without end: it holds each joint once, with
-/// its latest target.
+/// its latest target, which takes the place in the queue that an older one had. So no joint waits for ever, however
+/// fast commands come.
 class JointCommands {
  public:
-  void add(JointCommand command);
+  void add(const JointCommand& command);
   void add(const std::vector<JointSpeedLimit>& limits);
 
   /// Adds what came later.
@@ -36,11 +37,14 @@ class JointCommands {
   bool hasSpeedLimits() const { return !speed_limits_.empty(); }
   bool hasTargets() const { return !commands_.empty(); }
 
-  /// Takes speed limits, at most so many.
+  /// Takes the oldest speed limits, at most so many.
   std::vector<JointSpeedLimit> takeSpeedLimits(std::size_t most);
 
-  /// Takes the oldest command, of more than so many joints a part. There has to be one.
-  JointCommand takeTargets(std::size_t most);
+  /// Takes the oldest command. There has to be one.
+  JointCommand takeCommand();
+
+  /// Takes the target of one joint: of the one with the next higher id, or else with the lowest. There has to be one.
+  JointTarget takeTargetAfter(int id);
 
  private:
   std::deque<JointCommand> commands_;  // none without targets

@@ -100,7 +100,8 @@ Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
     return setValue(protocol::REQUEST_MAX_VELOCITY, limit.id, limit.speed, now);
   }
   if (joint_commands_.hasTargets()) {
-    const JointTarget target = joint_commands_.takeTargets(1).targets.front();
+    const JointTarget target = joint_commands_.takeTargetAfter(last_target_);
+    last_target_ = target.id;
     return setValue(protocol::REQUEST_JOINT, target.id, target.position, now);
   }
   return {};

@@ -79,6 +79,7 @@ class Version1Session final : public Session, private ReplyHandler {
   bool picture_owed_ = false;  // `F` has been sent for the first request and not been answered
   std::optional<ValueRequest> value_owed_;
   bool version_answer_owed_;
+  int last_target_ = 0;  // id of the joint that was sent somewhere last
   JointPoll poll_;
   bool poll_wanted_ = false;
   bool settled_;

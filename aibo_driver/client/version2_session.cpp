@@ -148,7 +148,7 @@ Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
-  const JointCommand command = joint_commands_.takeTargets(version2::MAX_JOINTS);
+  const JointCommand command = joint_commands_.takeCommand();
   version2::JointTargets targets = {};
   targets.duration_ms = static_cast<unsigned short>(command.duration.count());
   for (const JointTarget& target : command.targets) {

@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <deque>
 #include <string>
 
 #include "client/fault.h"
-#include "test_pictures.h"
+#include "session_fixture.h"
 
 using namespace aibo_driver;
 using std::chrono::milliseconds;
@@ -15,16 +14,9 @@ using testing::HasSubstr;
 
 namespace {
 
-/// The robot's end of a session, in stepped time: no sockets, no waiting.
-class Version1SessionTest : public testing::Test {
+class Version1SessionTest : public SessionFixture {
  protected:
-  using TimePoint = Session::TimePoint;
-
-  static RcServerClient::Callbacks record(std::vector<PicturePtr>* pictures) {
-    RcServerClient::Callbacks callbacks;
-    callbacks.on_picture = [pictures](const PicturePtr& picture) { pictures->push_back(picture); };
-    return callbacks;
-  }
+  Session& session() override { return session_; }
 
   /// What the session sends now: "" or letter and identifier, as in "W85", and the value that is set, as in "J2=-100".
   std::string command() {
@@ -36,50 +28,27 @@ class Version1SessionTest : public testing::Test {
     return bytes.size() == 2 ? command : command + "=" + std::to_string(protocol::decodeValueReply(bytes.data()).value);
   }
 
-  void receive(const Bytes& bytes) {
-    session_.bytesArrived(bytes.data(), bytes.size(), now_);
-    session_.foundEmpty(now_);
-    session_.checkDeadlines(now_);
+  /// Lets time pass, and answers requests for joints.
+  /// @return all requests, a blank behind each
+  std::string run(milliseconds time) {
+    std::string requests;
+    const TimePoint end = now_ + time;
+    while (now_ < end) {
+      for (std::string request = command(); !request.empty(); request = command()) {
+        requests += request + " ";
+        if (request[0] == 'J') {
+          receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0, 0});
+        }
+      }
+      pass(std::min(end, session().nextDeadline()) - now_);
+    }
+    return requests;
   }
 
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
 
-  /// Lets time pass, with nothing to read, as the client's loop does.
-  void pass(milliseconds time) {
-    const TimePoint end = now_ + time;
-    while (now_ < end) {
-      const TimePoint next = std::min(end, session_.nextDeadline());
-      ASSERT_GT(next, now_) << "the loop would spin";
-      now_ = next;
-      session_.foundEmpty(now_);
-      session_.checkDeadlines(now_);
-    }
-  }
-
-  std::future<PictureAnswer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
-    PictureRequest request;
-    request.quality = quality;
-    request.timeout = timeout;
-    request.deadline = now_ + timeout;
-    auto answer = request.promise.get_future();
-    session_.add(std::move(request), now_);
-    return answer;
-  }
-
-  static bool done(const std::future<PictureAnswer>& answer) {
-    return answer.wait_for(milliseconds(0)) == std::future_status::ready;
-  }
-
-  std::vector<PicturePtr> pictures_;
-  Notifier notifier_{record(&pictures_)};
-  Counters counters_;
-  Wish wish_{false, 85, 0};
-  TimePoint now_ = TimePoint() + milliseconds(100000);
   ServerHabits habits_;
-  Version1Session session_{{"robot:54321", milliseconds(500), notifier_, counters_},
-                           habits_,
-                           Version1Session::VersionAnswer::kNotAsked,
-                           now_};
+  Version1Session session_{context(), habits_, Version1Session::VersionAnswer::kNotAsked, now_};
 };
 
 TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
@@ -349,6 +318,207 @@ TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoes
   ASSERT_EQ(1u, pictures_.size());
   EXPECT_EQ(1u, counters_.corrupt_pictures);
   EXPECT_EQ(1u, counters_.pictures);
+}
+
+TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerToldInRadian) {
+  commandJoints({{2, -0.5}});
+  EXPECT_EQ("J2=-2865", command());
+  receive({'j', 2, 0xCF, 0xF4});  // -2865
+  ASSERT_EQ(1u, accepted_.size());
+  EXPECT_EQ(2, accepted_[0][0].id);
+  EXPECT_NEAR(-0.5, accepted_[0][0].position, 1e-4);
+  EXPECT_TRUE(telemetry_.empty());
+}
+
+TEST_F(Version1SessionTest, JointsAreSentOneAtATimeAndNothingElseMeanwhile) {
+  commandJoints({{1, 0.1}, {2, 0.2}});
+  EXPECT_EQ("J1=573", command());
+  wish_.streaming = true;
+  auto answer = takePicture(10);
+  EXPECT_EQ("", command()) << "TCP may join two requests, and the robot would take them for another one";
+  receive({'j', 1, 0x3D, 0x02});
+  EXPECT_EQ("W85", command());
+  EXPECT_EQ("J2=1146", command());
+  EXPECT_EQ("", command());
+  receive({'j', 2, 0x7A, 0x04});
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, NoJointIsSentWhileAPictureIsOwed) {
+  auto answer = takePicture(10);
+  EXPECT_EQ("F10", command());
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("", command());
+  receivePicture(1);
+  EXPECT_EQ("J1=573", command());
+}
+
+TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
+  commandJoints({{1, 0.1}});
+  limitSpeed({{1, 0.5}, {2, 20}});
+  EXPECT_EQ("V1=2865", command());
+  receive({'v', 1, 0x31, 0x0B});
+  EXPECT_EQ("V2=32767", command()) << "faster than version 1 can say";
+  receive({'v', 2, 0xFF, 0x7F});
+  EXPECT_EQ("J1=573", command());
+}
+
+TEST_F(Version1SessionTest, WithTelemetryWantedOneJointAfterTheOtherIsAskedForTwentyTimesASecond) {
+  wish_.telemetry_period = 4;
+  std::string asked;
+  for (int i = 0; i < 20; ++i) {
+    const std::string request = command();
+    asked += request + " ";
+    EXPECT_EQ("", command()) << "one at a time";
+    receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0x18, 0xFC});  // -1000
+    EXPECT_EQ("", command()) << "not at once again";
+    pass(milliseconds(50));
+  }
+  EXPECT_EQ("J1 J2 J3 J4 J11 J12 J13 J21 J22 J23 J31 J32 J33 J41 J42 J43 J51 J52 J1 J2 ", asked);
+  ASSERT_EQ(20u, telemetry_.size());
+  EXPECT_FALSE(telemetry_[4].frame_number);
+  ASSERT_EQ(1u, telemetry_[4].joints.size());
+  EXPECT_EQ(11, telemetry_[4].joints[0].id);
+  EXPECT_NEAR(-0.174533, telemetry_[4].joints[0].position, 1e-6);
+  EXPECT_EQ(20u, counters_.telemetry);
+}
+
+TEST_F(Version1SessionTest, NothingIsPolledWhileNoTelemetryIsWanted) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("J1", command());
+  receive({'j', 1, 0, 0});
+  wish_.telemetry_period = 0;
+  EXPECT_EQ("", command());
+  pass(milliseconds(5000));
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, CommandsGoBeforePollsButDoNotShutThemOut) {
+  wish_.telemetry_period = 4;
+  command();
+  std::string sent;
+  for (int i = 0; i < 100; ++i) {
+    receive({'j', static_cast<std::uint8_t>(i == 0 ? 1 : std::stoi(sent.substr(1))), 0, 0});
+    commandJoints({{2, 0}});
+    now_ += milliseconds(10);
+    sent = command();
+  }
+  EXPECT_NEAR(3, static_cast<double>(telemetry_.size()), 1) << "in a second";
+  EXPECT_NEAR(96, static_cast<double>(accepted_.size()), 1);
+}
+
+TEST_F(Version1SessionTest, TheBlockOfSensorsIsNeverAskedFor) {
+  wish_ = {true, 85, 4};
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_THAT(run(milliseconds(33)), testing::Not(HasSubstr("S")));
+    receivePicture(1);
+  }
+  EXPECT_NEAR(66, static_cast<double>(telemetry_.size()), 5);
+}
+
+TEST_F(Version1SessionTest, AnswersOfJointsDoNotHideThatTheStreamIsSilent) {
+  wish_ = {true, 85, 4};
+  EXPECT_EQ("W85", command());
+  EXPECT_NO_THROW(run(milliseconds(490)));
+  EXPECT_THROW(run(milliseconds(20)), Fault);
+}
+
+TEST_F(Version1SessionTest, PollsDoNotHoldUpAPictureAfterTheStream) {
+  wish_ = {true, 85, 4};
+  command();
+  receivePicture(1);
+  wish_.streaming = false;
+  auto answer = takePicture(30);
+  EXPECT_THAT(run(milliseconds(250)), HasSubstr("F30"));
+}
+
+TEST_F(Version1SessionTest, AJointThatIsRefusedIsNotAskedForAgain) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("J1", command());
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(1, logged("refused the request 'J' for joint 1: error code 0"));
+  for (int i = 0; i < 18; ++i) {
+    pass(milliseconds(50));
+    const std::string request = command();
+    EXPECT_NE("J1", request);
+    receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0, 0});
+  }
+}
+
+TEST_F(Version1SessionTest, ARefusedCommandIsLoggedOnceAndTheNextOneSent) {
+  for (int i = 0; i < 3; ++i) {
+    commandJoints({{77, 0.1}});
+    EXPECT_EQ("J77=573", command());
+    receive({'e', 0, 0, 0});
+  }
+  EXPECT_EQ(1, logged("refused the request 'J' for joint 77: error code 0"));
+  EXPECT_EQ(3u, counters_.refusals);
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("J1=573", command());
+}
+
+TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("J1=573", command());
+  pass(milliseconds(999));
+  EXPECT_EQ("", command());
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
+TEST_F(Version1SessionTest, AServerThatNeverAnswersForItsJointsIsAskedOnThreeConnectionsOnly) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 3; ++i) {
+    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+    EXPECT_FALSE(session.nextRequest(wish_, now_).empty());
+    EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
+  }
+  EXPECT_EQ(1, logged("does not answer when it is asked for its joints"));
+  EXPECT_EQ("", command());
+  pass(milliseconds(5000));
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, MotorsCannotBeSwitched) {
+  const MotorAnswer answer = setMotors(false).get();
+  EXPECT_EQ(CallOutcome::kRefused, answer.outcome);
+  EXPECT_THAT(answer.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors"));
+}
+
+class LateVersionAnswerTest : public Version1SessionTest {
+ protected:
+  Session& session() override { return late_; }
+
+  Version1Session late_{context(), habits_, Version1Session::VersionAnswer::kOwed, now_};
+};
+
+TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {
+  auto answer = takePicture(30);
+  late_.nextRequest(wish_, now_);
+  receive({'e', 0, 0, 0});
+  EXPECT_FALSE(done(answer)) << "it was not the picture that was refused";
+  receive({'e', 0, 1, 0});
+  EXPECT_EQ(CallOutcome::kRefused, answer.get().outcome);
+  EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestIsNoAnswerToTheQuestion) {
+  auto first = takePicture(30);
+  auto second = takePicture(30);
+  late_.nextRequest(wish_, now_);
+  receivePicture(1);
+  late_.nextRequest(wish_, now_);
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(CallOutcome::kRefused, second.get().outcome);
+}
+
+TEST_F(LateVersionAnswerTest, ALateAgreementEndsTheConnectionForTheServerSpeaksVersion2Now) {
+  std::string why;
+  try {
+    receive({'x', 2, 0, 0});
+  } catch (const Fault& fault) {
+    why = fault.what();
+  }
+  EXPECT_THAT(why, HasSubstr("agreed to version 2 of the protocol too late"));
 }
 
 }  // namespace
