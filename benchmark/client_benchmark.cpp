@@ -11,7 +11,7 @@
 #include "client/counters.h"
 #include "client/notifier.h"
 #include "client/reply_parser.h"
-#include "client/session.h"
+#include "client/version1_session.h"
 #include "jpeg_decoder.h"
 #include "test_pictures.h"
 
@@ -83,13 +83,16 @@ BENCHMARK(BM_Inspect);
 void BM_Session(benchmark::State& state) {
   const Bytes stream = makeStream();
   const auto now = aibo_driver::Session::TimePoint() + std::chrono::hours(1);
-  const aibo_driver::Notifier notifier(
-      {[](const aibo_driver::PicturePtr& p) { benchmark::DoNotOptimize(p.get()); }, nullptr, nullptr, nullptr});
+  aibo_driver::RcServerClient::Callbacks callbacks;
+  callbacks.on_picture = [](const aibo_driver::PicturePtr& p) { benchmark::DoNotOptimize(p.get()); };
+  const aibo_driver::Notifier notifier(callbacks);
   aibo_driver::Counters counters;
-  aibo_driver::Session session("robot", std::chrono::milliseconds(500), notifier, counters, now);
-  aibo_driver::StreamWish wish;
+  aibo_driver::ServerHabits habits;
+  aibo_driver::Version1Session session({"robot", std::chrono::milliseconds(500), notifier, counters}, habits,
+                                       aibo_driver::Version1Session::VersionAnswer::kNotAsked, now);
+  aibo_driver::Wish wish;
   wish.streaming = true;
-  session.nextCommand(wish, now);
+  session.nextRequest(wish, now);
   while (state.KeepRunningBatch(kPictures)) {
     feedInReads(stream, [&](const std::uint8_t* data, std::size_t size) { session.bytesArrived(data, size, now); });
   }

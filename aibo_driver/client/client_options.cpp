@@ -20,6 +20,7 @@ void checkClientOptions(const ClientOptions& options) {
   constexpr long long kMinute = 60000;  // ms
   checkRange("port", options.port, 1, 65535);
   checkRange("jpeg_quality", options.jpeg_quality, 1, 100);
+  checkRange("protocol_version", options.protocol_version, 0, 1);
   checkRange("connect_timeout", options.connect_timeout.count(), 50, kMinute, " ms");
   checkRange("read_timeout", options.read_timeout.count(), 50, kMinute, " ms");
   checkRange("reconnect_wait_max", options.reconnect_wait_max.count(), 10, kMinute, " ms");

@@ -20,6 +20,8 @@ struct Counters {
   std::atomic<std::uint64_t> unexpected_pictures{0};
   std::atomic<std::uint64_t> stale_pictures{0};
   std::atomic<std::uint64_t> bytes_received{0};
+  std::atomic<std::uint64_t> telemetry{0};
+  std::atomic<std::uint64_t> refusals{0};
 
   ClientStatistics snapshot() const {
     ClientStatistics result;
@@ -32,6 +34,8 @@ struct Counters {
     result.unexpected_pictures = unexpected_pictures;
     result.stale_pictures = stale_pictures;
     result.bytes_received = bytes_received;
+    result.telemetry = telemetry;
+    result.refusals = refusals;
     return result;
   }
 };

@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "aibo_driver/rcserver_client.h"
 
@@ -18,6 +19,12 @@ class Notifier {
   void picture(const PicturePtr& picture) const noexcept { call(callbacks_.on_picture, "on_picture", picture); }
   void status(const ConnectionStatus& status) const noexcept { call(callbacks_.on_status, "on_status", status); }
   void streaming(bool streaming) const noexcept { call(callbacks_.on_streaming, "on_streaming", streaming); }
+  void telemetry(const Telemetry& telemetry) const noexcept {
+    call(callbacks_.on_telemetry, "on_telemetry", telemetry);
+  }
+  void jointsAccepted(const std::vector<JointTarget>& targets) const noexcept {
+    call(callbacks_.on_joints_accepted, "on_joints_accepted", targets);
+  }
 
   void log(LogLevel level, const std::string& message) const noexcept {
     try {

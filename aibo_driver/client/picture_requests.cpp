@@ -13,23 +13,23 @@ PictureRequests::TimePoint PictureRequests::nextDeadline() const {
 }
 
 void PictureRequests::answerFront(const PicturePtr& picture) {
-  requests_.front().promise.set_value({PictureAnswer::Outcome::kTaken, picture, false, ""});
+  requests_.front().answer(picture, false);
   requests_.pop_front();
 }
 
 void PictureRequests::answerFromStream(const PicturePtr& picture) {
   while (!requests_.empty() && requests_.front().since < picture->first_byte_time) {
-    requests_.front().promise.set_value({PictureAnswer::Outcome::kTaken, picture, true, ""});
+    requests_.front().answer(picture, true);
     requests_.pop_front();
   }
 }
 
-void PictureRequests::failFront(PictureAnswer::Outcome outcome, const std::string& problem) {
-  requests_.front().promise.set_value({outcome, nullptr, false, problem});
+void PictureRequests::failFront(CallOutcome outcome, const std::string& problem) {
+  requests_.front().fail(outcome, problem);
   requests_.pop_front();
 }
 
-void PictureRequests::failAll(PictureAnswer::Outcome outcome, const std::string& problem) {
+void PictureRequests::failAll(CallOutcome outcome, const std::string& problem) {
   while (!requests_.empty()) {
     failFront(outcome, problem);
   }
@@ -39,8 +39,8 @@ void PictureRequests::expire(TimePoint now, const std::string& remark) {
   const auto first_expired = std::stable_partition(requests_.begin(), requests_.end(),
                                                    [now](const PictureRequest& each) { return each.deadline > now; });
   for (auto request = first_expired; request != requests_.end(); ++request) {
-    const std::string problem = "no picture within " + std::to_string(request->timeout.count()) + " ms" + remark;
-    request->promise.set_value({PictureAnswer::Outcome::kTimeout, nullptr, false, problem});
+    request->fail(CallOutcome::kTimeout,
+                  "no picture within " + std::to_string(request->timeout.count()) + " ms" + remark);
   }
   requests_.erase(first_expired, requests_.end());
 }

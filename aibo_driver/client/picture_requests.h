@@ -8,32 +8,36 @@
 #include <string>
 
 #include "aibo_driver/picture.h"
+#include "client/call_outcome.h"
 
 namespace aibo_driver {
 
-/// What RcServerClient::takePicture() waits for: a picture, or why there is none. A failure is a value until it has
-/// reached the caller's thread, and is thrown there.
+/// What RcServerClient::takePicture() waits for: a picture, or why there is none.
 struct PictureAnswer {
-  enum class Outcome { kTaken, kTimeout, kRefused, kConnectionLost, kStopped };
-
-  Outcome outcome = Outcome::kTaken;
-  PicturePtr picture;        ///< null unless taken
+  CallOutcome outcome = CallOutcome::kDone;
+  PicturePtr picture;        ///< null unless done
   bool from_stream = false;  ///< taken from the running stream
-  std::string problem;       ///< empty if taken
+  std::string problem;       ///< empty if done
 };
 
 /// A call of RcServerClient::takePicture() that is in progress.
 struct PictureRequest {
+  using Answer = PictureAnswer;
   using TimePoint = std::chrono::steady_clock::time_point;
 
   int quality = 0;                       ///< 0..100; 0 = the stream's
   std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
   TimePoint since;                       ///< pictures of the stream that began before are too old for it
   TimePoint deadline;                    ///< the caller waits no longer
-  std::promise<PictureAnswer> promise;
+  std::promise<Answer> promise;
+
+  void answer(const PicturePtr& picture, bool from_stream) {
+    promise.set_value({CallOutcome::kDone, picture, from_stream, ""});
+  }
+  void fail(CallOutcome outcome, const std::string& problem) { promise.set_value({outcome, nullptr, false, problem}); }
 };
 
-/// The requests that are waiting, first come first served.
+/// The requests that wait for a version 1 server, first come first served: its pictures do not say what they answer.
 class PictureRequests {
  public:
   using TimePoint = PictureRequest::TimePoint;
@@ -52,10 +56,10 @@ class PictureRequests {
   void answerFromStream(const PicturePtr& picture);
 
   /// The first request will not be answered.
-  void failFront(PictureAnswer::Outcome outcome, const std::string& problem);
+  void failFront(CallOutcome outcome, const std::string& problem);
 
   /// None of the requests will be answered.
-  void failAll(PictureAnswer::Outcome outcome, const std::string& problem);
+  void failAll(CallOutcome outcome, const std::string& problem);
 
   /// Ends the requests whose deadline has passed.
   /// @param remark added to the problem; may be empty

@@ -3,8 +3,8 @@
 #include <array>
 #include <exception>
 #include <future>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <random>
 #include <thread>
 #include <utility>
@@ -19,7 +19,10 @@
 #include "client/reconnect_backoff.h"
 #include "client/session.h"
 #include "client/tcp_transport.h"
-#include "protocol/version1.h"
+#include "client/version1_session.h"
+#include "client/version2_session.h"
+#include "client/version_negotiation.h"
+#include "protocol/version2.h"
 
 namespace aibo_driver {
 
@@ -28,13 +31,37 @@ using std::chrono::steady_clock;
 
 namespace {
 
-constexpr int kProtocolVersion = 1;
-constexpr milliseconds kLongestPictureTimeout{3600 * 1000};
+constexpr milliseconds kLongestTimeout{3600 * 1000};
 // A connection closed this soon, before a single byte, was not meant for us.
 constexpr milliseconds kTurnedAwayTime{1000};
 
+// Who is there changes only together with the state.
 bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
-  return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason && a.advice == b.advice;
+  return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason &&
+         a.advice == b.advice && a.robot_message == b.robot_message;
+}
+
+/// Calls that have come in and that the client's thread has not seen yet.
+struct News {
+  std::vector<PictureRequest> pictures;
+  std::vector<MotorRequest> motors;
+  JointCommands joint_commands;
+};
+
+/// Throws what a call has failed with, if it has.
+void throwUnlessDone(CallOutcome outcome, const std::string& problem) {
+  switch (outcome) {
+    case CallOutcome::kDone:
+      break;
+    case CallOutcome::kTimeout:
+      throw TimeoutException(problem);
+    case CallOutcome::kRefused:
+      throw CommandException(problem);
+    case CallOutcome::kConnectionLost:
+      throw NetworkException(problem);
+    case CallOutcome::kStopped:
+      throw StoppedException(problem);
+  }
 }
 
 }  // namespace
@@ -88,6 +115,15 @@ class RcServerClient::Implementation {
     wish_.jpeg_quality = quality;
   }
 
+  void setTelemetryPeriod(int frames) {
+    checkRange("telemetry period", frames, 0, 65535, " frames");
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      wish_.telemetry_period = frames;
+    }
+    transport_->wakeUp();
+  }
+
   bool streaming() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return streaming_;
@@ -102,32 +138,72 @@ class RcServerClient::Implementation {
 
   PictureAnswer takePicture(int quality, milliseconds timeout) {
     checkRange("quality", quality, 0, 100);
-    checkRange("timeout", timeout.count(), 1, kLongestPictureTimeout.count(), " ms");
     PictureRequest request;
     request.quality = quality;
+    return call(std::move(request), timeout, &News::pictures, "takePicture()");
+  }
+
+  MotorAnswer setMotors(bool on, milliseconds timeout) {
+    MotorRequest request;
+    request.on = on;
+    return call(std::move(request), timeout, &News::motors, "setMotors()");
+  }
+
+  void commandJoints(const std::vector<JointTarget>& targets, milliseconds duration) {
+    checkJointTargets(targets, duration);
+    tellJoints(protocol::version2::REQUEST_JOINTS, JointCommand{duration, targets});
+  }
+
+  void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
+    checkJointSpeedLimits(limits);
+    tellJoints(protocol::version2::REQUEST_SPEED_LIMITS, limits);
+  }
+
+ private:
+  /// Hands a request to the client's thread, and waits for its answer.
+  template <typename Request>
+  typename Request::Answer call(Request request, milliseconds timeout, std::vector<Request> News::*queue,
+                                const std::string& name) {
+    checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
     request.timeout = timeout;
     request.deadline = steady_clock::now() + timeout;
-    std::future<PictureAnswer> answer = request.promise.get_future();
-    submit(std::move(request));
+    std::future<typename Request::Answer> answer = request.promise.get_future();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      requireConnection();
+      if (std::this_thread::get_id() == client_thread_) {
+        throw Exception(name + " cannot be called from a callback: it would wait for itself");
+      }
+      (news_.*queue).push_back(std::move(request));
+    }
     transport_->wakeUp();
     return answer.get();
   }
 
- private:
-  void submit(PictureRequest request) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+  template <typename Command>
+  void tellJoints(char request, const Command& command) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      requireConnection();
+      if (status_.protocol_version > 1 && !status_.robot.hasCapability(std::string(1, request))) {
+        throw CommandException(address_ + " (" + status_.robot.server + ") does not take the request '" + request +
+                               "': it has no joints that could be told to move");
+      }
+      news_.joint_commands.add(command);
+    }
+    transport_->wakeUp();
+  }
+
+  // With mutex_ locked.
+  void requireConnection() const {
     if (stopped_) {
       throw StoppedException("the client was stopped");
-    }
-    if (std::this_thread::get_id() == client_thread_) {
-      throw Exception("takePicture() cannot be called from a callback: it would wait for itself");
     }
     if (status_.state != ConnectionState::kConnected) {
       throw NetworkException(status_.reason.empty()
                                  ? "not connected to " + address_ + " yet; try again in a moment"
                                  : "no connection to the robot: " + status_.reason + ". " + status_.advice);
     }
-    new_requests_.push_back(std::move(request));
   }
 
   bool isStopped() const {
@@ -154,7 +230,7 @@ class RcServerClient::Implementation {
         onFault(Fault::internal(error.what()));
       }
     }
-    endConnection("the client was stopped", "", PictureAnswer::Outcome::kStopped);
+    endConnection("the client was stopped", "", CallOutcome::kStopped);
   }
 
   // Comes back only by an exception.
@@ -165,11 +241,13 @@ class RcServerClient::Implementation {
     transport_->connect(options_.host, options_.port, attempt_began_ + options_.connect_timeout);
     ++counters_.connections;
     connected_ = steady_clock::now();
-    session_.emplace(address_, options_.read_timeout, notifier_, counters_, connected_);
-    updateStatus([](ConnectionStatus& status) {
-      status.state = ConnectionState::kConnected;
-      status.protocol_version = kProtocolVersion;
-    });
+    heard_ = false;
+    beginSession();
+    while (!session_->ready()) {
+      talk();
+      listen();
+    }
+    onReady();
     while (!session_->settled()) {
       talk();
       listen();
@@ -181,6 +259,43 @@ class RcServerClient::Implementation {
     }
   }
 
+  // Finds out which version of the protocol the server speaks.
+  void beginSession() {
+    const SessionContext context = {address_, options_.read_timeout, notifier_, counters_};
+    if (options_.protocol_version == 1) {
+      begin<Version1Session>(context, habits_, Version1Session::VersionAnswer::kNotAsked, connected_);
+      return;
+    }
+    const VersionNegotiation negotiation = negotiate();
+    switch (negotiation.result()) {
+      case VersionNegotiation::Result::kVersion2:
+        begin<Version2Session>(context, connected_);
+        break;
+      case VersionNegotiation::Result::kVersion1:
+        begin<Version1Session>(context, habits_, Version1Session::VersionAnswer::kRefused, connected_);
+        break;
+      default:
+        begin<Version1Session>(context, habits_, Version1Session::VersionAnswer::kOwed, connected_);
+    }
+    session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), steady_clock::now());
+  }
+
+  VersionNegotiation negotiate() {
+    send(VersionNegotiation::request());
+    VersionNegotiation negotiation(steady_clock::now());
+    while (negotiation.result() == VersionNegotiation::Result::kOpen) {
+      const bool readable = transport_->wait(negotiation.deadline());
+      negotiation.bytesArrived(buffer_.data(), readable ? receive() : 0);
+      negotiation.checkDeadline(steady_clock::now());
+    }
+    return negotiation;
+  }
+
+  template <typename SomeSession, typename... Arguments>
+  void begin(Arguments&&... arguments) {
+    session_ = std::make_unique<SomeSession>(std::forward<Arguments>(arguments)...);
+  }
+
   void pauseUntil(TimePoint end) {
     while (steady_clock::now() < end) {
       transport_->wait(end);
@@ -189,42 +304,61 @@ class RcServerClient::Implementation {
 
   void talk() {
     const TimePoint now = steady_clock::now();
-    const StreamWish wish = takeNews(now);
-    if (const auto command = session_->nextCommand(wish, now)) {
-      std::array<unsigned char, protocol::BASIC_COMMAND_SIZE> bytes;
-      protocol::encodeCommand(*command, bytes.data());
-      transport_->send(bytes.data(), bytes.size());
+    const Wish wish = takeNews(now);
+    for (Session::Bytes bytes; !(bytes = session_->nextRequest(wish, now)).empty();) {
+      send(bytes);
       updateStreaming(session_->streaming());
     }
   }
 
-  /// Hands new calls of takePicture() to the session.
-  /// @return what is wanted of the stream now
-  StreamWish takeNews(TimePoint now) {
-    std::vector<PictureRequest> requests;
-    StreamWish wish;
+  void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }
+
+  /// Hands new calls to the session.
+  /// @return what is wanted now
+  Wish takeNews(TimePoint now) {
+    News news;
+    Wish wish;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      requests.swap(new_requests_);
+      news = std::exchange(news_, News());
       wish = wish_;
     }
-    for (PictureRequest& request : requests) {
+    for (PictureRequest& request : news.pictures) {
       session_->add(std::move(request), now);
     }
+    for (MotorRequest& request : news.motors) {
+      session_->add(std::move(request));
+    }
+    session_->add(news.joint_commands);
     return wish;
   }
 
   void listen() {
     const bool readable = transport_->wait(session_->nextDeadline());
     const TimePoint now = steady_clock::now();
-    const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+    const std::size_t size = readable ? receive() : 0;
     if (size > 0) {
       session_->bytesArrived(buffer_.data(), size, now);
+      updateStatus([this](ConnectionStatus& status) { status.robot_message = session_->robotMessage(); });
     }
     if (size < buffer_.size()) {
       session_->foundEmpty(now);
     }
     session_->checkDeadlines(now);
+  }
+
+  std::size_t receive() {
+    const std::size_t size = transport_->receive(buffer_.data(), buffer_.size());
+    heard_ = heard_ || size > 0;
+    return size;
+  }
+
+  void onReady() {
+    updateStatus([this](ConnectionStatus& status) {
+      status.state = ConnectionState::kConnected;
+      status.protocol_version = session_->protocolVersion();
+      status.robot = session_->robot();
+    });
   }
 
   // The connection works: what was wrong before is over.
@@ -243,30 +377,35 @@ class RcServerClient::Implementation {
     const bool silent = fault.kind() == FaultKind::kSilent;
     counters_.stalls += silent ? 1 : 0;
     counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;
-    counters_.failed_attempts += session_ ? 0 : 1;
+    counters_.failed_attempts += established() ? 0 : 1;
     // An attempt that took its time needs no pause after it.
-    next_attempt_ = (session_ ? steady_clock::now() : attempt_began_) + backoff_.next();
+    next_attempt_ = (established() ? steady_clock::now() : attempt_began_) + backoff_.next();
     if (fault.what() != logged_reason_) {
       logged_reason_ = fault.what();
       notifier_.log(LogLevel::kWarn, "No connection to the robot: " + logged_reason_ + ". " + fault.advice() +
                                          " Trying again until it works.");
     }
-    endConnection(fault.what(), fault.advice(),
-                  silent ? PictureAnswer::Outcome::kTimeout : PictureAnswer::Outcome::kConnectionLost);
+    endConnection(fault.what(), fault.advice(), silent ? CallOutcome::kTimeout : CallOutcome::kConnectionLost);
   }
 
   bool wasTurnedAway(const Fault& fault) const {
-    return fault.kind() == FaultKind::kClosed && session_ && session_->silentSoFar() &&
+    return fault.kind() == FaultKind::kClosed && established() && !heard_ &&
            steady_clock::now() - connected_ < kTurnedAwayTime;
   }
 
-  // Calls of takePicture() that are in progress end with `outcome`; later ones are refused because of the status.
-  void endConnection(const std::string& reason, const std::string& advice, PictureAnswer::Outcome outcome) {
+  /// True from the end of a successful attempt to connect to the end of the connection.
+  bool established() const { return connected_ != TimePoint::max(); }
+
+  // Calls that are in progress end with `outcome`, and commands to the joints that have not been sent never will be;
+  // later ones are refused because of the status.
+  void endConnection(const std::string& reason, const std::string& advice, CallOutcome outcome) {
     transport_->close();
+    connected_ = TimePoint::max();
     updateStreaming(false);
     updateStatus([&](ConnectionStatus& status) {
       status.state = ConnectionState::kDisconnected;
       status.protocol_version = 0;
+      status.robot = RobotInfo();
       status.reason = reason;
       status.advice = advice;
     });
@@ -314,15 +453,17 @@ class RcServerClient::Implementation {
   mutable std::mutex mutex_;  // guards what follows
   bool stopped_ = false;
   bool streaming_ = false;
-  StreamWish wish_;
+  Wish wish_;
   ConnectionStatus status_;
-  std::vector<PictureRequest> new_requests_;  // calls of takePicture() that the session does not know yet
+  News news_;
   std::thread::id client_thread_;
 
   // Used by the client's thread alone.
-  std::optional<Session> session_;  // there while connected
-  TimePoint connected_;             // since when
-  TimePoint attempt_began_;         // the present or last one to connect
+  std::unique_ptr<Session> session_;  // there once the version of the protocol is clear
+  ServerHabits habits_;
+  TimePoint connected_ = TimePoint::max();  // since when; max if not
+  bool heard_ = false;                      // the server has sent something
+  TimePoint attempt_began_;                 // the present or last one to connect
   TimePoint next_attempt_;
   ReconnectBackoff backoff_;
   std::string logged_reason_;  // the reason that was logged last; empty since a connection has worked
@@ -364,38 +505,29 @@ bool RcServerClient::streaming() const {
 
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, bool* from_stream) {
   const PictureAnswer answer = implementation_->takePicture(quality, timeout);
-  switch (answer.outcome) {
-    case PictureAnswer::Outcome::kTaken:
-      break;
-    case PictureAnswer::Outcome::kTimeout:
-      throw TimeoutException(answer.problem);
-    case PictureAnswer::Outcome::kRefused:
-      throw CommandException(answer.problem);
-    case PictureAnswer::Outcome::kConnectionLost:
-      throw NetworkException(answer.problem);
-    case PictureAnswer::Outcome::kStopped:
-      throw StoppedException(answer.problem);
-  }
+  throwUnlessDone(answer.outcome, answer.problem);
   if (from_stream != nullptr) {
     *from_stream = answer.from_stream;
   }
   return answer.picture;
 }
 
-void RcServerClient::commandJoints(const std::vector<JointTarget>&, milliseconds) {
-  throw CommandException("a server of version 1 of the protocol is not told to move joints yet");
+void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration) {
+  implementation_->commandJoints(targets, duration);
 }
 
-void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>&) {
-  throw CommandException("a server of version 1 of the protocol is not told speed limits yet");
+void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
+  implementation_->setJointSpeedLimits(limits);
 }
 
-bool RcServerClient::setMotors(bool, milliseconds) {
-  throw CommandException("the robot's server speaks version 1 of the protocol, which cannot switch the motors");
+bool RcServerClient::setMotors(bool on, milliseconds timeout) {
+  const MotorAnswer answer = implementation_->setMotors(on, timeout);
+  throwUnlessDone(answer.outcome, answer.problem);
+  return answer.on;
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {
-  checkRange("telemetry period", frames, 0, 65535, " frames");
+  implementation_->setTelemetryPeriod(frames);
 }
 
 ConnectionStatus RcServerClient::status() const {

@@ -5,45 +5,64 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "aibo_driver/robot_info.h"
 #include "client/counters.h"
+#include "client/joint_commands.h"
+#include "client/motor_request.h"
 #include "client/notifier.h"
 #include "client/picture_requests.h"
-#include "client/reply_parser.h"
 #include "client/stall_detector.h"
 #include "client/stream_control.h"
-#include "protocol/version1.h"
 
 namespace aibo_driver {
 
-/// What the user wants of the stream, connected or not.
-struct StreamWish {
+/// What the user wants all the time, connected or not.
+struct Wish {
   bool streaming = false;
-  int jpeg_quality = 0;  ///< 1..100
+  int jpeg_quality = 0;      ///< 1..100, of the stream
+  int telemetry_period = 0;  ///< OPEN-R frames of 8 ms; 0 = no telemetry
 };
 
-/// One connection to a version 1 server, from its beginning to its end: what to send, what to make of what arrives, and
-/// when to give up. It does no I/O and reads no clock: bytes and times are handed in. Used by one thread.
-class Session final : private ReplyHandler {
+/// What sessions need to know of the client they belong to.
+struct SessionContext {
+  std::string address;                     ///< of the server, for messages
+  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture and is silent for so long is given up
+  const Notifier& notifier;
+  Counters& counters;
+};
+
+/// One connection to a server, from the moment the version of the protocol is clear to its end: what to send, what to
+/// make of what arrives, and when to give up. It does no I/O and reads no clock: bytes and times are handed in. Used by
+/// one thread.
+class Session {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
+  using Bytes = std::vector<std::uint8_t>;
 
-  /// @param address of the server, for messages
-  /// @param read_timeout a server that owes a picture and is silent for so long is given up
-  Session(std::string address, std::chrono::milliseconds read_timeout, const Notifier& notifier, Counters& counters,
-          TimePoint connected);
+  virtual ~Session() = default;
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   /// Takes over a call of takePicture().
-  void add(PictureRequest request, TimePoint now);
+  virtual void add(PictureRequest request, TimePoint now) = 0;
 
-  /// Ends all calls of takePicture().
-  void failRequests(PictureAnswer::Outcome outcome, const std::string& problem) { requests_.failAll(outcome, problem); }
+  /// Takes over a call of setMotors().
+  virtual void add(MotorRequest request) = 0;
 
-  /// The command to send now, if any; taken for sent. Asked for whenever anything may have changed.
-  std::optional<protocol::BasicGetCommand> nextCommand(const StreamWish& wish, TimePoint now);
+  /// Takes over commands to the joints.
+  void add(const JointCommands& commands) { joint_commands_.append(commands); }
+
+  /// Ends all calls that are waiting.
+  virtual void failRequests(CallOutcome outcome, const std::string& problem) = 0;
+
+  /// The request to send now, taken for sent; empty if there is none. To be asked for until there is none, whenever
+  /// anything may have changed. A request is to be sent by one call: some servers tell requests apart by how many bytes
+  /// come at once.
+  virtual Bytes nextRequest(const Wish& wish, TimePoint now) = 0;
 
   /// Bytes were read at this time.
   /// @throw Fault the peer has broken the protocol
@@ -53,46 +72,100 @@ class Session final : private ReplyHandler {
   void foundEmpty(TimePoint now) { stall_detector_.foundEmpty(now); }
 
   /// To be called when nextDeadline() has passed and what had arrived until then has been handed in.
-  /// @throw Fault a picture was due and did not come
-  void checkDeadlines(TimePoint now);
+  /// @throw Fault something was due and did not come
+  virtual void checkDeadlines(TimePoint now) = 0;
 
-  /// When to call foundEmpty() or bytesArrived(), checkDeadlines() and nextCommand() again at the latest.
-  TimePoint nextDeadline() const;
+  /// When to call foundEmpty() or bytesArrived(), checkDeadlines() and nextRequest() again at the latest.
+  virtual TimePoint nextDeadline() const = 0;
 
   /// True while the server has been told to stream.
   bool streaming() const { return stream_.on(); }
 
-  /// True once the connection is known to work: it has delivered, or it stands for a while with nothing due.
-  bool settled() const { return settled_; }
+  /// True once requests can be made, and robot() is known.
+  virtual bool ready() const = 0;
 
-  /// True if the server has never sent anything.
-  bool silentSoFar() const { return !heard_; }
+  /// True once the connection is known to work: it has delivered, or it stands for a while with nothing due.
+  virtual bool settled() const = 0;
+
+  virtual int protocolVersion() const = 0;
+
+  /// Who is there.
+  const RobotInfo& robot() const { return robot_; }
+
+  /// What the robot has last reported by itself; empty if nothing.
+  const std::string& robotMessage() const { return robot_message_; }
+
+ protected:
+  using MutablePicturePtr = std::shared_ptr<Picture>;
+
+  Session(const SessionContext& context, TimePoint connected);
+
+  /// Takes the bytes apart.
+  /// @throw ProtocolException no server of this version sends that
+  virtual void parse(const std::uint8_t* data, std::size_t size) = 0;
+
+  const std::string& address() const { return context_.address; }
+  const Notifier& notifier() const { return context_.notifier; }
+  Counters& counters() const { return context_.counters; }
+  /// When the bytes that are being taken apart were read.
+  TimePoint now() const { return now_; }
+
+  /// The stream is told to start or to stop, whichever it has not been told last.
+  void toggleStream(TimePoint now);
+  const StreamControl& stream() const { return stream_; }
+  StreamControl& stream() { return stream_; }
+
+  /// Turns the robot's bytes into a picture.
+  /// @return null if it is damaged, which is counted and logged
+  MutablePicturePtr inspect(Bytes jpeg, TimePoint first_byte_time);
+
+  /// Counts a picture that nobody has asked for.
+  /// @throw Fault the stream should have ended long ago
+  void dropUnexpected();
+
+  /// Gives a picture to the client's owner.
+  void publish(const PicturePtr& picture);
+
+  /// The same with a picture of the stream, unless it has waited unread for too long.
+  /// @return false if it has
+  bool publishFromStream(const PicturePtr& picture);
+
+  /// What was wrong with the last damaged picture, to be added to a message; "." if there was none.
+  std::string damageRemark() const;
+
+  /// A picture is coming, or was asked for just now.
+  void signOfPicture(TimePoint now) { last_picture_sign_ = now; }
+
+  /// When a picture is overdue that is due now.
+  TimePoint pictureSilenceLimit() const { return last_picture_sign_ + context_.read_timeout; }
+  /// @throw Fault always
+  [[noreturn]] void failSilent() const;
+
+  /// An answer that takes longer will not come.
+  std::chrono::milliseconds answerLimit() const;
+
+  /// When the stall detector wants to look at the socket again.
+  TimePoint nextLook() const { return stream_.on() ? stall_detector_.nextLook() : TimePoint::max(); }
+
+  /// Counts a request that the robot refused, and logs it, but not again and again.
+  void noteRefusal(const std::string& problem);
+  /// Gives the joints that were accepted to the client's owner.
+  void publishAccepted(const std::vector<JointTarget>& targets);
+  /// Gives telemetry to the client's owner.
+  void publish(const Telemetry& telemetry);
+
+  JointCommands joint_commands_;
+  RobotInfo robot_;
+  std::string robot_message_;
 
  private:
-  void onPicture(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time) override;
-  void onValueReply(const protocol::ValueReply& reply) override;
-  void onDamagedPicture(const std::string& problem);
-  void deliver(const PicturePtr& picture);
-  bool pictureDue() const;
-  TimePoint silenceLimit() const;
-  bool mayRequestPicture(TimePoint now) const;
-
-  const std::string address_;
-  const std::chrono::milliseconds read_timeout_;
-  const Notifier& notifier_;
-  Counters& counters_;
-  const TimePoint connected_;
-
-  ReplyParser parser_;
+  const SessionContext context_;
   StreamControl stream_;
   StallDetector stall_detector_;
-  PictureRequests requests_;
-  bool picture_owed_ = false;  // `F` has been sent for the first request and not been answered
-  TimePoint last_sign_;        // when the server last sent something, or was last asked for pictures
-  TimePoint now_;              // of the bytes that are being parsed
-  bool heard_ = false;
-  bool settled_ = false;
+  TimePoint last_picture_sign_;
+  TimePoint now_;
   std::string last_damage_;
+  std::string last_refusal_;
 };
 
 }  // namespace aibo_driver

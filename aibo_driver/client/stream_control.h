@@ -6,8 +6,9 @@
 
 namespace aibo_driver {
 
-/// Keeps track of a version 1 server's stream, which one and the same request starts and stops, and which is never
-/// acknowledged: on or off follows from the number of toggles sent over this connection. A new connection is off.
+/// Keeps track of whether the server has been told to stream. For a version 1 server that is all there is: one and the
+/// same request starts and stops the stream and is never acknowledged, so on or off follows from the number of toggles
+/// sent over this connection. A new connection is off.
 class StreamControl {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

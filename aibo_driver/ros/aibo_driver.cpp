@@ -38,7 +38,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
       client_(parameters_.client, makeCallbacks()),
       services_(handle_, parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
-      diagnostics_(handle_, private_handle, name, {parameters_.client, client_, policy_, meter_, raw_images_}) {
+      joints_(handle_, parameters_, client_),
+      diagnostics_(handle_, private_handle, name, {parameters_, client_, policy_, meter_, raw_images_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
   policy_.start();
   client_.start();
@@ -51,8 +52,9 @@ AiboDriver::~AiboDriver() {
 RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   RcServerClient::Callbacks callbacks;
   callbacks.on_picture = [this](const PicturePtr& picture) { publishPicture(*picture); };
-  callbacks.on_status = [this](const ConnectionStatus& status) { connection_.publish(status); };
+  callbacks.on_status = [this](const ConnectionStatus& status) { updateConnection(status); };
   callbacks.on_streaming = [this](bool streaming) { services_.publishStreaming(streaming); };
+  callbacks.on_telemetry = [this](const Telemetry& telemetry) { joints_.publishTelemetry(telemetry); };
   callbacks.log = makeRosLogSink();
   return callbacks;
 }
@@ -60,6 +62,11 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
 void AiboDriver::publishPicture(const Picture& picture) {
   raw_images_.publish(camera_.publish(picture));
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
+}
+
+void AiboDriver::updateConnection(const ConnectionStatus& status) {
+  connection_.publish(status);
+  joints_.updateConnection(status);
 }
 
 bool AiboDriver::cameraHasSubscribers() const {

@@ -11,6 +11,7 @@
 #include "connection_publisher.h"
 #include "driver_diagnostics.h"
 #include "driver_parameters.h"
+#include "joint_interface.h"
 #include "raw_image_publisher.h"
 #include "stream_meter.h"
 #include "stream_policy.h"
@@ -37,6 +38,7 @@ class AiboDriver {
  private:
   RcServerClient::Callbacks makeCallbacks();
   void publishPicture(const Picture& picture);
+  void updateConnection(const ConnectionStatus& status);
   bool cameraHasSubscribers() const;
 
   // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
@@ -50,6 +52,7 @@ class AiboDriver {
   RawImagePublisher raw_images_;
   RcServerClient client_;
   StreamServices services_;
+  JointInterface joints_;
   DriverDiagnostics diagnostics_;
 };
 

@@ -29,9 +29,10 @@ const char* yesOrNo(bool value) {
 DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                      const std::string& name, const Sources& sources)
     : sources_(sources), updater_(handle, private_handle, name) {
-  updater_.setHardwareID(robotAddress(sources_.options));
+  updater_.setHardwareID(robotAddress(sources_.parameters.client));
   updater_.add("connection", this, &DriverDiagnostics::reportConnection);
   updater_.add("stream", this, &DriverDiagnostics::reportStream);
+  updater_.add("joints", this, &DriverDiagnostics::reportJoints);
   timer_ = ros::NodeHandle(handle).createSteadyTimer(ros::WallDuration(kPeriod),
                                                      [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
 }
@@ -43,9 +44,9 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   // Before the first attempt has ended nothing has gone wrong yet.
   const bool failed = !connected && !connection.reason.empty();
   const auto level = connected ? DiagnosticStatus::OK : failed ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
-  status.summary(level, describeConnection(connection, sources_.options));
-  status.add("host", sources_.options.host);
-  status.add("port", sources_.options.port);
+  status.summary(level, describeConnection(connection, sources_.parameters.client));
+  status.add("host", sources_.parameters.client.host);
+  status.add("port", sources_.parameters.client.port);
   status.add("protocol version", connection.protocol_version);
   status.add("reason", connection.reason);
   status.add("what to check", connection.advice);
@@ -95,6 +96,35 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("images decoded", raw.published);
   status.add("images not decodable", raw.decode_errors);
   status.add("images dropped for newer ones", raw.skipped);
+}
+
+void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
+  const ConnectionStatus connection = sources_.client.status();
+  const ClientStatistics client = sources_.client.statistics();
+  const auto now = std::chrono::steady_clock::now();
+  const double rate = static_cast<double>(client.telemetry - reported_telemetry_) /
+                      std::chrono::duration<double>(now - telemetry_reported_at_).count();
+  reported_telemetry_ = client.telemetry;
+  telemetry_reported_at_ = now;
+
+  if (connection.state != ConnectionState::kConnected) {
+    status.summary(DiagnosticStatus::WARN, "nothing is known of the joints: the robot is not connected");
+  } else if (!connection.robot_message.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
+  } else if (sources_.parameters.telemetry_period == 0) {
+    status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
+  } else if (rate > 0) {
+    status.summary(DiagnosticStatus::OK, oneDecimal(rate) + " measurements/s");
+  } else {
+    status.summary(DiagnosticStatus::WARN,
+                   "the robot does not tell where its joints are: does its RCServer know of joints?");
+  }
+  status.add("measurements per second", oneDecimal(rate));
+  status.add("measurements received", client.telemetry);
+  status.add("requests refused by the robot", client.refusals);
+  status.add("robot", connection.robot.design);
+  status.add("server", connection.robot.server);
+  status.add("said by the robot", connection.robot_message);
 }
 
 }  // namespace aibo_driver

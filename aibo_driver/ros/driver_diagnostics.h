@@ -6,23 +6,25 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
+#include "driver_parameters.h"
 #include "raw_image_publisher.h"
 #include "stream_meter.h"
 #include "stream_policy.h"
 
 namespace aibo_driver {
 
-/// Publishes /diagnostics once a second, by the wall's clock and whether or not pictures come: one status for the
-/// connection, one for the stream. A stream that is off, or that nobody has demanded, is no fault.
+/// Publishes /diagnostics once a second, by the wall's clock and whether or not pictures come: one status each for
+/// the connection, the stream and the joints. A stream that is off, or that nobody has demanded, is no fault.
 class DriverDiagnostics {
  public:
   /// What is reported on; all of it must outlive the DriverDiagnostics.
   struct Sources {
-    const ClientOptions& options;
+    const DriverParameters& parameters;
     const RcServerClient& client;
     const StreamPolicy& policy;
     StreamMeter& meter;
@@ -36,9 +38,12 @@ class DriverDiagnostics {
  private:
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportJoints(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   Sources sources_;
   std::uint64_t reported_damaged_ = 0;
+  std::uint64_t reported_telemetry_ = 0;
+  std::chrono::steady_clock::time_point telemetry_reported_at_ = std::chrono::steady_clock::now();
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer timer_;
 };

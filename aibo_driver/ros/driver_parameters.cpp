@@ -13,6 +13,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
+constexpr double kHighestTelemetryRate = 31.25;  // a second: the robot measures every 32 ms
+
 /// Reads one parameter after the other and remembers which names exist.
 class ParameterReader {
  public:
@@ -35,24 +37,31 @@ class ParameterReader {
     *out = number;
   }
 
-  /// A time in seconds.
-  template <typename Duration>
-  void read(const std::string& name, double minimum, double maximum, Duration* out) {
+  /// @param unit in words, after "a number of"
+  void read(const std::string& name, const std::string& unit, double minimum, double maximum, double* out) {
     std::ostringstream allowed;
-    allowed << "a number of seconds, " << minimum << ".." << maximum;
+    allowed << "a number of " << unit << ", " << minimum << ".." << maximum;
     XmlRpcValue value;
     if (!find(name, &value)) {
       return;
     }
-    double seconds = NAN;
+    double number = NAN;
     if (value.getType() == XmlRpcValue::TypeInt) {
-      seconds = static_cast<int>(value);
+      number = static_cast<int>(value);
     } else if (value.getType() == XmlRpcValue::TypeDouble) {
-      seconds = value;
+      number = value;
     }
-    if (!(seconds >= minimum && seconds <= maximum)) {
+    if (!(number >= minimum && number <= maximum)) {
       refuse(name, value, allowed.str());
     }
+    *out = number;
+  }
+
+  /// A time in seconds.
+  template <typename Duration>
+  void read(const std::string& name, double minimum, double maximum, Duration* out) {
+    double seconds = std::chrono::duration<double>(*out).count();
+    read(name, "seconds", minimum, maximum, &seconds);
     *out = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
   }
 
@@ -132,6 +141,16 @@ bool isWord(const std::string& text) {
   return !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
 }
 
+bool isRobot(const std::string& text) {
+  return text == "ERS-7" || text == "ERS-210";
+}
+
+// The nearest period that is not shorter than the robot's own of 4 frames.
+int telemetryPeriod(double rate) {
+  constexpr double kFramesPerSecond = 125;  // OPEN-R frames of 8 ms
+  return rate == 0 ? 0 : std::max(4, static_cast<int>(std::lround(kFramesPerSecond / rate)));
+}
+
 bool isFrame(const std::string& text) {
   return isWord(text) && text.front() != '/';
 }
@@ -172,6 +191,15 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("camera_name", "a name of letters, digits and underscores", isCameraName, &parameters.camera_name);
   reader.read("camera_info_url", "file:///FILE.yaml, package://PACKAGE/FILE.yaml or empty", isCameraInfoUrl,
               &parameters.camera_info_url);
+
+  reader.read("robot", "ERS-7 or ERS-210", isRobot, &parameters.robot);
+  double telemetry_rate = kHighestTelemetryRate;
+  reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &telemetry_rate);
+  parameters.telemetry_period = telemetryPeriod(telemetry_rate);
+  reader.read("joint_speed_limit", "rad/s", 0.1, 20.0, &parameters.joint_speed_limit);
+  reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
+  reader.read("slow_down", &parameters.slow_down);
+
   reader.addKnown("diagnostic_period");
   parameters.unknown = reader.unknown();
   return parameters;

@@ -24,6 +24,12 @@ struct DriverParameters {
   std::chrono::nanoseconds time_offset{0};               ///< added to every stamp; at most 60 s either way
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
 
+  std::string robot = "ERS-7";     ///< or "ERS-210": whose joints there are
+  int telemetry_period = 4;        ///< of joint_states, in OPEN-R frames of 8 ms; 0: none
+  double joint_speed_limit = 3.0;  ///< rad/s, 0.1..20; a joint that cannot move so fast has its own limit
+  double approach_speed = 0.5;     ///< rad/s, 0.05..20; of the first motion of each joint, see JointCommandFilter
+  bool slow_down = false;          ///< slow a trajectory down, instead of refusing it, if it is too fast
+
   std::vector<std::string> unknown;  ///< names that were given and that nobody reads: most likely misspelt
 };
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <string>
 #include <thread>
 
 #include "aibo_driver/exceptions.h"
@@ -19,6 +20,7 @@ class ClientFixture : public testing::Test {
   static aibo_driver::ClientOptions optionsFor(const ScriptedServer& server) {
     aibo_driver::ClientOptions options;
     options.port = server.port();
+    options.protocol_version = 1;
     options.connect_timeout = std::chrono::seconds(10);
     options.read_timeout = std::chrono::seconds(10);
     options.reconnect_wait_min = std::chrono::milliseconds(10);
@@ -45,6 +47,17 @@ class ClientFixture : public testing::Test {
     const protocol::BasicGetCommand command = peer->readCommand();
     EXPECT_EQ(letter, command.command);
     EXPECT_EQ(quality, command.identifier);
+  }
+
+  /// What the call complains about when it throws as expected.
+  template <typename Expected, typename Call>
+  static std::string complaintOf(const Call& call) {
+    try {
+      call();
+    } catch (const Expected& error) {
+      return error.what();
+    }
+    return "not thrown";
   }
 
   /// Waits until the condition holds.

@@ -34,6 +34,7 @@ TEST(ClientOptionsTest, ABadOptionIsNamedWithItsRange) {
   EXPECT_THAT(complaintAbout([](ClientOptions& o) { o.port = 65536; }), HasSubstr("port"));
   EXPECT_THAT(complaintAbout([](ClientOptions& o) { o.jpeg_quality = 0; }), HasSubstr("jpeg_quality"));
   EXPECT_THAT(complaintAbout([](ClientOptions& o) { o.jpeg_quality = 101; }), HasSubstr("1..100"));
+  EXPECT_THAT(complaintAbout([](ClientOptions& o) { o.protocol_version = 2; }), HasSubstr("protocol_version"));
   EXPECT_EQ("connect_timeout is 49 ms, but has to be 50..60000 ms",
             complaintAbout([](ClientOptions& o) { o.connect_timeout = milliseconds(49); }));
   EXPECT_THAT(complaintAbout([](ClientOptions& o) { o.read_timeout = milliseconds(60001); }),

@@ -23,6 +23,12 @@ class Recorder {
       change([&] { statuses_.push_back(status); });
     };
     callbacks.on_streaming = [this](bool streaming) { change([&] { streaming_.push_back(streaming); }); };
+    callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) {
+      change([&] { telemetry_.push_back(telemetry); });
+    };
+    callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
+      change([&] { accepted_.push_back(targets); });
+    };
     callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
     return callbacks;
   }
@@ -44,6 +50,14 @@ class Recorder {
         return status.reason.find(text) != std::string::npos && !status.advice.empty();
       });
     });
+  }
+
+  bool waitForTelemetry(std::size_t count) {
+    return waitFor([this, count] { return telemetry_.size() >= count; });
+  }
+
+  bool waitForAccepted(std::size_t count) {
+    return waitFor([this, count] { return accepted_.size() >= count; });
   }
 
   bool waitForLog(const std::string& text) {
@@ -94,6 +108,8 @@ class Recorder {
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::ConnectionStatus> statuses_;
   std::vector<bool> streaming_;
+  std::vector<aibo_driver::Telemetry> telemetry_;
+  std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
   std::vector<std::string> log_;
 };
 

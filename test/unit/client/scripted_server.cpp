@@ -56,6 +56,49 @@ std::optional<protocol::BasicGetCommand> ScriptedPeer::readCommandWithin(millise
   return protocol::decodeCommand(bytes);
 }
 
+ScriptedPeer::Bytes ScriptedPeer::read(std::size_t size) {
+  Bytes bytes;
+  while (bytes.size() < size) {
+    if (!readableWithin(socket_.get(), kPatience)) {
+      throw std::runtime_error("the client has sent nothing");
+    }
+    Bytes part(size - bytes.size());
+    const ssize_t count = ::recv(socket_.get(), part.data(), part.size(), 0);
+    if (count <= 0) {
+      throw std::runtime_error("the client has closed the connection");
+    }
+    bytes.insert(bytes.end(), part.begin(), part.begin() + count);
+  }
+  return bytes;
+}
+
+version2_frames::Frame ScriptedPeer::readFrame() {
+  const Bytes header = read(protocol::version2::FRAME_HEADER_SIZE);
+  version2_frames::Frame frame = {protocol::version2::decodeFrameHeader(header.data()), {}};
+  frame.payload = read(frame.header.payload_size);
+  return frame;
+}
+
+version2_frames::Frame ScriptedPeer::readRequest() {
+  for (;;) {
+    version2_frames::Frame frame = readFrame();
+    if (frame.header.kind != protocol::version2::REQUEST_HELLO) {
+      return frame;
+    }
+    send(version2_frames::makeFrame('h', frame.header.request_number, version2_frames::makeHello()));
+  }
+}
+
+void ScriptedPeer::agreeToVersion2(const std::string& capabilities) {
+  const protocol::BasicGetCommand question = readCommand();
+  if (question.command != protocol::REQUEST_NEWER_VERSION) {
+    throw std::runtime_error("the client has not asked for version 2");
+  }
+  send({'x', 2, 0, 0});
+  const int number = readFrame().header.request_number;
+  send(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities)));
+}
+
 void ScriptedPeer::send(const Bytes& bytes) {
   std::size_t sent = 0;
   while (sent < bytes.size()) {

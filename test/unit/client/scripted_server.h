@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "client/file_descriptor.h"
 #include "protocol/version1.h"
+#include "version2_frames.h"
 
 /// The server's end of one connection. Calls that wait throw std::runtime_error after a generous time.
 class ScriptedPeer {
@@ -24,6 +26,18 @@ class ScriptedPeer {
 
   /// The client's next command if it comes within this time; nothing if it does not.
   std::optional<protocol::BasicGetCommand> readCommandWithin(std::chrono::milliseconds time);
+
+  /// Waits for the client's next frame (version 2 of the protocol).
+  version2_frames::Frame readFrame();
+
+  /// Waits for the next frame that is no heartbeat, and answers heartbeats.
+  version2_frames::Frame readRequest();
+
+  /// Agrees to version 2 of the protocol, and says hello.
+  void agreeToVersion2(const std::string& capabilities = "F W J V T O");
+
+  /// Waits for so many bytes.
+  Bytes read(std::size_t size);
 
   void send(const Bytes& bytes);
 

@@ -24,16 +24,6 @@ class TakePictureTest : public ClientFixture {
   std::future<PicturePtr> takeInBackground(int quality, milliseconds timeout = seconds(20)) {
     return std::async(std::launch::async, [this, quality, timeout] { return client_.takePicture(quality, timeout); });
   }
-
-  template <typename Expected, typename Call>
-  static std::string complaintOf(const Call& call) {
-    try {
-      call();
-    } catch (const Expected& error) {
-      return error.what();
-    }
-    return "not thrown";
-  }
 };
 
 TEST_F(TakePictureTest, WithoutAStreamOnePictureOfTheGivenQualityIsTaken) {

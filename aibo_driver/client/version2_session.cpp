@@ -1,0 +1,417 @@
+#include "client/version2_session.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "aibo_driver/exceptions.h"
+#include "client/fault.h"
+#include "client/units.h"
+#include "protocol/hello.h"
+
+namespace aibo_driver {
+
+namespace version2 = protocol::version2;
+
+namespace {
+
+/// @throw ProtocolException if a decoder has found a problem
+void expectGood(const char* problem, const char* what) {
+  if (problem != nullptr) {
+    throw ProtocolException(std::string("bad ") + what + ": " + problem);
+  }
+}
+
+RobotInfo makeRobotInfo(const version2::Hello& hello) {
+  RobotInfo robot;
+  robot.design = hello.robot;
+  robot.server = hello.server;
+  std::istringstream words(hello.capabilities);
+  for (std::string word; words >> word;) {
+    robot.capabilities.push_back(word);
+  }
+  for (std::size_t i = 0; i < hello.joint_count; ++i) {
+    const version2::JointLimits& joint = hello.joints[i];
+    robot.joint_limits.push_back({joint.id, fromMicro(joint.lower), fromMicro(joint.upper), fromMicro(joint.speed)});
+  }
+  return robot;
+}
+
+}  // namespace
+
+Version2Session::Version2Session(const SessionContext& context, TimePoint connected)
+    : Session(context, connected),
+      buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
+      reader_(buffer_.data(), buffer_.size()),
+      next_hello_(connected) {}
+
+void Version2Session::add(PictureRequest request, TimePoint now) {
+  request.since = now;
+  pictures_.add(std::move(request));
+}
+
+void Version2Session::add(MotorRequest request) {
+  if (robot().hasCapability(std::string(1, version2::REQUEST_MOTORS))) {
+    motors_.add(std::move(request));
+  } else {
+    request.fail(CallOutcome::kRefused, address() + " (" + robot().server + ") cannot switch the motors on or off.");
+  }
+}
+
+void Version2Session::failRequests(CallOutcome outcome, const std::string& problem) {
+  pictures_.failAll(outcome, problem);
+  motors_.failAll(outcome, problem);
+}
+
+Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
+  if (now >= next_hello_) {
+    return requestHello(now);
+  }
+  if (!ready_) {
+    return {};
+  }
+  if (wish.streaming != stream().on() || (wish.streaming && wish.jpeg_quality != stream_quality_)) {
+    return requestStream(wish, now);
+  }
+  if (const PictureRequest* call = pictures_.firstUnsent()) {
+    return requestPicture(*call, wish);
+  }
+  if (const MotorRequest* call = motors_.firstUnsent()) {
+    return requestMotors(*call, now);
+  }
+  if (wish.telemetry_period != telemetry_period_) {
+    return requestTelemetry(wish, now);
+  }
+  return mayCommandJoints() ? nextJointRequest(now) : Bytes();
+}
+
+Session::Bytes Version2Session::requestHello(TimePoint now) {
+  next_hello_ = now + kHeartbeatPeriod;
+  return request(version2::REQUEST_HELLO, 0, nullptr, 0, now);
+}
+
+Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
+  if (wish.streaming != stream().on()) {
+    toggleStream(now);
+  }
+  stream_quality_ = wish.jpeg_quality;
+  unsigned char payload[version2::STREAM_SETTINGS_SIZE];
+  const std::size_t size = version2::encodeStreamSettings({wish.streaming, version2::LAYER_HIGH, 1}, payload);
+  return request(version2::REQUEST_STREAM, wish.jpeg_quality, payload, size, now);
+}
+
+Session::Bytes Version2Session::requestPicture(const PictureRequest& call, const Wish& wish) {
+  unsigned char payload[version2::PICTURE_REQUEST_SIZE];
+  const std::size_t size = version2::encodePictureRequest(version2::LAYER_HIGH, payload);
+  const int quality = call.quality == 0 ? wish.jpeg_quality : call.quality;
+  Bytes frame = makeFrame(version2::REQUEST_PICTURE, quality, payload, size);
+  pictures_.sent(last_number_);
+  return frame;
+}
+
+Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
+  telemetry_period_ = wish.telemetry_period;
+  unsigned char payload[version2::TELEMETRY_PERIOD_SIZE];
+  const auto frames = static_cast<unsigned short>(wish.telemetry_period);
+  return request(version2::REQUEST_TELEMETRY, 0, payload, version2::encodeTelemetryPeriod(frames, payload), now);
+}
+
+Session::Bytes Version2Session::requestMotors(const MotorRequest& call, TimePoint now) {
+  unsigned char payload[version2::MOTOR_STATE_SIZE];
+  const std::size_t size = version2::encodeMotorState(call.on, payload);
+  Bytes frame = request(version2::REQUEST_MOTORS, 0, payload, size, now);
+  motors_.sent(last_number_);
+  return frame;
+}
+
+bool Version2Session::mayCommandJoints() const {
+  return std::count_if(exchanges_.begin(), exchanges_.end(), [](const auto& each) {
+           const char kind = each.second.kind;
+           return kind == version2::REQUEST_JOINTS || kind == version2::REQUEST_SPEED_LIMITS;
+         }) < kMostJointCommandsOutstanding;
+}
+
+Session::Bytes Version2Session::nextJointRequest(TimePoint now) {
+  if (joint_commands_.hasSpeedLimits()) {
+    return requestSpeedLimits(now);
+  }
+  return joint_commands_.hasTargets() ? requestTargets(now) : Bytes();
+}
+
+Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
+  version2::SpeedLimits limits = {};
+  for (const JointSpeedLimit& limit : joint_commands_.takeSpeedLimits(version2::MAX_JOINTS)) {
+    limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
+  }
+  unsigned char payload[version2::MAX_SPEED_LIMITS_SIZE];
+  return request(version2::REQUEST_SPEED_LIMITS, 0, payload, version2::encodeSpeedLimits(limits, payload), now);
+}
+
+Session::Bytes Version2Session::requestTargets(TimePoint now) {
+  const JointCommand command = joint_commands_.takeCommand();
+  version2::JointTargets targets = {};
+  targets.duration_ms = static_cast<unsigned short>(command.duration.count());
+  for (const JointTarget& target : command.targets) {
+    targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
+  }
+  unsigned char payload[version2::MAX_JOINT_TARGETS_SIZE];
+  return request(version2::REQUEST_JOINTS, 0, payload, version2::encodeJointTargets(targets, payload), now);
+}
+
+Session::Bytes Version2Session::request(char kind, int id, const unsigned char* payload, std::size_t size,
+                                        TimePoint now) {
+  Bytes frame = makeFrame(kind, id, payload, size);
+  exchanges_[last_number_] = {kind, now};
+  return frame;
+}
+
+Session::Bytes Version2Session::makeFrame(char kind, int id, const unsigned char* payload, std::size_t size) {
+  last_number_ = nextNumber();
+  version2::FrameHeader header = {};
+  header.kind = kind;
+  header.id = static_cast<unsigned char>(id);
+  header.request_number = static_cast<unsigned short>(last_number_);
+  header.payload_size = static_cast<unsigned>(size);
+  Bytes frame(version2::FRAME_HEADER_SIZE);
+  version2::encodeFrameHeader(header, frame.data());
+  frame.insert(frame.end(), payload, payload + size);
+  return frame;
+}
+
+int Version2Session::nextNumber() {
+  int number = last_number_;
+  do {
+    number = number % 65535 + 1;
+  } while (exchanges_.count(number) > 0 || pictures_.has(number));
+  return number;
+}
+
+void Version2Session::parse(const std::uint8_t* data, std::size_t size) {
+  while (size > 0) {
+    if (reader_.isBetweenFrames()) {
+      frame_began_ = now();
+    }
+    std::size_t taken = 0;
+    const version2::FrameReader::Result result = reader_.append(data, size, &taken);
+    data += taken;
+    size -= taken;
+    if (result == version2::FrameReader::FRAME_TOO_LARGE) {
+      throw ProtocolException("a frame of " + std::to_string(reader_.header().payload_size) + " bytes; at most " +
+                              std::to_string(version2::MAX_PAYLOAD_TOWARDS_CLIENT) + " are possible");
+    }
+    if (result == version2::FrameReader::FRAME_COMPLETE) {
+      onFrame();
+    }
+  }
+  if (!reader_.isBetweenFrames()) {
+    signOfPicture(now());  // nothing else is so large that it comes in parts
+  }
+  if (telemetry_) {
+    publish(*std::exchange(telemetry_, std::nullopt));
+  }
+}
+
+void Version2Session::onFrame() {
+  const version2::FrameHeader& header = reader_.header();
+  const Payload payload = {reader_.payload(), header.payload_size};
+  if (header.kind < 'a' || header.kind > 'z') {
+    throw ProtocolException("a frame that begins with byte " + std::to_string(static_cast<unsigned char>(header.kind)));
+  }
+  if (header.request_number == 0) {
+    onPush(header.kind, payload);
+  } else {
+    onReply(header.kind, header.request_number, payload);
+  }
+}
+
+// Pushes of unknown kinds are for newer clients.
+void Version2Session::onPush(char kind, const Payload& payload) {
+  switch (kind) {
+    case version2::PICTURE:
+      return onStreamPicture(payload);
+    case version2::TELEMETRY_PUSH:
+      return onTelemetry(payload);
+    case version2::ERROR_MESSAGE:
+      return onReport(payload);
+    default:
+      return;
+  }
+}
+
+void Version2Session::onReply(char kind, int number, const Payload& payload) {
+  const auto exchange = exchanges_.find(number);
+  const bool picture = pictures_.has(number);
+  if (exchange == exchanges_.end() && !picture) {
+    return;  // whoever asked has stopped waiting
+  }
+  if (kind == version2::ERROR_MESSAGE) {
+    return onRefusal(number, payload);
+  }
+  const char request_kind = picture ? version2::REQUEST_PICTURE : exchange->second.kind;
+  if (kind != version2::replyKind(request_kind)) {
+    throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + request_kind + "'");
+  }
+  onAnswer(request_kind, number, payload);
+  exchanges_.erase(number);
+}
+
+void Version2Session::onAnswer(char request_kind, int number, const Payload& payload) {
+  switch (request_kind) {
+    case version2::REQUEST_HELLO:
+      return onHello(payload);
+    case version2::REQUEST_PICTURE:
+      return onRequestedPicture(number, payload);
+    case version2::REQUEST_JOINTS:
+      return onJointsAccepted(payload);
+    case version2::REQUEST_MOTORS:
+      return onMotors(number, payload);
+    default:
+      return;  // stream, speed limits and telemetry are from now on as the server says
+  }
+}
+
+void Version2Session::onHello(const Payload& payload) {
+  version2::Hello hello;
+  expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
+  robot_ = makeRobotInfo(hello);
+  ready_ = true;
+}
+
+Session::MutablePicturePtr Version2Session::takePictureFrom(const Payload& payload) {
+  signOfPicture(now());
+  version2::ImageHeader header;
+  std::size_t size = 0;
+  expectGood(version2::decodePicture(payload.data, payload.size, &header, &size), "picture");
+  const unsigned char* jpeg = payload.data + version2::IMAGE_HEADER_SIZE;
+  MutablePicturePtr picture = inspect(Bytes(jpeg, jpeg + size), frame_began_);
+  if (picture) {
+    picture->frame_number = header.frame_number;
+    picture->image_count = header.image_count;
+  }
+  return picture;
+}
+
+void Version2Session::onStreamPicture(const Payload& payload) {
+  const PicturePtr picture = takePictureFrom(payload);
+  if (!picture) {
+    return;
+  }
+  if (stream().on()) {
+    publishFromStream(picture);
+  } else {
+    dropUnexpected();
+  }
+}
+
+void Version2Session::onRequestedPicture(int number, const Payload& payload) {
+  const PicturePtr picture = takePictureFrom(payload);
+  if (!picture) {
+    pictures_.sendAgain(number);  // as long as the time of the call allows
+    return;
+  }
+  publish(picture);
+  pictures_.take(number)->answer(picture, false);
+}
+
+void Version2Session::onTelemetry(const Payload& payload) {
+  version2::Telemetry measured;
+  expectGood(version2::decodeTelemetry(payload.data, payload.size, &measured), "telemetry");
+  telemetry_ = Telemetry{measured.frame_number, frame_began_, {}};
+  for (std::size_t i = 0; i < measured.count; ++i) {
+    const version2::TelemetryEntry& entry = measured.entries[i];
+    if (entry.group == version2::GROUP_JOINT) {
+      telemetry_->joints.push_back({entry.id, fromMicro(entry.value)});
+    }
+  }
+}
+
+void Version2Session::onJointsAccepted(const Payload& payload) {
+  version2::JointTargets accepted;
+  expectGood(version2::decodeJointTargets(payload.data, payload.size, &accepted), "reply to joint targets");
+  std::vector<JointTarget> targets;
+  for (std::size_t i = 0; i < accepted.count; ++i) {
+    targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
+  }
+  publishAccepted(targets);
+}
+
+void Version2Session::onMotors(int number, const Payload& payload) {
+  bool on = false;
+  expectGood(version2::decodeMotorState(payload.data, payload.size, &on), "motor state");
+  if (auto call = motors_.take(number)) {
+    call->promise.set_value({CallOutcome::kDone, on, ""});
+  }
+}
+
+std::string Version2Session::decodeError(const Payload& payload) {
+  version2::ErrorMessage message;
+  expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
+  const std::string code = "error code " + std::to_string(message.code);
+  return message.text_size == 0 ? code : std::string(message.text, message.text_size) + " (" + code + ")";
+}
+
+void Version2Session::onRefusal(int number, const Payload& payload) {
+  const std::string problem = decodeError(payload);
+  if (auto call = pictures_.take(number)) {
+    ++counters().refusals;
+    call->fail(CallOutcome::kRefused, address() + " refused to take a picture: " + problem + ".");
+    return;
+  }
+  const char kind = exchanges_[number].kind;
+  exchanges_.erase(number);
+  onRefusedExchange(kind, number, problem);
+}
+
+void Version2Session::onRefusedExchange(char request_kind, int number, const std::string& problem) {
+  switch (request_kind) {
+    case version2::REQUEST_HELLO:
+      throw ProtocolException("it refused to say hello: " + problem);
+    case version2::REQUEST_STREAM:
+      throw ProtocolException("it refused to stream pictures: " + problem);
+    case version2::REQUEST_JOINTS:
+      return noteRefusal("to move joints: " + problem);
+    case version2::REQUEST_SPEED_LIMITS:
+      return noteRefusal("to limit the speed of joints: " + problem);
+    case version2::REQUEST_TELEMETRY:
+      return noteRefusal("to send telemetry: " + problem);
+    default:
+      ++counters().refusals;
+      if (auto call = motors_.take(number)) {
+        call->fail(CallOutcome::kRefused, address() + " refused to switch the motors: " + problem + ".");
+      }
+  }
+}
+
+void Version2Session::onReport(const Payload& payload) {
+  robot_message_ = decodeError(payload);
+  notifier().log(LogLevel::kWarn, address() + " reports: " + robot_message_ + ".");
+}
+
+Session::TimePoint Version2Session::answerDeadline() const {
+  TimePoint oldest = TimePoint::max();
+  for (const auto& exchange : exchanges_) {
+    oldest = std::min(oldest, exchange.second.sent + answerLimit());
+  }
+  return oldest;
+}
+
+void Version2Session::checkDeadlines(TimePoint now) {
+  if (stream().on() && now >= pictureSilenceLimit()) {
+    failSilent();
+  }
+  for (const auto& exchange : exchanges_) {
+    if (now >= exchange.second.sent + answerLimit()) {
+      throw Fault::unanswered(address(), std::string("the request '") + exchange.second.kind + "'", answerLimit());
+    }
+  }
+  pictures_.expire(now, "picture", damageRemark());
+  motors_.expire(now, "answer", ".");
+}
+
+Session::TimePoint Version2Session::nextDeadline() const {
+  const TimePoint silence = stream().on() ? pictureSilenceLimit() : TimePoint::max();
+  return std::min(
+      {silence, answerDeadline(), pictures_.nextDeadline(), motors_.nextDeadline(), next_hello_, nextLook()});
+}
+
+}  // namespace aibo_driver

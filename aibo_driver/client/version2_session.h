@@ -1,0 +1,102 @@
+/// @file version2_session.h
+#ifndef AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
+#define AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "client/numbered_calls.h"
+#include "client/session.h"
+#include "protocol/frame_reader.h"
+#include "protocol/version2.h"
+
+namespace aibo_driver {
+
+/// A session with a version 2 server. It begins with a hello; requests are numbered, so several may be under way.
+class Version2Session final : public Session {
+ public:
+  /// From one hello to the next. The protocol asks for one a second at least.
+  static constexpr std::chrono::milliseconds kHeartbeatPeriod{500};
+  /// Commands to the joints whose answers are outstanding. Further ones wait, so that a link that stands still does not
+  /// fill up with commands that are old when they arrive.
+  static constexpr int kMostJointCommandsOutstanding = 4;
+
+  Version2Session(const SessionContext& context, TimePoint connected);
+
+  using Session::add;
+  void add(PictureRequest request, TimePoint now) override;
+  void add(MotorRequest request) override;
+  void failRequests(CallOutcome outcome, const std::string& problem) override;
+  Bytes nextRequest(const Wish& wish, TimePoint now) override;
+  void checkDeadlines(TimePoint now) override;
+  TimePoint nextDeadline() const override;
+  int protocolVersion() const override { return 2; }
+  bool ready() const override { return ready_; }
+  bool settled() const override { return ready_; }
+
+ private:
+  /// A request that has to be answered soon. (A picture may take as long as its caller allows.)
+  struct Exchange {
+    char kind;
+    TimePoint sent;
+  };
+
+  /// The payload of the frame that has arrived.
+  struct Payload {
+    const unsigned char* data;
+    std::size_t size;
+  };
+
+  Bytes requestHello(TimePoint now);
+  Bytes requestStream(const Wish& wish, TimePoint now);
+  Bytes requestPicture(const PictureRequest& call, const Wish& wish);
+  Bytes requestTelemetry(const Wish& wish, TimePoint now);
+  Bytes requestMotors(const MotorRequest& call, TimePoint now);
+  Bytes nextJointRequest(TimePoint now);
+  Bytes requestSpeedLimits(TimePoint now);
+  Bytes requestTargets(TimePoint now);
+  Bytes request(char kind, int id, const unsigned char* payload, std::size_t size, TimePoint now);
+  Bytes makeFrame(char kind, int id, const unsigned char* payload, std::size_t size);
+  int nextNumber();
+
+  void parse(const std::uint8_t* data, std::size_t size) override;
+  void onFrame();
+  void onPush(char kind, const Payload& payload);
+  void onReply(char kind, int number, const Payload& payload);
+  void onAnswer(char request_kind, int number, const Payload& payload);
+  void onHello(const Payload& payload);
+  void onStreamPicture(const Payload& payload);
+  void onRequestedPicture(int number, const Payload& payload);
+  void onTelemetry(const Payload& payload);
+  void onJointsAccepted(const Payload& payload);
+  void onMotors(int number, const Payload& payload);
+  void onRefusal(int number, const Payload& payload);
+  void onRefusedExchange(char request_kind, int number, const std::string& problem);
+  void onReport(const Payload& payload);
+  MutablePicturePtr takePictureFrom(const Payload& payload);
+  static std::string decodeError(const Payload& payload);
+
+  bool mayCommandJoints() const;
+  TimePoint answerDeadline() const;
+
+  Bytes buffer_;  // the payload of the frame that is arriving
+  protocol::version2::FrameReader reader_;
+  TimePoint frame_began_;  // when the first byte of that frame was read
+
+  int last_number_ = 0;
+  std::map<int, Exchange> exchanges_;  // by request number
+  NumberedCalls<PictureRequest> pictures_;
+  NumberedCalls<MotorRequest> motors_;
+
+  bool ready_ = false;
+  TimePoint next_hello_;
+  int stream_quality_ = 0;              // that the server was told last
+  int telemetry_period_ = 0;            // that the server was told last
+  std::optional<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_VERSION2_SESSION_H

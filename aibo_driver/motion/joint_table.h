@@ -1,0 +1,44 @@
+/// @file joint_table.h
+#ifndef AIBO_DRIVER_MOTION_JOINT_TABLE_H
+#define AIBO_DRIVER_MOTION_JOINT_TABLE_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aibo_driver {
+
+/// What the driver knows of a joint, in radian.
+struct JointProperties {
+  std::string name;
+  int id = 0;  ///< RCServer identifier
+  double lowest = 0;
+  double highest = 0;
+  double speed_limit = 0;  ///< rad/s
+};
+
+/// The joints of a robot, as aibo_rcserver/robot_model lists them, in radian.
+class JointTable {
+ public:
+  /// @param design the robot's, as OPEN-R names it: "ERS-7" or "ERS-210"
+  /// @param speed_limit rad/s, for every joint; a joint whose own highest speed is lower keeps that
+  /// @throw InvalidArgumentException there is no such design
+  JointTable(const std::string& design, double speed_limit);
+
+  const std::string& design() const { return design_; }
+  const std::vector<JointProperties>& joints() const { return joints_; }
+  std::size_t size() const { return joints_.size(); }
+  const JointProperties& operator[](std::size_t index) const { return joints_[index]; }
+
+  std::optional<std::size_t> findByName(const std::string& name) const;
+  std::optional<std::size_t> findById(int id) const;
+
+ private:
+  std::string design_;
+  std::vector<JointProperties> joints_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_MOTION_JOINT_TABLE_H

@@ -1,0 +1,45 @@
+#include "motion/measured_joints.h"
+
+namespace aibo_driver {
+namespace {
+
+constexpr double kFrame = 0.008;  // s, an OPEN-R frame
+
+}  // namespace
+
+MeasuredJoints::MeasuredJoints(const JointTable& table) : table_(table), entries_(table.size()) {}
+
+std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<MeasuredJoint> updated;
+  for (const JointReading& reading : telemetry.joints) {
+    const std::optional<std::size_t> index = table_.findById(reading.id);
+    if (!index) {
+      continue;
+    }
+    std::optional<Entry>& entry = entries_[*index];
+    double velocity = 0;
+    if (entry) {
+      // Frame numbers are counted in 32 bits and may begin again at 0; the difference is right all the same.
+      const double seconds = telemetry.frame_number && entry->frame_number
+                                 ? kFrame * static_cast<std::uint32_t>(*telemetry.frame_number - *entry->frame_number)
+                                 : std::chrono::duration<double>(telemetry.arrival - entry->arrival).count();
+      velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
+    }
+    entry = Entry{{*index, reading.position, velocity}, telemetry.frame_number, telemetry.arrival};
+    updated.push_back(entry->joint);
+  }
+  return updated;
+}
+
+void MeasuredJoints::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  entries_.assign(table_.size(), std::nullopt);
+}
+
+std::optional<MeasuredJoint> MeasuredJoints::find(std::size_t index) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return entries_[index] ? std::optional<MeasuredJoint>(entries_[index]->joint) : std::nullopt;
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,55 @@
+/// @file measured_joints.h
+#ifndef AIBO_DRIVER_MOTION_MEASURED_JOINTS_H
+#define AIBO_DRIVER_MOTION_MEASURED_JOINTS_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "aibo_driver/telemetry.h"
+#include "motion/joint_table.h"
+
+namespace aibo_driver {
+
+/// Where a joint was last measured.
+struct MeasuredJoint {
+  std::size_t index = 0;  ///< in the JointTable
+  double position = 0;    ///< rad
+  double velocity = 0;    ///< rad/s; 0 until the second measurement
+};
+
+/// Remembers where each joint was last measured, and works out how fast it moves. From any thread.
+class MeasuredJoints {
+ public:
+  /// @param table must outlive the object
+  explicit MeasuredJoints(const JointTable& table);
+
+  /// Velocities are worked out from two positions and the robot's own time, or, if it does not tell any, that of
+  /// arrival. Joints that are not in the table are left out.
+  /// @return the joints that this telemetry tells of
+  std::vector<MeasuredJoint> update(const Telemetry& telemetry);
+
+  /// Forgets everything, as when the connection is lost.
+  void clear();
+
+  /// Empty if the joint has not been measured yet.
+  std::optional<MeasuredJoint> find(std::size_t index) const;
+
+ private:
+  struct Entry {
+    MeasuredJoint joint;
+    std::optional<std::uint32_t> frame_number;
+    std::chrono::steady_clock::time_point arrival;
+  };
+
+  const JointTable& table_;
+  mutable std::mutex mutex_;
+  std::vector<std::optional<Entry>> entries_;  ///< by index
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_MOTION_MEASURED_JOINTS_H

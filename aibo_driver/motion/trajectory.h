@@ -1,0 +1,95 @@
+/// @file trajectory.h
+#ifndef AIBO_DRIVER_MOTION_TRAJECTORY_H
+#define AIBO_DRIVER_MOTION_TRAJECTORY_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/joints.h"
+#include "motion/joint_link.h"
+#include "motion/joint_table.h"
+
+namespace aibo_driver {
+
+/// What a user asks for, unchecked. As in trajectory_msgs/JointTrajectory.
+struct TrajectoryRequest {
+  struct Point {
+    double time_from_start = 0;      ///< s
+    std::vector<double> positions;   ///< rad, one a joint
+    std::vector<double> velocities;  ///< rad/s, one a joint, or empty
+  };
+
+  std::vector<std::string> joints;
+  std::vector<Point> points;
+};
+
+/// A motion of some joints, from where they are now through given points, that is known to keep their limits.
+///
+/// Between two points with velocities the way is a cubic polynomial, which passes both with these velocities; otherwise
+/// it is a straight line. The joints begin at rest.
+class Trajectory {
+ public:
+  /// Where a joint is when the trajectory begins.
+  struct Start {
+    std::size_t joint = 0;  ///< index in the table
+    double position = 0;    ///< rad
+  };
+
+  /// @param start of each joint of the request; more do not matter
+  /// @param slow_down stretch the time until all speed limits are kept, instead of refusing. A first point at time 0
+  /// that
+  ///   is not where the joints are is then reached as fast as the limits allow, and the rest comes later
+  /// @throw InvalidArgumentException a joint is not there, is named twice, or its start is not given; a point's arrays
+  ///   have the wrong length; a number is not finite; times do not increase; a position or speed limit is exceeded, at
+  ///   a point or between two. The message names the joint and the limit.
+  Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
+             bool slow_down);
+
+  /// In seconds.
+  double duration() const;
+
+  /// How many times slower it is than asked for; 1: as asked for.
+  double stretch() const { return stretch_; }
+
+  /// Indices in the table.
+  const std::vector<std::size_t>& joints() const { return joints_; }
+
+  /// Where the joints are to be.
+  /// @param time in seconds; before the beginning means at the beginning, after the end at the end
+  /// @return one position a joint, in radian, in the order of joints()
+  std::vector<double> sample(double time) const;
+
+ private:
+  /// c[0] + c[1] t + c[2] t^2 + c[3] t^3
+  struct Cubic {
+    double c[4];
+
+    double at(double t) const;
+    double speedAt(double t) const;
+    double highestSpeed(double length) const;
+    std::vector<double> turningPoints(double length) const;
+  };
+
+  struct Segment {
+    double begin = 0;  ///< s
+    double length = 0;
+    std::vector<Cubic> joints;
+  };
+
+  void findJoints(const TrajectoryRequest& request, const JointTable& table);
+  void checkPoints(const TrajectoryRequest& request, const JointTable& table) const;
+  TrajectoryRequest::Point startingPoint(const JointTable& table, const std::vector<Start>& start) const;
+  void addSegments(const TrajectoryRequest::Point& from, const std::vector<TrajectoryRequest::Point>& points);
+  void checkPositions(const JointTable& table) const;
+  void keepSpeeds(const JointTable& table, bool slow_down);
+  void slowDown(double factor);
+
+  std::vector<std::size_t> joints_;
+  std::vector<Segment> segments_;  ///< at least one
+  double stretch_ = 1;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_MOTION_TRAJECTORY_H

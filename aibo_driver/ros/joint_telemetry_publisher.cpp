@@ -1,0 +1,36 @@
+#include "joint_telemetry_publisher.h"
+
+#include <sensor_msgs/JointState.h>
+
+#include <cstdint>
+
+namespace aibo_driver {
+namespace {
+
+// Of each subscriber. At 31 messages a second one that cannot keep up is at most 160 ms behind.
+constexpr std::uint32_t kQueueSize = 5;
+
+}  // namespace
+
+JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, const JointTable& table,
+                                                 MeasuredJoints& measured, std::chrono::nanoseconds time_offset)
+    : table_(table),
+      measured_(measured),
+      stamper_(time_offset),
+      publisher_(ros::NodeHandle(handle).advertise<sensor_msgs::JointState>("joint_states", kQueueSize)) {}
+
+void JointTelemetryPublisher::publish(const Telemetry& telemetry) {
+  const auto message = boost::make_shared<sensor_msgs::JointState>();
+  for (const MeasuredJoint& joint : measured_.update(telemetry)) {
+    message->name.push_back(table_[joint.index].name);
+    message->position.push_back(joint.position);
+    message->velocity.push_back(joint.velocity);
+  }
+  if (message->name.empty()) {
+    return;
+  }
+  message->header.stamp = stamper_.stamp(telemetry.arrival);
+  publisher_.publish(sensor_msgs::JointStateConstPtr(message));
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,35 @@
+/// @file motor_service.h
+#ifndef AIBO_DRIVER_MOTOR_SERVICE_H
+#define AIBO_DRIVER_MOTOR_SERVICE_H
+
+#include <ros/node_handle.h>
+#include <std_srvs/SetBool.h>
+
+#include <chrono>
+#include <functional>
+
+#include "aibo_driver/rcserver_client.h"
+
+namespace aibo_driver {
+
+/// The service motors: the joints hold and move, or can be moved by hand.
+class MotorService {
+ public:
+  static constexpr std::chrono::milliseconds kTimeout{2000};
+
+  /// @param client must outlive the service
+  /// @param switched called after the robot has switched, with whether the motors are on; from the handle's callback
+  ///   queue
+  MotorService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void(bool)> switched);
+
+ private:
+  bool setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+
+  RcServerClient& client_;
+  const std::function<void(bool)> switched_;
+  ros::ServiceServer server_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_MOTOR_SERVICE_H

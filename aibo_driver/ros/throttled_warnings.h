@@ -1,0 +1,23 @@
+/// @file throttled_warnings.h
+#ifndef AIBO_DRIVER_THROTTLED_WARNINGS_H
+#define AIBO_DRIVER_THROTTLED_WARNINGS_H
+
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace aibo_driver {
+
+/// Logs each different warning once in a while: a program that repeats its mistake many times a second is told of it,
+/// and hides no other. From one thread at a time.
+class ThrottledWarnings {
+ public:
+  void warn(const std::string& text);
+
+ private:
+  std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_THROTTLED_WARNINGS_H

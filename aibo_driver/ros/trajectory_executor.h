@@ -1,0 +1,77 @@
+/// @file trajectory_executor.h
+#ifndef AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
+#define AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
+
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/joint_link.h"
+#include "motion/joint_table.h"
+#include "motion/measured_joints.h"
+#include "motion/trajectory.h"
+
+namespace aibo_driver {
+
+/// Carries out joint_trajectory. Trajectory tells what is accepted and how it is interpolated.
+///
+/// Every kPeriod the robot is told where the joints are to be kLookahead later, to arrive by then. So it always knows
+/// what comes next, a message that is late by less does not make it falter, and as it counts each time anew from the
+/// arrival of the message, its clock and ours need not agree. If the connection is lost, the joints stop where they
+/// were last sent, which is at most kLookahead away, and the trajectory is over.
+///
+/// A new trajectory replaces the one before, going on from where that one is. One without points stops the joints that
+/// move. Everything runs on the callback queue of the handle, which must be served by one thread.
+class TrajectoryExecutor {
+ public:
+  static constexpr std::chrono::milliseconds kPeriod{32};
+  static constexpr std::chrono::milliseconds kLookahead{96};
+
+  /// @param table, measured, link must outlive the executor
+  /// @param slow_down as for Trajectory
+  TrajectoryExecutor(const ros::NodeHandle& handle, const JointTable& table, const MeasuredJoints& measured,
+                     JointLink& link, bool slow_down);
+
+  /// Ends the trajectory if it moves one of these joints, which are told something else now. From the thread of the
+  /// callback queue.
+  void yieldTo(const std::vector<JointOrder>& orders);
+
+  /// Ends the trajectory, if there is one. From the thread of the callback queue.
+  void end(const std::string& reason);
+
+ private:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  struct Running {
+    Trajectory trajectory;
+    SteadyTime start;
+    std::uint64_t connection = 0;
+    bool end_sent = false;
+  };
+
+  void receive(const trajectory_msgs::JointTrajectory& message);
+  void start(const trajectory_msgs::JointTrajectory& message);
+  void hold();
+  void goOn();
+  std::vector<Trajectory::Start> present(SteadyTime now) const;
+  void send(const std::vector<std::size_t>& joints, const std::vector<double>& positions,
+            std::chrono::milliseconds duration);
+
+  const JointTable& table_;
+  const MeasuredJoints& measured_;
+  JointLink& link_;
+  const bool slow_down_;
+  std::optional<Running> running_;
+  ros::SteadyTimer timer_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_TRAJECTORY_EXECUTOR_H

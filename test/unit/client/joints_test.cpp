@@ -1,0 +1,225 @@
+#include <gmock/gmock.h>
+
+#include <future>
+
+#include "client_fixture.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test_pictures::Bytes;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using version2_frames::makeFrame;
+
+namespace {
+
+/// A client that asks for version 2 of the protocol.
+class JointsTest : public ClientFixture {
+ protected:
+  static ClientOptions newest(const ScriptedServer& server) {
+    ClientOptions options = optionsFor(server);
+    options.protocol_version = 0;
+    return options;
+  }
+
+  ScriptedPeer connectVersion2(const std::string& capabilities = "F W J V T O") {
+    client().start();
+    ScriptedPeer peer = server_.accept();
+    peer.agreeToVersion2(capabilities);
+    EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+    return peer;
+  }
+
+  ScriptedPeer connectVersion1() {
+    client().start();
+    ScriptedPeer peer = server_.accept();
+    expectCommand(&peer, 'X', 2);
+    peer.send({'e', 0, 0, 0});
+    EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+    return peer;
+  }
+
+  RcServerClient& client() { return newest_client_; }
+
+  RcServerClient newest_client_{newest(server_), recorder_.callbacks()};
+};
+
+TEST_F(JointsTest, TheNewestVersionIsSpokenThatTheServerAgreesToAndTheRobotKnown) {
+  connectVersion2();
+  const ConnectionStatus status = client().status();
+  EXPECT_EQ(2, status.protocol_version);
+  EXPECT_EQ("ERS-7", status.robot.design);
+  EXPECT_EQ(2u, status.robot.joint_limits.size());
+}
+
+TEST_F(JointsTest, AServerThatRefusesVersion2IsSpokenToInVersion1) {
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion1();
+  EXPECT_EQ(1, client().status().protocol_version);
+  EXPECT_EQ("", client().status().robot.design);
+  expectCommand(&peer, 'W', 85);
+  peer.sendPicture(test_pictures::makeNumbered(1));
+  ASSERT_TRUE(recorder_.waitForPictures(1));
+  EXPECT_FALSE(recorder_.pictures()[0]->frame_number);
+}
+
+TEST_F(JointsTest, AServerThatIsSilentToTheQuestionIsSpokenToInVersion1) {
+  client().setStreaming(true);
+  client().start();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'X', 2);
+  expectCommand(&peer, 'W', 85);
+  EXPECT_EQ(1, client().status().protocol_version);
+}
+
+TEST_F(JointsTest, ALateAgreementIsFollowedByANewConnection) {
+  client().start();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'X', 2);
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  peer.send({'x', 2, 0, 0});
+  peer.waitUntilClosed();
+  ScriptedPeer next = server_.accept();
+  next.agreeToVersion2();
+  EXPECT_TRUE(eventually([&] { return client().status().protocol_version == 2; }));
+}
+
+TEST_F(JointsTest, AWebServerIsNoRcServer) {
+  client().start();
+  ScriptedPeer peer = server_.accept();
+  peer.send({'H', 'T', 'T', 'P'});
+  EXPECT_TRUE(recorder_.waitForReason("does not speak the RCServer's protocol"));
+}
+
+TEST_F(JointsTest, Version1IsNotAskedFurtherWhenItIsAllThatIsWanted) {
+  client_.start();
+  ScriptedPeer peer = server_.accept();
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(50)));
+}
+
+TEST_F(JointsTest, StreamAndTelemetryAreWantedAgainAfterAReconnect) {
+  client().setStreaming(true);
+  client().setTelemetryPeriod(4);
+  for (int i = 0; i < 2; ++i) {
+    ScriptedPeer peer = connectVersion2();
+    EXPECT_EQ('W', peer.readRequest().header.kind);
+    const version2_frames::Frame telemetry = peer.readRequest();
+    EXPECT_EQ('T', telemetry.header.kind);
+    EXPECT_THAT(telemetry.payload, ElementsAre(0, 4));
+  }
+}
+
+TEST_F(JointsTest, JointsThatAreCommandedTogetherAreSentTogetherAndTheAcceptedTargetsTold) {
+  ScriptedPeer peer = connectVersion2();
+  client().commandJoints({{1, -0.1}, {2, 0.2}}, milliseconds(40));
+  const version2_frames::Frame frame = peer.readRequest();
+  EXPECT_EQ('J', frame.header.kind);
+  EXPECT_EQ(20u, frame.payload.size());
+  peer.send(makeFrame('j', frame.header.request_number, frame.payload));
+  EXPECT_TRUE(recorder_.waitForAccepted(1));
+}
+
+TEST_F(JointsTest, TelemetryIsDelivered) {
+  ScriptedPeer peer = connectVersion2();
+  peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
+  EXPECT_TRUE(recorder_.waitForTelemetry(1));
+  EXPECT_EQ(1u, client().statistics().telemetry);
+}
+
+TEST_F(JointsTest, WithoutAConnectionACommandIsRefusedAndNotKept) {
+  EXPECT_THAT(complaintOf<NetworkException>([&] {
+                client().commandJoints({{1, 0}}, milliseconds(0));
+              }),
+              HasSubstr("has not been started"));
+  ScriptedPeer peer = connectVersion2();
+  client().setJointSpeedLimits({{1, 1}});
+  EXPECT_EQ('V', peer.readRequest().header.kind) << "and no J before it";
+}
+
+TEST_F(JointsTest, WhileTheVersionIsNotClearACommandIsRefused) {
+  client().start();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'X', 2);
+  EXPECT_THAT(complaintOf<NetworkException>([&] {
+                client().commandJoints({{1, 0}}, milliseconds(0));
+              }),
+              HasSubstr("not connected to"));
+}
+
+TEST_F(JointsTest, NoCommandIsRepeatedAfterAReconnect) {
+  ScriptedPeer peer = connectVersion2();
+  for (int i = 0; i < 10; ++i) {
+    client().commandJoints({{i + 1, 0.1}}, milliseconds(0));  // four are sent, the others wait for answers
+  }
+  EXPECT_EQ('J', peer.readRequest().header.kind);
+  peer.close();
+  ScriptedPeer next = connectVersion2();
+  ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
+  client().setJointSpeedLimits({{1, 1}});
+  EXPECT_EQ('V', next.readRequest().header.kind) << "nothing was sent to the joints before this new command";
+}
+
+TEST_F(JointsTest, AVersion1ServerIsToldJointAfterJointAndNothingAgainAfterAReconnect) {
+  {
+    ScriptedPeer peer = connectVersion1();
+    client().commandJoints({{1, 0.1}, {2, 0.2}, {3, 0.3}}, milliseconds(0));
+    EXPECT_THAT(peer.read(4), ElementsAre('J', 1, 0x3D, 0x02));
+    EXPECT_FALSE(peer.readCommandWithin(milliseconds(50))) << "the first has not been answered";
+    peer.send({'j', 1, 0x3D, 0x02});
+    EXPECT_THAT(peer.read(4), ElementsAre('J', 2, 0x7A, 0x04));
+    EXPECT_TRUE(recorder_.waitForAccepted(1));
+  }
+  ScriptedPeer next = connectVersion1();
+  EXPECT_FALSE(next.readCommandWithin(milliseconds(50)));
+}
+
+TEST_F(JointsTest, AServerWithoutJointsIsNotToldToMoveThem) {
+  connectVersion2("F W");
+  EXPECT_THAT(complaintOf<CommandException>([&] {
+                client().commandJoints({{1, 0}}, milliseconds(0));
+              }),
+              HasSubstr("(a test 1.0) does not take the request 'J'"));
+  EXPECT_THAT(complaintOf<CommandException>([&] { client().setMotors(true, seconds(20)); }),
+              HasSubstr("cannot switch the motors"));
+}
+
+TEST_F(JointsTest, MotorsAreSwitchedAndTheirStateReturned) {
+  ScriptedPeer peer = connectVersion2();
+  auto state = std::async(std::launch::async, [&] { return client().setMotors(true, seconds(20)); });
+  const version2_frames::Frame frame = peer.readRequest();
+  EXPECT_EQ('O', frame.header.kind);
+  EXPECT_THAT(frame.payload, ElementsAre(1));
+  peer.send(makeFrame('o', frame.header.request_number, {1}));
+  EXPECT_TRUE(state.get());
+}
+
+TEST_F(JointsTest, StoppingEndsACallOfSetMotors) {
+  ScriptedPeer peer = connectVersion2();
+  auto state = std::async(std::launch::async, [&] { return client().setMotors(true, seconds(60)); });
+  EXPECT_EQ('O', peer.readRequest().header.kind);
+  client().stop();
+  EXPECT_THROW(state.get(), StoppedException);
+  EXPECT_THROW(client().commandJoints({{1, 0}}, milliseconds(0)), StoppedException);
+}
+
+TEST_F(JointsTest, WhatTheRobotReportsIsInTheStatusUntilTheNextConnection) {
+  ScriptedPeer peer = connectVersion2();
+  peer.send(makeFrame('e', 0, version2_frames::makeError(3, "joint head_pan does not move")));
+  peer.close();
+  EXPECT_TRUE(recorder_.waitForReason("closed the connection"));
+  EXPECT_THAT(client().status().robot_message, HasSubstr("joint head_pan does not move"));
+  connectVersion2();
+  EXPECT_TRUE(eventually([&] { return client().status().robot_message.empty(); }));
+}
+
+TEST_F(JointsTest, ArgumentsAreChecked) {
+  EXPECT_THROW(client().commandJoints({{0, 0}}, milliseconds(0)), InvalidArgumentException);
+  EXPECT_THROW(client().setJointSpeedLimits({}), InvalidArgumentException);
+  EXPECT_THROW(client().setTelemetryPeriod(-1), InvalidArgumentException);
+  EXPECT_THROW(client().setTelemetryPeriod(65536), InvalidArgumentException);
+  EXPECT_THROW(client().setMotors(true, milliseconds(0)), InvalidArgumentException);
+}
+
+}  // namespace

@@ -1,0 +1,110 @@
+/// @file session_fixture.h
+#ifndef TEST_UNIT_CLIENT_SESSION_FIXTURE_H
+#define TEST_UNIT_CLIENT_SESSION_FIXTURE_H
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "client/session.h"
+#include "test_pictures.h"
+
+/// The robot's end of a session, in stepped time: no sockets, no waiting.
+class SessionFixture : public testing::Test {
+ protected:
+  using TimePoint = aibo_driver::Session::TimePoint;
+  using Bytes = test_pictures::Bytes;
+  using milliseconds = std::chrono::milliseconds;
+
+  virtual aibo_driver::Session& session() = 0;
+
+  void receive(const Bytes& bytes) {
+    session().bytesArrived(bytes.data(), bytes.size(), now_);
+    session().foundEmpty(now_);
+    session().checkDeadlines(now_);
+  }
+
+  /// Lets time pass, with nothing to read, as the client's loop does.
+  void pass(TimePoint::duration time) {
+    const TimePoint end = now_ + time;
+    while (now_ < end) {
+      const TimePoint next = std::min(end, session().nextDeadline());
+      ASSERT_GT(next, now_) << "the loop would spin";
+      now_ = next;
+      session().foundEmpty(now_);
+      session().checkDeadlines(now_);
+    }
+  }
+
+  std::future<aibo_driver::PictureAnswer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
+    aibo_driver::PictureRequest request;
+    request.quality = quality;
+    request.timeout = timeout;
+    request.deadline = now_ + timeout;
+    auto answer = request.promise.get_future();
+    session().add(std::move(request), now_);
+    return answer;
+  }
+
+  std::future<aibo_driver::MotorAnswer> setMotors(bool on, milliseconds timeout = milliseconds(2000)) {
+    aibo_driver::MotorRequest request;
+    request.on = on;
+    request.timeout = timeout;
+    request.deadline = now_ + timeout;
+    auto answer = request.promise.get_future();
+    session().add(std::move(request));
+    return answer;
+  }
+
+  void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
+    aibo_driver::JointCommands commands;
+    commands.add({duration, targets});
+    session().add(commands);
+  }
+
+  void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) {
+    aibo_driver::JointCommands commands;
+    commands.add(limits);
+    session().add(commands);
+  }
+
+  template <typename Answer>
+  static bool done(const std::future<Answer>& answer) {
+    return answer.wait_for(milliseconds(0)) == std::future_status::ready;
+  }
+
+  /// Lines logged that contain this text.
+  long logged(const std::string& text) const {
+    return std::count_if(log_.begin(), log_.end(),
+                         [&text](const std::string& line) { return line.find(text) != std::string::npos; });
+  }
+
+  aibo_driver::SessionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_}; }
+
+  std::vector<aibo_driver::PicturePtr> pictures_;
+  std::vector<aibo_driver::Telemetry> telemetry_;
+  std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
+  std::vector<std::string> log_;
+  aibo_driver::Notifier notifier_{record()};
+  aibo_driver::Counters counters_;
+  aibo_driver::Wish wish_{false, 85, 0};
+  TimePoint now_ = TimePoint() + milliseconds(100000);
+
+ private:
+  aibo_driver::RcServerClient::Callbacks record() {
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) { pictures_.push_back(picture); };
+    callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
+    callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
+      accepted_.push_back(targets);
+    };
+    callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { log_.push_back(line); };
+    return callbacks;
+  }
+};
+
+#endif  // TEST_UNIT_CLIENT_SESSION_FIXTURE_H

@@ -1,0 +1,524 @@
+#include "client/version1_session.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "client/fault.h"
+#include "session_fixture.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using test_pictures::Bytes;
+using testing::HasSubstr;
+
+namespace {
+
+class Version1SessionTest : public SessionFixture {
+ protected:
+  Session& session() override { return session_; }
+
+  /// What the session sends now: "" or letter and identifier, as in "W85", and the value that is set, as in "J2=-100".
+  std::string command() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return "";
+    }
+    const std::string command = static_cast<char>(bytes[0]) + std::to_string(bytes[1]);
+    return bytes.size() == 2 ? command : command + "=" + std::to_string(protocol::decodeValueReply(bytes.data()).value);
+  }
+
+  /// Lets time pass, and answers requests for joints.
+  /// @return all requests, a blank behind each
+  std::string run(milliseconds time) {
+    std::string requests;
+    const TimePoint end = now_ + time;
+    while (now_ < end) {
+      for (std::string request = command(); !request.empty(); request = command()) {
+        requests += request + " ";
+        if (request[0] == 'J') {
+          receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0, 0});
+        }
+      }
+      pass(std::min(end, session().nextDeadline()) - now_);
+    }
+    return requests;
+  }
+
+  void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
+
+  ServerHabits habits_;
+  Version1Session session_{context(), habits_, Version1Session::VersionAnswer::kNotAsked, now_};
+};
+
+TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
+  EXPECT_EQ("", command());
+  pass(milliseconds(3600 * 1000));
+  EXPECT_EQ("", command());
+  EXPECT_TRUE(session_.settled());
+}
+
+TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
+  wish_.streaming = true;
+  EXPECT_EQ("W85", command());
+  EXPECT_EQ("", command());
+  receivePicture(1);
+  EXPECT_EQ("", command());
+  wish_.streaming = false;
+  EXPECT_EQ("W85", command());
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, RapidTogglesNeverLoseTheParity) {
+  int toggles = 0;
+  for (int i = 0; i < 1000; ++i) {
+    wish_.streaming = i % 3 != 0;
+    toggles += command().empty() ? 0 : 1;
+    EXPECT_EQ(wish_.streaming, toggles % 2 == 1);
+    EXPECT_EQ(wish_.streaming, session_.streaming());
+  }
+}
+
+TEST_F(Version1SessionTest, EveryPictureOfTheStreamIsDeliveredAlsoTwoInOneRead) {
+  wish_.streaming = true;
+  command();
+  Bytes two = test_pictures::makeReply(test_pictures::makeNumbered(1));
+  const Bytes second = test_pictures::makeReply(test_pictures::makeNumbered(2));
+  two.insert(two.end(), second.begin(), second.end());
+  receive(two);
+  ASSERT_EQ(2u, pictures_.size());
+  EXPECT_EQ(test_pictures::makeNumbered(2), pictures_[1]->jpeg);
+  EXPECT_EQ(208, pictures_[1]->width);
+  EXPECT_EQ(160, pictures_[1]->height);
+  EXPECT_EQ(0u, counters_.stale_pictures);
+}
+
+TEST_F(Version1SessionTest, AStreamThatIsSilentIsGivenUpAtTheLimit) {
+  wish_.streaming = true;
+  command();
+  receivePicture(1);
+  pass(milliseconds(499));
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
+TEST_F(Version1SessionTest, AHalfReceivedPictureIsGivenUpAtTheLimit) {
+  receive({'f', 0, 0});
+  pass(milliseconds(499));
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
+TEST_F(Version1SessionTest, ASlowPictureIsNotGivenUpWhileItsBytesCome) {
+  wish_.streaming = true;
+  command();
+  const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
+  for (std::size_t i = 0; i < 20; ++i) {
+    pass(milliseconds(400));
+    receive({reply[i]});
+  }
+  receive(Bytes(reply.begin() + 20, reply.end()));
+  EXPECT_EQ(1u, pictures_.size());
+}
+
+TEST_F(Version1SessionTest, AfterAStallOnlyFreshPicturesAreDelivered) {
+  wish_.streaming = true;
+  command();
+  now_ += milliseconds(30);
+  receivePicture(1);
+  now_ += milliseconds(5000);  // this process was stopped for 5 s; the robot's pictures have waited
+  receivePicture(2);
+  now_ += milliseconds(3);
+  receivePicture(3);
+  pass(milliseconds(25));
+  receivePicture(4);
+  ASSERT_EQ(2u, pictures_.size());
+  EXPECT_EQ(test_pictures::makeNumbered(1), pictures_[0]->jpeg);
+  EXPECT_EQ(test_pictures::makeNumbered(4), pictures_[1]->jpeg);
+  EXPECT_EQ(2u, counters_.stale_pictures);
+  EXPECT_EQ(2u, counters_.pictures);
+}
+
+TEST_F(Version1SessionTest, PicturesOfAStoppedStreamAreDroppedAndCounted) {
+  wish_.streaming = true;
+  command();
+  receivePicture(1);
+  wish_.streaming = false;
+  command();
+  receivePicture(2);
+  pass(milliseconds(33));
+  receivePicture(3);
+  EXPECT_EQ(1u, pictures_.size());
+  EXPECT_EQ(2u, counters_.unexpected_pictures);
+}
+
+TEST_F(Version1SessionTest, AServerThatDoesNotStopIsGivenUp) {
+  wish_.streaming = true;
+  command();
+  wish_.streaming = false;
+  command();
+  std::string why;
+  int late = 0;
+  for (; why.empty() && late < 100; ++late) {
+    pass(milliseconds(33));
+    try {
+      receivePicture(1);
+    } catch (const Fault& fault) {
+      why = fault.what();
+    }
+  }
+  EXPECT_THAT(why, HasSubstr("it goes on sending pictures although it was told to stop"));
+  EXPECT_NEAR(31, late, 2);
+}
+
+TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality) {
+  auto answer = takePicture(40);
+  EXPECT_EQ("F40", command());
+  EXPECT_EQ("", command());
+  receivePicture(1);
+  ASSERT_TRUE(done(answer));
+  const PictureAnswer got = answer.get();
+  EXPECT_EQ(test_pictures::makeNumbered(1), got.picture->jpeg);
+  EXPECT_FALSE(got.from_stream);
+  EXPECT_EQ(1u, pictures_.size()) << "it is published like any other";
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, QualityZeroIsThatOfTheStream) {
+  auto answer = takePicture(0);
+  EXPECT_EQ("F85", command());
+}
+
+TEST_F(Version1SessionTest, SeveralCallersGetAPictureEachOfTheirOwnQuality) {
+  auto first = takePicture(10);
+  auto second = takePicture(20);
+  EXPECT_EQ("F10", command());
+  EXPECT_EQ("", command());
+  receivePicture(1);
+  EXPECT_TRUE(done(first));
+  EXPECT_FALSE(done(second));
+  EXPECT_EQ("F20", command());
+  receivePicture(2);
+  EXPECT_EQ(test_pictures::makeNumbered(2), second.get().picture->jpeg);
+}
+
+TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterTheCall) {
+  wish_.streaming = true;
+  command();
+  const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
+  receive(Bytes(reply.begin(), reply.begin() + 100));
+  pass(milliseconds(1));
+  auto first = takePicture(10);
+  auto second = takePicture(20);
+  pass(milliseconds(1));
+  receive(Bytes(reply.begin() + 100, reply.end()));
+  EXPECT_FALSE(done(first)) << "this one had begun before the call";
+  EXPECT_EQ("", command()) << "no F into the own stream";
+  pass(milliseconds(32));
+  receivePicture(2);
+  ASSERT_TRUE(done(first));
+  ASSERT_TRUE(done(second));
+  const PictureAnswer got = first.get();
+  EXPECT_TRUE(got.from_stream);
+  EXPECT_EQ(test_pictures::makeNumbered(2), got.picture->jpeg);
+  EXPECT_EQ(got.picture, second.get().picture);
+}
+
+TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
+  wish_.streaming = true;
+  command();
+  receivePicture(1);
+  wish_.streaming = false;
+  command();
+  auto answer = takePicture(30);
+  EXPECT_EQ("", command());
+  pass(milliseconds(150));
+  receivePicture(2);
+  pass(milliseconds(199));
+  EXPECT_EQ("", command());
+  EXPECT_FALSE(done(answer)) << "a late picture of the stream is not fresh";
+  pass(milliseconds(1));
+  EXPECT_EQ("F30", command());
+  receivePicture(3);
+  EXPECT_EQ(test_pictures::makeNumbered(3), answer.get().picture->jpeg);
+}
+
+TEST_F(Version1SessionTest, TheStreamIsNotToggledWhileAPictureIsOwed) {
+  auto answer = takePicture(30);
+  EXPECT_EQ("F30", command());
+  wish_.streaming = true;
+  EXPECT_EQ("", command());
+  receivePicture(1);
+  EXPECT_FALSE(answer.get().from_stream);
+  EXPECT_EQ("W85", command());
+}
+
+TEST_F(Version1SessionTest, AnOwedPictureThatDoesNotComeEndsTheCallAndTheConnection) {
+  auto answer = takePicture(30, milliseconds(300));
+  command();
+  EXPECT_THROW(pass(milliseconds(300)), Fault);
+  EXPECT_EQ(CallOutcome::kTimeout, answer.get().outcome);
+}
+
+TEST_F(Version1SessionTest, ACallThatTimesOutBeforeItsRequestWasSentLeavesTheConnectionAlone) {
+  auto first = takePicture(30, milliseconds(400));
+  auto second = takePicture(40, milliseconds(100));
+  command();
+  pass(milliseconds(150));
+  EXPECT_EQ(CallOutcome::kTimeout, second.get().outcome);
+  receivePicture(1);
+  EXPECT_TRUE(done(first));
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, ARefusedPictureEndsTheCallWithTheRobotsCode) {
+  auto answer = takePicture(30);
+  command();
+  receive({'e', 0, 1, 0});
+  const PictureAnswer refusal = answer.get();
+  EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
+  EXPECT_EQ("robot:54321 refused to take a picture: error code 1.", refusal.problem);
+  pass(milliseconds(5000));
+}
+
+TEST_F(Version1SessionTest, ARefusedStreamEndsTheConnectionWithTheRobotsCode) {
+  wish_.streaming = true;
+  command();
+  EXPECT_THROW(receive({'e', 0, 0, 0}), Fault);
+}
+
+TEST_F(Version1SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
+  auto answer = takePicture(30);
+  command();
+  receive(test_pictures::makeReply(Bytes(5000, 0)));
+  EXPECT_EQ("F30", command());
+  receivePicture(2);
+  EXPECT_EQ(test_pictures::makeNumbered(2), answer.get().picture->jpeg);
+  EXPECT_EQ(1u, counters_.corrupt_pictures);
+}
+
+TEST_F(Version1SessionTest, ACallThatGotOnlyDamagedPicturesSaysSo) {
+  auto answer = takePicture(30, milliseconds(200));
+  const auto send_damaged_pictures = [this] {
+    for (int i = 0; i < 10; ++i) {
+      command();
+      pass(milliseconds(33));
+      receive(test_pictures::makeReply(Bytes(5000, 0)));
+    }
+  };
+  EXPECT_THROW(send_damaged_pictures(), Fault);
+  EXPECT_THAT(answer.get().problem, HasSubstr("no picture within 200 ms; the last one was damaged: not a JPEG"));
+}
+
+TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoesOn) {
+  wish_.streaming = true;
+  command();
+  Bytes damaged = test_pictures::makeNumbered(1);
+  damaged.resize(damaged.size() / 2);
+  receive(test_pictures::makeReply(damaged));
+  receivePicture(2);
+  ASSERT_EQ(1u, pictures_.size());
+  EXPECT_EQ(1u, counters_.corrupt_pictures);
+  EXPECT_EQ(1u, counters_.pictures);
+}
+
+TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerToldInRadian) {
+  commandJoints({{2, -0.5}});
+  EXPECT_EQ("J2=-2865", command());
+  receive({'j', 2, 0xCF, 0xF4});  // -2865
+  ASSERT_EQ(1u, accepted_.size());
+  EXPECT_EQ(2, accepted_[0][0].id);
+  EXPECT_NEAR(-0.5, accepted_[0][0].position, 1e-4);
+  EXPECT_TRUE(telemetry_.empty());
+}
+
+TEST_F(Version1SessionTest, JointsAreSentOneAtATimeAndNothingElseMeanwhile) {
+  commandJoints({{1, 0.1}, {2, 0.2}});
+  EXPECT_EQ("J1=573", command());
+  wish_.streaming = true;
+  auto answer = takePicture(10);
+  EXPECT_EQ("", command()) << "TCP may join two requests, and the robot would take them for another one";
+  receive({'j', 1, 0x3D, 0x02});
+  EXPECT_EQ("W85", command());
+  EXPECT_EQ("J2=1146", command());
+  EXPECT_EQ("", command());
+  receive({'j', 2, 0x7A, 0x04});
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, NoJointIsSentWhileAPictureIsOwed) {
+  auto answer = takePicture(10);
+  EXPECT_EQ("F10", command());
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("", command());
+  receivePicture(1);
+  EXPECT_EQ("J1=573", command());
+}
+
+TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
+  commandJoints({{1, 0.1}});
+  limitSpeed({{1, 0.5}, {2, 20}});
+  EXPECT_EQ("V1=2865", command());
+  receive({'v', 1, 0x31, 0x0B});
+  EXPECT_EQ("V2=32767", command()) << "faster than version 1 can say";
+  receive({'v', 2, 0xFF, 0x7F});
+  EXPECT_EQ("J1=573", command());
+}
+
+TEST_F(Version1SessionTest, WithTelemetryWantedOneJointAfterTheOtherIsAskedForTwentyTimesASecond) {
+  wish_.telemetry_period = 4;
+  std::string asked;
+  for (int i = 0; i < 20; ++i) {
+    const std::string request = command();
+    asked += request + " ";
+    EXPECT_EQ("", command()) << "one at a time";
+    receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0x18, 0xFC});  // -1000
+    EXPECT_EQ("", command()) << "not at once again";
+    pass(milliseconds(50));
+  }
+  EXPECT_EQ("J1 J2 J3 J4 J11 J12 J13 J21 J22 J23 J31 J32 J33 J41 J42 J43 J51 J52 J1 J2 ", asked);
+  ASSERT_EQ(20u, telemetry_.size());
+  EXPECT_FALSE(telemetry_[4].frame_number);
+  ASSERT_EQ(1u, telemetry_[4].joints.size());
+  EXPECT_EQ(11, telemetry_[4].joints[0].id);
+  EXPECT_NEAR(-0.174533, telemetry_[4].joints[0].position, 1e-6);
+  EXPECT_EQ(20u, counters_.telemetry);
+}
+
+TEST_F(Version1SessionTest, NothingIsPolledWhileNoTelemetryIsWanted) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("J1", command());
+  receive({'j', 1, 0, 0});
+  wish_.telemetry_period = 0;
+  EXPECT_EQ("", command());
+  pass(milliseconds(5000));
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, CommandsGoBeforePollsButDoNotShutThemOut) {
+  wish_.telemetry_period = 4;
+  command();
+  std::string sent;
+  for (int i = 0; i < 100; ++i) {
+    receive({'j', static_cast<std::uint8_t>(i == 0 ? 1 : std::stoi(sent.substr(1))), 0, 0});
+    commandJoints({{2, 0}});
+    now_ += milliseconds(10);
+    sent = command();
+  }
+  EXPECT_NEAR(3, static_cast<double>(telemetry_.size()), 1) << "in a second";
+  EXPECT_NEAR(96, static_cast<double>(accepted_.size()), 1);
+}
+
+TEST_F(Version1SessionTest, TheBlockOfSensorsIsNeverAskedFor) {
+  wish_ = {true, 85, 4};
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_THAT(run(milliseconds(33)), testing::Not(HasSubstr("S")));
+    receivePicture(1);
+  }
+  EXPECT_NEAR(66, static_cast<double>(telemetry_.size()), 5);
+}
+
+TEST_F(Version1SessionTest, AnswersOfJointsDoNotHideThatTheStreamIsSilent) {
+  wish_ = {true, 85, 4};
+  EXPECT_EQ("W85", command());
+  EXPECT_NO_THROW(run(milliseconds(490)));
+  EXPECT_THROW(run(milliseconds(20)), Fault);
+}
+
+TEST_F(Version1SessionTest, PollsDoNotHoldUpAPictureAfterTheStream) {
+  wish_ = {true, 85, 4};
+  command();
+  receivePicture(1);
+  wish_.streaming = false;
+  auto answer = takePicture(30);
+  EXPECT_THAT(run(milliseconds(250)), HasSubstr("F30"));
+}
+
+TEST_F(Version1SessionTest, AJointThatIsRefusedIsNotAskedForAgain) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("J1", command());
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(1, logged("refused the request 'J' for joint 1: error code 0"));
+  for (int i = 0; i < 18; ++i) {
+    pass(milliseconds(50));
+    const std::string request = command();
+    EXPECT_NE("J1", request);
+    receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0, 0});
+  }
+}
+
+TEST_F(Version1SessionTest, ARefusedCommandIsLoggedOnceAndTheNextOneSent) {
+  for (int i = 0; i < 3; ++i) {
+    commandJoints({{77, 0.1}});
+    EXPECT_EQ("J77=573", command());
+    receive({'e', 0, 0, 0});
+  }
+  EXPECT_EQ(1, logged("refused the request 'J' for joint 77: error code 0"));
+  EXPECT_EQ(3u, counters_.refusals);
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("J1=573", command());
+}
+
+TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("J1=573", command());
+  pass(milliseconds(999));
+  EXPECT_EQ("", command());
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
+TEST_F(Version1SessionTest, AServerThatNeverAnswersForItsJointsIsAskedOnThreeConnectionsOnly) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 3; ++i) {
+    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+    EXPECT_FALSE(session.nextRequest(wish_, now_).empty());
+    EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
+  }
+  EXPECT_EQ(1, logged("does not answer when it is asked for its joints"));
+  EXPECT_EQ("", command());
+  pass(milliseconds(5000));
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, MotorsCannotBeSwitched) {
+  const MotorAnswer answer = setMotors(false).get();
+  EXPECT_EQ(CallOutcome::kRefused, answer.outcome);
+  EXPECT_THAT(answer.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors"));
+}
+
+class LateVersionAnswerTest : public Version1SessionTest {
+ protected:
+  Session& session() override { return late_; }
+
+  Version1Session late_{context(), habits_, Version1Session::VersionAnswer::kOwed, now_};
+};
+
+TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {
+  auto answer = takePicture(30);
+  late_.nextRequest(wish_, now_);
+  receive({'e', 0, 0, 0});
+  EXPECT_FALSE(done(answer)) << "it was not the picture that was refused";
+  receive({'e', 0, 1, 0});
+  EXPECT_EQ(CallOutcome::kRefused, answer.get().outcome);
+  EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestIsNoAnswerToTheQuestion) {
+  auto first = takePicture(30);
+  auto second = takePicture(30);
+  late_.nextRequest(wish_, now_);
+  receivePicture(1);
+  late_.nextRequest(wish_, now_);
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(CallOutcome::kRefused, second.get().outcome);
+}
+
+TEST_F(LateVersionAnswerTest, ALateAgreementEndsTheConnectionForTheServerSpeaksVersion2Now) {
+  std::string why;
+  try {
+    receive({'x', 2, 0, 0});
+  } catch (const Fault& fault) {
+    why = fault.what();
+  }
+  EXPECT_THAT(why, HasSubstr("agreed to version 2 of the protocol too late"));
+}
+
+}  // namespace

@@ -1,0 +1,412 @@
+#include "client/version2_session.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+#include <string>
+
+#include "client/fault.h"
+#include "session_fixture.h"
+#include "version2_frames.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using test_pictures::Bytes;
+using testing::HasSubstr;
+using version2_frames::makeFrame;
+
+namespace version2 = protocol::version2;
+
+namespace {
+
+class Version2SessionTest : public SessionFixture {
+ protected:
+  Session& session() override { return session_; }
+
+  void SetUp() override {
+    EXPECT_EQ("H1", request());
+    receive(makeFrame('h', 1, version2_frames::makeHello()));
+    EXPECT_TRUE(session_.ready());
+  }
+
+  /// What the session sends now: "" or kind and request number, as in "F3". The whole of it is in frame_.
+  std::string request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return "";
+    }
+    frame_ = version2_frames::split(bytes);
+    return frame_.header.kind + std::to_string(frame_.header.request_number);
+  }
+
+  /// Lets time pass, and answers the heartbeat.
+  void live(milliseconds time) {
+    const TimePoint end = now_ + time;
+    while (now_ < end) {
+      answerHeartbeat();
+      pass(std::min(end, session_.nextDeadline()) - now_);
+    }
+    answerHeartbeat();
+  }
+
+  void answerHeartbeat() {
+    for (std::string each = request(); !each.empty(); each = request()) {
+      ASSERT_EQ('H', each[0]);
+      receive(makeFrame('h', frame_.header.request_number, version2_frames::makeHello()));
+    }
+  }
+
+  std::string faultOf(const Bytes& bytes) {
+    try {
+      receive(bytes);
+    } catch (const Fault& fault) {
+      return fault.what();
+    }
+    return "";
+  }
+
+  version2_frames::Frame frame_;  // that was sent last
+  Version2Session session_{context(), now_};
+};
+
+Bytes makeError(int number, int code, const std::string& text) {
+  return makeFrame('e', number, version2_frames::makeError(code, text));
+}
+
+Bytes makePicture(int number, unsigned seed, unsigned frame_number = 0) {
+  return makeFrame('f', number, version2_frames::makePicture(test_pictures::makeNumbered(seed), frame_number));
+}
+
+TEST_F(Version2SessionTest, TheHelloTellsWhoIsThere) {
+  const RobotInfo& robot = session_.robot();
+  EXPECT_EQ("ERS-7", robot.design);
+  EXPECT_EQ("a test 1.0", robot.server);
+  EXPECT_TRUE(robot.hasCapability("J"));
+  EXPECT_FALSE(robot.hasCapability("Z"));
+  ASSERT_EQ(2u, robot.joint_limits.size());
+  EXPECT_EQ(2, robot.joint_limits[1].id);
+  EXPECT_DOUBLE_EQ(-1.5, robot.joint_limits[1].lower);
+  EXPECT_DOUBLE_EQ(1.6, robot.joint_limits[1].upper);
+  EXPECT_DOUBLE_EQ(10.0, robot.joint_limits[1].speed);
+}
+
+TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
+  const Notifier notifier{RcServerClient::Callbacks()};
+  Counters counters;
+  const Session::TimePoint now = Session::TimePoint() + milliseconds(1000);
+  Version2Session session({"robot:54321", milliseconds(500), notifier, counters}, now);
+  const Wish wish = {true, 85, 4};
+  EXPECT_FALSE(session.nextRequest(wish, now).empty());
+  EXPECT_TRUE(session.nextRequest(wish, now).empty());
+  EXPECT_FALSE(session.ready());
+  EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
+}
+
+TEST_F(Version2SessionTest, AHeartbeatIsSentTwiceASecondForEver) {
+  const TimePoint begin = now_;
+  int heartbeats = 0;
+  while (now_ < begin + std::chrono::minutes(10)) {
+    pass(session_.nextDeadline() - now_);
+    if (!request().empty()) {
+      ++heartbeats;
+      receive(makeFrame('h', frame_.header.request_number, version2_frames::makeHello()));
+    }
+  }
+  EXPECT_NEAR(1200, heartbeats, 1);
+}
+
+TEST_F(Version2SessionTest, AServerThatDoesNotAnswerTheHeartbeatIsGivenUpAlsoWhileNothingIsWanted) {
+  pass(milliseconds(500));
+  EXPECT_EQ("H2", request());
+  pass(milliseconds(500));
+  EXPECT_EQ("H3", request());
+  pass(milliseconds(499));
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
+TEST_F(Version2SessionTest, TheStreamIsToldOnceForEachChangeOfWishOrQuality) {
+  wish_.streaming = true;
+  EXPECT_EQ("W2", request());
+  EXPECT_EQ(85, frame_.header.id);
+  EXPECT_EQ(Bytes({1, 0, 0, 1}), frame_.payload);
+  EXPECT_EQ("", request());
+  wish_.jpeg_quality = 40;
+  EXPECT_EQ("W3", request());
+  EXPECT_EQ(40, frame_.header.id);
+  EXPECT_EQ("", request());
+  EXPECT_TRUE(session_.streaming());
+  wish_.streaming = false;
+  EXPECT_EQ("W4", request());
+  EXPECT_EQ(Bytes({0, 0, 0, 1}), frame_.payload);
+  EXPECT_FALSE(session_.streaming());
+  wish_.jpeg_quality = 50;
+  EXPECT_EQ("", request());
+}
+
+TEST_F(Version2SessionTest, APictureOfTheStreamHasItsNumbers) {
+  wish_.streaming = true;
+  request();
+  receive(makePicture(0, 1, 4711));
+  ASSERT_EQ(1u, pictures_.size());
+  EXPECT_EQ(test_pictures::makeNumbered(1), pictures_[0]->jpeg);
+  EXPECT_EQ(4711u, pictures_[0]->frame_number);
+  EXPECT_EQ(version2_frames::kImageCount, pictures_[0]->image_count);
+  EXPECT_EQ(208, pictures_[0]->width);
+}
+
+TEST_F(Version2SessionTest, AStreamThatIsSilentIsGivenUpThoughTheHeartbeatIsAnswered) {
+  wish_.streaming = true;
+  EXPECT_EQ("W2", request());
+  receive(makeFrame('w', 2, {1, 0, 0, 1}));
+  live(milliseconds(499));
+  EXPECT_THROW(live(milliseconds(1)), Fault);
+}
+
+TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndThoseThatDoNotEndAreAFault) {
+  receive(makePicture(0, 1));
+  EXPECT_TRUE(pictures_.empty());
+  EXPECT_EQ(1u, counters_.unexpected_pictures);
+  live(milliseconds(1100));
+  EXPECT_THAT(faultOf(makePicture(0, 2)), HasSubstr("it goes on sending pictures"));
+}
+
+TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQualityInAnyOrder) {
+  wish_.streaming = true;
+  request();
+  receive(makeFrame('w', 2, {1, 0, 0, 1}));
+  auto first = takePicture(10);
+  auto second = takePicture(0);
+  EXPECT_EQ("F3", request());
+  EXPECT_EQ(10, frame_.header.id);
+  EXPECT_EQ(Bytes({0}), frame_.payload);
+  EXPECT_EQ("F4", request());
+  EXPECT_EQ(85, frame_.header.id) << "0 is the stream's";
+  EXPECT_EQ("", request());
+  receive(makePicture(0, 1));
+  EXPECT_FALSE(done(first)) << "this was the stream's";
+  receive(makePicture(4, 2));
+  receive(makePicture(3, 3));
+  EXPECT_EQ(test_pictures::makeNumbered(2), second.get().picture->jpeg);
+  const PictureAnswer got = first.get();
+  EXPECT_EQ(test_pictures::makeNumbered(3), got.picture->jpeg);
+  EXPECT_FALSE(got.from_stream);
+  EXPECT_EQ(3u, pictures_.size());
+}
+
+TEST_F(Version2SessionTest, ACallThatTimesOutLeavesTheConnectionAloneAndItsLatePictureIsDropped) {
+  auto answer = takePicture(10, milliseconds(300));
+  EXPECT_EQ("F2", request());
+  live(milliseconds(300));
+  EXPECT_EQ(CallOutcome::kTimeout, answer.get().outcome);
+  receive(makePicture(2, 1));
+  EXPECT_TRUE(pictures_.empty());
+}
+
+TEST_F(Version2SessionTest, ADamagedAnswerIsRequestedAgain) {
+  auto answer = takePicture(10);
+  EXPECT_EQ("F2", request());
+  receive(makeFrame('f', 2, version2_frames::makePicture(Bytes(5000, 7), 1)));
+  EXPECT_EQ("F3", request());
+  receive(makePicture(3, 1));
+  EXPECT_EQ(CallOutcome::kDone, answer.get().outcome);
+}
+
+TEST_F(Version2SessionTest, AnErrorBelongsToTheRequestWithItsNumber) {
+  auto first = takePicture(10);
+  auto second = takePicture(20);
+  commandJoints({{77, 0.1}});
+  request();
+  request();
+  EXPECT_EQ("J4", request());
+  receive(makeError(3, 0, "no more film"));
+  EXPECT_FALSE(done(first));
+  const PictureAnswer refusal = second.get();
+  EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
+  EXPECT_EQ("robot:54321 refused to take a picture: no more film (error code 0).", refusal.problem);
+  receive(makeError(4, 0, "there is no joint 77"));
+  EXPECT_EQ(1, logged("refused to move joints: there is no joint 77 (error code 0)"));
+  EXPECT_EQ(2u, counters_.refusals);
+  receive(makePicture(2, 1));
+  EXPECT_EQ(CallOutcome::kDone, first.get().outcome);
+}
+
+TEST_F(Version2SessionTest, ARefusedStreamIsAFault) {
+  wish_.streaming = true;
+  request();
+  EXPECT_THAT(faultOf(makeError(2, 2, "the camera is broken")),
+              HasSubstr("refused to stream pictures: the camera is broken (error code 2)"));
+}
+
+TEST_F(Version2SessionTest, RefusedTelemetryIsLoggedAndNotAskedForAgain) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("T2", request());
+  receive(makeError(2, 2, ""));
+  EXPECT_EQ(1, logged("refused to send telemetry: error code 2"));
+  live(milliseconds(5000));
+}
+
+TEST_F(Version2SessionTest, TelemetryIsToldInRadianWithTheRobotsTime) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("T2", request());
+  EXPECT_EQ(Bytes({0, 4}), frame_.payload);
+  receive(makeFrame('t', 2, {0, 4}));
+  EXPECT_TRUE(telemetry_.empty()) << "that was the period";
+  receive(makeFrame('t', 0, version2_frames::makeTelemetry(99, {{'J', 2, -500000}, {'S', 1, 7}, {'J', 52, 1000000}})));
+  ASSERT_EQ(1u, telemetry_.size());
+  EXPECT_EQ(99u, telemetry_[0].frame_number);
+  EXPECT_EQ(now_, telemetry_[0].arrival);
+  ASSERT_EQ(2u, telemetry_[0].joints.size());
+  EXPECT_EQ(2, telemetry_[0].joints[0].id);
+  EXPECT_DOUBLE_EQ(-0.5, telemetry_[0].joints[0].position);
+  EXPECT_EQ(52, telemetry_[0].joints[1].id);
+}
+
+TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
+  Bytes bytes;
+  for (unsigned frame = 1; frame <= 5; ++frame) {
+    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(frame, {{'J', 1, 0}}));
+    bytes.insert(bytes.end(), each.begin(), each.end());
+  }
+  receive(bytes);
+  ASSERT_EQ(1u, telemetry_.size());
+  EXPECT_EQ(5u, telemetry_[0].frame_number);
+}
+
+TEST_F(Version2SessionTest, JointsThatAreToldTogetherAreSentInOneRequest) {
+  commandJoints({{2, -0.5}, {3, 0.25}}, milliseconds(300));
+  EXPECT_EQ("J2", request());
+  version2::JointTargets targets;
+  ASSERT_EQ(nullptr, version2::decodeJointTargets(frame_.payload.data(), frame_.payload.size(), &targets));
+  EXPECT_EQ(300, targets.duration_ms);
+  ASSERT_EQ(2, targets.count);
+  EXPECT_EQ(-500000, targets.joints[0].value);
+  EXPECT_EQ(3, targets.joints[1].id);
+  targets.joints[1].value = 200000;
+  receive(makeFrame('j', 2, version2_frames::makeTargets(targets)));
+  ASSERT_EQ(1u, accepted_.size());
+  EXPECT_DOUBLE_EQ(-0.5, accepted_[0][0].position);
+  EXPECT_DOUBLE_EQ(0.2, accepted_[0][1].position) << "what the robot has accepted";
+}
+
+TEST_F(Version2SessionTest, NoMoreThanFourCommandsAreUnderWayAndThenTheLatestIsNext) {
+  for (int i = 0; i < 4; ++i) {
+    commandJoints({{2, 0.1 * i}});
+    EXPECT_EQ("J" + std::to_string(i + 2), request());
+  }
+  for (int i = 4; i < 100; ++i) {
+    commandJoints({{2, 0.01 * i}});
+    EXPECT_EQ("", request());
+  }
+  receive(makeFrame('j', 2, {0, 0, 0, 0}));
+  EXPECT_EQ("J6", request());
+  version2::JointTargets targets;
+  ASSERT_EQ(nullptr, version2::decodeJointTargets(frame_.payload.data(), frame_.payload.size(), &targets));
+  EXPECT_EQ(990000, targets.joints[0].value);
+  receive(makeFrame('j', 3, {0, 0, 0, 0}));
+  EXPECT_EQ("", request());
+}
+
+TEST_F(Version2SessionTest, SpeedLimitsGoFirst) {
+  commandJoints({{2, 0.5}});
+  limitSpeed({{2, 0.75}, {3, 1}});
+  EXPECT_EQ("V2", request());
+  version2::SpeedLimits limits;
+  ASSERT_EQ(nullptr, version2::decodeSpeedLimits(frame_.payload.data(), frame_.payload.size(), &limits));
+  ASSERT_EQ(2, limits.count);
+  EXPECT_EQ(750000, limits.joints[0].value);
+  EXPECT_EQ("J3", request());
+}
+
+TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {
+  commandJoints({{2, 0.5}});
+  EXPECT_EQ("J2", request());
+  live(milliseconds(999));
+  EXPECT_THROW(live(milliseconds(1)), Fault);
+}
+
+TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateTold) {
+  auto answer = setMotors(false);
+  EXPECT_EQ("O2", request());
+  EXPECT_EQ(Bytes({0}), frame_.payload);
+  receive(makeFrame('o', 2, {0}));
+  EXPECT_FALSE(answer.get().on);
+  auto refused = setMotors(true);
+  EXPECT_EQ("O3", request());
+  receive(makeError(3, 0, "the battery is low"));
+  EXPECT_THAT(refused.get().problem, HasSubstr("refused to switch the motors: the battery is low"));
+}
+
+TEST_F(Version2SessionTest, WhatTheRobotReportsByItselfIsLoggedAndKept) {
+  receive(makeError(0, 3, "joint head_pan does not move"));
+  EXPECT_EQ("joint head_pan does not move (error code 3)", session_.robotMessage());
+  EXPECT_EQ(1, logged("reports: joint head_pan does not move"));
+}
+
+TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersArePassedOver) {
+  receive(makeFrame('z', 0, {1, 2, 3}));
+  receive(makeFrame('j', 4711, {1, 2, 3}));
+  receive(makeError(4711, 0, "too late"));
+  EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(Version2SessionTest, GarbageIsAProtocolError) {
+  EXPECT_THAT(faultOf(Bytes(8, 0)), HasSubstr("a frame that begins with byte 0"));
+}
+
+TEST_F(Version2SessionTest, AFrameThatIsTooLargeIsAProtocolErrorAsSoonAsItIsAnnounced) {
+  EXPECT_THAT(faultOf({'f', 0, 0, 0, 0, 4, 0, 1}), HasSubstr("a frame of 262145 bytes; at most 262144 are possible"));
+}
+
+TEST_F(Version2SessionTest, AReplyOfAnotherKindThanTheRequestIsAProtocolError) {
+  commandJoints({{2, 0.5}});
+  EXPECT_EQ("J2", request());
+  EXPECT_THAT(faultOf(makeFrame('v', 2, {})), HasSubstr("a reply 'v' to the request 'J'"));
+}
+
+TEST_F(Version2SessionTest, APayloadThatIsNotWhatItsKindSaysIsAProtocolError) {
+  EXPECT_THAT(faultOf(makeFrame('t', 0, {1, 2, 3})), HasSubstr("bad telemetry: "));
+  EXPECT_THAT(faultOf(makeFrame('f', 0, {1, 2, 3})), HasSubstr("bad picture: "));
+  EXPECT_THAT(faultOf(makeFrame('e', 0, {1})), HasSubstr("bad error message: "));
+}
+
+TEST_F(Version2SessionTest, FramesAreFoundHoweverTheyAreSplitAndJoined) {
+  wish_.streaming = true;
+  request();
+  Bytes stream;
+  for (unsigned i = 1; i <= 20; ++i) {
+    const Bytes telemetry = makeFrame('t', 0, version2_frames::makeTelemetry(i, {{'J', 1, 0}}));
+    const Bytes picture = makePicture(0, i, i);
+    stream.insert(stream.end(), telemetry.begin(), telemetry.end());
+    stream.insert(stream.end(), picture.begin(), picture.end());
+  }
+  std::mt19937 random(1);
+  for (std::size_t at = 0; at < stream.size();) {
+    const std::size_t size =
+        std::min<std::size_t>(random() % 3 == 0 ? random() % 20 + 1 : random() % 9000 + 1, stream.size() - at);
+    const auto begin = stream.begin() + static_cast<std::ptrdiff_t>(at);
+    receive(Bytes(begin, begin + static_cast<std::ptrdiff_t>(size)));
+    at += size;
+  }
+  ASSERT_EQ(20u, pictures_.size());
+  EXPECT_EQ(test_pictures::makeNumbered(20), pictures_[19]->jpeg);
+  EXPECT_EQ(20u, telemetry_.back().frame_number);
+}
+
+TEST_F(Version2SessionTest, RequestNumbersBeginAgainAndNoneIsUsedThatIsStillAwaited) {
+  auto answer = takePicture(10, std::chrono::hours(1));
+  EXPECT_EQ("F2", request());
+  for (int i = 0; i < 65532; ++i) {
+    commandJoints({{2, 0}});
+    request();
+    receive(makeFrame('j', frame_.header.request_number, {0, 0, 0, 0}));
+  }
+  EXPECT_EQ(65534, frame_.header.request_number);
+  std::string numbers;
+  for (int i = 0; i < 3; ++i) {
+    commandJoints({{2, 0}});
+    numbers += request() + " ";
+  }
+  EXPECT_EQ("J65535 J1 J3 ", numbers);
+}
+
+}  // namespace

@@ -1,0 +1,156 @@
+#include "motion/joint_command_filter.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+namespace aibo_driver {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double kSpeedLimit = 3.0;
+constexpr double kApproachSpeed = 0.5;
+constexpr int kHeadPan = 2;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class JointCommandFilterTest : public ::testing::Test {
+ protected:
+  FilteredCommand filter(const JointCommand& command) { return filter_.filter(command, now_); }
+
+  JointOrder order(const JointCommand& command) {
+    const FilteredCommand result = filter(command);
+    EXPECT_THAT(result.orders, SizeIs(1));
+    return result.orders.empty() ? JointOrder() : result.orders.front();
+  }
+
+  // Puts the approach of a joint behind it.
+  void arrive(const std::string& joint, double position) {
+    filter({{joint}, {position}, {}});
+    now_ += seconds(60);
+  }
+
+  void measure(double head_pan) {
+    Telemetry telemetry;
+    telemetry.joints = {{kHeadPan, head_pan}};
+    measured_.update(telemetry);
+  }
+
+  const JointTable table_{"ERS-7", kSpeedLimit};
+  MeasuredJoints measured_{table_};
+  JointCommandFilter filter_{table_, measured_, kApproachSpeed};
+  JointCommandFilter::SteadyTime now_{seconds(1000)};
+};
+
+TEST_F(JointCommandFilterTest, PassesPositionsWithinTheLimits) {
+  arrive("head_pan", 0);
+  const JointOrder result = order({{"head_pan"}, {0.5}, {}});
+  EXPECT_EQ(result.id, kHeadPan);
+  EXPECT_DOUBLE_EQ(result.position, 0.5);
+  EXPECT_DOUBLE_EQ(result.speed, kSpeedLimit);
+}
+
+TEST_F(JointCommandFilterTest, ClampsPositionsToTheLimits) {
+  EXPECT_NEAR(order({{"head_pan"}, {9.0}, {}}).position, 1.53589, 1e-5);
+  EXPECT_NEAR(order({{"head_pan"}, {-1e300}, {}}).position, -1.53589, 1e-5);
+}
+
+TEST_F(JointCommandFilterTest, LeavesOutWhatIsNoFiniteNumberAndCarriesOutTheRest) {
+  const FilteredCommand result = filter({{"head_pan", "mouth", "neck_tilt"}, {kNan, -0.5, kInfinity}, {}});
+  ASSERT_THAT(result.orders, SizeIs(1));
+  EXPECT_DOUBLE_EQ(result.orders.front().position, -0.5);
+  EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan"), HasSubstr("neck_tilt")));
+}
+
+TEST_F(JointCommandFilterTest, LeavesOutAJointWhoseVelocityIsNoFiniteNumber) {
+  const FilteredCommand result = filter({{"head_pan"}, {0.5}, {kNan}});
+  EXPECT_THAT(result.orders, IsEmpty());
+  EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan")));
+}
+
+TEST_F(JointCommandFilterTest, LeavesOutUnknownNames) {
+  const FilteredCommand result = filter({{"left_ear", "head_pan", ""}, {0, 0.5, 0}, {}});
+  EXPECT_THAT(result.orders, SizeIs(1));
+  EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("'left_ear'"), HasSubstr("''")));
+}
+
+TEST_F(JointCommandFilterTest, RefusesArraysThatDoNotFitTogether) {
+  for (const JointCommand& command :
+       {JointCommand{{"head_pan", "mouth"}, {0.5}, {}}, JointCommand{{"head_pan"}, {}, {}},
+        JointCommand{{"head_pan"}, {0.5, 0.5}, {}}, JointCommand{{"head_pan"}, {0.5}, {1, 1}}, JointCommand{}}) {
+    const FilteredCommand result = filter(command);
+    EXPECT_THAT(result.orders, IsEmpty());
+    EXPECT_THAT(result.refusals, SizeIs(1));
+  }
+}
+
+TEST_F(JointCommandFilterTest, TakesTheLastOfTwoPositionsForOneJoint) {
+  EXPECT_DOUBLE_EQ(order({{"head_pan", "head_pan"}, {0.5, -0.5}, {}}).position, -0.5);
+}
+
+TEST_F(JointCommandFilterTest, LimitsTheSpeedToTheVelocityGiven) {
+  arrive("head_pan", 0);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {1.5}}).speed, 1.5);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {-1.5}}).speed, 1.5);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {100}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means: none is given";
+  EXPECT_GT(order({{"head_pan"}, {0.5}, {1e-12}}).speed, 0);
+}
+
+TEST_F(JointCommandFilterTest, ApproachesTheFirstPositionSlowlyHoweverOftenItIsRepeated) {
+  measure(1.0);
+  for (int i = 0; i < 20; ++i) {  // for 2 s, which the way of 1 rad takes
+    EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed) << i;
+    now_ += milliseconds(100);
+  }
+  now_ += seconds(1);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
+}
+
+TEST_F(JointCommandFilterTest, GoesOnApproachingWhenThePositionChangesOnTheWay) {
+  measure(1.0);
+  order({{"head_pan"}, {0.5}, {}});
+  now_ += milliseconds(900);
+  order({{"head_pan"}, {-0.5}, {}});
+  now_ += milliseconds(2900);  // another 3 s
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {}}).speed, kApproachSpeed);
+  now_ += seconds(1);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {}}).speed, kSpeedLimit);
+}
+
+TEST_F(JointCommandFilterTest, TakesAJointThatWasNotMeasuredForFarAway) {
+  order({{"head_pan"}, {0.0}, {}});
+  now_ += milliseconds(3000);  // 88 degrees at 0.5 rad/s take 3.07 s
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
+}
+
+TEST_F(JointCommandFilterTest, ApproachesEachJointByItself) {
+  arrive("head_pan", 0);
+  const FilteredCommand result = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {}});
+  ASSERT_THAT(result.orders, SizeIs(2));
+  EXPECT_DOUBLE_EQ(result.orders[0].speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(result.orders[1].speed, kApproachSpeed);
+}
+
+TEST_F(JointCommandFilterTest, ApproachesAgainWhenTold) {
+  arrive("head_pan", 0);
+  filter_.startApproach();
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {}}).speed, kApproachSpeed);
+}
+
+TEST_F(JointCommandFilterTest, ApproachesWithAVelocityThatIsLowerStill) {
+  measure(1.0);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {0.1}}).speed, 0.1);
+  now_ += seconds(9);  // of the 10 that it takes
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
+}
+
+}  // namespace
+}  // namespace aibo_driver

@@ -1,0 +1,36 @@
+#include "motion/joint_table.h"
+
+#include <gmock/gmock.h>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+namespace {
+
+TEST(JointTable, ListsTheServosOfTheErs7InRadian) {
+  const JointTable table("ERS-7", 100);
+  ASSERT_EQ(table.size(), 18u);
+  const auto pan = table.findByName("head_pan");
+  ASSERT_TRUE(pan);
+  EXPECT_EQ(table[*pan].id, 2);
+  EXPECT_NEAR(table[*pan].lowest, -1.535890, 1e-6);  // -88 degrees
+  EXPECT_NEAR(table[*pan].highest, 1.535890, 1e-6);
+  EXPECT_NEAR(table[*pan].speed_limit, 10.05746, 1e-5);
+  EXPECT_EQ(table.findById(2), pan);
+}
+
+TEST(JointTable, TakesTheLowerOfTwoSpeedLimits) {
+  const JointTable table("ERS-7", 4);
+  EXPECT_DOUBLE_EQ(table[*table.findByName("head_pan")].speed_limit, 4);
+  EXPECT_NEAR(table[*table.findByName("neck_tilt")].speed_limit, 3.185226, 1e-6);
+}
+
+TEST(JointTable, KnowsOtherRobotsByTheirDesign) {
+  EXPECT_TRUE(JointTable("ERS-210", 1).findByName("head_roll"));
+  EXPECT_FALSE(JointTable("ERS-7", 1).findByName("head_roll"));
+  EXPECT_FALSE(JointTable("ERS-7", 1).findById(99));
+  EXPECT_THROW(JointTable("ERS-8", 1), InvalidArgumentException);
+}
+
+}  // namespace
+}  // namespace aibo_driver
