@@ -1,7 +1,6 @@
 #include "client/version1_session.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "client/fault.h"

@@ -134,8 +134,8 @@ TEST_F(JointsTest, WithoutAConnectionACommandIsRefusedAndNotKept) {
               }),
               HasSubstr("has not been started"));
   ScriptedPeer peer = connectVersion2();
-  client().setJointSpeedLimits({{1, 1}});
-  EXPECT_EQ('V', peer.readRequest().header.kind) << "and no J before it";
+  client().commandJoints({{200, 0}}, milliseconds(0));
+  EXPECT_EQ(200, peer.readRequest().payload.at(4)) << "the first joint that is sent";
 }
 
 TEST_F(JointsTest, WhileTheVersionIsNotClearACommandIsRefused) {
@@ -157,8 +157,8 @@ TEST_F(JointsTest, NoCommandIsRepeatedAfterAReconnect) {
   peer.close();
   ScriptedPeer next = connectVersion2();
   ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
-  client().setJointSpeedLimits({{1, 1}});
-  EXPECT_EQ('V', next.readRequest().header.kind) << "nothing was sent to the joints before this new command";
+  client().commandJoints({{200, 0}}, milliseconds(0));
+  EXPECT_EQ(200, next.readRequest().payload.at(4)) << "the first joint that is sent";
 }
 
 TEST_F(JointsTest, AVersion1ServerIsToldJointAfterJointAndNothingAgainAfterAReconnect) {

@@ -43,9 +43,7 @@ class SessionFixture : public testing::Test {
   std::future<aibo_driver::PictureAnswer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
     aibo_driver::PictureRequest request;
     request.quality = quality;
-    request.timeout = timeout;
-    request.deadline = now_ + timeout;
-    auto answer = request.promise.get_future();
+    auto answer = allow(timeout, &request);
     session().add(std::move(request), now_);
     return answer;
   }
@@ -53,9 +51,7 @@ class SessionFixture : public testing::Test {
   std::future<aibo_driver::MotorAnswer> setMotors(bool on, milliseconds timeout = milliseconds(2000)) {
     aibo_driver::MotorRequest request;
     request.on = on;
-    request.timeout = timeout;
-    request.deadline = now_ + timeout;
-    auto answer = request.promise.get_future();
+    auto answer = allow(timeout, &request);
     session().add(std::move(request));
     return answer;
   }
@@ -95,6 +91,13 @@ class SessionFixture : public testing::Test {
   TimePoint now_ = TimePoint() + milliseconds(100000);
 
  private:
+  template <typename Request>
+  std::future<typename Request::Answer> allow(milliseconds timeout, Request* request) const {
+    request->timeout = timeout;
+    request->deadline = now_ + timeout;
+    return request->promise.get_future();
+  }
+
   aibo_driver::RcServerClient::Callbacks record() {
     aibo_driver::RcServerClient::Callbacks callbacks;
     callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) { pictures_.push_back(picture); };
