@@ -35,8 +35,10 @@ using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::SizeIs;
 
 TakePicture::Response takePicture(const std::string& name_space, std::uint8_t quality,
                                   const std::string& save_to = "") {
@@ -62,8 +64,10 @@ std_srvs::Trigger::Response toggleStreaming(const std::string& name_space) {
 
 // Robot, proxy and driver, connected with each other.
 struct ConnectedDriver {
-  explicit ConnectedDriver(const std::string& name_space, const std::vector<std::string>& parameters = {})
-      : proxy(robot.port()),
+  explicit ConnectedDriver(const std::string& name_space, const std::vector<std::string>& parameters = {},
+                           const std::vector<std::string>& robot_options = {})
+      : robot(robot_options),
+        proxy(robot.port()),
         streaming(name_space + "/streaming"),
         connection(name_space + "/connection"),
         pictures(name_space + "/camera/image_raw/compressed"),
@@ -78,6 +82,15 @@ struct ConnectedDriver {
   bool waitForStreaming(bool on) {
     return streaming.waitFor([on](const std_msgs::Bool& message) { return static_cast<bool>(message.data) == on; }) !=
            nullptr;
+  }
+
+  // The qualities in the driver's requests of this kind.
+  std::vector<int> qualities(const std::string& kind) const {
+    std::vector<int> result;
+    for (const test_support::Request& request : proxy.requestsFromDriver(kind)) {
+      result.push_back(request.id);
+    }
+    return result;
   }
 
   SimulatedRobot robot;
@@ -102,7 +115,7 @@ TEST(TakePicture, WithoutAStreamAnswersARobotsPictureThatWasTakenAfterTheCall) {
   EXPECT_EQ(answer.image.header.frame_id, "camera_optical_frame");
   EXPECT_THAT(answer.message, HasSubstr("at quality 85"));
   EXPECT_THAT(connected.proxy.picturesFromRobot(), Contains(answer.image.data));
-  EXPECT_EQ(connected.proxy.bytesFromDriver(), std::string("F\x55"));
+  EXPECT_THAT(connected.qualities("F"), ElementsAre(85));
 }
 
 TEST(TakePicture, UsesTheQualityAskedFor) {
@@ -115,11 +128,7 @@ TEST(TakePicture, UsesTheQualityAskedFor) {
   EXPECT_LT(of_driver, high);
   ASSERT_TRUE(above.success) << above.message;
   EXPECT_THAT(above.message, HasSubstr("quality 100"));
-  EXPECT_EQ(connected.proxy.bytesFromDriver(),
-            "F\x32"
-            "F\x0a"
-            "F\x64"
-            "F\x64");
+  EXPECT_THAT(connected.qualities("F"), ElementsAre(50, 10, 100, 100));
 }
 
 TEST(TakePicture, IsPublishedOnTheCameraTopicsToo) {
@@ -137,8 +146,17 @@ TEST(TakePicture, IsPublishedOnTheCameraTopicsToo) {
   EXPECT_TRUE(published);
 }
 
-TEST(TakePicture, DuringTheStreamAnswersTheStreamsNextPictureAndSaysSo) {
-  ConnectedDriver connected("/during");
+TEST(TakePicture, DuringTheStreamHasItsOwnQuality) {
+  ConnectedDriver connected("/own");
+  ASSERT_FALSE(connected.pictures.waitForCount(1).empty());
+  const TakePicture::Response answer = takePicture("/own", 20);
+  ASSERT_TRUE(answer.success) << answer.message;
+  EXPECT_THAT(answer.message, HasSubstr("at quality 20"));
+  EXPECT_THAT(connected.qualities("F"), ElementsAre(20));
+}
+
+TEST(TakePicture, DuringTheStreamOfAnOldServerAnswersTheStreamsNextPictureAndSaysSo) {
+  ConnectedDriver connected("/during", {}, {"--protocol-version", "1"});
   ASSERT_FALSE(connected.pictures.waitForCount(1).empty());
   const ros::Time before = ros::Time::now();
   const TakePicture::Response answer = takePicture("/during", 20);
@@ -190,7 +208,7 @@ TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
   ConnectedDriver connected("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=4", "_read_timeout:=60"});
   connected.proxy.setMute(true);
   std::future<TakePicture::Response> waiting = std::async(std::launch::async, [] { return takePicture("/silent", 0); });
-  ASSERT_TRUE(connected.proxy.waitForDriver("F", kSafetyNet));
+  ASSERT_TRUE(connected.proxy.waitForRequest("F", kSafetyNet));
   EXPECT_TRUE(setStreaming("/silent", false).success);
   EXPECT_EQ(waiting.wait_for(std::chrono::seconds(0)), std::future_status::timeout) << "set_streaming had to wait";
   ASSERT_EQ(waiting.wait_for(kSafetyNet), std::future_status::ready);
@@ -206,14 +224,15 @@ TEST(SetStreaming, TwiceTheSameSendsTheRobotNothingTheSecondTime) {
   EXPECT_TRUE(setStreaming("/twice", true).success);
   connected.pictures.clear();
   ASSERT_GE(connected.pictures.waitForCount(10).size(), 10u);
-  EXPECT_EQ(connected.proxy.bytesFromDriver(), "WU");
+  EXPECT_THAT(connected.qualities("W"), ElementsAre(85));
 
   connected.streaming.clear();
   EXPECT_TRUE(setStreaming("/twice", false).success);
   ASSERT_TRUE(connected.waitForStreaming(false));
   EXPECT_TRUE(setStreaming("/twice", false).success);
   ASSERT_TRUE(takePicture("/twice", 0).success);
-  EXPECT_EQ(connected.proxy.bytesFromDriver(), "WUWUFU");
+  EXPECT_THAT(connected.qualities("W"), SizeIs(2));
+  EXPECT_THAT(connected.qualities("F"), SizeIs(1));
 }
 
 TEST(SetStreaming, WithTheRobotGoneSaysSoAndTheWishIsKept) {

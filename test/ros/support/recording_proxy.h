@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -12,6 +13,13 @@
 #include <vector>
 
 namespace test_support {
+
+/// A request of version 2 of the protocol.
+struct Request {
+  char kind = 0;
+  int id = 0;  ///< quality of `F` and `W`
+  std::vector<std::uint8_t> payload;
+};
 
 /// Stands between driver and robot on a free port, passes every byte on, and remembers it. One connection at a time.
 class RecordingProxy {
@@ -37,13 +45,22 @@ class RecordingProxy {
   /// What the driver has sent since the proxy began.
   std::string bytesFromDriver() const;
 
-  /// Waits until the driver has sent this text.
+  /// How many connections there have been.
+  std::size_t connections() const;
+
+  /// What the driver has requested of a version 2 server, in this order.
+  /// @param kinds only requests of these kinds
+  /// @param first_connection leave out the connections before this one; the first is 0
+  std::vector<Request> requestsFromDriver(const std::string& kinds, std::size_t first_connection = 0) const;
+
+  /// Waits until the driver has made a request of one of these kinds.
   /// @return false if it did not come in time
-  bool waitForDriver(const std::string& text, std::chrono::seconds timeout);
+  bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout);
 
  private:
   void run();
   void serve(int driver);
+  std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const;
 
   const int robot_port_;
   int listener_ = -1;
@@ -54,7 +71,7 @@ class RecordingProxy {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<std::vector<std::uint8_t>> from_robot_;  ///< one entry for each connection
-  std::string from_driver_;
+  std::vector<std::string> from_driver_;               ///< likewise
   std::thread thread_;
 };
 

@@ -3,6 +3,8 @@
 #define AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "process.h"
 
@@ -11,7 +13,8 @@ namespace test_support {
 /// The executable aibo_rcserver with a simulated ERS-7, on a free port of 127.0.0.1.
 class SimulatedRobot {
  public:
-  SimulatedRobot() { start(0); }
+  /// @param options further options of the executable, such as {"--protocol-version", "1"}
+  explicit SimulatedRobot(const std::vector<std::string>& options = {}) : options_(options) { start(0); }
 
   int port() const { return port_; }
 
@@ -24,6 +27,7 @@ class SimulatedRobot {
  private:
   void start(int port);
 
+  const std::vector<std::string> options_;
   int port_ = 0;
   std::unique_ptr<Process> process_;
 };

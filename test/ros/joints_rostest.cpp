@@ -1,0 +1,444 @@
+// Moving the robot, and what keeps it from harm.
+
+#include <aibo_driver/Connection.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <std_msgs/Float64.h>
+#include <std_srvs/SetBool.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "diagnostics_listener.h"
+#include "driver_process.h"
+#include "joint_listener.h"
+#include "recording_proxy.h"
+#include "robot_model/robot_model.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+
+namespace {
+
+using aibo_driver::Connection;
+using sensor_msgs::JointState;
+using test_support::DiagnosticsListener;
+using test_support::DriverProcess;
+using test_support::JointListener;
+using test_support::kSafetyNet;
+using test_support::positionOf;
+using test_support::RecordingProxy;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using trajectory_msgs::JointTrajectory;
+using Posture = std::map<std::string, double>;
+
+// As fast as joints can go, and no slow approach: for tests of something else.
+const std::vector<std::string> kQuick{"_stream_on_start:=false", "_joint_speed_limit:=20", "_approach_speed:=20"};
+
+// What two encoder steps within 32 ms look like, and the servo's own settling.
+constexpr double kSpeedTolerance = 0.12;  // rad/s
+
+const robot_model::RobotModel& ers7() {
+  return *robot_model::findRobotModel("ERS-7");
+}
+
+// All joints so far between their limits. With fractions from 0.5 to 0.7 nothing is in the way of anything.
+Posture postureAt(double fraction) {
+  Posture posture;
+  for (int i = 0; i < ers7().number_of_joints; ++i) {
+    const robot_model::Joint& joint = ers7().joints[i];
+    posture[joint.name] = (joint.lowest + fraction * (joint.highest - joint.lowest)) / 1e6;
+  }
+  return posture;
+}
+
+JointState command(const Posture& posture) {
+  JointState message;
+  for (const auto& joint : posture) {
+    message.name.push_back(joint.first);
+    message.position.push_back(joint.second);
+  }
+  return message;
+}
+
+JointTrajectory trajectory(const Posture& posture, double seconds) {
+  JointTrajectory message;
+  message.points.resize(1);
+  message.points[0].time_from_start = ros::Duration(seconds);
+  for (const auto& joint : posture) {
+    message.joint_names.push_back(joint.first);
+    message.points[0].positions.push_back(joint.second);
+  }
+  return message;
+}
+
+// Robot, proxy and driver, connected with each other, and a user who moves the joints.
+class JointUser {
+ public:
+  explicit JointUser(const std::string& name_space, const std::vector<std::string>& parameters = kQuick,
+                     const std::vector<std::string>& robot_options = {})
+      : robot(robot_options),
+        proxy(robot.port()),
+        joints(name_space),
+        connection(name_space + "/connection"),
+        driver(name_space, proxy.port(), parameters),
+        name_space_(name_space) {
+    EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
+    EXPECT_TRUE(joints.messages().waitForNext());
+  }
+
+  template <typename Message>
+  void publish(const std::string& topic, const Message& message) {
+    ros::Publisher& publisher = publisherOf<Message>(topic);
+    publisher.publish(message);
+  }
+
+  // Ready to be published on without delay.
+  template <typename Message>
+  ros::Publisher& publisherOf(const std::string& topic) {
+    ros::Publisher& publisher = publishers_[topic];
+    if (!publisher) {
+      publisher = ros::NodeHandle().advertise<Message>(name_space_ + "/" + topic, 100);
+      const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+      while (publisher.getNumSubscribers() == 0 && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      }
+    }
+    return publisher;
+  }
+
+  std_srvs::SetBool::Response setMotors(bool on) {
+    std_srvs::SetBool service;
+    service.request.data = on;
+    EXPECT_TRUE(ros::service::call(name_space_ + "/motors", service)) << "the call itself failed";
+    return service.response;
+  }
+
+  bool waitForConnection(std::uint8_t state) {
+    return connection.waitFor([state](const Connection& message) { return message.state == state; }) != nullptr;
+  }
+
+  // Breaks the connection and waits for the next one.
+  void reconnect() {
+    connection.clear();
+    proxy.cut();
+    EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
+    joints.messages().clear();
+    EXPECT_TRUE(joints.messages().waitForNext());
+  }
+
+  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
+
+  std::size_t jointRequests(std::size_t first_connection = 0) const {
+    return proxy.requestsFromDriver("J", first_connection).size();
+  }
+
+  SimulatedRobot robot;
+  RecordingProxy proxy;
+  JointListener joints;
+  TopicListener<Connection> connection;
+  DriverProcess driver;
+
+ private:
+  const std::string name_space_;
+  std::map<std::string, ros::Publisher> publishers_;
+};
+
+TEST(JointStates, TellAllServosWithVelocitiesAndIncreasingStamps) {
+  const JointUser user("/states");
+  TopicListener<JointState> states("/states/joint_states");
+  const auto messages = states.waitForCount(20);
+  ASSERT_GE(messages.size(), 20u);
+  ros::Time last;
+  for (const auto& message : messages) {
+    EXPECT_THAT(message->name, SizeIs(18));
+    EXPECT_THAT(message->position, SizeIs(18));
+    EXPECT_THAT(message->velocity, SizeIs(18));
+    EXPECT_THAT(message->effort, IsEmpty()) << "the robot tells none";
+    EXPECT_GT(message->header.stamp, last);
+    last = message->header.stamp;
+  }
+}
+
+TEST(JointCommand, MovesEveryJointByOneRequest) {
+  JointUser user("/command");
+  const Posture posture = postureAt(0.5);
+  user.publish("joint_command", command(posture));
+  EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
+  EXPECT_EQ(user.jointRequests(), 1u);
+}
+
+TEST(PositionControllers, MoveEveryJointByFewRequests) {
+  JointUser user("/controllers");
+  const Posture posture = postureAt(0.6);
+  for (const auto& joint : posture) {
+    user.publisherOf<std_msgs::Float64>(joint.first + "_position_controller/command");
+  }
+  for (const auto& joint : posture) {
+    std_msgs::Float64 position;
+    position.data = joint.second;
+    user.publish(joint.first + "_position_controller/command", position);
+  }
+  EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
+  EXPECT_LT(user.jointRequests(), posture.size());
+}
+
+TEST(JointTrajectory, MovesEveryJoint) {
+  JointUser user("/trajectory");
+  const Posture posture = postureAt(0.7);
+  user.publish("joint_trajectory", trajectory(posture, 1.5));
+  EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
+}
+
+TEST(JointCommand, IsClampedToTheLimits) {
+  JointUser user("/clamped");
+  user.publish("joint_command", command({{"head_pan", 100.0}}));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.5359));  // 88 degrees
+}
+
+TEST(JointCommand, LeavesOutWhatIsNoNumberAndWhatIsNoJointAndSaysWhich) {
+  JointUser user("/refused");
+  const double before = user.joints.position("neck_tilt");
+  user.publish(
+      "joint_command",
+      command({{"neck_tilt", std::numeric_limits<double>::quiet_NaN()}, {"third_ear", 1.0}, {"head_pan", 0.5}}));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.5));
+  EXPECT_NEAR(user.joints.position("neck_tilt"), before, JointListener::kTolerance);
+  user.waitForWarning("neck_tilt");
+  user.waitForWarning("third_ear");
+  std_msgs::Float64 infinity;
+  infinity.data = std::numeric_limits<double>::infinity();
+  user.publish("mouth_position_controller/command", infinity);
+  user.waitForWarning("mouth");
+  EXPECT_EQ(user.jointRequests(), 1u);
+}
+
+TEST(JointCommand, WithArraysThatDoNotFitTogetherIsRefused) {
+  JointUser user("/misfit");
+  JointState message = command({{"head_pan", 0.5}, {"mouth", -0.5}});
+  message.position.pop_back();
+  user.publish("joint_command", message);
+  user.waitForWarning("as many positions as names");
+  EXPECT_EQ(user.jointRequests(), 0u);
+}
+
+TEST(JointCommand, WithAVelocityIsCarriedOutNoFaster) {
+  JointUser user("/velocity");
+  JointState message = command({{"head_pan", 0.6}});
+  message.velocity = {0.8};
+  user.publish("joint_command", message);
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.6));
+  EXPECT_LE(user.joints.highestSpeed("head_pan"), 0.8 + kSpeedTolerance);
+  EXPECT_GE(user.joints.highestSpeed("head_pan"), 0.8 - kSpeedTolerance);
+}
+
+TEST(JointCommand, KeepsTheSpeedLimitOfTheParameter) {
+  JointUser user("/limit", {"_stream_on_start:=false", "_joint_speed_limit:=1.5", "_approach_speed:=20"});
+  user.publish("joint_command", command({{"head_pan", 1.0}}));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.0));
+  EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.5 + kSpeedTolerance);
+}
+
+// As joint_state_publisher_gui does: a whole posture from the first moment on, again and again.
+TEST(JointCommand, FromSlidersThatHaveJustBeenStartedMovesTheRobotSlowly) {
+  JointUser user("/sliders", {"_stream_on_start:=false"});
+  const Posture posture = postureAt(0.5);
+  const double before = user.joints.position("head_tilt");
+  user.joints.messages().clear();
+  for (int i = 0; i < 10; ++i) {
+    user.publish("joint_command", command(posture));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the rate is part of what is tested
+  }
+  const auto messages = user.joints.messages().waitForCount(1);
+  ASSERT_FALSE(messages.empty());
+  for (const auto& joint : posture) {
+    EXPECT_LE(user.joints.highestSpeed(joint.first), 0.5 + kSpeedTolerance) << joint.first;
+  }
+  EXPECT_GT(std::abs(user.joints.position("head_tilt") - before), 0.05) << "but it does move";
+}
+
+TEST(JointCommand, WithoutARobotIsDroppedAndNotSentLater) {
+  JointUser user("/dropped");
+  const double before = user.joints.position("head_pan");
+  user.publisherOf<JointState>("joint_command");
+  const std::size_t connections = user.proxy.connections();
+  user.connection.clear();
+  user.robot.kill();
+  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  user.publish("joint_command", command({{"head_pan", 0.5}}));
+  user.waitForWarning("A joint command was dropped");
+  user.robot.restart();
+  user.joints.messages().clear();
+  ASSERT_FALSE(user.joints.messages().waitForCount(10).empty());
+  EXPECT_EQ(user.jointRequests(connections), 0u);
+  EXPECT_NEAR(user.joints.position("head_pan"), before, JointListener::kTolerance);
+}
+
+TEST(JointCommand, CutOffByADisconnectIsNotRepeatedAndTheJointHolds) {
+  JointUser user("/cut_off");
+  JointState message = command({{"head_pan", 1.4}});
+  message.velocity = {0.1};
+  user.publish("joint_command", message);
+  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
+    const auto position = positionOf(state, "head_pan");
+    return position && *position > 0.1;
+  }));
+  const std::size_t connections = user.proxy.connections();
+  user.reconnect();
+  const double first = user.joints.position("head_pan");
+  user.joints.messages().waitForNext();
+  user.joints.messages().clear();
+  user.joints.messages().waitForCount(15);  // 0.5 s, in which it would have gone on by 0.05 rad
+  EXPECT_NEAR(user.joints.position("head_pan"), first, JointListener::kTolerance);
+  EXPECT_LT(first, 1.3);
+  EXPECT_EQ(user.jointRequests(connections), 0u);
+}
+
+TEST(JointTrajectory, CutOffByADisconnectStaysCutOff) {
+  JointUser user("/trajectory_cut_off");
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
+  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
+    const auto position = positionOf(state, "head_pan");
+    return position && *position > 0.1;
+  }));
+  const std::size_t connections = user.proxy.connections();
+  user.reconnect();
+  user.waitForWarning("The trajectory ends early");
+  const double first = user.joints.position("head_pan");
+  user.joints.messages().clear();
+  user.joints.messages().waitForCount(15);
+  EXPECT_NEAR(user.joints.position("head_pan"), first, JointListener::kTolerance);
+  EXPECT_EQ(user.jointRequests(connections), 0u);
+}
+
+TEST(JointTrajectory, ThatIsTooFastIsRefusedWithJointAndLimit) {
+  JointUser user("/too_fast");
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.0}}, 0.02));
+  user.waitForWarning("head_pan would have to move with [0-9.]+ rad/s; its limit is 10.057 rad/s");
+  user.publish("joint_trajectory", trajectory({{"neck_tilt", 1.0}}, 5));
+  user.waitForWarning("neck_tilt at 1.000 rad; it can go from -1.309 to 0.000 rad");
+  EXPECT_EQ(user.jointRequests(), 0u);
+}
+
+TEST(JointTrajectory, ThatIsTooFastIsSlowedDownOnRequest) {
+  std::vector<std::string> parameters{"_stream_on_start:=false", "_joint_speed_limit:=1", "_slow_down:=true"};
+  JointUser user("/slowed", parameters);
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.0}}, 0.02));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.0));
+  EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.0 + kSpeedTolerance);
+}
+
+TEST(JointTrajectory, WaitsForItsStamp) {
+  JointUser user("/stamp");
+  JointTrajectory message = trajectory({{"head_pan", 1.0}}, 0.5);
+  message.header.stamp = ros::Time::now() + ros::Duration(1.0);
+  user.joints.messages().clear();
+  user.publish("joint_trajectory", message);
+  const auto moved = user.joints.messages().waitFor([](const JointState& state) {
+    const auto position = positionOf(state, "head_pan");
+    return position && *position > 0.1;
+  });
+  ASSERT_TRUE(moved);
+  EXPECT_GT(moved->header.stamp, message.header.stamp);
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.0));
+}
+
+TEST(JointTrajectory, WithoutPointsStopsTheJoints) {
+  JointUser user("/hold");
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
+  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
+    const auto position = positionOf(state, "head_pan");
+    return position && *position > 0.1;
+  }));
+  user.publish("joint_trajectory", JointTrajectory());
+  const std::size_t requests = user.jointRequests();
+  // It stands where it is from the first message on that shows it standing.
+  user.joints.messages().clear();
+  ASSERT_TRUE(user.joints.messages().waitFor(
+      [](const JointState& state) { return std::abs(state.velocity.at(1)) < 0.03 && state.name.at(1) == "head_pan"; }));
+  const double first = user.joints.position("head_pan");
+  user.joints.messages().clear();
+  user.joints.messages().waitForCount(15);
+  EXPECT_NEAR(user.joints.position("head_pan"), first, JointListener::kTolerance);
+  EXPECT_LE(user.jointRequests(), requests + 4);
+}
+
+TEST(JointTrajectory, GivesWayToACommandForOneOfItsJoints) {
+  JointUser user("/way");
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
+  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
+    const auto position = positionOf(state, "head_pan");
+    return position && *position > 0.1;
+  }));
+  user.publish("joint_command", command({{"head_pan", -0.5}}));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", -0.5));
+  user.waitForWarning("head_pan was commanded to go elsewhere");
+}
+
+TEST(Motors, OffLetNoJointMoveAndOnAgainDo) {
+  JointUser user("/motors");
+  const std_srvs::SetBool::Response off = user.setMotors(false);
+  EXPECT_TRUE(off.success) << off.message;
+  EXPECT_THAT(off.message, HasSubstr("off"));
+  const double before = user.joints.position("head_pan");
+  user.publish("joint_command", command({{"head_pan", 0.5}}));
+  user.waitForWarning("motors are off");
+  EXPECT_NEAR(user.joints.position("head_pan"), before, JointListener::kTolerance);
+  const std_srvs::SetBool::Response on = user.setMotors(true);
+  EXPECT_TRUE(on.success) << on.message;
+  user.publish("joint_command", command({{"head_pan", 0.5}}));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.5));
+}
+
+TEST(Motors, WithoutARobotSayWhyAndWhatToCheck) {
+  JointUser user("/motors_gone");
+  user.connection.clear();
+  user.robot.kill();
+  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  const std_srvs::SetBool::Response answer = user.setMotors(true);
+  EXPECT_FALSE(answer.success);
+  EXPECT_NE(answer.message, "");
+}
+
+TEST(Diagnostics, TellHowOftenTheJointsAreMeasured) {
+  DiagnosticsListener diagnostics;
+  const JointUser user("/joint_diagnostics");
+  const auto status = diagnostics.waitFor("joint_diagnostics/aibo_driver: joints", [](const auto& s) {
+    return s.level == diagnostic_msgs::DiagnosticStatus::OK;
+  });
+  EXPECT_THAT(status.message, HasSubstr("measurements/s"));
+  EXPECT_EQ(DiagnosticsListener::value(status, "robot"), "ERS-7");
+}
+
+TEST(OldServer, MovesJointsDuringTheStream) {
+  TopicListener<sensor_msgs::CompressedImage> pictures("/old/camera/image_raw/compressed");
+  DiagnosticsListener diagnostics;
+  JointUser user("/old", {"_joint_speed_limit:=20", "_approach_speed:=20"}, {"--protocol-version", "1"});
+  const auto connected =
+      user.connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; });
+  ASSERT_TRUE(connected);
+  EXPECT_EQ(connected->protocol_version, 1);
+  ASSERT_FALSE(pictures.waitForCount(10).empty());
+
+  const Posture posture = postureAt(0.6);
+  user.publish("joint_command", command(posture));
+  EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
+  EXPECT_GE(pictures.waitForCount(pictures.count() + 30).size(), 40u) << "the stream goes on";
+  const auto stream = diagnostics.waitForNext("old/aibo_driver: stream");
+  EXPECT_EQ(DiagnosticsListener::value(stream, "pictures damaged"), "0");
+  EXPECT_EQ(user.proxy.connections(), 1u);
+}
+
+}  // namespace
