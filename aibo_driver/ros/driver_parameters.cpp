@@ -145,10 +145,10 @@ bool isRobot(const std::string& text) {
   return text == "ERS-7" || text == "ERS-210";
 }
 
-// The nearest period that is not shorter than the robot's own of 4 frames.
+// The nearest period, from the 4 frames in which the robot measures to the longest that it can be told.
 int telemetryPeriod(double rate) {
   constexpr double kFramesPerSecond = 125;  // OPEN-R frames of 8 ms
-  return rate == 0 ? 0 : std::max(4, static_cast<int>(std::lround(kFramesPerSecond / rate)));
+  return rate == 0 ? 0 : static_cast<int>(std::lround(std::clamp(kFramesPerSecond / rate, 4.0, 65535.0)));
 }
 
 bool isFrame(const std::string& text) {

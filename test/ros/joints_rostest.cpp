@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <trajectory_msgs/JointTrajectory.h>
@@ -13,7 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -439,6 +440,90 @@ TEST(OldServer, MovesJointsDuringTheStream) {
   const auto stream = diagnostics.waitForNext("old/aibo_driver: stream");
   EXPECT_EQ(DiagnosticsListener::value(stream, "pictures damaged"), "0");
   EXPECT_EQ(user.proxy.connections(), 1u);
+}
+
+// Where the largest pink thing is in a picture: the middle between its leftmost and rightmost pixel. Empty if it
+// touches the border.
+std::optional<double> ballColumn(const sensor_msgs::Image& image) {
+  const auto is_pink = [&image](std::uint32_t x, std::uint32_t y) {
+    const std::uint8_t* const pixel = &image.data[y * image.step + 3 * x];
+    return pixel[2] > 120 && pixel[2] > 2 * pixel[1] && pixel[2] > pixel[0] + 40;
+  };
+  // The bone, which is pink too, lies below this row.
+  constexpr std::uint32_t kLastRow = 145;
+  std::uint32_t best_length = 0;
+  std::uint32_t best_begin = 0;
+  for (std::uint32_t y = 0; y <= kLastRow; ++y) {
+    std::uint32_t length = 0;
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      length = is_pink(x, y) ? length + 1 : 0;
+      if (length > best_length) {
+        best_length = length;
+        best_begin = x + 1 - length;
+      }
+    }
+  }
+  if (best_length < 10 || best_begin == 0 || best_begin + best_length == image.width) {
+    return std::nullopt;
+  }
+  return best_begin + best_length / 2.0;
+}
+
+// The camera of a head that looks straight ahead and is turned by pan. Lengths in the head and the ball's distance in
+// metres; 208 pixels wide.
+struct PannedCamera {
+  static constexpr double kFocalLength = 191.9;  // pixels: 104 / tan(56.9 degrees / 2), Model Information ERS-7
+  static constexpr double kMiddle = 104;
+  static constexpr double kNeck = 0.0675;
+  static constexpr double kForward = 0.08106;
+  static constexpr double kBallX = 0.85;
+
+  double pan;
+
+  double x() const { return kNeck + kForward * std::cos(pan); }
+  double y() const { return kForward * std::sin(pan); }
+
+  // How far to the left a thing in this column is, at the ball's distance.
+  double leftOf(double column) const {
+    return y() + (kBallX - x()) * std::tan(pan - std::atan((column - kMiddle) / kFocalLength));
+  }
+
+  double columnOf(double left) const {
+    return kMiddle + kFocalLength * std::tan(pan - std::atan2(left - y(), kBallX - x()));
+  }
+};
+
+// The ball swings to and fro in 6 s of the robot's time, so pictures 6 s apart show it in the same place.
+TEST(HeadPan, MovesTheBallInThePictureAsThePinholeSays) {
+  constexpr double kBallPeriod = 6.0;
+  TopicListener<sensor_msgs::Image> images("/ball/camera/image_raw");
+  JointUser user("/ball", {"_joint_speed_limit:=20", "_approach_speed:=20"});
+  const PannedCamera right{-0.25};
+  const PannedCamera left{0.25};
+
+  user.publish("joint_command", command({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}));
+  ASSERT_THAT(user.joints.waitForPositions({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}), IsEmpty());
+  user.joints.messages().clear();
+  const auto settling = user.joints.messages().waitForCount(6);  // 0.2 s of the robot's time
+  ASSERT_GE(settling.size(), 6u);
+  std::optional<double> column;
+  images.clear();
+  const auto first = images.waitFor([&](const sensor_msgs::Image& image) {
+    column = ballColumn(image);
+    return image.header.stamp > settling.back()->header.stamp && column && left.columnOf(right.leftOf(*column)) > 20 && left.columnOf(right.leftOf(*column)) < 188;
+  });
+  ASSERT_TRUE(first);
+
+  user.publish("joint_command", command({{"head_pan", left.pan}}));
+  ASSERT_TRUE(user.joints.waitForPosition("head_pan", left.pan));
+  const ros::Time due = first->header.stamp + ros::Duration(kBallPeriod);
+  images.clear();
+  const auto second = images.waitFor([due](const sensor_msgs::Image& image) { return image.header.stamp >= due; });
+  ASSERT_TRUE(second);
+  const std::optional<double> moved = ballColumn(*second);
+  ASSERT_TRUE(moved);
+  EXPECT_GT(*moved, *column) << "the head turned left, so the picture moves right";
+  EXPECT_NEAR(*moved, left.columnOf(right.leftOf(*column)), 3.0);
 }
 
 }  // namespace

@@ -42,7 +42,42 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_FALSE(parameters.stream_on_demand);
   EXPECT_EQ(parameters.frame_id, "camera_optical_frame");
   EXPECT_EQ(parameters.time_offset.count(), 0);
+  EXPECT_EQ(parameters.robot, "ERS-7");
+  EXPECT_EQ(parameters.telemetry_period, 4);
+  EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
+  EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.5);
+  EXPECT_FALSE(parameters.slow_down);
   EXPECT_THAT(parameters.unknown, IsEmpty());
+}
+
+TEST(DriverParameters, TurnTheTelemetryRateIntoOpenRFrames) {
+  EXPECT_EQ(parse(one("telemetry_rate", 31.25)).telemetry_period, 4);
+  EXPECT_EQ(parse(one("telemetry_rate", 30)).telemetry_period, 4);
+  EXPECT_EQ(parse(one("telemetry_rate", 10.0)).telemetry_period, 13);  // 104 ms
+  EXPECT_EQ(parse(one("telemetry_rate", 1)).telemetry_period, 125);
+  EXPECT_EQ(parse(one("telemetry_rate", 0)).telemetry_period, 0);
+  EXPECT_EQ(parse(one("telemetry_rate", 0.0001)).telemetry_period, 65535) << "the longest that the robot knows";
+}
+
+TEST(DriverParameters, OfTheJointsAreTakenOver) {
+  XmlRpcValue values;
+  values["robot"] = "ERS-210";
+  values["joint_speed_limit"] = 2;
+  values["approach_speed"] = 0.25;
+  values["slow_down"] = XmlRpcValue(true);
+  const DriverParameters parameters = parse(values);
+  EXPECT_EQ(parameters.robot, "ERS-210");
+  EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 2);
+  EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.25);
+  EXPECT_TRUE(parameters.slow_down);
+}
+
+TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
+  EXPECT_THAT(refusal("robot", "ERS-8"), HasSubstr("ERS-7 or ERS-210"));
+  EXPECT_THAT(refusal("telemetry_rate", 50), HasSubstr("messages a second, 0..31.25"));
+  EXPECT_THAT(refusal("joint_speed_limit", 0), HasSubstr("rad/s, 0.1..20"));
+  EXPECT_THAT(refusal("approach_speed", -1.0), HasSubstr("rad/s, 0.05..20"));
+  EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));
 }
 
 TEST(DriverParameters, AreTakenOver) {
