@@ -19,7 +19,8 @@ struct Token {
 
 class Tokenizer {
  public:
-  Tokenizer(std::istream& text, std::string file) : text_(std::istreambuf_iterator<char>(text), {}), file_(std::move(file)) {}
+  Tokenizer(std::istream& text, std::string file)
+      : text_(std::istreambuf_iterator<char>(text), {}), file_(std::move(file)) {}
 
   Token next() {
     skipSpace();
