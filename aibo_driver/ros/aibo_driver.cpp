@@ -45,7 +45,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   client_.start();
 }
 
+// In a nodelet manager, subscribers come and go on other threads to the last: they must not reach what is gone already.
 AiboDriver::~AiboDriver() {
+  policy_.stop();
   client_.stop();
 }
 

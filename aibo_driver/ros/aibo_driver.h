@@ -42,7 +42,7 @@ class AiboDriver {
   bool cameraHasSubscribers() const;
 
   // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
-  // policy_ is started, it does nothing about them.
+  // policy_ is started, and once it is stopped, it does nothing about them.
   const DriverParameters parameters_;
   ros::NodeHandle handle_;
   StreamMeter meter_;

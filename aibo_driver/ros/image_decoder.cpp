@@ -12,8 +12,18 @@ ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(handle) {
   ROS_INFO_STREAM("Decoding " << topic << "/compressed to " << topic << " while somebody listens.");
 }
 
+// From here on neither side calls the other, though subscribers may still come and go on another thread.
+ImageDecoder::~ImageDecoder() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stopping_ = true;
+  subscriber_.shutdown();
+}
+
 void ImageDecoder::updateSubscription() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (stopping_) {
+    return;
+  }
   if (!raw_images_->hasSubscribers()) {
     subscriber_.shutdown();
   } else if (!subscriber_) {

@@ -18,14 +18,19 @@ class ImageDecoder {
  public:
   /// @param handle the camera's namespace
   explicit ImageDecoder(const ros::NodeHandle& handle);
+  ~ImageDecoder();
+
+  ImageDecoder(const ImageDecoder&) = delete;
+  ImageDecoder& operator=(const ImageDecoder&) = delete;
 
  private:
   void updateSubscription();
 
   ros::NodeHandle handle_;
-  std::mutex mutex_;  ///< callbacks may come before the constructor has ended
-  std::unique_ptr<RawImagePublisher> raw_images_;
+  std::mutex mutex_;  ///< callbacks may come before the constructor has ended, and while the destructor runs
+  bool stopping_ = false;
   ros::Subscriber subscriber_;
+  std::unique_ptr<RawImagePublisher> raw_images_;
 };
 
 }  // namespace aibo_driver

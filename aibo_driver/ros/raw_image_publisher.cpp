@@ -42,13 +42,13 @@ RawImagePublisher::RawImagePublisher(const ros::NodeHandle& handle, const std::s
 }
 
 RawImagePublisher::~RawImagePublisher() {
-  publisher_.shutdown();  // waits for a subscribers_changed that is running
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
   }
   changed_.notify_one();
-  thread_.join();
+  thread_.join();         // before the shutdown: it may be publishing
+  publisher_.shutdown();  // waits for a subscribers_changed that is running
 }
 
 void RawImagePublisher::publish(const sensor_msgs::CompressedImageConstPtr& picture) {

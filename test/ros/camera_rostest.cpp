@@ -46,22 +46,33 @@ ros::Subscriber subscribeAndIgnore(const std::string& topic) {
   return ros::NodeHandle().subscribe<Message>(topic, 1, &ignore<Message>);
 }
 
+// A gap is no fault while this computer is too busy to run driver and test: then the newest picture wins. So there has
+// to be one second without a gap among the first half minute, and in all of it no picture that the robot has not sent,
+// none twice and none in the wrong order.
 TEST(Camera, PublishedPicturesAreTheRobotsOwnByteForByteAndWithoutAGap) {
   SimulatedRobot robot;
   RecordingProxy proxy(robot.port());
   CompressedListener pictures("/bytes/camera/image_raw/compressed");
   DriverProcess driver("/bytes", proxy.port());
-  const auto published = pictures.waitForCount(kEnough);
-  ASSERT_GE(published.size(), kEnough);
-
-  const std::vector<std::vector<std::uint8_t>> sent = proxy.picturesFromRobot();
-  const auto first = std::find(sent.begin(), sent.end(), published.front()->data);
-  ASSERT_NE(first, sent.end()) << "the first picture is none that the robot sent";
-  ASSERT_GE(static_cast<std::size_t>(sent.end() - first), kEnough);
-  for (std::size_t i = 0; i < kEnough; ++i) {
-    ASSERT_EQ(published[i]->data, *(first + static_cast<std::ptrdiff_t>(i))) << "picture " << i;
-    EXPECT_EQ(published[i]->format, "bgr8; jpeg compressed bgr8");
+  std::size_t without_gap = 0;
+  for (std::size_t count = kEnough; without_gap < kEnough && count <= 30 * kEnough; count += kEnough) {
+    const auto published = pictures.waitForCount(count);
+    ASSERT_GE(published.size(), count);
+    const std::vector<std::vector<std::uint8_t>> sent = proxy.picturesFromRobot();
+    without_gap = 0;
+    auto next = sent.begin();
+    for (const sensor_msgs::CompressedImageConstPtr& picture : published) {
+      const auto found = std::find(next, sent.end(), picture->data);
+      ASSERT_NE(found, sent.end()) << "a picture that the robot did not send, or not at this place";
+      without_gap = found == next ? without_gap + 1 : 1;
+      next = found + 1;
+      EXPECT_EQ(picture->format, "bgr8; jpeg compressed bgr8");
+      if (without_gap == kEnough) {
+        break;
+      }
+    }
   }
+  EXPECT_GE(without_gap, kEnough);
 }
 
 TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {

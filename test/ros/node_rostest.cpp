@@ -1,6 +1,8 @@
 // Node, nodelet and decoder as a user starts them.
 
 #include <gmock/gmock.h>
+#include <nodelet/NodeletLoad.h>
+#include <nodelet/NodeletUnload.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
@@ -113,6 +115,48 @@ TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
   nodelet.waitForOutput("port is 0; allowed is a whole number, 1\\.\\.65535", kSafetyNet);
 }
 
+// A manager stays when one of its nodelets goes, so nothing of that may be called any more: not by the manager's other
+// threads, which bring subscribers that come and go, nor by the nodelet's own ones.
+class NodeletManager {
+ public:
+  NodeletManager() : process_({"rosrun", "nodelet", "nodelet", "manager", "__ns:=/unload", "__name:=manager"}) {
+    EXPECT_TRUE(ros::service::waitForService("/unload/manager/load_nodelet", ros::Duration(kSafetyNet.count())));
+  }
+
+  void loadAndUnload(const std::string& name, const std::string& type, const std::string& image_topic, int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+      nodelet::NodeletLoad load;
+      load.request.name = name;
+      load.request.type = type;
+      ASSERT_TRUE(ros::service::call("/unload/manager/load_nodelet", load) && load.response.success) << output(round);
+      const ImageListener first(image_topic);
+      const ImageListener second(image_topic);
+      if (round % 2 == 0) {
+        ImageListener waiting(image_topic);
+        ASSERT_FALSE(waiting.waitForCount(1).empty()) << output(round);
+      }
+      nodelet::NodeletUnload unload;
+      unload.request.name = name;
+      ASSERT_TRUE(ros::service::call("/unload/manager/unload_nodelet", unload) && unload.response.success)
+          << output(round);
+      ASSERT_TRUE(process_.isRunning()) << output(round);
+    }
+  }
+
+ private:
+  std::string output(int round) const { return "round " + std::to_string(round) + ": " + process_.output(); }
+
+  Process process_;
+};
+
+TEST(Nodelet, IsUnloadedWhileSubscribersComeAndTheManagerGoesOn) {
+  SimulatedRobot robot;
+  ros::param::set("/unload/aibo_driver/port", robot.port());
+  ros::param::set("/unload/aibo_driver/stream_on_demand", true);
+  NodeletManager().loadAndUnload("/unload/aibo_driver", "aibo_driver/AiboDriverNodelet", "/unload/camera/image_raw",
+                                 10);
+}
+
 // A picture of a robot, published again as from a bag.
 class Decoder : public ::testing::Test {
  protected:
@@ -176,6 +220,12 @@ TEST_F(Decoder, NodeSubscribesOnlyWhileSomebodyListensAndKeepsTheHeader) {
 TEST_F(Decoder, NodeletDoesTheSame) {
   const Process decoder = startNodelet("aibo_driver/ImageDecoderNodelet", {"__ns:=/bag/camera"});
   decodesWhileSomebodyListens();
+}
+
+TEST_F(Decoder, NodeletIsUnloadedWhileItDecodesAndTheManagerGoesOn) {
+  ros::Timer bag = ros::NodeHandle().createTimer(ros::Duration(0.001),
+                                                 [this](const ros::TimerEvent&) { publisher_.publish(picture_); });
+  NodeletManager().loadAndUnload("/bag/camera/decoder", "aibo_driver/ImageDecoderNodelet", "/bag/camera/image_raw", 5);
 }
 
 TEST_F(Decoder, NodeLivesThroughDamagedPictures) {

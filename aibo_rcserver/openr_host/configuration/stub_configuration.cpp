@@ -4,6 +4,7 @@
 #include <cctype>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "openr_host/configuration/configuration_error.h"
 
@@ -18,7 +19,8 @@ struct Token {
 
 class Tokenizer {
  public:
-  Tokenizer(std::istream& text, std::string file) : text_(std::istreambuf_iterator<char>(text), {}), file_(file) {}
+  Tokenizer(std::istream& text, std::string file)
+      : text_(std::istreambuf_iterator<char>(text), {}), file_(std::move(file)) {}
 
   Token next() {
     skipSpace();

@@ -29,14 +29,14 @@ class ConnectionFaultsTest : public ClientFixture {
     const std::size_t pictures = recorder_.pictures().size();
     ScriptedPeer next = acceptStream();
     const Bytes jpeg = test_pictures::makeNumbered(4711);
-    next.sendPicture(jpeg);
+    sendUntilDelivered(&next, jpeg);
     ASSERT_TRUE(recorder_.waitForPictures(pictures + 1));
     EXPECT_EQ(jpeg, recorder_.pictures().back()->jpeg);
   }
 
   void expectProtocolError(const Bytes& bytes, const std::string& reason) {
     ScriptedPeer peer = startStream();
-    peer.sendPicture(test_pictures::makeNumbered(1));
+    sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
     peer.send(bytes);
     expectRecovery(&peer, reason);
     EXPECT_EQ(1u, client_.statistics().protocol_errors);
@@ -52,8 +52,7 @@ TEST_F(ConnectionFaultsTest, AServerThatAppearsLaterIsFound) {
   EXPECT_THAT(client_.status().advice, testing::HasSubstr("Is the RCServer running there"));
   server_.listen();
   ScriptedPeer peer = acceptStream();
-  peer.sendPicture(test_pictures::make());
-  EXPECT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered(&peer, test_pictures::make());
   EXPECT_GE(client_.statistics().failed_attempts, 1u);
 }
 
@@ -72,15 +71,13 @@ TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayHasProbablyAnotherOne)
   }
   ASSERT_TRUE(recorder_.waitForReason("closed the connection as soon as it was made"));
   ScriptedPeer peer = acceptStream();
-  peer.sendPicture(test_pictures::make());
-  EXPECT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered(&peer, test_pictures::make());
   EXPECT_EQ(1, recorder_.logged("Is another client connected?"));
 }
 
 TEST_F(ConnectionFaultsTest, ACloseBetweenPicturesIsRecoveredFrom) {
   ScriptedPeer peer = startStream();
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  ASSERT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   peer.close();
   ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
   const ScriptedPeer next = acceptStream();
@@ -101,8 +98,7 @@ TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTh
     }
   }
   ScriptedPeer peer = acceptStream();
-  peer.send(reply);
-  ASSERT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered([&] { peer.send(reply); });
   EXPECT_EQ(1u, client_.statistics().pictures);
   EXPECT_EQ(0u, client_.statistics().corrupt_pictures);
   EXPECT_EQ(15u, client_.statistics().connections);
@@ -128,8 +124,7 @@ TEST_F(ConnectionFaultsTest, AWebServerIsNoRcServer) {
 TEST_F(ConnectionFaultsTest, GarbageInsteadOfAJpegIsDroppedAndTheConnectionKept) {
   ScriptedPeer peer = startStream();
   peer.sendPicture(Bytes(5000, 0x55));
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  ASSERT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   EXPECT_EQ(1u, client_.statistics().corrupt_pictures);
   EXPECT_EQ(1u, client_.statistics().connections);
   EXPECT_EQ(1, recorder_.logged("damaged picture"));
@@ -138,8 +133,7 @@ TEST_F(ConnectionFaultsTest, GarbageInsteadOfAJpegIsDroppedAndTheConnectionKept)
 TEST_F(ConnectionFaultsTest, AnAnswerNobodyAskedForIsLoggedAndTheConnectionKept) {
   ScriptedPeer peer = startStream();
   peer.send({'j', 1, 0, 0});
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  ASSERT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   EXPECT_EQ(1u, client_.statistics().connections);
   EXPECT_EQ(1, recorder_.logged("an answer that nobody had asked for: 'j'"));
 }
@@ -168,7 +162,7 @@ TEST_F(SilenceTest, ASilentStreamIsGivenUpAndAskedForAgain) {
   ScriptedPeer peer = acceptStream();
   peer.waitUntilClosed();
   EXPECT_TRUE(impatient_recorder_.waitForReason("sent nothing for 150 ms while a picture was due"));
-  EXPECT_EQ(1u, impatient_client_.statistics().stalls);
+  EXPECT_LE(1u, impatient_client_.statistics().stalls);  // more, if this thread was held up
   acceptStream();
 }
 
