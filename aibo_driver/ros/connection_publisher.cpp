@@ -58,6 +58,7 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   message.text = describeConnection(status, options_);
   message.host = options_.host;
   message.port = static_cast<std::uint16_t>(options_.port);
+  message.robot = status.robot.design;
   message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
   message.reason = status.reason;
   message.advice = status.advice;
