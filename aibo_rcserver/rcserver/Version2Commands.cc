@@ -84,7 +84,7 @@ void Version2Commands::Handle(const FrameHeader& request, const unsigned char* p
       SwitchMotors(request, payload);
       break;
     default:
-      Refuse(request, CODE_NOT_SUPPORTED, "not supported: this server knows the requests H F W J V T O");
+      RefuseUnknownKind(request);
       break;
   }
 }
@@ -232,6 +232,12 @@ void Version2Commands::RefuseBadRequest(const Request& request, const char* prob
   char text[MAX_ERROR_TEXT_SIZE];
   sprintf(text, "bad request: %.200s", problem);
   Refuse(request, CODE_REFUSED, text);
+}
+
+void Version2Commands::RefuseUnknownKind(const Request& request) {
+  char text[MAX_ERROR_TEXT_SIZE];
+  sprintf(text, "not supported: this server knows the requests %s", CAPABILITIES);
+  Refuse(request, CODE_NOT_SUPPORTED, text);
 }
 
 void Version2Commands::RefuseUnknownJoint(const Request& request, unsigned char identifier) {

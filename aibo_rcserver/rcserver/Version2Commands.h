@@ -46,6 +46,7 @@ class Version2Commands {
   void SwitchMotors(const Request& request, const unsigned char* payload);
 
   void RefuseBadRequest(const Request& request, const char* problem);
+  void RefuseUnknownKind(const Request& request);
   void RefuseUnknownJoint(const Request& request, unsigned char identifier);
   bool TakesLayer(const Request& request, protocol::version2::Layer layer);
   void Reply(const Request& request, size_t payload_size);

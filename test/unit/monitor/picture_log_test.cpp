@@ -13,6 +13,7 @@
 #include "log_file_fixture.h"
 #include "picture_log_reader.h"
 #include "protocol/version1.h"
+#include "protocol/version2.h"
 
 namespace aibo_driver {
 namespace {
@@ -54,6 +55,18 @@ TEST_F(PictureLogTest, TellsWhenTheCameraSawThePictureThatIsSent) {
   ASSERT_TRUE(loggedTime(second));
   EXPECT_GE(*loggedTime(second), between);
   EXPECT_LE(*loggedTime(second), end);
+}
+
+TEST_F(PictureLogTest, KnowsAPictureOfVersion2) {
+  using namespace protocol::version2;
+  const Bytes jpeg{1, 2, 3};
+  Bytes message(FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE);
+  encodeFrameHeader({PICTURE, 85, 4711, static_cast<unsigned>(IMAGE_HEADER_SIZE + jpeg.size())}, message.data());
+  encodeImageHeader({1, 2, 208, 160, 85, LAYER_HIGH}, message.data() + FRAME_HEADER_SIZE);
+  message.insert(message.end(), jpeg.begin(), jpeg.end());
+  log_.cameraImageTaken();
+  log_.aboutToSend(message.data(), message.size());
+  EXPECT_TRUE(loggedTime(jpeg));
 }
 
 TEST_F(PictureLogTest, PassesOverWhatIsNotAPicture) {
