@@ -35,7 +35,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     robot_model::PidGains gains = {};
     int position = 0;
     int reference = 0;
-    std::vector<int> path;  ///< its position at the end of each frame
+    int error_when_gain_went_on = 0;  ///< its reference minus its position
+    std::vector<int> path;            ///< its position at the end of each frame
   };
 
   FakeRobot() : region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * 3 * kWidth * kHeight)) {
@@ -60,6 +61,9 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   /// From now on images are noise, which makes the largest pictures there are.
   void showNoise() { noise_ = true; }
+
+  /// From now on images are taken in the frames in which the joints are measured.
+  void takeImagesWhenJointsAreMeasured() { first_frame_of_image_ = 1; }
 
   std::string design() const override { return "ERS-7"; }
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
@@ -88,6 +92,7 @@ class FakeRobot : public openr_host::VirtualRobot {
       return oALERT_JOINT_UNCONTROLLABLE;
     }
     at(id).gain = true;
+    at(id).error_when_gain_went_on = at(id).reference - at(id).position;
     return oSUCCESS;
   }
   OStatus disableJointGain(OPrimitiveID id) override {
@@ -147,7 +152,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::string missing_locator;  ///< of a joint that does not open
 
   bool cameraImageDue(longword frame) override {
-    const longword image = frame / kFramesPerImage;
+    const longword image = (frame + first_frame_of_image_) / kFramesPerImage;
     const bool due = image != image_;
     image_ = image;
     return due;
@@ -203,6 +208,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
                                     joints.size() * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;
+  longword first_frame_of_image_ = 0;
   bool noise_ = false;
   std::minstd_rand random_;
 };

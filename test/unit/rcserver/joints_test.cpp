@@ -102,6 +102,7 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   start();
   for (const FakeRobot::FakeJoint& joint : robot_.joints) {
     EXPECT_TRUE(joint.gain);
+    EXPECT_EQ(joint.error_when_gain_went_on, 0);
     EXPECT_THAT(joint.path, Each(joint.path.front()));
   }
 }
