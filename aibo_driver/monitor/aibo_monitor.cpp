@@ -120,7 +120,7 @@ class Monitor {
     if (!picture_log_) {
       return arrival.time - sinceEpoch(arrival.picture->header.stamp);
     }
-    const auto camera_time = picture_log_->cameraTime(arrival.picture->data);
+    const auto camera_time = picture_log_->cameraTime(arrival.picture->data, PictureLogReader::Time(arrival.time));
     if (!camera_time) {
       return std::nullopt;
     }

@@ -60,12 +60,13 @@ void PictureLogReader::takeLine(const std::string& line) {
   }
 }
 
-std::optional<PictureLogReader::Time> PictureLogReader::cameraTime(const std::vector<std::uint8_t>& jpeg) const {
+std::optional<PictureLogReader::Time> PictureLogReader::cameraTime(const std::vector<std::uint8_t>& jpeg,
+                                                                   Time arrival) const {
   boost::crc_32_type crc;
   crc.process_bytes(jpeg.data(), jpeg.size());
   const std::uint32_t checksum = crc.checksum();
   const auto newest = std::find_if(entries_.rbegin(), entries_.rend(), [&](const Entry& entry) {
-    return entry.bytes == jpeg.size() && entry.checksum == checksum;
+    return entry.camera_time <= arrival && entry.bytes == jpeg.size() && entry.checksum == checksum;
   });
   if (newest == entries_.rend()) {
     return std::nullopt;

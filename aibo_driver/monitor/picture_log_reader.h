@@ -31,8 +31,9 @@ class PictureLogReader {
   /// Takes in what has been written since the last call. Never waits.
   void readNewLines();
 
-  /// When the camera saw this picture; none if the lines read so far do not say.
-  std::optional<Time> cameraTime(const std::vector<std::uint8_t>& jpeg) const;
+  /// When the camera saw this picture; none if the lines read so far do not say. Still photographs can make pictures
+  /// that are equal byte for byte: of these it is the last one that the camera saw before the arrival.
+  std::optional<Time> cameraTime(const std::vector<std::uint8_t>& jpeg, Time arrival) const;
 
  private:
   struct Entry {

@@ -78,19 +78,19 @@ class ClientFixture : public testing::Test {
   /// Lets `send` send one picture of the stream, again and again until it is delivered: where this computer is too busy
   /// to read it at once, it is stale, and dropped.
   template <typename Send>
-  void sendUntilDelivered(const Send& send) {
-    const std::uint64_t before = client_.statistics().pictures;
-    const auto handled = [this] { return client_.statistics().pictures + client_.statistics().stale_pictures; };
+  static void sendUntilDelivered(const aibo_driver::RcServerClient& client, const Send& send) {
+    const std::uint64_t before = client.statistics().pictures;
+    const auto handled = [&] { return client.statistics().pictures + client.statistics().stale_pictures; };
     EXPECT_TRUE(eventually([&] {
       const std::uint64_t handled_before = handled();
       send();
       EXPECT_TRUE(eventually([&] { return handled() > handled_before; })) << "a picture was lost";
-      return client_.statistics().pictures > before || testing::Test::HasFailure();
+      return client.statistics().pictures > before || testing::Test::HasFailure();
     }));
   }
 
   void sendUntilDelivered(ScriptedPeer* peer, const test_pictures::Bytes& jpeg) {
-    sendUntilDelivered([&] { peer->sendPicture(jpeg); });
+    sendUntilDelivered(client_, [&] { peer->sendPicture(jpeg); });
   }
 
   ScriptedServer server_;

@@ -98,7 +98,7 @@ TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTh
     }
   }
   ScriptedPeer peer = acceptStream();
-  sendUntilDelivered([&] { peer.send(reply); });
+  sendUntilDelivered(client_, [&] { peer.send(reply); });
   EXPECT_EQ(1u, client_.statistics().pictures);
   EXPECT_EQ(0u, client_.statistics().corrupt_pictures);
   EXPECT_EQ(15u, client_.statistics().connections);

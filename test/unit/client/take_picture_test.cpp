@@ -37,8 +37,7 @@ TEST_F(TakePictureTest, WithoutAStreamOnePictureOfTheGivenQualityIsTaken) {
 
 TEST_F(TakePictureTest, DuringTheStreamItIsTheNextPictureOfTheStream) {
   ScriptedPeer peer = startStream();
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  ASSERT_TRUE(recorder_.waitForPictures(1));
+  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   bool from_stream = false;
   auto taken = std::async(std::launch::async, [&] { return client_.takePicture(40, seconds(20), &from_stream); });
   unsigned number = 2;
@@ -145,7 +144,7 @@ TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
   client.setStreaming(true);
   client.start();
   ScriptedPeer peer = acceptStream();
-  peer.sendPicture(test_pictures::make());
+  sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
   EXPECT_THAT(complaint.get_future().get(), HasSubstr("cannot be called from a callback"));
 }
 

@@ -18,6 +18,7 @@ using std::chrono::nanoseconds;
 // The check value of CRC-32: the checksum of "123456789" is 0xCBF43926.
 const std::vector<std::uint8_t> kPicture{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
 const std::string kPictureEntry = " 9 3421780262\n";
+const PictureLogReader::Time kArrival{nanoseconds(2500)};
 
 class PictureLogReaderTest : public LogFileFixture {};
 
@@ -25,36 +26,36 @@ TEST_F(PictureLogReaderTest, KnowsAPictureByItsSizeAndChecksum) {
   append("1000" + kPictureEntry);
   PictureLogReader reader(path());
   reader.readNewLines();
-  ASSERT_TRUE(reader.cameraTime(kPicture));
-  EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture)->time_since_epoch());
-  EXPECT_FALSE(reader.cameraTime({'1', '2', '3', '4', '5', '6', '7', '8', '0'}));
-  EXPECT_FALSE(reader.cameraTime({}));
+  ASSERT_TRUE(reader.cameraTime(kPicture, kArrival));
+  EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture, kArrival)->time_since_epoch());
+  EXPECT_FALSE(reader.cameraTime({'1', '2', '3', '4', '5', '6', '7', '8', '0'}, kArrival));
+  EXPECT_FALSE(reader.cameraTime({}, kArrival));
 }
 
 TEST_F(PictureLogReaderTest, WaitsForTheRestOfALineThatIsBeingWritten) {
   append("10");
   PictureLogReader reader(path());
   reader.readNewLines();
-  EXPECT_FALSE(reader.cameraTime(kPicture));
+  EXPECT_FALSE(reader.cameraTime(kPicture, kArrival));
   append("00" + kPictureEntry);
   reader.readNewLines();
-  ASSERT_TRUE(reader.cameraTime(kPicture));
-  EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture)->time_since_epoch());
+  ASSERT_TRUE(reader.cameraTime(kPicture, kArrival));
+  EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture, kArrival)->time_since_epoch());
 }
 
-TEST_F(PictureLogReaderTest, TakesTheNewestOfTwoEqualPictures) {
-  append("1000" + kPictureEntry + "2000" + kPictureEntry);
+TEST_F(PictureLogReaderTest, OfEqualPicturesTakesTheLastThatWasSeenBeforeTheArrival) {
+  append("1000" + kPictureEntry + "2000" + kPictureEntry + "3000" + kPictureEntry);
   PictureLogReader reader(path());
   reader.readNewLines();
-  ASSERT_TRUE(reader.cameraTime(kPicture));
-  EXPECT_EQ(nanoseconds(2000), reader.cameraTime(kPicture)->time_since_epoch());
+  ASSERT_TRUE(reader.cameraTime(kPicture, kArrival));
+  EXPECT_EQ(nanoseconds(2000), reader.cameraTime(kPicture, kArrival)->time_since_epoch());
 }
 
 TEST_F(PictureLogReaderTest, SkipsALineThatIsNoEntry) {
   append("nonsense\n\n1000" + kPictureEntry);
   PictureLogReader reader(path());
   reader.readNewLines();
-  EXPECT_TRUE(reader.cameraTime(kPicture));
+  EXPECT_TRUE(reader.cameraTime(kPicture, kArrival));
 }
 
 TEST_F(PictureLogReaderTest, NeverWaitsAtAPipe) {
@@ -68,7 +69,7 @@ TEST_F(PictureLogReaderTest, NeverWaitsAtAPipe) {
   ASSERT_EQ(static_cast<ssize_t>(line.size()), ::write(writer, line.data(), line.size()));
   reader.readNewLines();
   ::close(writer);
-  EXPECT_TRUE(reader.cameraTime(kPicture));
+  EXPECT_TRUE(reader.cameraTime(kPicture, kArrival));
 }
 
 TEST_F(PictureLogReaderTest, SaysWhichLogCannotBeOpened) {

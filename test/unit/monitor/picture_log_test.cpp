@@ -32,7 +32,7 @@ class PictureLogTest : public LogFileFixture {
 
   std::optional<PictureLogReader::Time> loggedTime(const Bytes& jpeg) {
     reader_.readNewLines();
-    return reader_.cameraTime(jpeg);
+    return reader_.cameraTime(jpeg, Clock::now());
   }
 
   PictureLog log_{path()};
@@ -102,11 +102,11 @@ TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyEmpties) {
     log.aboutToSend(message.data(), message.size());
   }
   reader.readNewLines();
-  EXPECT_TRUE(reader.cameraTime({42}));
+  EXPECT_TRUE(reader.cameraTime({42}, Clock::now()));
   log.cameraImageTaken();
   log.aboutToSend(message.data(), message.size());
   reader.readNewLines();
-  EXPECT_GT(reader.cameraTime({42})->time_since_epoch().count(), 0);
+  EXPECT_GT(reader.cameraTime({42}, Clock::now())->time_since_epoch().count(), 0);
 }
 
 }  // namespace
