@@ -9,6 +9,7 @@
 #include <std_srvs/SetBool.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -493,37 +494,53 @@ struct PannedCamera {
   }
 };
 
-// The ball swings to and fro in 6 s of the robot's time, so pictures 6 s apart show it in the same place.
+using Columns = std::map<ros::Time, double>;
+
+// Where the ball is in the pictures of the next second, or from a given time on, by stamp.
+Columns watchBall(TopicListener<sensor_msgs::Image>& images, ros::Time begin) {
+  images.clear();
+  const ros::Time end = begin + ros::Duration(1.0);
+  images.waitFor([end](const sensor_msgs::Image& image) { return image.header.stamp > end; });
+  Columns columns;
+  for (const auto& image : images.waitForCount(1)) {
+    const std::optional<double> column = ballColumn(*image);
+    if (image->header.stamp >= begin && column) {
+      columns[image->header.stamp] = *column;
+    }
+  }
+  return columns;
+}
+
+// The ball swings to and fro in 6 s of the robot's time, so pictures 6 s apart show it in the same place. Stamps tell
+// when pictures arrived, which wavers on a busy computer; so it is the middle one of many pairs that counts.
 TEST(HeadPan, MovesTheBallInThePictureAsThePinholeSays) {
-  constexpr double kBallPeriod = 6.0;
+  const ros::Duration ball_period(6.0);
   TopicListener<sensor_msgs::Image> images("/ball/camera/image_raw");
   JointUser user("/ball", {"_joint_speed_limit:=20", "_approach_speed:=20"});
   const PannedCamera right{-0.25};
   const PannedCamera left{0.25};
-
-  user.publish("joint_command", command({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}));
-  ASSERT_THAT(user.joints.waitForPositions({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}), IsEmpty());
-  user.joints.messages().clear();
-  const auto settling = user.joints.messages().waitForCount(6);  // 0.2 s of the robot's time
-  ASSERT_GE(settling.size(), 6u);
-  std::optional<double> column;
-  images.clear();
-  const auto first = images.waitFor([&](const sensor_msgs::Image& image) {
-    column = ballColumn(image);
-    return image.header.stamp > settling.back()->header.stamp && column && left.columnOf(right.leftOf(*column)) > 20 && left.columnOf(right.leftOf(*column)) < 188;
-  });
-  ASSERT_TRUE(first);
-
-  user.publish("joint_command", command({{"head_pan", left.pan}}));
-  ASSERT_TRUE(user.joints.waitForPosition("head_pan", left.pan));
-  const ros::Time due = first->header.stamp + ros::Duration(kBallPeriod);
-  images.clear();
-  const auto second = images.waitFor([due](const sensor_msgs::Image& image) { return image.header.stamp >= due; });
-  ASSERT_TRUE(second);
-  const std::optional<double> moved = ballColumn(*second);
-  ASSERT_TRUE(moved);
-  EXPECT_GT(*moved, *column) << "the head turned left, so the picture moves right";
-  EXPECT_NEAR(*moved, left.columnOf(right.leftOf(*column)), 3.0);
+  std::vector<double> errors;
+  // When the ball is at the end of its swing, it is in the one picture and not in the other: then look again.
+  for (int i = 0; i < 5 && errors.size() < 10; ++i) {
+    user.publish("joint_command", command({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}));
+    ASSERT_THAT(user.joints.waitForPositions({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}), IsEmpty());
+    const ros::Time begin = ros::Time::now() + ros::Duration(0.3);  // the head has settled by then
+    const Columns before = watchBall(images, begin);
+    user.publish("joint_command", command({{"head_pan", left.pan}}));
+    ASSERT_TRUE(user.joints.waitForPosition("head_pan", left.pan));
+    const Columns after = watchBall(images, begin + ball_period);
+    for (const auto& picture : before) {
+      const auto later = after.lower_bound(picture.first + ball_period);
+      const double expected = left.columnOf(right.leftOf(picture.second));
+      if (later != after.end() && expected > 20 && expected < 188) {
+        EXPECT_GT(later->second, picture.second) << "the head turned left, so the picture moves right";
+        errors.push_back(later->second - expected);
+      }
+    }
+  }
+  ASSERT_GE(errors.size(), 10u);
+  std::sort(errors.begin(), errors.end());
+  EXPECT_NEAR(errors[errors.size() / 2], 0.0, 3.0);
 }
 
 }  // namespace
