@@ -7,7 +7,7 @@
 #include <OPENR/OPENR.h>
 
 const ODataType odataUNDEF = 0;
-const ODataType odataJOINT_VALUE = 18;       ///< what a joint reports, in millionths of a radian
+const ODataType odataJOINT_VALUE = 18;    ///< what a joint reports, in millionths of a radian
 const ODataType odataFBK_YCrCb = 19;      ///< a picture of the three bands Y, Cr, Cb
 const ODataType odataFBK_CDT = 20;        ///< what the colour detection found
 const ODataType odataFBK_YCrCb_HPF = 24;  ///< the three bands and three of fine detail in Y; ERS-7
