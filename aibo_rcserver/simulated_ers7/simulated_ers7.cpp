@@ -16,6 +16,7 @@ const robot_model::RobotModel& model() {
 
 std::vector<OPrimitiveID> jointPrimitives() {
   std::vector<OPrimitiveID> primitives;
+  primitives.reserve(static_cast<std::size_t>(model().number_of_joints));
   for (int i = 0; i < model().number_of_joints; ++i) {
     primitives.push_back(jointPrimitive(static_cast<std::size_t>(i)));
   }
