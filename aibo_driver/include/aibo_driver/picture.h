@@ -16,6 +16,7 @@ struct Picture {
   std::chrono::steady_clock::time_point first_byte_time;  ///< arrival of the first byte of the picture's header
   int width = 0;                                          ///< pixels, from the JPEG's own frame header
   int height = 0;                                         ///< pixels, from the JPEG's own frame header
+  std::uint64_t connection_number = 0;                    ///< over which it came: 1 for the client's first
 
   // A version 1 server does not tell what follows.
   std::optional<std::uint32_t> frame_number;  ///< OPEN-R frame (8 ms) in which the camera took the image

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "aibo_driver/joints.h"
+#include "aibo_driver/leds.h"
 #include "aibo_driver/log.h"
 #include "aibo_driver/picture.h"
 #include "aibo_driver/robot_info.h"
@@ -61,20 +62,21 @@ struct ClientStatistics {
   std::uint64_t refusals = 0;        ///< requests that the robot refused
 };
 
-/// Keeps one connection to an RCServer, gets pictures and telemetry over it, and moves the joints.
+/// Keeps one connection to an RCServer, gets pictures and telemetry over it, moves the joints, and has the robot do all
+/// the rest that it can.
 ///
 /// A thread of its own connects, reconnects after every fault with growing, jittered waits, and splits the byte
 /// stream into pictures and replies. It asks each server for version 2 of the protocol, and goes on with version 1 if
 /// the server refuses or says nothing to that for 500 ms. The wishes to stream and for telemetry survive reconnects; a
-/// request for a single picture does not, and a command to the joints never does. All waiting is done on the steady
-/// clock and ends at once when stop() is called.
+/// request for a single picture does not, and a command never does: what moves, shines or is written is done once or
+/// not at all. All waiting is done on the steady clock and ends at once when stop() is called.
 ///
 /// Every member function may be called from any thread, except where it says otherwise.
 class RcServerClient {
  public:
   /// Called on the client's thread with every good picture of the stream, and with those taken by takePicture().
-  /// Must not block, and must not call stop(), takePicture() or setMotors(): while it runs, nothing is read from the
-  /// robot. What it throws is logged.
+  /// Must not block, and must not call stop() or a function that waits for the robot (those with a timeout): while it
+  /// runs, nothing is read from the robot. What it throws is logged.
   using PictureCallback = std::function<void(const PicturePtr& picture)>;
   /// Called on the client's thread each time the connection status changes. Same rules.
   using StatusCallback = std::function<void(const ConnectionStatus& status)>;
@@ -186,10 +188,71 @@ class RcServerClient {
   /// @throw Exception called from a callback
   bool setMotors(bool on, std::chrono::milliseconds timeout);
 
+  /// Lets LEDs shine. Returns without waiting, under the same rules as commandJoints(): if commands come faster than
+  /// the robot answers, each LED gets its latest one.
+  ///
+  /// A version 1 server is told LED after LED, and their intensity alone: only for all LEDs at once it can be told the
+  /// mode. So it is told that if a command gives all 26 LEDs of an ERS-7 the same intensity and mode.
+  ///
+  /// @param leds 1..32 LEDs, each once
+  /// @throw InvalidArgumentException an id, an intensity or their number is out of range
+  /// @throw NetworkException not connected; the message says why and what to check
+  /// @throw CommandException the server says that it has no LEDs
+  /// @throw StoppedException stop() was called
+  void commandLeds(const std::vector<LedCommand>& leds);
+
+  /// Moves the ears. Each has two positions, which OPEN-R numbers 0 and 1. Returns without waiting, as commandLeds().
+  /// @param left true = position 1
+  /// @param right true = position 1
+  /// @throw NetworkException, CommandException, StoppedException as commandLeds()
+  void commandEars(bool left, bool right);
+
+  /// Plays a motion from the robot's memory stick (MTN, Sony's format). Returns when the robot has begun. Motions that
+  /// move different joints play at the same time.
+  ///
+  /// This and the functions up to rebootRobot() work alike: each asks the robot once, and waits. If a version 1 server
+  /// has been asked and the time passes, the connection is made anew, since nobody could tell what its next answer is
+  /// about. All of them
+  /// @throw InvalidArgumentException an argument is out of range, or `name` is no name of a motion
+  /// @throw NetworkException no connection, or it broke while waiting: the robot may or may not have done it
+  /// @throw TimeoutException connected, but no answer came in time
+  /// @throw CommandException the robot refused, or its server cannot do it; the message says why, and what to do
+  /// @throw StoppedException stop() was called
+  /// @throw Exception called from a callback
+  ///
+  /// @param name of the file, such as NOD.MTN: 8 characters at most, then .MTN; large and small letters are the same
+  /// @param repetitions 1..65535
+  /// @param timeout longest time to wait, 1 ms..1 h
+  void playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
+
+  /// Stops a motion: its joints hold where they are.
+  /// @param name of the motion; empty = all that are playing
+  void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// Writes a motion to the robot's memory stick, in the place of one of this name. The robot's RCSERVER.CFG has to
+  /// allow it (ALLOW_UPLOAD). Pictures go on meanwhile; a version 1 server is asked for nothing else until it is done.
+  /// @param content the file's bytes, 1..65523: what a request of version 2 holds beside a name
+  void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
+                    std::chrono::milliseconds timeout);
+
+  /// Deletes a motion from the robot's memory stick. RCSERVER.CFG has to allow it (ALLOW_DELETE).
+  void deleteMotion(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// The names of the motions on the robot's memory stick. No version 1 server tells them.
+  std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
+
+  /// Switches the motors off, so that the robot sinks down, and then the robot. RCSERVER.CFG has to allow it
+  /// (ALLOW_SHUT_DOWN). The connection ends after the answer; this client goes on trying to connect.
+  void shutDownRobot(std::chrono::milliseconds timeout);
+
+  /// The same, and the robot starts anew (ALLOW_REBOOT).
+  void rebootRobot(std::chrono::milliseconds timeout);
+
   /// What is wanted: telemetry each so many OPEN-R frames of 8 ms, or none. Takes effect as setStreaming() does.
   ///
-  /// A version 1 server sends no telemetry. While some is wanted it is asked for one joint after the other, 20 a second
-  /// whatever the period, so that the answers cost the stream of pictures nothing.
+  /// A version 1 server sends no telemetry. While some is wanted it is asked for joints and sensors in turn, 20 of each
+  /// a second whatever the period, so that the answers cost the stream of pictures next to nothing. Such a server does
+  /// not say which robot it is on: its sensors are taken for those of an ERS-7.
   ///
   /// @param frames 0..65535; 0 = none; 4 (32 ms) is as often as the robot measures
   /// @throw InvalidArgumentException outside of the range
