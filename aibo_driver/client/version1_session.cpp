@@ -210,7 +210,10 @@ void Version1Session::onJointPosition(const protocol::ValueReply& reply) {
   if (value_owed_->set) {
     publishAccepted({{reply.identifier, position}});
   } else {
-    publish(Telemetry{std::nullopt, now(), {{reply.identifier, position}}});
+    Telemetry telemetry;
+    telemetry.arrival = now();
+    telemetry.joints = {{reply.identifier, position}};
+    publish(telemetry);
   }
 }
 

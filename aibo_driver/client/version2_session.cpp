@@ -316,7 +316,9 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   version2::Telemetry measured;
   expectGood(version2::decodeTelemetry(payload.data, payload.size, &measured), "telemetry");
-  telemetry_ = Telemetry{measured.frame_number, frame_began_, {}};
+  telemetry_ = Telemetry();
+  telemetry_->frame_number = measured.frame_number;
+  telemetry_->arrival = frame_began_;
   for (std::size_t i = 0; i < measured.count; ++i) {
     const version2::TelemetryEntry& entry = measured.entries[i];
     if (entry.group == version2::GROUP_JOINT) {
