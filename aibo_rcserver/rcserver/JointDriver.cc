@@ -12,7 +12,7 @@ using robot_model::RobotModel;
 
 namespace {
 
-const RobotModel ROBOT_WITHOUT_JOINTS = {"", NULL, 0, NULL, 0};
+const RobotModel ROBOT_WITHOUT_JOINTS = {"", NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
 
 // The robot keeps two vectors at most. When it takes a third one, it has played the first.
 const int VECTORS_UNTIL_ONE_IS_PLAYED = 3;

@@ -65,7 +65,7 @@ const CouplingRow MOUTH[] = {
 };
 
 #define COUPLING(leader, follower, rows) \
-  { leader, follower, rows, sizeof(rows) / sizeof(rows[0]) }
+  { leader, follower, rows, NUMBER_OF(rows) }
 
 // Leaders and followers are places in JOINTS.
 const Coupling COUPLINGS[] = {
@@ -73,9 +73,65 @@ const Coupling COUPLINGS[] = {
     COUPLING(13, 14, HIND_LEG), COUPLING(0, 2, NECK),     COUPLING(3, 2, MOUTH),
 };
 
+const Sensor SENSORS[] = {
+    TOUCH("head_touch", 5, "PRM:/r1/c1/c2/c3/t1-Sensor:t1", 9, 9),
+    TOUCH("back_rear", 6, "PRM:/t2-Sensor:t2", 14, 10),
+    TOUCH("back_middle", 7, "PRM:/t3-Sensor:t3", 14, 10),
+    TOUCH("back_front", 8, "PRM:/t4-Sensor:t4", 12, 12),
+    SWITCH("chin", 9, "PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5"),
+    SWITCH("paw_left_front", 14, "PRM:/r2/c1/c2/c3/c4-Sensor:24"),
+    SWITCH("paw_left_hind", 24, "PRM:/r3/c1/c2/c3/c4-Sensor:34"),
+    SWITCH("paw_right_front", 34, "PRM:/r4/c1/c2/c3/c4-Sensor:44"),
+    SWITCH("paw_right_hind", 44, "PRM:/r5/c1/c2/c3/c4-Sensor:54"),
+    DISTANCE("range_near", 53, "PRM:/r1/c1/c2/c3/p1-Sensor:p1", 50, 500),
+    DISTANCE("range_far", 54, "PRM:/r1/c1/c2/c3/p2-Sensor:p2", 200, 1500),
+    DISTANCE("range_chest", 55, "PRM:/p1-Sensor:p1", 100, 900),
+    ACCELERATION("acceleration_front_back", 61, "PRM:/a1-Sensor:a1"),
+    ACCELERATION("acceleration_right_left", 62, "PRM:/a2-Sensor:a2"),
+    ACCELERATION("acceleration_up_down", 63, "PRM:/a3-Sensor:a3"),
+    CHARGE("battery", 66),
+    TEMPERATURE("temperature", 67, 0),
+    SWITCH("wlan_switch", 94, "PRM:/b1-Sensor:b1"),
+};
+
+const Led LEDS[] = {
+    {"head_color", 1, "PRM:/r1/c1/c2/c3/l1-LED2:l1", LED2, LED_ON_HEAD},
+    {"head_white", 2, "PRM:/r1/c1/c2/c3/l2-LED2:l2", LED2, LED_ON_HEAD},
+    {"mode_red", 3, "PRM:/r1/c1/c2/c3/l3-LED2:l3", LED2, LED_ON_HEAD},
+    {"mode_green", 4, "PRM:/r1/c1/c2/c3/l4-LED2:l4", LED2, LED_ON_HEAD},
+    {"mode_blue", 5, "PRM:/r1/c1/c2/c3/l5-LED2:l5", LED2, LED_ON_HEAD},
+    {"wireless", 6, "PRM:/r1/c1/c2/c3/l6-LED2:l6", LED2, LED_ON_HEAD},
+    {"face_1", 7, "PRM:/r1/c1/c2/c3/la-LED3:la", LED3, LED_ON_FACE},
+    {"face_2", 8, "PRM:/r1/c1/c2/c3/lb-LED3:lb", LED3, LED_ON_FACE},
+    {"face_3", 9, "PRM:/r1/c1/c2/c3/lc-LED3:lc", LED3, LED_ON_FACE},
+    {"face_4", 10, "PRM:/r1/c1/c2/c3/ld-LED3:ld", LED3, LED_ON_FACE},
+    {"face_5", 11, "PRM:/r1/c1/c2/c3/le-LED3:le", LED3, LED_ON_FACE},
+    {"face_6", 12, "PRM:/r1/c1/c2/c3/lf-LED3:lf", LED3, LED_ON_FACE},
+    {"face_7", 13, "PRM:/r1/c1/c2/c3/lg-LED3:lg", LED3, LED_ON_FACE},
+    {"face_8", 14, "PRM:/r1/c1/c2/c3/lh-LED3:lh", LED3, LED_ON_FACE},
+    {"face_9", 15, "PRM:/r1/c1/c2/c3/li-LED3:li", LED3, LED_ON_FACE},
+    {"face_10", 16, "PRM:/r1/c1/c2/c3/lj-LED3:lj", LED3, LED_ON_FACE},
+    {"face_11", 17, "PRM:/r1/c1/c2/c3/lk-LED3:lk", LED3, LED_ON_FACE},
+    {"face_12", 18, "PRM:/r1/c1/c2/c3/ll-LED3:ll", LED3, LED_ON_FACE},
+    {"face_13", 19, "PRM:/r1/c1/c2/c3/lm-LED3:lm", LED3, LED_ON_FACE},
+    {"face_14", 20, "PRM:/r1/c1/c2/c3/ln-LED3:ln", LED3, LED_ON_FACE},
+    {"back_front_color", 21, "PRM:/lu-LED3:lu", LED3, LED_ON_BACK},
+    {"back_front_white", 22, "PRM:/lv-LED3:lv", LED3, LED_ON_BACK},
+    {"back_middle_color", 23, "PRM:/lw-LED3:lw", LED3, LED_ON_BACK},
+    {"back_middle_white", 24, "PRM:/lx-LED3:lx", LED3, LED_ON_BACK},
+    {"back_rear_color", 25, "PRM:/ly-LED3:ly", LED3, LED_ON_BACK},
+    {"back_rear_white", 26, "PRM:/lz-LED3:lz", LED3, LED_ON_BACK},
+};
+
+const Ear EARS[] = {
+    {"left_ear", 1, "PRM:/r1/c1/c2/c3/e5-Joint4:15", EAR_JOINT4},
+    {"right_ear", 2, "PRM:/r1/c1/c2/c3/e6-Joint4:16", EAR_JOINT4},
+};
+
 }  // namespace
 
-const RobotModel ERS7 = {"ERS-7", JOINTS, sizeof(JOINTS) / sizeof(JOINTS[0]), COUPLINGS,
-                         sizeof(COUPLINGS) / sizeof(COUPLINGS[0])};
+const RobotModel ERS7 = {
+    "ERS-7",         JOINTS, NUMBER_OF(JOINTS), COUPLINGS, NUMBER_OF(COUPLINGS), SENSORS, NUMBER_OF(SENSORS), LEDS,
+    NUMBER_OF(LEDS), EARS,   NUMBER_OF(EARS)};
 
 }  // namespace robot_model

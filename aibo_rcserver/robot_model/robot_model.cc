@@ -8,6 +8,43 @@
 
 namespace robot_model {
 
+namespace {
+
+const int NOT_FOUND = -1;
+
+template <typename Part>
+int findByIdentifier(const Part* parts, int count, int identifier) {
+  for (int i = 0; i < count; ++i) {
+    if (parts[i].identifier == identifier) {
+      return i;
+    }
+  }
+  return NOT_FOUND;
+}
+
+template <typename Part>
+int findByName(const Part* parts, int count, const char* name) {
+  for (int i = 0; i < count; ++i) {
+    if (strcmp(parts[i].name, name) == 0) {
+      return i;
+    }
+  }
+  return NOT_FOUND;
+}
+
+// What has no locator is no primitive of OPEN-R and is not found by one.
+template <typename Part>
+int findByLocator(const Part* parts, int count, const char* locator) {
+  for (int i = 0; i < count; ++i) {
+    if (parts[i].locator != 0 && strcmp(parts[i].locator, locator) == 0) {
+      return i;
+    }
+  }
+  return NOT_FOUND;
+}
+
+}  // namespace
+
 const RobotModel* findRobotModel(const char* design) {
   const RobotModel* const models[] = {&ERS7, &ERS210};
   for (size_t i = 0; i < sizeof(models) / sizeof(models[0]); ++i) {
@@ -19,30 +56,55 @@ const RobotModel* findRobotModel(const char* design) {
 }
 
 int findJointByIdentifier(const RobotModel& model, int identifier) {
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    if (model.joints[i].identifier == identifier) {
-      return i;
-    }
-  }
-  return NO_JOINT;
+  return findByIdentifier(model.joints, model.number_of_joints, identifier);
 }
 
 int findJointByName(const RobotModel& model, const char* name) {
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    if (strcmp(model.joints[i].name, name) == 0) {
-      return i;
-    }
-  }
-  return NO_JOINT;
+  return findByName(model.joints, model.number_of_joints, name);
 }
 
 int findJointByLocator(const RobotModel& model, const char* locator) {
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    if (strcmp(model.joints[i].locator, locator) == 0) {
-      return i;
-    }
-  }
-  return NO_JOINT;
+  return findByLocator(model.joints, model.number_of_joints, locator);
+}
+
+int findSensorByIdentifier(const RobotModel& model, int identifier) {
+  return findByIdentifier(model.sensors, model.number_of_sensors, identifier);
+}
+
+int findSensorByName(const RobotModel& model, const char* name) {
+  return findByName(model.sensors, model.number_of_sensors, name);
+}
+
+int findSensorByLocator(const RobotModel& model, const char* locator) {
+  return findByLocator(model.sensors, model.number_of_sensors, locator);
+}
+
+int findLedByIdentifier(const RobotModel& model, int identifier) {
+  return findByIdentifier(model.leds, model.number_of_leds, identifier);
+}
+
+int findLedByName(const RobotModel& model, const char* name) {
+  return findByName(model.leds, model.number_of_leds, name);
+}
+
+int findLedByLocator(const RobotModel& model, const char* locator) {
+  return findByLocator(model.leds, model.number_of_leds, locator);
+}
+
+int findEarByIdentifier(const RobotModel& model, int identifier) {
+  return findByIdentifier(model.ears, model.number_of_ears, identifier);
+}
+
+int findEarByName(const RobotModel& model, const char* name) {
+  return findByName(model.ears, model.number_of_ears, name);
+}
+
+int findEarByLocator(const RobotModel& model, const char* locator) {
+  return findByLocator(model.ears, model.number_of_ears, locator);
+}
+
+bool isPressed(const Sensor& sensor, double value, bool was_pressed) {
+  return sensor.on > 0 && value >= (was_pressed ? sensor.off : sensor.on);
 }
 
 int defaultAcceleration(const Joint& joint) {

@@ -1,6 +1,6 @@
 /// @file robot_model.h
-/// What an Aibo is, in numbers: its joints, their limits, and where parts of the body would hit each other.
-/// One table a robot, chosen by the name of its design. Used by both sides; C++98, no I/O.
+/// What an Aibo is, in numbers: its joints, their limits, where parts of the body would hit each other, its sensors,
+/// LEDs and ears. One table a robot, chosen by the name of its design. Used by both sides; C++98, no I/O.
 ///
 /// Angles are whole microradians, as everywhere in OPEN-R; `int` has 32 bits on both sides. Signs are Sony's: all zero
 /// is the robot with its legs straight down; positive is up for head and tail, to the left for pan, forward for the
@@ -10,11 +10,17 @@
 
 namespace robot_model {
 
-/// Most joints of any robot in the tables, for arrays of a fixed size.
+/// Most of each of any robot in the tables, for arrays of a fixed size.
 const int MAX_JOINTS = 18;
+const int MAX_SENSORS = 18;
+const int MAX_LEDS = 26;
+const int MAX_EARS = 2;
 
-/// What a find function returns when there is no such joint.
+/// What a find function returns when there is no such thing.
 const int NO_JOINT = -1;
+const int NO_SENSOR = -1;
+const int NO_LED = -1;
+const int NO_EAR = -1;
 
 /// Gains of a joint's servo, in the order of OPENR::SetJointGain().
 struct PidGains {
@@ -76,6 +82,72 @@ struct Coupling {
   int number_of_rows;
 };
 
+/// What a sensor measures, and so what its values are.
+enum SensorKind {
+  SENSOR_DISTANCE,      ///< infrared, in micrometre
+  SENSOR_ACCELERATION,  ///< in micrometre/s^2
+  SENSOR_FORCE,         ///< in micronewton
+  SENSOR_TEMPERATURE,   ///< in millionths of a degree Celsius
+  SENSOR_CHARGE,        ///< what is left in the battery, in millionths of all that it holds
+  SENSOR_TOUCH,         ///< electrostatic: a strength, without a unit
+  SENSOR_SWITCH         ///< 0 or 1
+};
+
+/// One sensor with a value; camera, microphones and loudspeaker are none.
+struct Sensor {
+  const char* name;          ///< in ROS and on the simulated robot's console: lower case with underscores
+  unsigned char identifier;  ///< on the wire; no joint of the robot has the same; docs/protocol.md lists them
+
+  /// For OPENR::OpenPrimitive() (MI), whose values are in the units of SensorKind. Null for what is no primitive and
+  /// comes from OPENR::GetPowerStatus(): charge and temperature of the battery.
+  const char* locator;
+
+  SensorKind kind;
+
+  /// What it can measure, in the units of SensorKind (MI). Both 0 if Sony does not say.
+  int lowest;
+  int highest;
+
+  /// Pressed from `on` up, no longer pressed below `off`; see isPressed(). Both 0 for what cannot be pressed, and where
+  /// Sony gives no figure. ERS-7: MI, on and off levels of the electrostatic sensors.
+  int on;
+  int off;
+};
+
+/// True if somebody presses or touches a switch or touch sensor, with the hysteresis that Sony gives for it.
+/// @param value strength, or 0 or 1
+/// @param was_pressed what this function said of the sensor's value before; false at first
+bool isPressed(const Sensor& sensor, double value, bool was_pressed);
+
+/// What OPEN-R can do with an LED.
+enum LedKind {
+  LED2,  ///< on or off
+  LED3   ///< intensity 0 to 255, mode A or B
+};
+
+/// Where on the body an LED is.
+enum LedPlace { LED_ON_HEAD, LED_ON_FACE, LED_ON_BACK, LED_ON_TAIL };
+
+/// One LED.
+struct Led {
+  const char* name;          ///< in ROS: lower case with underscores
+  unsigned char identifier;  ///< on the wire, a numbering of its own; docs/protocol.md lists them
+  const char* locator;       ///< for OPENR::OpenPrimitive() (MI); the letter or letters at its end are Sony's name
+  LedKind kind;
+  LedPlace place;
+};
+
+/// How OPEN-R is told about an ear: by JOINT_COMMAND3 or by JOINT_COMMAND4.
+enum EarKind { EAR_JOINT3, EAR_JOINT4 };
+
+/// One ear: up or down, and not to be held energised (MI).
+struct Ear {
+  const char* name;          ///< "left_ear", "right_ear"
+  unsigned char identifier;  ///< on the wire, a numbering of its own: 1 left, 2 right
+  const char* locator;       ///< for OPENR::OpenPrimitive() (MI)
+  EarKind kind;
+};
+
 /// One kind of robot.
 struct RobotModel {
   const char* design;  ///< as OPENR::GetRobotDesign() gives it: "ERS-7", "ERS-210"
@@ -83,6 +155,12 @@ struct RobotModel {
   int number_of_joints;
   const Coupling* couplings;
   int number_of_couplings;
+  const Sensor* sensors;  ///< in ascending order of the identifiers, as LEDs and ears
+  int number_of_sensors;
+  const Led* leds;
+  int number_of_leds;
+  const Ear* ears;
+  int number_of_ears;
 };
 
 /// The table of the robot whose design has this name; null if there is none.
@@ -92,6 +170,21 @@ const RobotModel* findRobotModel(const char* design);
 int findJointByIdentifier(const RobotModel& model, int identifier);
 int findJointByName(const RobotModel& model, const char* name);
 int findJointByLocator(const RobotModel& model, const char* locator);
+
+/// Indices into RobotModel::sensors, or NO_SENSOR.
+int findSensorByIdentifier(const RobotModel& model, int identifier);
+int findSensorByName(const RobotModel& model, const char* name);
+int findSensorByLocator(const RobotModel& model, const char* locator);
+
+/// Indices into RobotModel::leds, or NO_LED.
+int findLedByIdentifier(const RobotModel& model, int identifier);
+int findLedByName(const RobotModel& model, const char* name);
+int findLedByLocator(const RobotModel& model, const char* locator);
+
+/// Indices into RobotModel::ears, or NO_EAR.
+int findEarByIdentifier(const RobotModel& model, int identifier);
+int findEarByName(const RobotModel& model, const char* name);
+int findEarByLocator(const RobotModel& model, const char* locator);
 
 /// The lower limit that a coupling sets its follower while the leader is at `leader_position`, in microradian.
 /// Of rows that overlap, and of the two rows beside a gap, the one holds that restricts more. Beyond the first and the

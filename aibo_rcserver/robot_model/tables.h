@@ -20,6 +20,25 @@
 #define GAINS(proportional, integral, derivative) \
   { proportional, integral, derivative, 0x0E, 0x02, 0x0F }
 
+/// A sensor of each kind; what the kind says is not said again in every row. Distances in millimetre.
+#define DISTANCE(name, identifier, locator, nearest, farthest) \
+  { name, identifier, locator, SENSOR_DISTANCE, (nearest)*1000, (farthest)*1000, 0, 0 }
+#define ACCELERATION(name, identifier, locator) \
+  { name, identifier, locator, SENSOR_ACCELERATION, -19613300, 19613300, 0, 0 }
+#define FORCE(name, identifier, locator) \
+  { name, identifier, locator, SENSOR_FORCE, 0, 980665, 0, 0 }
+#define TEMPERATURE(name, identifier, locator) \
+  { name, identifier, locator, SENSOR_TEMPERATURE, 0, 0, 0, 0 }
+#define CHARGE(name, identifier) \
+  { name, identifier, 0, SENSOR_CHARGE, 0, 1000000, 0, 0 }
+#define TOUCH(name, identifier, locator, on, off) \
+  { name, identifier, locator, SENSOR_TOUCH, 0, 80, on, off }
+#define SWITCH(name, identifier, locator) \
+  { name, identifier, locator, SENSOR_SWITCH, 0, 1, 1, 1 }
+
+/// How many rows a table has.
+#define NUMBER_OF(table) (static_cast<int>(sizeof(table) / sizeof((table)[0])))
+
 namespace robot_model {
 
 extern const RobotModel ERS7;
