@@ -3,20 +3,23 @@
 #ifndef RCSERVER_VERSION2_COMMANDS_H
 #define RCSERVER_VERSION2_COMMANDS_H
 
-#include "protocol/hello.h"
-#include "protocol/version2.h"
 #include "rcserver/ImageObserver.h"
 #include "rcserver/JointControl.h"
 #include "rcserver/Motors.h"
 #include "rcserver/Outbox.h"
+#include "rcserver/Version2Camera.h"
+#include "rcserver/Version2Joints.h"
+#include "rcserver/Version2Replies.h"
+#include "rcserver/Version2Telemetry.h"
 
-/// Carries out the requests of version 2, answers them and pushes telemetry (docs/protocol.md). Pure logic: no OPEN-R.
+/// Carries out the requests of version 2, answers them and pushes telemetry (docs/protocol.md): hello itself, the
+/// others by the class of their concern. Pure logic: no OPEN-R.
 class Version2Commands {
  public:
   /// @param design of the robot, as OPEN-R names it. All must outlive this.
   Version2Commands(const char* design, JointControl& joints, Motors& motors, ImageObserver& camera, Outbox& outbox);
 
-  /// A new client: no telemetry.
+  /// A new client.
   void Begin();
 
   /// Adds one message to the outbox, unless the request is for a picture, which is the answer.
@@ -35,34 +38,16 @@ class Version2Commands {
   Version2Commands(const Version2Commands&);
   Version2Commands& operator=(const Version2Commands&);
 
-  // Each answers its request. `payload` is as many bytes as the request's header says.
-  typedef protocol::version2::FrameHeader Request;
+  typedef Version2Replies::Request Request;
   void Greet(const Request& request, unsigned now);
-  void TakePicture(const Request& request, const unsigned char* payload);
-  void Stream(const Request& request, const unsigned char* payload);
-  void MoveJoints(const Request& request, const unsigned char* payload);
-  void LimitSpeeds(const Request& request, const unsigned char* payload);
-  void SetTelemetryPeriod(const Request& request, const unsigned char* payload);
-  void SwitchMotors(const Request& request, const unsigned char* payload);
-
-  void RefuseBadRequest(const Request& request, const char* problem);
   void RefuseUnknownKind(const Request& request);
-  void RefuseUnknownJoint(const Request& request, unsigned char identifier);
-  bool TakesLayer(const Request& request, protocol::version2::Layer layer);
-  void Reply(const Request& request, size_t payload_size);
-  void PushFaults();
-  void PushTelemetry(unsigned frame);
-  unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
 
   const char* const design_;
-  JointControl& joints_;
-  Motors& motors_;
-  ImageObserver& camera_;
-  Outbox& outbox_;
-  unsigned short telemetry_period_;                  ///< in frames; 0: none
-  bool has_pushed_telemetry_;                        ///< since the period was set
-  unsigned last_telemetry_;                          ///< frame
-  unsigned char message_[Outbox::MAX_MESSAGE_SIZE];  ///< in the making
+  const robot_model::RobotModel& robot_;
+  Version2Replies replies_;
+  Version2Camera camera_;
+  Version2Joints joints_;
+  Version2Telemetry telemetry_;
 };
 
 #endif  // RCSERVER_VERSION2_COMMANDS_H
