@@ -60,7 +60,8 @@ class Machine::Implementation {
   void runPending();
   bool runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit);
   void shutdown() noexcept { system_.reset(); }
-  std::uint16_t hostPort(std::uint16_t robot_port) const { return host_ports_.at(robot_port); }
+  bool isOn() const { return system_ != nullptr; }
+  std::uint16_t hostPort(std::uint16_t robot_port) const { return options_.ports.at(robot_port); }
 
  private:
   void load();
@@ -71,14 +72,14 @@ class Machine::Implementation {
   void clearWake();
   bool beginFrame();
   bool handle(const Deadline& latest);
+  void obeyShutdownRequest();
   Deadline nextFrame() const;
 
-  const MachineOptions options_;
+  MachineOptions options_;  ///< with the ports that were taken in place of any free ones
   Clock& clock_;
   VirtualRobot& robot_;
   std::unique_ptr<System> system_;
   VirtualRobotComm* robot_comm_ = nullptr;
-  std::map<std::uint16_t, std::uint16_t> host_ports_;
   std::optional<longword> last_frame_;
   FileDescriptor wake_;  ///< readable once stop() has been called
   std::atomic<bool> stop_requested_{false};
@@ -143,11 +144,10 @@ void Machine::Implementation::createObjects() {
 }
 
 void Machine::Implementation::takePorts() {
-  for (const auto& [robot_port, host_port] : options_.ports) {
+  for (auto& [robot_port, host_port] : options_.ports) {
     try {
-      host_ports_[robot_port] = robot_port == kConsolePort
-                                    ? system_->console().takePort(options_.bind_address, host_port)
-                                    : system_->ipStack().takePort(robot_port, host_port);
+      host_port = robot_port == kConsolePort ? system_->console().takePort(options_.bind_address, host_port)
+                                             : system_->ipStack().takePort(robot_port, host_port);
     } catch (const std::system_error& error) {
       throw BootError(portProblem(options_.bind_address, robot_port, host_port, error.code().value()));
     } catch (const std::invalid_argument& error) {
@@ -163,7 +163,7 @@ std::vector<ServiceConnection> Machine::Implementation::readConnections() const 
 }
 
 void Machine::Implementation::run() {
-  while (!stop_requested_) {
+  while (!stop_requested_ && isOn()) {
     handle(nextFrame());
   }
 }
@@ -182,14 +182,14 @@ void Machine::Implementation::clearWake() {
 }
 
 void Machine::Implementation::runPending() {
-  while (handle(std::chrono::steady_clock::now())) {
+  while (handle(std::chrono::steady_clock::now()) && isOn()) {
   }
 }
 
 bool Machine::Implementation::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!done()) {
-    if (std::chrono::steady_clock::now() >= end) {
+    if (std::chrono::steady_clock::now() >= end || !isOn()) {
       return false;
     }
     handle(std::min(end, nextFrame().value_or(end)));
@@ -212,7 +212,21 @@ bool Machine::Implementation::handle(const Deadline& latest) {
   system.ipStack().addTo(poll_set);
   const bool may_wait = !began_frame && !system.hasMessages();
   const bool had_sockets = poll_set.wait(may_wait ? latest : std::chrono::steady_clock::time_point());
+  obeyShutdownRequest();
   return began_frame || had_messages || had_sockets;
+}
+
+void Machine::Implementation::obeyShutdownRequest() {
+  const ShutdownRequest request = system_->shutdownRequest();
+  if (request == ShutdownRequest::kNone) {
+    return;
+  }
+  const bool boots_again = request == ShutdownRequest::kBootAgain;
+  system_->console().print(boots_again ? "The robot boots again\n" : "The robot shuts down\n");
+  shutdown();
+  if (boots_again) {
+    boot();
+  }
 }
 
 bool Machine::Implementation::beginFrame() {
@@ -252,6 +266,10 @@ void Machine::runPending() {
 
 bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
   return implementation_->runUntil(done, limit);
+}
+
+bool Machine::isOn() const {
+  return implementation_->isOn();
 }
 
 void Machine::shutdown() noexcept {

@@ -33,7 +33,8 @@ struct MachineOptions {
   std::string bind_address = "127.0.0.1";
 
   /// From a port of the robot to the port it has on this computer; 0 is any free one, see Machine::hostPort(). These
-  /// are taken by boot(). A port that does not stand here is the same on both, and taken when an object listens on it.
+  /// are taken by boot(), the same ones each time. A port that does not stand here is the same on both, and taken when
+  /// an object listens on it.
   std::map<std::uint16_t, std::uint16_t> ports = {{kConsolePort, kConsolePort}};
 
   /// Folder that holds what the robot has on its memory stick: OPEN-R/MW/CONF/OBJECT.CFG and CONNECT.CFG, whatever
@@ -71,18 +72,25 @@ class Machine {
   /// @throw BootError; nothing is left running then
   void boot();
 
-  /// Handles what comes until stop() is called.
+  /// Handles what comes until stop() is called or an object shuts the robot down (OPENR::Shutdown()). The machine is
+  /// off then, as after shutdown(), and its console has said so. If the object asked for it, the machine boots anew
+  /// instead: on the same ports, with new objects. The same holds for the two functions for tests below.
+  /// @throw BootError if it cannot boot anew; it is off then
   void run();
+
+  /// From boot() on, until whatever ends it.
+  bool isOn() const;
 
   /// Makes run() return soon. The one function that may be called from any thread and from a signal handler.
   void stop() noexcept;
 
   /// Handles everything that is to be done now, without waiting: the clock's frame, messages, sockets. For tests.
+  /// @throw std::logic_error if the machine is off
   void runPending();
 
   /// Handles what comes until `done` says so. For tests that wait for a socket.
   /// @param limit safety net
-  /// @return false if the limit was reached
+  /// @return false if the limit was reached or the machine went off before
   bool runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit = std::chrono::seconds(20));
 
   /// DoStop of all objects, DoDestroy of all, all sockets closed. What is still queued is dropped.

@@ -157,6 +157,7 @@ void System::shutdown() noexcept {
   }
   messages_.clear();
   objects_.clear();
+  robot_.switchOff();
 }
 
 void System::runAs(OObject& object, const std::function<void()>& function) {

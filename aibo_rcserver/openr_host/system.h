@@ -21,6 +21,8 @@
 
 namespace openr_host {
 
+enum class ShutdownRequest { kNone, kStayOff, kBootAgain };
+
 /// Internal to openr_host; Machine is its outside.
 class System {
  public:
@@ -54,7 +56,12 @@ class System {
   void connect(const std::string& subject, const std::string& observer);
   /// @throw std::runtime_error as initialize()
   void start();
-  /// Stops and destroys the objects that have come so far, and drops what is queued.
+  /// What an object asked for by OPENR::Shutdown().
+  void requestShutdown(bool boot_again) {
+    shutdown_requested_ = boot_again ? ShutdownRequest::kBootAgain : ShutdownRequest::kStayOff;
+  }
+  ShutdownRequest shutdownRequest() const { return shutdown_requested_; }
+  /// Stops and destroys the objects that have come so far, drops what is queued, and switches the robot off.
   void shutdown() noexcept;
   /// Calls something as the object it belongs to.
   void runAs(OObject& object, const std::function<void()>& function);
@@ -109,6 +116,7 @@ class System {
   std::vector<ObserverService*> observers_;
   std::deque<Message> messages_;
   const LoadedObject* running_ = nullptr;
+  ShutdownRequest shutdown_requested_ = ShutdownRequest::kNone;
 };
 
 }  // namespace openr_host

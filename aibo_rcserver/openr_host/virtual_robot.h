@@ -5,6 +5,7 @@
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
+#include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
 #include <OPENR/RCRegion.h>
 
@@ -46,7 +47,12 @@ class VirtualRobot {
   virtual OStatus getJointValue(OPrimitiveID id, OJointValue* value) = 0;
   virtual OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) = 0;
   virtual OStatus setMotorPower(OPower power) = 0;
+  virtual OStatus getPowerStatus(OPowerStatus* status) = 0;
   /// @}
+
+  /// The machine goes off, whether it boots again or not: motors and LEDs lose their power, all primitives are closed.
+  /// Called after the objects are gone, also by Machine::shutdown(); the next machine boots on the same robot.
+  virtual void switchOff() = 0;
 
   /// Whether the primitive is open and an effector that takes commands of this type. Asked of every entry of a command
   /// vector when the vector comes; may have changed when its commands are due.

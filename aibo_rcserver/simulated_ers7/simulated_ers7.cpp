@@ -98,6 +98,22 @@ OStatus SimulatedErs7::setMotorPower(OPower power) {
   return oSUCCESS;
 }
 
+OStatus SimulatedErs7::getPowerStatus(OPowerStatus* status) {
+  *status = OPowerStatus();
+  status->robotStatus = orsbBATTERY_CONNECTED | orsbMOTOR_POWER;
+  status->remainingCapacity = 100;
+  return oSUCCESS;
+}
+
+void SimulatedErs7::switchOff() {
+  joints_.setPower(false);
+  forJoints(oprimitiveID_UNDEF, [](Joint& joint) {
+    joint.disableGain();
+    return oSUCCESS;
+  });
+  primitives_.close(oprimitiveID_UNDEF);
+}
+
 bool SimulatedErs7::takesCommand(OPrimitiveID id, ODataType type) const {
   return type == odataJOINT_COMMAND2 && isOpenJoint(id);
 }

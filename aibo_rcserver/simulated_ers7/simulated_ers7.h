@@ -68,6 +68,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override;
 
   OStatus setMotorPower(OPower power) override;
+  OStatus getPowerStatus(OPowerStatus* status) override;
+  void switchOff() override;
 
   /// Joints take odataJOINT_COMMAND2 only; that their gain is off does not keep them from taking it (joint.h).
   bool takesCommand(OPrimitiveID id, ODataType type) const override;

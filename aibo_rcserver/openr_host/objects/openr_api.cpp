@@ -55,6 +55,19 @@ OStatus OPENR::SetMotorPower(OPower power) {
   return System::current().robot().setMotorPower(power);
 }
 
+OStatus OPENR::GetPowerStatus(OPowerStatus* status) {
+  return System::current().robot().getPowerStatus(status);
+}
+
+OStatus OPENR::Shutdown(const OBootCondition& condition) {
+  const bool boots_again = (condition.bitmap & obcbBOOT_TIMER) != 0;
+  if (boots_again && (condition.bootTimeType != obcbttRELATIVE || condition.bootTime != 0)) {
+    return oINVALID_ARG;
+  }
+  System::current().requestShutdown(boots_again);
+  return oSUCCESS;
+}
+
 OStatus OPENR::GetRobotDesign(char* design) {
   const std::string name = System::current().robot().design();
   design[name.copy(design, orobotdesignNAME_MAX - 1)] = '\0';

@@ -52,7 +52,7 @@ class FakeRobot : public VirtualRobot {
       return oINVALID_PRIMITIVE_ID;
     }
     return request == oprmreqCAM_SET_GAIN && param_size == sizeof(OPrimitiveControl_CameraParam) &&
-                   static_cast<OPrimitiveControl_CameraParam*>(param)->param == ocamparamGAIN_HIGH
+                   static_cast<OPrimitiveControl_CameraParam*>(param)->camparam == ocamparamGAIN_HIGH
                ? oSUCCESS
                : oINVALID_ARG;
   }
@@ -64,6 +64,12 @@ class FakeRobot : public VirtualRobot {
   OStatus enableJointGain(OPrimitiveID id) override { return record("enableJointGain", {id}); }
   OStatus disableJointGain(OPrimitiveID id) override { return record("disableJointGain", {id}); }
   OStatus setMotorPower(OPower power) override { return record("setMotorPower", {power}); }
+  void switchOff() override { record("switchOff", {}); }
+
+  OStatus getPowerStatus(OPowerStatus* status) override {
+    status->remainingCapacity = 87;
+    return record("getPowerStatus", {});
+  }
 
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
     value->value = 1000;

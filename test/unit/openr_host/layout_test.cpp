@@ -13,7 +13,7 @@ static_assert(sizeof(OStatus) == 4 && sizeof(OID) == 4 && sizeof(OPrimitiveID) =
 static_assert(sizeof(ODataVectorInfo) == 192);
 static_assert(offsetof(ODataVectorInfo, optional) == 192 - 128);
 static_assert(sizeof(OCommandInfo) == 32);
-static_assert(sizeof(OCommandValue) == 8 && sizeof(OJointCommandValue2) == 8 && sizeof(OJointCommandValue3) == 8);
+static_assert(sizeof(OCommandValue) == 8 && sizeof(OJointCommandValue2) == 8);
 static_assert(sizeof(OJointCommandValue4) == 8 && sizeof(OLEDCommandValue2) == 8 && sizeof(OLEDCommandValue3) == 8);
 static_assert(sizeof(OCommandData) == 16 * 8);
 static_assert(sizeof(OSensorValue) == 16 && sizeof(OJointValue) == 16);

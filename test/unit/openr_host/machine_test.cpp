@@ -1,6 +1,7 @@
 // A machine that boots a memory stick with an object written for the robot.
 #include "openr_host/machine.h"
 
+#include <OPENR/OPENRAPI.h>
 #include <dirent.h>
 #include <gmock/gmock.h>
 
@@ -48,6 +49,28 @@ class LifeRecorder : public OObject {
   const std::string failure_;
 };
 
+/// Shuts the robot down when it starts, each time as the next of `conditions` says; then no more.
+class Shutter : public OObject {
+ public:
+  explicit Shutter(std::vector<OBootCondition>& conditions) : conditions_(conditions) {}
+
+  OStatus DoStart(const OSystemEvent& /*event*/) override {
+    if (!conditions_.empty()) {
+      const OBootCondition condition = conditions_.front();
+      conditions_.erase(conditions_.begin());
+      status = OPENR::Shutdown(condition);
+    }
+    return oSUCCESS;
+  }
+
+  static OStatus status;  ///< of the last call
+
+ private:
+  std::vector<OBootCondition>& conditions_;
+};
+
+OStatus Shutter::status = oSUCCESS;
+
 class MachineTest : public testing::Test {
  protected:
   MachineTest() {
@@ -64,6 +87,16 @@ class MachineTest : public testing::Test {
     description.name = name;
     description.create = [this, name, failure] { return std::make_unique<LifeRecorder>(name, calls_, failure); };
     return description;
+  }
+
+  /// Beside the echo server, boots an object that shuts the robot down under these conditions, one after the other.
+  Machine& bootAndShutDown(const std::vector<OBootCondition>& conditions) {
+    stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", std::string(kObjects) + "/MS/OPEN-R/MW/OBJS/SHUTTER.BIN\n");
+    conditions_ = conditions;
+    ObjectDescription& shutter = options_.catalog["SHUTTER.BIN"];
+    shutter.name = "Shutter";
+    shutter.create = [this] { return std::make_unique<Shutter>(conditions_); };
+    return boot();
   }
 
   Machine& boot() {
@@ -94,6 +127,7 @@ class MachineTest : public testing::Test {
   SteppedClock clock_;
   FakeRobot robot_;
   std::vector<std::string> calls_;
+  std::vector<OBootCondition> conditions_;
   MachineOptions options_;
   std::optional<Machine> machine_;
 };
@@ -233,6 +267,52 @@ TEST_F(MachineTest, ReturnsEveryDescriptorAndBootsAgain) {
     machine.shutdown();
   }
   EXPECT_EQ(open_descriptors(), before);
+}
+
+TEST_F(MachineTest, WhenAnObjectShutsTheRobotDownTheMachineIsOffAndItsConsoleSaysSo) {
+  Machine& machine = bootAndShutDown({OBootCondition(obcbPAUSE_SW)});
+  EXPECT_TRUE(machine.isOn());
+  TestClient listener(machine.hostPort(kConsolePort));
+  machine.run();
+  EXPECT_FALSE(machine.isOn());
+  EXPECT_THAT(console_.str(), HasSubstr("The robot shuts down\nEchoServer has gone\n"));
+  EXPECT_EQ(robot_.calls.back(), "switchOff");
+  EXPECT_THROW(machine.runPending(), std::logic_error);
+  EXPECT_FALSE(machine.runUntil([] { return false; }));
+}
+
+TEST_F(MachineTest, ARebootedMachineServesOnTheSamePortsWithNewObjects) {
+  const OBootCondition at_once(obcbBOOT_TIMER, 0, obcbttRELATIVE);
+  Machine& machine = bootAndShutDown({at_once, at_once});
+  const std::uint16_t port = machine.hostPort(kEchoPort);
+  TestClient before(port);
+  machine.runPending();
+  EXPECT_TRUE(before.isAtEnd());
+
+  EXPECT_TRUE(machine.isOn());
+  EXPECT_EQ(machine.hostPort(kEchoPort), port);
+  TestClient after(port);
+  after.send("again");
+  EXPECT_TRUE(machine.runUntil([&] { return after.received() == "again"; }));
+  const std::string reboot = "The robot boots again\nEchoServer has gone\nEchoServer on ERS-7\n";
+  EXPECT_EQ(console_.str(), "EchoServer on ERS-7\n" + reboot + reboot);
+  EXPECT_EQ(std::count(robot_.calls.begin(), robot_.calls.end(), "switchOff"), 2);
+}
+
+TEST_F(MachineTest, AMachineThatCannotBootAgainIsOffAndSaysWhy) {
+  Machine& machine = bootAndShutDown({OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE)});
+  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
+  EXPECT_THROW(machine.run(), BootError);
+  EXPECT_FALSE(machine.isOn());
+}
+
+TEST_F(MachineTest, ATimeToBootAgainOtherThanNowIsRefusedAndTheMachineStaysOn) {
+  for (const auto& condition : {OBootCondition(obcbBOOT_TIMER, 60, obcbttRELATIVE),
+                                OBootCondition(obcbBOOT_TIMER | obcbPAUSE_SW, 0, obcbttABSOLUTE)}) {
+    bootAndShutDown({condition}).runPending();
+    EXPECT_EQ(Shutter::status, oINVALID_ARG);
+    EXPECT_TRUE(machine_->isOn());
+  }
 }
 
 TEST_F(MachineTest, RunGoesOnWithTheWallsClockUntilItIsStoppedFromAnotherThread) {

@@ -330,6 +330,7 @@ TEST_F(VirtualRobotCommTest, CallsForJointsAndSensorsAreTheRobots) {
   test_.as(mover_, [&] {
     OJointValue joint{};
     OSensorValue sensor{};
+    OPowerStatus power;
     for (const OStatus status : {oSUCCESS, oGAIN_DISABLED, oALERT_JOINT_UNCONTROLLABLE, oINVALID_PRIMITIVE_ID}) {
       robot_.calls.clear();
       robot_.joint_status = status;
@@ -339,12 +340,14 @@ TEST_F(VirtualRobotCommTest, CallsForJointsAndSensorsAreTheRobots) {
       EXPECT_EQ(OPENR::GetJointValue(9, &joint), status);
       EXPECT_EQ(OPENR::GetSensorValue(10, &sensor), status);
       EXPECT_EQ(OPENR::SetMotorPower(opowerON), status);
+      EXPECT_EQ(OPENR::GetPowerStatus(&power), status);
       EXPECT_THAT(robot_.calls,
                   ElementsAre("setJointGain 7 1 2 3 4 5 6", "enableJointGain 4294967295", "disableJointGain 8",
-                              "getJointValue 9", "getSensorValue 10", "setMotorPower 1"));
+                              "getJointValue 9", "getSensorValue 10", "setMotorPower 1", "getPowerStatus"));
     }
     EXPECT_EQ(joint.value, 1000);
     EXPECT_EQ(sensor.value, 2000);
+    EXPECT_EQ(power.remainingCapacity, 87);
   });
 }
 

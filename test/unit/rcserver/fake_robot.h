@@ -108,6 +108,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     powered = power == opowerON;
     return oSUCCESS;
   }
+  OStatus getPowerStatus(OPowerStatus*) override { return oFAIL; }
+  void switchOff() override {}
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
     return id >= kFirstPrimitive && id - kFirstPrimitive < joints.size() && type == odataJOINT_COMMAND2;
   }

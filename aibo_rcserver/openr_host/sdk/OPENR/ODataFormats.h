@@ -7,6 +7,13 @@
 #include <OPENR/OPENR.h>
 
 const ODataType odataUNDEF = 0;
+const ODataType odataNO_DIMENSION = 1;
+const ODataType odataLENGTH = 2;          ///< in millionths of a metre
+const ODataType odataFORCE = 8;           ///< in millionths of a newton
+const ODataType odataACCELERATION = 9;    ///< in millionths of a metre per second squared
+const ODataType odataTEMPERATURE = 11;    ///< in millionths of a degree Celsius
+const ODataType odataPRESSURE = 12;       ///< in millionths of a pascal
+const ODataType odataSWITCH = 14;         ///< oswitchON or oswitchOFF
 const ODataType odataJOINT_VALUE = 18;    ///< what a joint reports, in millionths of a radian
 const ODataType odataFBK_YCrCb = 19;      ///< a picture of the three bands Y, Cr, Cb
 const ODataType odataFBK_CDT = 20;        ///< what the colour detection found
@@ -20,18 +27,36 @@ const ODataType odataCOMMAND_VECTOR = 1024;
 const ODataType odataSENSOR_FRAME_VECTOR = 1025;
 const ODataType odataFBKIMAGE_VECTOR = 1027;
 
+typedef longword OSwitchValue;
+const OSwitchValue oswitchOFF = 0;
+const OSwitchValue oswitchON = 1;
+
+typedef longword OLEDValue;
+const OLEDValue oledOFF = 0;
+const OLEDValue oledON = 1;
+
+/// Which of the two patterns of Sony's face LEDs is meant.
+typedef word OLED3Mode;
+const OLED3Mode oled3_MODE_A = 0;
+const OLED3Mode oled3_MODE_B = 1;
+
+/// The two states of an ear: let go, and drawn by its magnet.
+typedef longword OJointValue4;
+const OJointValue4 ojoint4_STATE0 = 0;
+const OJointValue4 ojoint4_STATE1 = 1;
+
 /// Begins every vector.
 struct ODataVectorInfo {
-  ODataType type;
   MemoryRegionID memRegionID;
+  longword reserved1;
   longword offset;     ///< of this header in its memory region
   longword totalSize;  ///< bytes, from the first of this header to the last of the data
-  longword reserved1[4];
+  ODataType type;
   longword infoOffset;  ///< of the first info from this header
   longword infoSize;    ///< bytes of one info
   longword maxNumData;  ///< entries there is room for
   longword numData;     ///< entries there are
-  longword reserved2[4];
+  longword reserved2[7];
   byte optional[128];
 };
 
@@ -70,26 +95,22 @@ struct OJointCommandValue2 {
   longword padding;
 };
 
-struct OJointCommandValue3 {
-  slongword value;
-  longword period;
-};
-
 struct OJointCommandValue4 {
-  slongword value;
-  longword period;
+  OJointValue4 value;
+  word period;  ///< in frames of 8 ms
+  word reserved;
 };
 
 struct OLEDCommandValue2 {
-  longword led;
+  OLEDValue led;
   word period;  ///< in frames of 8 ms
   word reserved;
 };
 
 struct OLEDCommandValue3 {
   sword intensity;  ///< 0..255
-  sword mode;       ///< 0 A, 1 B
-  word period;      ///< in frames of 8 ms
+  OLED3Mode mode;
+  word period;  ///< in frames of 8 ms
   word reserved;
 };
 
@@ -125,7 +146,7 @@ struct OSensorFrameInfo {
 };
 
 struct OSensorValue {
-  slongword value;  ///< in millionths of the sensor's unit
+  slongword value;  ///< in the unit of its info's type; a touch sensor's as it is, 0..80 on the ERS-7
   word signal;
   word padding[5];
 };

@@ -31,8 +31,6 @@ const OStatus oINVALID_PRIMITIVE_ID = 4096;
 const OStatus oGAIN_DISABLED = 4108;               ///< the joint is commanded while its gain is off
 const OStatus oALERT_JOINT_UNCONTROLLABLE = 8192;  ///< the joint cannot follow what it is told
 
-enum OPower { opowerOFF, opowerON };
-
 const OID oidUNDEF = 0;
 const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in a call that takes it: all opened primitives
 const MemoryRegionID memoryRegionID_UNDEF = 0;

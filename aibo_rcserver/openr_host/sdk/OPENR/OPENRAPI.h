@@ -5,6 +5,7 @@
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
+#include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
 
 /// Characters that GetRobotDesign() may write, the closing 0 included.
@@ -61,6 +62,15 @@ OStatus GetSensorValue(OPrimitiveID primitiveID, OSensorValue* value);
 
 /// Power of all motors. It is off when the robot boots; without it no gain has an effect.
 OStatus SetMotorPower(OPower power);
+
+/// Battery, motor power and what else the power supply knows.
+OStatus GetPowerStatus(OPowerStatus* status);
+
+/// Ends all objects and switches the robot off, soon after the entry point that calls this has returned.
+/// @param condition when to boot again: with obcbBOOT_TIMER after bootTime seconds, else when somebody touches the
+///        robot. On Linux 0 seconds is the one time there is: the machine boots anew at once; nobody touches it
+/// @return oINVALID_ARG, and the robot stays on, if `condition` asks for another time on Linux
+OStatus Shutdown(const OBootCondition& condition);
 
 /// Name of the robot's model, "ERS-7" or "ERS-210".
 /// @param[out] design at least orobotdesignNAME_MAX characters

@@ -30,8 +30,8 @@ const longword ocamparamSHUTTER_FAST = 3;  ///< 1/200 s
 
 /// The argument of the three SET requests.
 struct OPrimitiveControl_CameraParam {
-  longword param;
-  explicit OPrimitiveControl_CameraParam(longword value) : param(value) {}
+  longword camparam;
+  explicit OPrimitiveControl_CameraParam(longword param) : camparam(param) {}
 };
 
 #endif  // OPENR_OPRIMITIVECONTROL_H
