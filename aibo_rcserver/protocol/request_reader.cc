@@ -6,14 +6,16 @@ namespace protocol {
 
 namespace {
 
-const size_t NAME_SIZE = 12;  // of a file: 8 characters, a dot, 3 characters
+size_t smaller(size_t a, size_t b) {
+  return a < b ? a : b;
+}
 
 bool hasTwoSizes(char letter) {
   return letter == REQUEST_JOINT || letter == REQUEST_SENSOR || letter == REQUEST_MAX_VELOCITY ||
          letter == REQUEST_MAX_ACCELERATION;
 }
 
-bool isFollowedByFile(char letter) {
+bool isFollowedByContent(char letter) {
   return letter == REQUEST_UPLOAD_MOTION || letter == REQUEST_UPLOAD_OBJECT;
 }
 
@@ -40,33 +42,28 @@ size_t sizeOf(char letter) {
   }
 }
 
-size_t decodeUnsigned16(const unsigned char* in) {
-  return static_cast<size_t>(in[0]) | (static_cast<size_t>(in[1]) << 8);
-}
-
 }  // namespace
 
 const size_t RequestReader::MAX_APPENDED;
 const size_t RequestReader::MAX_WAITING;
 const size_t RequestReader::MAX_REQUESTS;
 
-RequestReader::RequestReader() : waiting_size_(0), announced_size_(0) {}
+RequestReader::RequestReader() : waiting_size_(0), content_left_(0) {}
 
 void RequestReader::reset() {
   waiting_size_ = 0;
-  announced_size_ = 0;
+  content_left_ = 0;
 }
 
 size_t RequestReader::append(const unsigned char* bytes, size_t size) {
-  const size_t room = sizeof(waiting_) - waiting_size_;
-  const size_t taken = size < room ? size : room;
+  const size_t taken = smaller(size, sizeof(waiting_) - waiting_size_);
   memcpy(waiting_ + waiting_size_, bytes, taken);
   waiting_size_ += taken;
   return taken;
 }
 
 bool RequestReader::next(Request* request) {
-  skipAnnounced();
+  skipContent();
   const size_t size = frontSize();
   if (size == 0) {
     return false;
@@ -76,12 +73,23 @@ bool RequestReader::next(Request* request) {
   request->valid = hasTwoSizes(letter) ? size <= VALUE_REQUEST_SIZE : sizeOf(letter) != 0;
   request->payload_size = request->valid ? size - BASIC_COMMAND_SIZE : 0;
   memcpy(request->payload, waiting_ + BASIC_COMMAND_SIZE, request->payload_size);
-  if (isFollowedByFile(letter)) {
-    const unsigned char* size_fields = request->payload + NAME_SIZE;
-    announced_size_ = decodeUnsigned16(size_fields) * 512 + decodeUnsigned16(size_fields + 2);
+  if (isFollowedByContent(letter)) {
+    content_left_ = contentSize(decodeFileRequest(request->payload));
   }
   consume(size);
   return true;
+}
+
+size_t RequestReader::contentLeft() const {
+  return content_left_;
+}
+
+size_t RequestReader::takeContent(unsigned char* out, size_t capacity) {
+  const size_t taken = smaller(capacity, smaller(content_left_, waiting_size_));
+  memcpy(out, waiting_, taken);
+  content_left_ -= taken;
+  consume(taken);
+  return taken;
 }
 
 size_t RequestReader::takeWaiting(unsigned char* out) {
@@ -91,9 +99,9 @@ size_t RequestReader::takeWaiting(unsigned char* out) {
   return size;
 }
 
-void RequestReader::skipAnnounced() {
-  const size_t skipped = announced_size_ < waiting_size_ ? announced_size_ : waiting_size_;
-  announced_size_ -= skipped;
+void RequestReader::skipContent() {
+  const size_t skipped = smaller(content_left_, waiting_size_);
+  content_left_ -= skipped;
   consume(skipped);
 }
 

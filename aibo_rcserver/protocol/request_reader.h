@@ -34,8 +34,14 @@ struct Request {
 /// "Waiting" is what append() has brought and next() has not taken. A write whose four bytes TCP delivers two by two is
 /// therefore taken for a read; version 1 has no cure for that.
 ///
-/// After `U` and `C` follow as many bytes as the request announces. The reader skips them, so that the content of a
-/// refused file is never taken for requests.
+/// After `U` and `C` follow as many bytes of content as the request announces. Who wants them takes them by
+/// takeContent() before the next call of next(), which skips what it finds of them: the content of a refused file is
+/// never taken for requests.
+///
+/// @code
+/// while (reader.contentLeft() > 0 && (size = reader.takeContent(bytes, sizeof(bytes))) > 0) { ... }
+/// if (reader.contentLeft() == 0) { ... the file is whole; go on with reader.next() ... }
+/// @endcode
 ///
 /// Not thread-safe.
 class RequestReader {
@@ -55,12 +61,21 @@ class RequestReader {
   void reset();
 
   /// Adds received bytes.
-  /// @return how many were taken: all of them if `size` is at most MAX_APPENDED and next() has said false before
+  /// @return how many were taken: all of them if `size` is at most MAX_APPENDED and next() has said false, or
+  ///         takeContent() 0, before
   size_t append(const unsigned char* bytes, size_t size);
 
-  /// Takes the next request out of the waiting bytes.
+  /// Takes the next request out of the waiting bytes, behind the content of the last one.
   /// @return false if there is no whole one
   bool next(Request* request);
+
+  /// Bytes of content that the last request of next() has announced and that are neither taken nor skipped.
+  size_t contentLeft() const;
+
+  /// Takes bytes of this content out of the waiting ones.
+  /// @param out room for `capacity` bytes
+  /// @return how many; 0 if none is waiting, and at the end of the content
+  size_t takeContent(unsigned char* out, size_t capacity);
 
   /// Takes out all bytes that were added and that no request was made of: behind the request for version 2 they are
   /// version 2's.
@@ -69,13 +84,13 @@ class RequestReader {
   size_t takeWaiting(unsigned char* out);
 
  private:
-  void skipAnnounced();
+  void skipContent();
   size_t frontSize() const;
   void consume(size_t size);
 
   unsigned char waiting_[MAX_WAITING];
   size_t waiting_size_;
-  size_t announced_size_;  ///< bytes of a refused file that are still to come
+  size_t content_left_;
 };
 
 }  // namespace protocol

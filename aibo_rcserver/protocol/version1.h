@@ -9,6 +9,8 @@
 
 #include <stddef.h>
 
+#include "protocol/motion_name.h"
+
 namespace protocol {
 
 /// TCP port of the RCServer (report, section 2.2).
@@ -54,7 +56,7 @@ const char REPLY_ERROR = 'e';
 enum ErrorCode {
   ERROR_REFUSED = 0,       ///< unknown command, wrong size, not allowed, anything else
   ERROR_FILE_MISSING = 1,  ///< file missing or unreadable
-  ERROR_NOT_A_MOTION = 2   ///< the name does not end in .MTN
+  ERROR_NOT_A_MOTION = 2   ///< the name is not one of a .MTN file: readMotionName() has something against it
 };
 
 const size_t BASIC_COMMAND_SIZE = 2;   ///< bytes of an encoded BasicGetCommand
@@ -101,6 +103,40 @@ ValueReply decodeValueReply(const unsigned char* in);
 
 /// True if `letter` begins a reply of VALUE_REPLY_SIZE bytes: a value, an acknowledgement or an error.
 bool isValueReply(char letter);
+
+/// Identifier of `L` and `K` that means all LEDs, both ears.
+const unsigned char ALL_IDENTIFIERS = 0;
+
+/// Identifier of `Y` that means mode A; every other one means mode B.
+const unsigned char FACE_MODE_A = 1;
+
+/// The intensity in the value of `L` and `Y`: its low byte. The high byte has no meaning.
+unsigned char ledIntensity(short value);
+
+/// What follows the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
+struct FileRequest {
+  char name[MAX_MOTION_NAME_SIZE + 1];  ///< as sent, up to its first zero byte, and a zero byte; not looked at
+  unsigned short a;                     ///< `P`: how often; `U`, `C`: whole blocks of 512 bytes
+  unsigned short b;                     ///< `U`, `C`: bytes of content beyond these blocks
+};
+
+const size_t FILE_PAYLOAD_SIZE = FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE;  ///< bytes of an encoded FileRequest
+
+/// Largest content that can be announced.
+const size_t MAX_CONTENT_SIZE = 65535 * 512 + 65535;
+
+/// Writes FILE_PAYLOAD_SIZE bytes.
+void encodeFileRequest(const FileRequest& request, unsigned char* out);
+
+/// Reads FILE_PAYLOAD_SIZE bytes. Whether the name is one is for readMotionName() to say.
+FileRequest decodeFileRequest(const unsigned char* in);
+
+/// Bytes of content that `U` and `C` announce: a * 512 + b.
+size_t contentSize(const FileRequest& request);
+
+/// Announces so many bytes of content in a and b.
+/// @param size 0..MAX_CONTENT_SIZE
+void announceContent(size_t size, FileRequest* request);
 
 /// A quality as the server uses it: what is above MAX_JPEG_QUALITY becomes MAX_JPEG_QUALITY.
 unsigned char limitJpegQuality(unsigned char quality);

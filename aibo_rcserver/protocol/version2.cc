@@ -18,6 +18,7 @@ const size_t ERROR_CODE_SIZE = 2;
 
 // A joint's value and a telemetry entry have one layout: two bytes, uint16 0, int32 value.
 const size_t ENTRY_SIZE = 8;
+const size_t LED_ENTRY_SIZE = 4;
 
 const char WRONG_SIZE[] = "the payload has not the size that this kind of frame has";
 const char WRONG_COUNT[] = "the count does not fit the size of the payload";
@@ -40,9 +41,10 @@ size_t encodeJointValues(const JointValue* joints, size_t count, unsigned char* 
   return count * ENTRY_SIZE;
 }
 
-bool isNamedBefore(const unsigned char* in, size_t index) {
+// Entries begin with an id. True if one before this one has the same.
+bool isNamedBefore(const unsigned char* in, size_t index, size_t entry_size) {
   for (size_t i = 0; i < index; ++i) {
-    if (in[i * ENTRY_SIZE] == in[index * ENTRY_SIZE]) {
+    if (in[i * entry_size] == in[index * entry_size]) {
       return true;
     }
   }
@@ -58,7 +60,7 @@ const char* checkJointValues(const unsigned char* in, size_t count) {
     if (entry[1] != 0 || decodeBigEndian16(entry + 2) != 0) {
       return RESERVED_NOT_ZERO;
     }
-    if (isNamedBefore(in, i)) {
+    if (isNamedBefore(in, i, ENTRY_SIZE)) {
       return JOINT_TWICE;
     }
   }
@@ -70,6 +72,25 @@ void decodeJointValues(const unsigned char* in, size_t count, JointValue* joints
     joints[i].id = in[i * ENTRY_SIZE];
     joints[i].value = decodeBigEndianSigned32(in + i * ENTRY_SIZE + 4);
   }
+}
+
+const char* checkLedValues(const unsigned char* in, size_t count) {
+  if (count > MAX_LEDS) {
+    return "more LEDs than any robot has";
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const unsigned char* entry = in + i * LED_ENTRY_SIZE;
+    if (entry[2] > LED_MODE_B) {
+      return "the mode of an LED is neither 0 (A) nor 1 (B)";
+    }
+    if (entry[3] != 0) {
+      return RESERVED_NOT_ZERO;
+    }
+    if (isNamedBefore(in, i, LED_ENTRY_SIZE)) {
+      return "an LED is named twice";
+    }
+  }
+  return NULL;
 }
 
 const char* checkTelemetryEntries(const unsigned char* in, size_t count) {
@@ -281,6 +302,55 @@ const char* decodeTelemetry(const unsigned char* payload, size_t size, Telemetry
     telemetry->entries[i].value = decodeBigEndianSigned32(entry + 4);
   }
   return NULL;
+}
+
+size_t encodeLedValues(const LedValues& values, unsigned char* out) {
+  for (size_t i = 0; i < values.count; ++i, out += LED_ENTRY_SIZE) {
+    out[0] = values.leds[i].id;
+    out[1] = values.leds[i].intensity;
+    out[2] = static_cast<unsigned char>(values.leds[i].mode);
+    out[3] = 0;
+  }
+  return values.count * LED_ENTRY_SIZE;
+}
+
+const char* decodeLedValues(const unsigned char* payload, size_t size, LedValues* values) {
+  if (size % LED_ENTRY_SIZE != 0) {
+    return WRONG_SIZE;
+  }
+  const size_t count = size / LED_ENTRY_SIZE;
+  if (const char* problem = checkLedValues(payload, count)) {
+    return problem;
+  }
+  values->count = static_cast<unsigned char>(count);
+  for (size_t i = 0; i < count; ++i, payload += LED_ENTRY_SIZE) {
+    values->leds[i].id = payload[0];
+    values->leds[i].intensity = payload[1];
+    values->leds[i].mode = static_cast<LedMode>(payload[2]);
+  }
+  return NULL;
+}
+
+size_t encodeEarPositions(const EarPositions& positions, unsigned char* out) {
+  out[0] = positions.left ? 1 : 0;
+  out[1] = positions.right ? 1 : 0;
+  return EAR_POSITIONS_SIZE;
+}
+
+const char* decodeEarPositions(const unsigned char* payload, size_t size, EarPositions* positions) {
+  if (size != EAR_POSITIONS_SIZE) {
+    return WRONG_SIZE;
+  }
+  if (payload[0] > 1 || payload[1] > 1) {
+    return "the position of an ear is neither 0 nor 1";
+  }
+  positions->left = payload[0] == 1;
+  positions->right = payload[1] == 1;
+  return NULL;
+}
+
+const char* checkNoPayload(size_t size) {
+  return size == 0 ? NULL : WRONG_SIZE;
 }
 
 size_t encodeImageHeader(const ImageHeader& header, unsigned char* out) {

@@ -60,6 +60,14 @@ const char REQUEST_JOINTS = 'J';        ///< joints to positions; answered by wh
 const char REQUEST_SPEED_LIMITS = 'V';  ///< speed limits of joints, set or read; answered by those in force
 const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force, values are then pushed
 const char REQUEST_MOTORS = 'O';        ///< motors on or off, or asks which; answered by the state in force
+const char REQUEST_LEDS = 'L';          ///< LEDs to intensities; answered by what was accepted
+const char REQUEST_EARS = 'K';          ///< ears up or down; answered by what was accepted
+const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
+const char REQUEST_DELETE = 'D';        ///< deletes a motion
+const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
+const char REQUEST_LIST = 'N';          ///< answered by the names of the motions that are there
+const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down: the reply is the last that comes
+const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot: the reply is the last that comes
 
 const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
 const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; else the reply to `T`, a period
@@ -157,6 +165,42 @@ const char* decodeTelemetry(const unsigned char* payload, size_t size, Telemetry
 const size_t MOTOR_STATE_SIZE = 1;
 size_t encodeMotorState(bool on, unsigned char* out);
 const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on);
+
+/// Modes of an LED that has them, as Sony names them; what they look like is the robot's affair.
+enum LedMode { LED_MODE_A = 0, LED_MODE_B = 1 };
+
+/// An LED and how it is to shine.
+struct LedValue {
+  unsigned char id;
+  unsigned char intensity;  ///< 0..255; an LED that is only on or off is on unless it is 0
+  LedMode mode;             ///< of no meaning to an LED that is only on or off
+};
+
+/// Most LEDs in one payload: the 26 of an ERS-7, and room.
+const size_t MAX_LEDS = 32;
+
+/// Payload of `L` and of its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may be there twice.
+struct LedValues {
+  unsigned char count;  ///< of LEDs, 0..MAX_LEDS
+  LedValue leds[MAX_LEDS];
+};
+
+const size_t MAX_LED_VALUES_SIZE = MAX_LEDS * 4;
+size_t encodeLedValues(const LedValues& values, unsigned char* out);
+const char* decodeLedValues(const unsigned char* payload, size_t size, LedValues* values);
+
+/// Payload of `K` and of its reply: uint8 left, uint8 right; each is one of the ear's two positions.
+struct EarPositions {
+  bool left;
+  bool right;
+};
+
+const size_t EAR_POSITIONS_SIZE = 2;
+size_t encodeEarPositions(const EarPositions& positions, unsigned char* out);
+const char* decodeEarPositions(const unsigned char* payload, size_t size, EarPositions* positions);
+
+/// For a request or reply without a payload, such as `N`, `Q` and `R`: what is wrong if there is one, or NULL.
+const char* checkNoPayload(size_t size);
 
 /// What stands before the JPEG in the payload of `f`: uint32 image count, uint32 frame number, uint16 width, uint16
 /// height, uint8 quality, uint8 layer, uint16 0.

@@ -1,0 +1,111 @@
+#include "protocol/motion_requests.h"
+
+#include <string.h>
+
+#include "protocol/big_endian.h"
+
+namespace protocol {
+namespace version2 {
+
+namespace {
+
+const size_t NAME_SIZE_SIZE = 1;
+const size_t REPETITIONS_SIZE = 2;
+const char SEPARATOR = '\n';
+
+const char* textOf(const unsigned char* bytes) {
+  return reinterpret_cast<const char*>(bytes);
+}
+
+// Bytes before the next separator, or all.
+size_t sizeOfLine(const unsigned char* bytes, size_t size) {
+  const void* const separator = memchr(bytes, SEPARATOR, size);
+  return separator == NULL ? size : static_cast<size_t>(static_cast<const unsigned char*>(separator) - bytes);
+}
+
+}  // namespace
+
+size_t encodeMotionUpload(const MotionUpload& upload, unsigned char* out) {
+  const size_t name_size = strlen(upload.name);
+  out[0] = static_cast<unsigned char>(name_size);
+  memcpy(out + NAME_SIZE_SIZE, upload.name, name_size);
+  memcpy(out + NAME_SIZE_SIZE + name_size, upload.content, upload.content_size);
+  return NAME_SIZE_SIZE + name_size + upload.content_size;
+}
+
+const char* decodeMotionUpload(const unsigned char* payload, size_t size, MotionUpload* upload) {
+  if (size < NAME_SIZE_SIZE || size < NAME_SIZE_SIZE + payload[0]) {
+    return "the name of the motion does not fit into the payload";
+  }
+  const size_t content_offset = NAME_SIZE_SIZE + payload[0];
+  if (size == content_offset) {
+    return "there is no motion behind its name";
+  }
+  if (const char* problem = readMotionName(textOf(payload + NAME_SIZE_SIZE), payload[0], upload->name)) {
+    return problem;
+  }
+  upload->content = payload + content_offset;
+  upload->content_size = size - content_offset;
+  return NULL;
+}
+
+size_t encodeMotionName(const MotionName& name, unsigned char* out) {
+  memcpy(out, name, strlen(name));
+  return strlen(name);
+}
+
+const char* decodeMotionName(const unsigned char* payload, size_t size, MotionName& name) {
+  return readMotionName(textOf(payload), size, name);
+}
+
+size_t encodeMotionOrder(const MotionOrder& order, unsigned char* out) {
+  encodeBigEndian16(order.repetitions, out);
+  return REPETITIONS_SIZE + encodeMotionName(order.name, out + REPETITIONS_SIZE);
+}
+
+const char* decodeMotionOrder(const unsigned char* payload, size_t size, MotionOrder* order) {
+  if (size < REPETITIONS_SIZE) {
+    return "the payload has not the size that this kind of frame has";
+  }
+  const unsigned short repetitions = decodeBigEndian16(payload);
+  if (repetitions == 0 && size == REPETITIONS_SIZE) {
+    order->repetitions = 0;
+    order->name[0] = '\0';
+    return NULL;
+  }
+  const char* problem = decodeMotionName(payload + REPETITIONS_SIZE, size - REPETITIONS_SIZE, order->name);
+  if (problem == NULL) {
+    order->repetitions = repetitions;
+  }
+  return problem;
+}
+
+size_t encodeMotionList(const MotionList& list, unsigned char* out) {
+  size_t size = 0;
+  for (size_t i = 0; i < list.count; ++i) {
+    if (i > 0) {
+      out[size++] = SEPARATOR;
+    }
+    size += encodeMotionName(list.names[i], out + size);
+  }
+  return size;
+}
+
+const char* decodeMotionList(const unsigned char* payload, size_t size, MotionList* list) {
+  list->count = 0;
+  // Behind a separator stands a name, so the last line may not be empty.
+  for (size_t begin = 0; size > 0 && begin <= size; ++list->count) {
+    if (list->count == MAX_LISTED_MOTIONS) {
+      return "more than 256 motions";
+    }
+    const size_t line_size = sizeOfLine(payload + begin, size - begin);
+    if (const char* problem = decodeMotionName(payload + begin, line_size, list->names[list->count])) {
+      return problem;
+    }
+    begin += line_size + 1;
+  }
+  return NULL;
+}
+
+}  // namespace version2
+}  // namespace protocol

@@ -1,0 +1,66 @@
+/// @file motion_requests.h
+/// Version 2's requests about motions, which are files on the robot's memory stick: upload, delete, play, list. As in
+/// version2.h, decoders check everything and say what is wrong in a few words, or NULL; encoders expect what their
+/// decoders would accept, and return the bytes written.
+///
+/// Names are read by readMotionName(): in any case on the wire, in capital letters here.
+#ifndef PROTOCOL_MOTION_REQUESTS_H
+#define PROTOCOL_MOTION_REQUESTS_H
+
+#include <stddef.h>
+
+#include "protocol/motion_name.h"
+#include "protocol/version2.h"
+
+namespace protocol {
+namespace version2 {
+
+/// Largest motion file that fits into a request beside its name.
+const size_t MAX_MOTION_FILE_SIZE = MAX_PAYLOAD_TOWARDS_ROBOT - 1 - MAX_MOTION_NAME_SIZE;
+
+/// Payload of `U`: uint8 size of the name, the name, the bytes of the file. The reply has none.
+struct MotionUpload {
+  MotionName name;
+  const unsigned char* content;  ///< whether it is a motion is not looked at; decoded, it lies in the payload
+  size_t content_size;           ///< bytes, 1..MAX_MOTION_FILE_SIZE
+};
+
+/// @param out room for MAX_PAYLOAD_TOWARDS_ROBOT bytes
+size_t encodeMotionUpload(const MotionUpload& upload, unsigned char* out);
+const char* decodeMotionUpload(const unsigned char* payload, size_t size, MotionUpload* upload);
+
+/// Payload of `D`: the name. The reply has none.
+size_t encodeMotionName(const MotionName& name, unsigned char* out);  ///< at most MAX_MOTION_NAME_SIZE bytes
+const char* decodeMotionName(const unsigned char* payload, size_t size, MotionName& name);
+
+/// Payload of `P`: uint16 repetitions, the name. The reply has none.
+struct MotionOrder {
+  unsigned short repetitions;  ///< how often to play the motion; 0 stops it
+  MotionName name;             ///< empty only with 0 repetitions: stops all motions
+};
+
+const size_t MAX_MOTION_ORDER_SIZE = 2 + MAX_MOTION_NAME_SIZE;
+size_t encodeMotionOrder(const MotionOrder& order, unsigned char* out);
+const char* decodeMotionOrder(const unsigned char* payload, size_t size, MotionOrder* order);
+
+/// Most motions in one list. A robot that has more names as many.
+const size_t MAX_LISTED_MOTIONS = 256;
+
+/// Payload of the reply to `N`: names with a newline between two; the request has none.
+struct MotionList {
+  size_t count;  ///< of names, 0..MAX_LISTED_MOTIONS
+  MotionName names[MAX_LISTED_MOTIONS];
+};
+
+const size_t MAX_MOTION_LIST_SIZE = MAX_LISTED_MOTIONS * (MAX_MOTION_NAME_SIZE + 1) - 1;
+
+/// @param out room for MAX_MOTION_LIST_SIZE bytes
+size_t encodeMotionList(const MotionList& list, unsigned char* out);
+
+/// @param[out] list of use only if all is well
+const char* decodeMotionList(const unsigned char* payload, size_t size, MotionList* list);
+
+}  // namespace version2
+}  // namespace protocol
+
+#endif  // PROTOCOL_MOTION_REQUESTS_H
