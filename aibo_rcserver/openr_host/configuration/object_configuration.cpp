@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
+#include <optional>
 
 #include "openr_host/configuration/configuration_error.h"
 
 namespace openr_host {
 namespace {
 
-std::string withoutCommentAndSpace(const std::string& line) {
+std::string withoutSpaceAround(const std::string& text) {
   const char space[] = " \t\r";
-  const std::string text = line.substr(0, line.find('#'));
   const auto begin = text.find_first_not_of(space);
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(space) - begin + 1);
+}
+
+std::string withoutCommentAndSpace(const std::string& line) {
+  return withoutSpaceAround(line.substr(0, line.find('#')));
 }
 
 std::string inCapitals(std::string text) {
@@ -22,43 +25,63 @@ std::string inCapitals(std::string text) {
   return text;
 }
 
+/// The model that "[MODEL]" names.
+std::optional<std::string> parseSection(const std::string& content) {
+  if (content.size() < 2 || content.front() != '[' || content.find(']') != content.size() - 1) {
+    return std::nullopt;
+  }
+  return withoutSpaceAround(content.substr(1, content.size() - 2));
+}
+
+/// The name, in capitals, of an object's file. Names on the stick have at most eight characters and three more.
+std::optional<std::string> parseObject(const std::string& content) {
+  const std::string folder = "/MS/OPEN-R/MW/OBJS/";
+  const std::string ending = ".BIN";
+  const std::string path = inCapitals(content);
+  if (path.size() < folder.size() + 1 + ending.size() || path.size() > folder.size() + 8 + ending.size() ||
+      path.compare(0, folder.size(), folder) != 0 ||
+      path.compare(path.size() - ending.size(), ending.size(), ending) != 0) {
+    return std::nullopt;
+  }
+  const std::string name = path.substr(folder.size());
+  const bool has_a_name_of_the_stick = std::all_of(name.begin(), name.end() - ending.size(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string("_~$-").find(static_cast<char>(c)) != std::string::npos;
+  });
+  return has_a_name_of_the_stick ? std::make_optional(name) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<ObjectFile> readObjectConfiguration(std::istream& text, const std::string& file,
                                                 const std::string& design) {
-  static const std::regex section_pattern(R"(\[\s*([^\]]+?)\s*\])");
-  // Names on the stick have at most eight characters and three more.
-  static const std::regex object_pattern(R"(/MS/OPEN-R/MW/OBJS/([\w~$-]{1,8}\.BIN))", std::regex::icase);
-
   std::vector<ObjectFile> objects;
   bool is_for_design = true;
   int line = 0;
   for (std::string raw; std::getline(text, raw);) {
     ++line;
     const std::string content = withoutCommentAndSpace(raw);
-    std::smatch part;
     if (content.empty()) {
       continue;
     }
-    if (std::regex_match(content, part, section_pattern)) {
-      is_for_design = part[1] == design;
+    if (const auto section = parseSection(content)) {
+      is_for_design = *section == design;
       continue;
     }
-    if (!std::regex_match(content, part, object_pattern)) {
+    const auto name = parseObject(content);
+    if (!name) {
       throw ConfigurationError(
           file, line,
           "expected an object such as /MS/OPEN-R/MW/OBJS/RCSERVER.BIN (a name of at most 8 characters and "
           ".BIN), or a model such as [ERS-7], found '" +
               content + "'");
     }
-    const std::string name = inCapitals(part[1]);
     if (!is_for_design) {
       continue;
     }
-    if (std::any_of(objects.begin(), objects.end(), [&](const ObjectFile& other) { return other.name == name; })) {
-      throw ConfigurationError(file, line, name + " stands here a second time");
+    if (std::any_of(objects.begin(), objects.end(), [&](const ObjectFile& other) { return other.name == *name; })) {
+      throw ConfigurationError(file, line, *name + " stands here a second time");
     }
-    objects.push_back({name, line});
+    objects.push_back({*name, line});
   }
   return objects;
 }

@@ -1,16 +1,37 @@
 #include "openr_host/configuration/service_name.h"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
+#include <vector>
 
 namespace openr_host {
+namespace {
+
+std::vector<std::string> splitAtDots(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+bool isWord(const std::string& text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+}  // namespace
 
 std::optional<ServiceName> ServiceName::parse(const std::string& text) {
-  static const std::regex pattern(R"((\w+)\.(\w+)\.(\w+)\.([SO]))");
-  std::smatch part;
-  if (!std::regex_match(text, part, pattern)) {
+  const auto parts = splitAtDots(text);
+  if (parts.size() != 4 || !std::all_of(parts.begin(), parts.end(), isWord) || (parts[3] != "S" && parts[3] != "O")) {
     return std::nullopt;
   }
-  return ServiceName{part[1], part[2], part[3], part[4] == "S"};
+  return ServiceName{parts[0], parts[1], parts[2], parts[3] == "S"};
 }
 
 std::string ServiceName::text() const {

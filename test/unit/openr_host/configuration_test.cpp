@@ -66,7 +66,10 @@ TEST(ObjectConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
   EXPECT_THAT(objectError("# one\n/MS/OPEN-R/MW/OBJS/A.BIN\nRCSERVER.BIN\n"),
               AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("'RCSERVER.BIN'")));
   EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/LONGERNAME.BIN"), StartsWith("OBJECT.CFG:1: "));
-  EXPECT_THAT(objectError("[ERS-7\n"), StartsWith("OBJECT.CFG:1: "));
+  for (const char* broken : {"[ERS-7", "[ERS-7] x", "[", "]", "/MS/OPEN-R/MW/OBJS/.BIN", "/MS/OPEN-R/MW/OBJS/A.TXT",
+                             "/MS/OPEN-R/MW/OBJS/../A.BIN", "/MS/OPEN-R/MW/CONF/A.BIN", "/MS/OPEN-R/MW/OBJS/A B.BIN"}) {
+    EXPECT_THAT(objectError(broken), StartsWith("OBJECT.CFG:1: ")) << broken;
+  }
 }
 
 TEST(ObjectConfigurationTest, RefusesAnObjectThatStandsThereTwice) {
@@ -102,7 +105,10 @@ TEST(ConnectionConfigurationTest, NamesFileAndLineOfAServiceThatNoObjectHas) {
   EXPECT_THAT(
       connectionError("\nRobot.Image.Picture.S Server.Imago.Picture.O"),
       AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("Server.Imago.Picture.O"), HasSubstr("Server.Image.Picture.O")));
-  EXPECT_THAT(connectionError("Robot.Image Server.Image.Picture.O"), StartsWith("CONNECT.CFG:1: "));
+  for (const char* broken : {"Robot.Image", "Robot.Image.Picture.X", "Robot..Picture.S", "Robot.Image.Picture.S.",
+                             "Robot.I-mage.Picture.S"}) {
+    EXPECT_THAT(connectionError(broken), StartsWith("CONNECT.CFG:1: expected a service")) << broken;
+  }
 }
 
 TEST(ConnectionConfigurationTest, RefusesToConnectDifferentTypesOfData) {
