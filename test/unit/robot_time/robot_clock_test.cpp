@@ -1,0 +1,251 @@
+#include "robot_time/robot_clock.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace aibo_driver {
+namespace {
+
+using namespace std::chrono_literals;
+using SteadyTime = RobotClock::SteadyTime;
+
+constexpr double kShortestDelay = 0.005;  // s
+
+SteadyTime at(double seconds) {
+  return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(std::chrono::duration<double>(seconds)));
+}
+
+double secondsOf(SteadyTime time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+struct Statistics {
+  double mean = 0;
+  double deviation = 0;
+};
+
+Statistics statisticsOf(const std::vector<double>& values) {
+  Statistics statistics;
+  for (const double value : values) {
+    statistics.mean += value / static_cast<double>(values.size());
+  }
+  for (const double value : values) {
+    statistics.deviation += std::pow(value - statistics.mean, 2) / static_cast<double>(values.size());
+  }
+  statistics.deviation = std::sqrt(statistics.deviation);
+  return statistics;
+}
+
+/// A robot whose clock drifts by 100 ppm, behind a radio that delays each message by 5 to 50 ms, but never overtakes.
+class RobotBehindRadio {
+ public:
+  explicit RobotBehindRadio(unsigned seed) : random_(seed) {}
+
+  /// Telemetry every 4 frames, and some pictures.
+  void run(double seconds) {
+    for (const double end = now_ + seconds; now_ < end;) {
+      send(4, &telemetry_errors);
+      if (++sent_ % 3 == 0) {
+        send(0, &picture_errors);
+      }
+    }
+  }
+
+  /// Nothing comes through, but the robot goes on.
+  void pass(double seconds) {
+    const auto frames = static_cast<std::uint32_t>(seconds / kFramePeriod);
+    now_ += frames * kFramePeriod;
+    frame_ += frames;
+  }
+
+  /// What is sent now comes when this time is over, at the earliest.
+  void holdUp(double seconds) { radio_free_ = now_ + seconds; }
+
+  void reboot(std::uint32_t frame) {
+    frame_ = frame;
+    reconnect();
+  }
+
+  void reconnect() { ++connection_number_; }
+
+  void forget() {
+    before_arrival = true;
+    telemetry_errors.clear();
+    picture_errors.clear();
+  }
+
+  /// When the robot measured less when the clock said so, at the frames sent.
+  std::vector<double> telemetry_errors;
+  std::vector<double> picture_errors;
+  RobotClock clock;
+  bool monotonic = true;
+  bool before_arrival = true;
+
+ private:
+  static constexpr double kFramePeriod = 0.008 * (1 + 100e-6);
+
+  void send(std::uint32_t frames, std::vector<double>* errors) {
+    frame_ += frames;
+    now_ += frames * kFramePeriod;
+    radio_free_ = std::max(radio_free_, now_ + kShortestDelay + random_delay_(random_));
+    const SteadyTime time = clock.timeOf(connection_number_, frame_, at(radio_free_));
+    errors->push_back(secondsOf(time) - now_);
+    monotonic = monotonic && (!last_ || time > *last_ || (frames == 0 && time == *last_));
+    before_arrival = before_arrival && time <= at(radio_free_);
+    last_ = time;
+  }
+
+  std::mt19937 random_;
+  std::uniform_real_distribution<double> random_delay_{0, 0.045};
+  std::uint64_t connection_number_ = 1;
+  std::uint32_t frame_ = 1000;
+  double now_ = 5000;
+  double radio_free_ = 0;
+  int sent_ = 0;
+  std::optional<SteadyTime> last_;
+};
+
+/// The next minute keeps what is promised after 30 s, and gives the same times to both.
+void expectAccurate(RobotBehindRadio& robot) {
+  robot.forget();
+  robot.run(60);
+  const Statistics telemetry = statisticsOf(robot.telemetry_errors);
+  const Statistics pictures = statisticsOf(robot.picture_errors);
+  EXPECT_LT(telemetry.deviation, 0.002);
+  EXPECT_LT(pictures.deviation, 0.002);
+  EXPECT_NEAR(telemetry.mean, kShortestDelay, 0.002) << "late by the shortest delay, which nobody can tell";
+  EXPECT_NEAR(pictures.mean, telemetry.mean, 0.0002);
+  EXPECT_TRUE(robot.monotonic);
+  EXPECT_TRUE(robot.before_arrival);
+}
+
+TEST(RobotClock, Keeps2MillisecondsAfter30SecondsOfJitterAndDrift) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    RobotBehindRadio robot(seed);
+    robot.run(30);
+    expectAccurate(robot);
+  }
+}
+
+TEST(RobotClock, IsRightSoonAfterTheBeginning) {
+  RobotBehindRadio robot(1);
+  robot.run(5);
+  robot.forget();
+  robot.run(5);
+  EXPECT_LT(statisticsOf(robot.telemetry_errors).deviation, 0.004);
+  EXPECT_NEAR(statisticsOf(robot.telemetry_errors).mean, kShortestDelay, 0.004);
+}
+
+TEST(RobotClock, GoesOnWhenFrameNumbersRunOver) {
+  RobotBehindRadio robot(1);
+  robot.reboot(0xffffffffu - 45 * 125);
+  robot.run(30);
+  expectAccurate(robot);
+  EXPECT_EQ(robot.clock.read().timelines, 1u);
+}
+
+TEST(RobotClock, BeginsAnewWhenTheRobotWasRestarted) {
+  RobotBehindRadio robot(1);
+  robot.run(60);
+  robot.pass(20);
+  robot.reboot(2);
+  robot.run(1);
+  EXPECT_EQ(robot.clock.read().timelines, 2u);
+  robot.run(29);
+  expectAccurate(robot);
+}
+
+TEST(RobotClock, BeginsAnewWhenTheRobotWasRestartedAndHasRunForLongerThanBefore) {
+  RobotBehindRadio robot(1);
+  robot.run(2);
+  robot.pass(60);
+  robot.reboot(5000);
+  robot.run(1);
+  EXPECT_EQ(robot.clock.read().timelines, 2u);
+}
+
+TEST(RobotClock, GoesOnAfterALongOutage) {
+  for (const double outage : {3.0, 20.0, 300.0, 3600.0}) {
+    SCOPED_TRACE(outage);
+    RobotBehindRadio robot(1);
+    robot.run(60);
+    robot.pass(outage);
+    robot.reconnect();
+    robot.forget();
+    robot.run(5);
+    EXPECT_NEAR(statisticsOf(robot.telemetry_errors).mean, kShortestDelay, 0.020);
+    robot.run(25);
+    expectAccurate(robot);
+    EXPECT_EQ(robot.clock.read().timelines, 1u);
+  }
+}
+
+TEST(RobotClock, IsNotMovedByABurstOfDelayedMessages) {
+  RobotBehindRadio robot(1);
+  robot.run(60);
+  robot.forget();
+  robot.holdUp(3);
+  robot.run(5);
+  EXPECT_LT(statisticsOf(robot.telemetry_errors).deviation, 0.002);
+  EXPECT_EQ(robot.clock.read().timelines, 1u);
+  expectAccurate(robot);
+}
+
+TEST(RobotClock, RecoversWhenItBeginsWithABurst) {
+  RobotBehindRadio robot(1);
+  robot.holdUp(0.9);
+  robot.run(30);
+  expectAccurate(robot);
+}
+
+TEST(RobotClock, BeginsAnewWhenTheSteadyClockStoodStill) {
+  RobotClock clock;
+  clock.timeOf(1, 1000, at(100));
+  EXPECT_EQ(clock.timeOf(1, 1000 + 60 * 125, at(102)), at(102)) << "suspended for 58 s";
+  EXPECT_EQ(clock.timeOf(1, 1004 + 60 * 125, at(102.050)), at(102.032));
+}
+
+TEST(RobotClock, BeginsAnewWhenAllMessagesAreTooLateForLong) {
+  RobotClock clock;
+  clock.timeOf(1, 1000, at(100));
+  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1004, at(103))), 100.032, 0.001) << "may have been held up";
+  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1250, at(105))), 102, 0.001) << "may have been held up";
+  EXPECT_EQ(clock.timeOf(1, 1275, at(105.2)), at(105.2)) << "a robot whose frames stood still for 3 s";
+}
+
+TEST(RobotClock, NothingOfAnOlderConnectionCounts) {
+  RobotClock clock;
+  clock.timeOf(1, 5000, at(100));
+  clock.timeOf(2, 100, at(110));
+  EXPECT_EQ(clock.timeOf(1, 5004, at(100.040)), at(100.040));
+  EXPECT_EQ(clock.timeOf(2, 104, at(110.050)), at(110.032));
+}
+
+TEST(RobotClock, APictureThatComesAfterLaterTelemetryHasItsOwnTime) {
+  RobotClock clock;
+  clock.timeOf(1, 1000, at(100));
+  clock.timeOf(1, 1004, at(100.032));
+  EXPECT_EQ(clock.timeOf(1, 1002, at(100.040)), at(100.016));
+}
+
+TEST(RobotClock, TellsHowLongMessagesWereDelayed) {
+  RobotClock clock;
+  clock.timeOf(1, 1000, at(100));
+  clock.timeOf(1, 1004, at(100.062));
+  const RobotClock::Reading reading = clock.read();
+  EXPECT_EQ(reading.messages, 2u);
+  EXPECT_NEAR(reading.mean_delay, 0.015, 1e-6);
+  EXPECT_NEAR(reading.longest_delay, 0.030, 1e-6);
+  EXPECT_EQ(clock.read().messages, 0u);
+}
+
+}  // namespace
+}  // namespace aibo_driver
