@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -136,24 +135,6 @@ TEST(RobotModel, KnowsNoJointThatIsNotThere) {
   EXPECT_EQ(findJointByIdentifier(ers7(), 14), NO_JOINT);
   EXPECT_EQ(findJointByName(ers7(), "head_roll"), NO_JOINT);
   EXPECT_EQ(findJointByLocator(ers7(), "PRM:/r1/c1-Joint2:j1"), NO_JOINT);
-}
-
-TEST(RobotModel, TellsEveryJointFromEveryOther) {
-  for (const char* design : {"ERS-7", "ERS-210"}) {
-    const RobotModel& model = *findRobotModel(design);
-    std::set<int> identifiers;
-    std::set<std::string> names;
-    std::set<std::string> locators;
-    for (int i = 0; i < model.number_of_joints; ++i) {
-      identifiers.insert(model.joints[i].identifier);
-      names.insert(model.joints[i].name);
-      locators.insert(model.joints[i].locator);
-    }
-    const auto number_of_joints = static_cast<size_t>(model.number_of_joints);
-    EXPECT_EQ(identifiers.size(), number_of_joints) << design;
-    EXPECT_EQ(names.size(), number_of_joints) << design;
-    EXPECT_EQ(locators.size(), number_of_joints) << design;
-  }
 }
 
 TEST(RobotModel, GivesEveryJointASensibleRangeAndAcceleration) {
