@@ -84,7 +84,7 @@ void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   receiving_ = false;
   picture_size_ = 0;
   is_sending_picture_ = false;
-  const unsigned address = answer.fAddress;
+  const unsigned address = answer.fAddress.Address();
   sprintf(client_name_, "%u.%u.%u.%u:%u", address >> 24, (address >> 16) & 0xff, (address >> 8) & 0xff, address & 0xff,
           static_cast<unsigned>(answer.fPort));
 }
