@@ -1,0 +1,92 @@
+/// @file motion.h
+/// Reads motion files (MTN), the format of Sony's motion editors.
+#ifndef MTN_MOTION_H
+#define MTN_MOTION_H
+
+#include <stddef.h>
+
+#include "mtn/layout.h"
+
+namespace mtn {
+
+/// The content of a motion file. No I/O, and memory of a fixed size: the key frames stay where the caller has them.
+///
+/// All of the file is checked before any of it is of use: the magic, every section's number and size, versions, counts,
+/// every text, every locator, every time and every position. Roll, pitch and yaw of the body are passed over, as is
+/// what follows the texts of sections 1 and 2. Whether a robot has these joints and can do these motions is not for the
+/// file to say.
+///
+/// Not thread-safe.
+class Motion {
+ public:
+  /// Room for what is wrong with a file.
+  static const size_t MAX_PROBLEM_SIZE = 160;
+
+  /// A motion without joints and key frames.
+  Motion();
+
+  /// Reads a file.
+  /// @param bytes must outlive this, or the next read()
+  /// @return false if it is no motion file: problem() says why, and the motion is empty
+  bool read(const unsigned char* bytes, size_t size);
+
+  /// What was wrong with the last file in a few words, such as "section 2 is cut off"; empty if nothing was.
+  const char* problem() const { return problem_; }
+
+  /// @name What the file says of itself
+  /// In whatever character set its maker used; "" where it says nothing.
+  /// @{
+  const char* name() const { return name_; }
+  const char* creator() const { return creator_; }
+  const char* design() const { return design_; }  ///< "DRX-1000" is an ERS-7, "DRX-910" an ERS-210
+  /// @}
+
+  int frameMilliseconds() const { return frame_milliseconds_; }
+  int numberOfJoints() const { return number_of_joints_; }
+  int numberOfKeyFrames() const { return number_of_key_frames_; }
+
+  /// @param joint 0..numberOfJoints() - 1
+  /// @return for OPENR::OpenPrimitive(); no two joints have the same
+  const char* locator(int joint) const { return locators_[joint]; }
+
+  /// @param key_frame 0..numberOfKeyFrames() - 1
+  /// @return where the joint is to be then, in microradian, within MAX_POSITION
+  int position(int key_frame, int joint) const;
+
+  /// Time from the key frame before to this one, in milliseconds, 8..MAX_STEP_MILLISECONDS; 0 for the first.
+  int milliseconds(int key_frame) const;
+
+ private:
+  Motion(const Motion&);
+  Motion& operator=(const Motion&);
+
+  struct Section;
+
+  void clear();
+  bool readAll(const unsigned char* bytes, size_t size);
+  bool openSection(unsigned number, const unsigned char** bytes, size_t* size, Section* section);
+  bool readGeneral(Section* section);
+  bool readTexts(Section* section);
+  bool readLocators(Section* section);
+  bool readLocator(Section* section, int joint);
+  bool readKeyFrames(Section* section);
+  bool checkKeyFrame(int key_frame);
+  bool takeText(Section* section, const char* what, size_t max_size, char* text);
+  bool fail(const char* format, ...);
+  size_t keyFrameSize() const;
+  const unsigned char* keyFrame(int key_frame) const;
+
+  char problem_[MAX_PROBLEM_SIZE];
+  char name_[MAX_TEXT_SIZE + 1];
+  char creator_[MAX_TEXT_SIZE + 1];
+  char design_[MAX_TEXT_SIZE + 1];
+  int frame_milliseconds_;
+  int number_of_joints_;
+  int number_of_key_frames_;
+  char locators_[MAX_JOINTS][MAX_LOCATOR_SIZE + 1];
+  const unsigned char* key_frames_;  ///< the first one
+};
+
+}  // namespace mtn
+
+#endif  // MTN_MOTION_H

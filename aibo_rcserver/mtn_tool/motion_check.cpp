@@ -1,0 +1,113 @@
+#include "mtn_tool/motion_check.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace mtn_tool {
+namespace {
+
+using robot_model::Coupling;
+using robot_model::Joint;
+using robot_model::NO_JOINT;
+using robot_model::RobotModel;
+
+std::string inDegrees(double microradians) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f", microradians * 180e-6 / 3.14159265358979323846);
+  return text;
+}
+
+class Check {
+ public:
+  Check(const mtn::Motion& motion, const RobotModel& robot) : motion_(motion), robot_(robot) {
+    for (int i = 0; i < motion.numberOfJoints(); ++i) {
+      joints_.push_back(findJointByLocator(robot, motion.locator(i)));
+    }
+  }
+
+  std::vector<std::string> run() {
+    for (int i = 0; i < motion_.numberOfJoints(); ++i) {
+      if (jointOf(i) == nullptr) {
+        obstacles_.push_back(std::string("an ") + robot_.design + " has no joint " + motion_.locator(i));
+      }
+    }
+    int milliseconds = 0;
+    for (int key_frame = 0; key_frame < motion_.numberOfKeyFrames(); ++key_frame) {
+      milliseconds += motion_.milliseconds(key_frame);
+      when_ = "at " + std::to_string(milliseconds) + " ms, ";
+      checkLimits(key_frame);
+      checkCouplings(key_frame);
+      checkSpeeds(key_frame);
+    }
+    return obstacles_;
+  }
+
+ private:
+  const Joint* jointOf(int i) const {
+    const int joint = joints_[static_cast<std::size_t>(i)];
+    return joint == NO_JOINT ? nullptr : &robot_.joints[joint];
+  }
+
+  int findInMotion(int joint) const {
+    const auto found = std::find(joints_.begin(), joints_.end(), joint);
+    return found == joints_.end() ? NO_JOINT : static_cast<int>(found - joints_.begin());
+  }
+
+  void checkLimits(int key_frame) {
+    for (int i = 0; i < motion_.numberOfJoints(); ++i) {
+      const Joint* joint = jointOf(i);
+      const int position = motion_.position(key_frame, i);
+      if (joint != nullptr && (position < joint->lowest || position > joint->highest)) {
+        obstacles_.push_back(when_ + joint->name + " is at " + inDegrees(position) + " degrees, out of " +
+                             inDegrees(joint->lowest) + " to " + inDegrees(joint->highest));
+      }
+    }
+  }
+
+  void checkCouplings(int key_frame) {
+    for (int i = 0; i < robot_.number_of_couplings; ++i) {
+      const Coupling& coupling = robot_.couplings[i];
+      const int leader = findInMotion(coupling.leader);
+      const int follower = findInMotion(coupling.follower);
+      if (leader == NO_JOINT || follower == NO_JOINT) {
+        continue;
+      }
+      const int at = motion_.position(key_frame, leader);
+      const int lowest = coupledLowest(coupling, at);
+      if (motion_.position(key_frame, follower) < lowest) {
+        obstacles_.push_back(when_ + jointOf(follower)->name + " is below " + inDegrees(lowest) +
+                             " degrees, where it hits " + jointOf(leader)->name + " at " + inDegrees(at));
+      }
+    }
+  }
+
+  void checkSpeeds(int key_frame) {
+    if (key_frame == 0) {
+      return;
+    }
+    for (int i = 0; i < motion_.numberOfJoints(); ++i) {
+      const Joint* joint = jointOf(i);
+      const double distance = std::abs(motion_.position(key_frame, i) - motion_.position(key_frame - 1, i));
+      const double speed = distance * 1000 / motion_.milliseconds(key_frame);
+      if (joint != nullptr && speed > joint->highest_speed) {
+        obstacles_.push_back(when_ + joint->name + " would have come with " + inDegrees(speed) +
+                             " degrees a second, and it makes " + inDegrees(joint->highest_speed));
+      }
+    }
+  }
+
+  const mtn::Motion& motion_;
+  const RobotModel& robot_;
+  std::vector<int> joints_;  ///< of the robot, one for each of the motion
+  std::string when_;
+  std::vector<std::string> obstacles_;
+};
+
+}  // namespace
+
+std::vector<std::string> findObstacles(const mtn::Motion& motion, const RobotModel& robot) {
+  return Check(motion, robot).run();
+}
+
+}  // namespace mtn_tool

@@ -1,0 +1,198 @@
+#include "mtn_tool/text_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+#include "mtn_tool/robots.h"
+#include "robot_model/robot_model.h"
+
+namespace mtn_tool {
+namespace {
+
+constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
+
+template <typename Number>
+Number parseNumber(const std::string& word, const char* what) {
+  std::istringstream stream(word);
+  Number number{};
+  if (!(stream >> number) || !stream.eof()) {
+    throw std::runtime_error("\"" + word + "\" is no " + what);
+  }
+  return number;
+}
+
+std::string restOf(std::istream& line) {
+  std::string text;
+  std::getline(line >> std::ws, text);
+  text.erase(text.find_last_not_of(" \t\r") + 1);
+  return text;
+}
+
+class Parser {
+ public:
+  KeyFrameMotion parse(std::istream& text) {
+    int number = 0;
+    for (std::string line; std::getline(text, line);) {
+      ++number;
+      try {
+        parseLine(line.substr(0, line.find('#')));
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error("line " + std::to_string(number) + ": " + error.what());
+      }
+    }
+    if (motion_.key_frames.empty()) {
+      throw std::runtime_error("there is no key frame: \"at 0\" begins the first one");
+    }
+    return motion_;
+  }
+
+ private:
+  void parseLine(const std::string& line) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word)) {
+      return;
+    }
+    if (word == "name") {
+      motion_.name = restOf(words);
+    } else if (word == "creator") {
+      motion_.creator = restOf(words);
+    } else if (word == "robot") {
+      motion_.design = designOf(restOf(words));
+    } else if (word == "frame") {
+      motion_.frame_milliseconds = parseNumber<int>(restOf(words), "number of milliseconds");
+    } else if (word == "at") {
+      beginKeyFrame(words);
+      parsePositions(words);
+    } else {
+      std::istringstream positions(line);
+      parsePositions(positions);
+    }
+  }
+
+  void beginKeyFrame(std::istream& words) {
+    std::string time;
+    words >> time;
+    KeyFrame next;
+    next.milliseconds = parseNumber<int>(time, "number of milliseconds");
+    if (motion_.key_frames.empty()) {
+      if (next.milliseconds != 0) {
+        throw std::runtime_error("the first key frame is at 0 ms");
+      }
+    } else {
+      checkTime(next.milliseconds);
+      next.positions = motion_.key_frames.back().positions;
+    }
+    motion_.key_frames.push_back(next);
+  }
+
+  void checkTime(int milliseconds) const {
+    if (milliseconds <= motion_.key_frames.back().milliseconds) {
+      throw std::runtime_error("the key frames are not in the order of their times");
+    }
+    if (motion_.frame_milliseconds > 0 && milliseconds % motion_.frame_milliseconds != 0) {
+      throw std::runtime_error(std::to_string(milliseconds) + " ms is no multiple of a frame, which has " +
+                               std::to_string(motion_.frame_milliseconds) + " ms");
+    }
+  }
+
+  void parsePositions(std::istream& words) {
+    std::string joint;
+    while (words >> joint) {
+      if (motion_.key_frames.empty()) {
+        throw std::runtime_error("\"" + joint + "\" stands before the first \"at\"");
+      }
+      std::string degrees;
+      if (!(words >> degrees)) {
+        throw std::runtime_error(joint + " has no angle");
+      }
+      const double microradians = parseNumber<double>(degrees, "number of degrees") * kMicroradiansPerDegree;
+      if (!(std::abs(microradians) <= mtn::MAX_POSITION)) {
+        throw std::runtime_error(joint + " is more than a turn away");
+      }
+      setPosition(locatorOf(joint), joint, static_cast<int>(std::lround(microradians)));
+    }
+  }
+
+  std::string locatorOf(const std::string& joint) const {
+    if (joint.rfind("PRM:", 0) == 0) {
+      return joint;
+    }
+    const robot_model::RobotModel* robot = modelOf(motion_.design);
+    if (robot == nullptr) {
+      throw std::runtime_error("which robot? \"robot ERS-7\" or \"robot ERS-210\" comes first");
+    }
+    const int index = robot_model::findJointByName(*robot, joint.c_str());
+    if (index == robot_model::NO_JOINT) {
+      throw std::runtime_error(std::string("an ") + robot->design + " has no joint \"" + joint + "\"");
+    }
+    return robot->joints[index].locator;
+  }
+
+  void setPosition(const std::string& locator, const std::string& joint, int position) {
+    auto found = std::find(motion_.locators.begin(), motion_.locators.end(), locator);
+    std::vector<int>& positions = motion_.key_frames.back().positions;
+    if (found == motion_.locators.end()) {
+      if (motion_.key_frames.size() > 1) {
+        throw std::runtime_error(joint + " is not in the first key frame, which names all joints");
+      }
+      motion_.locators.push_back(locator);
+      positions.push_back(position);
+      return;
+    }
+    positions[static_cast<std::size_t>(found - motion_.locators.begin())] = position;
+  }
+
+  KeyFrameMotion motion_;
+};
+
+// Enough digits to give the same microradians again, and no more zeros than needed.
+std::string degreesOf(int microradians) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.5f", microradians / kMicroradiansPerDegree);
+  std::string digits(text);
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') {
+    digits.pop_back();
+  }
+  return digits == "-0" ? "0" : digits;
+}
+
+// Motion files come from anywhere, and what is printed may go to a terminal.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~' || c == '#'; }, '?');
+  return text;
+}
+
+std::string jointName(const mtn::Motion& motion, int joint) {
+  const robot_model::RobotModel* robot = modelOf(motion.design());
+  const int index = robot == nullptr ? robot_model::NO_JOINT : findJointByLocator(*robot, motion.locator(joint));
+  return index == robot_model::NO_JOINT ? motion.locator(joint) : robot->joints[index].name;
+}
+
+}  // namespace
+
+KeyFrameMotion parseTextForm(std::istream& text) {
+  return Parser().parse(text);
+}
+
+std::string printTextForm(const mtn::Motion& motion) {
+  std::ostringstream text;
+  text << "name " << printable(motion.name()) << "\ncreator " << printable(motion.creator()) << "\nrobot "
+       << printable(robotOf(motion.design())) << "\nframe " << motion.frameMilliseconds() << '\n';
+  int milliseconds = 0;
+  for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {
+    milliseconds += motion.milliseconds(key_frame);
+    text << "\nat " << milliseconds << '\n';
+    for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
+      text << "  " << jointName(motion, joint) << ' ' << degreesOf(motion.position(key_frame, joint)) << '\n';
+    }
+  }
+  return text.str();
+}
+
+}  // namespace mtn_tool

@@ -1,0 +1,48 @@
+// The motions that come with the memory stick.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "mtn/motion.h"
+#include "mtn_tool/motion_check.h"
+#include "mtn_tool/mtn_writer.h"
+#include "mtn_tool/text_form.h"
+
+namespace {
+
+using ::testing::IsEmpty;
+
+class ShippedMotionsTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  std::string file() const {
+    std::ifstream stream(MOTIONS "/" + std::string(GetParam()) + ".MTN", std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+TEST_P(ShippedMotionsTest, isMadeOfItsSource) {
+  std::ifstream source(MOTION_SOURCES "/" + std::string(GetParam()) + ".txt");
+  EXPECT_EQ(file(), mtn_tool::encodeMtn(mtn_tool::parseTextForm(source))) << "make it anew: docs/motions.md";
+}
+
+TEST_P(ShippedMotionsTest, canBeDoneByAnErs7AsItIsWritten) {
+  const std::string bytes = file();
+  mtn::Motion motion;
+  ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+  EXPECT_THAT(mtn_tool::findObstacles(motion, *robot_model::findRobotModel("ERS-7")), IsEmpty());
+}
+
+TEST_P(ShippedMotionsTest, endsWhereItBegan) {
+  const std::string bytes = file();
+  mtn::Motion motion;
+  ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+  for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
+    EXPECT_EQ(motion.position(motion.numberOfKeyFrames() - 1, joint), motion.position(0, joint)) << joint;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsTest, ::testing::Values("NOD", "WAG", "SIT"));
+
+}  // namespace

@@ -1,0 +1,114 @@
+#include "mtn_tool/text_form.h"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "mtn_tool/mtn_writer.h"
+#include "sample_motion.h"
+
+namespace {
+
+using mtn_tool::KeyFrameMotion;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+KeyFrameMotion parse(const std::string& text) {
+  std::istringstream stream(text);
+  return mtn_tool::parseTextForm(stream);
+}
+
+std::string problemOf(const std::string& text) {
+  try {
+    mtn_tool::encodeMtn(parse(text));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string print(const std::string& bytes) {
+  mtn::Motion motion;
+  EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+  return mtn_tool::printTextForm(motion);
+}
+
+TEST(TextFormTest, isReadAsItIsWritten) {
+  const KeyFrameMotion motion = parse(
+      "# a comment\r\n"
+      "name  HELLO WORLD \r\n"
+      "creator me\n"
+      "robot ERS-7\n"
+      "frame 8\n"
+      "\n"
+      "at 0 head_pan 0 head_tilt 10  # degrees\n"
+      "at 80 head_tilt 20.5\n"
+      "  head_pan -1\n"
+      "at 160\n");
+  EXPECT_EQ(motion.name, "HELLO WORLD");
+  EXPECT_EQ(motion.creator, "me");
+  EXPECT_EQ(motion.design, "DRX-1000");
+  EXPECT_EQ(motion.frame_milliseconds, 8);
+  EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2-Joint2:12", "PRM:/r1/c1/c2/c3-Joint2:13"));
+  ASSERT_EQ(motion.key_frames.size(), 3U);
+  EXPECT_THAT(motion.key_frames[0].positions, ElementsAre(0, 174533));
+  EXPECT_EQ(motion.key_frames[1].milliseconds, 80);
+  EXPECT_THAT(motion.key_frames[1].positions, ElementsAre(-17453, 357792));
+  EXPECT_EQ(motion.key_frames[2].milliseconds, 160);
+  EXPECT_EQ(motion.key_frames[2].positions, motion.key_frames[1].positions);
+}
+
+TEST(TextFormTest, knowsTheJointsOfAnErs210ByItsOwnNames) {
+  const KeyFrameMotion motion = parse("robot ERS-210\nat 0 head_roll 5 tail_tilt 1\n");
+  EXPECT_EQ(motion.design, "DRX-910");
+  EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3-Joint2:j3", "PRM:/r6/c2-Joint2:j2"));
+}
+
+TEST(TextFormTest, whatIsPrintedGivesTheSameBytes) {
+  KeyFrameMotion motion = sampleMotion();
+  motion.key_frames[1].positions = {1234567, -7654};
+  const std::string bytes = mtn_tool::encodeMtn(motion);
+  const std::string text = print(bytes);
+  EXPECT_THAT(text, HasSubstr("robot ERS-7\n"));
+  EXPECT_THAT(text, HasSubstr("head_pan 70.73548\n"));
+  EXPECT_EQ(mtn_tool::encodeMtn(parse(text)), bytes);
+}
+
+TEST(TextFormTest, aJointThatIsNotKnownGoesByItsLocator) {
+  KeyFrameMotion motion = sampleMotion();
+  motion.design = "DRX-900";
+  const std::string bytes = mtn_tool::encodeMtn(motion);
+  const std::string text = print(bytes);
+  EXPECT_THAT(text, HasSubstr("robot DRX-900\n"));
+  EXPECT_THAT(text, HasSubstr("PRM:/r1/c1/c2-Joint2:12 0\n"));
+  EXPECT_EQ(mtn_tool::encodeMtn(parse(text)), bytes);
+}
+
+TEST(TextFormTest, printsNothingThatATerminalWouldObey) {
+  KeyFrameMotion motion = sampleMotion();
+  motion.name = "\x1b[2J#\n";
+  EXPECT_THAT(print(mtn_tool::encodeMtn(motion)), HasSubstr("name ?[2J??\n"));
+}
+
+TEST(TextFormTest, saysInWhichLineWhatIsWrong) {
+  EXPECT_THAT(problemOf(""), HasSubstr("no key frame"));
+  EXPECT_THAT(problemOf("robot ERS-7\nhead_pan 1\n"), HasSubstr("line 2: \"head_pan\" stands before the first \"at\""));
+  EXPECT_THAT(problemOf("at 0 head_pan 1\n"), HasSubstr("line 1: which robot?"));
+  const std::string begin = "robot ERS-7\nat 0 head_pan 1\n";
+  EXPECT_EQ(problemOf(begin), "");
+  EXPECT_THAT(problemOf("robot ERS-7\nat 16 head_pan 1\n"), HasSubstr("line 2: the first key frame is at 0 ms"));
+  EXPECT_THAT(problemOf(begin + "at soon\n"), HasSubstr("line 3: \"soon\" is no number of milliseconds"));
+  EXPECT_THAT(problemOf(begin + "at 0\n"), HasSubstr("line 3: the key frames are not in the order"));
+  EXPECT_THAT(problemOf(begin + "at 20\n"), HasSubstr("line 3: 20 ms is no multiple"));
+  EXPECT_THAT(problemOf(begin + "at 16 head_pan\n"), HasSubstr("line 3: head_pan has no angle"));
+  EXPECT_THAT(problemOf(begin + "at 16 head_pan 1x\n"), HasSubstr("line 3: \"1x\" is no number of degrees"));
+  EXPECT_THAT(problemOf(begin + "at 16 head_pan 361\n"), HasSubstr("line 3: head_pan is more than a turn away"));
+  EXPECT_THAT(problemOf(begin + "at 16 tail_pan 1\n"), HasSubstr("line 3: tail_pan is not in the first key frame"));
+  EXPECT_THAT(problemOf(begin + "at 16 left_wing 1\n"), HasSubstr("line 3: an ERS-7 has no joint \"left_wing\""));
+  EXPECT_THAT(problemOf(begin + "at 160000\n"), HasSubstr("more than 60 s"));
+  EXPECT_THAT(problemOf("frame 0\n" + begin), HasSubstr("a frame of 0 ms"));
+}
+
+}  // namespace
