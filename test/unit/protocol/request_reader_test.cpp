@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -31,22 +32,29 @@ std::vector<std::string> takeAll(RequestReader& reader) {
   return found;
 }
 
-std::vector<std::string> receive(RequestReader& reader, const std::string& bytes) {
+void append(RequestReader& reader, const std::string& bytes) {
   EXPECT_EQ(reader.append(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), bytes.size());
+}
+
+std::vector<std::string> receive(RequestReader& reader, const std::string& bytes) {
+  append(reader, bytes);
   return takeAll(reader);
 }
 
 // A request with a file name that announces `size` bytes of content, without the content.
 std::string fileRequest(char letter, size_t size) {
-  const size_t blocks = size / 512;
-  const size_t rest = size % 512;
-  std::string request = std::string{letter} + "1WALK.MTN";
-  request.resize(BASIC_COMMAND_SIZE + 12, '\0');
-  for (const size_t field : {blocks, rest}) {
-    request += static_cast<char>(field & 0xff);
-    request += static_cast<char>(field >> 8);
-  }
-  return request;
+  FileRequest file{"WALK.MTN", 0, 0};
+  announceContent(size, &file);
+  unsigned char payload[FILE_PAYLOAD_SIZE];
+  encodeFileRequest(file, payload);
+  return std::string{letter} + "1" + std::string(payload, payload + sizeof(payload));
+}
+
+// What takeContent() gives, up to `size` bytes at once.
+std::string takeContent(RequestReader& reader, size_t size) {
+  std::string content(size, '?');
+  content.resize(reader.takeContent(reinterpret_cast<unsigned char*>(&content[0]), content.size()));
+  return content;
 }
 
 TEST(RequestReader, TakesTwoBytesForPictureAndStream) {
@@ -137,16 +145,53 @@ TEST(RequestReader, SkipsTheContentThatAnUploadAnnounces) {
 
 TEST(RequestReader, SkipsTheLargestContentThatCanBeAnnounced) {
   RequestReader reader;
-  std::string request = fileRequest('U', 0);
-  std::fill(request.end() - 4, request.end(), '\xff');
-  ASSERT_EQ(receive(reader, request).size(), 1U);
+  ASSERT_EQ(receive(reader, fileRequest('U', MAX_CONTENT_SIZE)).size(), 1U);
   const std::string content(1024, 'W');
-  size_t left = 65535 * 512 + 65535;
+  size_t left = MAX_CONTENT_SIZE;
   for (; left > content.size(); left -= content.size()) {
     ASSERT_THAT(receive(reader, content), IsEmpty());
   }
   EXPECT_THAT(receive(reader, content.substr(0, left)), IsEmpty());
   EXPECT_THAT(receive(reader, "F1"), ElementsAre("F1"));
+}
+
+TEST(RequestReader, GivesTheContentToWhoTakesIt) {
+  const std::string content = "F1W2J3 are no requests here";
+  const std::string bytes = fileRequest('U', content.size()) + content + "F4";
+  for (size_t first = FILE_REQUEST_SIZE; first <= bytes.size(); ++first) {
+    RequestReader reader;
+    append(reader, bytes.substr(0, first));
+    Request request;
+    ASSERT_TRUE(reader.next(&request));
+    EXPECT_EQ(reader.contentLeft(), content.size());
+    std::string taken = takeContent(reader, 4) + takeContent(reader, 1000);
+    append(reader, bytes.substr(first));
+    taken += takeContent(reader, 1000);
+    EXPECT_EQ(taken, content) << first << " bytes first";
+    EXPECT_EQ(reader.contentLeft(), 0U);
+    EXPECT_EQ(takeContent(reader, 1000), "");
+    EXPECT_THAT(takeAll(reader), ElementsAre("F4"));
+  }
+}
+
+TEST(RequestReader, SkipsWhatIsNotTakenOfTheContent) {
+  RequestReader reader;
+  append(reader, fileRequest('U', 6) + "F1W2");
+  Request request;
+  ASSERT_TRUE(reader.next(&request));
+  EXPECT_EQ(takeContent(reader, 2), "F1");
+  EXPECT_EQ(reader.contentLeft(), 4U);
+  EXPECT_FALSE(reader.next(&request));
+  EXPECT_EQ(reader.contentLeft(), 2U);
+  EXPECT_THAT(receive(reader, "J3F4"), ElementsAre("F4"));
+}
+
+TEST(RequestReader, HasContentBehindUploadsAlone) {
+  for (const char letter : std::string("DP")) {
+    RequestReader reader;
+    EXPECT_EQ(receive(reader, fileRequest(letter, 700)).size(), 1U);
+    EXPECT_EQ(reader.contentLeft(), 0U) << letter;
+  }
 }
 
 TEST(RequestReader, ResetForgetsHalfARequestAndTheContentToSkip) {
@@ -198,15 +243,31 @@ TEST(RequestReader, FindsTheSameRequestsHoweverTheBytesAreSplit) {
   }
 }
 
-TEST(RequestReader, ServesTheNextClientWhateverBytesTheLastOneSent) {
+// What a server does with a request, as far as this room goes.
+void decodeAsEverything(const Request& request) {
+  decodeValue(request.payload);
+  const FileRequest file = decodeFileRequest(request.payload);
+  ASSERT_LE(std::strlen(file.name), MAX_MOTION_NAME_SIZE);
+  MotionName name;
+  readMotionName(file.name, std::strlen(file.name), name);
+}
+
+TEST(RequestReader, BearsAMillionRandomBytesAndServesTheNextClient) {
   std::mt19937 random(2026);
-  std::uniform_int_distribution<int> byte(0, 255);
-  std::uniform_int_distribution<size_t> length(1, RequestReader::MAX_APPENDED);
+  const auto upTo = [&random](size_t limit) { return std::uniform_int_distribution<size_t>(0, limit)(random); };
   RequestReader reader;
+  Request request{};
   for (int round = 0; round < 2000; ++round) {
-    std::string bytes(length(random), '\0');
-    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(byte(random)); });
-    EXPECT_LE(receive(reader, bytes).size(), RequestReader::MAX_REQUESTS);
+    std::string bytes(upTo(RequestReader::MAX_APPENDED), '\0');
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(random() >> 24); });
+    append(reader, bytes);
+    size_t requests = 0;
+    while (reader.next(&request)) {
+      ++requests;
+      decodeAsEverything(request);
+      takeContent(reader, upTo(30));
+    }
+    EXPECT_LE(requests, RequestReader::MAX_REQUESTS);
     if (round % 10 == 0) {
       reader.reset();
       ASSERT_THAT(receive(reader, "F1"), ElementsAre("F1"));

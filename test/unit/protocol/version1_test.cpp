@@ -66,6 +66,44 @@ TEST(Version1, PictureLetterBeginsNoValueReply) {
   EXPECT_FALSE(isValueReply('\0'));
 }
 
+TEST(FileRequest, IsANameAndTwoNumbers) {
+  unsigned char bytes[FILE_PAYLOAD_SIZE];
+  encodeFileRequest({"NOD.MTN", 0x0102, 0xfffe}, bytes);
+  EXPECT_THAT(bytes, ElementsAre('N', 'O', 'D', '.', 'M', 'T', 'N', 0, 0, 0, 0, 0, 0x02, 0x01, 0xfe, 0xff));
+
+  const FileRequest file = decodeFileRequest(bytes);
+  EXPECT_STREQ(file.name, "NOD.MTN");
+  EXPECT_EQ(file.a, 0x0102);
+  EXPECT_EQ(file.b, 0xfffe);
+}
+
+TEST(FileRequest, EndsItsNameAtTheFirstZeroByteOrAfterTwelve) {
+  unsigned char bytes[FILE_PAYLOAD_SIZE];
+  encodeFileRequest({"WALK_FWD.MTN", 0xffff, 0xffff}, bytes);
+  EXPECT_STREQ(decodeFileRequest(bytes).name, "WALK_FWD.MTN");
+  bytes[3] = 0;  // whatever an old client has left behind that
+  EXPECT_STREQ(decodeFileRequest(bytes).name, "WAL");
+  bytes[0] = 0;
+  EXPECT_STREQ(decodeFileRequest(bytes).name, "");
+}
+
+TEST(FileRequest, AnnouncesBlocksOf512BytesAndTheRest) {
+  for (const size_t size : std::vector<size_t>{0, 1, 511, 512, 513, 100000, 65535 * 512, MAX_CONTENT_SIZE}) {
+    FileRequest file{};
+    announceContent(size, &file);
+    EXPECT_EQ(contentSize(file), size);
+  }
+  EXPECT_EQ(contentSize({"", 2, 3}), 1027U);
+  EXPECT_EQ(contentSize({"", 65535, 65535}), MAX_CONTENT_SIZE);
+}
+
+TEST(Version1, IntensityOfAnLedIsTheLowByte) {
+  EXPECT_EQ(ledIntensity(0), 0);
+  EXPECT_EQ(ledIntensity(255), 255);
+  EXPECT_EQ(ledIntensity(0x1280), 0x80);
+  EXPECT_EQ(ledIntensity(-1), 255);
+}
+
 TEST(Version1, QualityAboveHundredMeansHundred) {
   EXPECT_EQ(limitJpegQuality(0), 0);
   EXPECT_EQ(limitJpegQuality(85), 85);

@@ -2,13 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <climits>
-#include <functional>
 #include <string>
 
-#include "bytes.h"
-#include "protocol/hello.h"
+#include "layouts.h"
 
 namespace protocol {
 namespace version2 {
@@ -17,18 +14,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsNull;
 using ::testing::NotNull;
-
-// What an encoder writes. Behind that, everything has to stay as it was.
-template <typename Encoder, typename Value>
-Bytes encoded(Encoder encode, const Value& value, size_t room) {
-  Bytes bytes(room + 8, 0xee);
-  const size_t size = encode(value, bytes.data());
-  EXPECT_LE(size, room);
-  EXPECT_TRUE(std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end(),
-                          [](unsigned char byte) { return byte == 0xee; }));
-  bytes.resize(size);
-  return bytes;
-}
 
 JointTargets twoTargets() {
   JointTargets targets{};
@@ -39,11 +24,6 @@ JointTargets twoTargets() {
   return targets;
 }
 
-const char kTwoTargets[] =
-    "01 f4 02 00 "              // 500 ms, two joints
-    "02 00 00 00 00 07 a1 20 "  // 2: 500000
-    "0b 00 00 00 ff ec 06 bb";  // 11: -1308997
-
 SpeedLimits twoLimits() {
   SpeedLimits limits{};
   limits.count = 2;
@@ -51,10 +31,6 @@ SpeedLimits twoLimits() {
   limits.joints[1] = {52, 15162548};
   return limits;
 }
-
-const char kTwoLimits[] =
-    "01 00 00 00 00 30 9a 4a "  // 1: 3185226
-    "34 00 00 00 00 e7 5c b4";  // 52: 15162548
 
 Telemetry threeValues() {
   Telemetry telemetry{};
@@ -64,32 +40,6 @@ Telemetry threeValues() {
   telemetry.entries[1] = {GROUP_SENSOR, 63, -9806650};
   telemetry.entries[2] = {GROUP_SENSOR, 14, 1};
   return telemetry;
-}
-
-const char kThreeValues[] =
-    "80 00 00 01 00 03 00 00 "  // frame 2147483649, three values
-    "4a 03 00 00 ff ff ff ff "  // joint 3: -1
-    "53 3f 00 00 ff 6a 5c c6 "  // sensor 63: -9806650 (-1 g upwards)
-    "53 0e 00 00 00 00 00 01";  // sensor 14, a paw: pressed
-
-const char kPicture[] =
-    "00 01 02 03 0a 0b 0c 0d "  // image 66051, frame 168496141
-    "00 d0 00 a0 55 00 00 00 "  // 208x160, quality 85, layer H
-    "ff d8 ff d9";              // a JPEG that is no more than begin and end
-
-const char* decodePictureBytes(const Bytes& bytes) {
-  ImageHeader header{};
-  size_t jpeg_size = 0;
-  return decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
-}
-
-// Each layout's decoder, as far as the question is what it refuses.
-template <typename Value>
-std::function<const char*(const Bytes&)> verdict(const char* (*decode)(const unsigned char*, size_t, Value*)) {
-  return [decode](const Bytes& bytes) {
-    Value value{};
-    return decode(bytes.data(), bytes.size(), &value);
-  };
 }
 
 TEST(Version2, IsAskedForInVersion1) {
@@ -328,6 +278,75 @@ TEST(Telemetry, RefusesAnUnknownGroup) {
   EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("neither J nor S"));
 }
 
+TEST(LedValues, SayIntensityAndModeForEachLed) {
+  LedValues values{};
+  values.count = 2;
+  values.leds[0] = {2, 255, LED_MODE_A};
+  values.leds[1] = {26, 128, LED_MODE_B};
+  EXPECT_EQ(encoded(encodeLedValues, values, MAX_LED_VALUES_SIZE), hex(kTwoLeds));
+
+  LedValues again{};
+  ASSERT_THAT(decodeLedValues(hex(kTwoLeds).data(), 8, &again), IsNull());
+  ASSERT_EQ(again.count, 2);
+  EXPECT_EQ(again.leds[0].id, 2);
+  EXPECT_EQ(again.leds[0].intensity, 255);
+  EXPECT_EQ(again.leds[0].mode, LED_MODE_A);
+  EXPECT_EQ(again.leds[1].id, 26);
+  EXPECT_EQ(again.leds[1].intensity, 128);
+  EXPECT_EQ(again.leds[1].mode, LED_MODE_B);
+}
+
+TEST(LedValues, MayBeForNoLed) {
+  LedValues values{};
+  values.count = 7;
+  ASSERT_THAT(decodeLedValues(nullptr, 0, &values), IsNull());
+  EXPECT_EQ(values.count, 0);
+}
+
+TEST(LedValues, RefuseAModeThatThereIsNot) {
+  EXPECT_THAT(verdict(decodeLedValues)(hex("01 ff 02 00")), HasSubstr("mode"));
+  EXPECT_THAT(verdict(decodeLedValues)(hex("01 ff ff 00")), HasSubstr("mode"));
+}
+
+TEST(LedValues, RefuseAnLedNamedTwice) {
+  EXPECT_THAT(verdict(decodeLedValues)(hex("01 ff 00 00 02 ff 00 00 01 00 00 00")), HasSubstr("twice"));
+}
+
+// `count` different LEDs from id 0 on.
+Bytes ledEntries(size_t count) {
+  Bytes bytes;
+  for (size_t id = 0; id < count; ++id) {
+    bytes = bytes + Bytes{static_cast<unsigned char>(id), 255, 0, 0};
+  }
+  return bytes;
+}
+
+TEST(LedValues, TakeAsManyLedsAsThereIsRoomForAndNoMore) {
+  EXPECT_THAT(verdict(decodeLedValues)(ledEntries(32)), IsNull());
+  EXPECT_THAT(verdict(decodeLedValues)(ledEntries(33)), HasSubstr("more LEDs"));
+  EXPECT_THAT(verdict(decodeLedValues)(Bytes(MAX_PAYLOAD_TOWARDS_ROBOT, 0)), HasSubstr("more LEDs"));
+}
+
+TEST(EarPositions, AreLeftThenRight) {
+  EXPECT_EQ(encoded(encodeEarPositions, EarPositions{true, false}, EAR_POSITIONS_SIZE), hex("01 00"));
+
+  EarPositions positions{true, false};
+  ASSERT_THAT(decodeEarPositions(hex("00 01").data(), 2, &positions), IsNull());
+  EXPECT_FALSE(positions.left);
+  EXPECT_TRUE(positions.right);
+}
+
+TEST(EarPositions, AreTwo) {
+  EXPECT_THAT(verdict(decodeEarPositions)(hex("02 00")), HasSubstr("ear"));
+  EXPECT_THAT(verdict(decodeEarPositions)(hex("00 ff")), HasSubstr("ear"));
+}
+
+TEST(NoPayload, IsNone) {
+  EXPECT_THAT(checkNoPayload(0), IsNull());
+  EXPECT_THAT(checkNoPayload(1), NotNull());
+  EXPECT_THAT(checkNoPayload(MAX_PAYLOAD_TOWARDS_ROBOT), NotNull());
+}
+
 TEST(Picture, HasItsHeaderBeforeTheJpeg) {
   const ImageHeader written{0x00010203, 0x0a0b0c0d, 208, 160, 85, LAYER_HIGH};
   EXPECT_EQ(encoded(encodeImageHeader, written, IMAGE_HEADER_SIZE), firstOf(hex(kPicture), IMAGE_HEADER_SIZE));
@@ -403,70 +422,6 @@ TEST(ErrorMessage, RefusesATextThatWouldSpoilALog) {
   EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 1b 5b 32 4a")), HasSubstr("control"));
   EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 ff fe")), HasSubstr("UTF-8"));
 }
-
-struct Layout {
-  const char* name;
-  Bytes payload;
-  std::function<const char*(const Bytes&)> decode;
-  // Offsets that are 0 by contract.
-  std::vector<size_t> reserved;
-};
-
-const Layout kLayouts[] = {
-    {"PictureRequest", hex("00"), verdict(decodePictureRequest), {}},
-    {"StreamSettings", hex("01 00 00 01"), verdict(decodeStreamSettings), {}},
-    {"JointTargets", hex(kTwoTargets), verdict(decodeJointTargets), {3, 5, 6, 7, 13, 14, 15}},
-    {"SpeedLimits", hex(kTwoLimits), verdict(decodeSpeedLimits), {1, 2, 3, 9, 10, 11}},
-    {"TelemetryPeriod", hex("00 04"), verdict(decodeTelemetryPeriod), {}},
-    {"Telemetry", hex(kThreeValues), verdict(decodeTelemetry), {6, 7, 10, 11, 18, 19, 26, 27}},
-    {"Picture", hex(kPicture), decodePictureBytes, {14, 15}},
-    {"MotorState", hex("01"), verdict(decodeMotorState), {}},
-    {"ErrorMessage", hex("00 02 c3 a9"), verdict(decodeErrorMessage), {}},
-};
-
-class EveryLayout : public ::testing::TestWithParam<Layout> {
- protected:
-  // Payloads without a count end where the frame ends: shorter ones can be whole as well.
-  bool isWholeAt(size_t size) const {
-    const std::string name = GetParam().name;
-    return (name == "SpeedLimits" && size % 8 == 0) || (name == "Picture" && size > IMAGE_HEADER_SIZE) ||
-           (name == "ErrorMessage" && size == 2);
-  }
-};
-
-TEST_P(EveryLayout, IsAccepted) {
-  EXPECT_THAT(GetParam().decode(GetParam().payload), IsNull());
-}
-
-TEST_P(EveryLayout, IsRefusedWhenBytesAreMissing) {
-  for (size_t size = 0; size < GetParam().payload.size(); ++size) {
-    const char* const problem = GetParam().decode(firstOf(GetParam().payload, size));
-    if (isWholeAt(size)) {
-      EXPECT_THAT(problem, IsNull()) << size;
-    } else {
-      EXPECT_THAT(problem, NotNull()) << size;
-    }
-  }
-}
-
-TEST_P(EveryLayout, IsRefusedWithAByteTooMany) {
-  const std::string name = GetParam().name;
-  if (name == "Picture" || name == "ErrorMessage") {
-    return;  // these go on to the end of the frame
-  }
-  EXPECT_THAT(GetParam().decode(GetParam().payload + Bytes{0}), NotNull());
-}
-
-TEST_P(EveryLayout, IsRefusedWithAReservedByteInUse) {
-  for (const size_t offset : GetParam().reserved) {
-    Bytes payload = GetParam().payload;
-    payload[offset] = 1;
-    EXPECT_THAT(GetParam().decode(payload), HasSubstr("reserved")) << offset;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Version2, EveryLayout, ::testing::ValuesIn(kLayouts),
-                         [](const auto& layout) { return std::string(layout.param.name); });
 
 TEST(Version2, LeavesTheResultAloneWhenItRefuses) {
   Bytes bytes = hex(kTwoTargets);

@@ -1,0 +1,278 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "layouts.h"
+#include "protocol/big_endian.h"
+#include "protocol/frame_reader.h"
+#include "protocol/hello.h"
+#include "protocol/motion_requests.h"
+
+namespace protocol {
+namespace version2 {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsNull;
+using ::testing::NotNull;
+
+struct Layout {
+  const char* name;
+  Bytes payload;
+  std::function<const char*(const Bytes&)> decode;
+  // Decodes what is accepted, and encodes it.
+  std::function<Bytes(const Bytes&)> encode_again;
+  // Offsets that are 0 by contract.
+  std::vector<size_t> reserved;
+  // Sizes at which the beginning of the payload is a whole one, too.
+  std::vector<size_t> whole_at;
+  // True if it goes on to the end of the frame, whatever is there.
+  bool takes_more;
+};
+
+template <typename Value, typename Argument>
+std::function<Bytes(const Bytes&)> again(const char* (*decode)(const unsigned char*, size_t, Value*),
+                                         size_t (*encode)(Argument, unsigned char*)) {
+  return [decode, encode](const Bytes& bytes) {
+    Value value{};
+    decode(bytes.data(), bytes.size(), &value);
+    return encoded(encode, value, bytes.size());
+  };
+}
+
+Bytes pictureAgain(const Bytes& bytes) {
+  ImageHeader header{};
+  size_t jpeg_size = 0;
+  decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
+  EXPECT_EQ(jpeg_size, bytes.size() - IMAGE_HEADER_SIZE);
+  return encoded(encodeImageHeader, header, IMAGE_HEADER_SIZE) + Bytes(bytes.begin() + IMAGE_HEADER_SIZE, bytes.end());
+}
+
+// A name alone is no struct.
+struct Name {
+  MotionName text;
+};
+
+const char* decodeName(const unsigned char* payload, size_t size, Name* name) {
+  return decodeMotionName(payload, size, name->text);
+}
+
+size_t encodeName(const Name& name, unsigned char* out) {
+  return encodeMotionName(name.text, out);
+}
+
+const Layout kLayouts[] = {
+    {"PictureRequest",
+     hex("00"),
+     verdict(decodePictureRequest),
+     again(decodePictureRequest, encodePictureRequest),
+     {},
+     {},
+     false},
+    {"StreamSettings",
+     hex("01 00 00 01"),
+     verdict(decodeStreamSettings),
+     again(decodeStreamSettings, encodeStreamSettings),
+     {},
+     {},
+     false},
+    {"JointTargets",
+     hex(kTwoTargets),
+     verdict(decodeJointTargets),
+     again(decodeJointTargets, encodeJointTargets),
+     {3, 5, 6, 7, 13, 14, 15},
+     {},
+     false},
+    {"SpeedLimits",
+     hex(kTwoLimits),
+     verdict(decodeSpeedLimits),
+     again(decodeSpeedLimits, encodeSpeedLimits),
+     {1, 2, 3, 9, 10, 11},
+     {0, 8},
+     false},
+    {"TelemetryPeriod",
+     hex("00 04"),
+     verdict(decodeTelemetryPeriod),
+     again(decodeTelemetryPeriod, encodeTelemetryPeriod),
+     {},
+     {},
+     false},
+    {"Telemetry",
+     hex(kThreeValues),
+     verdict(decodeTelemetry),
+     again(decodeTelemetry, encodeTelemetry),
+     {6, 7, 10, 11, 18, 19, 26, 27},
+     {},
+     false},
+    {"MotorState", hex("01"), verdict(decodeMotorState), again(decodeMotorState, encodeMotorState), {}, {}, false},
+    {"LedValues",
+     hex(kTwoLeds),
+     verdict(decodeLedValues),
+     again(decodeLedValues, encodeLedValues),
+     {3, 7},
+     {0, 4},
+     false},
+    {"EarPositions",
+     hex("01 00"),
+     verdict(decodeEarPositions),
+     again(decodeEarPositions, encodeEarPositions),
+     {},
+     {},
+     false},
+    {"MotionUpload",
+     hex(kUpload),
+     verdict(decodeMotionUpload),
+     again(decodeMotionUpload, encodeMotionUpload),
+     {},
+     {9, 10, 11},
+     true},
+    {"MotionToDelete", bytesOf("NOD.MTN"), verdict(decodeName), again(decodeName, encodeName), {}, {}, false},
+    {"MotionOrder",
+     hex(kOrder),
+     verdict(decodeMotionOrder),
+     again(decodeMotionOrder, encodeMotionOrder),
+     {},
+     {},
+     false},
+    {"MotionList",
+     bytesOf("NOD.MTN\nWAG.MTN"),
+     verdict(decodeMotionList),
+     again(decodeMotionList, encodeMotionList),
+     {},
+     {0, 7},
+     false},
+    {"Picture", hex(kPicture), decodePictureBytes, pictureAgain, {14, 15}, {17, 18, 19}, true},
+    {"ErrorMessage",
+     hex("00 02 c3 a9"),
+     verdict(decodeErrorMessage),
+     again(decodeErrorMessage, encodeErrorMessage),
+     {},
+     {2},
+     true},
+};
+
+class EveryLayout : public ::testing::TestWithParam<Layout> {};
+
+TEST_P(EveryLayout, IsAccepted) {
+  EXPECT_THAT(GetParam().decode(GetParam().payload), IsNull());
+}
+
+TEST_P(EveryLayout, IsRefusedWhenBytesAreMissing) {
+  const std::vector<size_t>& whole_at = GetParam().whole_at;
+  for (size_t size = 0; size < GetParam().payload.size(); ++size) {
+    const bool is_whole = std::find(whole_at.begin(), whole_at.end(), size) != whole_at.end();
+    EXPECT_EQ(GetParam().decode(firstOf(GetParam().payload, size)) == nullptr, is_whole) << size;
+  }
+}
+
+TEST_P(EveryLayout, IsRefusedWithAByteTooMany) {
+  if (!GetParam().takes_more) {
+    EXPECT_THAT(GetParam().decode(GetParam().payload + Bytes{0}), NotNull());
+  }
+}
+
+TEST_P(EveryLayout, IsRefusedWithAReservedByteInUse) {
+  for (const size_t offset : GetParam().reserved) {
+    Bytes payload = GetParam().payload;
+    payload[offset] = 1;
+    EXPECT_THAT(GetParam().decode(payload), HasSubstr("reserved")) << offset;
+  }
+}
+
+// Small letters in the names of motions become capitals.
+Bytes capitals(Bytes bytes) {
+  std::transform(bytes.begin(), bytes.end(), bytes.begin(),
+                 [](unsigned char byte) { return static_cast<unsigned char>(std::toupper(byte)); });
+  return bytes;
+}
+
+class RandomBytes {
+ public:
+  explicit RandomBytes(unsigned seed) : random_(seed) {}
+
+  size_t upTo(size_t limit) { return std::uniform_int_distribution<size_t>(0, limit)(random_); }
+
+  Bytes bytes(size_t size) {
+    Bytes bytes(size);
+    std::generate(bytes.begin(), bytes.end(), [this] { return static_cast<unsigned char>(random_() >> 24); });
+    return bytes;
+  }
+
+  // Some bytes changed, the end cut off or lengthened.
+  Bytes damaged(Bytes bytes) {
+    for (size_t i = upTo(3); i > 0 && !bytes.empty(); --i) {
+      bytes[upTo(bytes.size() - 1)] = static_cast<unsigned char>(upTo(1) == 0 ? upTo(255) : upTo(2));
+    }
+    return upTo(3) == 0 ? firstOf(bytes, upTo(bytes.size())) + this->bytes(upTo(9)) : bytes;
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+TEST_P(EveryLayout, IsEncodedAsItWasDecodedWhateverTheBytes) {
+  RandomBytes random(2006);
+  int accepted = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const Bytes payload = random.damaged(GetParam().payload);
+    if (GetParam().decode(payload) == nullptr) {
+      ++accepted;
+      ASSERT_EQ(capitals(GetParam().encode_again(payload)), capitals(payload));
+    }
+  }
+  EXPECT_GT(accepted, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Version2, EveryLayout, ::testing::ValuesIn(kLayouts),
+                         [](const auto& layout) { return std::string(layout.param.name); });
+
+// Gives a payload to every decoder. Whoever reads beyond it is seen by a sanitizer.
+void decodeAsEverything(const Bytes& payload) {
+  for (const Layout& layout : kLayouts) {
+    layout.decode(payload);
+  }
+  Hello hello;
+  decodeHello(payload.data(), payload.size(), &hello);
+}
+
+// Gives bytes to a reader in random pieces, and the frames that it finds to every decoder.
+void receiveInPieces(const Bytes& bytes, RandomBytes& random, FrameReader& reader) {
+  for (size_t used = 0; used < bytes.size();) {
+    const Bytes piece(bytes.begin() + static_cast<std::ptrdiff_t>(used),
+                      bytes.begin() + static_cast<std::ptrdiff_t>(used + random.upTo(bytes.size() - used)));
+    size_t taken = 0;
+    const FrameReader::Result result = reader.append(piece.data(), piece.size(), &taken);
+    ASSERT_LE(taken, piece.size());
+    ASSERT_TRUE(taken > 0 || piece.empty());
+    used += taken;
+    if (result == FrameReader::FRAME_COMPLETE) {
+      decodeAsEverything(Bytes(reader.payload(), reader.payload() + reader.header().payload_size));
+    } else if (result == FrameReader::FRAME_TOO_LARGE) {
+      reader.reset();
+    }
+  }
+}
+
+TEST(Version2, BearsAMillionRandomBytes) {
+  RandomBytes random(2026);
+  Bytes buffer(100);
+  FrameReader reader(buffer.data(), buffer.size());
+  for (size_t received = 0; received < 1000000;) {
+    // Hardly any random header announces a payload that fits, so that most are given one.
+    Bytes bytes = random.bytes(FRAME_HEADER_SIZE + random.upTo(buffer.size()));
+    if (random.upTo(9) > 0) {
+      encodeBigEndian32(static_cast<unsigned>(bytes.size() - FRAME_HEADER_SIZE), bytes.data() + 4);
+    }
+    receiveInPieces(bytes, random, reader);
+    received += bytes.size();
+  }
+}
+
+}  // namespace
+}  // namespace version2
+}  // namespace protocol

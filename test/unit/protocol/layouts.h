@@ -1,0 +1,77 @@
+/// @file layouts.h
+/// Payloads of version 2 as tests write them down, and how encoders and decoders are tried.
+#ifndef TEST_UNIT_PROTOCOL_LAYOUTS_H
+#define TEST_UNIT_PROTOCOL_LAYOUTS_H
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "bytes.h"
+#include "protocol/version2.h"
+
+namespace protocol {
+namespace version2 {
+
+constexpr char kTwoTargets[] =
+    "01 f4 02 00 "              // 500 ms, two joints
+    "02 00 00 00 00 07 a1 20 "  // 2: 500000
+    "0b 00 00 00 ff ec 06 bb";  // 11: -1308997
+
+constexpr char kTwoLimits[] =
+    "01 00 00 00 00 30 9a 4a "  // 1: 3185226
+    "34 00 00 00 00 e7 5c b4";  // 52: 15162548
+
+constexpr char kThreeValues[] =
+    "80 00 00 01 00 03 00 00 "  // frame 2147483649, three values
+    "4a 03 00 00 ff ff ff ff "  // joint 3: -1
+    "53 3f 00 00 ff 6a 5c c6 "  // sensor 63: -9806650 (-1 g upwards)
+    "53 0e 00 00 00 00 00 01";  // sensor 14, a paw: pressed
+
+constexpr char kPicture[] =
+    "00 01 02 03 0a 0b 0c 0d "  // image 66051, frame 168496141
+    "00 d0 00 a0 55 00 00 00 "  // 208x160, quality 85, layer H
+    "ff d8 ff d9";              // a JPEG that is no more than begin and end
+
+constexpr char kTwoLeds[] =
+    "02 ff 00 00 "  // 2: 255, mode A
+    "1a 80 01 00";  // 26: 128, mode B
+
+constexpr char kUpload[] =
+    "07 4e 4f 44 2e 4d 54 4e "  // NOD.MTN
+    "4f 4d 54 4e";              // a motion that is no more than its first four bytes
+
+constexpr char kOrder[] = "00 03 4e 4f 44 2e 4d 54 4e";  // three times NOD.MTN
+
+/// What an encoder writes. Behind that, everything has to stay as it was.
+template <typename Encoder, typename Value>
+Bytes encoded(Encoder encode, const Value& value, size_t room) {
+  Bytes bytes(room + 8, 0xee);
+  const size_t size = encode(value, bytes.data());
+  EXPECT_LE(size, room);
+  EXPECT_TRUE(std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end(),
+                          [](unsigned char byte) { return byte == 0xee; }));
+  bytes.resize(size);
+  return bytes;
+}
+
+/// A decoder, as far as the question is what it refuses.
+template <typename Value>
+std::function<const char*(const Bytes&)> verdict(const char* (*decode)(const unsigned char*, size_t, Value*)) {
+  return [decode](const Bytes& bytes) {
+    Value value{};
+    return decode(bytes.data(), bytes.size(), &value);
+  };
+}
+
+inline const char* decodePictureBytes(const Bytes& bytes) {
+  ImageHeader header{};
+  size_t jpeg_size = 0;
+  return decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
+}
+
+}  // namespace version2
+}  // namespace protocol
+
+#endif  // TEST_UNIT_PROTOCOL_LAYOUTS_H
