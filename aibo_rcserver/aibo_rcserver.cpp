@@ -153,7 +153,10 @@ void run(const Options& options) {
     machine_options.on_send = [&](const void* data, std::size_t size) { picture_log->aboutToSend(data, size); };
   }
   openr_host::Machine machine(machine_options, clock, robot);
-  RCServer::SetNewestVersion(options.protocol_version);
+  HostSettings host;
+  host.newest_version = options.protocol_version;
+  host.memory_stick = options.memory_stick.c_str();
+  RCServer::SetHost(host);
   stopOnSignal(machine);
   machine.boot();
   announce(machine, options);

@@ -28,7 +28,8 @@ Connection::Connection()
       receiving_(false),
       picture_(NULL),
       picture_size_(0),
-      is_sending_picture_(false) {
+      is_sending_picture_(false),
+      client_address_(0) {
   client_name_[0] = '\0';
 }
 
@@ -84,9 +85,9 @@ void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   receiving_ = false;
   picture_size_ = 0;
   is_sending_picture_ = false;
-  const unsigned address = answer.fAddress.Address();
-  sprintf(client_name_, "%u.%u.%u.%u:%u", address >> 24, (address >> 16) & 0xff, (address >> 8) & 0xff, address & 0xff,
-          static_cast<unsigned>(answer.fPort));
+  client_address_ = answer.fAddress.Address();
+  sprintf(client_name_, "%u.%u.%u.%u:%u", client_address_ >> 24, (client_address_ >> 16) & 0xff,
+          (client_address_ >> 8) & 0xff, client_address_ & 0xff, static_cast<unsigned>(answer.fPort));
 }
 
 void Connection::Close(bool abort) {

@@ -93,6 +93,9 @@ class Connection {
   /// True if a client has come since Listen().
   bool HadClient() const { return client_name_[0] != '\0'; }
 
+  /// The client's address as a number; 127.0.0.1 is 0x7f000001.
+  unsigned ClientAddress() const { return client_address_; }
+
   /// The client's address, "192.168.1.2:40000".
   const char* ClientName() const { return client_name_; }
 
@@ -121,6 +124,7 @@ class Connection {
   byte* picture_;            ///< with its header
   size_t picture_size_;      ///< 0: there is none
   bool is_sending_picture_;  ///< else it waits
+  unsigned client_address_;
   char client_name_[sizeof("255.255.255.255:65535")];
 };
 

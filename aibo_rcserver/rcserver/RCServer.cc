@@ -4,7 +4,10 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
+#include <stdio.h>
+
 #include "protocol/version1.h"
+#include "rcserver/SettingsFile.h"
 
 namespace {
 
@@ -50,17 +53,19 @@ const char* ReasonOf(TCPEndpointError error) {
 
 }  // namespace
 
-const longword RCServer::SILENT_CLIENT_FRAMES;
 const longword RCServer::HEARTBEAT_FRAMES;
-int RCServer::newest_version = protocol::version2::VERSION;
+HostSettings RCServer::host;
 
 RCServer::RCServer()
     : client_(NULL),
+      robot_(NULL),
       session_(NULL),
       now_(0),
       last_bytes_received_(0),
       last_sign_of_life_(0),
       last_attempt_(0),
+      turned_away_(0),
+      last_told_turned_away_(0 - FRAMES_PER_SECOND),
       is_streaming_(false),
       image_count_(0),
       last_of_stream_(0),
@@ -81,7 +86,10 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   }
   OPENR::GetRobotDesign(design_);
   joint_driver_.Open();
-  session_ = new Session(design_, joint_driver_.Joints(), joint_driver_, newest_version);
+  settings_ = readSettingsFile(host);
+  const Robot robot = {design_, joint_driver_.Joints(), joint_driver_};
+  robot_ = new Robot(robot);
+  session_ = new Session(*robot_, settings_, host.newest_version);
   return oSUCCESS;
 }
 
@@ -107,6 +115,8 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   }
   delete session_;
   session_ = NULL;
+  delete robot_;
+  robot_ = NULL;
   joint_driver_.Close();
   DELETE_ALL_SUBJECT_AND_OBSERVER;
   return oSUCCESS;
@@ -153,13 +163,17 @@ void RCServer::ListenCont(ANTENVMSG msg) {
     return;
   }
   connection->Accepted(*answer);
-  if (client_ == NULL) {
+  if (!settings_.allowed_addresses.Allow(connection->ClientAddress())) {
+    TurnAway(connection, "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it");
+  } else if (client_ == NULL) {
     Admit(connection);
-  } else if (now_ - last_sign_of_life_ >= SILENT_CLIENT_FRAMES) {
+  } else if (now_ - last_sign_of_life_ >= settings_.silent_client_seconds * FRAMES_PER_SECOND) {
     DropClient("it was silent and another one came", true);
     Admit(connection);
   } else {
-    TurnAway(connection);
+    char reason[64];
+    sprintf(reason, "client %s is being served", client_->ClientName());
+    TurnAway(connection, reason);
   }
 }
 
@@ -248,10 +262,19 @@ void RCServer::Admit(Connection* newcomer) {
   ServeClient();
 }
 
-void RCServer::TurnAway(Connection* newcomer) {
-  OSYSPRINT(
-      ("RCServer: %s is turned away: client %s is being served\n", newcomer->ClientName(), client_->ClientName()));
+// However many come, the console is told once a second at most.
+void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   newcomer->Close(false);
+  ++turned_away_;
+  if (now_ - last_told_turned_away_ < FRAMES_PER_SECOND) {
+    return;
+  }
+  OSYSPRINT(("RCServer: %s is turned away: %s\n", newcomer->ClientName(), reason));
+  if (turned_away_ > 1) {
+    OSYSPRINT(("RCServer: %u more have been turned away since it was said last\n", turned_away_ - 1));
+  }
+  turned_away_ = 0;
+  last_told_turned_away_ = now_;
 }
 
 // Forgets the client with all that it left behind.

@@ -13,9 +13,12 @@
 
 #include "rcserver/CameraImage.h"
 #include "rcserver/Connection.h"
+#include "rcserver/HostSettings.h"
 #include "rcserver/JointDriver.h"
 #include "rcserver/JpegEncoder.h"
+#include "rcserver/Robot.h"
 #include "rcserver/Session.h"
+#include "rcserver/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
@@ -25,16 +28,11 @@
 /// When the robot starts, all joints hold where they are.
 class RCServer : public OObject {
  public:
-  /// A client that has sent nothing for so many frames, and to whom no send was completed, is taken for dead as soon
-  /// as another one wants its place: 10 s.
-  static const longword SILENT_CLIENT_FRAMES = 1250;
-
   /// A client of version 2 that has sent nothing for so many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
 
-  /// The newest version of the protocol that is spoken by servers started from now on: 1 or 2, which it is from the
-  /// beginning. For the host, where one stands in for an old server.
-  static void SetNewestVersion(int version) { newest_version = version; }
+  /// What servers started from now on find. For a computer that stands in for the robot.
+  static void SetHost(const HostSettings& settings) { host = settings; }
 
   RCServer();
   virtual ~RCServer() {}
@@ -75,7 +73,7 @@ class RCServer : public OObject {
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
-  void TurnAway(Connection* newcomer);
+  void TurnAway(Connection* newcomer, const char* reason);
   void DropClient(const char* reason, bool abort);
   void ServeClient();
   bool SendOutput();
@@ -85,18 +83,22 @@ class RCServer : public OObject {
   void CountStreamPicture();
   void ReportStream();
 
-  static int newest_version;
+  static HostSettings host;
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   Connection* client_;  ///< the connection that is served; NULL if there is none
   JointDriver joint_driver_;
   char design_[orobotdesignNAME_MAX];
-  Session* session_;  ///< with the client; there is one from DoInit to DoDestroy
+  Settings settings_;
+  Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session
+  Session* session_;  ///< with the client
   JpegEncoder encoder_;
   longword now_;
-  longword last_bytes_received_;   ///< from the client
-  longword last_sign_of_life_;     ///< of the client
-  longword last_attempt_;          ///< to listen
+  longword last_bytes_received_;  ///< from the client
+  longword last_sign_of_life_;    ///< of the client
+  longword last_attempt_;         ///< to listen
+  unsigned turned_away_;          ///< clients of whom the console has not been told
+  longword last_told_turned_away_;
   bool is_streaming_;              ///< as far as the console has been told
   unsigned image_count_;           ///< the camera's own count, which has 16 bits, carried on to 32
   unsigned last_of_stream_;        ///< image_count_ of the last picture of the stream

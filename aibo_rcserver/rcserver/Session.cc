@@ -10,13 +10,13 @@ using protocol::version2::FrameReader;
 const size_t Session::INPUT_CAPACITY;
 const size_t Session::MAX_PICTURE_HEADER_SIZE;
 
-Session::Session(const char* design, JointControl& joints, Motors& motors, int newest_version)
-    : joints_(joints),
+Session::Session(const Robot& robot, const Settings& settings, int newest_version)
+    : robot_(robot),
       newest_version_(newest_version),
       version_(1),
       is_over_(false),
-      version1_(joints, motors, camera_, outbox_),
-      version2_(design, joints, motors, camera_, outbox_),
+      version1_(robot, settings, camera_, outbox_),
+      version2_(robot, settings, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
       has_requests_(false),
       input_begin_(0),
@@ -37,7 +37,7 @@ void Session::Begin() {
 
 void Session::End() {
   camera_.ClientGone();
-  joints_.ClientGone();
+  robot_.joints.ClientGone();
   Begin();
 }
 

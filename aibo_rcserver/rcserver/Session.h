@@ -9,9 +9,9 @@
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
 #include "rcserver/ImageObserver.h"
-#include "rcserver/JointControl.h"
-#include "rcserver/Motors.h"
 #include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/Settings.h"
 #include "rcserver/Version1Commands.h"
 #include "rcserver/Version2Commands.h"
 
@@ -27,9 +27,9 @@ class Session {
   static const size_t MAX_PICTURE_HEADER_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
 
-  /// @param design of the robot, as OPEN-R names it
-  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2. All references must outlive this.
-  Session(const char* design, JointControl& joints, Motors& motors, int newest_version);
+  /// @param settings what clients may do
+  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2. All must outlive this.
+  Session(const Robot& robot, const Settings& settings, int newest_version);
 
   /// A client has come. It speaks version 1 until it asks for another one.
   void Begin();
@@ -79,7 +79,7 @@ class Session {
   void HandleVersion2(unsigned now);
   void ChangeToVersion2();
 
-  JointControl& joints_;
+  const Robot& robot_;
   const int newest_version_;
   int version_;
   bool is_over_;

@@ -1,7 +1,10 @@
 #include "rcserver/Version1Commands.h"
 
-Version1Commands::Version1Commands(JointControl& joints, const Motors& motors, ImageObserver& camera, Outbox& outbox)
-    : camera_(camera), replies_(outbox), joints_(joints, motors, replies_), sensors_(joints, replies_) {}
+Version1Commands::Version1Commands(const Robot& robot, const Settings&, ImageObserver& camera, Outbox& outbox)
+    : camera_(camera),
+      replies_(outbox),
+      joints_(robot.joints, robot.motors, replies_),
+      sensors_(robot.joints, replies_) {}
 
 void Version1Commands::Begin() {
   sensors_.Begin();

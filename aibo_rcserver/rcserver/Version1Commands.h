@@ -5,9 +5,9 @@
 
 #include "protocol/request_reader.h"
 #include "rcserver/ImageObserver.h"
-#include "rcserver/JointControl.h"
-#include "rcserver/Motors.h"
 #include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/Settings.h"
 #include "rcserver/Version1Joints.h"
 #include "rcserver/Version1Replies.h"
 #include "rcserver/Version1Sensors.h"
@@ -17,7 +17,7 @@
 class Version1Commands {
  public:
   /// All must outlive this.
-  Version1Commands(JointControl& joints, const Motors& motors, ImageObserver& camera, Outbox& outbox);
+  Version1Commands(const Robot& robot, const Settings& settings, ImageObserver& camera, Outbox& outbox);
 
   /// A new client.
   void Begin();

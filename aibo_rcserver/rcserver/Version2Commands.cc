@@ -20,14 +20,12 @@ void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
 
 }  // namespace
 
-Version2Commands::Version2Commands(const char* design, JointControl& joints, Motors& motors, ImageObserver& camera,
-                                   Outbox& outbox)
-    : design_(design),
-      robot_(joints.Robot()),
+Version2Commands::Version2Commands(const Robot& robot, const Settings&, ImageObserver& camera, Outbox& outbox)
+    : robot_(robot),
       replies_(outbox),
       camera_(camera, replies_),
-      joints_(joints, motors, replies_),
-      telemetry_(joints, replies_) {}
+      joints_(robot.joints, robot.motors, replies_),
+      telemetry_(robot.joints, replies_) {}
 
 void Version2Commands::Begin() {
   telemetry_.Begin();
@@ -77,13 +75,13 @@ void Version2Commands::Measured(unsigned frame) {
 
 void Version2Commands::Greet(const Request& request, unsigned now) {
   Hello hello;
-  CopyText(design_, hello.robot);
+  CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
   CopyText(CAPABILITIES, hello.capabilities);
   hello.frame_number = now;
-  hello.joint_count = static_cast<unsigned char>(robot_.number_of_joints);
-  for (int i = 0; i < robot_.number_of_joints; ++i) {
-    const Joint& joint = robot_.joints[i];
+  hello.joint_count = static_cast<unsigned char>(robot_.joints.NumberOfJoints());
+  for (int i = 0; i < robot_.joints.NumberOfJoints(); ++i) {
+    const Joint& joint = robot_.joints.Robot().joints[i];
     const JointLimits limits = {joint.identifier, joint.lowest, joint.highest, joint.highest_speed};
     hello.joints[i] = limits;
   }

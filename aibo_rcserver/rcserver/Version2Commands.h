@@ -4,9 +4,9 @@
 #define RCSERVER_VERSION2_COMMANDS_H
 
 #include "rcserver/ImageObserver.h"
-#include "rcserver/JointControl.h"
-#include "rcserver/Motors.h"
 #include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/Settings.h"
 #include "rcserver/Version2Camera.h"
 #include "rcserver/Version2Joints.h"
 #include "rcserver/Version2Replies.h"
@@ -16,8 +16,8 @@
 /// others by the class of their concern. Pure logic: no OPEN-R.
 class Version2Commands {
  public:
-  /// @param design of the robot, as OPEN-R names it. All must outlive this.
-  Version2Commands(const char* design, JointControl& joints, Motors& motors, ImageObserver& camera, Outbox& outbox);
+  /// All must outlive this.
+  Version2Commands(const Robot& robot, const Settings& settings, ImageObserver& camera, Outbox& outbox);
 
   /// A new client.
   void Begin();
@@ -42,8 +42,7 @@ class Version2Commands {
   void Greet(const Request& request, unsigned now);
   void RefuseUnknownKind(const Request& request);
 
-  const char* const design_;
-  const robot_model::RobotModel& robot_;
+  const Robot& robot_;
   Version2Replies replies_;
   Version2Camera camera_;
   Version2Joints joints_;

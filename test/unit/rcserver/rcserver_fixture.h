@@ -16,6 +16,7 @@
 #include "openr_host/machine.h"
 #include "openr_host/virtual_robot.h"
 #include "protocol/version1.h"
+#include "rcserver/HostSettings.h"
 #include "rcserver/RCServer.h"
 #include "test_client.h"
 
@@ -29,15 +30,18 @@ inline std::string request(char letter, int identifier, int value) {
 
 class RCServerFixture : public ::testing::Test {
  protected:
+  RCServerFixture() { host_.memory_stick = MEMORY_STICK; }
+
   // The machine speaks to the robot until its end.
   void TearDown() override { machine_.reset(); }
 
   void boot(openr_host::VirtualRobot& robot) {
     openr_host::MachineOptions options;
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
-    options.memory_stick = MEMORY_STICK;
+    options.memory_stick = host_.memory_stick;
     options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
     options.console = &console_;
+    RCServer::SetHost(host_);
     machine_ = std::make_unique<openr_host::Machine>(options, clock_, robot);
     machine_->boot();
     machine_->runPending();
@@ -84,6 +88,7 @@ class RCServerFixture : public ::testing::Test {
     }
   }
 
+  HostSettings host_;
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;

@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr unsigned kImagesUntilSilent = RCServer::SILENT_CLIENT_FRAMES / FakeRobot::kFramesPerImage;
+constexpr unsigned kImagesUntilSilent = 1250 / FakeRobot::kFramesPerImage;  // 10 s
 
 class RCServerTest : public RCServerFixture {
  protected:

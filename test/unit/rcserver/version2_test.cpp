@@ -273,9 +273,8 @@ TEST(NewestVersion, ServerThatIsToldToSpeakVersion1RefusesVersion2AndGoesOn) {
   class Version1Robot : public RCServerFixture {
    public:
     void TestBody() override {
-      RCServer::SetNewestVersion(1);
+      host_.newest_version = 1;
       boot(robot_);
-      RCServer::SetNewestVersion(VERSION);
       auto client = connectServed();
       client->send(request('X', 2));
       const std::optional<Reply> refusal = await(*client);

@@ -1,0 +1,16 @@
+/// @file Robot.h
+/// All of the robot that a client's commands work on.
+#ifndef RCSERVER_ROBOT_H
+#define RCSERVER_ROBOT_H
+
+#include "rcserver/JointControl.h"
+#include "rcserver/Motors.h"
+
+/// Everything here outlives the session.
+struct Robot {
+  const char* design;  ///< as OPEN-R names it
+  JointControl& joints;
+  Motors& motors;
+};
+
+#endif  // RCSERVER_ROBOT_H
