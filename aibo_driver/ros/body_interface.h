@@ -1,0 +1,48 @@
+/// @file body_interface.h
+#ifndef AIBO_DRIVER_BODY_INTERFACE_H
+#define AIBO_DRIVER_BODY_INTERFACE_H
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "aibo_driver/rcserver_client.h"
+#include "callback_thread.h"
+#include "expression_commander.h"
+#include "motion_file_services.h"
+#include "power_services.h"
+#include "sensor_publishers.h"
+#include "telemetry_stamper.h"
+
+namespace aibo_driver {
+
+/// All that the driver has to do with the robot's body except its joints: sensors, LEDs, ears, the motions on its
+/// memory stick, and its power. Commands and services are served by one thread of their own, so that a service that
+/// waits for the memory stick keeps neither pictures nor joints waiting.
+class BodyInterface {
+ public:
+  /// @param design of the robot, as OPEN-R names it
+  /// @param client must outlive the object
+  BodyInterface(const ros::NodeHandle& handle, const std::string& design, RcServerClient& client,
+                TelemetryStamper stamp_of);
+
+  /// A service that waits must have been ended before, by stopping the client.
+  ~BodyInterface();
+
+  BodyInterface(const BodyInterface&) = delete;
+  BodyInterface& operator=(const BodyInterface&) = delete;
+
+  /// Never blocks. From the client's thread.
+  void publishTelemetry(const Telemetry& telemetry) { sensors_.publish(telemetry); }
+
+ private:
+  SensorPublishers sensors_;
+  CallbackThread thread_;
+  ExpressionCommander expression_;
+  MotionFileServices motion_files_;
+  PowerServices power_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_BODY_INTERFACE_H

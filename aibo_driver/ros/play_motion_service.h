@@ -1,0 +1,34 @@
+/// @file play_motion_service.h
+#ifndef AIBO_DRIVER_PLAY_MOTION_SERVICE_H
+#define AIBO_DRIVER_PLAY_MOTION_SERVICE_H
+
+#include <aibo_driver/PlayMotion.h>
+#include <ros/node_handle.h>
+
+#include <chrono>
+#include <functional>
+
+#include "aibo_driver/rcserver_client.h"
+
+namespace aibo_driver {
+
+/// The service play_motion: plays what is on the robot's memory stick, or stops it.
+class PlayMotionService {
+ public:
+  static constexpr std::chrono::milliseconds kTimeout{2000};
+
+  /// @param client must outlive the service
+  /// @param begun called after the robot has begun to play a motion; from the handle's callback queue
+  PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> begun);
+
+ private:
+  bool playMotion(PlayMotion::Request& request, PlayMotion::Response& response);
+
+  RcServerClient& client_;
+  const std::function<void()> begun_;
+  ros::ServiceServer server_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_PLAY_MOTION_SERVICE_H

@@ -1,0 +1,37 @@
+/// @file sensor_publishers.h
+#ifndef AIBO_DRIVER_SENSOR_PUBLISHERS_H
+#define AIBO_DRIVER_SENSOR_PUBLISHERS_H
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/telemetry.h"
+#include "telemetry_stamper.h"
+
+namespace aibo_driver {
+
+/// Publishes what the robot measures beside its joints: range/NAME, imu/data_raw, touch and battery. Only topics of
+/// sensors that the robot has are advertised; a message is published when there is something new for it.
+class SensorPublishers {
+ public:
+  /// @param design of the robot, as OPEN-R names it: "ERS-7" or "ERS-210"
+  SensorPublishers(const ros::NodeHandle& handle, const std::string& design, TelemetryStamper stamp_of);
+
+  /// Never blocks. From one thread at a time.
+  void publish(const Telemetry& telemetry);
+
+ private:
+  template <typename Sensor>
+  void add(const std::string& topic, const std::string& frame_id, Sensor sensor);
+
+  ros::NodeHandle handle_;
+  const TelemetryStamper stamp_of_;
+  std::vector<std::function<void(const Telemetry&)>> publishers_;  ///< one a topic
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_SENSOR_PUBLISHERS_H
