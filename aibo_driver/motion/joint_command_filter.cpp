@@ -71,7 +71,7 @@ void JointCommandFilter::startApproach() {
 JointOrder JointCommandFilter::orderFor(std::size_t index, double position, double velocity, SteadyTime now) {
   const JointProperties& joint = table_[index];
   const double target = std::clamp(position, joint.lowest, joint.highest);
-  double speed = joint.speed_limit;
+  double speed = table_.speedLimit(index);
   if (velocity != 0) {
     speed = std::clamp(std::abs(velocity), kLowestSpeed, speed);
   }

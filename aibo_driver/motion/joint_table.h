@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_MOTION_JOINT_TABLE_H
 #define AIBO_DRIVER_MOTION_JOINT_TABLE_H
 
+#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@ struct JointProperties {
   int id = 0;  ///< RCServer identifier
   double lowest = 0;
   double highest = 0;
-  double speed_limit = 0;  ///< rad/s
+  double highest_speed = 0;  ///< rad/s; how fast it may move at present, JointTable::speedLimit() tells
 };
 
 /// The joints of a robot, as aibo_rcserver/robot_model lists them, in radian.
@@ -31,12 +32,20 @@ class JointTable {
   std::size_t size() const { return joints_.size(); }
   const JointProperties& operator[](std::size_t index) const { return joints_[index]; }
 
+  /// How fast the joint may move at present, in rad/s. From any thread.
+  double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
+
+  /// Lets all joints move slower than their limits. From any thread.
+  /// @param scale above 0, at most 1; 1 at the beginning
+  void setSpeedScale(double scale) { speed_scale_ = scale; }
+
   std::optional<std::size_t> findByName(const std::string& name) const;
   std::optional<std::size_t> findById(int id) const;
 
  private:
   std::string design_;
   std::vector<JointProperties> joints_;
+  std::atomic<double> speed_scale_{1.0};
 };
 
 }  // namespace aibo_driver

@@ -54,7 +54,7 @@ Trajectory::Trajectory(const TrajectoryRequest& request, const JointTable& table
                  " rad, and is at " + number(from.positions[i]) +
                  " rad: give the first point a later time_from_start, or set the parameter slow_down");
         }
-        wait = std::max(wait, way / joint.speed_limit);
+        wait = std::max(wait, way / table.speedLimit(joints_[i]));
       }
     }
     if (wait > 0) {
@@ -202,14 +202,14 @@ void Trajectory::keepSpeeds(const JointTable& table, bool slow_down) {
   double factor = 1;
   for (const Segment& segment : segments_) {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const JointProperties& joint = table[joints_[i]];
+      const double limit = table.speedLimit(joints_[i]);
       const double speed = segment.joints[i].highestSpeed(segment.length);
-      if (speed > joint.speed_limit * kSpeedTolerance && !slow_down) {
-        refuse("from " + number(segment.begin) + " to " + number(segment.begin + segment.length) + " s, " + joint.name +
-               " would have to move with " + number(speed) + " rad/s; its limit is " + number(joint.speed_limit) +
-               " rad/s: give it more time, or set the parameter slow_down");
+      if (speed > limit * kSpeedTolerance && !slow_down) {
+        refuse("from " + number(segment.begin) + " to " + number(segment.begin + segment.length) + " s, " +
+               table[joints_[i]].name + " would have to move with " + number(speed) + " rad/s; its limit is " +
+               number(limit) + " rad/s: give it more time, or set the parameter slow_down");
       }
-      factor = std::max(factor, speed / joint.speed_limit);
+      factor = std::max(factor, speed / limit);
     }
   }
   if (factor > kSpeedTolerance) {

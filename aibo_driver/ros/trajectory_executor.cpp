@@ -188,7 +188,7 @@ void TrajectoryExecutor::send(const std::vector<std::size_t>& joints, const std:
   std::vector<JointOrder> orders;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointProperties& joint = table_[joints[i]];
-    orders.push_back({joint.id, std::clamp(positions[i], joint.lowest, joint.highest), joint.speed_limit});
+    orders.push_back({joint.id, std::clamp(positions[i], joint.lowest, joint.highest), table_.speedLimit(joints[i])});
   }
   link_.send(orders, duration);
 }

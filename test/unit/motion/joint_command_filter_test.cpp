@@ -43,7 +43,7 @@ class JointCommandFilterTest : public ::testing::Test {
     measured_.update(telemetry);
   }
 
-  const JointTable table_{"ERS-7", kSpeedLimit};
+  JointTable table_{"ERS-7", kSpeedLimit};
   MeasuredJoints measured_{table_};
   JointCommandFilter filter_{table_, measured_, kApproachSpeed};
   JointCommandFilter::SteadyTime now_{seconds(1000)};
@@ -55,6 +55,13 @@ TEST_F(JointCommandFilterTest, PassesPositionsWithinTheLimits) {
   EXPECT_EQ(result.id, kHeadPan);
   EXPECT_DOUBLE_EQ(result.position, 0.5);
   EXPECT_DOUBLE_EQ(result.speed, kSpeedLimit);
+}
+
+TEST_F(JointCommandFilterTest, ScalesTheSpeed) {
+  arrive("head_pan", 0);
+  table_.setSpeedScale(0.5);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {}}).speed, kSpeedLimit / 2);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {kSpeedLimit}}).speed, kSpeedLimit / 2);
 }
 
 TEST_F(JointCommandFilterTest, ClampsPositionsToTheLimits) {

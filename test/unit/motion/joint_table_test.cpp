@@ -15,14 +15,21 @@ TEST(JointTable, ListsTheServosOfTheErs7InRadian) {
   EXPECT_EQ(table[*pan].id, 2);
   EXPECT_NEAR(table[*pan].lowest, -1.535890, 1e-6);  // -88 degrees
   EXPECT_NEAR(table[*pan].highest, 1.535890, 1e-6);
-  EXPECT_NEAR(table[*pan].speed_limit, 10.05746, 1e-5);
+  EXPECT_NEAR(table.speedLimit(*pan), 10.05746, 1e-5);
   EXPECT_EQ(table.findById(2), pan);
 }
 
 TEST(JointTable, TakesTheLowerOfTwoSpeedLimits) {
   const JointTable table("ERS-7", 4);
-  EXPECT_DOUBLE_EQ(table[*table.findByName("head_pan")].speed_limit, 4);
-  EXPECT_NEAR(table[*table.findByName("neck_tilt")].speed_limit, 3.185226, 1e-6);
+  EXPECT_DOUBLE_EQ(table.speedLimit(*table.findByName("head_pan")), 4);
+  EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 3.185226, 1e-6);
+}
+
+TEST(JointTable, ScalesTheSpeedLimitsOfAllJoints) {
+  JointTable table("ERS-7", 4);
+  table.setSpeedScale(0.5);
+  EXPECT_DOUBLE_EQ(table.speedLimit(*table.findByName("head_pan")), 2);
+  EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 0.5 * 3.185226, 1e-6);
 }
 
 TEST(JointTable, KnowsOtherRobotsByTheirDesign) {

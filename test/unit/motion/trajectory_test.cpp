@@ -43,7 +43,7 @@ class TrajectoryTest : public ::testing::Test {
     return highest;
   }
 
-  const JointTable table_{"ERS-7", kSpeedLimit};
+  JointTable table_{"ERS-7", kSpeedLimit};
   const std::size_t pan_ = *table_.findByName("head_pan");
   const std::size_t mouth_ = *table_.findByName("mouth");
   double present_pan_ = 0;
@@ -129,6 +129,12 @@ TEST_F(TrajectoryTest, RefusesSpeedsBeyondTheLimitAndNamesBoth) {
               AllOf(HasSubstr("head_pan"), HasSubstr("5.000 rad/s"), HasSubstr("3.000 rad/s"), HasSubstr("slow_down")));
   EXPECT_THAT(refusal(pan({{0.4, {1}, {0}}})), HasSubstr("3.75")) << "the middle of a cubic is its fastest";
   EXPECT_EQ(refusal(pan({{1.0 / 3, {1}, {}}})), "accepted") << "exactly the limit";
+}
+
+TEST_F(TrajectoryTest, KeepsScaledSpeeds) {
+  table_.setSpeedScale(0.5);
+  EXPECT_THAT(refusal(pan({{1.0 / 3, {1}, {}}})), HasSubstr("its limit is 1.500 rad/s"));
+  EXPECT_NEAR(plan(pan({{1.0 / 3, {1}, {}}}), true).stretch(), 2, 1e-9);
 }
 
 TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
