@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_JOINT_COMMANDER_H
 #define AIBO_DRIVER_JOINT_COMMANDER_H
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/JointState.h>
@@ -51,7 +52,7 @@ class JointCommander {
   JointLink& link_;
   const std::function<void(const std::vector<JointOrder>&)> commanded_;
   JointCommandFilter filter_;
-  ThrottledWarnings warnings_;
+  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   std::uint64_t connection_ = 0;       ///< over which what follows is to be sent
   std::map<int, JointOrder> waiting_;  ///< by id
   ros::SteadyTimer collecting_;

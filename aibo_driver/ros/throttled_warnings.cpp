@@ -1,7 +1,5 @@
 #include "throttled_warnings.h"
 
-#include <ros/console.h>
-
 #include <cstddef>
 
 namespace aibo_driver {
@@ -24,7 +22,7 @@ void ThrottledWarnings::warn(const std::string& text) {
     last_.clear();
   }
   last_[text] = now;
-  ROS_WARN_STREAM_NAMED("joints", text);
+  log_(text);
 }
 
 }  // namespace aibo_driver

@@ -3,8 +3,10 @@
 #define AIBO_DRIVER_THROTTLED_WARNINGS_H
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace aibo_driver {
 
@@ -12,9 +14,13 @@ namespace aibo_driver {
 /// and hides no other. From one thread at a time.
 class ThrottledWarnings {
  public:
+  /// @param log logs a warning, under the logger of what is warned about
+  explicit ThrottledWarnings(std::function<void(const std::string& text)> log) : log_(std::move(log)) {}
+
   void warn(const std::string& text);
 
  private:
+  const std::function<void(const std::string&)> log_;
   std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged
 };
 
