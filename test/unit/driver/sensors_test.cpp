@@ -122,10 +122,14 @@ class TouchSensorsTest : public ::testing::Test {
 
 TEST_F(TouchSensorsTest, TellsOfEachSensorUnderItsName) {
   const std::vector<std::pair<std::string, std::uint8_t Touch::*>> fields = {
-      {"paw_left_front", &Touch::paw_left_front},   {"paw_left_hind", &Touch::paw_left_hind},
-      {"paw_right_front", &Touch::paw_right_front}, {"paw_right_hind", &Touch::paw_right_hind},
-      {"chin", &Touch::chin},                       {"head_touch", &Touch::head},
-      {"back_front", &Touch::back_front},           {"back_middle", &Touch::back_middle},
+      {"paw_left_front", &Touch::paw_left_front},
+      {"paw_left_hind", &Touch::paw_left_hind},
+      {"paw_right_front", &Touch::paw_right_front},
+      {"paw_right_hind", &Touch::paw_right_hind},
+      {"chin", &Touch::chin},
+      {"head_touch", &Touch::head},
+      {"back_front", &Touch::back_front},
+      {"back_middle", &Touch::back_middle},
       {"back_rear", &Touch::back_rear}};
   for (const auto& touched : fields) {
     Readings readings;
