@@ -342,7 +342,7 @@ const char* decodeEarPositions(const unsigned char* payload, size_t size, EarPos
     return WRONG_SIZE;
   }
   if (payload[0] > 1 || payload[1] > 1) {
-    return "the position of an ear is neither 0 nor 1";
+    return "an ear is neither drawn (1) nor let go (0)";
   }
   positions->left = payload[0] == 1;
   positions->right = payload[1] == 1;

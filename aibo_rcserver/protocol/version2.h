@@ -61,7 +61,7 @@ const char REQUEST_SPEED_LIMITS = 'V';  ///< speed limits of joints, set or read
 const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force, values are then pushed
 const char REQUEST_MOTORS = 'O';        ///< motors on or off, or asks which; answered by the state in force
 const char REQUEST_LEDS = 'L';          ///< LEDs to intensities; answered by what was accepted
-const char REQUEST_EARS = 'K';          ///< ears up or down; answered by what was accepted
+const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by what was accepted
 const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
 const char REQUEST_DELETE = 'D';        ///< deletes a motion
 const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
@@ -189,10 +189,10 @@ const size_t MAX_LED_VALUES_SIZE = MAX_LEDS * 4;
 size_t encodeLedValues(const LedValues& values, unsigned char* out);
 const char* decodeLedValues(const unsigned char* payload, size_t size, LedValues* values);
 
-/// Payload of `K` and of its reply: uint8 left, uint8 right; each is one of the ear's two positions.
+/// Payload of `K` and of its reply: uint8 left, uint8 right; 1 = drawn by its magnet, 0 = let go.
 struct EarPositions {
-  bool left;
-  bool right;
+  bool left;   ///< in a request: draw it; in a reply: it is drawn now
+  bool right;  ///< the same
 };
 
 const size_t EAR_POSITIONS_SIZE = 2;

@@ -140,7 +140,7 @@ struct Led {
 /// How OPEN-R is told about an ear: by JOINT_COMMAND3 or by JOINT_COMMAND4.
 enum EarKind { EAR_JOINT3, EAR_JOINT4 };
 
-/// One ear: up or down, and not to be held energised (MI).
+/// One ear: drawn by a magnet, which is not to be held energised (MI), or let go.
 struct Ear {
   const char* name;          ///< "left_ear", "right_ear"
   unsigned char identifier;  ///< on the wire, a numbering of its own: 1 left, 2 right
