@@ -6,9 +6,9 @@
 
 namespace aibo_driver {
 
-void checkRange(const char* name, long long value, long long lowest, long long highest, const char* unit) {
+void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit) {
   if (value < lowest || value > highest) {
-    throw InvalidArgumentException(std::string(name) + " is " + std::to_string(value) + unit + ", but has to be " +
+    throw InvalidArgumentException(name + " is " + std::to_string(value) + unit + ", but has to be " +
                                    std::to_string(lowest) + ".." + std::to_string(highest) + unit);
   }
 }

@@ -2,6 +2,8 @@
 #ifndef AIBO_DRIVER_CLIENT_CLIENT_OPTIONS_H
 #define AIBO_DRIVER_CLIENT_CLIENT_OPTIONS_H
 
+#include <string>
+
 #include "aibo_driver/rcserver_client.h"
 
 namespace aibo_driver {
@@ -10,7 +12,7 @@ namespace aibo_driver {
 void checkClientOptions(const ClientOptions& options);
 
 /// @throw InvalidArgumentException if the value is outside of lowest..highest; the message says so
-void checkRange(const char* name, long long value, long long lowest, long long highest, const char* unit = "");
+void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit = "");
 
 }  // namespace aibo_driver
 

@@ -3,7 +3,6 @@
 #define AIBO_DRIVER_CLIENT_JOINT_COMMANDS_H
 
 #include <chrono>
-#include <cstddef>
 #include <deque>
 #include <vector>
 
@@ -11,34 +10,23 @@
 
 namespace aibo_driver {
 
-/// @throw InvalidArgumentException naming what is wrong, if RcServerClient::commandJoints() does not take it
-void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
-
-/// @throw InvalidArgumentException naming what is wrong, if RcServerClient::setJointSpeedLimits() does not take it
-void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
-
 /// Joints that are told together where to go.
 struct JointCommand {
   std::chrono::milliseconds duration{0};
   std::vector<JointTarget> targets;
 };
 
-/// What the joints have been told and has not been sent yet. Never grows without end: it holds each joint once, with
-/// its latest target, which takes the place in the queue that an older one had. So no joint waits for ever, however
-/// fast commands come.
+/// Where the joints have been told to go and what has not been sent yet. As with LatestById each joint is there once,
+/// with its latest target, which takes the place in the queue that an older one had; and joints that were told together
+/// stay together.
 class JointCommands {
  public:
   void add(const JointCommand& command);
-  void add(const std::vector<JointSpeedLimit>& limits);
 
   /// Adds what came later.
   void append(const JointCommands& newer);
 
-  bool hasSpeedLimits() const { return !speed_limits_.empty(); }
-  bool hasTargets() const { return !commands_.empty(); }
-
-  /// Takes the oldest speed limits, at most so many.
-  std::vector<JointSpeedLimit> takeSpeedLimits(std::size_t most);
+  bool empty() const { return commands_.empty(); }
 
   /// Takes the oldest command. There has to be one.
   JointCommand takeCommand();
@@ -48,7 +36,6 @@ class JointCommands {
 
  private:
   std::deque<JointCommand> commands_;  // none without targets
-  std::vector<JointSpeedLimit> speed_limits_;
 };
 
 }  // namespace aibo_driver

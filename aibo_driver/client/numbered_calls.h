@@ -13,7 +13,7 @@
 
 namespace aibo_driver {
 
-/// Calls that wait for a version 2 server, each for the reply with its request's number.
+/// Calls that wait for the robot, each for the reply with its request's number.
 /// @tparam Call has `timeout`, `deadline` and fail()
 template <typename Call>
 class NumberedCalls {
@@ -24,10 +24,7 @@ class NumberedCalls {
   void add(Call call) { calls_.push_back({kNotSent, std::move(call)}); }
 
   /// The oldest call whose request has not been sent; null if there is none.
-  const Call* firstUnsent() const {
-    const auto found = find(kNotSent);
-    return found == calls_.end() ? nullptr : &found->call;
-  }
+  const Call* firstUnsent() const { return get(kNotSent); }
 
   /// The request of firstUnsent() has been sent with this number.
   void sent(int number) { find(kNotSent)->number = number; }
@@ -36,6 +33,12 @@ class NumberedCalls {
   void sendAgain(int number) { find(number)->number = kNotSent; }
 
   bool has(int number) const { return find(number) != calls_.end(); }
+
+  /// The call that waits for this number; null if none does.
+  const Call* get(int number) const {
+    const auto found = find(number);
+    return found == calls_.end() ? nullptr : &found->call;
+  }
 
   /// Takes the call that waits for this number, if it does.
   std::optional<Call> take(int number) {

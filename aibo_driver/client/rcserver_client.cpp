@@ -12,6 +12,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "client/client_options.h"
+#include "client/command_checks.h"
 #include "client/counters.h"
 #include "client/fault.h"
 #include "client/notifier.h"
@@ -25,6 +26,8 @@
 #include "protocol/version2.h"
 
 namespace aibo_driver {
+
+namespace version2 = protocol::version2;
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
@@ -44,8 +47,8 @@ bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
 /// Calls that have come in and that the client's thread has not seen yet.
 struct News {
   std::vector<PictureRequest> pictures;
-  std::vector<MotorRequest> motors;
-  JointCommands joint_commands;
+  std::vector<RobotRequest> robot;
+  Commands commands;
 };
 
 /// Throws what a call has failed with, if it has.
@@ -143,23 +146,70 @@ class RcServerClient::Implementation {
     return call(std::move(request), timeout, &News::pictures, "takePicture()");
   }
 
-  MotorAnswer setMotors(bool on, milliseconds timeout) {
-    MotorRequest request;
-    request.on = on;
-    return call(std::move(request), timeout, &News::motors, "setMotors()");
+  RobotAnswer setMotors(bool on, milliseconds timeout) {
+    return ask(version2::REQUEST_MOTORS, "", on ? 1 : 0, {}, timeout, "setMotors()");
   }
+
+  void playMotion(const std::string& name, int repetitions, milliseconds timeout) {
+    checkRange("repetitions", repetitions, 1, 65535);
+    ask(version2::REQUEST_PLAY, checkedMotionName(name), repetitions, {}, timeout, "playMotion()");
+  }
+
+  void stopMotion(const std::string& name, milliseconds timeout) {
+    ask(version2::REQUEST_PLAY, name.empty() ? name : checkedMotionName(name), 0, {}, timeout, "stopMotion()");
+  }
+
+  void uploadMotion(const std::string& name, const RobotRequest::Bytes& content, milliseconds timeout) {
+    checkMotionContent(content);
+    ask(version2::REQUEST_UPLOAD, checkedMotionName(name), 0, content, timeout, "uploadMotion()");
+  }
+
+  void deleteMotion(const std::string& name, milliseconds timeout) {
+    ask(version2::REQUEST_DELETE, checkedMotionName(name), 0, {}, timeout, "deleteMotion()");
+  }
+
+  RobotAnswer listMotions(milliseconds timeout) {
+    return ask(version2::REQUEST_LIST, "", 0, {}, timeout, "listMotions()");
+  }
+
+  void shutDownRobot(milliseconds timeout) { ask(version2::REQUEST_SHUT_DOWN, "", 0, {}, timeout, "shutDownRobot()"); }
+
+  void rebootRobot(milliseconds timeout) { ask(version2::REQUEST_REBOOT, "", 0, {}, timeout, "rebootRobot()"); }
 
   void commandJoints(const std::vector<JointTarget>& targets, milliseconds duration) {
     checkJointTargets(targets, duration);
-    tellJoints(protocol::version2::REQUEST_JOINTS, JointCommand{duration, targets});
+    tell(version2::REQUEST_JOINTS, "joints", JointCommand{duration, targets});
   }
 
   void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
     checkJointSpeedLimits(limits);
-    tellJoints(protocol::version2::REQUEST_SPEED_LIMITS, limits);
+    tell(version2::REQUEST_SPEED_LIMITS, "joints", limits);
+  }
+
+  void commandLeds(const std::vector<LedCommand>& leds) {
+    checkLedCommands(leds);
+    tell(version2::REQUEST_LEDS, "LEDs", leds);
+  }
+
+  void commandEars(bool left, bool right) {
+    tell(version2::REQUEST_EARS, "ears",
+         std::vector<EarCommand>{{EarCommand::kLeft, left}, {EarCommand::kRight, right}});
   }
 
  private:
+  /// Has the robot do something.
+  RobotAnswer ask(char letter, const std::string& name, int number, const RobotRequest::Bytes& content,
+                  milliseconds timeout, const std::string& caller) {
+    RobotRequest request;
+    request.letter = letter;
+    request.name = name;
+    request.number = number;
+    request.content = content;
+    RobotAnswer answer = call(std::move(request), timeout, &News::robot, caller);
+    throwUnlessDone(answer.outcome, answer.problem);
+    return answer;
+  }
+
   /// Hands a request to the client's thread, and waits for its answer.
   template <typename Request>
   typename Request::Answer call(Request request, milliseconds timeout, std::vector<Request> News::*queue,
@@ -180,16 +230,18 @@ class RcServerClient::Implementation {
     return answer.get();
   }
 
+  /// Hands a command to the client's thread.
+  /// @param parts of the body that it is for
   template <typename Command>
-  void tellJoints(char request, const Command& command) {
+  void tell(char request, const std::string& parts, const Command& command) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       requireConnection();
       if (status_.protocol_version > 1 && !status_.robot.hasCapability(std::string(1, request))) {
         throw CommandException(address_ + " (" + status_.robot.server + ") does not take the request '" + request +
-                               "': it has no joints that could be told to move");
+                               "': it has no " + parts + " that could be told anything");
       }
-      news_.joint_commands.add(command);
+      news_.commands.add(command);
     }
     transport_->wakeUp();
   }
@@ -261,7 +313,7 @@ class RcServerClient::Implementation {
 
   // Finds out which version of the protocol the server speaks.
   void beginSession() {
-    const SessionContext context = {address_, options_.read_timeout, notifier_, counters_};
+    const SessionContext context = {address_, options_.read_timeout, notifier_, counters_, counters_.connections};
     if (options_.protocol_version == 1) {
       begin<Version1Session>(context, habits_, Version1Session::VersionAnswer::kNotAsked, connected_);
       return;
@@ -326,10 +378,10 @@ class RcServerClient::Implementation {
     for (PictureRequest& request : news.pictures) {
       session_->add(std::move(request), now);
     }
-    for (MotorRequest& request : news.motors) {
+    for (RobotRequest& request : news.robot) {
       session_->add(std::move(request));
     }
-    session_->add(news.joint_commands);
+    session_->add(news.commands);
     return wish;
   }
 
@@ -521,9 +573,44 @@ void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& lim
 }
 
 bool RcServerClient::setMotors(bool on, milliseconds timeout) {
-  const MotorAnswer answer = implementation_->setMotors(on, timeout);
-  throwUnlessDone(answer.outcome, answer.problem);
-  return answer.on;
+  return implementation_->setMotors(on, timeout).motors_on;
+}
+
+void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
+  implementation_->commandLeds(leds);
+}
+
+void RcServerClient::commandEars(bool left, bool right) {
+  implementation_->commandEars(left, right);
+}
+
+void RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout) {
+  implementation_->playMotion(name, repetitions, timeout);
+}
+
+void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
+  implementation_->stopMotion(name, timeout);
+}
+
+void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
+                                  milliseconds timeout) {
+  implementation_->uploadMotion(name, content, timeout);
+}
+
+void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {
+  implementation_->deleteMotion(name, timeout);
+}
+
+std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
+  return implementation_->listMotions(timeout).names;
+}
+
+void RcServerClient::shutDownRobot(milliseconds timeout) {
+  implementation_->shutDownRobot(timeout);
+}
+
+void RcServerClient::rebootRobot(milliseconds timeout) {
+  implementation_->rebootRobot(timeout);
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {

@@ -45,7 +45,7 @@ std::size_t ReplyParser::takeHeader(const std::uint8_t* data, std::size_t size, 
   }
   if (whole == protocol::VALUE_REPLY_SIZE) {
     header_size_ = 0;
-    handler.onValueReply(protocol::decodeValueReply(header_.data()));
+    handler.onValueReply(protocol::decodeValueReply(header_.data()), first_byte_time_);
   } else if (protocol::decodePictureHeader(header_.data(), &missing_)) {
     jpeg_.reserve(missing_);
   } else {

@@ -18,7 +18,7 @@ class ReplyHandler {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   virtual void onPicture(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time) = 0;
-  virtual void onValueReply(const protocol::ValueReply& reply) = 0;
+  virtual void onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) = 0;
 
  protected:
   ~ReplyHandler() = default;

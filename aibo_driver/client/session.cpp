@@ -12,11 +12,17 @@ namespace {
 
 // However impatient the user is with pictures: an answer may have to wait behind one.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
+// What a weak wireless link of 1 Mbit/s leaves beside a stream, and a memory stick takes.
+constexpr std::size_t kSlowestTransfer = 32 * 1024;  // bytes/s
 
 }  // namespace
 
 Session::Session(const SessionContext& context, TimePoint connected)
-    : context_(context), stream_(connected), stall_detector_(connected), last_picture_sign_(connected) {}
+    : context_(context),
+      stream_(connected),
+      stall_detector_(connected),
+      last_picture_sign_(connected),
+      transfer_end_(connected) {}
 
 void Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   counters().bytes_received += size;
@@ -52,6 +58,7 @@ Session::MutablePicturePtr Session::inspect(Bytes jpeg, TimePoint first_byte_tim
   picture->first_byte_time = first_byte_time;
   picture->width = inspection.width;
   picture->height = inspection.height;
+  picture->connection_number = context_.connection_number;
   return picture;
 }
 
@@ -80,6 +87,10 @@ std::string Session::damageRemark() const {
   return last_damage_.empty() ? "." : "; the last one was damaged: " + last_damage_ + ".";
 }
 
+void Session::transferBegins(std::size_t size, TimePoint now) {
+  transfer_end_ = std::max(transfer_end_, now) + std::chrono::milliseconds(size * 1000 / kSlowestTransfer);
+}
+
 void Session::failSilent() const {
   throw Fault::silent(address(), context_.read_timeout);
 }
@@ -88,19 +99,19 @@ std::chrono::milliseconds Session::answerLimit() const {
   return std::max(context_.read_timeout, kShortestAnswerLimit);
 }
 
-void Session::noteRefusal(const std::string& problem) {
+void Session::noteRefusal(char letter, const std::string& problem) {
   ++counters().refusals;
-  if (problem != std::exchange(last_refusal_, problem)) {
+  if (problem != std::exchange(last_refusals_[letter], problem)) {
     notifier().log(LogLevel::kWarn, address() + " refused " + problem + ".");
   }
 }
 
 void Session::publishAccepted(const std::vector<JointTarget>& targets) {
-  last_refusal_.clear();
   notifier().jointsAccepted(targets);
 }
 
-void Session::publish(const Telemetry& telemetry) {
+void Session::publish(Telemetry telemetry) {
+  telemetry.connection_number = context_.connection_number;
   ++counters().telemetry;
   notifier().telemetry(telemetry);
 }

@@ -2,19 +2,21 @@
 #ifndef AIBO_DRIVER_CLIENT_SESSION_H
 #define AIBO_DRIVER_CLIENT_SESSION_H
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "aibo_driver/robot_info.h"
+#include "client/commands.h"
 #include "client/counters.h"
-#include "client/joint_commands.h"
-#include "client/motor_request.h"
 #include "client/notifier.h"
 #include "client/picture_requests.h"
+#include "client/robot_request.h"
 #include "client/stall_detector.h"
 #include "client/stream_control.h"
 
@@ -33,6 +35,7 @@ struct SessionContext {
   std::chrono::milliseconds read_timeout;  ///< a server that owes a picture and is silent for so long is given up
   const Notifier& notifier;
   Counters& counters;
+  std::uint64_t connection_number = 0;  ///< 1 for the client's first
 };
 
 /// One connection to a server, from the moment the version of the protocol is clear to its end: what to send, what to
@@ -50,11 +53,11 @@ class Session {
   /// Takes over a call of takePicture().
   virtual void add(PictureRequest request, TimePoint now) = 0;
 
-  /// Takes over a call of setMotors().
-  virtual void add(MotorRequest request) = 0;
+  /// Takes over a call that has the robot do something.
+  virtual void add(RobotRequest request) = 0;
 
-  /// Takes over commands to the joints.
-  void add(const JointCommands& commands) { joint_commands_.append(commands); }
+  /// Takes over commands to the body.
+  void add(const Commands& commands) { commands_.append(commands); }
 
   /// Ends all calls that are waiting.
   virtual void failRequests(CallOutcome outcome, const std::string& problem) = 0;
@@ -136,25 +139,35 @@ class Session {
   /// A picture is coming, or was asked for just now.
   void signOfPicture(TimePoint now) { last_picture_sign_ = now; }
 
+  /// A large request goes off: until it has gone through, pictures and answers take their time.
+  void transferBegins(std::size_t size, TimePoint now);
+  /// It has been answered.
+  void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
+
   /// When a picture is overdue that is due now.
-  TimePoint pictureSilenceLimit() const { return last_picture_sign_ + context_.read_timeout; }
+  TimePoint pictureSilenceLimit() const { return std::max(last_picture_sign_, transfer_end_) + context_.read_timeout; }
   /// @throw Fault always
   [[noreturn]] void failSilent() const;
 
   /// An answer that takes longer will not come.
   std::chrono::milliseconds answerLimit() const;
+  /// When the answer to a request that is sent now is overdue.
+  TimePoint answerLimit(TimePoint now) const { return std::max(now, transfer_end_) + answerLimit(); }
 
   /// When the stall detector wants to look at the socket again.
   TimePoint nextLook() const { return stream_.on() ? stall_detector_.nextLook() : TimePoint::max(); }
 
-  /// Counts a request that the robot refused, and logs it, but not again and again.
-  void noteRefusal(const std::string& problem);
+  /// Counts a command or a poll that the robot refused, and logs it, but not again and again.
+  /// @param letter of the request
+  void noteRefusal(char letter, const std::string& problem);
+  /// The robot took such a request: its next refusal is news.
+  void noteAcceptance(char letter) { last_refusals_.erase(letter); }
   /// Gives the joints that were accepted to the client's owner.
   void publishAccepted(const std::vector<JointTarget>& targets);
   /// Gives telemetry to the client's owner.
-  void publish(const Telemetry& telemetry);
+  void publish(Telemetry telemetry);
 
-  JointCommands joint_commands_;
+  Commands commands_;
   RobotInfo robot_;
   std::string robot_message_;
 
@@ -163,9 +176,10 @@ class Session {
   StreamControl stream_;
   StallDetector stall_detector_;
   TimePoint last_picture_sign_;
+  TimePoint transfer_end_;  // of a large request, at the latest
   TimePoint now_;
   std::string last_damage_;
-  std::string last_refusal_;
+  std::map<char, std::string> last_refusals_;  // by the request's letter
 };
 
 }  // namespace aibo_driver

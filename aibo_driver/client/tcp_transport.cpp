@@ -28,6 +28,9 @@ constexpr int kKeepAliveInterval = 1;  // s
 constexpr int kKeepAliveCount = 3;
 // A request that is not acknowledged for so long will not be.
 constexpr int kUserTimeout = 2000;  // ms
+// The largest request is the upload of a motion, 64 KiB; all others are a few bytes. So many are unsent only if the
+// peer has not read for ages.
+constexpr std::size_t kMostUnsent = 1024 * 1024;
 
 std::string describe(int error) {
   return std::generic_category().message(error);
@@ -140,7 +143,11 @@ FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint d
 }
 
 bool TcpTransport::wait(TimePoint deadline) {
-  return pollOnce(socket_.get(), POLLIN, deadline);
+  const short events = pollOnce(socket_.get(), unsent_.empty() ? POLLIN : POLLIN | POLLOUT, deadline);
+  if ((events & POLLOUT) != 0) {
+    sendOn();
+  }
+  return (events & ~POLLOUT) != 0;
 }
 
 std::size_t TcpTransport::receive(std::uint8_t* buffer, std::size_t capacity) {
@@ -158,18 +165,25 @@ std::size_t TcpTransport::receive(std::uint8_t* buffer, std::size_t capacity) {
 }
 
 void TcpTransport::send(const std::uint8_t* data, std::size_t size) {
-  const ssize_t count = ::send(socket_.get(), data, size, MSG_NOSIGNAL);
-  if (count < 0 && errno != EAGAIN) {
-    throwFault(errno);
-  }
-  if (count < static_cast<ssize_t>(size)) {
-    // Requests are a few bytes: the kernel's buffer is full of them only if the peer has not read for ages.
+  unsent_.insert(unsent_.end(), data, data + size);
+  sendOn();
+  if (unsent_.size() > kMostUnsent) {
     throw Fault::unreachable(address_, "it does not take requests any more");
+  }
+}
+
+void TcpTransport::sendOn() {
+  const ssize_t count = ::send(socket_.get(), unsent_.data(), unsent_.size(), MSG_NOSIGNAL);
+  if (count >= 0) {
+    unsent_.erase(unsent_.begin(), unsent_.begin() + count);
+  } else if (errno != EAGAIN && errno != EINTR) {
+    throwFault(errno);
   }
 }
 
 void TcpTransport::close() noexcept {
   socket_.close();
+  unsent_.clear();
 }
 
 void TcpTransport::wakeUp() noexcept {
@@ -183,7 +197,7 @@ void TcpTransport::abort() noexcept {
 
 /// Waits on through calls of wakeUp().
 bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
-  while (!pollOnce(descriptor, events, deadline)) {
+  while (pollOnce(descriptor, events, deadline) == 0) {
     if (steady_clock::now() >= deadline) {
       return false;
     }
@@ -191,8 +205,8 @@ bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
   return true;
 }
 
-/// @return true if the descriptor has the events or an error; false at the deadline, or earlier
-bool TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline) {
+/// @return which of the events the descriptor has, or that it has an error; 0 at the deadline, or earlier
+short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline) {
   pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}};  // poll() skips a descriptor of -1
   const int count = ::poll(polled, 2, pollTimeout(deadline));
   if (count < 0 && errno != EINTR) {
@@ -204,7 +218,7 @@ bool TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline) {
   if (aborted_) {
     throw StoppedException("the client was stopped");
   }
-  return count > 0 && polled[1].revents != 0;
+  return count > 0 ? polled[1].revents : static_cast<short>(0);
 }
 
 void TcpTransport::throwFault(int error) const {

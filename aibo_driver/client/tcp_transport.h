@@ -3,6 +3,8 @@
 #define AIBO_DRIVER_CLIENT_TCP_TRANSPORT_H
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,7 +32,8 @@ class TcpTransport : public Transport {
   std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
   FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
   bool waitFor(int descriptor, short events, TimePoint deadline);
-  bool pollOnce(int descriptor, short events, TimePoint deadline);
+  short pollOnce(int descriptor, short events, TimePoint deadline);
+  void sendOn();
   [[noreturn]] void throwFault(int error) const;
 
   NameLookup name_lookup_;
@@ -38,6 +41,7 @@ class TcpTransport : public Transport {
   std::atomic<bool> aborted_{false};
   std::string address_;  // "host:port", for messages
   FileDescriptor socket_;
+  std::vector<std::uint8_t> unsent_;  // of what send() was given
 };
 
 }  // namespace aibo_driver

@@ -23,8 +23,9 @@ class Transport {
   virtual void connect(const std::string& host, int port, TimePoint deadline) = 0;
 
   /// Waits until receive() has something to tell, wakeUp() is called, or the deadline passes. With no connection it
-  /// waits for the other two.
+  /// waits for the other two. Meanwhile it sends what send() has left to do, and may come back early when it has.
   /// @return true if receive() has something to tell
+  /// @throw Fault the connection is over
   /// @throw StoppedException abort() was called
   virtual bool wait(TimePoint deadline) = 0;
 
@@ -33,7 +34,7 @@ class Transport {
   /// @throw Fault the connection is over
   virtual std::size_t receive(std::uint8_t* buffer, std::size_t capacity) = 0;
 
-  /// Sends a request, without waiting.
+  /// Sends a request, without waiting: what the network does not take at once is kept, and sent by wait().
   /// @throw Fault the connection is over, or the peer has long stopped reading
   virtual void send(const std::uint8_t* data, std::size_t size) = 0;
 

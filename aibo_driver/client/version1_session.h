@@ -2,29 +2,32 @@
 #ifndef AIBO_DRIVER_CLIENT_VERSION1_SESSION_H
 #define AIBO_DRIVER_CLIENT_VERSION1_SESSION_H
 
+#include <map>
 #include <optional>
 #include <string>
 
-#include "client/joint_poll.h"
+#include "client/numbered_calls.h"
 #include "client/reply_parser.h"
 #include "client/session.h"
+#include "client/value_poll.h"
 #include "protocol/version1.h"
 
 namespace aibo_driver {
 
 /// What is known of a version 1 server beyond one connection.
 struct ServerHabits {
-  /// A server that is this often in a row asked for a joint and does not answer is not asked any more.
+  /// A server that is this often in a row asked for a joint, or for a sensor, and does not answer is not asked for any
+  /// more.
   static constexpr int kUnansweredPollsLimit = 3;
 
-  int unanswered_polls = 0;  ///< in a row; each has cost a connection
+  std::map<char, int> unanswered_polls;  ///< in a row, by the request's letter; each has cost a connection
 };
 
 /// A session with a version 1 server.
 ///
 /// There is never more than one request that the server has not answered. Replies have no numbers, so nobody could tell
 /// whose they are; and two requests that TCP joins may be taken for another one: the bytes of two requests to read a
-/// joint are those of one that moves it. For the same reason a joint request without an answer ends the connection.
+/// joint are those of one that moves it. For the same reason a request without an answer ends the connection.
 class Version1Session final : public Session, private ReplyHandler {
  public:
   using TimePoint = Session::TimePoint;
@@ -35,8 +38,8 @@ class Version1Session final : public Session, private ReplyHandler {
 
   using Session::add;
   void add(PictureRequest request, TimePoint now) override;
-  void add(MotorRequest request) override;
-  void failRequests(CallOutcome outcome, const std::string& problem) override { requests_.failAll(outcome, problem); }
+  void add(RobotRequest request) override;
+  void failRequests(CallOutcome outcome, const std::string& problem) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
@@ -56,20 +59,28 @@ class Version1Session final : public Session, private ReplyHandler {
   void parse(const std::uint8_t* data, std::size_t size) override;
   void onPicture(Bytes jpeg, TimePoint first_byte_time) override;
   void deliver(const PicturePtr& picture);
-  void onValueReply(const protocol::ValueReply& reply) override;
-  void onValue(const protocol::ValueReply& reply);
-  void onJointPosition(const protocol::ValueReply& reply);
-  void onError(const std::string& code);
+  void onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) override;
+  void onAnswer(const protocol::ValueReply& reply, TimePoint first_byte_time);
+  void onCallAnswered();
+  void onValue(const protocol::ValueReply& reply, TimePoint first_byte_time);
+  void onError(int code);
+  void onCallRefused(int code);
   void onValueRefused(const std::string& code);
 
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
+  bool isAnswerOwed() const { return picture_owed_ || value_owed_ || calls_.has(kCallOwed); }
+  Bytes nextCall(TimePoint now);
   Bytes nextValueRequest(TimePoint now);
-  Bytes setValue(char letter, int id, double value, TimePoint now);
+  Bytes nextCommand(TimePoint now);
+  Bytes nextJointCommand(TimePoint now);
+  Bytes nextLedOrEarCommand(TimePoint now);
+  Bytes setValue(char letter, int id, short value, TimePoint now);
 
   bool pictureDue() const;
   TimePoint silenceLimit() const;
   TimePoint valueDeadline() const;
+  void checkCall(TimePoint now);
   void failUnanswered();
 
   ServerHabits& habits_;
@@ -78,9 +89,12 @@ class Version1Session final : public Session, private ReplyHandler {
   PictureRequests requests_;
   bool picture_owed_ = false;  // `F` has been sent for the first request and not been answered
   std::optional<ValueRequest> value_owed_;
+  static constexpr int kCallOwed = 1;  // the number of the call that has been sent and not been answered
+  NumberedCalls<RobotRequest> calls_;
   bool version_answer_owed_;
-  int last_target_ = 0;  // id of the joint that was sent somewhere last
-  JointPoll poll_;
+  int last_target_ = 0;      // id of the joint that was sent somewhere last
+  bool joints_turn_ = true;  // else that of LEDs and ears, if any wait
+  ValuePoll poll_;
   bool poll_wanted_ = false;
   bool settled_;
 };

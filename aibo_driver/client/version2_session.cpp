@@ -6,8 +6,10 @@
 
 #include "aibo_driver/exceptions.h"
 #include "client/fault.h"
+#include "client/sensor_readings.h"
 #include "client/units.h"
 #include "protocol/hello.h"
+#include "protocol/motion_requests.h"
 
 namespace aibo_driver {
 
@@ -50,17 +52,9 @@ void Version2Session::add(PictureRequest request, TimePoint now) {
   pictures_.add(std::move(request));
 }
 
-void Version2Session::add(MotorRequest request) {
-  if (robot().hasCapability(std::string(1, version2::REQUEST_MOTORS))) {
-    motors_.add(std::move(request));
-  } else {
-    request.fail(CallOutcome::kRefused, address() + " (" + robot().server + ") cannot switch the motors on or off.");
-  }
-}
-
 void Version2Session::failRequests(CallOutcome outcome, const std::string& problem) {
   pictures_.failAll(outcome, problem);
-  motors_.failAll(outcome, problem);
+  calls_.failAll(outcome, problem);
 }
 
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
@@ -76,13 +70,13 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (const PictureRequest* call = pictures_.firstUnsent()) {
     return requestPicture(*call, wish);
   }
-  if (const MotorRequest* call = motors_.firstUnsent()) {
-    return requestMotors(*call, now);
+  if (const RobotRequest* call = calls_.firstUnsent()) {
+    return requestCall(*call, now);
   }
   if (wish.telemetry_period != telemetry_period_) {
     return requestTelemetry(wish, now);
   }
-  return mayCommandJoints() ? nextJointRequest(now) : Bytes();
+  return nextCommand(now);
 }
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
@@ -116,31 +110,43 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
   return request(version2::REQUEST_TELEMETRY, 0, payload, version2::encodeTelemetryPeriod(frames, payload), now);
 }
 
-Session::Bytes Version2Session::requestMotors(const MotorRequest& call, TimePoint now) {
-  unsigned char payload[version2::MOTOR_STATE_SIZE];
-  const std::size_t size = version2::encodeMotorState(call.on, payload);
-  Bytes frame = request(version2::REQUEST_MOTORS, 0, payload, size, now);
-  motors_.sent(last_number_);
+Session::Bytes Version2Session::requestCall(const RobotRequest& call, TimePoint now) {
+  const Bytes payload = encodeForVersion2(call);
+  Bytes frame = makeFrame(call.letter, 0, payload.data(), payload.size());
+  calls_.sent(last_number_);
+  transferBegins(frame.size(), now);
   return frame;
 }
 
-bool Version2Session::mayCommandJoints() const {
-  return std::count_if(exchanges_.begin(), exchanges_.end(), [](const auto& each) {
-           const char kind = each.second.kind;
-           return kind == version2::REQUEST_JOINTS || kind == version2::REQUEST_SPEED_LIMITS;
-         }) < kMostJointCommandsOutstanding;
+long Version2Session::outstanding(char kind) const {
+  return std::count_if(exchanges_.begin(), exchanges_.end(),
+                       [kind](const auto& each) { return each.second.kind == kind; });
 }
 
-Session::Bytes Version2Session::nextJointRequest(TimePoint now) {
-  if (joint_commands_.hasSpeedLimits()) {
+bool Version2Session::mayCommandJoints() const {
+  return outstanding(version2::REQUEST_JOINTS) + outstanding(version2::REQUEST_SPEED_LIMITS) <
+         kMostJointCommandsOutstanding;
+}
+
+Session::Bytes Version2Session::nextCommand(TimePoint now) {
+  if (!commands_.speed_limits.empty() && mayCommandJoints()) {
     return requestSpeedLimits(now);
   }
-  return joint_commands_.hasTargets() ? requestTargets(now) : Bytes();
+  if (!commands_.joints.empty() && mayCommandJoints()) {
+    return requestTargets(now);
+  }
+  if (!commands_.leds.empty() && outstanding(version2::REQUEST_LEDS) == 0) {
+    return requestLeds(now);
+  }
+  if (!commands_.ears.empty() && outstanding(version2::REQUEST_EARS) == 0) {
+    return requestEars(now);
+  }
+  return {};
 }
 
 Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
   version2::SpeedLimits limits = {};
-  for (const JointSpeedLimit& limit : joint_commands_.takeSpeedLimits(version2::MAX_JOINTS)) {
+  for (const JointSpeedLimit& limit : commands_.speed_limits.take(version2::MAX_JOINTS)) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
   unsigned char payload[version2::MAX_SPEED_LIMITS_SIZE];
@@ -148,7 +154,7 @@ Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
-  const JointCommand command = joint_commands_.takeCommand();
+  const JointCommand command = commands_.joints.takeCommand();
   version2::JointTargets targets = {};
   targets.duration_ms = static_cast<unsigned short>(command.duration.count());
   for (const JointTarget& target : command.targets) {
@@ -158,10 +164,30 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
   return request(version2::REQUEST_JOINTS, 0, payload, version2::encodeJointTargets(targets, payload), now);
 }
 
+Session::Bytes Version2Session::requestLeds(TimePoint now) {
+  version2::LedValues values = {};
+  for (const LedCommand& led : commands_.leds.take(version2::MAX_LEDS)) {
+    values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
+                                   led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
+  }
+  unsigned char payload[version2::MAX_LED_VALUES_SIZE];
+  return request(version2::REQUEST_LEDS, 0, payload, version2::encodeLedValues(values, payload), now);
+}
+
+// They are always told together.
+Session::Bytes Version2Session::requestEars(TimePoint now) {
+  version2::EarPositions positions = {};
+  for (const EarCommand& ear : commands_.ears.take(2)) {
+    (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.position;
+  }
+  unsigned char payload[version2::EAR_POSITIONS_SIZE];
+  return request(version2::REQUEST_EARS, 0, payload, version2::encodeEarPositions(positions, payload), now);
+}
+
 Session::Bytes Version2Session::request(char kind, int id, const unsigned char* payload, std::size_t size,
                                         TimePoint now) {
   Bytes frame = makeFrame(kind, id, payload, size);
-  exchanges_[last_number_] = {kind, now};
+  exchanges_[last_number_] = {kind, now, answerLimit(now)};
   return frame;
 }
 
@@ -182,8 +208,20 @@ int Version2Session::nextNumber() {
   int number = last_number_;
   do {
     number = number % 65535 + 1;
-  } while (exchanges_.count(number) > 0 || pictures_.has(number));
+  } while (kindOf(number));
   return number;
+}
+
+/// @return the kind of the request with this number, if an answer to it is awaited
+std::optional<char> Version2Session::kindOf(int number) const {
+  const auto exchange = exchanges_.find(number);
+  if (exchange != exchanges_.end()) {
+    return exchange->second.kind;
+  }
+  if (const RobotRequest* call = calls_.get(number)) {
+    return call->letter;
+  }
+  return pictures_.has(number) ? std::optional<char>(version2::REQUEST_PICTURE) : std::nullopt;
 }
 
 void Version2Session::parse(const std::uint8_t* data, std::size_t size) {
@@ -239,23 +277,22 @@ void Version2Session::onPush(char kind, const Payload& payload) {
 }
 
 void Version2Session::onReply(char kind, int number, const Payload& payload) {
-  const auto exchange = exchanges_.find(number);
-  const bool picture = pictures_.has(number);
-  if (exchange == exchanges_.end() && !picture) {
+  const std::optional<char> request_kind = kindOf(number);
+  if (!request_kind) {
     return;  // whoever asked has stopped waiting
   }
   if (kind == version2::ERROR_MESSAGE) {
-    return onRefusal(number, payload);
+    onRefusal(*request_kind, number, payload);
+  } else if (kind == version2::replyKind(*request_kind)) {
+    onAnswer(*request_kind, number, payload);
+  } else {
+    throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + *request_kind + "'");
   }
-  const char request_kind = picture ? version2::REQUEST_PICTURE : exchange->second.kind;
-  if (kind != version2::replyKind(request_kind)) {
-    throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + request_kind + "'");
-  }
-  onAnswer(request_kind, number, payload);
   exchanges_.erase(number);
 }
 
 void Version2Session::onAnswer(char request_kind, int number, const Payload& payload) {
+  noteAcceptance(request_kind);
   switch (request_kind) {
     case version2::REQUEST_HELLO:
       return onHello(payload);
@@ -263,10 +300,9 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
       return onRequestedPicture(number, payload);
     case version2::REQUEST_JOINTS:
       return onJointsAccepted(payload);
-    case version2::REQUEST_MOTORS:
-      return onMotors(number, payload);
     default:
-      return;  // stream, speed limits and telemetry are from now on as the server says
+      // Stream, speed limits, telemetry, LEDs and ears are from now on as the server says.
+      return calls_.has(number) ? onCallAnswered(number, payload) : void();
   }
 }
 
@@ -323,6 +359,8 @@ void Version2Session::onTelemetry(const Payload& payload) {
     const version2::TelemetryEntry& entry = measured.entries[i];
     if (entry.group == version2::GROUP_JOINT) {
       telemetry_->joints.push_back({entry.id, fromMicro(entry.value)});
+    } else {
+      telemetry_->sensors.push_back(makeVersion2Reading(robot().design, entry.id, entry.value));
     }
   }
 }
@@ -337,12 +375,18 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
   publishAccepted(targets);
 }
 
-void Version2Session::onMotors(int number, const Payload& payload) {
-  bool on = false;
-  expectGood(version2::decodeMotorState(payload.data, payload.size, &on), "motor state");
-  if (auto call = motors_.take(number)) {
-    call->promise.set_value({CallOutcome::kDone, on, ""});
+void Version2Session::onCallAnswered(int number, const Payload& payload) {
+  RobotAnswer answer;
+  const char letter = calls_.get(number)->letter;
+  if (letter == version2::REQUEST_MOTORS) {
+    expectGood(version2::decodeMotorState(payload.data, payload.size, &answer.motors_on), "motor state");
+  } else if (letter == version2::REQUEST_LIST) {
+    version2::MotionList list;
+    expectGood(version2::decodeMotionList(payload.data, payload.size, &list), "list of motions");
+    answer.names.assign(list.names, list.names + list.count);
   }
+  transferEnds(now());
+  calls_.take(number)->answer(answer);
 }
 
 std::string Version2Session::decodeError(const Payload& payload) {
@@ -352,35 +396,42 @@ std::string Version2Session::decodeError(const Payload& payload) {
   return message.text_size == 0 ? code : std::string(message.text, message.text_size) + " (" + code + ")";
 }
 
-void Version2Session::onRefusal(int number, const Payload& payload) {
+void Version2Session::onRefusal(char request_kind, int number, const Payload& payload) {
   const std::string problem = decodeError(payload);
-  if (auto call = pictures_.take(number)) {
-    ++counters().refusals;
-    call->fail(CallOutcome::kRefused, address() + " refused to take a picture: " + problem + ".");
-    return;
+  if (calls_.has(number) || pictures_.has(number)) {
+    onRefusedCall(number, problem);
+  } else {
+    onRefusedExchange(request_kind, problem);
   }
-  const char kind = exchanges_[number].kind;
-  exchanges_.erase(number);
-  onRefusedExchange(kind, number, problem);
 }
 
-void Version2Session::onRefusedExchange(char request_kind, int number, const std::string& problem) {
+void Version2Session::onRefusedCall(int number, const std::string& problem) {
+  ++counters().refusals;
+  if (auto picture = pictures_.take(number)) {
+    picture->fail(CallOutcome::kRefused, address() + " refused to take a picture: " + problem + ".");
+  }
+  if (auto call = calls_.take(number)) {
+    transferEnds(now());
+    call->fail(CallOutcome::kRefused, address() + " refused to " + describe(*call) + ": " + problem + ".");
+  }
+}
+
+void Version2Session::onRefusedExchange(char request_kind, const std::string& problem) {
   switch (request_kind) {
     case version2::REQUEST_HELLO:
       throw ProtocolException("it refused to say hello: " + problem);
     case version2::REQUEST_STREAM:
       throw ProtocolException("it refused to stream pictures: " + problem);
     case version2::REQUEST_JOINTS:
-      return noteRefusal("to move joints: " + problem);
+      return noteRefusal(request_kind, "to move joints: " + problem);
     case version2::REQUEST_SPEED_LIMITS:
-      return noteRefusal("to limit the speed of joints: " + problem);
+      return noteRefusal(request_kind, "to limit the speed of joints: " + problem);
     case version2::REQUEST_TELEMETRY:
-      return noteRefusal("to send telemetry: " + problem);
+      return noteRefusal(request_kind, "to send telemetry: " + problem);
+    case version2::REQUEST_LEDS:
+      return noteRefusal(request_kind, "to set LEDs: " + problem);
     default:
-      ++counters().refusals;
-      if (auto call = motors_.take(number)) {
-        call->fail(CallOutcome::kRefused, address() + " refused to switch the motors: " + problem + ".");
-      }
+      return noteRefusal(request_kind, "to move the ears: " + problem);
   }
 }
 
@@ -392,7 +443,7 @@ void Version2Session::onReport(const Payload& payload) {
 Session::TimePoint Version2Session::answerDeadline() const {
   TimePoint oldest = TimePoint::max();
   for (const auto& exchange : exchanges_) {
-    oldest = std::min(oldest, exchange.second.sent + answerLimit());
+    oldest = std::min(oldest, exchange.second.deadline);
   }
   return oldest;
 }
@@ -402,18 +453,20 @@ void Version2Session::checkDeadlines(TimePoint now) {
     failSilent();
   }
   for (const auto& exchange : exchanges_) {
-    if (now >= exchange.second.sent + answerLimit()) {
-      throw Fault::unanswered(address(), std::string("the request '") + exchange.second.kind + "'", answerLimit());
+    const Exchange& request = exchange.second;
+    if (now >= request.deadline) {
+      throw Fault::unanswered(address(), std::string("the request '") + request.kind + "'",
+                              std::chrono::round<std::chrono::milliseconds>(request.deadline - request.sent));
     }
   }
   pictures_.expire(now, "picture", damageRemark());
-  motors_.expire(now, "answer", ".");
+  calls_.expire(now, "answer", ".");
 }
 
 Session::TimePoint Version2Session::nextDeadline() const {
   const TimePoint silence = stream().on() ? pictureSilenceLimit() : TimePoint::max();
   return std::min(
-      {silence, answerDeadline(), pictures_.nextDeadline(), motors_.nextDeadline(), next_hello_, nextLook()});
+      {silence, answerDeadline(), pictures_.nextDeadline(), calls_.nextDeadline(), next_hello_, nextLook()});
 }
 
 }  // namespace aibo_driver

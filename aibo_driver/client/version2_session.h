@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "client/numbered_calls.h"
 #include "client/session.h"
@@ -27,7 +28,7 @@ class Version2Session final : public Session {
 
   using Session::add;
   void add(PictureRequest request, TimePoint now) override;
-  void add(MotorRequest request) override;
+  void add(RobotRequest request) override { calls_.add(std::move(request)); }
   void failRequests(CallOutcome outcome, const std::string& problem) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void checkDeadlines(TimePoint now) override;
@@ -37,10 +38,11 @@ class Version2Session final : public Session {
   bool settled() const override { return ready_; }
 
  private:
-  /// A request that has to be answered soon. (A picture may take as long as its caller allows.)
+  /// A request that has to be answered soon. (A call may take as long as its caller allows.)
   struct Exchange {
     char kind;
     TimePoint sent;
+    TimePoint deadline;
   };
 
   /// The payload of the frame that has arrived.
@@ -53,10 +55,12 @@ class Version2Session final : public Session {
   Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestPicture(const PictureRequest& call, const Wish& wish);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
-  Bytes requestMotors(const MotorRequest& call, TimePoint now);
-  Bytes nextJointRequest(TimePoint now);
+  Bytes requestCall(const RobotRequest& call, TimePoint now);
+  Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);
   Bytes requestTargets(TimePoint now);
+  Bytes requestLeds(TimePoint now);
+  Bytes requestEars(TimePoint now);
   Bytes request(char kind, int id, const unsigned char* payload, std::size_t size, TimePoint now);
   Bytes makeFrame(char kind, int id, const unsigned char* payload, std::size_t size);
   int nextNumber();
@@ -71,13 +75,16 @@ class Version2Session final : public Session {
   void onRequestedPicture(int number, const Payload& payload);
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
-  void onMotors(int number, const Payload& payload);
-  void onRefusal(int number, const Payload& payload);
-  void onRefusedExchange(char request_kind, int number, const std::string& problem);
+  void onCallAnswered(int number, const Payload& payload);
+  void onRefusal(char request_kind, int number, const Payload& payload);
+  void onRefusedCall(int number, const std::string& problem);
+  void onRefusedExchange(char request_kind, const std::string& problem);
   void onReport(const Payload& payload);
   MutablePicturePtr takePictureFrom(const Payload& payload);
   static std::string decodeError(const Payload& payload);
 
+  std::optional<char> kindOf(int number) const;
+  long outstanding(char kind) const;
   bool mayCommandJoints() const;
   TimePoint answerDeadline() const;
 
@@ -88,7 +95,7 @@ class Version2Session final : public Session {
   int last_number_ = 0;
   std::map<int, Exchange> exchanges_;  // by request number
   NumberedCalls<PictureRequest> pictures_;
-  NumberedCalls<MotorRequest> motors_;
+  NumberedCalls<RobotRequest> calls_;
 
   bool ready_ = false;
   TimePoint next_hello_;

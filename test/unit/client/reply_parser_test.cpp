@@ -42,7 +42,10 @@ class ReplyParserTest : public testing::Test, protected ReplyHandler {
     pictures_.push_back(std::move(jpeg));
     times_.push_back(first_byte_time);
   }
-  void onValueReply(const protocol::ValueReply& reply) override { values_.push_back(reply); }
+  void onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) override {
+    values_.push_back(reply);
+    times_.push_back(first_byte_time);
+  }
 
   ReplyParser parser_;
   std::vector<Bytes> pictures_;

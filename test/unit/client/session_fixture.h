@@ -48,24 +48,30 @@ class SessionFixture : public testing::Test {
     return answer;
   }
 
-  std::future<aibo_driver::MotorAnswer> setMotors(bool on, milliseconds timeout = milliseconds(2000)) {
-    aibo_driver::MotorRequest request;
-    request.on = on;
+  /// Has the robot do something.
+  std::future<aibo_driver::RobotAnswer> ask(char letter, const std::string& name = "", int number = 0,
+                                            const Bytes& content = {}, milliseconds timeout = milliseconds(2000)) {
+    aibo_driver::RobotRequest request;
+    request.letter = letter;
+    request.name = name;
+    request.number = number;
+    request.content = content;
     auto answer = allow(timeout, &request);
     session().add(std::move(request));
     return answer;
   }
 
   void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
-    aibo_driver::JointCommands commands;
-    commands.add({duration, targets});
-    session().add(commands);
+    tell(aibo_driver::JointCommand{duration, targets});
   }
 
-  void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) {
-    aibo_driver::JointCommands commands;
-    commands.add(limits);
-    session().add(commands);
+  void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) { tell(limits); }
+
+  void commandLeds(const std::vector<aibo_driver::LedCommand>& leds) { tell(leds); }
+
+  void commandEars(bool left, bool right) {
+    tell(std::vector<aibo_driver::EarCommand>{{aibo_driver::EarCommand::kLeft, left},
+                                              {aibo_driver::EarCommand::kRight, right}});
   }
 
   template <typename Answer>
@@ -79,7 +85,8 @@ class SessionFixture : public testing::Test {
                          [&text](const std::string& line) { return line.find(text) != std::string::npos; });
   }
 
-  aibo_driver::SessionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_}; }
+  /// Of the client's third connection.
+  aibo_driver::SessionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
 
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::Telemetry> telemetry_;
@@ -91,6 +98,13 @@ class SessionFixture : public testing::Test {
   TimePoint now_ = TimePoint() + milliseconds(100000);
 
  private:
+  template <typename Command>
+  void tell(const Command& command) {
+    aibo_driver::Commands commands;
+    commands.add(command);
+    session().add(commands);
+  }
+
   template <typename Request>
   std::future<typename Request::Answer> allow(milliseconds timeout, Request* request) const {
     request->timeout = timeout;

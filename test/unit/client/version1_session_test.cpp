@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "client/fault.h"
 #include "session_fixture.h"
@@ -18,9 +20,11 @@ class Version1SessionTest : public SessionFixture {
  protected:
   Session& session() override { return session_; }
 
+  Bytes bytes() { return session_.nextRequest(wish_, now_); }
+
   /// What the session sends now: "" or letter and identifier, as in "W85", and the value that is set, as in "J2=-100".
   std::string command() {
-    const Bytes bytes = session_.nextRequest(wish_, now_);
+    const Bytes bytes = this->bytes();
     if (bytes.empty()) {
       return "";
     }
@@ -28,7 +32,7 @@ class Version1SessionTest : public SessionFixture {
     return bytes.size() == 2 ? command : command + "=" + std::to_string(protocol::decodeValueReply(bytes.data()).value);
   }
 
-  /// Lets time pass, and answers requests for joints.
+  /// Lets time pass, and answers requests for joints and sensors.
   /// @return all requests, a blank behind each
   std::string run(milliseconds time) {
     std::string requests;
@@ -36,13 +40,20 @@ class Version1SessionTest : public SessionFixture {
     while (now_ < end) {
       for (std::string request = command(); !request.empty(); request = command()) {
         requests += request + " ";
-        if (request[0] == 'J') {
-          receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0, 0});
+        if (request[0] == 'J' || request[0] == 'S') {
+          receiveValue(request);
         }
       }
       pass(std::min(end, session().nextDeadline()) - now_);
     }
     return requests;
+  }
+
+  /// The answer to a request for a value, or that sets one.
+  void receiveValue(const std::string& request, int value = 0) {
+    const auto bits = static_cast<unsigned>(value);
+    receive({static_cast<std::uint8_t>(request[0] - 'A' + 'a'), static_cast<std::uint8_t>(std::stoi(request.substr(1))),
+             static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF)});
   }
 
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
@@ -363,24 +374,58 @@ TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
   EXPECT_EQ("J1=573", command());
 }
 
-TEST_F(Version1SessionTest, WithTelemetryWantedOneJointAfterTheOtherIsAskedForTwentyTimesASecond) {
+TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurnTwentyOfEachASecond) {
   wish_.telemetry_period = 4;
   std::string asked;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const std::string request = command();
     asked += request + " ";
     EXPECT_EQ("", command()) << "one at a time";
-    receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0x18, 0xFC});  // -1000
+    receiveValue(request, -1000);
     EXPECT_EQ("", command()) << "not at once again";
-    pass(milliseconds(50));
+    pass(milliseconds(25));
   }
-  EXPECT_EQ("J1 J2 J3 J4 J11 J12 J13 J21 J22 J23 J31 J32 J33 J41 J42 J43 J51 J52 J1 J2 ", asked);
-  ASSERT_EQ(20u, telemetry_.size());
-  EXPECT_FALSE(telemetry_[4].frame_number);
-  ASSERT_EQ(1u, telemetry_[4].joints.size());
-  EXPECT_EQ(11, telemetry_[4].joints[0].id);
-  EXPECT_NEAR(-0.174533, telemetry_[4].joints[0].position, 1e-6);
-  EXPECT_EQ(20u, counters_.telemetry);
+  EXPECT_EQ(
+      "J1 S5 J2 S6 J3 S7 J4 S8 J11 S9 J12 S14 J13 S24 J21 S34 J22 S44 J23 S53 J31 S54 J32 S55 J33 S61 J41 S62 J42 S63 "
+      "J43 S66 J51 S67 J52 S94 J1 S5 J2 S6 ",
+      asked);
+  ASSERT_EQ(40u, telemetry_.size());
+  EXPECT_FALSE(telemetry_[8].frame_number);
+  EXPECT_TRUE(telemetry_[8].sensors.empty());
+  ASSERT_EQ(1u, telemetry_[8].joints.size());
+  EXPECT_EQ(11, telemetry_[8].joints[0].id);
+  EXPECT_NEAR(-0.174533, telemetry_[8].joints[0].position, 1e-6);
+  EXPECT_EQ(40u, counters_.telemetry);
+}
+
+TEST_F(Version1SessionTest, SensorsAreToldInTheirUnits) {
+  wish_.telemetry_period = 4;
+  std::map<int, double> values;
+  for (int i = 0; i < 36; ++i) {
+    receiveValue(command(), 42);
+    for (const SensorReading& reading : telemetry_.back().sensors) {
+      values[reading.id] = reading.value;
+    }
+    pass(milliseconds(25));
+  }
+  EXPECT_EQ(18u, values.size());
+  EXPECT_DOUBLE_EQ(42, values[5]) << "head_touch, a strength";
+  EXPECT_DOUBLE_EQ(0.42, values[53]) << "range_near, m";
+  EXPECT_DOUBLE_EQ(0.42, values[61]) << "acceleration_front_back, m/s^2";
+  EXPECT_DOUBLE_EQ(0.42, values[66]) << "battery, of its capacity";
+  EXPECT_DOUBLE_EQ(0.42, values[67]) << "temperature, degree Celsius";
+}
+
+TEST_F(Version1SessionTest, AnAnswerHasTheTimeOfItsFirstByteAndTheNumberOfItsConnection) {
+  wish_.telemetry_period = 4;
+  command();
+  const TimePoint first_byte_time = now_;
+  receive({'j', 1});
+  pass(milliseconds(10));
+  receive({0, 0});
+  ASSERT_EQ(1u, telemetry_.size());
+  EXPECT_EQ(first_byte_time, telemetry_[0].arrival);
+  EXPECT_EQ(3u, telemetry_[0].connection_number);
 }
 
 TEST_F(Version1SessionTest, NothingIsPolledWhileNoTelemetryIsWanted) {
@@ -395,25 +440,24 @@ TEST_F(Version1SessionTest, NothingIsPolledWhileNoTelemetryIsWanted) {
 
 TEST_F(Version1SessionTest, CommandsGoBeforePollsButDoNotShutThemOut) {
   wish_.telemetry_period = 4;
-  command();
-  std::string sent;
+  std::string sent = command();
   for (int i = 0; i < 100; ++i) {
-    receive({'j', static_cast<std::uint8_t>(i == 0 ? 1 : std::stoi(sent.substr(1))), 0, 0});
+    receiveValue(sent);
     commandJoints({{2, 0}});
     now_ += milliseconds(10);
     sent = command();
   }
-  EXPECT_NEAR(3, static_cast<double>(telemetry_.size()), 1) << "in a second";
+  EXPECT_NEAR(4, static_cast<double>(telemetry_.size()), 1) << "in a second";
   EXPECT_NEAR(96, static_cast<double>(accepted_.size()), 1);
 }
 
-TEST_F(Version1SessionTest, TheBlockOfSensorsIsNeverAskedFor) {
+TEST_F(Version1SessionTest, ThePollOfAStreamingServerStaysAtFortyASecondAndNeverAsksForTheBlock) {
   wish_ = {true, 85, 4};
   for (int i = 0; i < 100; ++i) {
-    EXPECT_THAT(run(milliseconds(33)), testing::Not(HasSubstr("S")));
+    EXPECT_THAT(run(milliseconds(33)), testing::Not(HasSubstr("S0")));
     receivePicture(1);
   }
-  EXPECT_NEAR(66, static_cast<double>(telemetry_.size()), 5);
+  EXPECT_NEAR(132, static_cast<double>(telemetry_.size()), 2);
 }
 
 TEST_F(Version1SessionTest, AnswersOfJointsDoNotHideThatTheStreamIsSilent) {
@@ -432,17 +476,31 @@ TEST_F(Version1SessionTest, PollsDoNotHoldUpAPictureAfterTheStream) {
   EXPECT_THAT(run(milliseconds(250)), HasSubstr("F30"));
 }
 
-TEST_F(Version1SessionTest, AJointThatIsRefusedIsNotAskedForAgain) {
+TEST_F(Version1SessionTest, WhatTheRobotRefusesToTellIsNotAskedForAgain) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("J1", command());
   receive({'e', 0, 0, 0});
   EXPECT_EQ(1, logged("refused the request 'J' for joint 1: error code 0"));
-  for (int i = 0; i < 18; ++i) {
-    pass(milliseconds(50));
+  pass(milliseconds(25));
+  EXPECT_EQ("S5", command());
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(1, logged("refused the request 'S' for sensor 5: error code 0"));
+  pass(milliseconds(25));
+  const std::string asked = run(milliseconds(2000));
+  EXPECT_THAT(asked, testing::Not(HasSubstr("J1 ")));
+  EXPECT_THAT(asked, testing::Not(HasSubstr("S5 ")));
+  EXPECT_THAT(asked, HasSubstr("J2 S6 "));
+}
+
+TEST_F(Version1SessionTest, AServerWithoutSensorsIsAskedForItsJointsAlone) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 36; ++i) {
     const std::string request = command();
-    EXPECT_NE("J1", request);
-    receive({'j', static_cast<std::uint8_t>(std::stoi(request.substr(1))), 0, 0});
+    request[0] == 'J' ? receiveValue(request) : receive({'e', 0, 0, 0});
+    pass(milliseconds(25));
   }
+  EXPECT_THAT(run(milliseconds(2000)), testing::Not(HasSubstr("S")));
+  EXPECT_EQ(18u, counters_.refusals);
 }
 
 TEST_F(Version1SessionTest, ARefusedCommandIsLoggedOnceAndTheNextOneSent) {
@@ -465,23 +523,163 @@ TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(Version1SessionTest, AServerThatNeverAnswersForItsJointsIsAskedOnThreeConnectionsOnly) {
+TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOnly) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 3; ++i) {
     Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
-    EXPECT_FALSE(session.nextRequest(wish_, now_).empty());
+    session.nextRequest(wish_, now_);
+    const Bytes joint = {'j', 1, 0, 0};
+    session.bytesArrived(joint.data(), joint.size(), now_);
+    now_ += milliseconds(25);
+    EXPECT_EQ('S', session.nextRequest(wish_, now_).at(0));
     EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
   }
-  EXPECT_EQ(1, logged("does not answer when it is asked for its joints"));
+  EXPECT_EQ(1, logged("does not answer when it is asked for its sensors"));
+  Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+  for (int i = 0; i < 10; ++i) {
+    const Bytes request = session.nextRequest(wish_, now_);
+    EXPECT_EQ('J', request.at(0));
+    const Bytes joint = {'j', request.at(1), 0, 0};
+    session.bytesArrived(joint.data(), joint.size(), now_);
+    now_ += milliseconds(25);
+  }
+}
+
+TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
+  commandLeds({{7, 255}, {8, 0, LedMode::kB}});
+  EXPECT_EQ("L7=255", command());
   EXPECT_EQ("", command());
-  pass(milliseconds(5000));
+  commandLeds({{8, 10}});
+  receiveValue("L7", 255);
+  EXPECT_EQ("L8=10", command()) << "the latest";
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(1, logged("refused the request 'L' for LED 8: error code 0"));
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, MotorsCannotBeSwitched) {
-  const MotorAnswer answer = setMotors(false).get();
-  EXPECT_EQ(CallOutcome::kRefused, answer.outcome);
-  EXPECT_THAT(answer.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors"));
+TEST_F(Version1SessionTest, AllLedsThatAreToShineAlikeAreSetTogetherWithTheirMode) {
+  std::vector<LedCommand> leds;
+  for (int id = 1; id <= 26; ++id) {
+    leds.push_back({id, 100, LedMode::kA});
+  }
+  commandLeds(leds);
+  EXPECT_EQ("Y1=100", command());
+  receiveValue("Y1", 100);
+  EXPECT_EQ("", command());
+  leds.back().mode = LedMode::kB;
+  commandLeds(leds);
+  EXPECT_EQ("L1=100", command()) << "they are not alike";
+}
+
+TEST_F(Version1SessionTest, EarsAreMovedOneByOne) {
+  commandEars(true, false);
+  EXPECT_EQ("K1=1", command());
+  receiveValue("K1", 1);
+  EXPECT_EQ("K2=0", command());
+  receiveValue("K2", 0);
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, JointsAndLedsTakeTurns) {
+  std::string sent;
+  for (int i = 0; i < 6; ++i) {
+    commandJoints({{1, 0.1}, {2, 0.1}});
+    commandLeds({{7, 255}, {8, 255}});
+    const std::string request = command();
+    sent += request[0];
+    receiveValue(request);
+  }
+  EXPECT_EQ("JLJLJL", sent);
+}
+
+TEST_F(Version1SessionTest, AMotionIsPlayedAndStopped) {
+  auto play = ask('P', "NOD.MTN", 3);
+  EXPECT_EQ(Bytes({'P', 0, 'N', 'O', 'D', '.', 'M', 'T', 'N', 0, 0, 0, 0, 0, 3, 0, 0, 0}), bytes());
+  EXPECT_EQ("", command());
+  receive({'p', 0, 0, 0});
+  EXPECT_EQ(CallOutcome::kDone, play.get().outcome);
+  auto stop = ask('P');
+  EXPECT_EQ(Bytes({'P', 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), bytes());
+}
+
+TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndAllElseWaits) {
+  wish_ = {true, 85, 4};
+  EXPECT_EQ("W85", command());
+  auto upload = ask('U', "NOD.MTN", 0, Bytes(1234, 7), milliseconds(20000));
+  auto play = ask('P', "NOD.MTN", 1, {}, milliseconds(20000));
+  commandJoints({{1, 0.1}});
+  const Bytes sent = bytes();
+  ASSERT_EQ(18u + 1234u, sent.size());
+  EXPECT_EQ(Bytes({2, 0, 210, 0}), Bytes(sent.begin() + 14, sent.begin() + 18)) << "2 * 512 + 210";
+  EXPECT_EQ(Bytes(1234, 7), Bytes(sent.begin() + 18, sent.end()));
+  for (int i = 0; i < 100; ++i) {
+    pass(milliseconds(33));
+    receivePicture(1);
+    EXPECT_EQ("", command());
+  }
+  EXPECT_EQ(100u, pictures_.size());
+  receive({'u', 0, 0, 0});
+  EXPECT_EQ(CallOutcome::kDone, upload.get().outcome);
+  EXPECT_EQ("P0", command().substr(0, 2));
+  EXPECT_FALSE(done(play));
+}
+
+TEST_F(Version1SessionTest, ASlowUploadDoesNotMakeTheStreamSeemDead) {
+  wish_.streaming = true;
+  command();
+  auto upload = ask('U', "NOD.MTN", 0, Bytes(65523), milliseconds(20000));
+  EXPECT_FALSE(bytes().empty());
+  pass(milliseconds(1900));
+  receive({'u', 0, 0, 0});
+  pass(milliseconds(499));
+  EXPECT_THROW(pass(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
+}
+
+TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
+  const auto refuse = [this](char letter, const std::string& name, int number, std::uint8_t code) {
+    auto answer = ask(letter, name, number, letter == 'U' ? Bytes(10) : Bytes());
+    EXPECT_FALSE(bytes().empty());
+    receive({'e', 0, code, 0});
+    const RobotAnswer refusal = answer.get();
+    EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
+    return refusal.problem;
+  };
+  EXPECT_EQ(
+      "robot:54321 refused to play the motion NOD.MTN: there is no such file in OPEN-R/MW/DATA/P on its memory stick, "
+      "or it cannot be read (error code 1).",
+      refuse('P', "NOD.MTN", 1, 1));
+  EXPECT_THAT(refuse('U', "NOD.MTN", 0, 0), HasSubstr("has to have a line ALLOW_UPLOAD=yes"));
+  EXPECT_THAT(refuse('D', "NOD.MTN", 0, 0), HasSubstr("ALLOW_DELETE=yes"));
+  EXPECT_THAT(refuse('Q', "", 0, 0), HasSubstr("refused to shut down: is it allowed?"));
+  EXPECT_THAT(refuse('R', "", 0, 0), HasSubstr("ALLOW_REBOOT=yes"));
+  EXPECT_THAT(refuse('D', "NOD.MTN", 0, 2), HasSubstr("does not take this for the name of a motion"));
+  EXPECT_EQ(6u, counters_.refusals);
+}
+
+TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionForTheNextAnswerCouldBeAnybodys) {
+  auto answer = ask('P', "NOD.MTN", 1, {}, milliseconds(3000));
+  EXPECT_FALSE(bytes().empty());
+  pass(milliseconds(2999));
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+  EXPECT_EQ("no answer within 3000 ms.", answer.get().problem);
+}
+
+TEST_F(Version1SessionTest, ACallThatHasNotBeenSentInTimeLeavesTheConnectionAlone) {
+  auto picture = takePicture(30);
+  EXPECT_EQ("F30", command());
+  auto answer = ask('P', "NOD.MTN", 1, {}, milliseconds(100));
+  pass(milliseconds(100));
+  EXPECT_EQ(CallOutcome::kTimeout, answer.get().outcome);
+  receivePicture(1);
+  EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, WhatVersion1DoesNotKnowIsRefused) {
+  const RobotAnswer motors = ask('O', "", 0).get();
+  EXPECT_EQ(CallOutcome::kRefused, motors.outcome);
+  EXPECT_THAT(motors.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors off"));
+  EXPECT_THAT(ask('N').get().problem, HasSubstr("which cannot list its motions"));
+  EXPECT_EQ("", command());
 }
 
 class LateVersionAnswerTest : public Version1SessionTest {

@@ -245,20 +245,47 @@ TEST_F(Version2SessionTest, RefusedTelemetryIsLoggedAndNotAskedForAgain) {
   live(milliseconds(5000));
 }
 
-TEST_F(Version2SessionTest, TelemetryIsToldInRadianWithTheRobotsTime) {
+TEST_F(Version2SessionTest, TelemetryIsToldInUnitsWithTheRobotsTime) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("T2", request());
   EXPECT_EQ(Bytes({0, 4}), frame_.payload);
   receive(makeFrame('t', 2, {0, 4}));
   EXPECT_TRUE(telemetry_.empty()) << "that was the period";
-  receive(makeFrame('t', 0, version2_frames::makeTelemetry(99, {{'J', 2, -500000}, {'S', 1, 7}, {'J', 52, 1000000}})));
+  receive(makeFrame('t', 0,
+                    version2_frames::makeTelemetry(99, {{'J', 2, -500000},
+                                                        {'S', 53, 250000},
+                                                        {'S', 14, 1},
+                                                        {'S', 5, 80000000},
+                                                        {'S', 66, 870000},
+                                                        {'S', 200, -1},
+                                                        {'J', 52, 1000000}})));
   ASSERT_EQ(1u, telemetry_.size());
   EXPECT_EQ(99u, telemetry_[0].frame_number);
-  EXPECT_EQ(now_, telemetry_[0].arrival);
   ASSERT_EQ(2u, telemetry_[0].joints.size());
   EXPECT_EQ(2, telemetry_[0].joints[0].id);
   EXPECT_DOUBLE_EQ(-0.5, telemetry_[0].joints[0].position);
   EXPECT_EQ(52, telemetry_[0].joints[1].id);
+  ASSERT_EQ(5u, telemetry_[0].sensors.size());
+  EXPECT_EQ(53, telemetry_[0].sensors[0].id);
+  EXPECT_DOUBLE_EQ(0.25, telemetry_[0].sensors[0].value) << "range_near, m";
+  EXPECT_DOUBLE_EQ(1, telemetry_[0].sensors[1].value) << "paw_left_front, a switch";
+  EXPECT_DOUBLE_EQ(80, telemetry_[0].sensors[2].value) << "head_touch, a strength";
+  EXPECT_DOUBLE_EQ(0.87, telemetry_[0].sensors[3].value) << "battery";
+  EXPECT_DOUBLE_EQ(-1e-6, telemetry_[0].sensors[4].value) << "of a newer robot";
+}
+
+TEST_F(Version2SessionTest, TelemetryAndPicturesHaveTheTimeOfTheirFirstByteAndTheNumberOfTheirConnection) {
+  wish_.streaming = true;
+  request();
+  for (const Bytes& frame : {makeFrame('t', 0, version2_frames::makeTelemetry(1, {})), makePicture(0, 1)}) {
+    const TimePoint first_byte_time = now_;
+    receive(Bytes(frame.begin(), frame.begin() + 1));
+    pass(milliseconds(10));
+    receive(Bytes(frame.begin() + 1, frame.end()));
+    const bool picture = frame[0] == 'f';
+    EXPECT_EQ(first_byte_time, picture ? pictures_.at(0)->first_byte_time : telemetry_.at(0).arrival);
+    EXPECT_EQ(3u, picture ? pictures_.at(0)->connection_number : telemetry_.at(0).connection_number);
+  }
 }
 
 TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
@@ -324,16 +351,138 @@ TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(live(milliseconds(1)), Fault);
 }
 
+TEST_F(Version2SessionTest, LedsThatAreToldTogetherAreSentTogether) {
+  commandLeds({{7, 255, LedMode::kB}, {8, 1}});
+  EXPECT_EQ("L2", request());
+  EXPECT_EQ(Bytes({7, 255, 1, 0, 8, 1, 0, 0}), frame_.payload);
+}
+
+TEST_F(Version2SessionTest, LedsAndEarsWaitForTheAnswerBeforeAndThenTheLatestIsNext) {
+  commandLeds({{7, 1}});
+  EXPECT_EQ("L2", request());
+  commandEars(true, false);
+  EXPECT_EQ("K3", request());
+  EXPECT_EQ(Bytes({1, 0}), frame_.payload);
+  for (int i = 0; i < 100; ++i) {
+    commandLeds({{7, i}});
+    commandEars(false, i % 2 != 0);
+    EXPECT_EQ("", request());
+  }
+  receive(makeFrame('l', 2, {7, 1, 0, 0}));
+  EXPECT_EQ("L4", request());
+  EXPECT_EQ(Bytes({7, 99, 0, 0}), frame_.payload);
+  receive(makeError(3, 0, "the ears are stuck"));
+  EXPECT_EQ(1, logged("refused to move the ears: the ears are stuck"));
+  EXPECT_EQ("K5", request());
+  EXPECT_EQ(Bytes({0, 1}), frame_.payload);
+}
+
+TEST_F(Version2SessionTest, ARefusalIsLoggedAgainOnlyAfterSuchACommandWasTaken) {
+  for (int i = 0; i < 3; ++i) {
+    commandLeds({{99, 1}});
+    request();
+    receive(makeError(frame_.header.request_number, 0, "there is no LED 99"));
+    commandJoints({{1, 0}});
+    request();
+    receive(makeFrame('j', frame_.header.request_number, {0, 0, 0, 0}));
+  }
+  EXPECT_EQ(1, logged("refused to set LEDs: there is no LED 99"));
+  EXPECT_EQ(3u, counters_.refusals);
+  commandLeds({{1, 1}});
+  request();
+  receive(makeFrame('l', frame_.header.request_number, {1, 1, 0, 0}));
+  commandLeds({{99, 1}});
+  request();
+  receive(makeError(frame_.header.request_number, 0, "there is no LED 99"));
+  EXPECT_EQ(2, logged("refused to set LEDs: there is no LED 99"));
+}
+
 TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateTold) {
-  auto answer = setMotors(false);
+  auto answer = ask('O', "", 1);
   EXPECT_EQ("O2", request());
-  EXPECT_EQ(Bytes({0}), frame_.payload);
-  receive(makeFrame('o', 2, {0}));
-  EXPECT_FALSE(answer.get().on);
-  auto refused = setMotors(true);
+  EXPECT_EQ(Bytes({1}), frame_.payload);
+  receive(makeFrame('o', 2, {1}));
+  EXPECT_TRUE(answer.get().motors_on);
+  auto refused = ask('O', "", 1);
   EXPECT_EQ("O3", request());
   receive(makeError(3, 0, "the battery is low"));
-  EXPECT_THAT(refused.get().problem, HasSubstr("refused to switch the motors: the battery is low"));
+  EXPECT_EQ("robot:54321 refused to switch the motors on: the battery is low (error code 0).", refused.get().problem);
+}
+
+TEST_F(Version2SessionTest, MotionsAreUploadedPlayedStoppedListedAndDeleted) {
+  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3});
+  auto play = ask('P', "NOD.MTN", 258);
+  auto stop = ask('P');
+  auto list = ask('N');
+  auto deletion = ask('D', "NOD.MTN");
+  EXPECT_EQ("U2", request());
+  EXPECT_EQ(Bytes({7, 'N', 'O', 'D', '.', 'M', 'T', 'N', 1, 2, 3}), frame_.payload);
+  EXPECT_EQ("P3", request());
+  EXPECT_EQ(Bytes({1, 2, 'N', 'O', 'D', '.', 'M', 'T', 'N'}), frame_.payload);
+  EXPECT_EQ("P4", request());
+  EXPECT_EQ(Bytes({0, 0}), frame_.payload);
+  EXPECT_EQ("N5", request());
+  EXPECT_EQ("D6", request());
+  EXPECT_EQ(Bytes({'N', 'O', 'D', '.', 'M', 'T', 'N'}), frame_.payload);
+  receive(makeFrame('n', 5, {'A', '.', 'M', 'T', 'N', '\n', 'B', '.', 'M', 'T', 'N'}));
+  EXPECT_THAT(list.get().names, testing::ElementsAre("A.MTN", "B.MTN"));
+  EXPECT_FALSE(done(upload));
+  receive(makeFrame('u', 2, {}));
+  receive(makeFrame('p', 3, {}));
+  receive(makeFrame('p', 4, {}));
+  receive(makeError(6, 1, "there is no motion NOD.MTN"));
+  EXPECT_EQ(CallOutcome::kDone, upload.get().outcome);
+  EXPECT_EQ(CallOutcome::kDone, play.get().outcome);
+  EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
+  EXPECT_EQ("robot:54321 refused to delete the motion NOD.MTN: there is no motion NOD.MTN (error code 1).",
+            deletion.get().problem);
+}
+
+TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreAskedFor) {
+  auto shut_down = ask('Q');
+  auto reboot = ask('R');
+  EXPECT_EQ("Q2", request());
+  EXPECT_TRUE(frame_.payload.empty());
+  EXPECT_EQ("R3", request());
+  receive(makeFrame('q', 2, {}));
+  EXPECT_EQ(CallOutcome::kDone, shut_down.get().outcome);
+  EXPECT_FALSE(done(reboot));
+}
+
+TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsPassedOver) {
+  auto answer = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(4000));
+  EXPECT_EQ("U2", request());
+  live(milliseconds(3999));
+  EXPECT_FALSE(done(answer));
+  live(milliseconds(1));
+  EXPECT_EQ("no answer within 4000 ms.", answer.get().problem);
+  receive(makeFrame('u', 2, {}));
+  live(milliseconds(1000));
+}
+
+TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
+  wish_.streaming = true;
+  EXPECT_EQ("W2", request());
+  receive(makeFrame('w', 2, {1, 0, 0, 1}));
+  auto answer = ask('U', "NOD.MTN", 0, Bytes(65523), milliseconds(20000));
+  EXPECT_EQ("U3", request());
+  for (int number = 4; number <= 6; ++number) {
+    pass(milliseconds(500));
+    EXPECT_EQ("H" + std::to_string(number), request());
+  }
+  pass(milliseconds(400));
+  receive(makeFrame('u', 3, {}));
+  for (int number = 4; number <= 6; ++number) {
+    receive(makeFrame('h', number, version2_frames::makeHello()));
+  }
+  live(milliseconds(499));
+  EXPECT_THROW(live(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
+}
+
+TEST_F(Version2SessionTest, AListThatIsNoneIsAProtocolError) {
+  auto answer = ask('N');
+  request();
+  EXPECT_THAT(faultOf(makeFrame('n', 2, {'A', '/', '.', '.'})), HasSubstr("bad list of motions: "));
 }
 
 TEST_F(Version2SessionTest, WhatTheRobotReportsByItselfIsLoggedAndKept) {

@@ -1,0 +1,76 @@
+#include "client/command_checks.h"
+
+#include <cmath>
+#include <set>
+
+#include "aibo_driver/exceptions.h"
+#include "client/client_options.h"
+#include "protocol/motion_requests.h"
+#include "protocol/version2.h"
+
+namespace aibo_driver {
+namespace {
+
+constexpr double kFullTurn = 2 * 3.14159265358979323846;  // rad
+constexpr double kGreatestSpeed = 100;                    // rad/s
+
+/// @param kind of part: "joint" or "LED"
+template <typename Part>
+void checkIds(const std::vector<Part>& parts, std::size_t most, const std::string& kind) {
+  checkRange("the number of " + kind + "s", static_cast<long long>(parts.size()), 1, static_cast<long long>(most));
+  std::set<int> ids;
+  for (const Part& part : parts) {
+    checkRange("the id of a " + kind, part.id, 1, 255);
+    if (!ids.insert(part.id).second) {
+      throw InvalidArgumentException("the " + kind + " " + std::to_string(part.id) + " is named twice");
+    }
+  }
+}
+
+void require(bool good, int id, const std::string& problem) {
+  if (!good) {
+    throw InvalidArgumentException("joint " + std::to_string(id) + ": " + problem);
+  }
+}
+
+}  // namespace
+
+void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration) {
+  checkIds(targets, protocol::version2::MAX_JOINTS, "joint");
+  checkRange("duration", duration.count(), 0, 65535, " ms");
+  for (const JointTarget& target : targets) {
+    require(std::abs(target.position) <= kFullTurn, target.id,
+            "its position is " + std::to_string(target.position) + " rad, but has to be -2 pi..2 pi");
+  }
+}
+
+void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
+  checkIds(limits, protocol::version2::MAX_JOINTS, "joint");
+  for (const JointSpeedLimit& limit : limits) {
+    require(limit.speed > 0 && limit.speed <= kGreatestSpeed, limit.id,
+            "its speed limit is " + std::to_string(limit.speed) + " rad/s, but has to be above 0 and at most 100");
+  }
+}
+
+void checkLedCommands(const std::vector<LedCommand>& leds) {
+  checkIds(leds, protocol::version2::MAX_LEDS, "LED");
+  for (const LedCommand& led : leds) {
+    checkRange("the intensity of LED " + std::to_string(led.id), led.intensity, 0, 255);
+  }
+}
+
+void checkMotionContent(const std::vector<std::uint8_t>& content) {
+  checkRange("the motion's size", static_cast<long long>(content.size()), 1, protocol::version2::MAX_MOTION_FILE_SIZE,
+             " bytes");
+}
+
+std::string checkedMotionName(const std::string& name) {
+  protocol::MotionName checked;
+  const char* problem = protocol::readMotionName(name.data(), name.size(), checked);
+  if (problem != nullptr) {
+    throw InvalidArgumentException("'" + name + "': " + problem);
+  }
+  return checked;
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,67 @@
+#include "client/command_checks.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+namespace {
+
+std::string complaintAbout(const std::vector<JointTarget>& targets, milliseconds duration = milliseconds(0)) {
+  try {
+    checkJointTargets(targets, duration);
+  } catch (const InvalidArgumentException& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CommandChecksTest, TargetsAreChecked) {
+  EXPECT_EQ("", complaintAbout({{1, 0}, {255, -6.28}}, milliseconds(65535)));
+  EXPECT_THAT(complaintAbout({}), HasSubstr("the number of joints is 0"));
+  EXPECT_THAT(complaintAbout(std::vector<JointTarget>(33)), HasSubstr("the number of joints is 33"));
+  EXPECT_THAT(complaintAbout({{0, 0}}), HasSubstr("the id of a joint is 0")) << "0 would be all joints";
+  EXPECT_THAT(complaintAbout({{256, 0}}), HasSubstr("the id of a joint is 256"));
+  EXPECT_THAT(complaintAbout({{3, 0}, {3, 1}}), HasSubstr("the joint 3 is named twice"));
+  EXPECT_THAT(complaintAbout({{3, std::nan("")}}), HasSubstr("joint 3: its position is"));
+  EXPECT_THAT(complaintAbout({{3, -INFINITY}}), HasSubstr("joint 3: its position is"));
+  EXPECT_THAT(complaintAbout({{3, 7}}), HasSubstr("joint 3: its position is 7.0"));
+  EXPECT_THAT(complaintAbout({{3, 0}}, milliseconds(-1)), HasSubstr("duration is -1 ms"));
+  EXPECT_THAT(complaintAbout({{3, 0}}, milliseconds(65536)), HasSubstr("duration is 65536 ms"));
+}
+
+TEST(CommandChecksTest, SpeedLimitsAreChecked) {
+  EXPECT_NO_THROW(checkJointSpeedLimits({{1, 0.001}, {2, 100}}));
+  EXPECT_THROW(checkJointSpeedLimits({{1, 0}}), InvalidArgumentException);
+  EXPECT_THROW(checkJointSpeedLimits({{1, -1}}), InvalidArgumentException);
+  EXPECT_THROW(checkJointSpeedLimits({{1, 101}}), InvalidArgumentException);
+  EXPECT_THROW(checkJointSpeedLimits({{1, std::nan("")}}), InvalidArgumentException);
+  EXPECT_THROW(checkJointSpeedLimits({{1, 1}, {1, 2}}), InvalidArgumentException);
+}
+
+TEST(CommandChecksTest, LedsAreChecked) {
+  EXPECT_NO_THROW(checkLedCommands({{1, 0}, {255, 255}}));
+  EXPECT_THROW(checkLedCommands({}), InvalidArgumentException);
+  EXPECT_THROW(checkLedCommands({{0, 1}}), InvalidArgumentException);
+  EXPECT_THROW(checkLedCommands({{1, 1}, {1, 2}}), InvalidArgumentException);
+  EXPECT_THROW(checkLedCommands({{1, -1}}), InvalidArgumentException);
+  EXPECT_THROW(checkLedCommands({{1, 256}}), InvalidArgumentException);
+}
+
+TEST(CommandChecksTest, MotionsAreChecked) {
+  EXPECT_EQ("NOD.MTN", checkedMotionName("nod.mtn"));
+  for (const std::string& name : {std::string("../NOD.MTN"), std::string("NOD"), std::string(), std::string(1, '\0')}) {
+    EXPECT_THROW(checkedMotionName(name), InvalidArgumentException) << name;
+  }
+  EXPECT_NO_THROW(checkMotionContent(std::vector<std::uint8_t>(65523)));
+  EXPECT_THROW(checkMotionContent(std::vector<std::uint8_t>(65524)), InvalidArgumentException);
+  EXPECT_THROW(checkMotionContent({}), InvalidArgumentException);
+}
+
+}  // namespace
