@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-#include "bytes.h"
+#include "layouts.h"
 
 namespace protocol {
 namespace version2 {
@@ -16,13 +16,6 @@ using ::testing::HasSubstr;
 using ::testing::IsNull;
 using ::testing::NotNull;
 using ::testing::StrEq;
-
-const char kHello[] =
-    "robot=ERS-7\n"
-    "server=aibo_rcserver 0.1.0\n"
-    "frame_number=4294967295\n"
-    "capabilities=H F W J V T\n"
-    "limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460\n";
 
 Hello exampleHello() {
   Hello hello{};
@@ -37,11 +30,8 @@ Hello exampleHello() {
 }
 
 std::string encode(const Hello& hello) {
-  Bytes bytes(MAX_HELLO_SIZE + 1, 0xee);
-  const size_t size = encodeHello(hello, bytes.data());
-  EXPECT_LE(size, MAX_HELLO_SIZE);
-  EXPECT_EQ(bytes.back(), 0xee);
-  return std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+  const Bytes bytes = encoded(encodeHello, hello, MAX_HELLO_SIZE);
+  return std::string(bytes.begin(), bytes.end());
 }
 
 const char* decode(const std::string& text, Hello* hello) {

@@ -44,6 +44,13 @@ constexpr char kUpload[] =
 
 constexpr char kOrder[] = "00 03 4e 4f 44 2e 4d 54 4e";  // three times NOD.MTN
 
+constexpr char kHello[] =
+    "robot=ERS-7\n"
+    "server=aibo_rcserver 0.1.0\n"
+    "frame_number=4294967295\n"
+    "capabilities=H F W J V T\n"
+    "limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460\n";
+
 /// What an encoder writes. Behind that, everything has to stay as it was.
 template <typename Encoder, typename Value>
 Bytes encoded(Encoder encode, const Value& value, size_t room) {
