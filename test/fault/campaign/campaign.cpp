@@ -1,0 +1,257 @@
+/// @file campaign.cpp
+/// Tries every fault, many times, and prints what became of them.
+
+#include <signal.h>
+
+#include <algorithm>
+#include <atomic>
+#include <boost/program_options.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "campaign/experiment.h"
+#include "support/resources.h"
+
+namespace fault_bench {
+namespace {
+
+namespace po = boost::program_options;
+
+struct Options {
+  unsigned seed = 1;
+  std::vector<std::string> only{};
+  int trial = -1;
+  double percent = 100;
+  bool short_form = false;
+  bool list = false;
+};
+
+/// What became of all faults of one row.
+struct Result {
+  unsigned tried = 0;
+  unsigned violations = 0;
+  std::vector<double> recoveries{};  // ms
+};
+
+double quantile(const std::vector<double>& sorted, double part) {
+  const auto index = static_cast<std::size_t>(part * static_cast<double>(sorted.size()));
+  return sorted.empty() ? 0 : sorted[std::min(index, sorted.size() - 1)];
+}
+
+class RowRun {
+ public:
+  RowRun(const Row& row, const Options& options) : row_(row), options_(options) {}
+
+  Result run() {
+    if (options_.trial >= 0) {
+      const auto trial = static_cast<unsigned>(options_.trial);
+      const auto experiment = row_.make(trial % row_.at_once);
+      tryOne(experiment.get(), trial);
+    } else {
+      runAll();
+    }
+    std::sort(result_.recoveries.begin(), result_.recoveries.end());
+    return result_;
+  }
+
+ private:
+  void runAll() {
+    const auto part = static_cast<unsigned>(static_cast<double>(row_.trials) * options_.percent / 100);
+    const unsigned trials = std::max(1U, part);
+    std::vector<std::unique_ptr<Experiment>> experiments;
+    for (unsigned i = 0; i < std::min(row_.at_once, trials); ++i) {
+      experiments.push_back(row_.make(i));
+    }
+    // What the first trials still make, such as the allocator's pools, is no leak.
+    const unsigned warm_up = trials / 5;
+    runPart(experiments, 0, warm_up);
+    const Resources before = Resources::settled();
+    runPart(experiments, warm_up, trials);
+    if (const std::string leak = before.growth(options_.short_form); warm_up > 0 && !leak.empty()) {
+      complain("in all trials together", {"I6: " + leak});
+    }
+  }
+
+  void runPart(const std::vector<std::unique_ptr<Experiment>>& experiments, unsigned begin, unsigned end) {
+    std::vector<std::thread> threads;
+    const auto count = static_cast<unsigned>(experiments.size());
+    for (unsigned i = 0; i < count; ++i) {
+      threads.emplace_back([&, i] {
+        for (unsigned trial = begin + (i + count - begin % count) % count; trial < end; trial += count) {
+          tryOne(experiments[i].get(), trial);
+        }
+      });
+    }
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+  }
+
+  void tryOne(Experiment* experiment, unsigned trial) {
+    std::seed_seq seeds{options_.seed, static_cast<unsigned>(std::hash<std::string>()(row_.id)), trial};
+    Random random(seeds);
+    Outcome outcome = experiment->run(trial, random);
+    if (options_.short_form) {
+      // On a busy computer, times say nothing.
+      outcome.violations.erase(std::remove_if(outcome.violations.begin(), outcome.violations.end(),
+                                              [](const std::string& each) { return each[0] == 'M'; }),
+                               outcome.violations.end());
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++result_.tried;
+    if (outcome.recovery) {
+      result_.recoveries.push_back(outcome.recovery->count());
+    }
+    if (!outcome.violations.empty()) {
+      complain(
+          "again: --seed " + std::to_string(options_.seed) + " --only " + row_.id + " --trial " + std::to_string(trial),
+          outcome.violations);
+    }
+  }
+
+  void complain(const std::string& where, const std::vector<std::string>& violations) {
+    ++result_.violations;
+    for (const std::string& each : violations) {
+      std::printf("  %s: %s (%s)\n", row_.id.c_str(), each.c_str(), where.c_str());
+    }
+    std::fflush(stdout);
+  }
+
+  const Row row_;
+  const Options options_;
+  std::mutex mutex_;
+  Result result_;
+};
+
+void printHead() {
+  std::printf("%-5s %-52s %7s %10s %9s %9s %9s %9s\n", "fault", "", "tried", "violations", "p50 ms", "p99 ms",
+              "worst ms", "mark ms");
+}
+
+/// @return the row's violations, with a missed mark
+unsigned print(const Row& row, const Result& result, bool short_form) {
+  const double p99 = quantile(result.recoveries, 0.99);
+  const bool late = !short_form && row.recovery_mark.count() > 0 && p99 > row.recovery_mark.count();
+  std::printf("%-5s %-52s %7u %10u ", row.id.c_str(), row.title.c_str(), result.tried, result.violations);
+  if (result.recoveries.empty()) {
+    std::printf("%9s %9s %9s ", "-", "-", "-");
+  } else {
+    std::printf("%9.1f %9.1f %9.1f ", quantile(result.recoveries, 0.5), p99, result.recoveries.back());
+  }
+  if (row.recovery_mark.count() > 0) {
+    std::printf("%9.0f", row.recovery_mark.count());
+  } else {
+    std::printf("%9s", "-");
+  }
+  std::printf("%s\n", late ? "  TOO LATE" : "");
+  std::fflush(stdout);
+  return result.violations + (late ? 1 : 0);
+}
+
+po::options_description describe(Options* options) {
+  po::options_description description("Options", 110);
+  // clang-format off
+  description.add_options()
+    ("help", "say this and exit")
+    ("list", po::bool_switch(&options->list), "say which faults there are, and exit")
+    ("seed", po::value(&options->seed)->default_value(1), "of all that is random")
+    ("only", po::value(&options->only)->composing(), "only this row of the table, such as F2; may be given repeatedly")
+    ("trial", po::value(&options->trial), "only the fault of this number, of one row")
+    ("percent", po::value(&options->percent)->default_value(100), "try so much of the whole number of faults")
+    ("short", po::bool_switch(&options->short_form), "1 percent, without marks for times: for a busy computer");
+  // clang-format on
+  return description;
+}
+
+bool isWanted(const Row& row, const Options& options) {
+  return options.only.empty() || std::find(options.only.begin(), options.only.end(), row.id) != options.only.end();
+}
+
+/// @throw po::error an option that cannot be
+void checkOptions(const Options& options) {
+  std::set<std::string> known;
+  for (const Row& row : allRows()) {
+    known.insert(row.id);
+  }
+  for (const std::string& id : options.only) {
+    if (known.count(id) == 0) {
+      throw po::error("there is no fault '" + id + "' (--list tells all)");
+    }
+  }
+  if (options.trial >= 0 && options.only.size() != 1) {
+    throw po::error("'--trial' needs '--only' with one fault");
+  }
+}
+
+int runCampaign(const Options& options) {
+  unsigned tried = 0;
+  unsigned violations = 0;
+  printHead();
+  for (const Row& row : allRows()) {
+    if (isWanted(row, options)) {
+      const Result result = RowRun(row, options).run();
+      tried += result.tried;
+      violations += print(row, result, options.short_form);
+    }
+  }
+  std::printf("\n%u faults tried with seed %u, %u violations\n", tried, options.seed, violations);
+  return violations == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int listRows() {
+  for (const Row& row : allRows()) {
+    std::printf("%-5s %-60s %6u\n", row.id.c_str(), row.title.c_str(), row.trials);
+  }
+  return EXIT_SUCCESS;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  const po::options_description description = describe(&options);
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), values);
+  po::notify(values);
+  if (values.count("help") > 0) {
+    std::cout << "Tries every fault there is between driver and RCServer, and prints what became of them.\n"
+                 "Ends with 1 if something was not as it has to be.\n\n"
+              << description;
+    return EXIT_SUCCESS;
+  }
+  checkOptions(options);
+  if (options.short_form) {
+    options.percent = std::min(options.percent, 1.0);
+  }
+  return options.list ? listRows() : runCampaign(options);
+}
+
+}  // namespace
+
+std::vector<Row> allRows() {
+  std::vector<Row> rows;
+  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows()}) {
+    rows.insert(rows.end(), some.begin(), some.end());
+  }
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    const auto key = [](const Row& row) { return std::make_pair(std::atoi(row.id.c_str() + 1), row.id); };
+    return (a.id[0] == b.id[0]) ? key(a) < key(b) : a.id[0] < b.id[0];
+  });
+  return rows;
+}
+
+}  // namespace fault_bench
+
+int main(int argc, char** argv) {
+  ::signal(SIGPIPE, SIG_IGN);
+  try {
+    return fault_bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "aibo_fault_campaign: " << error.what() << " (--help tells all options)\n";
+    return 2;
+  }
+}

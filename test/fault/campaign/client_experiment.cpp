@@ -1,0 +1,114 @@
+#include "campaign/client_experiment.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "client/tcp_transport.h"
+#include "support/syscalls.h"
+
+using aibo_driver::ClientOptions;
+using aibo_driver::NameLookupResult;
+using aibo_driver::TcpTransport;
+
+namespace fault_bench {
+namespace {
+
+constexpr std::chrono::microseconds kPicturePeriod{1500};
+
+ClientOptions clientOptions(int port, const std::string& name) {
+  ClientOptions options;
+  options.host = name;
+  options.port = port;
+  return options;
+}
+
+FaultProxy::Options proxyOptions(int target_port, unsigned seed) {
+  FaultProxy::Options options;
+  options.target_port = target_port;
+  options.seed = seed;
+  return options;
+}
+
+}  // namespace
+
+int uniform(Random& random, int lowest, int highest) {
+  return std::uniform_int_distribution<int>(lowest, highest)(random);
+}
+
+ClientExperiment::ClientExperiment(unsigned remainder)
+    : version_(remainder % 2 == 0 ? 1 : 2),
+      mark_(static_cast<int>(remainder) + 1),
+      server_(version_, kPicturePeriod),
+      proxy_(proxyOptions(server_.port(), remainder)),
+      witness_(server_),
+      client_(clientOptions(proxy_.port(), robotName()), callbacks(),
+              std::make_unique<TcpTransport>([this](const std::string&, int port) {
+                if (!name_known_) {
+                  return NameLookupResult{{}, "it is not known"};
+                }
+                return aibo_driver::resolveNumeric("127.0.0." + std::to_string(address_), port);
+              })) {
+  client_.setStreaming(true);
+  client_.start();
+  awaitPictures(3);
+}
+
+aibo_driver::RcServerClient::Callbacks ClientExperiment::callbacks() {
+  aibo_driver::RcServerClient::Callbacks callbacks = witness_.callbacks();
+  callbacks.on_status = [this, tell = callbacks.on_status](const aibo_driver::ConnectionStatus& status) {
+    syscalls::markThisThread(mark_);
+    tell(status);
+  };
+  return callbacks;
+}
+
+Outcome ClientExperiment::run(unsigned trial, Random& random) {
+  const std::uint64_t stale_before = client_.statistics().stale_pictures;
+  Outcome outcome;
+  try {
+    outcome = attempt(trial, random);
+    awaitPictures(3);
+  } catch (const std::exception& error) {
+    outcome.violations.emplace_back(error.what());
+  }
+  std::vector<std::string> seen = witness_.takeViolations();
+  if (client_.statistics().stale_pictures > stale_before) {
+    // This process was held up, and pictures grew stale: they are to be left out.
+    seen.erase(std::remove_if(seen.begin(), seen.end(), [](const std::string& each) { return each[1] == '5'; }),
+               seen.end());
+  }
+  outcome.violations.insert(outcome.violations.end(), seen.begin(), seen.end());
+  return outcome;
+}
+
+FaultReport ClientExperiment::carryOut(const Fault& fault) {
+  const std::size_t done = proxy_.faultsDone();
+  proxy_.add(fault);
+  const auto report = proxy_.waitForFaults(done + 1, kPatience);
+  if (!report) {
+    throw std::runtime_error("the fault could not be made: no picture came to make it in");
+  }
+  return *report;
+}
+
+Outcome ClientExperiment::awaitReconnect(std::uint32_t old_connection, TimePoint healthy) {
+  const auto back = witness_.waitFor(
+      [old_connection](const Witness::Sighting& each) { return each.name.connection > old_connection; }, kPatience);
+  if (!back) {
+    throw std::runtime_error("no picture came any more: " + client_.status().reason);
+  }
+  return {back->time - healthy, {}};
+}
+
+Outcome ClientExperiment::expectConnection(std::uint32_t expected) const {
+  return connection() == expected ? Outcome() : Outcome{{}, {"the connection was given up: " + witness_.lastWarning()}};
+}
+
+void ClientExperiment::awaitPictures(unsigned count) {
+  const std::uint64_t number = witness_.last().name.number + count;
+  if (!witness_.waitFor([number](const Witness::Sighting& each) { return each.name.number >= number; }, kPatience)) {
+    throw std::runtime_error("no picture came any more: " + client_.status().reason);
+  }
+}
+
+}  // namespace fault_bench

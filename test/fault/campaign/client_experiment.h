@@ -1,0 +1,66 @@
+/// @file client_experiment.h
+#ifndef TEST_FAULT_CLIENT_EXPERIMENT_H
+#define TEST_FAULT_CLIENT_EXPERIMENT_H
+
+#include <atomic>
+#include <string>
+
+#include "campaign/experiment.h"
+#include "proxy/fault_proxy.h"
+#include "support/picture_server.h"
+#include "support/witness.h"
+
+namespace fault_bench {
+
+/// A client with the driver's own settings, a server, and the proxy between them.
+class ClientExperiment : public Experiment {
+ public:
+  /// @param remainder even: the server speaks version 1 of the protocol; odd: version 2
+  explicit ClientExperiment(unsigned remainder);
+
+  /// Tries the fault, then looks at what the witness says.
+  Outcome run(unsigned trial, Random& random) final;
+
+ protected:
+  static constexpr std::chrono::milliseconds kPatience{20000};
+
+  virtual Outcome attempt(unsigned trial, Random& random) = 0;
+
+  int version() const { return version_; }
+
+  /// Of the client's thread, for system calls that fail.
+  int mark() const { return mark_; }
+
+  /// Has the proxy do this, and waits for it.
+  FaultReport carryOut(const Fault& fault);
+
+  /// Waits for a picture of a connection that is newer than this one.
+  /// @param healthy since when nothing is wrong any more
+  Outcome awaitReconnect(std::uint32_t old_connection, TimePoint healthy);
+
+  /// What there is to say if the connection is not this one any more.
+  Outcome expectConnection(std::uint32_t expected) const;
+
+  /// Waits for so many pictures more.
+  void awaitPictures(unsigned count);
+
+  /// The connection over which the last picture came.
+  std::uint32_t connection() const { return witness_.last().name.connection; }
+
+  aibo_driver::RcServerClient::Callbacks callbacks();
+
+  static std::string robotName() { return "robot.example"; }
+
+  const int version_;
+  const int mark_;
+  PictureServer server_;
+  FaultProxy proxy_;
+  Witness witness_;
+  std::atomic<bool> name_known_{true};  ///< whether the robot's name can be looked up
+  std::atomic<int> address_{1};         ///< it leads to 127.0.0.N
+  aibo_driver::RcServerClient client_;
+};
+
+}  // namespace fault_bench
+
+#endif  // TEST_FAULT_CLIENT_EXPERIMENT_H

@@ -1,0 +1,191 @@
+// F6: pictures that are damaged, though they come whole.
+
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+#include "campaign/client_experiment.h"
+#include "jpeg_decoder.h"
+#include "test_pictures.h"
+
+namespace fault_bench {
+namespace {
+
+using aibo_driver::JpegDecoder;
+using test_pictures::PictureKind;
+
+using Spoil = Bytes (*)(Bytes jpeg, Random& random);
+
+std::ptrdiff_t position(Random& random, const Bytes& jpeg) {
+  return uniform(random, 0, static_cast<int>(jpeg.size()) - 1);
+}
+
+Bytes flipBits(Bytes jpeg, Random& random) {
+  for (int count = uniform(random, 1, 8); count > 0; --count) {
+    jpeg[static_cast<std::size_t>(position(random, jpeg))] ^= static_cast<std::uint8_t>(1 << uniform(random, 0, 7));
+  }
+  return jpeg;
+}
+
+Bytes cutShort(Bytes jpeg, Random& random) {
+  jpeg.resize(static_cast<std::size_t>(position(random, jpeg)) + 1);
+  return jpeg;
+}
+
+Bytes loseBytes(Bytes jpeg, Random& random) {
+  const auto begin = jpeg.begin() + position(random, jpeg);
+  jpeg.erase(begin, begin + std::min<std::ptrdiff_t>(uniform(random, 1, 100), jpeg.end() - begin));
+  return jpeg.empty() ? Bytes{0} : jpeg;
+}
+
+Bytes withoutEnd(Bytes jpeg, Random&) {
+  jpeg.resize(jpeg.size() - 2);
+  return jpeg;
+}
+
+Bytes withMoreBehind(Bytes jpeg, Random& random) {
+  jpeg.resize(jpeg.size() + static_cast<std::size_t>(uniform(random, 1, 1000)), 0x55);
+  return jpeg;
+}
+
+Bytes noJpegAtAll(Bytes jpeg, Random& random) {
+  std::generate(jpeg.begin(), jpeg.end(), [&] { return static_cast<std::uint8_t>(uniform(random, 0, 255)); });
+  return jpeg;
+}
+
+Bytes ofWrongSize(Bytes, Random& random) {
+  PictureKind kind;
+  kind.width = uniform(random, 16, 640);
+  kind.height = uniform(random, 16, 480);
+  return test_pictures::make(kind);
+}
+
+Bytes progressive(Bytes, Random& random) {
+  PictureKind kind;
+  kind.seed = static_cast<unsigned>(uniform(random, 1, 1000));
+  kind.flags = TJFLAG_PROGRESSIVE;
+  return test_pictures::make(kind);
+}
+
+// A few KB that would be many GB of pixels.
+Bytes sizeBomb(Bytes jpeg, Random& random) {
+  const std::size_t frame = test_pictures::findMarker(jpeg, 0xC0);
+  for (std::size_t i = frame + 5; i < frame + 9; ++i) {
+    jpeg[i] = static_cast<std::uint8_t>(uniform(random, 0xF0, 0xFF));
+  }
+  return jpeg;
+}
+
+// Thousands of scans, each of which would be decoded.
+Bytes scanBomb(Bytes jpeg, Random& random) {
+  const Bytes scan = {0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0};
+  jpeg.resize(jpeg.size() - 2);
+  for (int count = uniform(random, 1000, 9000); count > 0; --count) {
+    jpeg.insert(jpeg.end(), scan.begin(), scan.end());
+  }
+  jpeg.insert(jpeg.end(), {0xFF, 0xD9});
+  return jpeg;
+}
+
+/// Processor time of this thread.
+Milliseconds threadTime() {
+  timespec time = {};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// What libjpeg itself says when it may warn.
+bool libjpegComplains(const Bytes& jpeg) {
+  const std::unique_ptr<void, int (*)(tjhandle)> decompressor(tjInitDecompress(), &tjDestroy);
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int colors = 0;
+  const auto size = static_cast<unsigned long>(jpeg.size());
+  if (tjDecompressHeader3(decompressor.get(), jpeg.data(), size, &width, &height, &subsampling, &colors) != 0) {
+    return true;
+  }
+  Bytes pixels(static_cast<std::size_t>(width * height) * 3);
+  return tjDecompress2(decompressor.get(), jpeg.data(), size, pixels.data(), width, 0, height, TJPF_BGR, 0) != 0;
+}
+
+/// F6: the server sends what is no good picture, in a frame as it should be. It is not delivered, or at the latest the
+/// decoder makes no image of it, in no more time than a good one takes; and the next picture comes.
+class CorruptExperiment : public ClientExperiment {
+ public:
+  explicit CorruptExperiment(unsigned remainder) : ClientExperiment(remainder) {
+    const Bytes good = makeNumberedPicture({1, 1});
+    for (int i = 0; i < 20; ++i) {
+      decode(good);
+    }
+    normal_time_ = bestTime(good);
+  }
+
+ private:
+  Outcome attempt(unsigned trial, Random& random) override {
+    constexpr std::array<Spoil, 10> kWays = {flipBits,    cutShort,    loseBytes,   withoutEnd, withMoreBehind,
+                                             noJpegAtAll, ofWrongSize, progressive, sizeBomb,   scanBomb};
+    const unsigned way = trial / 4 % (2 * kWays.size());
+    const Spoil spoil = way < kWays.size() ? kWays[way] : flipBits;  // the commonest, half of the time
+    const std::uint32_t before = connection();
+    const std::uint64_t spoilt_before = server_.lastSpoilt().first.number;
+    server_.spoilNext([&](Bytes jpeg) { return spoil(std::move(jpeg), random); });
+    const auto next = witness_.waitFor(
+        [&](const Witness::Sighting& each) {
+          const std::uint64_t spoilt = server_.lastSpoilt().first.number;
+          return spoilt > spoilt_before && each.name.number > spoilt;
+        },
+        kPatience);
+    Outcome outcome;
+    if (!next || next->name.connection != before) {
+      outcome.violations.emplace_back(next ? "the connection was given up" : "no picture came any more");
+    }
+    judge(server_.lastSpoilt().second, &outcome);
+    return outcome;
+  }
+
+  void judge(const Bytes& jpeg, Outcome* outcome) {
+    if (decode(jpeg) && (jpeg.size() < 4 || libjpegComplains(jpeg))) {
+      outcome->violations.emplace_back("an image was made of a damaged picture");
+    }
+    const Milliseconds time = bestTime(jpeg);
+    if (time > 2 * normal_time_) {
+      outcome->violations.push_back("M: decoding took " + std::to_string(time.count()) + " ms, a good picture takes " +
+                                    std::to_string(normal_time_.count()));
+    }
+  }
+
+  bool decode(const Bytes& jpeg) {
+    try {
+      const aibo_driver::BgrImage image = decoder_.decode(jpeg.data(), jpeg.size());
+      return image.width > 0;
+    } catch (const aibo_driver::DecodeException&) {
+      return false;
+    }
+  }
+
+  Milliseconds bestTime(const Bytes& jpeg) {
+    Milliseconds best = Milliseconds::max();
+    for (int i = 0; i < 20 && (i < 3 || best > 2 * normal_time_); ++i) {
+      const Milliseconds before = threadTime();
+      decode(jpeg);
+      best = std::min(best, threadTime() - before);
+    }
+    return best;
+  }
+
+  JpegDecoder decoder_;
+  Milliseconds normal_time_{1e9};
+};
+
+}  // namespace
+
+std::vector<Row> pictureRows() {
+  return {{"F6", "damaged and hostile JPEGs", 10000, 4, {}, [](unsigned remainder) {
+             return std::make_unique<CorruptExperiment>(remainder);
+           }}};
+}
+
+}  // namespace fault_bench

@@ -1,0 +1,284 @@
+/// @file radio_campaign.cpp
+/// The client and the real RCServer on two hosts, with an emulated 802.11b link between them: loss, outages, low rates.
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "aibo_driver/rcserver_client.h"
+#include "radio/network_host.h"
+#include "radio/radio_link.h"
+#include "radio/robot_on_radio.h"
+
+namespace fault_bench {
+namespace {
+
+namespace po = boost::program_options;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+constexpr int kWrongUsage = 2;
+constexpr int kSkipped = 77;  // as CTest knows it: SKIP_RETURN_CODE
+
+constexpr char kRobotAddress[] = "10.77.0.1";
+constexpr char kComputerAddress[] = "10.77.0.2";
+
+/// The stream has to have begun by then, whatever the loss.
+constexpr std::chrono::seconds kSafetyNet{20};
+/// A picture so old is stale: it has waited in a socket while nothing got through.
+constexpr milliseconds kOldestPicture{1500};
+
+struct Trial {
+  std::string title;
+  RadioOptions radio;
+  milliseconds length{15000};
+  milliseconds recovery_mark{0};  ///< after an outage the next picture comes within this time; 0 = no outage
+};
+
+struct Sighting {
+  RobotOnRadio::Sent sent;
+  steady_clock::time_point seen_at;
+};
+
+/// Notes what the client delivers.
+class Observer {
+ public:
+  explicit Observer(const RobotOnRadio& robot) : robot_(robot) {}
+
+  void see(const aibo_driver::Picture& picture) {
+    const auto now = steady_clock::now();
+    const auto sent = robot_.find(picture.jpeg);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!sent) {
+      violations_.insert("a picture that was never sent");
+      return;
+    }
+    if (!sightings_.empty() && sent->number <= sightings_.back().sent.number) {
+      violations_.insert("a picture again, or an older one after a newer");
+    }
+    if (now - sent->image_at > kOldestPicture) {
+      violations_.insert("a stale picture");
+    }
+    sightings_.push_back({*sent, now});
+  }
+
+  std::vector<Sighting> sightings() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return sightings_;
+  }
+
+  std::set<std::string> violations() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return violations_;
+  }
+
+ private:
+  const RobotOnRadio& robot_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::vector<Sighting> sightings_;
+  std::set<std::string> violations_;
+};
+
+struct Result {
+  double pictures_per_second = 0;
+  std::vector<double> ages;  ///< ms, sorted: from the camera's image to its delivery
+  double longest_gap = 0;    ///< ms, between pictures
+  double recovery = -1;      ///< ms, from the end of the last outage to the next picture; -1 = no outage
+  std::uint64_t connections = 0;
+  std::set<std::string> violations;
+};
+
+double quantile(const std::vector<double>& sorted, double part) {
+  const auto index = static_cast<std::size_t>(part * static_cast<double>(sorted.size()));
+  return sorted.empty() ? 0 : sorted[std::min(index, sorted.size() - 1)];
+}
+
+void measureRecovery(const Trial& trial, const std::vector<Sighting>& sightings, steady_clock::time_point begin,
+                     Result& result) {
+  if (trial.radio.outages.empty()) {
+    return;
+  }
+  const auto back_at = begin + trial.radio.outages.back().begin + trial.radio.outages.back().length;
+  const auto first = std::find_if(sightings.begin(), sightings.end(),
+                                  [back_at](const Sighting& sighting) { return sighting.seen_at >= back_at; });
+  if (first == sightings.end()) {
+    result.violations.insert("no picture after the outage");
+    return;
+  }
+  result.recovery = Milliseconds(first->seen_at - back_at).count();
+  if (result.recovery > static_cast<double>(trial.recovery_mark.count())) {
+    result.violations.insert("no picture within " + std::to_string(trial.recovery_mark.count()) +
+                             " ms after the outage");
+  }
+}
+
+Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time_point begin) {
+  Result result;
+  const std::vector<Sighting> sightings = observer.sightings();
+  result.violations = observer.violations();
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    result.ages.push_back(Milliseconds(sightings[i].seen_at - sightings[i].sent.image_at).count());
+    if (i > 0) {
+      const double gap = Milliseconds(sightings[i].seen_at - sightings[i - 1].seen_at).count();
+      result.longest_gap = std::max(result.longest_gap, gap);
+    }
+  }
+  std::sort(result.ages.begin(), result.ages.end());
+  result.pictures_per_second =
+      static_cast<double>(sightings.size()) / std::chrono::duration<double>(trial.length).count();
+  measureRecovery(trial, sightings, begin, result);
+  if (sightings.empty()) {
+    result.violations.insert("no picture at all");
+  } else if (trial.radio.loss == 0 && trial.radio.outages.empty() &&
+             sightings.back().sent.number - sightings.front().sent.number + 1 != sightings.size()) {
+    result.violations.insert("pictures lost on a link that loses nothing");
+  }
+  return result;
+}
+
+Result run(const Trial& trial) {
+  const NetworkHost robot_host(kRobotAddress);
+  const NetworkHost computer(kComputerAddress);
+  const RobotOnRadio robot(robot_host);
+  Observer observer(robot);
+  Result result;
+  std::thread([&] {
+    computer.enter();
+    const RadioLink link(robot_host, computer, trial.radio);
+    aibo_driver::ClientOptions options;
+    options.host = kRobotAddress;
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [&](const aibo_driver::PicturePtr& picture) { observer.see(*picture); };
+    aibo_driver::RcServerClient client(options, callbacks);
+    client.setStreaming(true);
+    client.start();
+    std::this_thread::sleep_until(link.begin() + trial.length);  // what is measured is a time
+    const auto deadline = steady_clock::now() + kSafetyNet;
+    while (observer.sightings().empty() && steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    client.stop();
+    result = evaluate(trial, observer, link.begin());
+    result.connections = client.statistics().connections;
+  }).join();
+  return result;
+}
+
+Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, milliseconds length) {
+  Trial trial;
+  trial.radio.bits_per_second = bits_per_second;
+  trial.radio.loss = loss;
+  trial.radio.seed = seed;
+  trial.length = length;
+  char title[64];
+  std::snprintf(title, sizeof title, "%4.1f Mbit/s, loss %g %%, seed %u", bits_per_second / 1e6, loss * 100, seed);
+  trial.title = title;
+  return trial;
+}
+
+Trial outageTrial(milliseconds outage, std::uint32_t seed, milliseconds recovery_mark) {
+  Trial trial;
+  trial.radio.seed = seed;
+  trial.radio.outages = {{milliseconds(2000), outage}};
+  trial.length = outage + milliseconds(7000);
+  trial.recovery_mark = recovery_mark;
+  char title[64];
+  std::snprintf(title, sizeof title, "11 Mbit/s, outage of %g s, seed %u", static_cast<double>(outage.count()) / 1e3,
+                seed);
+  trial.title = title;
+  return trial;
+}
+
+std::vector<Trial> allTrials(std::uint32_t first_seed) {
+  std::vector<Trial> trials;
+  for (std::uint32_t seed = first_seed; seed < first_seed + 3; ++seed) {
+    for (const double loss : {0.0, 0.01, 0.05}) {
+      trials.push_back(lossTrial(11e6, loss, seed, milliseconds(15000)));
+    }
+    for (const int outage : {1000, 3000, 10000}) {
+      trials.push_back(outageTrial(milliseconds(outage), seed, milliseconds(500)));
+    }
+  }
+  for (const double rate : {5.5e6, 2e6, 1e6}) {
+    trials.push_back(lossTrial(rate, 0, first_seed, milliseconds(15000)));
+  }
+  return trials;
+}
+
+/// How fast a picture comes again is not judged: the machine may be busy.
+std::vector<Trial> shortTrials(std::uint32_t seed) {
+  return {lossTrial(11e6, 0, seed, milliseconds(2000)), lossTrial(11e6, 0.05, seed, milliseconds(3000)),
+          outageTrial(milliseconds(1000), seed, milliseconds(5000))};
+}
+
+bool print(const Trial& trial, const Result& result) {
+  std::printf("%-36s %5.1f %7.1f %7.1f %7.1f %8.1f ", trial.title.c_str(), result.pictures_per_second,
+              quantile(result.ages, 0.5), quantile(result.ages, 0.99), quantile(result.ages, 1), result.longest_gap);
+  result.recovery < 0 ? std::printf("%9s", "-") : std::printf("%9.1f", result.recovery);
+  std::printf(" %6llu %10zu\n", static_cast<unsigned long long>(result.connections), result.violations.size());
+  for (const std::string& violation : result.violations) {
+    std::printf("  VIOLATION: %s\n", violation.c_str());
+  }
+  std::fflush(stdout);
+  return result.violations.empty();
+}
+
+int runAll(const std::vector<Trial>& trials) {
+  std::printf("%-36s %5s %7s %7s %7s %8s %9s %6s %10s\n", "", "fps", "p50 ms", "p99 ms", "max ms", "gap ms", "back ms",
+              "conns", "violations");
+  bool all_well = true;
+  for (const Trial& trial : trials) {
+    all_well = print(trial, run(trial)) && all_well;
+  }
+  return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int radioCampaign(int argc, char** argv) {
+  std::uint32_t seed = 1;
+  bool short_form = false;
+  po::options_description description("Options", 120);
+  // clang-format off
+  description.add_options()
+    ("help", "say this and exit")
+    ("seed", po::value(&seed)->default_value(1), "of loss and jitter; the campaign tries this one and the next two")
+    ("short", po::bool_switch(&short_form), "a few seconds, for the test run");
+  // clang-format on
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), values);
+  po::notify(values);
+  if (values.count("help") > 0) {
+    std::cout << "Driver and robot over an emulated 802.11b link: how many pictures come, how old they are (from the "
+                 "camera's\nimage to their delivery), and when they come again after an outage. Needs root.\n\n"
+              << description;
+    return EXIT_SUCCESS;
+  }
+  return runAll(short_form ? shortTrials(seed) : allTrials(seed));
+}
+
+}  // namespace
+}  // namespace fault_bench
+
+int main(int argc, char** argv) {
+  try {
+    return fault_bench::radioCampaign(argc, argv);
+  } catch (const fault_bench::NoNetworkHosts& problem) {
+    std::cout << "Skipped: " << problem.what() << "\n";
+    return fault_bench::kSkipped;
+  } catch (const boost::program_options::error& error) {
+    std::cerr << "radio_campaign: " << error.what() << " (--help tells all options)\n";
+    return fault_bench::kWrongUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "radio_campaign: " << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,60 @@
+#ifndef TEST_FAULT_RADIO_RADIO_LINK_H
+#define TEST_FAULT_RADIO_RADIO_LINK_H
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+#include "radio/network_host.h"
+#include "radio/radio_medium.h"
+
+namespace fault_bench {
+
+/// Carries the packets between two hosts as a radio would, from its construction to its end, on a thread of its own.
+class RadioLink {
+ public:
+  /// The hosts must outlive the link.
+  RadioLink(const NetworkHost& one, const NetworkHost& other, const RadioOptions& options);
+  ~RadioLink();
+
+  RadioLink(const RadioLink&) = delete;
+  RadioLink& operator=(const RadioLink&) = delete;
+
+  /// From when the times of RadioOptions::outages count.
+  std::chrono::steady_clock::time_point begin() const { return begin_; }
+
+  /// @name Packets since the beginning. Any thread may ask.
+  /// @{
+  std::uint64_t carried() const { return carried_; }
+  std::uint64_t lost() const { return lost_; }
+  /// @}
+
+ private:
+  struct Packet {
+    std::chrono::steady_clock::time_point arrival;
+    int receiver;
+    std::vector<std::uint8_t> bytes;
+  };
+
+  void run();
+  void takePackets(RadioMedium::Direction direction);
+  void deliverPackets();
+  void waitForWork() const;
+
+  const std::array<int, 2> hosts_;  // descriptors of their packets
+  RadioMedium medium_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::array<std::vector<Packet>, 2> under_way_;  // in the order of arrival, by direction
+  std::atomic<std::uint64_t> carried_{0};
+  std::atomic<std::uint64_t> lost_{0};
+  int stop_event_;
+  std::thread thread_;
+};
+
+}  // namespace fault_bench
+
+#endif  // TEST_FAULT_RADIO_RADIO_LINK_H

@@ -1,0 +1,89 @@
+#include "radio/robot_on_radio.h"
+
+#include <exception>
+#include <future>
+#include <string_view>
+
+#include "RCServer_stub.h"
+#include "protocol/version1.h"
+
+namespace fault_bench {
+namespace {
+
+constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
+constexpr std::size_t kLongestHeader = 24;  // of a picture, in version 2
+
+std::size_t hash(std::string_view bytes) {
+  return std::hash<std::string_view>()(bytes);
+}
+
+}  // namespace
+
+RobotOnRadio::RobotOnRadio(const NetworkHost& host) : machine_(machineOptions(host), clock_, robot_) {
+  std::promise<void> booted;
+  std::future<void> result = booted.get_future();
+  thread_ = std::thread([&host, this, booted = std::move(booted)]() mutable {
+    try {
+      host.enter();
+      machine_.boot();
+    } catch (...) {
+      booted.set_exception(std::current_exception());
+      return;
+    }
+    booted.set_value();
+    machine_.run();
+    machine_.shutdown();
+  });
+  try {
+    result.get();
+  } catch (...) {
+    thread_.join();
+    throw;
+  }
+}
+
+RobotOnRadio::~RobotOnRadio() {
+  machine_.stop();
+  thread_.join();
+}
+
+openr_host::MachineOptions RobotOnRadio::machineOptions(const NetworkHost& host) {
+  openr_host::MachineOptions options;
+  options.bind_address = host.address();
+  options.ports = {};
+  options.memory_stick = MEMORY_STICK;
+  options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+  options.on_camera_image = [this] { cameraImageTaken(); };
+  options.on_send = [this](const void* data, std::size_t size) { aboutToSend(data, size); };
+  return options;
+}
+
+void RobotOnRadio::cameraImageTaken() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  image_at_ = std::chrono::steady_clock::now();
+  ++images_;
+}
+
+void RobotOnRadio::aboutToSend(const void* data, std::size_t size) {
+  const std::string_view bytes(static_cast<const char*>(data), size);
+  const std::size_t begin = bytes.find(kJpegStart);
+  if (begin > kLongestHeader) {
+    return;  // no picture
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sent_[hash(bytes.substr(begin))] = {sent_.size() + 1, image_at_};
+}
+
+std::optional<RobotOnRadio::Sent> RobotOnRadio::find(const std::vector<std::uint8_t>& jpeg) const {
+  const std::size_t wanted = hash({reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = sent_.find(wanted);
+  return found == sent_.end() ? std::nullopt : std::optional<Sent>(found->second);
+}
+
+std::uint64_t RobotOnRadio::images() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return images_;
+}
+
+}  // namespace fault_bench

@@ -1,0 +1,60 @@
+#ifndef TEST_FAULT_RADIO_ROBOT_ON_RADIO_H
+#define TEST_FAULT_RADIO_ROBOT_ON_RADIO_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "openr_host/clock.h"
+#include "openr_host/machine.h"
+#include "radio/network_host.h"
+#include "simulated_ers7/simulated_ers7.h"
+
+namespace fault_bench {
+
+/// The real RCServer on a simulated ERS-7, on a host of its own, from construction to end. It remembers all that it
+/// sends.
+class RobotOnRadio {
+ public:
+  struct Sent {
+    std::uint64_t number;                            ///< 1 for the first picture sent, in their order
+    std::chrono::steady_clock::time_point image_at;  ///< when the camera had the image
+  };
+
+  /// @throw openr_host::BootError
+  explicit RobotOnRadio(const NetworkHost& host);
+  ~RobotOnRadio();
+
+  RobotOnRadio(const RobotOnRadio&) = delete;
+  RobotOnRadio& operator=(const RobotOnRadio&) = delete;
+
+  /// What is known of a picture; nothing if it was never sent. Any thread may ask.
+  std::optional<Sent> find(const std::vector<std::uint8_t>& jpeg) const;
+
+  /// Images that the camera has handed over so far. Any thread may ask.
+  std::uint64_t images() const;
+
+ private:
+  openr_host::MachineOptions machineOptions(const NetworkHost& host);
+  void cameraImageTaken();
+  void aboutToSend(const void* data, std::size_t size);
+
+  mutable std::mutex mutex_;          // guards what follows, until the machine
+  std::map<std::size_t, Sent> sent_;  // by the hash of their bytes
+  std::chrono::steady_clock::time_point image_at_;
+  std::uint64_t images_ = 0;
+
+  openr_host::WallClock clock_;
+  simulated_ers7::SimulatedErs7 robot_;
+  openr_host::Machine machine_;
+  std::thread thread_;
+};
+
+}  // namespace fault_bench
+
+#endif  // TEST_FAULT_RADIO_ROBOT_ON_RADIO_H

@@ -1,0 +1,143 @@
+#include "support/syscalls.h"
+
+#include <dlfcn.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <mutex>
+#include <optional>
+
+namespace fault_bench::syscalls {
+namespace {
+
+thread_local int own_mark = kUnmarked;
+std::atomic<std::int64_t> wall_clock_shift{0};  // s
+
+struct Entry {
+  Plan plan;
+  unsigned failed = 0;
+};
+std::mutex mutex;
+std::array<Entry, kMarks> entries;  // guarded by mutex
+
+/// The errno to fail with now, if it is to fail.
+std::optional<int> takeFailure(Call call) {
+  if (own_mark == kUnmarked) {
+    return std::nullopt;
+  }
+  const std::lock_guard<std::mutex> lock(mutex);
+  Entry& entry = entries.at(static_cast<std::size_t>(own_mark));
+  Plan& plan = entry.plan;
+  if (plan.count == 0 || plan.call != call) {
+    return std::nullopt;
+  }
+  if (plan.skip > 0) {
+    --plan.skip;
+    return std::nullopt;
+  }
+  --plan.count;
+  ++entry.failed;
+  return plan.error;
+}
+
+template <typename Function>
+Function* next(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+/// Calls what it takes the place of, unless it is to fail.
+template <typename Real, typename... Arguments>
+auto callOrFail(Call call, Real* real, Arguments... arguments) {
+  if (const auto error = takeFailure(call)) {
+    errno = *error;
+    return decltype(real(arguments...))(-1);
+  }
+  return real(arguments...);
+}
+
+}  // namespace
+
+void markThisThread(int mark) {
+  own_mark = mark;
+}
+
+void setPlan(int mark, const Plan& plan) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  entries.at(static_cast<std::size_t>(mark)) = {plan, 0};
+}
+
+unsigned failed(int mark) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  return entries.at(static_cast<std::size_t>(mark)).failed;
+}
+
+void shiftWallClock(std::chrono::seconds by) {
+  wall_clock_shift = by.count();
+}
+
+}  // namespace fault_bench::syscalls
+
+namespace syscalls = fault_bench::syscalls;
+using syscalls::Call;
+using syscalls::callOrFail;
+
+extern "C" {
+
+int socket(int domain, int type, int protocol) noexcept {
+  static const auto real = syscalls::next<int(int, int, int)>("socket");
+  return callOrFail(Call::kSocket, real, domain, type, protocol);
+}
+
+int setsockopt(int fd, int level, int name, const void* value, socklen_t size) noexcept {
+  static const auto real = syscalls::next<int(int, int, int, const void*, socklen_t)>("setsockopt");
+  return callOrFail(Call::kSetsockopt, real, fd, level, name, value, size);
+}
+
+int connect(int fd, const sockaddr* address, socklen_t size) {
+  static const auto real = syscalls::next<int(int, const sockaddr*, socklen_t)>("connect");
+  return callOrFail(Call::kConnect, real, fd, address, size);
+}
+
+ssize_t recv(int fd, void* buffer, size_t size, int flags) {
+  static const auto real = syscalls::next<ssize_t(int, void*, size_t, int)>("recv");
+  if (const auto error = syscalls::takeFailure(Call::kRecv)) {
+    errno = *error;
+    return *error == 0 ? real(fd, buffer, size < 1 ? size : 1, flags) : -1;
+  }
+  return real(fd, buffer, size, flags);
+}
+
+ssize_t send(int fd, const void* buffer, size_t size, int flags) {
+  static const auto real = syscalls::next<ssize_t(int, const void*, size_t, int)>("send");
+  if (const auto error = syscalls::takeFailure(Call::kSend)) {
+    errno = *error;
+    return *error == 0 ? real(fd, buffer, size < 1 ? size : 1, flags) : -1;
+  }
+  return real(fd, buffer, size, flags);
+}
+
+int poll(pollfd* polled, nfds_t count, int timeout) {
+  static const auto real = syscalls::next<int(pollfd*, nfds_t, int)>("poll");
+  return callOrFail(Call::kPoll, real, polled, count, timeout);
+}
+
+int accept4(int fd, sockaddr* address, socklen_t* size, int flags) {
+  static const auto real = syscalls::next<int(int, sockaddr*, socklen_t*, int)>("accept4");
+  return callOrFail(Call::kAccept, real, fd, address, size, flags);
+}
+
+int clock_gettime(clockid_t clock, timespec* time) noexcept {
+  static const auto real = syscalls::next<int(clockid_t, timespec*)>("clock_gettime");
+  const int result = real(clock, time);
+  if (clock == CLOCK_REALTIME) {
+    time->tv_sec += syscalls::wall_clock_shift;
+  }
+  return result;
+}
+
+}  // extern "C"
