@@ -2,7 +2,7 @@
 
 #include <future>
 
-#include "client_fixture.h"
+#include "newest_client_fixture.h"
 
 using namespace aibo_driver;
 using std::chrono::milliseconds;
@@ -14,36 +14,7 @@ using version2_frames::makeFrame;
 
 namespace {
 
-/// A client that asks for version 2 of the protocol.
-class JointsTest : public ClientFixture {
- protected:
-  static ClientOptions newest(const ScriptedServer& server) {
-    ClientOptions options = optionsFor(server);
-    options.protocol_version = 0;
-    return options;
-  }
-
-  ScriptedPeer connectVersion2(const std::string& capabilities = "F W J V T O") {
-    client().start();
-    ScriptedPeer peer = server_.accept();
-    peer.agreeToVersion2(capabilities);
-    EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
-    return peer;
-  }
-
-  ScriptedPeer connectVersion1() {
-    client().start();
-    ScriptedPeer peer = server_.accept();
-    expectCommand(&peer, 'X', 2);
-    peer.send({'e', 0, 0, 0});
-    EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
-    return peer;
-  }
-
-  RcServerClient& client() { return newest_client_; }
-
-  RcServerClient newest_client_{newest(server_), recorder_.callbacks()};
-};
+class JointsTest : public NewestClientFixture {};
 
 TEST_F(JointsTest, TheNewestVersionIsSpokenThatTheServerAgreesToAndTheRobotKnown) {
   connectVersion2();

@@ -73,6 +73,11 @@ class Recorder {
     return pictures_;
   }
 
+  std::vector<aibo_driver::Telemetry> telemetry() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return telemetry_;
+  }
+
   std::vector<bool> streaming() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return streaming_;

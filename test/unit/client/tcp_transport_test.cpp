@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
 #include <future>
+#include <numeric>
 
 #include "aibo_driver/exceptions.h"
 #include "client/fault.h"
@@ -120,6 +122,34 @@ TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByT
 TEST(TcpTransportTest, AThrowingResolverIsALookupThatFailed) {
   TcpTransport transport([](const std::string&, int) -> NameLookupResult { throw std::bad_alloc(); });
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(seconds(10))); }));
+}
+
+TEST(TcpTransportTest, WhatTheNetworkDoesNotTakeAtOnceIsSentWhileWaiting) {
+  ScriptedServer server;
+  TcpTransport transport;
+  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  ScriptedPeer peer = server.accept();
+  ScriptedPeer::Bytes request(900 * 1024);
+  std::iota(request.begin(), request.end(), std::uint8_t(0));
+  transport.send(request.data(), request.size());
+  auto received = std::async(std::launch::async, [&] { return peer.read(request.size()); });
+  while (received.wait_for(seconds(0)) != std::future_status::ready) {
+    EXPECT_FALSE(transport.wait(in(milliseconds(10))));
+  }
+  EXPECT_TRUE(request == received.get());
+}
+
+TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
+  ScriptedServer server;
+  TcpTransport transport;
+  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  ScriptedPeer peer = server.accept();
+  const ScriptedPeer::Bytes request(512 * 1024);
+  EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] {
+              for (int i = 0; i < 200; ++i) {  // far more than the kernel keeps
+                transport.send(request.data(), request.size());
+              }
+            }));
 }
 
 }  // namespace

@@ -1,0 +1,160 @@
+#include <gmock/gmock.h>
+
+#include <future>
+#include <string>
+#include <vector>
+
+#include "newest_client_fixture.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test_pictures::Bytes;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using version2_frames::makeFrame;
+
+namespace {
+
+/// Sensors, LEDs, ears, motions, shutting down and rebooting.
+class BodyTest : public NewestClientFixture {
+ protected:
+  /// Makes a call that waits for the robot.
+  template <typename Call>
+  static auto inBackground(const Call& call) {
+    return std::async(std::launch::async, call);
+  }
+
+  /// Answers the client's next request, which has to be this one.
+  static void answer(ScriptedPeer* peer, char kind, const Bytes& payload = {}) {
+    const version2_frames::Frame frame = peer->readRequest();
+    EXPECT_EQ(kind, frame.header.kind);
+    peer->send(makeFrame(protocol::version2::replyKind(kind), frame.header.request_number, payload));
+  }
+};
+
+TEST_F(BodyTest, LedsAndEarsAreToldWithoutWaiting) {
+  ScriptedPeer peer = connectVersion2();
+  client().commandLeds({{7, 200, LedMode::kB}});
+  EXPECT_THAT(peer.readRequest().payload, ElementsAre(7, 200, 1, 0));
+  client().commandEars(false, true);
+  EXPECT_THAT(peer.readRequest().payload, ElementsAre(0, 1));
+}
+
+TEST_F(BodyTest, MotionsAreStoredListedPlayedStoppedAndDeletedInAnyCase) {
+  ScriptedPeer peer = connectVersion2();
+  auto calls = inBackground([this] {
+    client().uploadMotion("nod.mtn", {1, 2, 3}, seconds(20));
+    const std::vector<std::string> names = client().listMotions(seconds(20));
+    client().playMotion("Nod.mtn", 2, seconds(20));
+    client().stopMotion("nod.MTN", seconds(20));
+    client().stopMotion("", seconds(20));
+    client().deleteMotion("nod.mtn", seconds(20));
+    return names;
+  });
+  const std::string name = "NOD.MTN";
+  answer(&peer, 'U');
+  answer(&peer, 'N', Bytes(name.begin(), name.end()));
+  for (const char kind : {'P', 'P', 'P', 'D'}) {
+    answer(&peer, kind);
+  }
+  EXPECT_THAT(calls.get(), ElementsAre(name));
+}
+
+TEST_F(BodyTest, TheRobotIsShutDownAndTheClientWaitsForItsReturn) {
+  {
+    ScriptedPeer peer = connectVersion2();
+    auto call = inBackground([this] { client().shutDownRobot(seconds(20)); });
+    answer(&peer, 'Q');
+    call.get();
+  }
+  ScriptedPeer peer = connectVersion2();
+  auto call = inBackground([this] { client().rebootRobot(seconds(20)); });
+  answer(&peer, 'R');
+  call.get();
+}
+
+TEST_F(BodyTest, WhatTheRobotRefusesIsThrownWithItsReason) {
+  ScriptedPeer peer = connectVersion2();
+  auto complaint = inBackground(
+      [this] { return complaintOf<CommandException>([this] { client().playMotion("GONE.MTN", 1, seconds(20)); }); });
+  const int number = peer.readRequest().header.request_number;
+  peer.send(makeFrame('e', number, version2_frames::makeError(1, "there is no GONE.MTN")));
+  EXPECT_THAT(complaint.get(), HasSubstr("refused to play the motion GONE.MTN: there is no GONE.MTN (error code 1)."));
+}
+
+TEST_F(BodyTest, ACallThatIsNotAnsweredInTimeIsATimeout) {
+  ScriptedPeer peer = connectVersion2();
+  EXPECT_THAT(complaintOf<TimeoutException>([this] { client().listMotions(milliseconds(1)); }),
+              HasSubstr("no answer within 1 ms"));
+}
+
+TEST_F(BodyTest, NothingIsRepeatedAfterAReconnectAndWhoWaitsIsTold) {
+  ScriptedPeer peer = connectVersion2();
+  auto upload = inBackground([this] { client().uploadMotion("NOD.MTN", {1}, seconds(60)); });
+  EXPECT_EQ('U', peer.readRequest().header.kind);
+  for (int i = 1; i < 10; ++i) {
+    client().commandLeds({{i, 100}});  // one is sent, the others wait for its answer
+    client().commandEars(true, true);
+  }
+  peer.close();
+  EXPECT_THROW(upload.get(), NetworkException);
+  ScriptedPeer next = connectVersion2();
+  ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
+  client().commandLeds({{200, 1}});
+  EXPECT_THAT(next.readRequest().payload, ElementsAre(200, 1, 0, 0)) << "the first that is sent";
+}
+
+TEST_F(BodyTest, WithoutAConnectionNothingIsKept) {
+  EXPECT_THROW(client().commandLeds({{1, 1}}), NetworkException);
+  EXPECT_THROW(client().commandEars(true, true), NetworkException);
+  EXPECT_THROW(client().playMotion("NOD.MTN", 1, seconds(20)), NetworkException);
+}
+
+TEST_F(BodyTest, AServerWithoutLedsAndEarsIsNotTold) {
+  ScriptedPeer peer = connectVersion2("F W");
+  EXPECT_THAT(complaintOf<CommandException>([this] { client().commandLeds({{1, 1}}); }), HasSubstr("it has no LEDs"));
+  EXPECT_THAT(complaintOf<CommandException>([this] { client().commandEars(true, true); }), HasSubstr("it has no ears"));
+}
+
+TEST_F(BodyTest, ArgumentsAreCheckedBeforeAnythingIsSent) {
+  EXPECT_THROW(client().commandLeds({{1, 256}}), InvalidArgumentException);
+  EXPECT_THROW(client().playMotion("../NOD.MTN", 1, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().playMotion("", 1, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().playMotion("NOD.MTN", 0, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().playMotion("NOD.MTN", 65536, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().stopMotion("NOD", seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().uploadMotion("NOD.MTN", {}, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().deleteMotion("", seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().listMotions(milliseconds(0)), InvalidArgumentException);
+}
+
+TEST_F(BodyTest, AVersion1ServerStoresAMotionWhileItStreams) {
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion1();
+  expectCommand(&peer, 'W', 85);
+  auto upload = inBackground([this] { client().uploadMotion("NOD.MTN", Bytes(65523, 7), seconds(60)); });
+  EXPECT_EQ('U', peer.read(18).front());
+  sendUntilDelivered(client(), [&] { peer.sendPicture(test_pictures::makeNumbered(1)); });
+  EXPECT_EQ(Bytes(65523, 7), peer.read(65523));
+  peer.send({'u', 0, 0, 0});
+  upload.get();
+}
+
+TEST_F(BodyTest, NoVersion1ServerListsItsMotions) {
+  ScriptedPeer peer = connectVersion1();
+  EXPECT_THAT(complaintOf<CommandException>([this] { client().listMotions(seconds(20)); }),
+              HasSubstr("speaks version 1 of the protocol, which cannot list its motions"));
+}
+
+TEST_F(BodyTest, TelemetryTellsOverWhichConnectionItCame) {
+  for (const std::uint64_t number : {1u, 2u}) {
+    ScriptedPeer peer = connectVersion2();
+    peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'S', 66, 500000}})));
+    ASSERT_TRUE(recorder_.waitForTelemetry(number));
+    EXPECT_EQ(number, recorder_.telemetry().back().connection_number);
+    EXPECT_DOUBLE_EQ(0.5, recorder_.telemetry().back().sensors.at(0).value);
+  }
+}
+
+}  // namespace
