@@ -101,7 +101,8 @@ void Machine::Implementation::boot() {
 }
 
 void Machine::Implementation::load() {
-  system_ = std::make_unique<System>(options_.bind_address, options_.console, robot_, options_.on_send);
+  system_ = std::make_unique<System>(options_.bind_address, options_.console, options_.on_console_line, robot_,
+                                     options_.on_send);
   createObjects();
   const auto connections = readConnections();
   takePorts();

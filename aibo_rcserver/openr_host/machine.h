@@ -47,6 +47,10 @@ struct MachineOptions {
   /// Gets what the console prints, besides the telnet listeners; null is nowhere. Must outlive the machine.
   std::ostream* console = nullptr;
 
+  /// Gets each line that is typed at the console, without its end, and returns the answer for who typed it. Empty: what
+  /// is typed is ignored, as by the robot. Called by the thread that runs the machine; must not throw.
+  std::function<std::string(const std::string& line)> on_console_line;
+
   /// @name For who measures; may be empty. Called by the thread that runs the machine.
   /// @{
   std::function<void()> on_camera_image;                            ///< an image is handed to the objects now

@@ -56,10 +56,10 @@ class System::Running {
   const LoadedObject* previous_object_;
 };
 
-System::System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot,
-               IpStack::OnSend on_send)
+System::System(const std::string& bind_address, std::ostream* console_output, Console::OnLine on_console_line,
+               VirtualRobot& robot, IpStack::OnSend on_send)
     : robot_(robot),
-      console_(console_output),
+      console_(console_output, std::move(on_console_line)),
       ip_stack_(
           bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); },
           std::move(on_send)) {}

@@ -26,8 +26,10 @@ enum class ShutdownRequest { kNone, kStayOff, kBootAgain };
 /// Internal to openr_host; Machine is its outside.
 class System {
  public:
+  /// @param console_output, on_console_line as Console
   /// @param on_send as IpStack
-  System(const std::string& bind_address, std::ostream* console_output, VirtualRobot& robot, IpStack::OnSend on_send);
+  System(const std::string& bind_address, std::ostream* console_output, Console::OnLine on_console_line,
+         VirtualRobot& robot, IpStack::OnSend on_send);
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <ostream>
+#include <utility>
 
 namespace openr_host {
 
@@ -48,11 +49,30 @@ void Console::flush(Listener& listener) {
   }
 }
 
-void Console::discardInput(Listener& listener) {
-  char scrap[256];
-  const ssize_t count = recv(listener.socket.get(), scrap, sizeof(scrap), MSG_DONTWAIT);
+void Console::read(Listener& listener) {
+  char typed[256];
+  const ssize_t count = recv(listener.socket.get(), typed, sizeof(typed), MSG_DONTWAIT);
   if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
     listener.socket.close();
+  }
+  for (ssize_t i = 0; i < count && listener.socket.isOpen(); ++i) {
+    take(listener, typed[i]);
+  }
+}
+
+void Console::take(Listener& listener, char typed) {
+  if (typed != '\n') {
+    const bool has_room = listener.typed.size() <= kLongestLine;
+    if (typed >= ' ' && typed <= '~' && has_room) {  // neither telnet's own talk nor a carriage return
+      listener.typed += typed;
+    }
+    return;
+  }
+  const std::string line = std::exchange(listener.typed, "");
+  if (line.size() > kLongestLine) {
+    print(listener, "error: a line has at most " + std::to_string(kLongestLine) + " characters\n");
+  } else if (on_line_) {
+    print(listener, on_line_(line));
   }
 }
 
@@ -73,10 +93,10 @@ void Console::addTo(PollSet& poll_set) {
   listeners_.remove_if([](const Listener& listener) { return !listener.socket.isOpen(); });
   for (auto& listener : listeners_) {
     const int events = POLLIN | (listener.unsent.empty() ? 0 : POLLOUT);
-    poll_set.add(listener.socket.get(), static_cast<short>(events), [&listener] {
+    poll_set.add(listener.socket.get(), static_cast<short>(events), [this, &listener] {
       flush(listener);
       if (listener.socket.isOpen()) {
-        discardInput(listener);
+        read(listener);
       }
     });
   }

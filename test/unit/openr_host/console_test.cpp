@@ -101,6 +101,33 @@ TEST_F(ConsoleTest, WhatAListenerTypesIsIgnored) {
   EXPECT_TRUE(test_.runUntil([&] { return listener.received().find("still here\n") != std::string::npos; }));
 }
 
+TEST_F(ConsoleTest, EachLineThatIsTypedIsAnsweredToWhoTypedIt) {
+  std::vector<std::string> lines;
+  test_.on_console_line = [&](const std::string& line) {
+    lines.push_back(line);
+    return "answer to " + line + "\n";
+  };
+  TestClient typing(port_);
+  TestClient other(port_);
+  typing.send("pre");
+  test_.runPending();
+  EXPECT_TRUE(lines.empty()) << "the line has not ended yet";
+  typing.send("ss \xff\xfb\x01 chin\r\nhelp\nun");
+  ASSERT_TRUE(test_.runUntil([&] { return typing.received().size() >= 37; }));
+  EXPECT_THAT(lines, testing::ElementsAre("press  chin", "help"));
+  EXPECT_EQ(typing.received(), "answer to press  chin\nanswer to help\n");
+  EXPECT_EQ(other.received(), "");
+  EXPECT_EQ(test_.output.str(), "");
+}
+
+TEST_F(ConsoleTest, ALineThatIsTooLongIsRefusedAndTheNextOneTaken) {
+  test_.on_console_line = [](const std::string& line) { return "got " + std::to_string(line.size()) + "\n"; };
+  TestClient listener(port_);
+  listener.send(std::string(5000, 'x') + "\n" + std::string(256, 'x') + "\n");
+  EXPECT_TRUE(
+      test_.runUntil([&] { return listener.received() == "error: a line has at most 256 characters\ngot 256\n"; }));
+}
+
 TEST_F(ConsoleTest, OneListenerTooManyIsToldAndTurnedAway) {
   std::vector<std::unique_ptr<TestClient>> listeners;
   for (std::size_t i = 0; i < Console::kMostListeners; ++i) {

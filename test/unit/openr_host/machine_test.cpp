@@ -153,6 +153,14 @@ TEST_F(MachineTest, TheConsoleCanBeListenedTo) {
   EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "image 1\n"; }));
 }
 
+TEST_F(MachineTest, WhatIsTypedAtTheConsoleIsForWhoSetTheMachineUp) {
+  options_.on_console_line = [](const std::string& line) { return line + " it is\n"; };
+  Machine& machine = boot();
+  TestClient listener(machine.hostPort(kConsolePort));
+  listener.send("press\n");
+  EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "press it is\n"; }));
+}
+
 TEST_F(MachineTest, AsksForAnImageOnceAFrameAndDeliversTheOnesThatAreDue) {
   boot();
   robot_.frames_with_image = {4, 8, 13};

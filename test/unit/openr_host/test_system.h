@@ -121,9 +121,12 @@ class TestSystem {
 
   FakeRobot robot;
   std::ostringstream output;
-  System system{"127.0.0.1", &output, robot, nullptr};
+  std::function<std::string(const std::string&)> on_console_line;  ///< answers what is typed
+  System system{"127.0.0.1", &output, [this](const std::string& line) { return onConsoleLine(line); }, robot, nullptr};
 
  private:
+  std::string onConsoleLine(const std::string& line) const { return on_console_line ? on_console_line(line) : ""; }
+
   bool round(std::chrono::milliseconds patience) {
     const bool had_messages = system.hasMessages();
     system.handleMessages();
