@@ -33,6 +33,9 @@ class Camera {
 
   const CameraSettings& settings() const { return settings_; }
 
+  /// As after switching on.
+  void resetSettings() { settings_ = CameraSettings(); }
+
  private:
   PictureSource& source_;
   CameraSettings settings_;

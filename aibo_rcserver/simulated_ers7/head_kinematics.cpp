@@ -19,9 +19,12 @@ Eigen::AngleAxisd pan(double angle) {
 
 }  // namespace
 
+Eigen::Isometry3d headInBody(const HeadAngles& angles) {
+  return kNeckInBody * tilt(angles.neck_tilt) * kHeadOnNeck * pan(angles.head_pan) * tilt(angles.head_tilt);
+}
+
 Eigen::Isometry3d cameraInBody(const HeadAngles& angles) {
-  return kNeckInBody * tilt(angles.neck_tilt) * kHeadOnNeck * pan(angles.head_pan) * tilt(angles.head_tilt) *
-         kCameraInHead;
+  return headInBody(angles) * kCameraInHead;
 }
 
 }  // namespace simulated_ers7

@@ -19,6 +19,10 @@ struct HeadAngles {
 /// (Webots' model of the ERS-7).
 constexpr double kStandingHeight = 0.143;
 
+/// Pose of the head in the body: origin where the axes of head_pan and head_tilt meet, x towards the nose, y left, z
+/// up. Metres.
+Eigen::Isometry3d headInBody(const HeadAngles& angles);
+
 /// Pose of the camera in the body: origin in its pinhole, x along its axis of sight, y left, z up. Metres.
 Eigen::Isometry3d cameraInBody(const HeadAngles& angles);
 

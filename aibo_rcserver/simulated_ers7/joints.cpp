@@ -48,4 +48,17 @@ HeadAngles Joints::head() const {
   return angles;
 }
 
+std::array<LegAngles, kLegs> Joints::legs() const {
+  // The three joints of a leg stand together in the table, in the order of the leg.
+  constexpr std::size_t kFirstJoints[kLegs] = {4, 7, 10, 13};
+  std::array<LegAngles, kLegs> legs;
+  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+    const std::size_t first = kFirstJoints[leg];
+    legs[leg].rotator = joints_[first].position() / 1e6;
+    legs[leg].elevator = joints_[first + 1].position() / 1e6;
+    legs[leg].knee = joints_[first + 2].position() / 1e6;
+  }
+  return legs;
+}
+
 }  // namespace simulated_ers7

@@ -3,6 +3,7 @@
 #ifndef SIMULATED_ERS7_JOINTS_H
 #define SIMULATED_ERS7_JOINTS_H
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -11,6 +12,7 @@
 #include "robot_model/robot_model.h"
 #include "simulated_ers7/head_kinematics.h"
 #include "simulated_ers7/joint.h"
+#include "simulated_ers7/stance.h"
 
 namespace simulated_ers7 {
 
@@ -37,6 +39,9 @@ class Joints {
 
   /// Where the head is.
   HeadAngles head() const;
+
+  /// Where the legs are, by Leg.
+  std::array<LegAngles, kLegs> legs() const;
 
  private:
   const robot_model::RobotModel& model_;

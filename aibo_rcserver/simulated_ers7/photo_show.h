@@ -20,6 +20,7 @@ class PhotoShow : public PictureSource {
   PhotoShow(const std::string& folder, double seconds_per_picture);
 
   void setHead(const HeadAngles& /*angles*/) override {}
+  void setBody(const Eigen::Isometry3d& /*in_room*/) override {}
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
 
  private:

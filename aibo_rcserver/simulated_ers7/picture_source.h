@@ -5,6 +5,8 @@
 
 #include <OPENR/OPENR.h>
 
+#include <Eigen/Geometry>
+
 #include "simulated_ers7/camera_settings.h"
 #include "simulated_ers7/head_kinematics.h"
 #include "simulated_ers7/ycrcb_image.h"
@@ -17,6 +19,10 @@ class PictureSource {
 
   /// Turns the head with the camera in it. Counts from the next picture.
   virtual void setHead(const HeadAngles& angles) = 0;
+
+  /// Moves the body that carries the head. Counts from the next picture.
+  /// @param in_room its pose in the scene (scene.h)
+  virtual void setBody(const Eigen::Isometry3d& in_room) = 0;
 
   /// What the camera sees.
   /// @param seconds since the robot was switched on

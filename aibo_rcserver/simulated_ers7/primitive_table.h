@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "robot_model/robot_model.h"
@@ -20,6 +21,25 @@ constexpr OPrimitiveID kCameraPrimitive = 1;
 constexpr OPrimitiveID jointPrimitive(std::size_t joint) {
   return static_cast<OPrimitiveID>(kCameraPrimitive + 1 + joint);
 }
+
+/// The same for the others.
+constexpr OPrimitiveID sensorPrimitive(std::size_t sensor) {
+  return jointPrimitive(robot_model::MAX_JOINTS) + static_cast<OPrimitiveID>(sensor);
+}
+constexpr OPrimitiveID ledPrimitive(std::size_t led) {
+  return sensorPrimitive(robot_model::MAX_SENSORS) + static_cast<OPrimitiveID>(led);
+}
+constexpr OPrimitiveID earPrimitive(std::size_t ear) {
+  return ledPrimitive(robot_model::MAX_LEDS) + static_cast<OPrimitiveID>(ear);
+}
+
+enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar };
+
+/// What a number stands for.
+struct Primitive {
+  PrimitiveKind kind;
+  std::size_t index;  ///< in the robot's table of that kind; 0 for the camera
+};
 
 /// A primitive has the same number however often it is opened, and stays open until it was closed as often.
 class PrimitiveTable {
@@ -37,9 +57,15 @@ class PrimitiveTable {
 
   bool isOpen(OPrimitiveID id) const { return times_opened_.count(id) != 0; }
 
+  /// Empty if it is not open.
+  std::optional<Primitive> find(OPrimitiveID id) const;
+
  private:
-  std::map<std::string, OPrimitiveID> primitives_;  ///< by locator
-  std::map<OPrimitiveID, int> times_opened_;        ///< has only those that are open
+  void add(const char* locator, OPrimitiveID id, const Primitive& primitive);
+
+  std::map<std::string, OPrimitiveID> ids_;  ///< by locator
+  std::map<OPrimitiveID, Primitive> primitives_;
+  std::map<OPrimitiveID, int> times_opened_;  ///< has only those that are open
 };
 
 }  // namespace simulated_ers7

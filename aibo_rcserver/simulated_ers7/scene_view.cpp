@@ -5,7 +5,7 @@ namespace simulated_ers7 {
 SceneView::SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
 Eigen::Isometry3d SceneView::camera() const {
-  return Eigen::Translation3d(0, 0, kStandingHeight) * cameraInBody(head_);
+  return body_ * cameraInBody(head_);
 }
 
 const YCrCbImage& SceneView::picture(double seconds, longword image_number, const CameraSettings& settings) {

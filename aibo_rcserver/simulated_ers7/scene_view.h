@@ -23,6 +23,9 @@ class SceneView : public PictureSource {
   /// Until then the head is as restingHead() says.
   void setHead(const HeadAngles& angles) override { head_ = angles; }
 
+  /// Until then the body is level, kStandingHeight over the floor.
+  void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
+
   /// Pose of the camera in the room.
   Eigen::Isometry3d camera() const;
 
@@ -31,6 +34,7 @@ class SceneView : public PictureSource {
  private:
   Scene& scene_;
   HeadAngles head_ = restingHead();
+  Eigen::Isometry3d body_{Eigen::Translation3d(0, 0, kStandingHeight)};
   Renderer renderer_;
   Lens lens_;
   ImageSensor sensor_;

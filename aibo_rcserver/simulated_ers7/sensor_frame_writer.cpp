@@ -23,23 +23,23 @@ std::size_t sensorFramesSize(std::size_t entries) {
   return dataOffset(entries) + entries * sizeof(OSensorFrameData);
 }
 
-void prepareSensorFrames(RCRegion* region, const std::vector<OPrimitiveID>& primitives) {
+void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& entries) {
   ODataVectorInfo& header = vectorIn(region)->vectorInfo;
   header = ODataVectorInfo();
   header.type = odataSENSOR_FRAME_VECTOR;
   header.memRegionID = region->MemoryID();
   header.offset = static_cast<longword>(region->Offset());
-  header.totalSize = static_cast<longword>(sensorFramesSize(primitives.size()));
+  header.totalSize = static_cast<longword>(sensorFramesSize(entries.size()));
   header.infoOffset = offsetof(OSensorFrameVectorData, info);
   header.infoSize = sizeof(OSensorFrameInfo);
-  header.maxNumData = static_cast<longword>(primitives.size());
+  header.maxNumData = static_cast<longword>(entries.size());
   header.numData = header.maxNumData;
-  std::size_t offset = dataOffset(primitives.size());
-  for (std::size_t i = 0; i < primitives.size(); ++i) {
+  std::size_t offset = dataOffset(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     OSensorFrameInfo* info = vectorIn(region)->GetInfo(static_cast<int>(i));
     *info = OSensorFrameInfo();
-    info->type = odataJOINT_VALUE;
-    info->primitiveID = primitives[i];
+    info->type = entries[i].type;
+    info->primitiveID = entries[i].primitive;
     info->numFrames = Joint::kReadings;
     info->frameSize = sizeof(OSensorValue);
     info->dataOffset = static_cast<longword>(offset);
@@ -48,13 +48,10 @@ void prepareSensorFrames(RCRegion* region, const std::vector<OPrimitiveID>& prim
   }
 }
 
-void writeSensorFrames(RCRegion* region, longword frame, const std::vector<Joint>& joints) {
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const int entry = static_cast<int>(i);
-    const auto& readings = joints[i].readings();
-    vectorIn(region)->GetInfo(entry)->frameNumber = frame - (Joint::kReadings - 1);
-    std::memcpy(vectorIn(region)->GetData(entry)->frame, readings.data(), sizeof(readings));
-  }
+void writeSensorFrames(RCRegion* region, std::size_t entry, longword frame, const void* readings) {
+  const int index = static_cast<int>(entry);
+  vectorIn(region)->GetInfo(index)->frameNumber = frame - (Joint::kReadings - 1);
+  std::memcpy(vectorIn(region)->GetData(index)->frame, readings, Joint::kReadings * sizeof(OSensorValue));
 }
 
 }  // namespace simulated_ers7

@@ -1,7 +1,6 @@
 /// @file sensor_frame_writer.h
-/// Lays out what the joints measured as the ERS-7 delivers it: an OSensorFrameVectorData with its frames behind it.
-///
-/// One entry a joint. Its frames are OJointValues laid over OSensorValues.
+/// Lays out what joints and sensors measured as the ERS-7 delivers it: an OSensorFrameVectorData with its frames behind
+/// it, one entry a joint or sensor. A joint's frames are OJointValues laid over OSensorValues.
 #ifndef SIMULATED_ERS7_SENSOR_FRAME_WRITER_H
 #define SIMULATED_ERS7_SENSOR_FRAME_WRITER_H
 
@@ -15,18 +14,23 @@
 
 namespace simulated_ers7 {
 
+/// What an entry is of.
+struct SensorFrameEntry {
+  OPrimitiveID primitive;
+  ODataType type;
+};
+
 /// Bytes of a region with so many entries.
 std::size_t sensorFramesSize(std::size_t entries);
 
 /// Writes what is the same in all vectors: the header and the infos, without the number of the frame.
 /// @param region sensorFramesSize() bytes
-/// @param primitives of the entries, in their order
-void prepareSensorFrames(RCRegion* region, const std::vector<OPrimitiveID>& primitives);
+void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& entries);
 
-/// Writes the joints' readings into a prepared region.
-/// @param frame OPEN-R frame of the last readings. The infos name the first.
-/// @param joints in the order of the primitives
-void writeSensorFrames(RCRegion* region, longword frame, const std::vector<Joint>& joints);
+/// Writes the readings of one entry into a prepared region.
+/// @param frame OPEN-R frame of the last reading. The info names the first.
+/// @param readings Joint::kReadings OSensorValues or OJointValues
+void writeSensorFrames(RCRegion* region, std::size_t entry, longword frame, const void* readings);
 
 }  // namespace simulated_ers7
 

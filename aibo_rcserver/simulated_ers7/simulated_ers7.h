@@ -1,9 +1,9 @@
 /// @file simulated_ers7.h
 /// A Sony Aibo ERS-7 without the metal, for openr_host::Machine.
 ///
-/// It has its camera and its 18 joints (joint.h; not the ears). It stands in a room and looks at a ball that rolls to
-/// and fro (scene.h), or shows photographs (photo_show.h). Its head moves the camera; its legs move, but do not carry
-/// it anywhere.
+/// It has its camera, its 18 joints (joint.h), its sensors (sensors.h), LEDs, ears and battery; no microphones and no
+/// loudspeaker. It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows photographs
+/// (photo_show.h). Its head moves the camera; its legs lift and tilt the body (stance.h), but do not carry it anywhere.
 #ifndef SIMULATED_ERS7_SIMULATED_ERS7_H
 #define SIMULATED_ERS7_SIMULATED_ERS7_H
 
@@ -14,12 +14,16 @@
 #include <vector>
 
 #include "openr_host/virtual_robot.h"
+#include "simulated_ers7/battery.h"
 #include "simulated_ers7/camera.h"
+#include "simulated_ers7/ear.h"
 #include "simulated_ers7/joints.h"
+#include "simulated_ers7/led.h"
 #include "simulated_ers7/picture_source.h"
 #include "simulated_ers7/primitive_table.h"
 #include "simulated_ers7/region_pool.h"
 #include "simulated_ers7/scene.h"
+#include "simulated_ers7/sensors.h"
 
 namespace simulated_ers7 {
 
@@ -30,7 +34,10 @@ struct SimulatedErs7Options {
   /// How long each photograph is shown, in seconds, above 0.
   double seconds_per_image = 2;
 
-  /// Of the noise of camera and joints. The same seed gives the same images and the same readings.
+  /// Until a full battery is empty, above 0. Sony speaks of about one and a half hours of play.
+  double battery_minutes = 90;
+
+  /// Of the noise of camera, joints and sensors. The same seed gives the same images and the same readings.
   std::uint64_t seed = 1;
 };
 
@@ -64,14 +71,18 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   ///         (Joint::status())
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override;
 
-  /// @return oINVALID_PRIMITIVE_ID: there are no sensors yet
+  /// What the sensor measured at the end of the last frame.
   OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override;
 
   OStatus setMotorPower(OPower power) override;
   OStatus getPowerStatus(OPowerStatus* status) override;
+
+  /// Joints stay where they are; LEDs go out and ears are let go; the camera forgets its settings. Buttons, battery and
+  /// jammed joints stay as they are.
   void switchOff() override;
 
-  /// Joints take odataJOINT_COMMAND2 only; that their gain is off does not keep them from taking it (joint.h).
+  /// Joints take odataJOINT_COMMAND2 only; that their gain is off does not keep them from taking it (joint.h). LEDs
+  /// take odataLED_COMMAND2 or odataLED_COMMAND3, as their kind in robot_model.h says, ears odataJOINT_COMMAND4.
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
 
   /// Passes over commands that are not taken (any more).
@@ -88,6 +99,23 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// Where the joints really are.
   const Joints& joints() const { return joints_; }
 
+  /// What an LED shows.
+  /// @param name in robot_model.h, "face_1"
+  /// @throw std::invalid_argument if there is no such LED
+  const Led& led(const std::string& name) const;
+
+  /// How an ear does.
+  /// @param name in robot_model.h, "left_ear"
+  /// @throw std::invalid_argument if there is no such ear
+  const Ear& ear(const std::string& name) const;
+
+  /// Somebody presses a button: Sensors::press().
+  /// @throw std::invalid_argument if there is no such button
+  void press(const std::string& sensor, bool pressed) { sensors_.press(sensor, pressed); }
+
+  /// What is left in the battery from now on, 0..1.
+  void setCharge(double charge) { battery_.setCharge(charge); }
+
   /// Something holds a joint fast, or no longer does.
   /// @param joint a name of robot_model.h, "head_pan"
   /// @throw std::invalid_argument if there is no such joint
@@ -95,13 +123,20 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
  private:
   OStatus forJoints(OPrimitiveID id, const std::function<OStatus(Joint&)>& action);
-  bool isOpenJoint(OPrimitiveID id) const;
-  Joint& joint(OPrimitiveID id) { return joints_.all()[id - jointPrimitive(0)]; }
+  Joint* openJoint(OPrimitiveID id);
+  void obey(const openr_host::EffectorCommand& command);
+  void passFrameOfEars();
 
   PrimitiveTable primitives_;
   Joints joints_;
-  RegionPool sensor_regions_;
   Scene scene_;
+  Sensors sensors_;
+  Battery battery_;
+  std::vector<Led> leds_;
+  std::vector<Ear> ears_;
+  bool motors_powered_ = false;
+  Stance stance_;
+  RegionPool sensor_regions_;
   std::unique_ptr<PictureSource> pictures_;
   Camera camera_;
 };

@@ -26,6 +26,7 @@ class TestPicture : public PictureSource {
   }
 
   void setHead(const HeadAngles& /*angles*/) override {}
+  void setBody(const Eigen::Isometry3d& /*in_room*/) override {}
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& /*settings*/) override {
     last_seconds = seconds;
     last_image_number = image_number;

@@ -39,6 +39,23 @@ Eigen::Vector2d middleOfPink(RCRegion* region, const Eigen::Vector2d& around) {
   return sum / count;
 }
 
+const char* const kSensorsWithLocator[] = {"head_touch",
+                                           "back_rear",
+                                           "back_middle",
+                                           "back_front",
+                                           "chin",
+                                           "paw_left_front",
+                                           "paw_left_hind",
+                                           "paw_right_front",
+                                           "paw_right_hind",
+                                           "range_near",
+                                           "range_far",
+                                           "range_chest",
+                                           "wlan_switch",
+                                           "acceleration_front_back",
+                                           "acceleration_right_left",
+                                           "acceleration_up_down"};
+
 class SimulatedErs7Test : public testing::Test {
  protected:
   OStatus control(OPrimitiveRequest request, longword value) {
@@ -57,6 +74,36 @@ class SimulatedErs7Test : public testing::Test {
     const robot_model::Joint& joint = model().joints[robot_model::findJointByName(model(), name)];
     EXPECT_EQ(robot_.openPrimitive(joint.locator, &id), oSUCCESS);
     return id;
+  }
+
+  OPrimitiveID openSensor(const std::string& name) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name.c_str())];
+    EXPECT_EQ(robot_.openPrimitive(sensor.locator, &id), oSUCCESS) << name;
+    return id;
+  }
+
+  int sensorValue(const std::string& name) {
+    OSensorValue value = {};
+    EXPECT_EQ(robot_.getSensorValue(openSensor(name), &value), oSUCCESS) << name;
+    return value.value;
+  }
+
+  OPrimitiveID openLocator(const char* locator) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    EXPECT_EQ(robot_.openPrimitive(locator, &id), oSUCCESS) << locator;
+    return id;
+  }
+
+  template <typename Value>
+  static openr_host::EffectorCommand effectorCommand(OPrimitiveID id, ODataType type, const Value& value) {
+    openr_host::EffectorCommand command = {id, type, {}};
+    std::memcpy(&command.value, &value, sizeof(value));
+    return command;
+  }
+
+  openr_host::EffectorCommand earCommand(OPrimitiveID id, OJointValue4 state) {
+    return effectorCommand(id, odataJOINT_COMMAND4, OJointCommandValue4{state, 1, 0});
   }
 
   /// Opens a joint and switches everything on that it needs.
@@ -241,18 +288,26 @@ TEST_F(SimulatedErs7Test, AJammedJointSaysSo) {
   EXPECT_NEAR(value.value, 500000, 873);
 }
 
-TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJoints) {
+TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJointsAndSensors) {
   std::map<OPrimitiveID, const char*> names;
   for (int i = 0; i < model().number_of_joints; ++i) {
     names[openJoint(model().joints[i].name)] = model().joints[i].name;
   }
+  const std::size_t joints = names.size();
+  for (const char* name : kSensorsWithLocator) {
+    names[openSensor(name)] = name;
+  }
   const OPrimitiveID pan = driveJoint("head_pan");
-  std::map<OPrimitiveID, std::vector<OJointValue>> reported;
+  std::map<OPrimitiveID, std::vector<OSensorValue>> reported;
   for (; frame_ < 8; ++frame_) {
     robot_.passFrame(frame_, {jointCommand(pan, 10000 * static_cast<slongword>(frame_ + 1))});
     for (const auto& [id, name] : names) {
-      OJointValue value;
-      robot_.getJointValue(id, &value);
+      OSensorValue value;
+      OJointValue joint_value;
+      if (robot_.getSensorValue(id, &value) != oSUCCESS) {
+        robot_.getJointValue(id, &joint_value);
+        std::memcpy(&value, &joint_value, sizeof(value));
+      }
       reported[id].push_back(value);
     }
   }
@@ -264,13 +319,13 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJoints) {
   EXPECT_EQ(vector->vectorInfo.totalSize, region->Size());
   EXPECT_EQ(vector->vectorInfo.infoOffset, 192u);
   EXPECT_EQ(vector->vectorInfo.infoSize, 32u);
-  ASSERT_EQ(vector->vectorInfo.numData, 18u);
-  longword end_of_last = 192 + 18 * 32;
-  for (int i = 0; i < 18; ++i) {
+  ASSERT_EQ(vector->vectorInfo.numData, 34u);
+  longword end_of_last = 192 + 34 * 32;
+  for (int i = 0; i < 34; ++i) {
     const OSensorFrameInfo& info = *vector->GetInfo(i);
     ASSERT_EQ(names.count(info.primitiveID), 1u);
     SCOPED_TRACE(names[info.primitiveID]);
-    EXPECT_EQ(info.type, odataJOINT_VALUE);
+    EXPECT_EQ(info.type == odataJOINT_VALUE, static_cast<std::size_t>(i) < joints);
     EXPECT_EQ(info.frameNumber, 4u);
     EXPECT_EQ(info.numFrames, 4u);
     EXPECT_EQ(info.frameSize, 16u);
@@ -279,12 +334,133 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJoints) {
     end_of_last = info.dataOffset + info.dataSize;
     ASSERT_LE(end_of_last, region->Size());
     for (std::size_t frame = 0; frame < 4; ++frame) {
-      const OJointValue& expected = reported[info.primitiveID][4 + frame];
+      const OSensorValue& expected = reported[info.primitiveID][4 + frame];
       EXPECT_EQ(std::memcmp(&vector->GetData(i)->frame[frame], &expected, sizeof(expected)), 0) << frame;
     }
     names.erase(info.primitiveID);
   }
-  EXPECT_TRUE(names.empty()) << "a joint is missing";
+  EXPECT_TRUE(names.empty()) << "a joint or sensor is missing";
+}
+
+TEST_F(SimulatedErs7Test, ButtonsAreFeltWhileTheyArePressed) {
+  for (const char* name : {"chin", "paw_left_hind", "wlan_switch", "head_touch", "back_middle"}) {
+    const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name)];
+    robot_.press(name, true);
+    passFrames(1);
+    EXPECT_TRUE(robot_model::isPressed(sensor, sensorValue(name), false)) << name;
+    robot_.press(name, false);
+  }
+  passFrames(1);
+  for (const char* name : {"chin", "wlan_switch", "head_touch", "back_middle"}) {
+    const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name)];
+    EXPECT_FALSE(robot_model::isPressed(sensor, sensorValue(name), true)) << name;
+  }
+}
+
+TEST_F(SimulatedErs7Test, ASensorThatIsNotOpenOrNoneIsRefused) {
+  OSensorValue value;
+  EXPECT_EQ(robot_.getSensorValue(openJoint("head_pan"), &value), oINVALID_PRIMITIVE_ID);
+  const OPrimitiveID chin = openSensor("chin");
+  EXPECT_EQ(robot_.getSensorValue(chin, nullptr), oINVALID_ARG);
+  ASSERT_EQ(robot_.closePrimitive(chin), oSUCCESS);
+  EXPECT_EQ(robot_.getSensorValue(chin, &value), oINVALID_PRIMITIVE_ID);
+  EXPECT_THROW(robot_.press("range_near", true), std::invalid_argument);
+}
+
+TEST_F(SimulatedErs7Test, ALiftedPawIsLetGo) {
+  const OPrimitiveID knee = driveJoint("left_front_knee");
+  passFrames(1);
+  EXPECT_EQ(sensorValue("paw_left_front"), 1);
+  robot_.passFrame(frame_++, {jointCommand(knee, 1900000)});
+  passFrames(100);
+  EXPECT_EQ(sensorValue("paw_left_front"), 0);
+  robot_.press("paw_left_front", true);
+  passFrames(1);
+  EXPECT_EQ(sensorValue("paw_left_front"), 1) << "by hand";
+}
+
+TEST_F(SimulatedErs7Test, LedsShowWhatTheyWereToldLastUntilTheRobotIsSwitchedOff) {
+  const OPrimitiveID white = openLocator("PRM:/r1/c1/c2/c3/l2-LED2:l2");
+  const OPrimitiveID face = openLocator("PRM:/r1/c1/c2/c3/la-LED3:la");
+  EXPECT_TRUE(robot_.takesCommand(white, odataLED_COMMAND2));
+  EXPECT_FALSE(robot_.takesCommand(white, odataLED_COMMAND3));
+  EXPECT_FALSE(robot_.takesCommand(face, odataLED_COMMAND2));
+  robot_.passFrame(frame_++, {effectorCommand(white, odataLED_COMMAND2, OLEDCommandValue2{oledON, 1, 0}),
+                              effectorCommand(face, odataLED_COMMAND3, OLEDCommandValue3{100, oled3_MODE_B, 1, 0})});
+  passFrames(10);
+  EXPECT_EQ(robot_.led("head_white").intensity, 255);
+  EXPECT_EQ(robot_.led("face_1").intensity, 100);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
+  EXPECT_EQ(robot_.led("face_2").intensity, 0);
+  robot_.switchOff();
+  EXPECT_EQ(robot_.led("head_white").intensity, 0);
+  EXPECT_EQ(robot_.led("face_1").intensity, 0);
+  EXPECT_THROW(robot_.led("nose"), std::invalid_argument);
+}
+
+TEST_F(SimulatedErs7Test, AnEarIsDrawnByAPulseAndTooHotAfterASecond) {
+  const OPrimitiveID left = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE1)});
+  EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
+  EXPECT_FALSE(robot_.ear("right_ear").isDrawn());
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE0)});
+  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
+
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE1)});
+  passFrames(124);
+  EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
+  testing::internal::CaptureStdout();
+  passFrames(1);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("left_ear was energised for 1000 ms"), std::string::npos);
+  EXPECT_TRUE(robot_.ear("left_ear").isHot());
+  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE0)});
+  passFrames(625);
+  EXPECT_FALSE(robot_.ear("left_ear").isHot());
+}
+
+TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheTimeThatIsSetAndWarmsUp) {
+  SimulatedErs7::Options options;
+  options.battery_minutes = 1;
+  SimulatedErs7 robot(options);
+  OPowerStatus full;
+  ASSERT_EQ(robot.getPowerStatus(&full), oSUCCESS);
+  EXPECT_EQ(full.remainingCapacity, 100);
+  EXPECT_EQ(full.robotStatus, orsbBATTERY_CONNECTED);
+  robot.setMotorPower(opowerON);
+  longword frame = 0;
+  const auto passSeconds = [&](longword seconds) {
+    for (const longword end = frame + 125 * seconds; frame < end; ++frame) {
+      robot.passFrame(frame, {});
+    }
+  };
+  passSeconds(30);
+  OPowerStatus half;
+  ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
+  EXPECT_EQ(half.remainingCapacity, 50);
+  EXPECT_EQ(half.robotStatus, orsbBATTERY_CONNECTED | orsbMOTOR_POWER);
+  EXPECT_LT(half.voltage, full.voltage);
+  EXPECT_GT(half.temperature, full.temperature);
+  EXPECT_NEAR(full.temperature, 2982, 1) << "25 degrees Celsius, in tenths of a kelvin";
+  passSeconds(31);
+  OPowerStatus empty;
+  ASSERT_EQ(robot.getPowerStatus(&empty), oSUCCESS);
+  EXPECT_EQ(empty.remainingCapacity, 0);
+  EXPECT_NE(empty.robotStatus & orsbBATTERY_CAPACITY_LOW, 0u);
+  robot.setCharge(0.87);
+  ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
+  EXPECT_EQ(half.remainingCapacity, 87);
+}
+
+TEST_F(SimulatedErs7Test, ARobotThatWasSwitchedOffHoldsNothingAndHasNothingOpen) {
+  const OPrimitiveID pan = driveJoint("head_pan");
+  robot_.switchOff();
+  EXPECT_FALSE(robot_.takesCommand(pan, odataJOINT_COMMAND2));
+  ASSERT_EQ(openJoint("head_pan"), pan);
+  EXPECT_EQ(robot_.enableJointGain(pan), oFAIL) << "no power";
+  robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
+  passFrames(60);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
 }
 
 TEST_F(SimulatedErs7Test, ASensorVectorThatIsStillReadIsNotWrittenAgain) {
