@@ -7,12 +7,17 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
+#include "body_interface.h"
 #include "camera_publisher.h"
 #include "connection_publisher.h"
 #include "driver_diagnostics.h"
 #include "driver_parameters.h"
 #include "joint_interface.h"
+#include "live_settings.h"
+#include "power_status.h"
 #include "raw_image_publisher.h"
+#include "robot_stamper.h"
+#include "robot_time/robot_clock.h"
 #include "stream_meter.h"
 #include "stream_policy.h"
 #include "stream_services.h"
@@ -37,14 +42,22 @@ class AiboDriver {
 
  private:
   RcServerClient::Callbacks makeCallbacks();
+  LiveSettings::Targets settingTargets();
   void publishPicture(const Picture& picture);
+  void publishTelemetry(const Telemetry& telemetry);
   void updateConnection(const ConnectionStatus& status);
   bool cameraHasSubscribers() const;
+
+  /// Null if its time is not to be used.
+  RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
 
   // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
   // policy_ is started, and once it is stopped, it does nothing about them.
   const DriverParameters parameters_;
   ros::NodeHandle handle_;
+  RobotClock robot_clock_;
+  RobotStamper telemetry_stamper_;
+  PowerStatus power_;
   StreamMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;
@@ -53,6 +66,8 @@ class AiboDriver {
   RcServerClient client_;
   StreamServices services_;
   JointInterface joints_;
+  BodyInterface body_;
+  LiveSettings settings_;
   DriverDiagnostics diagnostics_;
 };
 

@@ -21,9 +21,9 @@ constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
 }  // namespace
 
 CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
-                                 const std::function<void()>& subscribers_changed)
+                                 RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
     : frame_id_(parameters.frame_id),
-      stamper_(parameters.time_offset),
+      stamper_(robot_clock, parameters.time_offset),
       camera_info_(camera_handle, parameters.camera_name) {
   if (!camera_info_.validateURL(parameters.camera_info_url)) {
     throw InvalidArgumentException("Parameter camera_info_url is '" + parameters.camera_info_url +
@@ -54,7 +54,7 @@ sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& pic
 
 sensor_msgs::CompressedImage CameraPublisher::toMessage(const Picture& picture) {
   sensor_msgs::CompressedImage message;
-  message.header.stamp = stamper_.stamp(picture.first_byte_time);
+  message.header.stamp = stamper_.stamp(picture);
   message.header.frame_id = frame_id_;
   message.format = kFormat;
   message.data = picture.jpeg;

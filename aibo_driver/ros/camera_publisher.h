@@ -11,7 +11,7 @@
 
 #include "aibo_driver/picture.h"
 #include "driver_parameters.h"
-#include "picture_stamper.h"
+#include "robot_stamper.h"
 
 namespace aibo_driver {
 
@@ -22,9 +22,10 @@ namespace aibo_driver {
 class CameraPublisher {
  public:
   /// @param camera_handle the camera's namespace
+  /// @param robot_clock must outlive the publisher; null: pictures are stamped with their arrival
   /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
   /// @throw InvalidArgumentException camera_info_url is none that camera_info_manager understands
-  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters, RobotClock* robot_clock,
                   const std::function<void()>& subscribers_changed);
 
   /// Never blocks. From one thread at a time.
@@ -40,7 +41,7 @@ class CameraPublisher {
   void publishCameraInfo(const std_msgs::Header& header, const Picture& picture);
 
   const std::string frame_id_;
-  PictureStamper stamper_;
+  RobotStamper stamper_;
   camera_info_manager::CameraInfoManager camera_info_;
   ros::Publisher compressed_publisher_;
   ros::Publisher camera_info_publisher_;

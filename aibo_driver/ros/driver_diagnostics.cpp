@@ -20,6 +20,21 @@ std::string oneDecimal(double value) {
   return text;
 }
 
+// A robot that is driven by hand cannot be steered well by what is older.
+constexpr double kLate = 0.25;  // seconds
+
+void reportDelay(const RobotClock::Reading& reading, DiagnosticStatusWrapper& status) {
+  if (reading.mean_delay > kLate) {
+    status.mergeSummary(DiagnosticStatus::WARN, "what the robot sends is " + oneDecimal(1000 * reading.mean_delay) +
+                                                    " ms late on average: is the radio link weak, or this computer "
+                                                    "busy?");
+  }
+  status.addf("delay beyond the shortest, mean ms", "%.1f", 1000 * reading.mean_delay);
+  status.addf("delay beyond the shortest, longest ms", "%.1f", 1000 * reading.longest_delay);
+  status.addf("drift of the robot's clock, ppm", "%.0f", -1e6 * reading.drift);
+  status.add("timelines begun", reading.timelines);
+}
+
 const char* yesOrNo(bool value) {
   return value ? "yes" : "no";
 }
@@ -33,6 +48,7 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
   updater_.add("connection", this, &DriverDiagnostics::reportConnection);
   updater_.add("stream", this, &DriverDiagnostics::reportStream);
   updater_.add("joints", this, &DriverDiagnostics::reportJoints);
+  updater_.add("power", this, &DriverDiagnostics::reportPower);
   timer_ = ros::NodeHandle(handle).createSteadyTimer(ros::WallDuration(kPeriod),
                                                      [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
 }
@@ -83,6 +99,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   } else {
     status.summary(DiagnosticStatus::WARN, "no pictures although the stream is on: does the robot's camera run?");
   }
+  reportDelay(sources_.robot_clock.read(), status);
   status.add("stream wanted", yesOrNo(wanted));
   status.add("streaming", yesOrNo(streaming));
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
@@ -111,7 +128,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
     status.summary(DiagnosticStatus::WARN, "nothing is known of the joints: the robot is not connected");
   } else if (!connection.robot_message.empty()) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
-  } else if (sources_.parameters.telemetry_period == 0) {
+  } else if (sources_.settings.telemetryPeriod() == 0) {
     status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
   } else if (rate > 0) {
     status.summary(DiagnosticStatus::OK, oneDecimal(rate) + " measurements/s");
@@ -125,6 +142,11 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);
   status.add("said by the robot", connection.robot_message);
+}
+
+void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {
+  const bool connected = sources_.client.status().state == ConnectionState::kConnected;
+  sources_.power.report(connected && sources_.settings.telemetryPeriod() != 0, status);
 }
 
 }  // namespace aibo_driver

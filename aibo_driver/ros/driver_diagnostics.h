@@ -12,14 +12,18 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "driver_parameters.h"
+#include "live_settings.h"
+#include "power_status.h"
 #include "raw_image_publisher.h"
+#include "robot_time/robot_clock.h"
 #include "stream_meter.h"
 #include "stream_policy.h"
 
 namespace aibo_driver {
 
 /// Publishes /diagnostics once a second, by the wall's clock and whether or not pictures come: one status each for
-/// the connection, the stream and the joints. A stream that is off, or that nobody has demanded, is no fault.
+/// the connection, the stream, the joints and the power. A stream that is off, or that nobody has demanded, is no
+/// fault.
 class DriverDiagnostics {
  public:
   /// What is reported on; all of it must outlive the DriverDiagnostics.
@@ -29,6 +33,9 @@ class DriverDiagnostics {
     const StreamPolicy& policy;
     StreamMeter& meter;
     const RawImagePublisher& raw_images;
+    const LiveSettings& settings;
+    RobotClock& robot_clock;
+    const PowerStatus& power;
   };
 
   /// @param name of the node or nodelet, with its namespace
@@ -39,6 +46,7 @@ class DriverDiagnostics {
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportJoints(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportPower(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   Sources sources_;
   std::uint64_t reported_damaged_ = 0;

@@ -145,12 +145,6 @@ bool isRobot(const std::string& text) {
   return text == "ERS-7" || text == "ERS-210";
 }
 
-// The nearest period, from the 4 frames in which the robot measures to the longest that it can be told.
-int telemetryPeriod(double rate) {
-  constexpr double kFramesPerSecond = 125;  // OPEN-R frames of 8 ms
-  return rate == 0 ? 0 : static_cast<int>(std::lround(std::clamp(kFramesPerSecond / rate, 4.0, 65535.0)));
-}
-
 bool isFrame(const std::string& text) {
   return isWord(text) && text.front() != '/';
 }
@@ -166,6 +160,11 @@ bool isCameraInfoUrl(const std::string& text) {
 }
 
 }  // namespace
+
+int telemetryPeriodOf(double rate) {
+  constexpr double kFramesPerSecond = 125;
+  return rate == 0 ? 0 : static_cast<int>(std::lround(std::clamp(kFramesPerSecond / rate, 4.0, 65535.0)));
+}
 
 DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::string& name_prefix) {
   DriverParameters parameters;
@@ -184,6 +183,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("stream_on_start", &parameters.stream_on_start);
   reader.read("stream_on_demand", &parameters.stream_on_demand);
   reader.read("take_picture_timeout", 0.1, 60.0, &parameters.take_picture_timeout);
+  reader.read("use_robot_time", &parameters.use_robot_time);
   reader.read("time_offset", -60.0, 60.0, &parameters.time_offset);
 
   reader.read("frame_id", "a frame's name, not empty, without blanks, not beginning with '/'", isFrame,
@@ -193,10 +193,9 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
               &parameters.camera_info_url);
 
   reader.read("robot", "ERS-7 or ERS-210", isRobot, &parameters.robot);
-  double telemetry_rate = kHighestTelemetryRate;
-  reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &telemetry_rate);
-  parameters.telemetry_period = telemetryPeriod(telemetry_rate);
+  reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &parameters.telemetry_rate);
   reader.read("joint_speed_limit", "rad/s", 0.1, 20.0, &parameters.joint_speed_limit);
+  reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("slow_down", &parameters.slow_down);
 

@@ -13,7 +13,8 @@
 
 namespace aibo_driver {
 
-/// The driver's private parameters, read once at start. docs/ros_interface.md tells what each one means to a user.
+/// The driver's private parameters, read once at start; some of them can be changed later, see LiveSettings.
+/// docs/ros_interface.md tells what each one means to a user.
 struct DriverParameters {
   ClientOptions client;           ///< host, port, jpeg_quality, the time limits and the reconnect waits
   bool stream_on_start = true;    ///< is the stream wanted before anybody calls set_streaming
@@ -21,17 +22,24 @@ struct DriverParameters {
   std::string frame_id = "camera_optical_frame";
   std::string camera_name = "aibo";                      ///< letters, digits and underscores
   std::string camera_info_url;                           ///< empty: camera_info_manager's own default
+  bool use_robot_time = true;                            ///< stamps by the robot's frame numbers, where it tells them
   std::chrono::nanoseconds time_offset{0};               ///< added to every stamp; at most 60 s either way
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
 
   std::string robot = "ERS-7";     ///< or "ERS-210": whose joints there are
-  int telemetry_period = 4;        ///< of joint_states, in OPEN-R frames of 8 ms; 0: none
+  double telemetry_rate = 31.25;   ///< 0..31.25 a second, of joint_states and sensors; 0: none
   double joint_speed_limit = 3.0;  ///< rad/s, 0.1..20; a joint that cannot move so fast has its own limit
+  double speed_scale = 1.0;        ///< 0.1..1, of the speed limits
   double approach_speed = 0.5;     ///< rad/s, 0.05..20; of the first motion of each joint, see JointCommandFilter
   bool slow_down = false;          ///< slow a trajectory down, instead of refusing it, if it is too fast
 
   std::vector<std::string> unknown;  ///< names that were given and that nobody reads: most likely misspelt
 };
+
+/// The nearest period, in OPEN-R frames of 8 ms, from the 4 in which the robot measures to the 65535 that it can be
+/// told.
+/// @param rate messages a second, 0 or more; 0 means none, as does a period of 0
+int telemetryPeriodOf(double rate);
 
 /// Checks what a user gave. Needs no ROS master.
 /// @param values a struct of parameters, or an invalid value when there are none

@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <utility>
+
 namespace aibo_driver {
 namespace {
 
@@ -17,32 +19,26 @@ JointLink::Robot robotOf(RcServerClient& client) {
   return robot;
 }
 
-ros::NodeHandle withQueue(ros::NodeHandle handle, ros::CallbackQueue& queue) {
-  handle.setCallbackQueue(&queue);
-  return handle;
-}
-
 }  // namespace
 
 JointInterface::JointInterface(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                               RcServerClient& client)
+                               RcServerClient& client, TelemetryStamper stamp_of)
     : table_(parameters.robot, parameters.joint_speed_limit),
       measured_(table_),
-      telemetry_publisher_(handle, table_, measured_, parameters.time_offset),
+      telemetry_publisher_(handle, table_, measured_, std::move(stamp_of)),
       link_(robotOf(client)),
-      handle_(withQueue(handle, queue_)),
-      trajectories_(handle_, table_, measured_, link_, parameters.slow_down),
-      commander_(handle_, table_, measured_, link_, parameters.approach_speed,
+      thread_(handle),
+      trajectories_(thread_.handle(), table_, measured_, link_, parameters.slow_down),
+      commander_(thread_.handle(), table_, measured_, link_, parameters.approach_speed,
                  [this](const std::vector<JointOrder>& orders) { trajectories_.yieldTo(orders); }),
-      motors_(handle_, client,
+      motors_(thread_.handle(), client,
               [this](bool on) {
                 commander_.startApproach();
                 if (!on) {
                   trajectories_.end("the motors were switched off");
                 }
               }),
-      thread_(1, &queue_) {
-  client.setTelemetryPeriod(parameters.telemetry_period);
+      motions_(thread_.handle(), client, [this] { trajectories_.end("a motion was begun by play_motion"); }) {
   thread_.start();
 }
 

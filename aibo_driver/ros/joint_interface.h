@@ -2,11 +2,10 @@
 #ifndef AIBO_DRIVER_JOINT_INTERFACE_H
 #define AIBO_DRIVER_JOINT_INTERFACE_H
 
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <ros/spinner.h>
 
 #include "aibo_driver/rcserver_client.h"
+#include "callback_thread.h"
 #include "driver_parameters.h"
 #include "joint_commander.h"
 #include "joint_telemetry_publisher.h"
@@ -14,16 +13,19 @@
 #include "motion/joint_table.h"
 #include "motion/measured_joints.h"
 #include "motor_service.h"
+#include "play_motion_service.h"
+#include "telemetry_stamper.h"
 #include "trajectory_executor.h"
 
 namespace aibo_driver {
 
-/// All that the driver has to do with joints. Commands, trajectories and the motors service are served by one thread of
-/// their own: they never wait for a picture, and none of them overtakes another.
+/// All that the driver has to do with joints. Commands, trajectories and the services motors and play_motion are served
+/// by one thread of their own: they never wait for a picture, and none of them overtakes another.
 class JointInterface {
  public:
   /// @param client must outlive the object
-  JointInterface(const ros::NodeHandle& handle, const DriverParameters& parameters, RcServerClient& client);
+  JointInterface(const ros::NodeHandle& handle, const DriverParameters& parameters, RcServerClient& client,
+                 TelemetryStamper stamp_of);
 
   ~JointInterface();
 
@@ -33,20 +35,23 @@ class JointInterface {
   /// Never blocks. From the client's thread.
   void publishTelemetry(const Telemetry& telemetry) { telemetry_publisher_.publish(telemetry); }
 
+  /// How fast joints may move, as a part of their speed limits, from the next command on. From any thread.
+  /// @param scale above 0, at most 1
+  void setSpeedScale(double scale) { table_.setSpeedScale(scale); }
+
   /// From the client's thread.
   void updateConnection(const ConnectionStatus& status);
 
  private:
-  const JointTable table_;
+  JointTable table_;
   MeasuredJoints measured_;
   JointTelemetryPublisher telemetry_publisher_;
   JointLink link_;
-  ros::CallbackQueue queue_;
-  ros::NodeHandle handle_;
+  CallbackThread thread_;
   TrajectoryExecutor trajectories_;
   JointCommander commander_;
   MotorService motors_;
-  ros::AsyncSpinner thread_;
+  PlayMotionService motions_;
 };
 
 }  // namespace aibo_driver

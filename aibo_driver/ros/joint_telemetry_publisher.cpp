@@ -3,6 +3,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace aibo_driver {
 namespace {
@@ -13,10 +14,10 @@ constexpr std::uint32_t kQueueSize = 5;
 }  // namespace
 
 JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, const JointTable& table,
-                                                 MeasuredJoints& measured, std::chrono::nanoseconds time_offset)
+                                                 MeasuredJoints& measured, TelemetryStamper stamp_of)
     : table_(table),
       measured_(measured),
-      stamper_(time_offset),
+      stamp_of_(std::move(stamp_of)),
       publisher_(ros::NodeHandle(handle).advertise<sensor_msgs::JointState>("joint_states", kQueueSize)) {}
 
 void JointTelemetryPublisher::publish(const Telemetry& telemetry) {
@@ -29,7 +30,7 @@ void JointTelemetryPublisher::publish(const Telemetry& telemetry) {
   if (message->name.empty()) {
     return;
   }
-  message->header.stamp = stamper_.stamp(telemetry.arrival);
+  message->header.stamp = stamp_of_(telemetry);
   publisher_.publish(sensor_msgs::JointStateConstPtr(message));
 }
 

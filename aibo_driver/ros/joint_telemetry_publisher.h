@@ -4,21 +4,19 @@
 
 #include <ros/node_handle.h>
 
-#include <chrono>
-
 #include "aibo_driver/telemetry.h"
 #include "motion/joint_table.h"
 #include "motion/measured_joints.h"
-#include "picture_stamper.h"
+#include "telemetry_stamper.h"
 
 namespace aibo_driver {
 
-/// Publishes joint_states: where each telemetry found the joints, and how fast they move. Stamped as pictures are.
+/// Publishes joint_states: where each telemetry found the joints, and how fast they move.
 class JointTelemetryPublisher {
  public:
   /// @param table, measured must outlive the publisher
   JointTelemetryPublisher(const ros::NodeHandle& handle, const JointTable& table, MeasuredJoints& measured,
-                          std::chrono::nanoseconds time_offset);
+                          TelemetryStamper stamp_of);
 
   /// Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);
@@ -26,7 +24,7 @@ class JointTelemetryPublisher {
  private:
   const JointTable& table_;
   MeasuredJoints& measured_;
-  PictureStamper stamper_;
+  const TelemetryStamper stamp_of_;
   ros::Publisher publisher_;
 };
 

@@ -41,33 +41,37 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_TRUE(parameters.stream_on_start);
   EXPECT_FALSE(parameters.stream_on_demand);
   EXPECT_EQ(parameters.frame_id, "camera_optical_frame");
+  EXPECT_TRUE(parameters.use_robot_time);
   EXPECT_EQ(parameters.time_offset.count(), 0);
   EXPECT_EQ(parameters.robot, "ERS-7");
-  EXPECT_EQ(parameters.telemetry_period, 4);
+  EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
+  EXPECT_DOUBLE_EQ(parameters.speed_scale, 1.0);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.5);
   EXPECT_FALSE(parameters.slow_down);
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
-TEST(DriverParameters, TurnTheTelemetryRateIntoOpenRFrames) {
-  EXPECT_EQ(parse(one("telemetry_rate", 31.25)).telemetry_period, 4);
-  EXPECT_EQ(parse(one("telemetry_rate", 30)).telemetry_period, 4);
-  EXPECT_EQ(parse(one("telemetry_rate", 10.0)).telemetry_period, 13);  // 104 ms
-  EXPECT_EQ(parse(one("telemetry_rate", 1)).telemetry_period, 125);
-  EXPECT_EQ(parse(one("telemetry_rate", 0)).telemetry_period, 0);
-  EXPECT_EQ(parse(one("telemetry_rate", 0.0001)).telemetry_period, 65535) << "the longest that the robot knows";
+TEST(DriverParameters, ATelemetryRateMeansANumberOfOpenRFrames) {
+  EXPECT_EQ(telemetryPeriodOf(31.25), 4);
+  EXPECT_EQ(telemetryPeriodOf(30), 4);
+  EXPECT_EQ(telemetryPeriodOf(10), 13);  // 104 ms
+  EXPECT_EQ(telemetryPeriodOf(1), 125);
+  EXPECT_EQ(telemetryPeriodOf(0), 0);
+  EXPECT_EQ(telemetryPeriodOf(0.0001), 65535) << "the longest that the robot knows";
 }
 
 TEST(DriverParameters, OfTheJointsAreTakenOver) {
   XmlRpcValue values;
   values["robot"] = "ERS-210";
   values["joint_speed_limit"] = 2;
+  values["speed_scale"] = 0.5;
   values["approach_speed"] = 0.25;
   values["slow_down"] = XmlRpcValue(true);
   const DriverParameters parameters = parse(values);
   EXPECT_EQ(parameters.robot, "ERS-210");
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 2);
+  EXPECT_DOUBLE_EQ(parameters.speed_scale, 0.5);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.25);
   EXPECT_TRUE(parameters.slow_down);
 }
@@ -76,6 +80,7 @@ TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("robot", "ERS-8"), HasSubstr("ERS-7 or ERS-210"));
   EXPECT_THAT(refusal("telemetry_rate", 50), HasSubstr("messages a second, 0..31.25"));
   EXPECT_THAT(refusal("joint_speed_limit", 0), HasSubstr("rad/s, 0.1..20"));
+  EXPECT_THAT(refusal("speed_scale", 1.5), HasSubstr("0.1..1"));
   EXPECT_THAT(refusal("approach_speed", -1.0), HasSubstr("rad/s, 0.05..20"));
   EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));
 }
@@ -89,6 +94,7 @@ TEST(DriverParameters, AreTakenOver) {
   values["read_timeout"] = 0.25;
   values["stream_on_start"] = XmlRpcValue(false);
   values["stream_on_demand"] = XmlRpcValue(true);
+  values["use_robot_time"] = XmlRpcValue(false);
   values["time_offset"] = -0.02;
   values["camera_info_url"] = "package://aibo_driver/config/camera.yaml";
   const DriverParameters parameters = parse(values);
@@ -99,6 +105,7 @@ TEST(DriverParameters, AreTakenOver) {
   EXPECT_EQ(parameters.client.read_timeout, std::chrono::milliseconds(250));
   EXPECT_FALSE(parameters.stream_on_start);
   EXPECT_TRUE(parameters.stream_on_demand);
+  EXPECT_FALSE(parameters.use_robot_time);
   EXPECT_EQ(parameters.time_offset, std::chrono::milliseconds(-20));
   EXPECT_EQ(parameters.camera_info_url, "package://aibo_driver/config/camera.yaml");
 }

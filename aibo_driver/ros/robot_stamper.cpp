@@ -1,0 +1,71 @@
+#include "robot_stamper.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace aibo_driver {
+namespace {
+
+// Reading two clocks takes less, unless the thread was interrupted in between.
+constexpr std::chrono::microseconds kReadingTime{20};
+constexpr int kReadings = 5;
+
+// ros::Time throws when it would get negative or when its seconds would not fit 32 bits.
+ros::Time fromNanoseconds(std::int64_t nanoseconds) {
+  constexpr std::int64_t kLast = std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000;
+  ros::Time time;
+  time.fromNSec(static_cast<std::uint64_t>(std::clamp<std::int64_t>(nanoseconds, 0, kLast)));
+  return time;
+}
+
+}  // namespace
+
+RobotStamper::RobotStamper(RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
+                           std::function<ros::Time()> ros_now, std::function<SteadyTime()> steady_now)
+    : robot_clock_(robot_clock),
+      time_offset_(time_offset),
+      ros_now_(std::move(ros_now)),
+      steady_now_(std::move(steady_now)) {}
+
+ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
+                              SteadyTime arrival) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::size_t remembered = std::min(count_, kRemembered);
+  for (std::size_t i = 0; i < remembered; ++i) {
+    if (latest_[i].arrival == arrival) {
+      return latest_[i].stamp;
+    }
+  }
+  const bool told = robot_clock_ != nullptr && frame_number;
+  ros::Time stamp = toRosTime(told ? robot_clock_->timeOf(connection_number, *frame_number, arrival) : arrival);
+  if (count_ > 0) {
+    const ros::Time last = latest_[(count_ - 1) % kRemembered].stamp;
+    const bool clock_was_set_back = stamp + ros::Duration(kClockStep.count()) < last;
+    if (stamp <= last && !clock_was_set_back) {
+      stamp = last + ros::Duration(0, 1);
+    }
+  }
+  latest_[count_ % kRemembered] = {arrival, stamp};
+  ++count_;
+  return stamp;
+}
+
+ros::Time RobotStamper::toRosTime(SteadyTime time) const {
+  std::chrono::nanoseconds shortest = std::chrono::nanoseconds::max();
+  std::chrono::nanoseconds age{0};
+  ros::Time now;
+  for (int i = 0; i < kReadings && shortest > kReadingTime; ++i) {
+    const SteadyTime before = steady_now_();
+    const ros::Time ros_now = ros_now_();
+    const std::chrono::nanoseconds reading_time = steady_now_() - before;
+    if (reading_time < shortest) {
+      shortest = reading_time;
+      age = before + reading_time / 2 - time;
+      now = ros_now;
+    }
+  }
+  return fromNanoseconds(static_cast<std::int64_t>(now.toNSec()) - age.count() + time_offset_.count());
+}
+
+}  // namespace aibo_driver

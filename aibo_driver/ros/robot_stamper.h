@@ -1,0 +1,77 @@
+/// @file robot_stamper.h
+#ifndef AIBO_DRIVER_ROBOT_STAMPER_H
+#define AIBO_DRIVER_ROBOT_STAMPER_H
+
+#include <ros/time.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "aibo_driver/picture.h"
+#include "aibo_driver/telemetry.h"
+#include "robot_time/robot_clock.h"
+
+namespace aibo_driver {
+
+/// Stamps the messages of one stream, pictures or telemetry: when the robot took or measured it, on ROS' clock. What
+/// tells no frame number, as of a version 1 server, is stamped with its arrival.
+///
+/// The time is worked out on the steady clock and mapped to ROS' clock when the stamp is first asked for. So when ROS'
+/// clock is set, the stamps follow at once; and with a simulated clock they are of that clock, as fine as it steps.
+/// Stamps of different messages strictly increase. Only when ROS' clock itself is set back by more than kClockStep do
+/// they follow it back: stamps that stood still for an hour after a correction of the clock would help nobody.
+/// Every function may be called from any thread.
+class RobotStamper {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  /// What is less than this is jitter between the two clocks, what is more means that somebody set ROS' clock.
+  static constexpr std::chrono::seconds kClockStep{1};
+
+  /// @param robot_clock must outlive the stamper; null: every stamp is that of the arrival
+  /// @param time_offset added to every stamp
+  /// @param ros_now, steady_now the clocks
+  RobotStamper(RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
+               std::function<ros::Time()> ros_now = ros::Time::now,
+               std::function<SteadyTime()> steady_now = std::chrono::steady_clock::now);
+
+  /// The same picture has the same stamp whenever it is asked for among the kRemembered latest. Never before the epoch,
+  /// also while a simulated clock has not begun to run.
+  ros::Time stamp(const Picture& picture) {
+    return stamp(picture.connection_number, picture.frame_number, picture.first_byte_time);
+  }
+
+  /// As of a picture.
+  ros::Time stamp(const Telemetry& telemetry) {
+    return stamp(telemetry.connection_number, telemetry.frame_number, telemetry.arrival);
+  }
+
+ private:
+  static constexpr std::size_t kRemembered = 16;
+
+  struct Stamped {
+    SteadyTime arrival;
+    ros::Time stamp;
+  };
+
+  ros::Time stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
+  ros::Time toRosTime(SteadyTime time) const;
+
+  RobotClock* const robot_clock_;
+  const std::chrono::nanoseconds time_offset_;
+  const std::function<ros::Time()> ros_now_;
+  const std::function<SteadyTime()> steady_now_;
+
+  std::mutex mutex_;
+  std::array<Stamped, kRemembered> latest_;  ///< a ring
+  std::size_t count_ = 0;                    ///< of all stamps given
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_ROBOT_STAMPER_H

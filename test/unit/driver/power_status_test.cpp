@@ -1,0 +1,90 @@
+#include "power_status.h"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <gmock/gmock.h>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr int kBattery = 66;
+constexpr int kTemperature = 67;
+constexpr bool kAsked = true;
+
+Telemetry telling(std::vector<SensorReading> sensors) {
+  Telemetry telemetry;
+  telemetry.sensors = std::move(sensors);
+  return telemetry;
+}
+
+DiagnosticStatusWrapper reportOf(const PowerStatus& power, bool asked = kAsked) {
+  DiagnosticStatusWrapper status;
+  power.report(asked, status);
+  return status;
+}
+
+DiagnosticStatusWrapper reportAt(double charge, double temperature) {
+  PowerStatus power("ERS-7");
+  power.update(telling({{kBattery, charge}, {kTemperature, temperature}}));
+  return reportOf(power);
+}
+
+TEST(PowerStatus, TellsHowFullAndWarmTheBatteryIs) {
+  const DiagnosticStatusWrapper status = reportAt(0.87, 31.5);
+  EXPECT_EQ(status.level, DiagnosticStatus::OK);
+  EXPECT_EQ(status.message, "battery at 87 %");
+  ASSERT_EQ(status.values.size(), 2u);
+  EXPECT_EQ(status.values[0].value, "87");
+  EXPECT_EQ(status.values[1].value, "31.5");
+}
+
+TEST(PowerStatus, WarnsBelow20PercentAndFailsBelow10) {
+  EXPECT_EQ(reportAt(0.20, 30).level, DiagnosticStatus::OK);
+  EXPECT_EQ(reportAt(0.19, 30).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(reportAt(0.10, 30).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(reportAt(0.09, 30).level, DiagnosticStatus::ERROR);
+  EXPECT_THAT(reportAt(0.09, 30).message, AllOf(HasSubstr("9 %"), HasSubstr("charge it now")));
+}
+
+TEST(PowerStatus, WarnsOfHeatAndOfBothAtOnce) {
+  EXPECT_EQ(reportAt(0.9, 49).level, DiagnosticStatus::OK);
+  EXPECT_EQ(reportAt(0.9, 50).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(reportAt(0.9, 60).level, DiagnosticStatus::ERROR);
+  EXPECT_THAT(reportAt(0.15, 60).message, AllOf(HasSubstr("15 %"), HasSubstr("60 degrees Celsius: too hot")));
+}
+
+TEST(PowerStatus, RemembersWhatTheRobotTellsInTurn) {
+  PowerStatus power("ERS-7");
+  power.update(telling({{kBattery, 0.5}}));
+  power.update(telling({{kTemperature, 55}}));
+  EXPECT_THAT(reportOf(power).message, HasSubstr("55 degrees"));
+  EXPECT_EQ(reportOf(power).values.size(), 2u);
+}
+
+TEST(PowerStatus, OfARobotThatTellsNothingIsAFaultOnlyIfItWasAsked) {
+  PowerStatus power("ERS-7");
+  EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
+  EXPECT_THAT(reportOf(power).message, HasSubstr("RCServer"));
+  EXPECT_EQ(reportOf(power, !kAsked).level, DiagnosticStatus::OK);
+  EXPECT_THAT(reportOf(power, !kAsked).message, HasSubstr("idle"));
+}
+
+TEST(PowerStatus, IsForgottenWithTheConnection) {
+  PowerStatus power("ERS-7");
+  power.update(telling({{kBattery, 0.05}}));
+  power.clear();
+  EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
+}
+
+TEST(PowerStatus, NeedsARobotThatThereIs) {
+  EXPECT_THROW(PowerStatus("ERS-8"), InvalidArgumentException);
+}
+
+}  // namespace
+}  // namespace aibo_driver

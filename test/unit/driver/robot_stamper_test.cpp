@@ -1,0 +1,144 @@
+#include "robot_stamper.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cstdint>
+
+namespace aibo_driver {
+namespace {
+
+using namespace std::chrono_literals;
+
+Picture pictureOf(RobotStamper::SteadyTime arrival) {
+  Picture picture;
+  picture.first_byte_time = arrival;
+  return picture;
+}
+
+Telemetry telemetryOf(std::uint32_t frame_number, RobotStamper::SteadyTime arrival) {
+  Telemetry telemetry;
+  telemetry.frame_number = frame_number;
+  telemetry.arrival = arrival;
+  return telemetry;
+}
+
+class RobotStamperTest : public ::testing::Test {
+ protected:
+  RobotStamper makeStamper(std::chrono::nanoseconds time_offset, RobotClock* robot_clock = nullptr) {
+    return RobotStamper(
+        robot_clock, time_offset, [this] { return ros_now_; }, [this] { return steady_now_; });
+  }
+
+  void advance(std::chrono::milliseconds time) {
+    steady_now_ += time;
+    ros_now_ += ros::Duration(0, static_cast<int>(std::chrono::nanoseconds(time).count()));
+  }
+
+  ros::Time ros_now_{1000, 0};
+  RobotStamper::SteadyTime steady_now_{500s};
+  RobotClock robot_clock_;
+};
+
+TEST_F(RobotStamperTest, TheStampOfAPictureWithoutAFrameNumberIsTheArrivalOfItsFirstByte) {
+  RobotStamper stamper = makeStamper(0ns, &robot_clock_);
+  EXPECT_EQ(stamper.stamp(pictureOf(steady_now_ - 20ms)), ros::Time(999, 980000000));
+}
+
+TEST_F(RobotStamperTest, StampsKeepTheIntervalOfTheFrameNumbersHoweverLateAMessageComes) {
+  RobotStamper stamper = makeStamper(0ns, &robot_clock_);
+  const ros::Time first = stamper.stamp(telemetryOf(100, steady_now_));
+  advance(70ms);
+  const ros::Time second = stamper.stamp(telemetryOf(105, steady_now_));
+  EXPECT_EQ(second, first + ros::Duration(0, 40000000));
+}
+
+TEST_F(RobotStamperTest, StampsOfPicturesAndTelemetryOfOneFrameAreTheSame) {
+  RobotStamper pictures = makeStamper(0ns, &robot_clock_);
+  RobotStamper telemetries = makeStamper(0ns, &robot_clock_);
+  const ros::Time measured = telemetries.stamp(telemetryOf(100, steady_now_));
+  advance(25ms);
+  Picture picture = pictureOf(steady_now_);
+  picture.frame_number = 100;
+  EXPECT_EQ(pictures.stamp(picture), measured);
+}
+
+TEST_F(RobotStamperTest, WithoutRobotTimeTheStampIsTheArrival) {
+  RobotStamper stamper = makeStamper(0ns, nullptr);
+  stamper.stamp(telemetryOf(100, steady_now_));
+  advance(70ms);
+  EXPECT_EQ(stamper.stamp(telemetryOf(105, steady_now_)), ros_now_);
+}
+
+TEST_F(RobotStamperTest, StampsFollowARosClockThatIsSetForward) {
+  RobotStamper stamper = makeStamper(0ns, &robot_clock_);
+  stamper.stamp(telemetryOf(100, steady_now_));
+  advance(32ms);
+  ros_now_ = ros::Time(5000, 0);
+  EXPECT_EQ(stamper.stamp(telemetryOf(104, steady_now_)), ros::Time(5000, 0));
+}
+
+TEST_F(RobotStamperTest, TheOffsetIsAdded) {
+  EXPECT_EQ(makeStamper(30ms).stamp(pictureOf(steady_now_)), ros::Time(1000, 30000000));
+  EXPECT_EQ(makeStamper(-30ms, &robot_clock_).stamp(telemetryOf(7, steady_now_)), ros::Time(999, 970000000));
+}
+
+TEST_F(RobotStamperTest, TheSamePictureHasTheSameStampLater) {
+  RobotStamper stamper = makeStamper(0ns);
+  const Picture picture = pictureOf(steady_now_);
+  const ros::Time stamp = stamper.stamp(picture);
+  advance(33ms);
+  stamper.stamp(pictureOf(steady_now_));
+  ros_now_ += ros::Duration(0, 700);  // the clocks drift
+  EXPECT_EQ(stamper.stamp(picture), stamp);
+}
+
+TEST_F(RobotStamperTest, StampsIncreaseAlthoughTheRosClockStepsBackALittle) {
+  RobotStamper stamper = makeStamper(0ns);
+  const ros::Time first = stamper.stamp(pictureOf(steady_now_));
+  advance(33ms);
+  ros_now_ -= ros::Duration(0.5);
+  const ros::Time second = stamper.stamp(pictureOf(steady_now_));
+  advance(33ms);
+  const ros::Time third = stamper.stamp(pictureOf(steady_now_));
+  EXPECT_GT(second, first);
+  EXPECT_GT(third, second);
+}
+
+TEST_F(RobotStamperTest, StampsFollowARosClockThatIsSetBack) {
+  RobotStamper stamper = makeStamper(0ns);
+  stamper.stamp(pictureOf(steady_now_));
+  advance(33ms);
+  ros_now_ = ros::Time(10, 0);
+  EXPECT_EQ(stamper.stamp(pictureOf(steady_now_)), ros::Time(10, 0));
+}
+
+TEST_F(RobotStamperTest, StampsIncreaseWhileASimulatedClockHasNotBegun) {
+  RobotStamper stamper = makeStamper(-30ms);
+  ros_now_ = ros::Time(0, 0);
+  const ros::Time first = stamper.stamp(pictureOf(steady_now_ - 10ms));
+  const ros::Time second = stamper.stamp(pictureOf(steady_now_ - 5ms));
+  EXPECT_EQ(first, ros::Time(0, 0));
+  EXPECT_GT(second, first);
+}
+
+// An interruption between the readings of two clocks would be taken for a difference between them.
+TEST_F(RobotStamperTest, TheClocksAreReadAgainIfTheThreadWasInterruptedInBetween) {
+  int readings = 0;
+  RobotStamper stamper(
+      nullptr, 0ns,
+      [this, &readings] {
+        if (++readings == 1) {
+          advance(10ms);
+          return ros_now_ - ros::Duration(0.01);
+        }
+        return ros_now_;
+      },
+      [this] { return steady_now_; });
+  const RobotStamper::SteadyTime arrival = steady_now_;
+  EXPECT_EQ(stamper.stamp(pictureOf(arrival)), ros::Time(1000, 0));
+  EXPECT_EQ(readings, 2);
+}
+
+}  // namespace
+}  // namespace aibo_driver
