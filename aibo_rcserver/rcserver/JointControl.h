@@ -5,6 +5,7 @@
 
 #include "rcserver/JointWatch.h"
 #include "rcserver/MotionPlanner.h"
+#include "rcserver/MotionPlayer.h"
 #include "robot_model/robot_model.h"
 
 /// What commands work on and what the motors are driven from. Pure logic. Joints go by their index in the robot's table
@@ -23,12 +24,22 @@ class JointControl {
   int Find(int identifier) const { return findJointByIdentifier(robot_, identifier); }
 
   MotionPlanner& Planner() { return planner_; }
+  MotionPlayer& Motions() { return motions_; }
+
+  /// A client's command: as MotionPlanner::SetTargets(), and motions that move one of these joints are over.
+  void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
+
+  /// One frame passes for motions and planner.
+  void NextFrame();
+
+  /// True if there is a joint that has not arrived, or a motion that goes on.
+  bool AreMoving() const;
 
   /// The joint was found at this place and is to hold it.
   void Hold(int joint, int position, unsigned frame);
 
   /// A joint has reported.
-  /// @param driven its motor pulls: it is watched, and held where it is if it does not follow
+  /// @param driven its motor pulls: it is watched. One that does not follow is held where it is; its motion ends
   /// @return what the watch says
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
@@ -38,13 +49,14 @@ class JointControl {
   /// What was found to be wrong with a joint since this was asked last.
   JointWatch::Verdict TakeFault(int joint);
 
-  /// Forgets what the client has left behind: all joints stop and hold, limits are the robot's own, faults are no
-  /// longer worth telling.
+  /// Forgets what the client has left behind: motions are over, all joints stop and hold, limits are the robot's own,
+  /// faults are no longer worth telling.
   void ClientGone();
 
  private:
   const robot_model::RobotModel& robot_;
   MotionPlanner planner_;
+  MotionPlayer motions_;
   int positions_[robot_model::MAX_JOINTS];
   JointWatch watches_[robot_model::MAX_JOINTS];
   JointWatch::Verdict faults_[robot_model::MAX_JOINTS];

@@ -53,6 +53,7 @@ bool JointDriver::Switch(bool on) {
     return SwitchOn();
   }
   state_ = OFF;
+  joints_->Motions().StopAll();
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
     Check(OPENR::DisableJointGain(primitives_[i]), i, "still holds");
   }
@@ -161,12 +162,11 @@ void JointDriver::EnableGains() {
 }
 
 bool JointDriver::HasCommand() const {
-  if (state_ == GOING_ON) {
+  if (state_ == GOING_ON || joints_->AreMoving()) {
     return true;
   }
-  const MotionPlanner& planner = joints_->Planner();
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    if (planner.FramesLeft(i) > 0 || planner.Position(i) != commanded_[i]) {
+    if (joints_->Planner().Position(i) != commanded_[i]) {
       return true;
     }
   }
@@ -174,13 +174,12 @@ bool JointDriver::HasCommand() const {
 }
 
 void JointDriver::Fill(RCRegion* vector) {
-  MotionPlanner& planner = joints_->Planner();
   for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
     if (state_ == ON) {
-      planner.NextFrame();
+      joints_->NextFrame();
     }
     for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-      commanded_[i] = planner.Position(i);
+      commanded_[i] = joints_->Planner().Position(i);
       CommandVectors::Set(vector, i, frame, commanded_[i]);
     }
   }

@@ -6,13 +6,15 @@
 #include <stddef.h>
 
 #include "protocol/hello.h"
+#include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
 /// Keeps replies in order, and of the telemetry only the latest. Memory of a fixed size; pure logic.
 class Outbox {
  public:
-  /// Bytes of the largest message: a hello of version 2.
-  static const size_t MAX_MESSAGE_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_HELLO_SIZE;
+  /// Bytes of the largest message: a list of motions in version 2.
+  static const size_t MAX_MESSAGE_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_MOTION_LIST_SIZE;
 
   /// Bytes of the largest telemetry message.
   static const size_t MAX_TELEMETRY_SIZE =

@@ -58,6 +58,7 @@ HostSettings RCServer::host;
 
 RCServer::RCServer()
     : client_(NULL),
+      motion_files_(host),
       robot_(NULL),
       session_(NULL),
       now_(0),
@@ -87,7 +88,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   OPENR::GetRobotDesign(design_);
   joint_driver_.Open();
   settings_ = readSettingsFile(host);
-  const Robot robot = {design_, joint_driver_.Joints(), joint_driver_};
+  const Robot robot = {design_, joint_driver_.Joints(), joint_driver_, motion_files_};
   robot_ = new Robot(robot);
   session_ = new Session(*robot_, settings_, host.newest_version);
   return oSUCCESS;

@@ -16,6 +16,7 @@
 #include "rcserver/HostSettings.h"
 #include "rcserver/JointDriver.h"
 #include "rcserver/JpegEncoder.h"
+#include "rcserver/MotionFiles.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Session.h"
 #include "rcserver/Settings.h"
@@ -88,6 +89,7 @@ class RCServer : public OObject {
   Connection connections_[NUMBER_OF_CONNECTIONS];
   Connection* client_;  ///< the connection that is served; NULL if there is none
   JointDriver joint_driver_;
+  MotionFiles motion_files_;
   char design_[orobotdesignNAME_MAX];
   Settings settings_;
   Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session

@@ -4,6 +4,7 @@
 #define RCSERVER_ROBOT_H
 
 #include "rcserver/JointControl.h"
+#include "rcserver/MotionFiles.h"
 #include "rcserver/Motors.h"
 
 /// Everything here outlives the session.
@@ -11,6 +12,7 @@ struct Robot {
   const char* design;  ///< as OPEN-R names it
   JointControl& joints;
   Motors& motors;
+  const MotionFiles& motion_files;
 };
 
 #endif  // RCSERVER_ROBOT_H

@@ -15,8 +15,9 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       newest_version_(newest_version),
       version_(1),
       is_over_(false),
-      version1_(robot, settings, camera_, outbox_),
-      version2_(robot, settings, camera_, outbox_),
+      motions_(robot, settings),
+      version1_(robot, settings, motions_, camera_, outbox_, payload_),
+      version2_(robot, settings, motions_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
       has_requests_(false),
       input_begin_(0),
@@ -84,9 +85,14 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 }
 
 void Session::HandleVersion1() {
-  while (version_ == 1 && outbox_.HasRoom()) {
-    Request request;
-    has_requests_ = request_reader_.next(&request);
+  Request request;
+  // The end of an upload is answered in the room that was there at its beginning.
+  while (version_ == 1) {
+    has_requests_ = version1_.TakeContent(request_reader_);
+    if (has_requests_ && !outbox_.HasRoom()) {
+      return;
+    }
+    has_requests_ = has_requests_ && request_reader_.next(&request);
     if (!has_requests_) {
       return;
     }

@@ -9,6 +9,7 @@
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
 #include "rcserver/ImageObserver.h"
+#include "rcserver/MotionCommands.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Settings.h"
@@ -85,10 +86,11 @@ class Session {
   bool is_over_;
   ImageObserver camera_;
   Outbox outbox_;
+  MotionCommands motions_;
   Version1Commands version1_;
   Version2Commands version2_;
   protocol::RequestReader request_reader_;
-  unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
+  unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: of an upload
   protocol::version2::FrameReader frame_reader_;
   bool has_requests_;                                          ///< of version 1 that may be whole
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2

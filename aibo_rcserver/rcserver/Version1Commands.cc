@@ -1,12 +1,15 @@
 #include "rcserver/Version1Commands.h"
 
-Version1Commands::Version1Commands(const Robot& robot, const Settings&, ImageObserver& camera, Outbox& outbox)
+Version1Commands::Version1Commands(const Robot& robot, const Settings&, MotionCommands& motions, ImageObserver& camera,
+                                   Outbox& outbox, unsigned char* upload_buffer)
     : camera_(camera),
       replies_(outbox),
       joints_(robot.joints, robot.motors, replies_),
+      motions_(motions, replies_, upload_buffer),
       sensors_(robot.joints, replies_) {}
 
 void Version1Commands::Begin() {
+  motions_.Begin();
   sensors_.Begin();
 }
 
@@ -31,6 +34,11 @@ bool Version1Commands::Execute(const protocol::Request& request) {
       return joints_.Execute(request);
     case protocol::REQUEST_SENSOR:
       return sensors_.Execute(request);
+    case protocol::REQUEST_UPLOAD_MOTION:
+    case protocol::REQUEST_DELETE_MOTION:
+    case protocol::REQUEST_PLAY_MOTION:
+      motions_.Execute(request);
+      return true;
     default:
       return false;
   }

@@ -5,10 +5,12 @@
 
 #include "protocol/request_reader.h"
 #include "rcserver/ImageObserver.h"
+#include "rcserver/MotionCommands.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Settings.h"
 #include "rcserver/Version1Joints.h"
+#include "rcserver/Version1Motions.h"
 #include "rcserver/Version1Replies.h"
 #include "rcserver/Version1Sensors.h"
 
@@ -16,14 +18,20 @@
 /// by the class of their concern. Pure logic: no OPEN-R.
 class Version1Commands {
  public:
-  /// All must outlive this.
-  Version1Commands(const Robot& robot, const Settings& settings, ImageObserver& camera, Outbox& outbox);
+  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, while version 1 is spoken. All must outlive this.
+  Version1Commands(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox, unsigned char* upload_buffer);
 
   /// A new client.
   void Begin();
 
   /// Adds at most one message to the outbox.
   void Handle(const protocol::Request& request);
+
+  /// Takes what has come of a file that a request has announced. To be called before each request is taken; adds at
+  /// most one message to the outbox, in the place of the one that the request had.
+  /// @return false if more of it is still to come
+  bool TakeContent(protocol::RequestReader& reader) { return motions_.TakeContent(reader); }
 
  private:
   Version1Commands(const Version1Commands&);
@@ -34,6 +42,7 @@ class Version1Commands {
   ImageObserver& camera_;
   Version1Replies replies_;
   Version1Joints joints_;
+  Version1Motions motions_;
   Version1Sensors sensors_;
 };
 

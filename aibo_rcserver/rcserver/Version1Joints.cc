@@ -43,8 +43,9 @@ bool Version1Joints::SetPosition(int joint, short angle) {
   if (HasFault(joint) || !motors_.AreOn()) {
     return false;
   }
-  const int accepted = joints_.Planner().SetTarget(joint, microradiansFromCentidegrees(angle));
-  replies_.Value('j', joints_.Identifier(joint), centidegreesFromMicroradians(accepted));
+  MotionPlanner::JointTarget target = {joint, microradiansFromCentidegrees(angle)};
+  joints_.SetTargets(&target, 1, 0);
+  replies_.Value('j', joints_.Identifier(joint), centidegreesFromMicroradians(target.position));
   return true;
 }
 
@@ -57,7 +58,7 @@ bool Version1Joints::SetAllPositions(short angle) {
     targets[i].joint = i;
     targets[i].position = microradiansFromCentidegrees(angle);
   }
-  joints_.Planner().SetTargets(targets, joints_.NumberOfJoints(), 0);
+  joints_.SetTargets(targets, joints_.NumberOfJoints(), 0);
   replies_.Value('j', VERSION1_ALL, angle);
   return true;
 }

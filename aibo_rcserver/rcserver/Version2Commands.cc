@@ -3,15 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "protocol/hello.h"
-
 using namespace protocol::version2;
 using robot_model::Joint;
 
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O";
+const char CAPABILITIES[] = "H F W J V T O P N";  // whatever the settings are
 
 void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
   strncpy(out, text, MAX_HELLO_TEXT_SIZE);
@@ -20,12 +18,16 @@ void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
 
 }  // namespace
 
-Version2Commands::Version2Commands(const Robot& robot, const Settings&, ImageObserver& camera, Outbox& outbox)
+Version2Commands::Version2Commands(const Robot& robot, const Settings& settings, MotionCommands& motions,
+                                   ImageObserver& camera, Outbox& outbox)
     : robot_(robot),
       replies_(outbox),
       camera_(camera, replies_),
       joints_(robot.joints, robot.motors, replies_),
-      telemetry_(robot.joints, replies_) {}
+      motions_(motions, robot.joints, replies_),
+      telemetry_(robot.joints, replies_) {
+  sprintf(capabilities_, "%s%s%s", CAPABILITIES, settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "");
+}
 
 void Version2Commands::Begin() {
   telemetry_.Begin();
@@ -58,6 +60,18 @@ void Version2Commands::Handle(const FrameHeader& request, const unsigned char* p
     case REQUEST_TELEMETRY:
       telemetry_.SetPeriod(request, payload);
       break;
+    case REQUEST_UPLOAD:
+      motions_.Upload(request, payload);
+      break;
+    case REQUEST_DELETE:
+      motions_.Delete(request, payload);
+      break;
+    case REQUEST_PLAY:
+      motions_.Play(request, payload);
+      break;
+    case REQUEST_LIST:
+      motions_.List(request);
+      break;
     default:
       RefuseUnknownKind(request);
       break;
@@ -70,6 +84,7 @@ void Version2Commands::Refuse(const FrameHeader& request, unsigned short code, c
 
 void Version2Commands::Measured(unsigned frame) {
   joints_.PushFaults();
+  motions_.PushFailures();
   telemetry_.Measured(frame);
 }
 
@@ -77,7 +92,7 @@ void Version2Commands::Greet(const Request& request, unsigned now) {
   Hello hello;
   CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
-  CopyText(CAPABILITIES, hello.capabilities);
+  CopyText(capabilities_, hello.capabilities);
   hello.frame_number = now;
   hello.joint_count = static_cast<unsigned char>(robot_.joints.NumberOfJoints());
   for (int i = 0; i < robot_.joints.NumberOfJoints(); ++i) {
@@ -90,6 +105,6 @@ void Version2Commands::Greet(const Request& request, unsigned now) {
 
 void Version2Commands::RefuseUnknownKind(const Request& request) {
   char text[MAX_ERROR_TEXT_SIZE];
-  sprintf(text, "not supported: this server knows the requests %s", CAPABILITIES);
+  sprintf(text, "not supported: this server knows the requests %s", capabilities_);
   replies_.Refuse(request, CODE_NOT_SUPPORTED, text);
 }

@@ -3,12 +3,15 @@
 #ifndef RCSERVER_VERSION2_COMMANDS_H
 #define RCSERVER_VERSION2_COMMANDS_H
 
+#include "protocol/hello.h"
 #include "rcserver/ImageObserver.h"
+#include "rcserver/MotionCommands.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Settings.h"
 #include "rcserver/Version2Camera.h"
 #include "rcserver/Version2Joints.h"
+#include "rcserver/Version2Motions.h"
 #include "rcserver/Version2Replies.h"
 #include "rcserver/Version2Telemetry.h"
 
@@ -17,7 +20,8 @@
 class Version2Commands {
  public:
   /// All must outlive this.
-  Version2Commands(const Robot& robot, const Settings& settings, ImageObserver& camera, Outbox& outbox);
+  Version2Commands(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox);
 
   /// A new client.
   void Begin();
@@ -43,9 +47,11 @@ class Version2Commands {
   void RefuseUnknownKind(const Request& request);
 
   const Robot& robot_;
+  char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
   Version2Replies replies_;
   Version2Camera camera_;
   Version2Joints joints_;
+  Version2Motions motions_;
   Version2Telemetry telemetry_;
 };
 

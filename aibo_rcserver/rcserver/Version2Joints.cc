@@ -24,7 +24,7 @@ void Version2Joints::Move(const Request& request, const unsigned char* payload) 
       return;
     }
   }
-  joints_.Planner().SetTargets(targets, wanted.count, wanted.duration_ms);
+  joints_.SetTargets(targets, wanted.count, wanted.duration_ms);
   for (int i = 0; i < wanted.count; ++i) {
     wanted.joints[i].value = targets[i].position;
   }

@@ -192,11 +192,10 @@ TEST_F(RCServerTest, RequestsMayComeByteByByte) {
 
 TEST_F(RCServerTest, WhatItDoesNotSpeakIsAnsweredByErrorZero) {
   auto client = connectServed();
-  const std::string name(16, 'A');
   for (const std::string& bytes :
        {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 5), request('V', 0), request('A', 60),
         request('L', 1) + "ab", request('Y', 1) + "ab", request('K', 0) + "ab", request('Q', 0) + "ab",
-        request('R', 0) + "ab", request('D', 0) + name, request('P', 0) + name, request('Z', 0), request('f', 85)}) {
+        request('R', 0) + "ab", request('Z', 0), request('f', 85)}) {
     client->send(bytes);
     const std::optional<Reply> reply = await(*client);
     ASSERT_TRUE(reply) << bytes;

@@ -682,8 +682,8 @@ TEST_F(Version2Test, JointWhoseGainWentOffIsSaidNotToFollow) {
 
 TEST_F(Version2Test, WhatItDoesNotKnowIsNotSupported) {
   for (int kind = 0; kind < 256; ++kind) {
-    if (std::string("HFWJVTO").find(static_cast<char>(kind)) == std::string::npos) {
-      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O");
+    if (std::string("HFWJVTOPNUD").find(static_cast<char>(kind)) == std::string::npos) {
+      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O P N");
     }
   }
   EXPECT_STREQ(hello().robot, "ERS-7");

@@ -1,0 +1,25 @@
+/// @file motion_bytes.h
+/// Motion files for tests.
+#ifndef TEST_MOTION_BYTES_H
+#define TEST_MOTION_BYTES_H
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include "mtn_tool/mtn_writer.h"
+#include "mtn_tool/text_form.h"
+
+/// A motion file of its text form (docs/motions.md), for an ERS-7 unless it says something else.
+inline std::string motionBytes(const std::string& text) {
+  std::istringstream stream("robot ERS-7\n" + text);
+  return mtn_tool::encodeMtn(mtn_tool::parseTextForm(stream));
+}
+
+inline std::string fileContent(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+#endif  // TEST_MOTION_BYTES_H
