@@ -21,6 +21,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/RCServer.h"
+#include "simulated_ers7/console_commands.h"
 #include "simulated_ers7/simulated_ers7.h"
 
 namespace {
@@ -146,6 +147,7 @@ void run(const Options& options) {
   openr_host::WallClock clock;
   simulated_ers7::SimulatedErs7 robot(options.robot);
   openr_host::MachineOptions machine_options = machineOptions(options);
+  machine_options.on_console_line = [&](const std::string& line) { return simulated_ers7::obeyConsole(robot, line); };
   std::optional<PictureLog> picture_log;
   if (!options.picture_log.empty()) {
     picture_log.emplace(options.picture_log);
