@@ -14,6 +14,7 @@
 #include "simulated_ers7/camera_optics.h"
 #include "simulated_ers7/photograph.h"
 #include "simulated_ers7/resting_posture.h"
+#include "simulated_ers7/stance.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -502,6 +503,28 @@ TEST_F(SimulatedErs7Test, WhenTheHeadPansLeftTheBallMovesRightByAsManyPixelsAsTh
   // By hand: 0.2 rad are 191.9 * tan(0.2) = 39 pixels on the axis of sight, and some more for a camera that is carried
   // aside while it turns.
   EXPECT_NEAR(after.x() - before.x(), 43, 4);
+}
+
+TEST_F(SimulatedErs7Test, WhenTheFrontLegsSpreadTheCameraLooksDownWithTheBody) {
+  const longword kBallPeriodFrames = 750;  // 6 s: the ball is where it began
+  std::vector<openr_host::EffectorCommand> commands;
+  for (const char* name : {"left_front_elevator", "right_front_elevator"}) {
+    commands.push_back(jointCommand(driveJoint(name), 350000));
+  }
+  robot_.passFrame(frame_++, commands);
+  passFrames(kBallPeriodFrames);
+  ASSERT_TRUE(robot_.cameraImageDue(kBallPeriodFrames));
+
+  Scene scene;
+  scene.setTime(0);
+  const Eigen::Isometry3d level(Eigen::Translation3d(0, 0, kStandingHeight));
+  const Eigen::Isometry3d body = standOn(robot_.joints().legs()).body;
+  const auto placeFrom = [&scene](const Eigen::Isometry3d& pose) {
+    return placeOf((pose * cameraInBody(restingHead())).inverse() * scene.ballCenter());
+  };
+  ASSERT_LT(placeFrom(body).y(), placeFrom(level).y() - 5) << "the ball is higher in the picture";
+  const Eigen::Vector2d seen = middleOfPink(robot_.captureImage(kBallPeriodFrames), placeFrom(body));
+  EXPECT_LT((seen - placeFrom(body)).norm(), 1) << seen.transpose();
 }
 
 TEST_F(SimulatedErs7Test, TwoRobotsWithTheSameSeedDeliverTheSameBytes) {
