@@ -155,6 +155,11 @@ void ScriptedServer::listen(int backlog) {
   }
 }
 
+void ScriptedServer::limitReceiveBuffer() {
+  const int size = 4096;
+  check(::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &size, sizeof size) == 0, "SO_RCVBUF");
+}
+
 void ScriptedServer::vanish() {
   socket_.close();
   listening_ = false;

@@ -71,6 +71,9 @@ class ScriptedServer {
   /// @param backlog how many clients may wait for accept(), less one
   void listen(int backlog = 16);
 
+  /// The kernel takes few bytes from clients that come from now on, as long as nobody reads them.
+  void limitReceiveBuffer();
+
   /// The server goes away; its port stays reserved.
   void vanish();
 

@@ -126,6 +126,7 @@ TEST(TcpTransportTest, AThrowingResolverIsALookupThatFailed) {
 
 TEST(TcpTransportTest, WhatTheNetworkDoesNotTakeAtOnceIsSentWhileWaiting) {
   ScriptedServer server;
+  server.limitReceiveBuffer();
   TcpTransport transport;
   transport.connect("127.0.0.1", server.port(), in(seconds(10)));
   ScriptedPeer peer = server.accept();
