@@ -1,7 +1,6 @@
 #include "rcserver/CommandVectors.h"
 
 #include <OPENR/OPENRAPI.h>
-#include <string.h>
 
 namespace {
 
@@ -22,16 +21,12 @@ CommandVectors::CommandVectors() {
   }
 }
 
-bool CommandVectors::Create(const OPrimitiveID* joints, int number_of_joints) {
+bool CommandVectors::Create(int most_entries) {
   for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
     OCommandVectorData* vector = NULL;
-    if (OPENR::NewCommandVectorData(static_cast<size_t>(number_of_joints), &memories_[i], &vector) != oSUCCESS) {
+    if (OPENR::NewCommandVectorData(static_cast<size_t>(most_entries), &memories_[i], &vector) != oSUCCESS) {
       Destroy();
       return false;
-    }
-    vector->SetNumData(static_cast<size_t>(number_of_joints));
-    for (int joint = 0; joint < number_of_joints; ++joint) {
-      vector->GetInfo(joint)->Set(odataJOINT_COMMAND2, joints[joint], FRAMES);
     }
     regions_[i] =
         new RCRegion(vector->vectorInfo.memRegionID, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
@@ -58,9 +53,14 @@ RCRegion* CommandVectors::FindFree() {
   return NULL;
 }
 
-void CommandVectors::Set(RCRegion* vector, int joint, int frame, int position) {
-  OJointCommandValue2 value;
-  value.value = position;
-  value.padding = 0;
-  memcpy(&VectorIn(vector)->GetData(joint)->value[frame], &value, sizeof(value));
+void CommandVectors::Clear(RCRegion* vector) {
+  VectorIn(vector)->SetNumData(0);
+}
+
+OCommandData* CommandVectors::Add(RCRegion* vector, ODataType type, OPrimitiveID primitive, int frames) {
+  OCommandVectorData* data = VectorIn(vector);
+  const longword entry = data->vectorInfo.numData;
+  data->SetNumData(entry + 1);
+  data->GetInfo(static_cast<int>(entry))->Set(type, primitive, static_cast<size_t>(frames));
+  return data->GetData(static_cast<int>(entry));
 }

@@ -4,6 +4,8 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
+#include "rcserver/CommandVectors.h"
+
 using robot_model::Joint;
 using robot_model::MAX_JOINTS;
 using robot_model::NO_JOINT;
@@ -25,20 +27,15 @@ JointDriver::~JointDriver() {
   delete joints_;
 }
 
-void JointDriver::Open() {
-  const RobotModel* robot = OpenPrimitives();
-  if (robot != NULL && !vectors_.Create(primitives_, number_of_primitives_)) {
-    OSYSLOG1((osyslogERROR, "RCServer: no memory for commands to the joints"));
-    robot = NULL;
-  }
-  if (robot == NULL) {
+void JointDriver::Open(const RobotModel& robot) {
+  const bool are_open = OpenPrimitives(robot);
+  if (!are_open) {
     ClosePrimitives();
   }
-  joints_ = new JointControl(robot != NULL ? *robot : ROBOT_WITHOUT_JOINTS);
+  joints_ = new JointControl(are_open ? robot : ROBOT_WITHOUT_JOINTS);
 }
 
 void JointDriver::Close() {
-  vectors_.Destroy();
   ClosePrimitives();
   delete joints_;
   joints_ = NULL;
@@ -60,17 +57,39 @@ bool JointDriver::Switch(bool on) {
   return true;
 }
 
-void JointDriver::SendCommands(OSubject* effector) {
-  if (state_ == OFF || !HasCommand() || !effector->IsReady()) {
-    return;
+bool JointDriver::HasCommand() const {
+  if (state_ == OFF) {
+    return false;
   }
-  RCRegion* vector = vectors_.FindFree();
-  if (vector == NULL) {
-    return;
+  if (state_ == GOING_ON || joints_->AreMoving()) {
+    return true;
   }
-  Fill(vector);
-  effector->SetData(vector);
-  effector->NotifyObservers();
+  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
+    if (joints_->Planner().Position(i) != commanded_[i]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void JointDriver::Fill(RCRegion* vector) {
+  OCommandData* data[MAX_JOINTS];
+  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
+    data[i] = CommandVectors::Add(vector, odataJOINT_COMMAND2, primitives_[i], CommandVectors::FRAMES);
+  }
+  for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
+    if (state_ == ON) {
+      joints_->NextFrame();
+    }
+    for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
+      commanded_[i] = joints_->Planner().Position(i);
+      OJointCommandValue2 value = {commanded_[i], 0};
+      memcpy(&data[i]->value[frame], &value, sizeof(value));
+    }
+  }
+}
+
+void JointDriver::Sent() {
   if (state_ == GOING_ON && --vectors_until_gains_ == 0) {
     EnableGains();
   }
@@ -91,33 +110,28 @@ bool JointDriver::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) 
     const JointReading reading = {value.value, value.refValue, value.pwmDuty};
     Report(joint, joints_->Measured(joint, reading, now_, state_ == ON));
   }
-  *frame = now_;
+  if (is_any) {
+    *frame = now_;
+  }
   return is_any;
 }
 
-// The table of the robot whose joints are all open now; NULL if there is none.
-const RobotModel* JointDriver::OpenPrimitives() {
-  char design[orobotdesignNAME_MAX] = "";
-  OPENR::GetRobotDesign(design);
-  const RobotModel* robot = robot_model::findRobotModel(design);
-  if (robot == NULL) {
-    OSYSLOG1((osyslogERROR, "RCServer: no joints: the design \"%s\" is not known", design));
-    return NULL;
-  }
-  for (int i = 0; i < robot->number_of_joints; ++i) {
-    const Joint& joint = robot->joints[i];
+// False if not all of them are open now.
+bool JointDriver::OpenPrimitives(const RobotModel& robot) {
+  for (int i = 0; i < robot.number_of_joints; ++i) {
+    const Joint& joint = robot.joints[i];
     const OStatus status = OPENR::OpenPrimitive(joint.locator, &primitives_[i]);
     if (status != oSUCCESS) {
       OSYSLOG1((osyslogERROR, "RCServer: no joints: %s (%s) does not open (status %u)", joint.name, joint.locator,
                 static_cast<unsigned>(status)));
-      return NULL;
+      return false;
     }
     ++number_of_primitives_;
     const PidGains& gains = joint.gains;
     OPENR::SetJointGain(primitives_[i], gains.proportional, gains.integral, gains.derivative, gains.proportional_shift,
                         gains.integral_shift, gains.derivative_shift);
   }
-  return robot;
+  return true;
 }
 
 void JointDriver::ClosePrimitives() {
@@ -159,30 +173,6 @@ void JointDriver::EnableGains() {
     Check(OPENR::EnableJointGain(primitives_[i]), i, "does not hold");
   }
   state_ = ON;
-}
-
-bool JointDriver::HasCommand() const {
-  if (state_ == GOING_ON || joints_->AreMoving()) {
-    return true;
-  }
-  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    if (joints_->Planner().Position(i) != commanded_[i]) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void JointDriver::Fill(RCRegion* vector) {
-  for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
-    if (state_ == ON) {
-      joints_->NextFrame();
-    }
-    for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-      commanded_[i] = joints_->Planner().Position(i);
-      CommandVectors::Set(vector, i, frame, commanded_[i]);
-    }
-  }
 }
 
 int JointDriver::FindPrimitive(OPrimitiveID primitive) const {

@@ -71,9 +71,7 @@ RCServer::RCServer()
       image_count_(0),
       last_of_stream_(0),
       stream_pictures_(0),
-      images_left_out_(0) {
-  design_[0] = '\0';
-}
+      images_left_out_(0) {}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -85,10 +83,10 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
       return oFAIL;
     }
   }
-  OPENR::GetRobotDesign(design_);
-  joint_driver_.Open();
+  body_.Open();
   settings_ = readSettingsFile(host);
-  const Robot robot = {design_, joint_driver_.Joints(), joint_driver_, motion_files_};
+  const Robot robot = {body_.Design(),    body_.Joints(),        body_.GetMotors(), body_.GetSensors(),
+                       body_.GetLights(), body_.GetPowerOrder(), motion_files_};
   robot_ = new Robot(robot);
   session_ = new Session(*robot_, settings_, host.newest_version);
   return oSUCCESS;
@@ -97,8 +95,8 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
 OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
-  joint_driver_.Switch(true);
-  joint_driver_.SendCommands(subject[sbjEffector]);
+  body_.GetMotors().Switch(true);
+  body_.SendCommands(subject[sbjEffector]);
   ListenWhereClosed();
   OSYSPRINT(("RCServer: waiting for a client on port %d\n", protocol::RCSERVER_PORT));
   return oSUCCESS;
@@ -118,7 +116,7 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   session_ = NULL;
   delete robot_;
   robot_ = NULL;
-  joint_driver_.Close();
+  body_.Close();
   DELETE_ALL_SUBJECT_AND_OBSERVER;
   return oSUCCESS;
 }
@@ -136,19 +134,19 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
 
 void RCServer::NotifySensor(const ONotifyEvent& event) {
   longword frame = 0;
-  if (joint_driver_.ReadSensors(VectorOf<OSensorFrameVectorData>(event), &frame)) {
+  if (body_.ReadSensors(VectorOf<OSensorFrameVectorData>(event), &frame)) {
     PassTime(frame);
     session_->Measured(frame);
   }
   if (client_ != NULL) {
     ServeClient();
   }
-  joint_driver_.SendCommands(subject[sbjEffector]);
+  body_.SendCommands(subject[sbjEffector]);
   observer[event.ObsIndex()]->AssertReady();
 }
 
 void RCServer::ReadyEffector(const OReadyEvent&) {
-  joint_driver_.SendCommands(subject[sbjEffector]);
+  body_.SendCommands(subject[sbjEffector]);
 }
 
 void RCServer::ListenCont(ANTENVMSG msg) {
@@ -231,6 +229,9 @@ void RCServer::PassTime(longword frame) {
   if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
     ListenWhereClosed();
   }
+  if (client_ != NULL && session_->IsOver() && now_ - last_bytes_received_ >= FRAMES_PER_SECOND) {
+    DropClient(session_->EndReason(), true);
+  }
   if (client_ != NULL && session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
     DropClient("it has been silent for 5 s", true);
   }
@@ -285,18 +286,19 @@ void RCServer::DropClient(const char* reason, bool abort) {
   client_ = NULL;
   session_->End();
   is_streaming_ = false;
-  joint_driver_.SendCommands(subject[sbjEffector]);
+  body_.CarryOutPowerOrder();
+  body_.SendCommands(subject[sbjEffector]);
 }
 
 // Does all that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
   ReportStream();
-  joint_driver_.SendCommands(subject[sbjEffector]);
+  body_.SendCommands(subject[sbjEffector]);
   if (!SendOutput()) {
     DropClient("the IPStack does not send", true);
   } else if (session_->IsOver() && !client_->IsSending()) {
-    DropClient("it broke the protocol", false);
+    DropClient(session_->EndReason(), false);
   } else if (session_->WantsInput() && !client_->Receive()) {
     DropClient("the IPStack does not receive", true);
   }

@@ -6,15 +6,14 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
-#include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
 #include <ant.h>
 #include <def.h>
 
+#include "rcserver/Body.h"
 #include "rcserver/CameraImage.h"
 #include "rcserver/Connection.h"
 #include "rcserver/HostSettings.h"
-#include "rcserver/JointDriver.h"
 #include "rcserver/JpegEncoder.h"
 #include "rcserver/MotionFiles.h"
 #include "rcserver/Robot.h"
@@ -26,7 +25,7 @@
 /// Everything happens in one of the entry points below, each of which returns without waiting. The robot's time is the
 /// number of the frame, of 8 ms, in which joints were measured or the camera took an image last.
 ///
-/// When the robot starts, all joints hold where they are.
+/// When the robot starts, all joints hold where they are, and LEDs and ears are left alone.
 class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for so many frames is dropped: 5 s.
@@ -88,9 +87,8 @@ class RCServer : public OObject {
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   Connection* client_;  ///< the connection that is served; NULL if there is none
-  JointDriver joint_driver_;
+  Body body_;
   MotionFiles motion_files_;
-  char design_[orobotdesignNAME_MAX];
   Settings settings_;
   Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session
   Session* session_;  ///< with the client

@@ -39,11 +39,12 @@ void Session::Begin() {
 void Session::End() {
   camera_.ClientGone();
   robot_.joints.ClientGone();
+  robot_.lights.ClientGone();
   Begin();
 }
 
 bool Session::WantsInput() const {
-  return !is_over_ && !has_requests_ && input_begin_ == input_end_;
+  return !IsOver() && !has_requests_ && input_begin_ == input_end_;
 }
 
 void Session::AddInput(const unsigned char* bytes, size_t size) {
@@ -87,7 +88,7 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 void Session::HandleVersion1() {
   Request request;
   // The end of an upload is answered in the room that was there at its beginning.
-  while (version_ == 1) {
+  while (version_ == 1 && !IsOver()) {
     has_requests_ = version1_.TakeContent(request_reader_);
     if (has_requests_ && !outbox_.HasRoom()) {
       return;
@@ -107,7 +108,7 @@ void Session::HandleVersion1() {
 }
 
 void Session::HandleVersion2(unsigned now) {
-  while (!is_over_ && input_begin_ < input_end_ && outbox_.HasRoom()) {
+  while (!IsOver() && input_begin_ < input_end_ && outbox_.HasRoom()) {
     size_t taken = 0;
     const FrameReader::Result result = frame_reader_.append(input_ + input_begin_, input_end_ - input_begin_, &taken);
     input_begin_ += taken;

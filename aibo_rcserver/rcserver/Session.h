@@ -35,7 +35,7 @@ class Session {
   /// A client has come. It speaks version 1 until it asks for another one.
   void Begin();
 
-  /// The client is gone, and with it all that it left behind: the camera idles, the joints hold.
+  /// The client is gone, and with it all that it left behind: the camera idles, the joints hold, LEDs are off.
   void End();
 
   /// True if bytes may be added: there is no request left to be handled.
@@ -58,8 +58,12 @@ class Session {
   /// @param[out] out room for Outbox::CAPACITY bytes
   size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
 
-  /// True if the client broke the protocol: it is to be left as soon as it has got the last output.
-  bool IsOver() const { return is_over_; }
+  /// True if the client is to be left as soon as it has got the last output: it broke the protocol, or the power order
+  /// is to be carried out.
+  bool IsOver() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
+
+  /// Why it is over.
+  const char* EndReason() const { return is_over_ ? "it broke the protocol" : "it switched the robot off"; }
 
   /// True if a client that says nothing is to be left (version 2).
   bool ExpectsHeartbeat() const { return version_ == protocol::version2::VERSION; }

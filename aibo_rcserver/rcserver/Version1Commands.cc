@@ -1,12 +1,14 @@
 #include "rcserver/Version1Commands.h"
 
-Version1Commands::Version1Commands(const Robot& robot, const Settings&, MotionCommands& motions, ImageObserver& camera,
-                                   Outbox& outbox, unsigned char* upload_buffer)
+Version1Commands::Version1Commands(const Robot& robot, const Settings& settings, MotionCommands& motions,
+                                   ImageObserver& camera, Outbox& outbox, unsigned char* upload_buffer)
     : camera_(camera),
       replies_(outbox),
       joints_(robot.joints, robot.motors, replies_),
+      lights_(robot.lights, replies_),
       motions_(motions, replies_, upload_buffer),
-      sensors_(robot.joints, replies_) {}
+      power_(robot.power_order, settings, replies_),
+      sensors_(robot.joints, robot.sensors, replies_) {}
 
 void Version1Commands::Begin() {
   motions_.Begin();
@@ -39,6 +41,13 @@ bool Version1Commands::Execute(const protocol::Request& request) {
     case protocol::REQUEST_PLAY_MOTION:
       motions_.Execute(request);
       return true;
+    case protocol::REQUEST_LED:
+    case protocol::REQUEST_FACE_LEDS:
+    case protocol::REQUEST_EARS:
+      return lights_.Execute(request);
+    case protocol::REQUEST_SHUT_DOWN:
+    case protocol::REQUEST_REBOOT:
+      return power_.Execute(request);
     default:
       return false;
   }

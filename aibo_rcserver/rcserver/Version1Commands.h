@@ -10,7 +10,9 @@
 #include "rcserver/Robot.h"
 #include "rcserver/Settings.h"
 #include "rcserver/Version1Joints.h"
+#include "rcserver/Version1Lights.h"
 #include "rcserver/Version1Motions.h"
+#include "rcserver/Version1Power.h"
 #include "rcserver/Version1Replies.h"
 #include "rcserver/Version1Sensors.h"
 
@@ -42,7 +44,9 @@ class Version1Commands {
   ImageObserver& camera_;
   Version1Replies replies_;
   Version1Joints joints_;
+  Version1Lights lights_;
   Version1Motions motions_;
+  Version1Power power_;
   Version1Sensors sensors_;
 };
 

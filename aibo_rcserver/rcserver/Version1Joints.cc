@@ -10,7 +10,7 @@ using robot_model::NO_JOINT;
 bool Version1Joints::Execute(const protocol::Request& request) {
   const bool is_write = request.payload_size > 0;
   const short value = is_write ? protocol::decodeValue(request.payload) : static_cast<short>(0);
-  if (request.basic.identifier == VERSION1_ALL) {
+  if (request.basic.identifier == protocol::ALL_IDENTIFIERS) {
     return request.basic.command == protocol::REQUEST_JOINT && is_write && SetAllPositions(value);
   }
   const int joint = joints_.Find(request.basic.identifier);
@@ -59,7 +59,7 @@ bool Version1Joints::SetAllPositions(short angle) {
     targets[i].position = microradiansFromCentidegrees(angle);
   }
   joints_.SetTargets(targets, joints_.NumberOfJoints(), 0);
-  replies_.Value('j', VERSION1_ALL, angle);
+  replies_.Value('j', protocol::ALL_IDENTIFIERS, angle);
   return true;
 }
 

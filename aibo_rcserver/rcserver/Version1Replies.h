@@ -6,9 +6,6 @@
 #include "protocol/version1.h"
 #include "rcserver/Outbox.h"
 
-/// Identifier of all joints, all sensors, all LEDs, both ears.
-const unsigned char VERSION1_ALL = 0;
-
 /// Makes messages of answers and puts them into the outbox. Pure logic.
 class Version1Replies {
  public:

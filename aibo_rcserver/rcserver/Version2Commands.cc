@@ -9,7 +9,7 @@ using robot_model::Joint;
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O P N";  // whatever the settings are
+const char CAPABILITIES[] = "H F W J V T O L K P N";  // whatever the settings are
 
 void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
   strncpy(out, text, MAX_HELLO_TEXT_SIZE);
@@ -24,9 +24,12 @@ Version2Commands::Version2Commands(const Robot& robot, const Settings& settings,
       replies_(outbox),
       camera_(camera, replies_),
       joints_(robot.joints, robot.motors, replies_),
+      lights_(robot.lights, replies_),
       motions_(motions, robot.joints, replies_),
-      telemetry_(robot.joints, replies_) {
-  sprintf(capabilities_, "%s%s%s", CAPABILITIES, settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "");
+      power_(robot.power_order, settings, replies_),
+      telemetry_(robot.joints, robot.sensors, replies_) {
+  sprintf(capabilities_, "%s%s%s%s%s", CAPABILITIES, settings.allow_upload ? " U" : "",
+          settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
 }
 
 void Version2Commands::Begin() {
@@ -71,6 +74,18 @@ void Version2Commands::Handle(const FrameHeader& request, const unsigned char* p
       break;
     case REQUEST_LIST:
       motions_.List(request);
+      break;
+    case REQUEST_LEDS:
+      lights_.SetLeds(request, payload);
+      break;
+    case REQUEST_EARS:
+      lights_.SetEars(request, payload);
+      break;
+    case REQUEST_SHUT_DOWN:
+      power_.ShutDown(request);
+      break;
+    case REQUEST_REBOOT:
+      power_.Reboot(request);
       break;
     default:
       RefuseUnknownKind(request);

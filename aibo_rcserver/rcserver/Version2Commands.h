@@ -11,7 +11,9 @@
 #include "rcserver/Settings.h"
 #include "rcserver/Version2Camera.h"
 #include "rcserver/Version2Joints.h"
+#include "rcserver/Version2Lights.h"
 #include "rcserver/Version2Motions.h"
+#include "rcserver/Version2Power.h"
 #include "rcserver/Version2Replies.h"
 #include "rcserver/Version2Telemetry.h"
 
@@ -51,7 +53,9 @@ class Version2Commands {
   Version2Replies replies_;
   Version2Camera camera_;
   Version2Joints joints_;
+  Version2Lights lights_;
   Version2Motions motions_;
+  Version2Power power_;
   Version2Telemetry telemetry_;
 };
 

@@ -1,10 +1,12 @@
 #include "rcserver/Version2Telemetry.h"
 
+#include "protocol/sensor_values.h"
+
 using namespace protocol::version2;
 
 namespace {
 
-// Joints report every 4 frames.
+// Joints and sensors report every 4 frames.
 const unsigned short SENSOR_PERIOD = 4;
 const unsigned short LONGEST_PERIOD = 65532;
 
@@ -17,8 +19,8 @@ unsigned short WholeSensorPeriods(unsigned short frames) {
 
 }  // namespace
 
-Version2Telemetry::Version2Telemetry(const JointControl& joints, Version2Replies& replies)
-    : joints_(joints), replies_(replies) {
+Version2Telemetry::Version2Telemetry(const JointControl& joints, const Sensors& sensors, Version2Replies& replies)
+    : joints_(joints), sensors_(sensors), replies_(replies) {
   Begin();
 }
 
@@ -56,6 +58,15 @@ void Version2Telemetry::Push(unsigned frame) {
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     const TelemetryEntry entry = {GROUP_JOINT, joints_.Identifier(i), joints_.Position(i)};
     telemetry.entries[i] = entry;
+  }
+  for (int i = 0; i < sensors_.NumberOfSensors(); ++i) {
+    if (sensors_.HasValue(i)) {
+      const robot_model::Sensor& sensor = sensors_.Sensor(i);
+      const TelemetryEntry entry = {GROUP_SENSOR, sensor.identifier,
+                                    protocol::version2SensorValue(sensor.kind, sensors_.Value(i))};
+      telemetry.entries[telemetry.count] = entry;
+      ++telemetry.count;
+    }
   }
   replies_.PushTelemetry(encodeTelemetry(telemetry, replies_.Payload()));
 }

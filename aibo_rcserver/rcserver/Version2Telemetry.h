@@ -4,6 +4,7 @@
 #define RCSERVER_VERSION2_TELEMETRY_H
 
 #include "rcserver/JointControl.h"
+#include "rcserver/Sensors.h"
 #include "rcserver/Version2Replies.h"
 
 /// Carries out `T`, and pushes what is measured as often as was asked for. Pure logic: no OPEN-R.
@@ -12,7 +13,7 @@ class Version2Telemetry {
   typedef Version2Replies::Request Request;
 
   /// All must outlive this.
-  Version2Telemetry(const JointControl& joints, Version2Replies& replies);
+  Version2Telemetry(const JointControl& joints, const Sensors& sensors, Version2Replies& replies);
 
   /// A new client: nothing is pushed.
   void Begin();
@@ -28,6 +29,7 @@ class Version2Telemetry {
   void Push(unsigned frame);
 
   const JointControl& joints_;
+  const Sensors& sensors_;
   Version2Replies& replies_;
   unsigned short period_;  ///< in frames; 0: none
   bool has_pushed_;        ///< since the period was set

@@ -19,7 +19,8 @@
 /// over, which is another one than that of the ten images before and after.
 ///
 /// Has the joints of an ERS-7, beginning in a posture that is allowed. A joint whose gain is on is in each frame where
-/// it was commanded last, unless it is jammed; what it reports is exact.
+/// it was commanded last, unless it is jammed; what it reports is exact. Sensors report what the test says; LEDs and
+/// ears keep what they were commanded.
 class FakeRobot : public openr_host::VirtualRobot {
  public:
   static constexpr longword kFramesPerImage = 4;
@@ -37,6 +38,17 @@ class FakeRobot : public openr_host::VirtualRobot {
     int reference = 0;
     int error_when_gain_went_on = 0;  ///< its reference minus its position
     std::vector<int> path;            ///< its position at the end of each frame
+  };
+
+  struct FakeLed {
+    int intensity = 0;  ///< of one that is only on or off: 0 or 1
+    int mode = 0;
+    int commands = 0;  ///< that it has got
+  };
+
+  struct FakeEar {
+    bool drawn = false;
+    std::vector<bool> path;  ///< at the end of each frame
   };
 
   FakeRobot() : region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * 3 * kWidth * kHeight)) {
@@ -67,16 +79,30 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   std::string design() const override { return "ERS-7"; }
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
-    const int joint = robot_model::findJointByLocator(model, locator);
-    if (joint == robot_model::NO_JOINT || locator == missing_locator) {
+    if (locator == missing_locator) {
       return oNOT_FOUND;
     }
-    joints[static_cast<size_t>(joint)].open = true;
-    *id = kFirstPrimitive + static_cast<OPrimitiveID>(joint);
+    const int joint = robot_model::findJointByLocator(model, locator);
+    if (joint != robot_model::NO_JOINT) {
+      joints[static_cast<size_t>(joint)].open = true;
+      *id = kFirstPrimitive + static_cast<OPrimitiveID>(joint);
+    } else if (const int sensor = robot_model::findSensorByLocator(model, locator); sensor != robot_model::NO_SENSOR) {
+      *id = kFirstSensor + static_cast<OPrimitiveID>(sensor);
+    } else if (const int led = robot_model::findLedByLocator(model, locator); led != robot_model::NO_LED) {
+      *id = kFirstLed + static_cast<OPrimitiveID>(led);
+    } else if (const int ear = robot_model::findEarByLocator(model, locator); ear != robot_model::NO_EAR) {
+      *id = kFirstEar + static_cast<OPrimitiveID>(ear);
+    } else {
+      return oNOT_FOUND;
+    }
+    ++open_primitives;
     return oSUCCESS;
   }
   OStatus closePrimitive(OPrimitiveID id) override {
-    at(id).open = false;
+    if (id < kFirstSensor) {
+      at(id).open = false;
+    }
+    --open_primitives;
     return oSUCCESS;
   }
   OStatus controlPrimitive(OPrimitiveID, OPrimitiveRequest, void*, size_t, void*, size_t) override {
@@ -108,17 +134,24 @@ class FakeRobot : public openr_host::VirtualRobot {
     powered = power == opowerON;
     return oSUCCESS;
   }
-  OStatus getPowerStatus(OPowerStatus*) override { return oFAIL; }
-  void switchOff() override {}
+  OStatus getPowerStatus(OPowerStatus* status) override {
+    *status = power_status;
+    return oSUCCESS;
+  }
+  void switchOff() override { ++times_switched_off; }
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
+    if (id >= kFirstEar) {
+      return type == odataJOINT_COMMAND4;
+    }
+    if (id >= kFirstLed) {
+      return type == (model.leds[id - kFirstLed].kind == robot_model::LED2 ? odataLED_COMMAND2 : odataLED_COMMAND3);
+    }
     return id >= kFirstPrimitive && id - kFirstPrimitive < joints.size() && type == odataJOINT_COMMAND2;
   }
 
   void passFrame(longword, const openr_host::EffectorCommands& commands) override {
     for (const openr_host::EffectorCommand& command : commands) {
-      OJointCommandValue2 value;
-      std::memcpy(&value, &command.value, sizeof(value));
-      at(command.primitive).reference = value.value;
+      carryOut(command);
     }
     for (FakeJoint& joint : joints) {
       if (powered && joint.gain && !joint.jammed) {
@@ -126,22 +159,33 @@ class FakeRobot : public openr_host::VirtualRobot {
       }
       joint.path.push_back(joint.position);
     }
+    for (FakeEar& ear : ears) {
+      ear.path.push_back(ear.drawn);
+    }
   }
 
   RCRegion* captureSensors(longword frame) override {
     auto* vector = reinterpret_cast<OSensorFrameVectorData*>(sensors_->Base());
-    vector->vectorInfo.numData = static_cast<longword>(joints.size());
+    vector->vectorInfo.numData = 0;
     for (size_t i = 0; i < joints.size(); ++i) {
-      OSensorFrameInfo* info = vector->GetInfo(static_cast<int>(i));
-      info->primitiveID = kFirstPrimitive + static_cast<OPrimitiveID>(i);
-      info->frameNumber = frame - 3;
-      info->numFrames = 4;
-      info->dataOffset = static_cast<longword>(sizeof(OSensorFrameVectorData) +
-                                               joints.size() * sizeof(OSensorFrameInfo) + i * sizeof(OSensorFrameData));
       const OJointValue value = read(joints[i]);
-      std::memcpy(&vector->GetData(static_cast<int>(i))->frame[3], &value, sizeof(value));
+      report(frame, kFirstPrimitive + static_cast<OPrimitiveID>(i), &value, *vector);
+    }
+    for (size_t i = 0; i < sensor_values.size(); ++i) {
+      if (model.sensors[i].locator != nullptr) {
+        const OSensorValue value{sensor_values[i], 0, {}};
+        report(frame, kFirstSensor + static_cast<OPrimitiveID>(i), &value, *vector);
+      }
     }
     return sensors_;
+  }
+
+  /// What a sensor reports from now on, in the units of robot_model::SensorKind.
+  int& sensor(const std::string& name) {
+    return sensor_values[static_cast<size_t>(robot_model::findSensorByName(model, name.c_str()))];
+  }
+  FakeLed& led(const std::string& name) {
+    return leds[static_cast<size_t>(robot_model::findLedByName(model, name.c_str()))];
   }
 
   FakeJoint& joint(const std::string& name) {
@@ -150,8 +194,14 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
   std::vector<FakeJoint> joints = std::vector<FakeJoint>(static_cast<size_t>(model.number_of_joints));
+  std::vector<int> sensor_values = std::vector<int>(static_cast<size_t>(model.number_of_sensors));
+  std::vector<FakeLed> leds = std::vector<FakeLed>(static_cast<size_t>(model.number_of_leds));
+  std::vector<FakeEar> ears = std::vector<FakeEar>(static_cast<size_t>(model.number_of_ears));
+  OPowerStatus power_status;
+  int open_primitives = 0;
+  int times_switched_off = 0;
   bool powered = false;
-  std::string missing_locator;  ///< of a joint that does not open
+  std::string missing_locator;  ///< of what does not open
 
   bool cameraImageDue(longword frame) override {
     const longword image = (frame + first_frame_of_image_) / kFramesPerImage;
@@ -172,6 +222,46 @@ class FakeRobot : public openr_host::VirtualRobot {
 
  private:
   static constexpr OPrimitiveID kFirstPrimitive = 100;
+  static constexpr OPrimitiveID kFirstSensor = 200;
+  static constexpr OPrimitiveID kFirstLed = 300;
+  static constexpr OPrimitiveID kFirstEar = 400;
+  static constexpr size_t kMostEntries = robot_model::MAX_JOINTS + robot_model::MAX_SENSORS;
+
+  void carryOut(const openr_host::EffectorCommand& command) {
+    if (command.type == odataJOINT_COMMAND2) {
+      at(command.primitive).reference = valueOf<OJointCommandValue2>(command).value;
+    } else if (command.type == odataJOINT_COMMAND4) {
+      ears.at(command.primitive - kFirstEar).drawn = valueOf<OJointCommandValue4>(command).value == ojoint4_STATE1;
+    } else {
+      FakeLed& led = leds.at(command.primitive - kFirstLed);
+      ++led.commands;
+      if (command.type == odataLED_COMMAND2) {
+        led.intensity = static_cast<int>(valueOf<OLEDCommandValue2>(command).led);
+      } else {
+        led.intensity = valueOf<OLEDCommandValue3>(command).intensity;
+        led.mode = valueOf<OLEDCommandValue3>(command).mode;
+      }
+    }
+  }
+
+  template <typename Value>
+  static Value valueOf(const openr_host::EffectorCommand& command) {
+    Value value;
+    std::memcpy(&value, &command.value, sizeof(value));
+    return value;
+  }
+
+  // Adds an entry for the four frames that end with this one.
+  static void report(longword frame, OPrimitiveID id, const void* value, OSensorFrameVectorData& vector) {
+    const longword entry = vector.vectorInfo.numData++;
+    OSensorFrameInfo* info = vector.GetInfo(static_cast<int>(entry));
+    info->primitiveID = id;
+    info->frameNumber = frame - 3;
+    info->numFrames = 4;
+    info->dataOffset = static_cast<longword>(sizeof(OSensorFrameVectorData) + kMostEntries * sizeof(OSensorFrameInfo) +
+                                             entry * sizeof(OSensorFrameData));
+    std::memcpy(&vector.GetData(static_cast<int>(entry))->frame[3], value, sizeof(OSensorValue));
+  }
 
   FakeJoint& at(OPrimitiveID id) { return joints.at(id - kFirstPrimitive); }
 
@@ -208,7 +298,7 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   RCRegion* region_;
   RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
-                                    joints.size() * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
+                                    kMostEntries * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;
   longword first_frame_of_image_ = 0;
   bool noise_ = false;

@@ -170,7 +170,7 @@ TEST_F(JointsTest, IdentifierZeroSetsAllJointsEachWithinItsLimits) {
 
 TEST_F(JointsTest, UnknownJointsAreRefused) {
   for (const int identifier : {5, 10, 14, 44, 50, 53, 255}) {
-    for (const char letter : {'J', 'V', 'A', 'S'}) {
+    for (const char letter : {'J', 'V', 'A'}) {
       expectRefusal(request(letter, identifier));
       expectRefusal(request(letter, identifier, 1));
     }
@@ -238,67 +238,6 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
   for (size_t i = 2; i < path.size(); ++i) {
     ASSERT_LE(std::abs(path[i] - 2 * path[i - 1] + path[i - 2]), microradiansFromCentidegrees(5000) / 125 / 125);
   }
-}
-
-// ---------------------------------------------------------------------------------------------------- version 1: S
-
-class SensorBlockTest : public JointsTest {
- protected:
-  // The values of S 0; the reply behind them is checked.
-  std::vector<int> readBlock(size_t values) {
-    client_->send(request('S', 0));
-    const size_t size = values * protocol::VALUE_SIZE + protocol::VALUE_REPLY_SIZE;
-    std::vector<uint8_t> bytes;
-    EXPECT_TRUE(machine_->runUntil([&] { return (bytes = client_->take(size)).size() == size; }));
-    EXPECT_EQ(std::vector<uint8_t>(bytes.end() - 4, bytes.end()), (std::vector<uint8_t>{'s', 0, 0, 0}));
-    std::vector<int> block;
-    for (size_t i = 0; i < values; ++i) {
-      block.push_back(protocol::decodeValue(bytes.data() + i * protocol::VALUE_SIZE));
-    }
-    return block;
-  }
-
-  std::vector<int> angles() const {
-    std::vector<int> all;
-    for (const int position : positions()) {
-      all.push_back(centidegreesFromMicroradians(position));
-    }
-    return all;
-  }
-};
-
-TEST_F(SensorBlockTest, JointReadAsASensorIsItsAngle) {
-  answerTo(request('J', kHeadPan, 1234));
-  passFrames(kLongestMotion);
-  expectAnswer(request('S', kHeadPan), 's', kHeadPan, 1234);
-}
-
-TEST_F(SensorBlockTest, BlockHoldsAllJointsInTheOrderOfTheTable) {
-  EXPECT_EQ(readBlock(18), angles());
-}
-
-TEST_F(SensorBlockTest, JointsAreLeftOutAndTakenIn) {
-  expectAnswer(request('S', kNeckTilt, 0), 's', kNeckTilt, 0);
-  expectAnswer(request('S', kHeadPan, 0), 's', kHeadPan, 0);
-  std::vector<int> expected = angles();
-  expected.erase(expected.begin(), expected.begin() + 2);
-  EXPECT_EQ(readBlock(16), expected);
-  expectAnswer(request('S', kNeckTilt, 1), 's', kNeckTilt, 1);
-  expectAnswer(request('S', kHeadPan, 1), 's', kHeadPan, 1);
-  EXPECT_EQ(readBlock(18), angles());
-}
-
-TEST_F(SensorBlockTest, NextClientFindsAllJointsInTheBlock) {
-  answerTo(request('S', kHeadPan, 0));
-  client_->close();
-  machine_->runPending();
-  client_ = connectServed();
-  EXPECT_EQ(readBlock(18), angles());
-}
-
-TEST_F(SensorBlockTest, RefusesWhatIsNeitherInNorOut) {
-  expectRefusal(request('S', kHeadPan, 2));
-  expectRefusal(request('S', 0, 1));
 }
 
 // ----------------------------------------------------------------------------------------- version 1: two or four

@@ -193,8 +193,8 @@ TEST_F(RCServerTest, RequestsMayComeByteByByte) {
 TEST_F(RCServerTest, WhatItDoesNotSpeakIsAnsweredByErrorZero) {
   auto client = connectServed();
   for (const std::string& bytes :
-       {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 5), request('V', 0), request('A', 60),
-        request('L', 1) + "ab", request('Y', 1) + "ab", request('K', 0) + "ab", request('Q', 0) + "ab",
+       {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 10), request('V', 0), request('A', 60),
+        request('L', 27, 1), request('K', 0, 2), request('K', 3, 1), request('S', 0, 1), request('Q', 0) + "ab",
         request('R', 0) + "ab", request('Z', 0), request('f', 85)}) {
     client->send(bytes);
     const std::optional<Reply> reply = await(*client);

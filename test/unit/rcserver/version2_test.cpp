@@ -16,6 +16,7 @@
 #include "protocol/hello.h"
 #include "protocol/version2.h"
 #include "rcserver_fixture.h"
+#include "version2_fixture.h"
 
 namespace {
 
@@ -35,22 +36,6 @@ constexpr unsigned char kNoJoint = 99;
 
 constexpr unsigned kLongestMotion = 500;
 constexpr unsigned kUntilMeasured = 12;
-
-std::string frame(char kind, int id, int request_number, const std::string& payload = {}) {
-  const FrameHeader header = {kind, static_cast<unsigned char>(id), static_cast<unsigned short>(request_number),
-                              static_cast<unsigned>(payload.size())};
-  std::string bytes(FRAME_HEADER_SIZE, '\0');
-  encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
-  return bytes + payload;
-}
-
-// The payload that `encode` makes of a value.
-template <typename Encode, typename Value>
-std::string payloadOf(Encode encode, const Value& value, size_t room) {
-  std::string bytes(room, '\0');
-  bytes.resize(encode(value, reinterpret_cast<unsigned char*>(bytes.data())));
-  return bytes;
-}
 
 std::string pictureOf(Layer layer) {
   return payloadOf(encodePictureRequest, layer, PICTURE_REQUEST_SIZE);
@@ -92,63 +77,12 @@ struct Picture {
   std::vector<uint8_t> jpeg;
 };
 
-class Version2Test : public RCServerFixture {
+class Version2Test : public Version2Fixture {
  protected:
   void SetUp() override {
     boot(robot_);
     passFrames(kUntilMeasured);
     connectVersion2();
-  }
-
-  void connectVersion2() {
-    client_ = connect();
-    client_->send(request('X', 2));
-    const std::optional<Reply> reply = await(*client_);
-    ASSERT_TRUE(reply && agreesToVersion2(reply->value));
-    machine_->runPending();
-  }
-
-  void reconnect() {
-    client_->close();
-    machine_->runPending();
-    connectVersion2();
-  }
-
-  void send(const std::string& bytes) {
-    client_->send(bytes);
-    machine_->runPending();
-  }
-
-  std::optional<Frame> nextFrame() {
-    std::optional<Frame> next;
-    EXPECT_TRUE(machine_->runUntil([&] { return (next = client_->nextFrame()).has_value() || client_->ended(); }));
-    machine_->runPending();
-    return next;
-  }
-
-  // Sends a request whose answer comes at once. What is pushed meanwhile is passed over.
-  Frame answerTo(char kind, int id, const std::string& payload = {}) {
-    const int number = ++last_number_;
-    send(frame(kind, id, number, payload));
-    for (;;) {
-      const std::optional<Frame> answer = nextFrame();
-      if (!answer) {
-        ADD_FAILURE() << "no answer to " << kind;
-        return {};
-      }
-      if (answer->header.request_number != 0) {
-        EXPECT_EQ(answer->header.request_number, number);
-        return *answer;
-      }
-    }
-  }
-
-  void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {
-    ErrorMessage message = {};
-    EXPECT_EQ(answer.header.kind, ERROR_MESSAGE);
-    ASSERT_EQ(decodeErrorMessage(answer.payload.data(), answer.payload.size(), &message), nullptr);
-    EXPECT_EQ(message.code, code);
-    EXPECT_THAT(std::string(message.text, message.text_size), HasSubstr(text_in_it));
   }
 
   // The values of a reply to `J`.
@@ -231,8 +165,6 @@ class Version2Test : public RCServerFixture {
   }
 
   FakeRobot robot_;
-  std::unique_ptr<TestClient> client_;
-  int last_number_ = 0;
 };
 
 // ------------------------------------------------------------------------------------------------- changing to it
@@ -299,10 +231,12 @@ TEST_F(Version2Test, HelloTellsRobotServerCapabilitiesAndLimits) {
   const Hello said = hello();
   EXPECT_STREQ(said.robot, "ERS-7");
   EXPECT_THAT(said.server, HasSubstr("aibo_rcserver"));
-  for (const char* const word : {"H", "F", "W", "J", "V", "T", "O"}) {
+  for (const char* const word : {"H", "F", "W", "J", "V", "T", "O", "L", "K", "P", "N"}) {
     EXPECT_TRUE(hasCapability(said, word)) << word;
   }
-  EXPECT_FALSE(hasCapability(said, "L"));
+  for (const char* const word : {"U", "D", "Q", "R"}) {
+    EXPECT_FALSE(hasCapability(said, word)) << word << " is not allowed";
+  }
   ASSERT_EQ(said.joint_count, robot_.model.number_of_joints);
   for (int i = 0; i < said.joint_count; ++i) {
     EXPECT_EQ(said.joints[i].id, robot_.model.joints[i].identifier);
@@ -537,7 +471,7 @@ TEST_F(Version2Test, TelemetryComesAtItsPeriodWithAllJoints) {
       EXPECT_EQ(all[i].frame_number, all[i - 1].frame_number + frames);
     }
     ASSERT_FALSE(all.empty());
-    ASSERT_EQ(all.back().count, 18);
+    ASSERT_EQ(all.back().count, 18 + robot_.model.number_of_sensors);
     for (size_t i = 0; i < 18; ++i) {
       EXPECT_EQ(all.back().entries[i].group, GROUP_JOINT);
       EXPECT_EQ(all.back().entries[i].id, robot_.model.joints[i].identifier);
@@ -682,8 +616,8 @@ TEST_F(Version2Test, JointWhoseGainWentOffIsSaidNotToFollow) {
 
 TEST_F(Version2Test, WhatItDoesNotKnowIsNotSupported) {
   for (int kind = 0; kind < 256; ++kind) {
-    if (std::string("HFWJVTOPNUD").find(static_cast<char>(kind)) == std::string::npos) {
-      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O P N");
+    if (std::string("HFWJVTOLKPNUDQR").find(static_cast<char>(kind)) == std::string::npos) {
+      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O L K P N");
     }
   }
   EXPECT_STREQ(hello().robot, "ERS-7");
@@ -691,7 +625,8 @@ TEST_F(Version2Test, WhatItDoesNotKnowIsNotSupported) {
 
 TEST_F(Version2Test, MalformedRequestsAreRefusedAndTheConnectionGoesOn) {
   const std::vector<std::pair<char, std::string>> malformed = {{'F', ""},    {'F', "\4"},  {'W', "abc"}, {'J', "abc"},
-                                                               {'V', "abc"}, {'T', "abc"}, {'O', "\2"},  {'O', "ab"}};
+                                                               {'V', "abc"}, {'T', "abc"}, {'O', "\2"},  {'O', "ab"},
+                                                               {'L', "abc"}, {'K', "\1"},  {'K', "\1\2"}};
   for (const auto& [kind, payload] : malformed) {
     expectRefusal(answerTo(kind, 0, payload), CODE_REFUSED, "bad request");
   }

@@ -1,0 +1,487 @@
+// Sensors, LEDs, ears and power, in both versions of the protocol.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fake_robot.h"
+#include "protocol/angles.h"
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "rcserver/Lights.h"
+#include "temporary_memory_stick.h"
+#include "version2_fixture.h"
+
+namespace {
+
+using namespace protocol::version2;
+using robot_model::Sensor;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::Eq;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr int kHeadTouch = 5;
+constexpr int kPawLeftFront = 14;
+constexpr int kRangeNear = 53;
+constexpr int kAccelerationUpDown = 63;
+constexpr int kBattery = 66;
+constexpr int kTemperature = 67;
+
+constexpr int kHeadColor = 1;  // only on or off
+constexpr int kFace1 = 7;      // intensity and mode
+constexpr int kLeftEar = 1;
+constexpr int kRightEar = 2;
+
+// Sensor readings come this often, and two command vectors may be waiting.
+constexpr unsigned kUntilMeasured = 12;
+
+// The client of the base speaks version 1 until a test changes that.
+class BodyTest : public Version2Fixture {
+ protected:
+  BodyTest() { host_.memory_stick = stick_.folder(); }
+
+  void SetUp() override {
+    robot_.power_status.remainingCapacity = 87;
+    robot_.power_status.temperature = 2982;  // 25.05 degrees Celsius
+    start();
+  }
+
+  void start() {
+    machine_.reset();
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    client_ = connectServed();
+  }
+
+  void startWith(const std::string& settings) {
+    stick_.write(SETTINGS_FILE, settings);
+    start();
+  }
+
+  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
+    client_->send(bytes);
+    const std::optional<Reply> reply = await(*client_);
+    machine_->runPending();
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->letter, letter) << bytes;
+    EXPECT_EQ(reply->value.identifier, identifier) << bytes;
+    EXPECT_EQ(reply->value.value, value) << bytes;
+  }
+
+  void expectError(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
+
+  // For how many frames an ear was drawn, all together.
+  long framesDrawn(int ear) const {
+    const std::vector<bool>& path = robot_.ears[static_cast<size_t>(ear - 1)].path;
+    return std::count(path.begin(), path.end(), true);
+  }
+
+  FakeRobot robot_;
+  TemporaryMemoryStick stick_;
+};
+
+// ------------------------------------------------------------------------------------------------ version 1: sensors
+
+TEST_F(BodyTest, SensorIsReadInTheUnitsOfVersion1) {
+  robot_.sensor("range_near") = 123456;
+  robot_.sensor("acceleration_up_down") = -9806650;
+  robot_.sensor("head_touch") = 17;
+  robot_.sensor("paw_left_front") = 1;
+  passFrames(kUntilMeasured);
+  expectAnswer(request('S', kRangeNear), 's', kRangeNear, 12);
+  expectAnswer(request('S', kAccelerationUpDown), 's', kAccelerationUpDown, -981);
+  expectAnswer(request('S', kHeadTouch), 's', kHeadTouch, 17);
+  expectAnswer(request('S', kPawLeftFront), 's', kPawLeftFront, 1);
+}
+
+TEST_F(BodyTest, BatteryIsAskedOnceASecond) {
+  expectAnswer(request('S', kBattery), 's', kBattery, 87);
+  expectAnswer(request('S', kTemperature), 's', kTemperature, 2505);
+  robot_.power_status.remainingCapacity = 86;
+  robot_.power_status.temperature = 65535;
+  passFrames(140);
+  expectAnswer(request('S', kBattery), 's', kBattery, 86);
+  expectAnswer(request('S', kTemperature), 's', kTemperature, 32767);
+}
+
+TEST_F(BodyTest, JointReadAsASensorIsItsAngle) {
+  const int angle = protocol::centidegreesFromMicroradians(robot_.joint("tail_tilt").position);
+  expectAnswer(request('S', 52), 's', 52, angle);
+}
+
+TEST_F(BodyTest, SensorThatDoesNotOpenIsNamedAndReadsAsZero) {
+  robot_.missing_locator = "PRM:/p1-Sensor:p1";
+  robot_.sensor("range_chest") = 500000;
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("range_chest (PRM:/p1-Sensor:p1) does not open"));
+  expectAnswer(request('S', 55), 's', 55, 0);
+  expectAnswer(request('S', kBattery), 's', kBattery, 87);
+}
+
+class SensorBlockTest : public BodyTest {
+ protected:
+  // The values of S 0; the reply behind them is checked.
+  std::vector<int> readBlock(size_t values) {
+    client_->send(request('S', 0));
+    const size_t size = values * protocol::VALUE_SIZE + protocol::VALUE_REPLY_SIZE;
+    std::vector<uint8_t> bytes;
+    EXPECT_TRUE(machine_->runUntil([&] { return (bytes = client_->take(size)).size() == size; }));
+    EXPECT_EQ(std::vector<uint8_t>(bytes.end() - 4, bytes.end()), (std::vector<uint8_t>{'s', 0, 0, 0}));
+    std::vector<int> block;
+    for (size_t i = 0; i < values; ++i) {
+      block.push_back(protocol::decodeValue(bytes.data() + i * protocol::VALUE_SIZE));
+    }
+    return block;
+  }
+
+  // What S answers to each identifier in turn.
+  std::vector<int> readOneByOne(const std::vector<int>& left_out) {
+    std::vector<int> all;
+    for (int identifier = 1; identifier < 256; ++identifier) {
+      client_->send(request('S', identifier));
+      const std::optional<Reply> reply = await(*client_);
+      machine_->runPending();
+      if (reply->letter == 's' && std::find(left_out.begin(), left_out.end(), identifier) == left_out.end()) {
+        all.push_back(reply->value.value);
+      }
+    }
+    return all;
+  }
+};
+
+TEST_F(SensorBlockTest, HoldsAllJointsAndSensorsByAscendingIdentifier) {
+  for (size_t i = 0; i < robot_.sensor_values.size(); ++i) {
+    robot_.sensor_values[i] = static_cast<int>(10000 * (i + 1));
+  }
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(readBlock(36), readOneByOne({}));
+}
+
+TEST_F(SensorBlockTest, JointsAndSensorsAreLeftOutAndTakenIn) {
+  expectAnswer(request('S', 2, 0), 's', 2, 0);
+  expectAnswer(request('S', kBattery, 0), 's', kBattery, 0);
+  EXPECT_EQ(readBlock(34), readOneByOne({2, kBattery}));
+  expectAnswer(request('S', 2, 1), 's', 2, 1);
+  expectAnswer(request('S', kBattery, 1), 's', kBattery, 1);
+  EXPECT_EQ(readBlock(36), readOneByOne({}));
+}
+
+TEST_F(SensorBlockTest, NextClientFindsEverythingInTheBlock) {
+  expectAnswer(request('S', kBattery, 0), 's', kBattery, 0);
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  EXPECT_EQ(readBlock(36).size(), 36U);
+}
+
+TEST_F(SensorBlockTest, RefusesWhatIsNoSensorAndWhatIsNeitherInNorOut) {
+  for (const int identifier : {10, 50, 68, 91, 92, 93, 255}) {
+    expectError(request('S', identifier));
+    expectError(request('S', identifier, 1));
+  }
+  expectError(request('S', kBattery, 2));
+  expectError(request('S', 0, 1));
+}
+
+// ---------------------------------------------------------------------------------------------------- version 1: LEDs
+
+TEST_F(BodyTest, EveryLedIsSetByItsIdentifier) {
+  for (size_t i = 0; i < robot_.leds.size(); ++i) {
+    const robot_model::Led& led = robot_.model.leds[i];
+    const bool is_switch = led.kind == robot_model::LED2;
+    expectAnswer(request('L', led.identifier, 0x7f40), 'l', led.identifier, is_switch ? 255 : 0x40);
+    passFrames(kUntilMeasured);
+    EXPECT_EQ(robot_.leds[i].intensity, is_switch ? 1 : 0x40) << led.name;
+    EXPECT_EQ(robot_.leds[i].commands, 1) << led.name;
+    expectAnswer(request('L', led.identifier, 0x100), 'l', led.identifier, 0);
+    passFrames(kUntilMeasured);
+    EXPECT_EQ(robot_.leds[i].intensity, 0) << led.name;
+  }
+}
+
+TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
+  expectAnswer(request('L', 0, 200), 'l', 0, 200);
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("face_14").intensity, 200);
+  EXPECT_EQ(robot_.led("wireless").intensity, 1);
+  expectAnswer(request('Y', 2, 100), 'y', 2, 100);
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("face_1").intensity, 100);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
+  expectAnswer(request('L', kFace1, 50), 'l', kFace1, 50);
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B) << "L leaves the mode as it is";
+  expectAnswer(request('Y', 1, 100), 'y', 1, 100);
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_A);
+}
+
+TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
+  expectAnswer(request('L', 0, 200), 'l', 0, 200);
+  expectAnswer(request('K', 0, 1), 'k', 0, 1);
+  passFrames(8);
+  client_->close();
+  machine_->runPending();
+  passFrames(kUntilMeasured);
+  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, 0)));
+  EXPECT_THAT(robot_.ears, Each(Field(&FakeRobot::FakeEar::drawn, false)));
+  EXPECT_LT(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+}
+
+TEST_F(BodyTest, LedThatDoesNotOpenIsNamedAndTheOthersShine) {
+  robot_.missing_locator = robot_.model.leds[1].locator;
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("head_white (PRM:/r1/c1/c2/c3/l2-LED2:l2) does not open"));
+  expectAnswer(request('L', 0, 200), 'l', 0, 200);
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("head_white").intensity, 0);
+  EXPECT_EQ(robot_.led("head_color").intensity, 1);
+}
+
+TEST_F(BodyTest, LedsShineWhileTheMotorsAreOffAndTheMotorsStayOff) {
+  robot_.missing_locator = robot_.model.joints[3].locator;
+  for (FakeRobot::FakeJoint& joint : robot_.joints) {
+    joint.gain = false;
+  }
+  start();
+  expectAnswer(request('L', kHeadColor, 1), 'l', kHeadColor, 255);
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("head_color").intensity, 1);
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false)));
+}
+
+TEST_F(BodyTest, MotionIsTheSameWithAndWithoutLeds) {
+  std::vector<int>& path = robot_.joint("head_pan").path;
+  std::vector<std::vector<int>> paths;
+  for (const bool blink : {false, true}) {
+    start();
+    path.clear();
+    expectAnswer(request('J', 2, 4000), 'j', 2, 4000);
+    for (int i = 0; i < 100; ++i) {
+      if (blink) {
+        expectAnswer(request('L', 0, i % 2), 'l', 0, i % 2);
+      }
+      passFrames(1);
+    }
+    paths.push_back(path);
+    path.clear();
+    robot_.joint("head_pan").position = robot_.joint("head_pan").reference = 0;
+  }
+  EXPECT_EQ(paths[0], paths[1]);
+}
+
+// ---------------------------------------------------------------------------------------------------- version 1: ears
+
+TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
+  expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
+  passFrames(100);
+  EXPECT_EQ(framesDrawn(kRightEar), Lights::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kLeftEar), 0);
+  EXPECT_FALSE(robot_.ears[1].drawn);
+}
+
+TEST_F(BodyTest, EarThatIsDrawnAgainAndAgainRestsAsLongAsItIsDrawn) {
+  for (int i = 0; i < 400; ++i) {
+    client_->send(request('K', 0, 1));
+    ASSERT_TRUE(await(*client_));
+    passFrames(1);
+  }
+  EXPECT_GT(framesDrawn(kLeftEar), 100);
+  EXPECT_LE(framesDrawn(kLeftEar), 200 + Lights::EAR_FRAMES);
+}
+
+TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
+  expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 1);
+  passFrames(4);
+  expectAnswer(request('K', kLeftEar, 0), 'k', kLeftEar, 0);
+  expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 0);
+  passFrames(100);
+  EXPECT_GT(framesDrawn(kLeftEar), 0);
+  EXPECT_LT(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 1);
+}
+
+TEST_F(BodyTest, WhatIsNoLedAndNoEarIsRefused) {
+  expectError(request('L', 27, 1));
+  expectError(request('L', 255, 1));
+  expectError(request('K', 3, 1));
+  expectError(request('K', kLeftEar, 2));
+}
+
+// --------------------------------------------------------------------------------------------------- version 1: power
+
+TEST_F(BodyTest, ShuttingDownAndRebootingAreRefusedUnlessTheFileAllowsThem) {
+  expectError(request('Q', 0, 0));
+  expectError(request('R', 0, 0));
+  passFrames(10);
+  EXPECT_TRUE(robot_.powered);
+  EXPECT_TRUE(machine_->isOn());
+  startWith("ALLOW_REBOOT=yes");
+  expectError(request('Q', 0, 0));
+  startWith("ALLOW_SHUT_DOWN=yes");
+  expectError(request('R', 0, 0));
+}
+
+TEST_F(BodyTest, ShutDownAnswersThenMotorsAreOffAndTheRobotIsOff) {
+  startWith("ALLOW_SHUT_DOWN=yes");
+  const int times = robot_.times_switched_off;
+  client_->send(request('Q', 3, 0));
+  machine_->runUntil([&] { return !machine_->isOn(); });
+  const std::optional<Reply> reply = client_->next();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->letter, 'q');
+  EXPECT_EQ(reply->value.identifier, 3);
+  EXPECT_TRUE(client_->ended());
+  EXPECT_FALSE(robot_.powered);
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false)));
+  EXPECT_EQ(robot_.open_primitives, 0);
+  EXPECT_EQ(robot_.times_switched_off, times + 1);
+}
+
+TEST_F(BodyTest, RebootAnswersAndServesTheNextClient) {
+  startWith("ALLOW_REBOOT=yes");
+  const int times = robot_.times_switched_off;
+  client_->send(request('R', 0, 0));
+  machine_->runUntil([&] { return robot_.times_switched_off > times; });
+  EXPECT_TRUE(machine_->isOn());
+  const std::optional<Reply> reply = client_->next();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->letter, 'r');
+  EXPECT_TRUE(client_->ended());
+  passFrames(kUntilMeasured);
+  client_ = connectServed();
+  expectAnswer(request('S', kBattery), 's', kBattery, 87);
+}
+
+TEST_F(BodyTest, WhatFollowsAShutDownIsNotCarriedOut) {
+  startWith("ALLOW_SHUT_DOWN=yes");
+  client_->send(request('Q', 0, 0) + request('L', kHeadColor, 1));
+  machine_->runUntil([&] { return !machine_->isOn(); });
+  ASSERT_TRUE(client_->next());
+  EXPECT_FALSE(client_->next());
+}
+
+TEST_F(BodyTest, UploadOfAnObjectIsAlwaysRefused) {
+  startWith("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes");
+  expectError(request('C', 0) + std::string("RCSERVER.BIN\0\0\2\0", 16) + "WW");
+  expectAnswer(request('S', kBattery), 's', kBattery, 87);
+}
+
+// ----------------------------------------------------------------------------------------------------------- version 2
+
+class BodyVersion2Test : public BodyTest {
+ protected:
+  void SetUp() override {
+    BodyTest::SetUp();
+    reconnect();
+  }
+
+  std::string leds(const std::vector<LedValue>& values) const {
+    LedValues all = {static_cast<unsigned char>(values.size()), {}};
+    std::copy(values.begin(), values.end(), all.leds);
+    return payloadOf(encodeLedValues, all, MAX_LED_VALUES_SIZE);
+  }
+
+  static std::string text(const Frame& frame) { return {frame.payload.begin(), frame.payload.end()}; }
+
+  // The next telemetry: values of sensors by identifier.
+  std::vector<TelemetryEntry> sensorTelemetry() {
+    answerTo('T', 0, payloadOf(encodeTelemetryPeriod, static_cast<unsigned short>(4), TELEMETRY_PERIOD_SIZE));
+    passFrames(8);
+    Telemetry telemetry{};
+    const std::optional<Frame> pushed = nextFrame();
+    EXPECT_EQ(decodeTelemetry(pushed->payload.data(), pushed->payload.size(), &telemetry), nullptr);
+    std::vector<TelemetryEntry> sensors;
+    std::copy_if(telemetry.entries, telemetry.entries + telemetry.count, std::back_inserter(sensors),
+                 [](const TelemetryEntry& entry) { return entry.group == GROUP_SENSOR; });
+    return sensors;
+  }
+};
+
+MATCHER_P2(IsSensor, id, value, "") {
+  return arg.id == id && arg.value == value;
+}
+
+TEST_F(BodyVersion2Test, TelemetryHasAllSensorsInMillionths) {
+  robot_.sensor("range_near") = 123456;
+  robot_.sensor("head_touch") = 17;
+  robot_.sensor("paw_left_front") = 1;
+  passFrames(kUntilMeasured);
+  const std::vector<TelemetryEntry> sensors = sensorTelemetry();
+  EXPECT_EQ(sensors.size(), 18U);
+  EXPECT_THAT(sensors, Contains(IsSensor(kRangeNear, 123456)));
+  EXPECT_THAT(sensors, Contains(IsSensor(kHeadTouch, 17000000)));
+  EXPECT_THAT(sensors, Contains(IsSensor(kPawLeftFront, 1)));
+  EXPECT_THAT(sensors, Contains(IsSensor(kBattery, 870000)));
+  EXPECT_THAT(sensors, Contains(IsSensor(kTemperature, 25050000)));
+}
+
+TEST_F(BodyVersion2Test, TelemetryLeavesOutWhatHasMeasuredNothing) {
+  robot_.missing_locator = "PRM:/p1-Sensor:p1";
+  start();
+  reconnect();
+  const std::vector<TelemetryEntry> sensors = sensorTelemetry();
+  EXPECT_EQ(sensors.size(), 17U);
+  EXPECT_THAT(sensors, Not(Contains(Field(&TelemetryEntry::id, Eq(55)))));
+}
+
+TEST_F(BodyVersion2Test, LedsAreSetTogetherAndWhatIsAcceptedIsAnswered) {
+  const Frame answer = answerTo('L', 0, leds({{kHeadColor, 3, LED_MODE_B}, {kFace1, 77, LED_MODE_B}}));
+  EXPECT_EQ(answer.header.kind, 'l');
+  EXPECT_EQ(text(answer), leds({{kHeadColor, 255, LED_MODE_A}, {kFace1, 77, LED_MODE_B}}));
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("head_color").intensity, 1);
+  EXPECT_EQ(robot_.led("face_1").intensity, 77);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
+}
+
+TEST_F(BodyVersion2Test, UnknownLedRefusesAllOfIt) {
+  expectRefusal(answerTo('L', 0, leds({{kHeadColor, 255, LED_MODE_A}, {99, 1, LED_MODE_A}})), CODE_REFUSED, "LED 99");
+  passFrames(kUntilMeasured);
+  EXPECT_EQ(robot_.led("head_color").intensity, 0);
+}
+
+TEST_F(BodyVersion2Test, EarsAnswerWhatTheyDo) {
+  Frame answer = answerTo('K', 0, std::string("\1\0", 2));
+  EXPECT_EQ(answer.header.kind, 'k');
+  EXPECT_EQ(text(answer), std::string("\1\0", 2));
+  passFrames(22);
+  EXPECT_EQ(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kRightEar), 0);
+  EXPECT_EQ(text(answerTo('K', 0, "\1\1")), std::string("\0\1", 2)) << "the left one rests";
+}
+
+TEST_F(BodyVersion2Test, PowerThatIsNotAllowedNamesWhatWouldAllowIt) {
+  expectRefusal(answerTo('Q', 0), CODE_REFUSED, "ALLOW_SHUT_DOWN=yes in RCSERVER.CFG");
+  expectRefusal(answerTo('R', 0), CODE_REFUSED, "ALLOW_REBOOT=yes in RCSERVER.CFG");
+  expectRefusal(answerTo('Q', 0, "x"), CODE_REFUSED, "bad request");
+  EXPECT_TRUE(machine_->isOn());
+}
+
+TEST_F(BodyVersion2Test, ShutDownIsTheLastThatIsAnswered) {
+  startWith("ALLOW_SHUT_DOWN=yes");
+  reconnect();
+  client_->send(frame('Q', 0, 1) + frame('H', 0, 2));
+  machine_->runUntil([&] { return !machine_->isOn(); });
+  const std::optional<Frame> answer = client_->nextFrame();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->header.kind, 'q');
+  EXPECT_TRUE(answer->payload.empty());
+  EXPECT_FALSE(client_->nextFrame());
+  EXPECT_TRUE(client_->ended());
+  EXPECT_FALSE(robot_.powered);
+}
+
+TEST_F(BodyVersion2Test, ClientThatIsAllowedToRebootSeesItInTheCapabilities) {
+  startWith("ALLOW_REBOOT=yes");
+  reconnect();
+  EXPECT_THAT(text(answerTo('H', 0)), HasSubstr(" R\n"));
+}
+
+}  // namespace
