@@ -98,13 +98,13 @@ bool Motion::readAll(const unsigned char* bytes, size_t size) {
   }
   bytes += MAGIC_SIZE;
   size -= MAGIC_SIZE;
-  bool (Motion::*const readers[NUMBER_OF_SECTIONS])(Section*) = {&Motion::readGeneral, &Motion::readTexts,
-                                                                 &Motion::readLocators, &Motion::readKeyFrames};
-  for (unsigned i = 0; i < NUMBER_OF_SECTIONS; ++i) {
-    Section section;
-    if (!openSection(i, &bytes, &size, &section) || !(this->*readers[i])(&section)) {
-      return false;
-    }
+  Section section;
+  const bool is_read = openSection(0, &bytes, &size, &section) && readGeneral(&section) &&
+                       openSection(1, &bytes, &size, &section) && readTexts(&section) &&
+                       openSection(2, &bytes, &size, &section) && readLocators(&section) &&
+                       openSection(3, &bytes, &size, &section) && readKeyFrames(&section);
+  if (!is_read) {
+    return false;
   }
   return size == 0 || fail("%lu bytes follow the last section", static_cast<unsigned long>(size));
 }

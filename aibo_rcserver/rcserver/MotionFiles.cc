@@ -131,11 +131,6 @@ void MotionFiles::List(MotionList* list) const {
   qsort(list->names, list->count, sizeof(MotionName), CompareNames);
 }
 
-bool MotionFiles::Has(const MotionName& name) const {
-  char path[MAX_PATH_SIZE];
-  return Find(name, path);
-}
-
 bool MotionFiles::Find(const MotionName& name, char (&path)[MAX_PATH_SIZE]) const {
   FolderReader folder(host_);
   MotionName found;

@@ -42,9 +42,6 @@ class MotionFiles {
   /// @param[out] list the motions there are, in the order of their names; so many as find room
   void List(protocol::version2::MotionList* list) const;
 
-  /// True if a file of that name is there.
-  bool Has(const protocol::MotionName& name) const;
-
  private:
   MotionFiles(const MotionFiles&);
   MotionFiles& operator=(const MotionFiles&);
