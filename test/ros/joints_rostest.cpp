@@ -27,6 +27,7 @@
 #include "robot_model/robot_model.h"
 #include "simulated_robot.h"
 #include "topic_listener.h"
+#include "topic_publishers.h"
 
 namespace {
 
@@ -40,6 +41,7 @@ using test_support::positionOf;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using test_support::TopicPublishers;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -96,29 +98,21 @@ class JointUser {
         joints(name_space),
         connection(name_space + "/connection"),
         driver(name_space, proxy.port(), parameters),
-        name_space_(name_space) {
+        name_space_(name_space),
+        publishers_(name_space) {
     EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
     EXPECT_TRUE(joints.messages().waitForNext());
   }
 
   template <typename Message>
   void publish(const std::string& topic, const Message& message) {
-    ros::Publisher& publisher = publisherOf<Message>(topic);
-    publisher.publish(message);
+    publishers_.publish(topic, message);
   }
 
   // Ready to be published on without delay.
   template <typename Message>
   ros::Publisher& publisherOf(const std::string& topic) {
-    ros::Publisher& publisher = publishers_[topic];
-    if (!publisher) {
-      publisher = ros::NodeHandle().advertise<Message>(name_space_ + "/" + topic, 100);
-      const auto end = std::chrono::steady_clock::now() + kSafetyNet;
-      while (publisher.getNumSubscribers() == 0 && std::chrono::steady_clock::now() < end) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      }
-    }
-    return publisher;
+    return publishers_.publisherOf<Message>(topic);
   }
 
   std_srvs::SetBool::Response setMotors(bool on) {
@@ -155,7 +149,7 @@ class JointUser {
 
  private:
   const std::string name_space_;
-  std::map<std::string, ros::Publisher> publishers_;
+  TopicPublishers publishers_;
 };
 
 TEST(JointStates, TellAllServosWithVelocitiesAndIncreasingStamps) {

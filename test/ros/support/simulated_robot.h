@@ -18,6 +18,10 @@ class SimulatedRobot {
 
   int port() const { return port_; }
 
+  /// Types a line at its console, such as "press chin".
+  /// @return the answer, "ok: ..." or "error: ..."; empty if none came
+  std::string type(const std::string& line) const;
+
   /// Kills it without a farewell.
   void kill() { process_.reset(); }
 
@@ -29,6 +33,7 @@ class SimulatedRobot {
 
   const std::vector<std::string> options_;
   int port_ = 0;
+  int console_port_ = 0;
   std::unique_ptr<Process> process_;
 };
 

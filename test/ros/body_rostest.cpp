@@ -1,0 +1,382 @@
+// The robot's body except its joints: what it senses, how it shows what it feels, and the motions it knows.
+
+#include <aibo_driver/Connection.h>
+#include <aibo_driver/DeleteMotion.h>
+#include <aibo_driver/Ears.h>
+#include <aibo_driver/Leds.h>
+#include <aibo_driver/ListMotions.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/Touch.h>
+#include <aibo_driver/UploadMotion.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/Range.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "driver_process.h"
+#include "joint_listener.h"
+#include "memory_stick.h"
+#include "recording_proxy.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+#include "topic_publishers.h"
+
+namespace {
+
+using aibo_driver::Connection;
+using aibo_driver::DeleteMotion;
+using aibo_driver::Ears;
+using aibo_driver::Leds;
+using aibo_driver::ListMotions;
+using aibo_driver::PlayMotion;
+using aibo_driver::Touch;
+using aibo_driver::UploadMotion;
+using sensor_msgs::BatteryState;
+using sensor_msgs::Imu;
+using sensor_msgs::Range;
+using test_support::DriverProcess;
+using test_support::JointListener;
+using test_support::kSafetyNet;
+using test_support::MemoryStick;
+using test_support::RecordingProxy;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+// Robot, proxy and driver, connected with each other, and a user.
+class BodyUser {
+ public:
+  explicit BodyUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
+      : robot(robot_options),
+        proxy(robot.port()),
+        connection(name_space + "/connection"),
+        driver(name_space, proxy.port(), {"_stream_on_start:=false"}),
+        topics(name_space),
+        name_space_(name_space) {
+    EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
+  }
+
+  bool waitForConnection(std::uint8_t state) {
+    return connection.waitFor([state](const Connection& message) { return message.state == state; }) != nullptr;
+  }
+
+  template <typename Service>
+  typename Service::Response call(const std::string& service, const typename Service::Request& request = {}) {
+    typename Service::Response response;
+    EXPECT_TRUE(
+        ros::service::call(name_space_ + "/" + service, const_cast<typename Service::Request&>(request), response))
+        << "the call itself failed";
+    return response;
+  }
+
+  PlayMotion::Response play(const std::string& name, int repetitions, bool stop = false) {
+    PlayMotion::Request request;
+    request.name = name;
+    request.repetitions = static_cast<std::uint16_t>(repetitions);
+    request.stop = stop;
+    return call<PlayMotion>("play_motion", request);
+  }
+
+  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
+
+  // The payload of the first request of this kind.
+  std::vector<std::uint8_t> payload(const std::string& kind) {
+    EXPECT_TRUE(proxy.waitForRequest(kind, kSafetyNet));
+    const auto requests = proxy.requestsFromDriver(kind);
+    return requests.empty() ? std::vector<std::uint8_t>() : requests.front().payload;
+  }
+
+  SimulatedRobot robot;
+  RecordingProxy proxy;
+  TopicListener<Connection> connection;
+  DriverProcess driver;
+  TopicPublishers topics;
+
+ private:
+  const std::string name_space_;
+};
+
+TEST(RangeFinders, ArePublishedWithFrameAndRange) {
+  const BodyUser user("/ranges");
+  for (const std::string name : {"near", "far", "chest"}) {
+    TopicListener<Range> ranges("/ranges/range/" + name);
+    const auto messages = ranges.waitForCount(10);
+    ASSERT_GE(messages.size(), 10u) << name;
+    ros::Time last;
+    for (const auto& message : messages) {
+      EXPECT_EQ(message->header.frame_id, "range_" + name + "_link");
+      EXPECT_EQ(message->radiation_type, Range::INFRARED);
+      EXPECT_TRUE(std::isinf(message->range) ||
+                  (message->range >= message->min_range && message->range <= message->max_range))
+          << message->range;
+      EXPECT_GT(message->header.stamp, last);
+      last = message->header.stamp;
+    }
+  }
+}
+
+TEST(Acceleration, OfARobotThatLiesStillIsGravityUpwards) {
+  const BodyUser user("/imu");
+  TopicListener<Imu> accelerations("/imu/imu/data_raw");
+  const auto message = accelerations.waitForNext();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->header.frame_id, "imu_link");
+  const auto& acceleration = message->linear_acceleration;
+  EXPECT_NEAR(std::hypot(acceleration.x, acceleration.y, acceleration.z), 9.81, 0.3);
+  EXPECT_GT(acceleration.z, 8);
+  EXPECT_EQ(message->orientation_covariance[0], -1);
+  EXPECT_EQ(message->angular_velocity_covariance[0], -1);
+}
+
+TEST(TouchTopic, FollowsWhatIsPressed) {
+  const BodyUser user("/touch");
+  TopicListener<Touch> touch("/touch/touch");
+  ASSERT_TRUE(touch.waitForNext());
+  ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
+  EXPECT_TRUE(touch.waitFor([](const Touch& message) { return message.chin && !message.back_rear; }));
+  ASSERT_THAT(user.robot.type("press back_rear"), HasSubstr("ok"));
+  EXPECT_TRUE(touch.waitFor(
+      [](const Touch& message) { return message.chin && message.back_rear && message.back_rear_strength > 14; }));
+  ASSERT_THAT(user.robot.type("release chin"), HasSubstr("ok"));
+  EXPECT_TRUE(touch.waitFor([](const Touch& message) { return !message.chin && message.back_rear; }));
+}
+
+TEST(BatteryTopic, TellsHowFullItIs) {
+  const BodyUser user("/battery");
+  TopicListener<BatteryState> battery("/battery/battery");
+  const auto full = battery.waitForNext();
+  ASSERT_TRUE(full);
+  EXPECT_GT(full->percentage, 0.9);
+  EXPECT_TRUE(std::isnan(full->voltage));
+  ASSERT_THAT(user.robot.type("battery 40"), HasSubstr("ok"));
+  EXPECT_TRUE(battery.waitFor([](const BatteryState& message) { return std::abs(message.percentage - 0.4) < 0.02; }));
+}
+
+TEST(Sensors, AreSilentWithoutARobotAndThenTellOnlyWhatIsNew) {
+  BodyUser user("/silent");
+  TopicListener<Touch> touch("/silent/touch");
+  ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
+  ASSERT_TRUE(touch.waitFor([](const Touch& message) { return message.chin != 0; }));
+  user.connection.clear();
+  user.robot.kill();
+  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  touch.clear();
+  user.connection.clear();
+  user.robot.restart();
+  ASSERT_TRUE(touch.waitForNext());
+  for (const auto& message : touch.waitForCount(5)) {
+    EXPECT_FALSE(message->chin) << "this robot's chin was never pressed";
+  }
+  ASSERT_TRUE(user.waitForConnection(Connection::CONNECTED));
+}
+
+TEST(LedsTopic, ReachesTheRobotInOneRequest) {
+  BodyUser user("/leds");
+  Leds message;
+  message.names = {"face", "face_1", "wireless"};
+  message.intensities = {1.0F, 0.0F, 1.0F};
+  message.mode = Leds::MODE_B;
+  user.topics.publish("leds", message);
+  const auto payload = user.payload("L");
+  ASSERT_THAT(payload, SizeIs(15 * 4));
+  // Identifier, intensity, mode and nothing, in ascending order: wireless 6, face_1 7 ...
+  EXPECT_THAT(std::vector<std::uint8_t>(payload.begin(), payload.begin() + 12),
+              ElementsAre(6, 255, 1, 0, 7, 0, 1, 0, 8, 255, 1, 0));
+}
+
+TEST(LedsTopic, LeavesOutWhatIsNoLedAndSaysWhich) {
+  BodyUser user("/no_led");
+  Leds message;
+  message.names = {"third_eye", "face_1"};
+  message.intensities = {1.0F};
+  user.topics.publish("leds", message);
+  user.waitForWarning("third_eye");
+  EXPECT_THAT(user.payload("L"), ElementsAre(7, 255, 0, 0));
+}
+
+TEST(EarsTopic, ReachesTheRobot) {
+  BodyUser user("/ears");
+  Ears message;
+  message.left = 1;
+  user.topics.publish("ears", message);
+  EXPECT_THAT(user.payload("K"), ElementsAre(1, 0));
+}
+
+TEST(Expression, IsDroppedWithoutARobotAndNotSentLater) {
+  BodyUser user("/dropped_expression");
+  user.topics.publisherOf<Leds>("leds");
+  user.topics.publisherOf<Ears>("ears");
+  user.connection.clear();
+  user.robot.kill();
+  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  Leds leds;
+  leds.names = {"face"};
+  leds.intensities = {1.0F};
+  user.topics.publish("leds", leds);
+  user.topics.publish("ears", Ears());
+  user.waitForWarning("A command to the LEDs was dropped");
+  user.waitForWarning("A command to the ears was dropped");
+  user.connection.clear();
+  user.robot.restart();
+  ASSERT_TRUE(user.waitForConnection(Connection::CONNECTED));
+  TopicListener<Touch> touch("/dropped_expression/touch");
+  ASSERT_TRUE(touch.waitForNext());
+  EXPECT_THAT(user.proxy.requestsFromDriver("LK"), SizeIs(0));
+}
+
+// How far any joint goes from where it was, in radian.
+bool moves(JointListener& joints) {
+  joints.messages().clear();
+  const auto first = joints.messages().waitForNext();
+  return first && joints.messages().waitFor([&first](const sensor_msgs::JointState& message) {
+    for (std::size_t i = 0; i < message.position.size(); ++i) {
+      if (std::abs(message.position[i] - first->position.at(i)) > 0.1) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+TEST(PlayMotionService, PlaysEachMotionOfTheRobotAndStopsIt) {
+  BodyUser user("/play");
+  JointListener joints("/play");
+  const auto list = user.call<ListMotions>("list_motions");
+  ASSERT_TRUE(list.success) << list.message;
+  ASSERT_THAT(list.names, Contains("NOD.MTN"));
+  for (const std::string& name : list.names) {
+    const auto played = user.play(name, 100);
+    EXPECT_TRUE(played.success) << played.message;
+    EXPECT_TRUE(moves(joints)) << name;
+    const auto stopped = user.play(name, 0, true);
+    EXPECT_TRUE(stopped.success) << stopped.message;
+    EXPECT_TRUE(joints.messages().waitFor([](const sensor_msgs::JointState& message) {
+      return std::all_of(message.velocity.begin(), message.velocity.end(),
+                         [](double velocity) { return std::abs(velocity) < 0.05; });
+    })) << name;
+  }
+}
+
+TEST(PlayMotionService, SaysWhyItCannot) {
+  BodyUser user("/no_motion");
+  const auto missing = user.play("fly", 1);
+  EXPECT_FALSE(missing.success);
+  EXPECT_THAT(missing.message, HasSubstr("FLY.MTN"));
+  const auto nameless = user.play("", 1);
+  EXPECT_FALSE(nameless.success);
+  EXPECT_THAT(nameless.message, HasSubstr("list_motions"));
+  const auto outside = user.play("../secret.mtn", 1);
+  EXPECT_FALSE(outside.success);
+  user.robot.kill();
+  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  const auto nobody = user.play("nod", 1);
+  EXPECT_FALSE(nobody.success);
+  EXPECT_THAT(nobody.message, HasSubstr("no connection to the robot"));
+}
+
+TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
+  const MemoryStick stick("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+  BodyUser user("/upload", {"--memory-stick", stick.path()});
+  UploadMotion::Request upload;
+  upload.file = stick.path() + "/OPEN-R/MW/DATA/P/WAG.MTN";
+  upload.name = "mine";
+  const auto uploaded = user.call<UploadMotion>("upload_motion", upload);
+  ASSERT_TRUE(uploaded.success) << uploaded.message;
+  EXPECT_THAT(user.call<ListMotions>("list_motions").names, Contains("MINE.MTN"));
+  JointListener joints("/upload");
+  EXPECT_TRUE(user.play("mine", 5).success);
+  EXPECT_TRUE(moves(joints));
+  EXPECT_TRUE(user.play("", 0, true).success);
+  DeleteMotion::Request request;
+  request.name = "mine";
+  const auto deleted = user.call<DeleteMotion>("delete_motion", request);
+  EXPECT_TRUE(deleted.success) << deleted.message;
+  EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
+}
+
+TEST(MotionFiles, ThatAreNoneAreRefused) {
+  const MemoryStick stick("ALLOW_UPLOAD=yes\n");
+  BodyUser user("/no_upload", {"--memory-stick", stick.path()});
+  UploadMotion::Request upload;
+  const auto nothing = user.call<UploadMotion>("upload_motion", upload);
+  EXPECT_FALSE(nothing.success);
+  upload.name = "mine";
+  upload.data = {'n', 'o', ' ', 'm', 'o', 't', 'i', 'o', 'n'};
+  const auto nonsense = user.call<UploadMotion>("upload_motion", upload);
+  EXPECT_FALSE(nonsense.success) << nonsense.message;
+  upload.file = "/nowhere/mine.mtn";
+  upload.data.clear();
+  const auto missing = user.call<UploadMotion>("upload_motion", upload);
+  EXPECT_FALSE(missing.success);
+  EXPECT_THAT(missing.message, HasSubstr("/nowhere/mine.mtn"));
+  EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
+}
+
+TEST(Robot, RefusesWhatItsSettingsDoNotAllowAndSaysWhichToSet) {
+  BodyUser user("/refused");
+  UploadMotion::Request upload;
+  upload.name = "mine";
+  upload.data = {'O', 'M', 'T', 'N'};
+  const auto uploaded = user.call<UploadMotion>("upload_motion", upload);
+  EXPECT_FALSE(uploaded.success);
+  EXPECT_THAT(uploaded.message, HasSubstr("ALLOW_UPLOAD"));
+  DeleteMotion::Request request;
+  request.name = "nod";
+  const auto deleted = user.call<DeleteMotion>("delete_motion", request);
+  EXPECT_FALSE(deleted.success);
+  EXPECT_THAT(deleted.message, HasSubstr("ALLOW_DELETE"));
+  const auto shut_down = user.call<std_srvs::Trigger>("shut_down");
+  EXPECT_FALSE(shut_down.success);
+  EXPECT_THAT(shut_down.message, HasSubstr("ALLOW_SHUT_DOWN"));
+  const auto rebooted = user.call<std_srvs::Trigger>("reboot");
+  EXPECT_FALSE(rebooted.success);
+  EXPECT_THAT(rebooted.message, HasSubstr("ALLOW_REBOOT"));
+}
+
+TEST(Robot, BootsAnewAndShutsDownIfItsSettingsAllowIt) {
+  const MemoryStick stick("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes\n");
+  BodyUser user("/power", {"--memory-stick", stick.path()});
+  user.connection.clear();
+  const auto rebooted = user.call<std_srvs::Trigger>("reboot");
+  EXPECT_TRUE(rebooted.success) << rebooted.message;
+  EXPECT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  ASSERT_TRUE(user.waitForConnection(Connection::CONNECTED));
+  user.connection.clear();
+  const auto shut_down = user.call<std_srvs::Trigger>("shut_down");
+  EXPECT_TRUE(shut_down.success) << shut_down.message;
+  EXPECT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+}
+
+TEST(Body, OfARobotWithAVersion1ServerWorksToo) {
+  BodyUser user("/version_1", {"--protocol-version", "1"});
+  TopicListener<Range> ranges("/version_1/range/chest");
+  TopicListener<Imu> accelerations("/version_1/imu/data_raw");
+  TopicListener<Touch> touch("/version_1/touch");
+  EXPECT_TRUE(ranges.waitForNext());
+  const auto acceleration = accelerations.waitForNext();
+  ASSERT_TRUE(acceleration);
+  EXPECT_GT(acceleration->linear_acceleration.z, 8);
+  ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
+  EXPECT_TRUE(touch.waitFor([](const Touch& message) { return message.chin != 0; }));
+  const auto played = user.play("nod", 1);
+  EXPECT_TRUE(played.success) << played.message;
+  const auto missing = user.play("fly", 1);
+  EXPECT_FALSE(missing.success);
+  EXPECT_FALSE(user.call<ListMotions>("list_motions").success) << "no version 1 server tells them";
+}
+
+}  // namespace

@@ -1,0 +1,27 @@
+/// @file memory_stick.h
+#ifndef AIBO_DRIVER_TEST_MEMORY_STICK_H
+#define AIBO_DRIVER_TEST_MEMORY_STICK_H
+
+#include <string>
+
+namespace test_support {
+
+/// A copy of the robot's memory stick in a temporary folder, for tests that change what is on it.
+class MemoryStick {
+ public:
+  /// @param settings what its RCSERVER.CFG says, such as "ALLOW_UPLOAD=yes\n"
+  explicit MemoryStick(const std::string& settings);
+  ~MemoryStick();
+
+  MemoryStick(const MemoryStick&) = delete;
+  MemoryStick& operator=(const MemoryStick&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace test_support
+
+#endif  // AIBO_DRIVER_TEST_MEMORY_STICK_H
