@@ -1,0 +1,135 @@
+// What can be changed while the driver runs, by dynamic_reconfigure.
+
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/JointState.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "driver_process.h"
+#include "joint_listener.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+
+namespace {
+
+using dynamic_reconfigure::Config;
+using dynamic_reconfigure::Reconfigure;
+using test_support::DriverProcess;
+using test_support::JointListener;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+
+Config jpegQuality(int value) {
+  Config config;
+  config.ints.resize(1);
+  config.ints[0].name = "jpeg_quality";
+  config.ints[0].value = value;
+  return config;
+}
+
+Config number(const std::string& name, double value) {
+  Config config;
+  config.doubles.resize(1);
+  config.doubles[0].name = name;
+  config.doubles[0].value = value;
+  return config;
+}
+
+/// A driver of a simulated robot, and its service.
+class SettingsUser {
+ public:
+  explicit SettingsUser(const std::string& name_space, const std::vector<std::string>& parameters = {})
+      : node_(name_space + "/aibo_driver"), driver_(name_space, robot_.port(), parameters) {}
+
+  /// @return what is in force then
+  Config set(const Config& config) {
+    const std::string service = node_ + "/set_parameters";
+    Reconfigure call;
+    call.request.config = config;
+    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(test_support::kSafetyNet.count())));
+    EXPECT_TRUE(ros::service::call(service, call));
+    return call.response.config;
+  }
+
+  /// In force, as the answer to a change of nothing tells.
+  double inForce(const std::string& name) { return valueOf(set(Config()), name); }
+
+  static double valueOf(const Config& config, const std::string& name) {
+    for (const auto& entry : config.ints) {
+      if (entry.name == name) {
+        return entry.value;
+      }
+    }
+    for (const auto& entry : config.doubles) {
+      if (entry.name == name) {
+        return entry.value;
+      }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  SimulatedRobot robot_;
+  const std::string node_;
+  DriverProcess driver_;
+};
+
+TEST(Settings, BeginWithTheParameters) {
+  SettingsUser user("/settings_begin", {"_jpeg_quality:=40", "_telemetry_rate:=5", "_speed_scale:=0.5"});
+  EXPECT_EQ(user.inForce("jpeg_quality"), 40);
+  EXPECT_EQ(user.inForce("telemetry_rate"), 5);
+  EXPECT_EQ(user.inForce("speed_scale"), 0.5);
+}
+
+TEST(Settings, JpegQualityChangesTheRunningStream) {
+  TopicListener<sensor_msgs::CompressedImage> pictures("/settings_quality/camera/image_raw/compressed");
+  SettingsUser user("/settings_quality", {"_jpeg_quality:=100"});
+  const auto before = pictures.waitForNext();
+  ASSERT_TRUE(before);
+  user.set(jpegQuality(1));
+  EXPECT_TRUE(pictures.waitFor([&before](const auto& p) { return 2 * p.data.size() < before->data.size(); }));
+}
+
+TEST(Settings, TelemetryRateChangesJointStates) {
+  TopicListener<sensor_msgs::JointState> states("/settings_rate/joint_states");
+  SettingsUser user("/settings_rate");
+  ASSERT_TRUE(states.waitForNext());
+  user.set(number("telemetry_rate", 1));
+  ros::Time last;
+  EXPECT_TRUE(states.waitFor([&last](const auto& state) {
+    const double interval = (state.header.stamp - last).toSec();
+    last = state.header.stamp;
+    return interval > 0.9 && interval < 1.1;  // the robot measures each 32 ms
+  }));
+}
+
+TEST(Settings, SpeedScaleSlowsTheJointsDown) {
+  JointListener joints("/settings_speed");
+  SettingsUser user("/settings_speed", {"_joint_speed_limit:=5", "_approach_speed:=5"});
+  ros::Publisher commands =
+      ros::NodeHandle().advertise<sensor_msgs::JointState>("/settings_speed/joint_command", 1, true);
+  ASSERT_TRUE(joints.messages().waitForNext());
+  user.set(number("speed_scale", 0.1));
+  sensor_msgs::JointState command;
+  command.name = {"head_pan"};
+  command.position = {0.5};
+  commands.publish(command);
+  EXPECT_TRUE(joints.waitForPosition("head_pan", 0.5));
+  EXPECT_LT(joints.highestSpeed("head_pan"), 0.7);
+}
+
+TEST(Settings, OutOfRangeAreSetToTheNearestThatIsAllowed) {
+  SettingsUser user("/settings_range");
+  EXPECT_EQ(user.valueOf(user.set(jpegQuality(300)), "jpeg_quality"), 100);
+  EXPECT_EQ(user.valueOf(user.set(number("telemetry_rate", -1)), "telemetry_rate"), 0);
+  EXPECT_EQ(user.valueOf(user.set(number("speed_scale", 0)), "speed_scale"), 0.1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(user.valueOf(user.set(number("speed_scale", nan)), "speed_scale"), 0.1) << "stays as it is";
+}
+
+}  // namespace

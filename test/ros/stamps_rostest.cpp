@@ -1,0 +1,73 @@
+// Stamps by the robot's own clock.
+
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/JointState.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "driver_process.h"
+#include "simulated_robot.h"
+#include "topic_listener.h"
+
+namespace {
+
+using test_support::DriverProcess;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+
+using Pictures = TopicListener<sensor_msgs::CompressedImage>;
+using JointStates = TopicListener<sensor_msgs::JointState>;
+
+constexpr double kFrame = 0.008;  // s
+
+/// The part of the intervals between stamps that is a whole number of frames, to 0.5 ms. The computer's own
+/// interruptions spoil a few.
+template <typename Message>
+double partInFrames(const std::vector<boost::shared_ptr<const Message>>& messages) {
+  std::size_t whole = 0;
+  for (std::size_t i = 1; i < messages.size(); ++i) {
+    const double interval = (messages[i]->header.stamp - messages[i - 1]->header.stamp).toSec();
+    whole += std::abs(std::remainder(interval, kFrame)) < 0.0005 ? 1 : 0;
+  }
+  return static_cast<double>(whole) / static_cast<double>(messages.size() - 1);
+}
+
+TEST(RobotTime, IntervalsOfPicturesAndJointStatesAreWholeFrames) {
+  SimulatedRobot robot;
+  Pictures pictures("/robot_time/camera/image_raw/compressed");
+  JointStates states("/robot_time/joint_states");
+  DriverProcess driver("/robot_time", robot.port());
+  pictures.waitForCount(60);
+  pictures.clear();
+  states.clear();
+  EXPECT_GT(partInFrames(pictures.waitForCount(100)), 0.8);
+  EXPECT_GT(partInFrames(states.waitForCount(100)), 0.8);
+}
+
+TEST(RobotTime, StampsIncreaseAndAreThoseOfTheArrivalAgainWhenTheRobotWasRestarted) {
+  SimulatedRobot robot;
+  Pictures pictures("/robot_time_restart/camera/image_raw/compressed");
+  DriverProcess driver("/robot_time_restart", robot.port());
+  const auto before = pictures.waitForCount(60);
+  ASSERT_GE(before.size(), 60u);
+  robot.kill();
+  pictures.clear();
+  const ros::Time restart = ros::Time::now();
+  robot.restart();
+  const auto after = pictures.waitForCount(30);
+  ASSERT_FALSE(after.empty());
+  EXPECT_TRUE(std::is_sorted(after.begin(), after.end(),
+                             [](const auto& a, const auto& b) { return a->header.stamp < b->header.stamp; }));
+  EXPECT_GT(after.back()->header.stamp, before.back()->header.stamp);
+  EXPECT_GT(after.back()->header.stamp, restart);
+  EXPECT_LE(after.back()->header.stamp, ros::Time::now());
+}
+
+}  // namespace
