@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace openr_host {
@@ -23,7 +24,9 @@ bool PollSet::wait(const std::optional<std::chrono::steady_clock::time_point>& d
     timeout.tv_nsec = std::chrono::nanoseconds(left - seconds).count();
   }
   const int ready = ppoll(descriptors_.data(), descriptors_.size(), deadline ? &timeout : nullptr, nullptr);
-  if (ready < 0 && errno != EINTR) {
+  if (ready < 0 && errno == ENOMEM) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the kernel will have some again: no reason to spin
+  } else if (ready < 0 && errno != EINTR) {
     throw std::system_error(errno, std::generic_category(), "ppoll");
   }
   if (ready <= 0) {

@@ -17,22 +17,19 @@ namespace {
 /// After this time without an answer a client has vanished.
 constexpr std::chrono::milliseconds kPatience{2000};
 
-void setOption(int fd, int level, int name, int value) {
-  if (setsockopt(fd, level, name, &value, sizeof(value)) != 0) {
-    throw std::system_error(errno, std::generic_category(), "setsockopt");
-  }
+bool setOption(int fd, int level, int name, int value) {
+  return setsockopt(fd, level, name, &value, sizeof(value)) == 0;
 }
 
-void configureConnection(int fd) {
+/// @return false if the kernel cannot
+bool configureConnection(int fd) {
   // A reply must not wait for the acknowledgement of the one before it.
-  setOption(fd, IPPROTO_TCP, TCP_NODELAY, 1);
-  // A client that is switched off or carried away says nothing: ask after it every second, and wait for the
-  // acknowledgement of what was sent no longer than kPatience.
-  setOption(fd, SOL_SOCKET, SO_KEEPALIVE, 1);
-  setOption(fd, IPPROTO_TCP, TCP_KEEPIDLE, 1);
-  setOption(fd, IPPROTO_TCP, TCP_KEEPINTVL, 1);
-  setOption(fd, IPPROTO_TCP, TCP_KEEPCNT, 2);
-  setOption(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(kPatience.count()));
+  return setOption(fd, IPPROTO_TCP, TCP_NODELAY, 1) &&
+         // A client that is switched off or carried away says nothing: ask after it every second, and wait for the
+         // acknowledgement of what was sent no longer than kPatience.
+         setOption(fd, SOL_SOCKET, SO_KEEPALIVE, 1) && setOption(fd, IPPROTO_TCP, TCP_KEEPIDLE, 1) &&
+         setOption(fd, IPPROTO_TCP, TCP_KEEPINTVL, 1) && setOption(fd, IPPROTO_TCP, TCP_KEEPCNT, 2) &&
+         setOption(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(kPatience.count()));
 }
 
 FileDescriptor openSpare() {
@@ -73,7 +70,9 @@ std::optional<TcpConnection> TcpListener::accept() {
     FileDescriptor socket(
         accept4(socket_.get(), reinterpret_cast<sockaddr*>(&client), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket.isOpen()) {
-      configureConnection(socket.get());
+      if (!configureConnection(socket.get())) {
+        continue;  // a client that cannot be told from one that has vanished is let go
+      }
       return TcpConnection{std::move(socket), ntohl(client.sin_addr.s_addr), ntohs(client.sin_port)};
     }
     switch (errno) {

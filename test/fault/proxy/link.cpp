@@ -128,6 +128,9 @@ void Link::send(Side* side, Direction direction, TimePoint now) {
       const Action action = *pieces.front().end;
       pieces.pop_front();
       end(action, direction);
+    } else if (side->told) {
+      side->out.sent(pieces.front().bytes.size());  // lost: this side has been told that no more comes
+      pieces.pop_front();
     } else if (!sendFront(side)) {
       end(Action::kReset, direction);
     }

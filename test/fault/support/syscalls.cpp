@@ -126,6 +126,11 @@ int poll(pollfd* polled, nfds_t count, int timeout) {
   return callOrFail(Call::kPoll, real, polled, count, timeout);
 }
 
+int ppoll(pollfd* polled, nfds_t count, const timespec* timeout, const sigset_t* signals) {
+  static const auto real = syscalls::next<int(pollfd*, nfds_t, const timespec*, const sigset_t*)>("ppoll");
+  return callOrFail(Call::kPpoll, real, polled, count, timeout, signals);
+}
+
 int accept4(int fd, sockaddr* address, socklen_t* size, int flags) {
   static const auto real = syscalls::next<int(int, sockaddr*, socklen_t*, int)>("accept4");
   return callOrFail(Call::kAccept, real, fd, address, size, flags);

@@ -9,8 +9,9 @@
 
 namespace fault_bench::syscalls {
 
-enum class Call { kSocket, kSetsockopt, kConnect, kRecv, kSend, kPoll, kAccept };
-constexpr std::array<const char*, 7> kNames = {"socket", "setsockopt", "connect", "recv", "send", "poll", "accept4"};
+enum class Call { kSocket, kSetsockopt, kConnect, kRecv, kSend, kPoll, kPpoll, kAccept };
+constexpr std::array<const char*, 8> kNames = {"socket", "setsockopt", "connect", "recv",
+                                               "send",   "poll",       "ppoll",   "accept4"};
 
 /// Whose call it is: only threads with a mark fail, and each mark has a plan of its own.
 constexpr int kUnmarked = 0;

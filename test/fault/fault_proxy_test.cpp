@@ -1,0 +1,152 @@
+// The proxy makes go wrong what it is told to, and nothing else.
+
+#include "proxy/fault_proxy.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <memory>
+#include <numeric>
+
+#include "proxy/script.h"
+#include "scripted_server.h"
+#include "support/raw_client.h"
+#include "test_pictures.h"
+
+namespace fault_bench {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kPatience{20000};
+
+class FaultProxyTest : public testing::Test {
+ protected:
+  static FaultProxy::Options options(int target_port) {
+    FaultProxy::Options options;
+    options.target_port = target_port;
+    return options;
+  }
+
+  static Bytes ascending(std::size_t size) {
+    Bytes bytes(size);
+    std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+    return bytes;
+  }
+
+  /// What the client receives when the server sends one picture and the fault is made in it.
+  Bytes receivedOf(const Bytes& sent, std::size_t size) {
+    server_end_.send(sent);
+    return client_.read(size, kPatience);
+  }
+
+  ScriptedServer server_;
+  FaultProxy proxy_{options(server_.port())};
+  RawClient client_{proxy_.port()};
+  ScriptedPeer server_end_ = server_.accept();
+  const Bytes reply_ = test_pictures::makeReply(ascending(200));
+};
+
+TEST_F(FaultProxyTest, PassesEveryByteBothWays) {
+  EXPECT_EQ(receivedOf(reply_, reply_.size()), reply_);
+  client_.send("W\x55");
+  EXPECT_EQ(server_end_.readCommand().command, 'W');
+}
+
+TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsWhereItIsToldTo) {
+  proxy_.add(parseFault("overwrite:0102@picture+10"));
+  proxy_.add(parseFault("flip:ff@picture+20"));
+  proxy_.add(parseFault("drop:3@picture+30"));
+  proxy_.add(parseFault("insert:aabb@picture+40"));
+  Bytes expected;
+  for (int picture = 0; picture < 4; ++picture) {
+    Bytes changed = reply_;
+    if (picture == 0) {
+      changed[10] = 1;
+      changed[11] = 2;
+    } else if (picture == 1) {
+      changed[20] ^= 0xFF;
+    } else if (picture == 2) {
+      changed.erase(changed.begin() + 30, changed.begin() + 33);
+    } else {
+      changed.insert(changed.begin() + 40, {0xAA, 0xBB});
+    }
+    expected.insert(expected.end(), changed.begin(), changed.end());
+    server_end_.send(reply_);
+  }
+  EXPECT_EQ(client_.read(expected.size(), kPatience), expected);
+}
+
+TEST_F(FaultProxyTest, EndsTheConnectionAtTheByteItIsToldTo) {
+  proxy_.add(parseFault("close@picture+17"));
+  const Bytes received = receivedOf(reply_, reply_.size());
+  EXPECT_EQ(received, Bytes(reply_.begin(), reply_.begin() + 17));
+  server_end_.waitUntilClosed();
+}
+
+TEST_F(FaultProxyTest, ResetsBothSides) {
+  proxy_.add(parseFault("reset@byte+5"));
+  EXPECT_THAT(receivedOf(reply_, reply_.size()).size(), testing::Le(5u));
+  EXPECT_FALSE(client_.send("W\x55") && client_.receive(kPatience)->empty() && client_.send("W\x55"));
+}
+
+TEST_F(FaultProxyTest, AHalfCloseLeavesTheOtherDirectionOpen) {
+  proxy_.add(parseFault("halfclose@picture+5"));
+  EXPECT_EQ(receivedOf(reply_, reply_.size()).size(), 5u);
+  client_.send("F\x55");
+  EXPECT_EQ(server_end_.readCommand().command, 'F');
+}
+
+TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
+  proxy_.add(parseFault("silence@picture+5"));
+  EXPECT_EQ(receivedOf(reply_, 5).size(), 5u);
+  EXPECT_FALSE(client_.receive(milliseconds(100)).has_value());
+  proxy_.heal();
+  EXPECT_TRUE(client_.receive(kPatience)->empty());
+}
+
+TEST_F(FaultProxyTest, ASlowWayTakesItsTimeAndLosesNothing) {
+  Conditions conditions;
+  conditions.delay = milliseconds(50);
+  conditions.largest_piece = 1;
+  conditions.bytes_per_second = 2000;
+  proxy_.setConditions(conditions);
+  const TimePoint begin = steady_clock::now();
+  EXPECT_EQ(receivedOf(reply_, reply_.size()), reply_);
+  EXPECT_GE(steady_clock::now() - begin, milliseconds(150));
+}
+
+TEST_F(FaultProxyTest, APauseClosesTheSendersWindow) {
+  Script script(&proxy_);
+  script.carryOut("pause");
+  server_end_.send(reply_);
+  EXPECT_FALSE(client_.receive(milliseconds(50)).has_value());
+  script.carryOut("resume");
+  EXPECT_EQ(client_.read(reply_.size(), kPatience), reply_);
+}
+
+TEST_F(FaultProxyTest, ReceivesClientsAsItIsTold) {
+  proxy_.setWelcome(Welcome::kClose);
+  EXPECT_TRUE(RawClient(proxy_.port()).receive(kPatience)->empty());
+  proxy_.setWelcome(Welcome::kSilence);
+  EXPECT_FALSE(RawClient(proxy_.port()).receive(milliseconds(50)).has_value());
+  proxy_.setWelcome(Welcome::kRefuse);
+  EXPECT_THROW(RawClient(proxy_.port()), std::system_error);
+  proxy_.setWelcome(Welcome::kServe);
+  RawClient served(proxy_.port());
+  server_.accept().send(reply_);
+  EXPECT_EQ(served.read(reply_.size(), kPatience), reply_);
+}
+
+TEST_F(FaultProxyTest, TheScriptSaysWhatItDoesNotUnderstand) {
+  Script script(&proxy_);
+  script.carryOut("  # a remark, and an empty line\n");
+  for (const char* line : {"dance", "delay soon", "delay -1", "fault explode", "fault close@picture+x",
+                           "fault insert:0", "fault close@picture>server", "welcome warmly"}) {
+    EXPECT_THROW(script.carryOut(line), ScriptError) << line;
+  }
+}
+
+}  // namespace
+}  // namespace fault_bench
