@@ -1,4 +1,5 @@
-// The tree that diagnostic_aggregator makes of the driver's diagnostics with config/diagnostics_aggregator.yaml.
+// The tree (whose names have blanks for slashes) that diagnostic_aggregator makes of the driver's diagnostics with
+// config/diagnostics_aggregator.yaml.
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
@@ -29,8 +30,8 @@ TEST(Diagnostics, AreGoodInEachBranchOfTheTreeWhileTheRobotIsWell) {
   TopicListener<DiagnosticArray> tree("/diagnostics_agg");
   SimulatedRobot robot;
   DriverProcess driver("/tree", robot.port());
-  for (const char* const name : {"Connection/tree/aibo_driver: connection", "Camera/tree/aibo_driver: stream",
-                                 "Joints/tree/aibo_driver: joints", "Power/tree/aibo_driver: power"}) {
+  for (const char* const name : {"Connection/tree aibo_driver: connection", "Camera/tree aibo_driver: stream",
+                                 "Joints/tree aibo_driver: joints", "Power/tree aibo_driver: power"}) {
     EXPECT_TRUE(tree.waitFor([name](const DiagnosticArray& array) {
       return hasGood(array, std::string("/Aibo/") + name);
     })) << name;
