@@ -44,7 +44,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       joints_(handle_, parameters_, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
       body_(handle_, parameters_.robot, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
       settings_(private_handle, settingTargets()),
-      diagnostics_(handle_, private_handle, name, {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
+      diagnostics_(handle_, private_handle, name,
+                   {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
   policy_.start();
   client_.start();
