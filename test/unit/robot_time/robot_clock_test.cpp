@@ -172,6 +172,12 @@ TEST(RobotClock, BeginsAnewWhenTheRobotWasRestartedAndHasRunForLongerThanBefore)
   EXPECT_EQ(robot.clock.read().timelines, 2u);
 }
 
+TEST(RobotClock, BeginsAnewWhenTheRobotWasRestartedAtOnce) {
+  RobotClock clock;
+  clock.timeOf(1, 20, at(100));
+  EXPECT_EQ(clock.timeOf(2, 2, at(100.500)), at(100.500));
+}
+
 TEST(RobotClock, GoesOnAfterALongOutage) {
   for (const double outage : {3.0, 20.0, 300.0, 3600.0}) {
     SCOPED_TRACE(outage);
