@@ -75,11 +75,9 @@ class BodyUser {
   }
 
   template <typename Service>
-  typename Service::Response call(const std::string& service, const typename Service::Request& request = {}) {
+  typename Service::Response call(const std::string& service, typename Service::Request request = {}) {
     typename Service::Response response;
-    EXPECT_TRUE(
-        ros::service::call(name_space_ + "/" + service, const_cast<typename Service::Request&>(request), response))
-        << "the call itself failed";
+    EXPECT_TRUE(ros::service::call(name_space_ + "/" + service, request, response)) << "the call itself failed";
     return response;
   }
 
