@@ -3,6 +3,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <sys/epoll.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -28,6 +29,9 @@ constexpr int kKeepAliveInterval = 1;  // s
 constexpr int kKeepAliveCount = 3;
 // A request that is not acknowledged for so long will not be.
 constexpr int kUserTimeout = 2000;  // ms
+// While a robot does not answer, it is tried anew so often, beside the attempts that are under way.
+constexpr milliseconds kAttemptInterval{250};
+constexpr std::size_t kMostAttempts = 8;
 // The largest request is the upload of a motion, 64 KiB; all others are a few bytes. So many are unsent only if the
 // peer has not read for ages.
 constexpr std::size_t kMostUnsent = 1024 * 1024;
@@ -67,6 +71,15 @@ bool isConnectedToItself(int socket) {
   return ::getsockname(socket, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 &&
          ::getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &peer_size) == 0 && own_size == peer_size &&
          std::memcmp(&own, &peer, own_size) == 0;
+}
+
+void add(int epoll, int socket, std::size_t index) {
+  epoll_event event = {};
+  event.events = EPOLLOUT;
+  event.data.u64 = index;
+  if (::epoll_ctl(epoll, EPOLL_CTL_ADD, socket, &event) != 0) {
+    throw Fault::internal("epoll_ctl: " + describe(errno));
+  }
 }
 
 int pollTimeout(TimePoint deadline) {
@@ -117,29 +130,54 @@ std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int por
   return result.addresses;
 }
 
+/// Tries again and again beside what it has begun, and takes what stands first: the kernel itself repeats a lost packet
+/// only after 1 s, and the next time 2 s later, while a radio link that is back is back at once.
 /// @return no descriptor if there was no answer until the deadline
 FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
-  FileDescriptor socket = openSocket(address.storage.ss_family);
-  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address.storage), address.size) != 0) {
-    if (errno != EINPROGRESS) {
-      throwFault(errno);
+  const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));
+  if (!any_attempt.valid()) {
+    throw Fault::internal("epoll_create1: " + describe(errno));
+  }
+  std::vector<FileDescriptor> attempts;
+  while (steady_clock::now() < deadline) {
+    TimePoint patience = deadline;
+    if (attempts.size() < kMostAttempts) {
+      attempts.push_back(beginToConnect(address));
+      add(any_attempt.get(), attempts.back().get(), attempts.size() - 1);
+      patience = std::min(deadline, steady_clock::now() + kAttemptInterval);
     }
-    if (!waitFor(socket.get(), POLLOUT, deadline)) {
-      return FileDescriptor();
-    }
-    int error = 0;
-    socklen_t size = sizeof error;
-    ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &size);
-    if (error != 0) {
-      throwFault(error);
+    if (waitFor(any_attempt.get(), POLLIN, patience)) {
+      epoll_event event = {};
+      ::epoll_wait(any_attempt.get(), &event, 1, 0);
+      FileDescriptor socket = std::move(attempts[event.data.u64]);
+      checkConnected(socket.get());
+      return socket;
     }
   }
-  if (isConnectedToItself(socket.get())) {
-    const linger discard = {1, 0};  // leaves no trace that would keep a server from taking the port
-    ::setsockopt(socket.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
-    throw Fault::refused(address_);
+  return FileDescriptor();
+}
+
+FileDescriptor TcpTransport::beginToConnect(const SocketAddress& address) const {
+  FileDescriptor socket = openSocket(address.storage.ss_family);
+  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address.storage), address.size) != 0 &&
+      errno != EINPROGRESS) {
+    throwFault(errno);
   }
   return socket;
+}
+
+void TcpTransport::checkConnected(int socket) const {
+  int error = 0;
+  socklen_t size = sizeof error;
+  ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+  if (error != 0) {
+    throwFault(error);
+  }
+  if (isConnectedToItself(socket)) {
+    const linger discard = {1, 0};  // leaves no trace that would keep a server from taking the port
+    ::setsockopt(socket, SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
+    throw Fault::refused(address_);
+  }
 }
 
 bool TcpTransport::wait(TimePoint deadline) {

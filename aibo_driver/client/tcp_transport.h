@@ -31,6 +31,8 @@ class TcpTransport : public Transport {
  private:
   std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
   FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
+  FileDescriptor beginToConnect(const SocketAddress& address) const;
+  void checkConnected(int socket) const;
   bool waitFor(int descriptor, short events, TimePoint deadline);
   short pollOnce(int descriptor, short events, TimePoint deadline);
   void sendOn();
