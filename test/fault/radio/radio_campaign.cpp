@@ -205,9 +205,11 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
     for (const double loss : {0.0, 0.01, 0.05}) {
       trials.push_back(lossTrial(11e6, loss, seed, milliseconds(15000)));
     }
-    for (const int outage : {1000, 3000, 10000}) {
-      trials.push_back(outageTrial(milliseconds(outage), seed, milliseconds(500)));
-    }
+    // After a short outage the robot still waits for the old connection, and turns the new one away until it has
+    // noticed; after a longer one it has given it up.
+    trials.push_back(outageTrial(milliseconds(1000), seed, milliseconds(2000)));
+    trials.push_back(outageTrial(milliseconds(3000), seed, milliseconds(500)));
+    trials.push_back(outageTrial(milliseconds(10000), seed, milliseconds(500)));
   }
   for (const double rate : {5.5e6, 2e6, 1e6}) {
     trials.push_back(lossTrial(rate, 0, first_seed, milliseconds(15000)));
