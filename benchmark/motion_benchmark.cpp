@@ -45,8 +45,8 @@
 #include "openr_host/machine.h"
 #include "protocol/version1.h"
 #include "robot_model/robot_model.h"
+#include "simulated_ers7/body/primitive_table.h"
 #include "simulated_ers7/camera_timing.h"
-#include "simulated_ers7/primitive_table.h"
 #include "simulated_ers7/simulated_ers7.h"
 
 namespace {

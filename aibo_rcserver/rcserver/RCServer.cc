@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "protocol/version1.h"
-#include "rcserver/SettingsFile.h"
+#include "rcserver/memory_stick/SettingsFile.h"
 
 namespace {
 

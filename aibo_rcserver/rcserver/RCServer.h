@@ -10,15 +10,15 @@
 #include <ant.h>
 #include <def.h>
 
-#include "rcserver/Body.h"
-#include "rcserver/CameraImage.h"
 #include "rcserver/Connection.h"
-#include "rcserver/HostSettings.h"
-#include "rcserver/JpegEncoder.h"
-#include "rcserver/MotionFiles.h"
-#include "rcserver/Robot.h"
 #include "rcserver/Session.h"
-#include "rcserver/Settings.h"
+#include "rcserver/body/Body.h"
+#include "rcserver/camera/CameraImage.h"
+#include "rcserver/camera/JpegEncoder.h"
+#include "rcserver/commands/Robot.h"
+#include "rcserver/memory_stick/HostSettings.h"
+#include "rcserver/memory_stick/MotionFiles.h"
+#include "rcserver/memory_stick/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///

@@ -8,13 +8,13 @@
 #include "protocol/frame_reader.h"
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
-#include "rcserver/ImageObserver.h"
-#include "rcserver/MotionCommands.h"
-#include "rcserver/Outbox.h"
-#include "rcserver/Robot.h"
-#include "rcserver/Settings.h"
-#include "rcserver/Version1Commands.h"
-#include "rcserver/Version2Commands.h"
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/commands/MotionCommands.h"
+#include "rcserver/commands/Outbox.h"
+#include "rcserver/commands/Robot.h"
+#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/version1/Version1Commands.h"
+#include "rcserver/version2/Version2Commands.h"
 
 /// Makes requests of the bytes that come, has them carried out in the version of the protocol that the client has
 /// chosen, and keeps the answers until they can be sent. Pure logic: no OPEN-R. Memory of a fixed size: requests that

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "robot_model/robot_model.h"
-#include "simulated_ers7/photo_show.h"
-#include "simulated_ers7/scene_view.h"
-#include "simulated_ers7/sensor_frame_writer.h"
+#include "simulated_ers7/body/sensor_frame_writer.h"
+#include "simulated_ers7/camera/photo_show.h"
+#include "simulated_ers7/camera/scene_view.h"
 
 namespace simulated_ers7 {
 namespace {

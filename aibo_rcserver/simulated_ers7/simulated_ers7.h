@@ -14,16 +14,16 @@
 #include <vector>
 
 #include "openr_host/virtual_robot.h"
-#include "simulated_ers7/battery.h"
-#include "simulated_ers7/camera.h"
-#include "simulated_ers7/ear.h"
-#include "simulated_ers7/joints.h"
-#include "simulated_ers7/led.h"
-#include "simulated_ers7/picture_source.h"
-#include "simulated_ers7/primitive_table.h"
+#include "simulated_ers7/body/battery.h"
+#include "simulated_ers7/body/ear.h"
+#include "simulated_ers7/body/joints.h"
+#include "simulated_ers7/body/led.h"
+#include "simulated_ers7/body/primitive_table.h"
+#include "simulated_ers7/body/sensors.h"
+#include "simulated_ers7/camera/camera.h"
+#include "simulated_ers7/camera/picture_source.h"
 #include "simulated_ers7/region_pool.h"
-#include "simulated_ers7/scene.h"
-#include "simulated_ers7/sensors.h"
+#include "simulated_ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 

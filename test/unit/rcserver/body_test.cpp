@@ -11,7 +11,7 @@
 #include "protocol/angles.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/Lights.h"
+#include "rcserver/body/Lights.h"
 #include "temporary_memory_stick.h"
 #include "version2_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "rcserver/ImageObserver.h"
+#include "rcserver/camera/ImageObserver.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rcserver/JpegEncoder.h"
+#include "rcserver/camera/JpegEncoder.h"
 
 #include <gtest/gtest.h>
 #include <turbojpeg.h>

@@ -16,8 +16,8 @@
 #include "openr_host/machine.h"
 #include "openr_host/virtual_robot.h"
 #include "protocol/version1.h"
-#include "rcserver/HostSettings.h"
 #include "rcserver/RCServer.h"
+#include "rcserver/memory_stick/HostSettings.h"
 #include "test_client.h"
 
 inline std::string request(char letter, int identifier) {

@@ -1,4 +1,4 @@
-#include "simulated_ers7/camera.h"
+#include "simulated_ers7/camera/camera.h"
 
 #include <OPENR/OFbkImage.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "simulated_ers7/head_kinematics.h"
+#include "simulated_ers7/body/head_kinematics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simulated_ers7/joint.h"
+#include "simulated_ers7/body/joint.h"
 
 #include <gtest/gtest.h>
 

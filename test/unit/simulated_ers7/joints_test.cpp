@@ -1,4 +1,4 @@
-#include "simulated_ers7/joints.h"
+#include "simulated_ers7/body/joints.h"
 
 #include <gtest/gtest.h>
 

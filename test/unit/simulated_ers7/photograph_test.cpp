@@ -1,4 +1,4 @@
-#include "simulated_ers7/photograph.h"
+#include "simulated_ers7/camera/photograph.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>
@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "simulated_ers7/photo_show.h"
+#include "simulated_ers7/camera/photo_show.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -1,10 +1,10 @@
-#include "simulated_ers7/scene.h"
+#include "simulated_ers7/scene/scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "simulated_ers7/scene_layout.h"
+#include "simulated_ers7/scene/scene_layout.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -1,4 +1,4 @@
-#include "simulated_ers7/scene_view.h"
+#include "simulated_ers7/camera/scene_view.h"
 
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "simulated_ers7/camera_optics.h"
+#include "simulated_ers7/camera/camera_optics.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -1,13 +1,13 @@
 // Distances, acceleration and the like, as they follow from where the body is.
-#include "simulated_ers7/sensors.h"
+#include "simulated_ers7/body/sensors.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "simulated_ers7/resting_posture.h"
-#include "simulated_ers7/scene_layout.h"
+#include "simulated_ers7/body/resting_posture.h"
+#include "simulated_ers7/scene/scene_layout.h"
 
 namespace simulated_ers7 {
 namespace {

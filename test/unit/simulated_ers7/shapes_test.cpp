@@ -1,4 +1,4 @@
-#include "simulated_ers7/shapes.h"
+#include "simulated_ers7/scene/shapes.h"
 
 #include <gtest/gtest.h>
 

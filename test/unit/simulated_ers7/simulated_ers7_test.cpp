@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
-#include "simulated_ers7/camera_optics.h"
-#include "simulated_ers7/photograph.h"
-#include "simulated_ers7/resting_posture.h"
-#include "simulated_ers7/stance.h"
+#include "simulated_ers7/body/resting_posture.h"
+#include "simulated_ers7/body/stance.h"
+#include "simulated_ers7/camera/camera_optics.h"
+#include "simulated_ers7/camera/photograph.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -1,12 +1,12 @@
 // How the robot stands on its legs.
-#include "simulated_ers7/stance.h"
+#include "simulated_ers7/body/stance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "robot_model/robot_model.h"
-#include "simulated_ers7/joints.h"
+#include "simulated_ers7/body/joints.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -1,8 +1,0 @@
-#include "rcserver/Version1Replies.h"
-
-void Version1Replies::Value(char letter, int identifier, short value) {
-  const protocol::ValueReply reply = {letter, static_cast<unsigned char>(identifier), value};
-  unsigned char message[protocol::VALUE_REPLY_SIZE];
-  protocol::encodeValueReply(reply, message);
-  outbox_.Add(message, sizeof(message));
-}

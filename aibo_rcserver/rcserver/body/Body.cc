@@ -1,0 +1,85 @@
+#include "rcserver/body/Body.h"
+
+#include <OPENR/OSyslog.h>
+
+using robot_model::MAX_EARS;
+using robot_model::MAX_JOINTS;
+using robot_model::MAX_LEDS;
+using robot_model::RobotModel;
+
+namespace {
+
+const RobotModel ROBOT_WITHOUT_ANYTHING = {"", NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+
+}  // namespace
+
+Body::Body() : power_order_(POWER_STAYS_ON) {
+  design_[0] = '\0';
+}
+
+void Body::Open() {
+  OPENR::GetRobotDesign(design_);
+  const RobotModel* robot = robot_model::findRobotModel(design_);
+  if (robot == NULL) {
+    OSYSLOG1((osyslogERROR, "RCServer: no joints, sensors and LEDs: the design \"%s\" is not known", design_));
+    robot = &ROBOT_WITHOUT_ANYTHING;
+  } else if (!vectors_.Create(MAX_JOINTS + MAX_LEDS + MAX_EARS)) {
+    OSYSLOG1((osyslogERROR, "RCServer: no memory for commands to joints and LEDs"));
+    robot = &ROBOT_WITHOUT_ANYTHING;
+  }
+  joint_driver_.Open(*robot);
+  light_driver_.Open(*robot);
+  sensor_driver_.Open(*robot);
+}
+
+void Body::Close() {
+  vectors_.Destroy();
+  sensor_driver_.Close();
+  light_driver_.Close();
+  joint_driver_.Close();
+}
+
+void Body::SendCommands(OSubject* effector) {
+  const bool joints_are_due = joint_driver_.HasCommand();
+  if ((!joints_are_due && !light_driver_.HasCommand()) || !effector->IsReady()) {
+    return;
+  }
+  RCRegion* vector = vectors_.FindFree();
+  if (vector == NULL) {
+    return;
+  }
+  CommandVectors::Clear(vector);
+  if (joints_are_due) {
+    joint_driver_.Fill(vector);
+  }
+  light_driver_.Fill(vector);
+  effector->SetData(vector);
+  effector->NotifyObservers();
+  if (joints_are_due) {
+    joint_driver_.Sent();
+  }
+}
+
+bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {
+  const bool have_sensors_reported = sensor_driver_.Read(sensors, frame);
+  const bool have_joints_reported = joint_driver_.ReadSensors(sensors, frame);
+  return have_sensors_reported || have_joints_reported;
+}
+
+void Body::CarryOutPowerOrder() {
+  const PowerOrder order = power_order_;
+  power_order_ = POWER_STAYS_ON;
+  if (order == POWER_STAYS_ON) {
+    return;
+  }
+  joint_driver_.Switch(false);
+  OPENR::SetMotorPower(opowerOFF);
+  // Shut down, it boots when somebody presses its button.
+  const OBootCondition condition =
+      order == POWER_REBOOT ? OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE) : OBootCondition(obcbPAUSE_SW);
+  const OStatus status = OPENR::Shutdown(condition);
+  if (status != oSUCCESS) {
+    OSYSLOG1((osyslogERROR, "RCServer: the robot does not %s (status %u)",
+              order == POWER_REBOOT ? "reboot" : "shut down", static_cast<unsigned>(status)));
+  }
+}

@@ -1,0 +1,66 @@
+/// @file Body.h
+/// The robot's body, as OPEN-R has it.
+#ifndef RCSERVER_BODY_BODY_H
+#define RCSERVER_BODY_BODY_H
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSubject.h>
+
+#include "rcserver/body/CommandVectors.h"
+#include "rcserver/body/JointDriver.h"
+#include "rcserver/body/LightDriver.h"
+#include "rcserver/body/PowerOrder.h"
+#include "rcserver/body/SensorDriver.h"
+
+/// Joints, sensors, LEDs and ears, opened by the table of the robot's design; and the two gates that they share.
+///
+/// Commands are sent while there is something to say: at rest none are, joints hold and LEDs shine as they were
+/// commanded last. So the first command after a rest is played from the next frame on, not after two vectors that
+/// already wait. Commands to LEDs and ears go with those to joints, and delay none.
+class Body {
+ public:
+  Body();
+
+  /// Opens all there is. What is missing is left out, and the log says why: a robot whose design has no table has
+  /// nothing.
+  void Open();
+  void Close();
+
+  /// @name What commands work on; valid between Open() and Close()
+  /// @{
+  const char* Design() const { return design_; }
+  JointControl& Joints() { return joint_driver_.Joints(); }
+  Motors& GetMotors() { return joint_driver_; }
+  const Sensors& GetSensors() const { return sensor_driver_.GetSensors(); }
+  Lights& GetLights() { return light_driver_.GetLights(); }
+  PowerOrder& GetPowerOrder() { return power_order_; }
+  /// @}
+
+  /// Sends the next command vector if one is due and the robot can take it. To be called when it is ready for one, and
+  /// when something was commanded.
+  /// @param effector gate to OVirtualRobotComm.Effector
+  void SendCommands(OSubject* effector);
+
+  /// Takes over what joints and sensors report.
+  /// @param[out] frame the last frame in the vector
+  /// @return false if it reports nothing
+  bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
+
+  /// Motors off, then what the order says, unless the power stays on. The order is carried out then, whether the robot
+  /// has done so or not; if not, the log says so.
+  void CarryOutPowerOrder();
+
+ private:
+  Body(const Body&);
+  Body& operator=(const Body&);
+
+  char design_[orobotdesignNAME_MAX];
+  JointDriver joint_driver_;
+  LightDriver light_driver_;
+  SensorDriver sensor_driver_;
+  CommandVectors vectors_;
+  PowerOrder power_order_;
+};
+
+#endif  // RCSERVER_BODY_BODY_H

@@ -1,0 +1,161 @@
+#include "rcserver/camera/JpegEncoder.h"
+
+#include <string.h>
+
+extern "C" {
+#include <jerror.h>
+}
+
+namespace {
+
+const size_t MACROBLOCK = 16;  // pixels, in both directions, at 4:2:0
+const int NO_QUALITY = -1;
+
+size_t RoundUp(size_t size) {
+  return (size + MACROBLOCK - 1) / MACROBLOCK * MACROBLOCK;
+}
+
+}  // namespace
+
+const size_t CameraImage::TAG_SIZE;
+const size_t JpegEncoder::MAX_WIDTH;
+const size_t JpegEncoder::MAX_HEIGHT;
+
+JpegEncoder::JpegEncoder() : created_(false), quality_(NO_QUALITY) {
+  errors_.message[0] = '\0';
+  compress_.err = jpeg_std_error(&errors_.manager);
+  errors_.manager.error_exit = Fail;
+  errors_.manager.output_message = Ignore;
+  if (setjmp(errors_.escape) != 0) {
+    return;
+  }
+  jpeg_create_compress(&compress_);
+  destination_.manager.init_destination = BeginBuffer;
+  destination_.manager.empty_output_buffer = BufferIsFull;
+  destination_.manager.term_destination = EndBuffer;
+  compress_.dest = &destination_.manager;
+  compress_.image_width = 0;
+  compress_.image_height = 0;
+  created_ = true;
+}
+
+JpegEncoder::~JpegEncoder() {
+  if (created_) {
+    jpeg_destroy_compress(&compress_);
+  }
+}
+
+size_t JpegEncoder::WorstCaseSize(size_t width, size_t height) {
+  return RoundUp(width) * RoundUp(height) * 3 + 2048;
+}
+
+size_t JpegEncoder::Encode(const CameraImage& image, int quality, unsigned char* jpeg, size_t capacity) {
+  if (image.width < 1 || image.width > MAX_WIDTH || image.height < 2 || image.height > MAX_HEIGHT) {
+    sprintf(errors_.message, "cannot encode %lu x %lu pixels: 1 x 2 to %lu x %lu is possible",
+            static_cast<unsigned long>(image.width), static_cast<unsigned long>(image.height),
+            static_cast<unsigned long>(MAX_WIDTH), static_cast<unsigned long>(MAX_HEIGHT));
+    return 0;
+  }
+  if (!created_) {
+    return 0;
+  }
+  destination_.buffer = jpeg;
+  destination_.capacity = capacity;
+  // No object with a destructor may live below: Fail() jumps over it.
+  if (setjmp(errors_.escape) != 0) {
+    jpeg_abort_compress(&compress_);
+    return 0;
+  }
+  Configure(image.width, image.height, quality);
+  jpeg_start_compress(&compress_, TRUE);
+  WriteStrips(image);
+  jpeg_finish_compress(&compress_);
+  return destination_.capacity - destination_.manager.free_in_buffer;
+}
+
+void JpegEncoder::Configure(size_t width, size_t height, int quality) {
+  if (compress_.image_width != width || compress_.image_height != height) {
+    quality_ = NO_QUALITY;
+    compress_.image_width = static_cast<JDIMENSION>(width);
+    compress_.image_height = static_cast<JDIMENSION>(height);
+    compress_.input_components = 3;
+    compress_.in_color_space = JCS_YCbCr;
+    jpeg_set_defaults(&compress_);  // baseline; Y at full resolution, Cb and Cr at half of it
+    compress_.raw_data_in = TRUE;
+  }
+  if (quality_ != quality) {
+    jpeg_set_quality(&compress_, quality, TRUE);
+    quality_ = quality;
+  }
+}
+
+void JpegEncoder::WriteStrips(const CameraImage& image) {
+  JSAMPROW y_rows[STRIP_HEIGHT];
+  JSAMPROW cb_rows[STRIP_HEIGHT / 2];
+  JSAMPROW cr_rows[STRIP_HEIGHT / 2];
+  for (size_t row = 0; row < STRIP_HEIGHT; ++row) {
+    y_rows[row] = y_[row];
+  }
+  for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
+    cb_rows[row] = cb_[row];
+    cr_rows[row] = cr_[row];
+  }
+  JSAMPARRAY planes[] = {y_rows, cb_rows, cr_rows};
+  for (size_t top = 0; top < image.height; top += STRIP_HEIGHT) {
+    CopyStrip(image, image.y, top, y_);
+    CopyStrip(image, image.cb, top, chroma_);
+    Halve(chroma_, RoundUp(image.width), cb_);
+    CopyStrip(image, image.cr, top, chroma_);
+    Halve(chroma_, RoundUp(image.width), cr_);
+    jpeg_write_raw_data(&compress_, planes, STRIP_HEIGHT);
+  }
+}
+
+// Copies 16 rows of a plane, without the camera's tag, and goes on with its last row and column where it ends: libjpeg
+// wants whole macroblocks.
+void JpegEncoder::CopyStrip(const CameraImage& image, const unsigned char* plane, size_t top, Strip strip) {
+  const size_t last = image.height - 1;
+  const size_t tag_size = image.width < CameraImage::TAG_SIZE ? image.width : CameraImage::TAG_SIZE;
+  for (size_t row = 0; row < STRIP_HEIGHT; ++row) {
+    const size_t source_row = top + row < last ? top + row : last;
+    const unsigned char* source = plane + source_row * image.stride;
+    memcpy(strip[row], source, image.width);
+    if (source_row == last) {
+      memcpy(strip[row], source - image.stride, tag_size);
+    }
+    memset(strip[row] + image.width, strip[row][image.width - 1], RoundUp(image.width) - image.width);
+  }
+}
+
+// Each sample of the half strip is the mean of four.
+void JpegEncoder::Halve(const Strip strip, size_t width, HalfStrip half) {
+  for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
+    const unsigned char* upper = strip[2 * row];
+    const unsigned char* lower = strip[2 * row + 1];
+    for (size_t column = 0; column < width / 2; ++column) {
+      const int sum = upper[2 * column] + upper[2 * column + 1] + lower[2 * column] + lower[2 * column + 1];
+      half[row][column] = static_cast<unsigned char>((sum + 2) / 4);
+    }
+  }
+}
+
+void JpegEncoder::Fail(j_common_ptr compress) {
+  Errors* errors = reinterpret_cast<Errors*>(compress->err);
+  errors->manager.format_message(compress, errors->message);
+  longjmp(errors->escape, 1);
+}
+
+void JpegEncoder::Ignore(j_common_ptr) {}
+
+void JpegEncoder::BeginBuffer(j_compress_ptr compress) {
+  Destination* destination = reinterpret_cast<Destination*>(compress->dest);
+  destination->manager.next_output_byte = destination->buffer;
+  destination->manager.free_in_buffer = destination->capacity;
+}
+
+boolean JpegEncoder::BufferIsFull(j_compress_ptr compress) {
+  ERREXIT(compress, JERR_BUFFER_SIZE);
+  return FALSE;
+}
+
+void JpegEncoder::EndBuffer(j_compress_ptr) {}

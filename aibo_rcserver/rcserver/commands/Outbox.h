@@ -1,0 +1,56 @@
+/// @file Outbox.h
+/// What waits to be sent to the client, pictures apart.
+#ifndef RCSERVER_COMMANDS_OUTBOX_H
+#define RCSERVER_COMMANDS_OUTBOX_H
+
+#include <stddef.h>
+
+#include "protocol/hello.h"
+#include "protocol/motion_requests.h"
+#include "protocol/version2.h"
+
+/// Keeps replies in order, and of the telemetry only the latest. Memory of a fixed size; pure logic.
+class Outbox {
+ public:
+  /// Bytes of the largest message: a list of motions in version 2.
+  static const size_t MAX_MESSAGE_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_MOTION_LIST_SIZE;
+
+  /// Bytes of the largest telemetry message.
+  static const size_t MAX_TELEMETRY_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
+
+  /// Most bytes that can wait in all.
+  static const size_t CAPACITY = 4 * MAX_MESSAGE_SIZE + MAX_TELEMETRY_SIZE;
+
+  Outbox() : replies_size_(0), telemetry_size_(0) {}
+
+  void Clear();
+
+  /// True if one more message of MAX_MESSAGE_SIZE can wait. To be asked before a request is handled.
+  bool HasRoom() const { return replies_size_ + MAX_MESSAGE_SIZE <= sizeof(replies_); }
+
+  /// Adds a message; only if HasRoom().
+  void Add(const unsigned char* message, size_t size);
+
+  /// Takes the place of telemetry that still waits.
+  void SetTelemetry(const unsigned char* message, size_t size);
+
+  /// Telemetry that still waits is not wanted any more.
+  void DropTelemetry() { telemetry_size_ = 0; }
+
+  bool IsEmpty() const { return replies_size_ == 0 && telemetry_size_ == 0; }
+
+  /// Takes out all that waits.
+  /// @param[out] out room for CAPACITY bytes
+  /// @return how many bytes there were
+  size_t Take(unsigned char* out);
+
+ private:
+  unsigned char replies_[CAPACITY - MAX_TELEMETRY_SIZE];
+  size_t replies_size_;
+  unsigned char telemetry_[MAX_TELEMETRY_SIZE];
+  size_t telemetry_size_;
+};
+
+#endif  // RCSERVER_COMMANDS_OUTBOX_H

@@ -1,0 +1,24 @@
+/// @file Robot.h
+/// All of the robot that a client's commands work on.
+#ifndef RCSERVER_COMMANDS_ROBOT_H
+#define RCSERVER_COMMANDS_ROBOT_H
+
+#include "rcserver/body/Lights.h"
+#include "rcserver/body/PowerOrder.h"
+#include "rcserver/body/Sensors.h"
+#include "rcserver/joints/JointControl.h"
+#include "rcserver/joints/Motors.h"
+#include "rcserver/memory_stick/MotionFiles.h"
+
+/// Everything here outlives the session.
+struct Robot {
+  const char* design;  ///< as OPEN-R names it
+  JointControl& joints;
+  Motors& motors;
+  const Sensors& sensors;
+  Lights& lights;
+  PowerOrder& power_order;
+  const MotionFiles& motion_files;
+};
+
+#endif  // RCSERVER_COMMANDS_ROBOT_H

@@ -1,0 +1,65 @@
+/// @file JointControl.h
+/// The robot's joints: where they are to be, where they are, and what is wrong with them.
+#ifndef RCSERVER_JOINTS_JOINT_CONTROL_H
+#define RCSERVER_JOINTS_JOINT_CONTROL_H
+
+#include "rcserver/joints/JointWatch.h"
+#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/MotionPlayer.h"
+#include "robot_model/robot_model.h"
+
+/// What commands work on and what the motors are driven from. Pure logic. Joints go by their index in the robot's table
+/// (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
+class JointControl {
+ public:
+  /// @param robot must outlive this
+  explicit JointControl(const robot_model::RobotModel& robot);
+
+  const robot_model::RobotModel& Robot() const { return robot_; }
+  int NumberOfJoints() const { return robot_.number_of_joints; }
+  const char* Name(int joint) const { return robot_.joints[joint].name; }
+  unsigned char Identifier(int joint) const { return robot_.joints[joint].identifier; }
+
+  /// @return the joint with this identifier of docs/protocol.md, or robot_model::NO_JOINT
+  int Find(int identifier) const { return findJointByIdentifier(robot_, identifier); }
+
+  MotionPlanner& Planner() { return planner_; }
+  MotionPlayer& Motions() { return motions_; }
+
+  /// A client's command: as MotionPlanner::SetTargets(), and motions that move one of these joints are over.
+  void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
+
+  /// One frame passes for motions and planner.
+  void NextFrame();
+
+  /// True if there is a joint that has not arrived, or a motion that goes on.
+  bool AreMoving() const;
+
+  /// The joint was found at this place and is to hold it.
+  void Hold(int joint, int position, unsigned frame);
+
+  /// A joint has reported.
+  /// @param driven its motor pulls: it is watched. One that does not follow is held where it is; its motion ends
+  /// @return what the watch says
+  JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
+
+  /// Where the joint was when it last reported.
+  int Position(int joint) const { return positions_[joint]; }
+
+  /// What was found to be wrong with a joint since this was asked last.
+  JointWatch::Verdict TakeFault(int joint);
+
+  /// Forgets what the client has left behind: motions are over, all joints stop and hold, limits are the robot's own,
+  /// faults are no longer worth telling.
+  void ClientGone();
+
+ private:
+  const robot_model::RobotModel& robot_;
+  MotionPlanner planner_;
+  MotionPlayer motions_;
+  int positions_[robot_model::MAX_JOINTS];
+  JointWatch watches_[robot_model::MAX_JOINTS];
+  JointWatch::Verdict faults_[robot_model::MAX_JOINTS];
+};
+
+#endif  // RCSERVER_JOINTS_JOINT_CONTROL_H

@@ -1,0 +1,207 @@
+#include "rcserver/joints/MotionPlanner.h"
+
+#include <algorithm>
+
+using robot_model::Coupling;
+using robot_model::Joint;
+
+const int MotionPlanner::FRAME_MILLISECONDS;
+
+namespace {
+
+const int FRAMES_PER_SECOND = 1000 / MotionPlanner::FRAME_MILLISECONDS;
+
+// Microradian/s and microradian/s^2 that make one microradian a frame, and a frame a frame.
+const int SPEED_UNIT = FRAMES_PER_SECOND;
+const int ACCELERATION_UNIT = FRAMES_PER_SECOND * FRAMES_PER_SECOND;
+
+int Clamped(int value, int low, int high) {
+  return std::min(std::max(value, low), high);
+}
+
+// The follower's lower limit while the leader may be anywhere in the span. It is highest at one of its ends: see
+// robot_model::Coupling.
+int CoupledLowest(const Coupling& coupling, const JointMotion::Span& leader) {
+  return std::max(coupledLowest(coupling, leader.low), coupledLowest(coupling, leader.high));
+}
+
+}  // namespace
+
+MotionPlanner::MotionPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(0) {
+  int posture[robot_model::MAX_JOINTS] = {0};
+  clampPosture(robot_, posture);
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    motions_[i].Place(posture[i]);
+    LeaveCommand(i);
+  }
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    SetSpeedLimit(i, robot_.joints[i].highest_speed);
+    SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));
+  }
+}
+
+void MotionPlanner::SetPosition(int joint, int measured) {
+  const Joint& limits = robot_.joints[joint];
+  motions_[joint].Place(Clamped(measured, limits.mechanical_lowest, limits.mechanical_highest));
+  LeaveCommand(joint);
+  MakePartnersFit(joint);
+}
+
+int MotionPlanner::SetTarget(int joint, int position) {
+  JointTarget target = {joint, position};
+  SetTargets(&target, 1, 0);
+  return target.position;
+}
+
+void MotionPlanner::SetTargets(JointTarget* targets, int count, int duration) {
+  int posture[robot_model::MAX_JOINTS];
+  bool commanded[robot_model::MAX_JOINTS] = {false};
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    posture[i] = Target(i);
+  }
+  for (int i = 0; i < count; ++i) {
+    const Joint& limits = robot_.joints[targets[i].joint];
+    posture[targets[i].joint] = Clamped(targets[i].position, limits.lowest, limits.highest);
+    commanded[targets[i].joint] = true;
+  }
+  for (int i = 0; i < robot_.number_of_couplings; ++i) {
+    const Coupling& coupling = robot_.couplings[i];
+    const int lowest = coupledLowest(coupling, posture[coupling.leader]);
+    if ((commanded[coupling.leader] || commanded[coupling.follower]) && posture[coupling.follower] < lowest) {
+      posture[coupling.follower] = lowest;
+      commanded[coupling.follower] = true;
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    targets[i].position = posture[targets[i].joint];
+  }
+
+  const int frames = duration > 0 ? (duration - 1) / FRAME_MILLISECONDS + 1 : 0;
+  const unsigned common_command = ++last_command_;
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    if (commanded[i]) {
+      motions_[i].Aim(posture[i]);
+      if (frames > 0) {
+        motions_[i].Delay(std::max(frames, FramesLeft(i)));
+        commands_[i] = common_command;
+      } else {
+        LeaveCommand(i);
+      }
+    }
+  }
+  ArriveTogether();
+}
+
+void MotionPlanner::Hold(int joint) {
+  motions_[joint].Stop();
+  LeaveCommand(joint);
+  MakePartnersFit(joint);
+}
+
+void MotionPlanner::HoldAll() {
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    Hold(i);
+  }
+}
+
+int MotionPlanner::SetSpeedLimit(int joint, int limit) {
+  speed_limits_[joint] = Clamped(limit, SPEED_UNIT, robot_.joints[joint].highest_speed);
+  motions_[joint].LimitStep(speed_limits_[joint] / SPEED_UNIT);
+  ArriveTogether();
+  return speed_limits_[joint];
+}
+
+int MotionPlanner::SetAccelerationLimit(int joint, int limit) {
+  const int highest = robot_.joints[joint].highest_speed * FRAMES_PER_SECOND;
+  acceleration_limits_[joint] = Clamped(limit, ACCELERATION_UNIT, highest);
+  motions_[joint].LimitAcceleration(acceleration_limits_[joint] / ACCELERATION_UNIT);
+  ArriveTogether();
+  return acceleration_limits_[joint];
+}
+
+void MotionPlanner::NextFrame() {
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    const int wanted = motions_[i].WantedStep();
+    const int allowed = AllowedStep(i, wanted);
+    if (allowed != wanted) {
+      // It may wait for one of its own company, which therefore must not wait for it.
+      LeaveCommand(i);
+    }
+    motions_[i].Advance(allowed);
+  }
+  ArriveTogether();
+}
+
+int MotionPlanner::Speed(int joint) const {
+  return motions_[joint].Step() * SPEED_UNIT;
+}
+
+void MotionPlanner::LeaveCommand(int joint) {
+  commands_[joint] = ++last_command_;
+}
+
+// A joint's target has become the place where it stands or stops. Where its partners were going to may not fit to that.
+void MotionPlanner::MakePartnersFit(int joint) {
+  for (int i = 0; i < robot_.number_of_couplings; ++i) {
+    const Coupling& coupling = robot_.couplings[i];
+    const int lowest = coupledLowest(coupling, Target(coupling.leader));
+    if (lowest <= Target(coupling.follower)) {
+      continue;
+    }
+    if (coupling.follower == joint) {
+      Hold(coupling.leader);
+    } else if (coupling.leader == joint) {
+      // A follower that was bent out of its limits by hand is not made to move.
+      const int stops_at = motions_[coupling.follower].BrakingSpan().low;
+      if (Target(coupling.follower) < stops_at) {
+        motions_[coupling.follower].Aim(std::min(lowest, stops_at));
+        LeaveCommand(coupling.follower);
+      }
+    }
+  }
+}
+
+// Who cannot arrive in time delays the others of the same command.
+void MotionPlanner::ArriveTogether() {
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    for (int j = 0; j < robot_.number_of_joints; ++j) {
+      if (commands_[i] == commands_[j]) {
+        motions_[i].Delay(std::max(FramesLeft(i), FramesLeft(j)));
+      }
+    }
+  }
+}
+
+// The step nearest to the one the joint wants that hits nothing. Braking never does.
+int MotionPlanner::AllowedStep(int joint, int wanted) const {
+  if (IsAllowed(joint, motions_[joint].SpanAfter(wanted))) {
+    return wanted;
+  }
+  int allowed = motions_[joint].BrakingStep();
+  int refused = wanted;
+  while (refused - allowed > 1 || allowed - refused > 1) {
+    const int middle = allowed + (refused - allowed) / 2;
+    (IsAllowed(joint, motions_[joint].SpanAfter(middle)) ? allowed : refused) = middle;
+  }
+  return allowed;
+}
+
+// Where two joints already touch, as after SetPosition(), neither may go deeper.
+bool MotionPlanner::IsAllowed(int joint, const JointMotion::Span& next) const {
+  const JointMotion::Span now = motions_[joint].BrakingSpan();
+  for (int i = 0; i < robot_.number_of_couplings; ++i) {
+    const Coupling& coupling = robot_.couplings[i];
+    if (coupling.follower == joint) {
+      const int lowest = CoupledLowest(coupling, motions_[coupling.leader].BrakingSpan());
+      if (next.low < std::min(now.low, lowest)) {
+        return false;
+      }
+    } else if (coupling.leader == joint) {
+      const int follower = motions_[coupling.follower].BrakingSpan().low;
+      if (CoupledLowest(coupling, next) > std::max(follower, CoupledLowest(coupling, now))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}

@@ -1,0 +1,131 @@
+#include "rcserver/joints/MotionPlayer.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <algorithm>
+
+using robot_model::NO_JOINT;
+
+const int MotionPlayer::MAX_PLAYING;
+const size_t MotionPlayer::MAX_PROBLEM_SIZE;
+
+MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot)
+    : planner_(planner), robot_(robot) {
+  problem_[0] = '\0';
+  ClientGone();
+}
+
+unsigned char* MotionPlayer::FindRoom() {
+  PlayedMotion* const motion = FindFree();
+  return motion != NULL ? motion->Room() : NULL;
+}
+
+const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, int repetitions) {
+  PlayedMotion& motion = *FindFree();
+  if (!motion.Load(name, size, robot_)) {
+    sprintf(problem_, "%s %s", name, motion.Problem());
+    return problem_;
+  }
+  if (!FindsJointsFree(motion)) {
+    return problem_;
+  }
+  motion.Start(repetitions);
+  failed_joints_[&motion - motions_] = NO_JOINT;
+  return NULL;
+}
+
+void MotionPlayer::Stop(const protocol::MotionName& name) {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (motions_[i].IsPlaying() && strcmp(motions_[i].Name(), name) == 0) {
+      motions_[i].Stop(planner_);
+    }
+  }
+}
+
+void MotionPlayer::StopAll() {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (motions_[i].IsPlaying()) {
+      motions_[i].Stop(planner_);
+    }
+  }
+}
+
+bool MotionPlayer::IsPlaying() const {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (motions_[i].IsPlaying()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void MotionPlayer::JointIsCommanded(int joint) {
+  if (PlayedMotion* const motion = FindMoving(joint)) {
+    motion->Stop(planner_);
+  }
+}
+
+void MotionPlayer::JointFails(int joint) {
+  if (PlayedMotion* const motion = FindMoving(joint)) {
+    motion->Stop(planner_);
+    failed_joints_[motion - motions_] = joint;
+  }
+}
+
+bool MotionPlayer::TakeFailure(Failure* failure) {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (failed_joints_[i] != NO_JOINT) {
+      strcpy(failure->name, motions_[i].Name());
+      failure->joint = failed_joints_[i];
+      failed_joints_[i] = NO_JOINT;
+      return true;
+    }
+  }
+  return false;
+}
+
+void MotionPlayer::ClientGone() {
+  StopAll();
+  std::fill(failed_joints_, failed_joints_ + MAX_PLAYING, NO_JOINT);
+}
+
+void MotionPlayer::NextFrame() {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (motions_[i].IsPlaying()) {
+      motions_[i].NextFrame(planner_);
+    }
+  }
+}
+
+PlayedMotion* MotionPlayer::FindFree() {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (!motions_[i].IsPlaying()) {
+      return &motions_[i];
+    }
+  }
+  return NULL;
+}
+
+// Says who moves one of the joints already.
+bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    int joint = NO_JOINT;
+    if (motions_[i].IsPlaying() && motions_[i].SharesJoint(motion, &joint)) {
+      sprintf(problem_, "%s is being played and moves %s, too; stop it first", motions_[i].Name(),
+              robot_.joints[joint].name);
+      return false;
+    }
+  }
+  return true;
+}
+
+// The motion that is played on a joint: there is one at most.
+PlayedMotion* MotionPlayer::FindMoving(int joint) {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    if (motions_[i].IsPlaying() && motions_[i].Moves(joint)) {
+      return &motions_[i];
+    }
+  }
+  return NULL;
+}

@@ -1,0 +1,19 @@
+/// @file Motors.h
+/// The switch of the motors, as a client's commands see it.
+#ifndef RCSERVER_JOINTS_MOTORS_H
+#define RCSERVER_JOINTS_MOTORS_H
+
+/// Switches the motors of all joints at once.
+class Motors {
+ public:
+  virtual ~Motors() {}
+
+  /// True from the moment they are switched on, although they pull only a little later.
+  virtual bool AreOn() const = 0;
+
+  /// On: the joints hold where they are. Off: they can be moved by hand.
+  /// @return false if the robot refuses; they are off then
+  virtual bool Switch(bool on) = 0;
+};
+
+#endif  // RCSERVER_JOINTS_MOTORS_H

@@ -1,0 +1,106 @@
+#include "rcserver/memory_stick/AllowedAddresses.h"
+
+#include <string.h>
+
+namespace {
+
+const unsigned LOOPBACK = 0x7f000001;
+const unsigned ALL_BITS = 0xffffffff;
+
+const char NO_ADDRESS[] = "is no list of addresses such as 192.168.1.20, 192.168.2.0/24";
+
+const char* SkipSpaces(const char* text) {
+  return text + strspn(text, " \t");
+}
+
+// Reads digits up to this number, and steps over them.
+bool ReadNumber(const char** text, unsigned highest, unsigned* number) {
+  const size_t digits = strspn(*text, "0123456789");
+  if (digits < 1 || digits > 3) {
+    return false;
+  }
+  *number = 0;
+  for (size_t i = 0; i < digits; ++i) {
+    *number = *number * 10 + static_cast<unsigned>((*text)[i] - '0');
+  }
+  *text += digits;
+  return *number <= highest;
+}
+
+// Reads a.b.c.d and steps over it.
+bool ReadAddress(const char** text, unsigned* address) {
+  *address = 0;
+  for (int i = 0; i < 4; ++i) {
+    unsigned part = 0;
+    if ((i > 0 && *(*text)++ != '.') || !ReadNumber(text, 255, &part)) {
+      return false;
+    }
+    *address = (*address << 8) | part;
+  }
+  return true;
+}
+
+unsigned MaskOf(unsigned bits) {
+  return bits == 0 ? 0 : ALL_BITS << (32 - bits);
+}
+
+}  // namespace
+
+const int AllowedAddresses::MAX_RANGES;
+
+void AllowedAddresses::AllowNobodyElse() {
+  is_any_ = false;
+  ranges_[0].address = LOOPBACK;
+  ranges_[0].mask = ALL_BITS;
+  number_of_ranges_ = 1;
+}
+
+const char* AllowedAddresses::Read(const char* list) {
+  AllowedAddresses read;
+  read.is_any_ = strcmp(list, "ANY") == 0;
+  const char* text = SkipSpaces(list);
+  while (!read.is_any_) {
+    if (read.number_of_ranges_ == MAX_RANGES) {
+      return "has more than 32 entries";
+    }
+    if (const char* problem = ReadRange(&text, &read.ranges_[read.number_of_ranges_])) {
+      return problem;
+    }
+    ++read.number_of_ranges_;
+    text = SkipSpaces(text);
+    if (*text == '\0') {
+      break;
+    }
+    if (*text != ',') {
+      return NO_ADDRESS;
+    }
+    text = SkipSpaces(text + 1);
+  }
+  *this = read;
+  return NULL;
+}
+
+bool AllowedAddresses::Allow(unsigned address) const {
+  bool is_allowed = is_any_;
+  for (int i = 0; i < number_of_ranges_; ++i) {
+    is_allowed = is_allowed || (address & ranges_[i].mask) == ranges_[i].address;
+  }
+  return is_allowed;
+}
+
+// Reads a.b.c.d or a.b.c.d/n and steps over it.
+const char* AllowedAddresses::ReadRange(const char** text, Range* range) {
+  unsigned bits = 32;
+  if (!ReadAddress(text, &range->address)) {
+    return NO_ADDRESS;
+  }
+  if (**text == '/') {
+    ++*text;
+    if (!ReadNumber(text, 32, &bits)) {
+      return "has no number from 0 to 32 behind a /";
+    }
+  }
+  range->mask = MaskOf(bits);
+  range->address &= range->mask;
+  return NULL;
+}

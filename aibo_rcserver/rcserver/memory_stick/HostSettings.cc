@@ -1,0 +1,12 @@
+#include "rcserver/memory_stick/HostSettings.h"
+
+#include <stdio.h>
+#include <string.h>
+
+bool pathOnMemoryStick(const HostSettings& host, const char* name, char (&path)[MAX_PATH_SIZE]) {
+  if (strlen(host.memory_stick) + 1 + strlen(name) >= sizeof(path)) {
+    return false;
+  }
+  sprintf(path, "%s/%s", host.memory_stick, name);
+  return true;
+}

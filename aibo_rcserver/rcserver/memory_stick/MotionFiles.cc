@@ -1,0 +1,143 @@
+#include "rcserver/memory_stick/MotionFiles.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+using protocol::MotionName;
+using protocol::readMotionName;
+using protocol::version2::MAX_LISTED_MOTIONS;
+using protocol::version2::MotionList;
+
+namespace {
+
+// Where an upload grows. It is no motion's name.
+const char TEMPORARY_FILE[] = "UPLOAD.TMP";
+
+/// The names of the motions in a folder, one after the other.
+class FolderReader {
+ public:
+  explicit FolderReader(const HostSettings& host) : folder_(NULL) {
+    char path[MAX_PATH_SIZE];
+    if (pathOnMemoryStick(host, MOTION_FOLDER, path)) {
+      folder_ = opendir(path);
+    }
+  }
+  ~FolderReader() {
+    if (folder_ != NULL) {
+      closedir(folder_);
+    }
+  }
+
+  /// @param[out] name in capitals
+  /// @return the name as it is spelled; NULL at the end
+  const char* Next(MotionName& name) {
+    const dirent* entry = NULL;
+    while (folder_ != NULL && (entry = readdir(folder_)) != NULL) {
+      if (readMotionName(entry->d_name, strlen(entry->d_name), name) == NULL) {
+        return entry->d_name;
+      }
+    }
+    return NULL;
+  }
+
+ private:
+  FolderReader(const FolderReader&);
+  FolderReader& operator=(const FolderReader&);
+
+  DIR* folder_;
+};
+
+bool PathInFolder(const HostSettings& host, const char* file, char (&path)[MAX_PATH_SIZE]) {
+  char name[sizeof(MOTION_FOLDER) + protocol::MAX_MOTION_NAME_SIZE + 1];
+  sprintf(name, "%s/%.12s", MOTION_FOLDER, file);
+  return pathOnMemoryStick(host, name, path);
+}
+
+bool WriteFile(const char* path, const unsigned char* bytes, size_t size) {
+  FILE* const file = fopen(path, "wb");
+  if (file == NULL) {
+    return false;
+  }
+  const bool is_written = fwrite(bytes, 1, size, file) == size;
+  return fclose(file) == 0 && is_written;
+}
+
+// Not every file system renames a file to a name that is taken.
+bool Rename(const char* from, const char* to) {
+  if (rename(from, to) == 0) {
+    return true;
+  }
+  remove(to);
+  return rename(from, to) == 0;
+}
+
+// For qsort().
+int CompareNames(const void* a, const void* b) {
+  return strcmp(static_cast<const char*>(a), static_cast<const char*>(b));
+}
+
+}  // namespace
+
+MotionFiles::Result MotionFiles::Read(const MotionName& name, unsigned char* bytes, size_t capacity,
+                                      size_t* size) const {
+  char path[MAX_PATH_SIZE];
+  if (!Find(name, path)) {
+    return MISSING;
+  }
+  FILE* const file = fopen(path, "rb");
+  if (file == NULL) {
+    return FAILED;
+  }
+  *size = fread(bytes, 1, capacity, file);
+  const bool is_whole = getc(file) == EOF;
+  const bool has_failed = ferror(file) != 0;
+  fclose(file);
+  if (has_failed) {
+    return FAILED;
+  }
+  return is_whole ? DONE : TOO_LARGE;
+}
+
+bool MotionFiles::Store(const MotionName& name, const unsigned char* bytes, size_t size) const {
+  char path[MAX_PATH_SIZE];
+  char temporary_path[MAX_PATH_SIZE];
+  const bool has_path = Find(name, path) || PathInFolder(host_, name, path);
+  if (!has_path || !PathInFolder(host_, TEMPORARY_FILE, temporary_path)) {
+    return false;
+  }
+  if (WriteFile(temporary_path, bytes, size) && Rename(temporary_path, path)) {
+    return true;
+  }
+  remove(temporary_path);
+  return false;
+}
+
+MotionFiles::Result MotionFiles::Delete(const MotionName& name) const {
+  char path[MAX_PATH_SIZE];
+  if (!Find(name, path)) {
+    return MISSING;
+  }
+  return remove(path) == 0 ? DONE : FAILED;
+}
+
+void MotionFiles::List(MotionList* list) const {
+  list->count = 0;
+  FolderReader folder(host_);
+  while (list->count < MAX_LISTED_MOTIONS && folder.Next(list->names[list->count]) != NULL) {
+    ++list->count;
+  }
+  qsort(list->names, list->count, sizeof(MotionName), CompareNames);
+}
+
+bool MotionFiles::Find(const MotionName& name, char (&path)[MAX_PATH_SIZE]) const {
+  FolderReader folder(host_);
+  MotionName found;
+  while (const char* spelled = folder.Next(found)) {
+    if (strcmp(found, name) == 0) {
+      return PathInFolder(host_, spelled, path);
+    }
+  }
+  return false;
+}

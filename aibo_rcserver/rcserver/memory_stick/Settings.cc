@@ -1,0 +1,141 @@
+#include "rcserver/memory_stick/Settings.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "rcserver/memory_stick/LineReader.h"
+
+namespace {
+
+enum Name { ALLOW_UPLOAD, ALLOW_DELETE, ALLOW_SHUT_DOWN, ALLOW_REBOOT, ALLOWED_ADDRESSES, SILENT_CLIENT_SECONDS };
+const char* const NAMES[] = {"ALLOW_UPLOAD", "ALLOW_DELETE",      "ALLOW_SHUT_DOWN",
+                             "ALLOW_REBOOT", "ALLOWED_ADDRESSES", "SILENT_CLIENT_SECONDS"};
+const int NUMBER_OF_NAMES = static_cast<int>(sizeof(NAMES) / sizeof(NAMES[0]));
+
+const int MOST_SECONDS = 3600;
+
+const char* SkipSpaces(const char* text) {
+  return text + strspn(text, " \t");
+}
+
+class Reader {
+ public:
+  Reader(Settings* settings, SettingsProblems& problems) : settings_(*settings), problems_(problems), line_(0) {
+    memset(is_set_, 0, sizeof(is_set_));
+  }
+
+  void Read(FILE* file);
+
+ private:
+  void ReadLine(const char* line);
+  const char* ReadValue(int name, const char* value);
+  const char* ReadSeconds(const char* value);
+  const char* MakeSafe(int name);
+  bool* FindSwitch(int name);
+  void PassOver(const char* problem, const char* text);
+
+  Settings& settings_;
+  SettingsProblems& problems_;
+  int line_;
+  bool is_set_[NUMBER_OF_NAMES];
+};
+
+void Reader::Read(FILE* file) {
+  LineReader reader(file);
+  while (reader.Next()) {
+    line_ = reader.Number();
+    if (!reader.IsText()) {
+      PassOver("it is no text, or longer than 1023 characters", "");
+    } else if (reader.Line()[0] != '\0') {
+      ReadLine(reader.Line());
+    }
+  }
+}
+
+void Reader::ReadLine(const char* line) {
+  const size_t name_size = strcspn(line, " \t=");
+  const char* value = SkipSpaces(line + name_size);
+  if (*value != '=') {
+    PassOver("it is no NAME=VALUE", line);
+    return;
+  }
+  value = SkipSpaces(value + 1);
+  int name = 0;
+  while (name < NUMBER_OF_NAMES && (strlen(NAMES[name]) != name_size || strncmp(NAMES[name], line, name_size) != 0)) {
+    ++name;
+  }
+  if (name == NUMBER_OF_NAMES) {
+    PassOver("there is no such setting", line);
+    return;
+  }
+  const char* problem = is_set_[name] ? "is there for the second time" : ReadValue(name, value);
+  is_set_[name] = true;
+  if (problem != NULL) {
+    char text[256];
+    sprintf(text, "%s=%.40s %s; %s", NAMES[name], value, problem, MakeSafe(name));
+    problems_.Tell(line_, text);
+  }
+}
+
+// What is wrong with the value, or NULL.
+const char* Reader::ReadValue(int name, const char* value) {
+  switch (name) {
+    case ALLOWED_ADDRESSES:
+      return settings_.allowed_addresses.Read(value);
+    case SILENT_CLIENT_SECONDS:
+      return ReadSeconds(value);
+    default:
+      *FindSwitch(name) = strcmp(value, "YES") == 0;
+      return *FindSwitch(name) || strcmp(value, "NO") == 0 ? NULL : "is neither yes nor no";
+  }
+}
+
+const char* Reader::ReadSeconds(const char* value) {
+  const size_t digits = strspn(value, "0123456789");
+  const int seconds = digits <= 4 ? atoi(value) : 0;
+  if (value[digits] != '\0' || seconds < 1 || seconds > MOST_SECONDS) {
+    return "is no whole number from 1 to 3600";
+  }
+  settings_.silent_client_seconds = static_cast<unsigned>(seconds);
+  return NULL;
+}
+
+// Says what holds instead.
+const char* Reader::MakeSafe(int name) {
+  switch (name) {
+    case ALLOWED_ADDRESSES:
+      settings_.allowed_addresses.AllowNobodyElse();
+      return "nobody but 127.0.0.1 may connect";
+    case SILENT_CLIENT_SECONDS:
+      settings_.silent_client_seconds = Settings().silent_client_seconds;
+      return "it is 10";
+    default:
+      *FindSwitch(name) = false;
+      return "it is no";
+  }
+}
+
+bool* Reader::FindSwitch(int name) {
+  switch (name) {
+    case ALLOW_UPLOAD:
+      return &settings_.allow_upload;
+    case ALLOW_DELETE:
+      return &settings_.allow_delete;
+    case ALLOW_SHUT_DOWN:
+      return &settings_.allow_shut_down;
+    default:
+      return &settings_.allow_reboot;
+  }
+}
+
+void Reader::PassOver(const char* problem, const char* text) {
+  char message[256];
+  sprintf(message, "%s, and is passed over: \"%.60s\"", problem, text);
+  problems_.Tell(line_, message);
+}
+
+}  // namespace
+
+void readSettings(FILE* file, Settings* settings, SettingsProblems& problems) {
+  Reader(settings, problems).Read(file);
+}

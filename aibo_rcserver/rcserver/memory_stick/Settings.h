@@ -1,0 +1,45 @@
+/// @file Settings.h
+/// What the owner of the robot has written into RCSERVER.CFG.
+#ifndef RCSERVER_MEMORY_STICK_SETTINGS_H
+#define RCSERVER_MEMORY_STICK_SETTINGS_H
+
+#include <stdio.h>
+
+#include "rcserver/memory_stick/AllowedAddresses.h"
+
+/// Where they are on the memory stick.
+const char SETTINGS_FILE[] = "OPEN-R/MW/CONF/RCSERVER.CFG";
+
+/// Made with what holds where the file says nothing: nothing dangerous is allowed.
+struct Settings {
+  Settings()
+      : allow_upload(false),
+        allow_delete(false),
+        allow_shut_down(false),
+        allow_reboot(false),
+        silent_client_seconds(10) {}
+
+  bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
+  bool allow_delete;                   ///< ALLOW_DELETE: files from the memory stick
+  bool allow_shut_down;                ///< ALLOW_SHUT_DOWN
+  bool allow_reboot;                   ///< ALLOW_REBOOT
+  AllowedAddresses allowed_addresses;  ///< ALLOWED_ADDRESSES
+  unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: then a client is taken for dead
+};
+
+/// Gets what is wrong with the file, line by line.
+class SettingsProblems {
+ public:
+  virtual ~SettingsProblems() {}
+
+  /// @param line from 1
+  /// @param text what is wrong, and what is done instead
+  virtual void Tell(int line, const char* text) = 0;
+};
+
+/// Reads lines NAME=VALUE. Empty lines and what comes behind a # are passed over, capitals and small letters are the
+/// same, and lines may end as on any system. A line that is wrong changes nothing, or makes its setting the safe one:
+/// not allowed, 10 s, and no address but 127.0.0.1. The same name twice is wrong, too.
+void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
+
+#endif  // RCSERVER_MEMORY_STICK_SETTINGS_H

@@ -1,0 +1,13 @@
+/// @file SettingsFile.h
+/// RCSERVER.CFG on the memory stick.
+#ifndef RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
+#define RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
+
+#include "rcserver/memory_stick/HostSettings.h"
+#include "rcserver/memory_stick/Settings.h"
+
+/// Reads the settings from the memory stick, and names on the console each line that is wrong. Without the file all is
+/// as it is without any line in it, and the console says so.
+Settings readSettingsFile(const HostSettings& host);
+
+#endif  // RCSERVER_MEMORY_STICK_SETTINGS_FILE_H

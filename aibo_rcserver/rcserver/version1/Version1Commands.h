@@ -1,0 +1,53 @@
+/// @file Version1Commands.h
+/// What the server does for a client of version 1.
+#ifndef RCSERVER_VERSION1_VERSION1_COMMANDS_H
+#define RCSERVER_VERSION1_VERSION1_COMMANDS_H
+
+#include "protocol/request_reader.h"
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/commands/MotionCommands.h"
+#include "rcserver/commands/Outbox.h"
+#include "rcserver/commands/Robot.h"
+#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/version1/Version1Joints.h"
+#include "rcserver/version1/Version1Lights.h"
+#include "rcserver/version1/Version1Motions.h"
+#include "rcserver/version1/Version1Power.h"
+#include "rcserver/version1/Version1Replies.h"
+#include "rcserver/version1/Version1Sensors.h"
+
+/// Carries out the requests of version 1 and answers them (docs/protocol.md): those for the camera itself, the others
+/// by the class of their concern. Pure logic: no OPEN-R.
+class Version1Commands {
+ public:
+  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, while version 1 is spoken. All must outlive this.
+  Version1Commands(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox, unsigned char* upload_buffer);
+
+  /// A new client.
+  void Begin();
+
+  /// Adds at most one message to the outbox.
+  void Handle(const protocol::Request& request);
+
+  /// Takes what has come of a file that a request has announced. To be called before each request is taken; adds at
+  /// most one message to the outbox, in the place of the one that the request had.
+  /// @return false if more of it is still to come
+  bool TakeContent(protocol::RequestReader& reader) { return motions_.TakeContent(reader); }
+
+ private:
+  Version1Commands(const Version1Commands&);
+  Version1Commands& operator=(const Version1Commands&);
+
+  bool Execute(const protocol::Request& request);
+
+  ImageObserver& camera_;
+  Version1Replies replies_;
+  Version1Joints joints_;
+  Version1Lights lights_;
+  Version1Motions motions_;
+  Version1Power power_;
+  Version1Sensors sensors_;
+};
+
+#endif  // RCSERVER_VERSION1_VERSION1_COMMANDS_H

@@ -1,0 +1,62 @@
+/// @file Version2Commands.h
+/// What the server does for a client of version 2.
+#ifndef RCSERVER_VERSION2_VERSION2_COMMANDS_H
+#define RCSERVER_VERSION2_VERSION2_COMMANDS_H
+
+#include "protocol/hello.h"
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/commands/MotionCommands.h"
+#include "rcserver/commands/Outbox.h"
+#include "rcserver/commands/Robot.h"
+#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/version2/Version2Camera.h"
+#include "rcserver/version2/Version2Joints.h"
+#include "rcserver/version2/Version2Lights.h"
+#include "rcserver/version2/Version2Motions.h"
+#include "rcserver/version2/Version2Power.h"
+#include "rcserver/version2/Version2Replies.h"
+#include "rcserver/version2/Version2Telemetry.h"
+
+/// Carries out the requests of version 2, answers them and pushes telemetry (docs/protocol.md): hello itself, the
+/// others by the class of their concern. Pure logic: no OPEN-R.
+class Version2Commands {
+ public:
+  /// All must outlive this.
+  Version2Commands(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox);
+
+  /// A new client.
+  void Begin();
+
+  /// Adds one message to the outbox, unless the request is for a picture, which is the answer.
+  /// @param now OPEN-R frame
+  void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+
+  /// Answers a request by an error.
+  /// @param text a reason in words
+  void Refuse(const protocol::version2::FrameHeader& request, unsigned short code, const char* text);
+
+  /// All joints have been measured.
+  /// @param frame in which
+  void Measured(unsigned frame);
+
+ private:
+  Version2Commands(const Version2Commands&);
+  Version2Commands& operator=(const Version2Commands&);
+
+  typedef Version2Replies::Request Request;
+  void Greet(const Request& request, unsigned now);
+  void RefuseUnknownKind(const Request& request);
+
+  const Robot& robot_;
+  char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
+  Version2Replies replies_;
+  Version2Camera camera_;
+  Version2Joints joints_;
+  Version2Lights lights_;
+  Version2Motions motions_;
+  Version2Power power_;
+  Version2Telemetry telemetry_;
+};
+
+#endif  // RCSERVER_VERSION2_VERSION2_COMMANDS_H

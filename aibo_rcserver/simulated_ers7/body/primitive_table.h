@@ -1,0 +1,73 @@
+/// @file primitive_table.h
+/// The ERS-7's primitives: what OPENR::OpenPrimitive() finds at which locator, and what is open.
+#ifndef SIMULATED_ERS7_BODY_PRIMITIVE_TABLE_H
+#define SIMULATED_ERS7_BODY_PRIMITIVE_TABLE_H
+
+#include <OPENR/OPENR.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "robot_model/robot_model.h"
+
+namespace simulated_ers7 {
+
+/// The camera's number.
+constexpr OPrimitiveID kCameraPrimitive = 1;
+
+/// The number of a joint, from its place in the robot's table.
+constexpr OPrimitiveID jointPrimitive(std::size_t joint) {
+  return static_cast<OPrimitiveID>(kCameraPrimitive + 1 + joint);
+}
+
+/// The same for the others.
+constexpr OPrimitiveID sensorPrimitive(std::size_t sensor) {
+  return jointPrimitive(robot_model::MAX_JOINTS) + static_cast<OPrimitiveID>(sensor);
+}
+constexpr OPrimitiveID ledPrimitive(std::size_t led) {
+  return sensorPrimitive(robot_model::MAX_SENSORS) + static_cast<OPrimitiveID>(led);
+}
+constexpr OPrimitiveID earPrimitive(std::size_t ear) {
+  return ledPrimitive(robot_model::MAX_LEDS) + static_cast<OPrimitiveID>(ear);
+}
+
+enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar };
+
+/// What a number stands for.
+struct Primitive {
+  PrimitiveKind kind;
+  std::size_t index;  ///< in the robot's table of that kind; 0 for the camera
+};
+
+/// A primitive has the same number however often it is opened, and stays open until it was closed as often.
+class PrimitiveTable {
+ public:
+  explicit PrimitiveTable(const robot_model::RobotModel& model);
+
+  /// @param locator as in Sony's Model Information ERS-7, "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
+  /// @param[out] id left alone unless oSUCCESS is returned
+  /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
+  OStatus open(const char* locator, OPrimitiveID* id);
+
+  /// @param id a number, or oprimitiveID_UNDEF to close all that are open
+  /// @return oINVALID_PRIMITIVE_ID if it is not open
+  OStatus close(OPrimitiveID id);
+
+  bool isOpen(OPrimitiveID id) const { return times_opened_.count(id) != 0; }
+
+  /// Empty if it is not open.
+  std::optional<Primitive> find(OPrimitiveID id) const;
+
+ private:
+  void add(const char* locator, OPrimitiveID id, const Primitive& primitive);
+
+  std::map<std::string, OPrimitiveID> ids_;  ///< by locator
+  std::map<OPrimitiveID, Primitive> primitives_;
+  std::map<OPrimitiveID, int> times_opened_;  ///< has only those that are open
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_BODY_PRIMITIVE_TABLE_H

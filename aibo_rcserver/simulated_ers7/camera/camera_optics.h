@@ -1,0 +1,34 @@
+/// @file camera_optics.h
+/// The lens of the ERS-7's camera, an ideal pinhole: which way each place of the picture looks.
+///
+/// Places in the picture are in pixels of the H layer: x to the right, y down, (0, 0) the upper left corner of the
+/// upper left pixel, so that the middle of pixel (0, 0) is at (0.5, 0.5).
+/// Points in front of the camera are in its frame as in head_kinematics.h: x ahead, y left, z up.
+#ifndef SIMULATED_ERS7_CAMERA_CAMERA_OPTICS_H
+#define SIMULATED_ERS7_CAMERA_CAMERA_OPTICS_H
+
+#include <Eigen/Core>
+
+namespace simulated_ers7 {
+
+/// Size of the H layer in pixels.
+constexpr int kPictureWidth = 208;
+constexpr int kPictureHeight = 160;
+
+/// Field of view in degrees (Sony, Model Information ERS-7).
+constexpr double kHorizontalFieldOfView = 56.9;
+constexpr double kVerticalFieldOfView = 45.2;
+
+/// Focal lengths in pixels, horizontal and vertical, that follow from the field of view: 191.9 and 192.2.
+double focalLengthX();
+double focalLengthY();
+
+/// The direction, of length 1, that a place of the picture looks to.
+Eigen::Vector3d directionOf(const Eigen::Vector2d& place);
+
+/// Where a point in front of the camera (x > 0) appears, whether inside the picture or not.
+Eigen::Vector2d placeOf(const Eigen::Vector3d& point);
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_CAMERA_CAMERA_OPTICS_H

@@ -1,0 +1,664 @@
+#include "rcserver/joints/MotionPlanner.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using ::testing::Each;
+
+using JointTarget = MotionPlanner::JointTarget;
+
+constexpr int kFramesPerSecond = 125;
+
+const robot_model::RobotModel& ers7() {
+  return *robot_model::findRobotModel("ERS-7");
+}
+
+int joint(const std::string& name) {
+  return findJointByName(ers7(), name.c_str());
+}
+
+int microradians(double degrees) {
+  return static_cast<int>(std::lround(degrees * 17453.2925));
+}
+
+std::vector<int> allJoints() {
+  std::vector<int> joints;
+  for (int i = 0; i < ers7().number_of_joints; ++i) {
+    joints.push_back(i);
+  }
+  return joints;
+}
+
+bool isLeader(int joint) {
+  const robot_model::Coupling* const couplings = ers7().couplings;
+  return std::any_of(couplings, couplings + ers7().number_of_couplings,
+                     [joint](const robot_model::Coupling& coupling) { return coupling.leader == joint; });
+}
+
+bool isFollower(int joint) {
+  const robot_model::Coupling* const couplings = ers7().couplings;
+  return std::any_of(couplings, couplings + ers7().number_of_couplings,
+                     [joint](const robot_model::Coupling& coupling) { return coupling.follower == joint; });
+}
+
+// Where all joints are.
+std::vector<int> postureOf(const MotionPlanner& planner) {
+  std::vector<int> posture;
+  for (const int i : allJoints()) {
+    posture.push_back(planner.Position(i));
+  }
+  return posture;
+}
+
+std::vector<int> targetsOf(const MotionPlanner& planner) {
+  std::vector<int> targets;
+  for (const int i : allJoints()) {
+    targets.push_back(planner.Target(i));
+  }
+  return targets;
+}
+
+std::vector<int> framesLeftOf(const MotionPlanner& planner, const std::vector<int>& joints) {
+  std::vector<int> frames;
+  for (const int i : joints) {
+    frames.push_back(planner.FramesLeft(i));
+  }
+  return frames;
+}
+
+// Frames until all joints have arrived; at most `patience`.
+int runUntilAllHaveArrived(MotionPlanner& planner, int patience = 100000) {
+  int frames = 0;
+  const auto moving = [&planner] {
+    const std::vector<int> left = framesLeftOf(planner, allJoints());
+    return std::any_of(left.begin(), left.end(), [](int frames_left) { return frames_left > 0; });
+  };
+  while (moving() && frames < patience) {
+    planner.NextFrame();
+    ++frames;
+  }
+  return frames;
+}
+
+void resetLimits(MotionPlanner& planner) {
+  for (const int i : allJoints()) {
+    planner.SetSpeedLimit(i, ers7().joints[i].highest_speed);
+    planner.SetAccelerationLimit(i, defaultAcceleration(ers7().joints[i]));
+  }
+}
+
+void run(MotionPlanner& planner, int frames) {
+  for (int i = 0; i < frames; ++i) {
+    planner.NextFrame();
+  }
+}
+
+// Random commands, the same again for the same seed.
+class RandomClient {
+ public:
+  explicit RandomClient(unsigned seed) : random_(seed) {}
+
+  int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+
+  // From slow to fast, each order of magnitude as often as another.
+  int magnitude(double low, double high) {
+    return static_cast<int>(std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random_)));
+  }
+
+  // Somewhat more than the joint's range; for a follower, mostly where its leaders matter.
+  int position(int joint) {
+    const robot_model::Joint& limits = ers7().joints[joint];
+    const bool low = isFollower(joint) && between(0, 3) > 0;
+    return between(limits.mechanical_lowest, low ? microradians(6) : limits.mechanical_highest);
+  }
+
+  std::vector<JointTarget> targets() {
+    std::vector<int> joints = allJoints();
+    std::shuffle(joints.begin(), joints.end(), random_);
+    joints.resize(static_cast<size_t>(between(1, static_cast<int>(joints.size()))));
+    std::vector<JointTarget> targets;
+    for (const int i : joints) {
+      targets.push_back({i, position(i)});
+    }
+    return targets;
+  }
+
+  std::vector<JointTarget> targetsForAll() {
+    std::vector<JointTarget> targets;
+    for (const int i : allJoints()) {
+      targets.push_back({i, position(i)});
+    }
+    return targets;
+  }
+
+  void command(MotionPlanner& planner) {
+    const int joint = between(0, ers7().number_of_joints - 1);
+    switch (between(0, 9)) {
+      case 0:
+        planner.SetSpeedLimit(joint, magnitude(10000, 20e6));
+        break;
+      case 1:
+        planner.SetAccelerationLimit(joint, magnitude(100000, 2e9));
+        break;
+      case 2:
+        planner.Hold(joint);
+        break;
+      case 3:
+        planner.SetTarget(joint, position(joint));
+        break;
+      case 4:
+        if (between(0, 9) == 0) {
+          planner.HoldAll();
+        }
+        break;
+      default: {
+        std::vector<JointTarget> command = targets();
+        planner.SetTargets(command.data(), static_cast<int>(command.size()), between(0, 1) * between(0, 2000));
+      }
+    }
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+// Lets frames pass and checks in each what must hold in each.
+class Inspector {
+ public:
+  explicit Inspector(MotionPlanner& planner)
+      : planner_(planner),
+        posture_(postureOf(planner)),
+        steps_(posture_.size(), 0),
+        accelerations_(posture_.size(), 0) {
+    noteLimits();
+  }
+
+  // To be called after every command.
+  void noteLimits() {
+    for (const int i : allJoints()) {
+      noteAcceleration(i);
+    }
+  }
+
+  void nextFrame() {
+    noteLimits();
+    planner_.NextFrame();
+    const std::vector<int> before = posture_;
+    posture_ = postureOf(planner_);
+    for (const int i : allJoints()) {
+      SCOPED_TRACE(ers7().joints[i].name);
+      const auto index = static_cast<size_t>(i);
+      const int step = posture_[index] - before[index];
+      checkPosition(i);
+      checkSpeed(i, step);
+      EXPECT_LE(std::abs(step - steps_[index]), framesLimit(accelerations_[index]));
+      EXPECT_EQ(planner_.Speed(i), step * kFramesPerSecond);
+      steps_[index] = step;
+    }
+  }
+
+ private:
+  static int framesLimit(int acceleration) { return acceleration / (kFramesPerSecond * kFramesPerSecond); }
+
+  // A lower limit waits until the joint can stop with it from one frame to the next.
+  void noteAcceleration(int i) {
+    const auto index = static_cast<size_t>(i);
+    const int limit = planner_.AccelerationLimit(i);
+    if (limit > accelerations_[index] || std::abs(steps_[index]) <= framesLimit(limit)) {
+      accelerations_[index] = limit;
+    }
+  }
+
+  void checkPosition(int i) const {
+    const int position = posture_[static_cast<size_t>(i)];
+    EXPECT_GE(position, robot_model::lowestPosition(ers7(), i, posture_.data()));
+    EXPECT_LE(position, ers7().joints[i].highest);
+  }
+
+  void checkSpeed(int i, int step) const {
+    const auto index = static_cast<size_t>(i);
+    const bool brakes = std::abs(step) <= std::abs(steps_[index]) - framesLimit(accelerations_[index]);
+    if (!brakes) {
+      EXPECT_LE(std::abs(step) * kFramesPerSecond, planner_.SpeedLimit(i));
+    }
+  }
+
+  MotionPlanner& planner_;
+  std::vector<int> posture_;
+  std::vector<int> steps_;
+  std::vector<int> accelerations_;  // in force
+};
+
+TEST(MotionPlanner, StandsInAnAllowedPostureAtFirst) {
+  MotionPlanner planner(ers7());
+  planner.NextFrame();
+  EXPECT_EQ(planner.Position(joint("neck_tilt")), 0);
+  EXPECT_EQ(planner.Position(joint("mouth")), microradians(-3));
+  EXPECT_EQ(planner.Position(joint("tail_tilt")), microradians(5));
+}
+
+TEST(MotionPlanner, AcceptsPositionsWithinTheLimits) {
+  MotionPlanner planner(ers7());
+  EXPECT_EQ(planner.SetTarget(joint("head_pan"), 100000), 100000);
+  EXPECT_EQ(planner.SetTarget(joint("head_pan"), 2000000000), microradians(88));
+  EXPECT_EQ(planner.SetTarget(joint("head_pan"), -2000000000), microradians(-88));
+  EXPECT_EQ(planner.Target(joint("head_pan")), microradians(-88));
+}
+
+TEST(MotionPlanner, AcceptsLimitsThatMakeSense) {
+  MotionPlanner planner(ers7());
+  const int pan = joint("head_pan");
+  EXPECT_EQ(planner.SpeedLimit(pan), 10057460);
+  EXPECT_EQ(planner.SetSpeedLimit(pan, 20000000), 10057460);
+  EXPECT_EQ(planner.SetSpeedLimit(pan, 0), 125);
+  EXPECT_EQ(planner.SetSpeedLimit(pan, 1234567), 1234567);
+  EXPECT_EQ(planner.SpeedLimit(pan), 1234567);
+  EXPECT_EQ(planner.AccelerationLimit(pan), 100574600);
+  EXPECT_EQ(planner.SetAccelerationLimit(pan, 2000000000), 1257182500);
+  EXPECT_EQ(planner.SetAccelerationLimit(pan, -1), 15625);
+  EXPECT_EQ(planner.SetAccelerationLimit(pan, 1234567), 1234567);
+  EXPECT_EQ(planner.AccelerationLimit(pan), 1234567);
+}
+
+TEST(MotionPlanner, NeverExceedsALimitWhateverIsCommanded) {
+  MotionPlanner planner(ers7());
+  RandomClient client(1);
+  Inspector inspector(planner);
+  for (int i = 0; i < 10000 && !HasFailure(); ++i) {
+    SCOPED_TRACE("command " + std::to_string(i));
+    client.command(planner);
+    inspector.noteLimits();
+    const int frames = client.between(0, 1) * client.between(0, 30);
+    for (int frame = 0; frame < frames; ++frame) {
+      inspector.nextFrame();
+    }
+  }
+}
+
+TEST(MotionPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
+  MotionPlanner planner(ers7());
+  RandomClient client(2);
+  for (int i = 0; i < 200; ++i) {
+    for (int command = 0; command < 20; ++command) {
+      client.command(planner);
+      run(planner, client.between(0, 10));
+    }
+    resetLimits(planner);
+    std::vector<JointTarget> targets = client.targetsForAll();
+    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), 0);
+    // Three seconds are enough for every joint to wait for another one's whole way.
+    ASSERT_LE(runUntilAllHaveArrived(planner), 3 * kFramesPerSecond);
+    for (const JointTarget& target : targets) {
+      ASSERT_EQ(planner.Position(target.joint), target.position) << ers7().joints[target.joint].name;
+    }
+    const std::vector<int> there = postureOf(planner);
+    run(planner, 3);
+    ASSERT_EQ(postureOf(planner), there);
+  }
+}
+
+TEST(MotionPlanner, NeedsNoMoreTimeThanTheLimitsAsk) {
+  MotionPlanner planner(ers7());
+  const int pan = joint("head_pan");
+  planner.SetSpeedLimit(pan, 1000000);
+  planner.SetAccelerationLimit(pan, 10000000);
+  planner.SetTarget(pan, 1000000);
+  // 1 s at full speed and 0.1 s of ramps; the first frame moves already.
+  EXPECT_NEAR(runUntilAllHaveArrived(planner), 1.1 * kFramesPerSecond, 1);
+}
+
+TEST(MotionPlanner, LetsJointsWithADurationArriveTogether) {
+  MotionPlanner planner(ers7());
+  std::vector<JointTarget> targets = {{joint("head_pan"), 1000000},
+                                      {joint("tail_pan"), -300000},
+                                      {joint("left_front_knee"), 2000000},
+                                      {joint("neck_tilt"), -100000}};
+  planner.SetTargets(targets.data(), 4, 1001);
+  for (int frame = 1; frame < 126; ++frame) {
+    planner.NextFrame();
+    for (const JointTarget& target : targets) {
+      ASSERT_NE(planner.Position(target.joint), target.position) << "frame " << frame;
+    }
+  }
+  planner.NextFrame();
+  for (const JointTarget& target : targets) {
+    EXPECT_EQ(planner.Position(target.joint), target.position) << ers7().joints[target.joint].name;
+  }
+}
+
+TEST(MotionPlanner, StretchesADurationThatIsTooShortForOneOfTheJoints) {
+  MotionPlanner planner(ers7());
+  planner.SetSpeedLimit(joint("tail_pan"), 500000);
+  std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("tail_pan"), 500000}};
+  planner.SetTargets(targets.data(), 2, 8);
+  const int frames = planner.FramesLeft(joint("tail_pan"));
+  EXPECT_NEAR(frames, 1.0 * kFramesPerSecond, 2);
+  run(planner, frames - 1);
+  EXPECT_NE(planner.Position(joint("head_pan")), 1000000);
+  EXPECT_NE(planner.Position(joint("tail_pan")), 500000);
+  planner.NextFrame();
+  EXPECT_EQ(planner.Position(joint("head_pan")), 1000000);
+  EXPECT_EQ(planner.Position(joint("tail_pan")), 500000);
+}
+
+TEST(MotionPlanner, LetsEveryJointGoAsFastAsItCanWithoutADuration) {
+  MotionPlanner planner(ers7());
+  std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("neck_tilt"), -1000000}};
+  planner.SetTargets(targets.data(), 2, 0);
+  EXPECT_LT(planner.FramesLeft(joint("head_pan")), planner.FramesLeft(joint("neck_tilt")));
+}
+
+TEST(MotionPlanner, LetsJointsArriveTogetherWhateverWasCommandedBefore) {
+  MotionPlanner planner(ers7());
+  RandomClient client(3);
+  for (int i = 0; i < 500; ++i) {
+    resetLimits(planner);
+    for (int command = 0; command < 5; ++command) {
+      client.command(planner);
+      run(planner, client.between(0, 10));
+    }
+    std::vector<JointTarget> targets = client.targets();
+    const int duration = client.between(1, 1000);
+    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), duration);
+    std::vector<int> joints;
+    for (const JointTarget& target : targets) {
+      if (!isLeader(target.joint) && !isFollower(target.joint)) {
+        joints.push_back(target.joint);
+      }
+    }
+    for (int frame = 1; !joints.empty() && planner.FramesLeft(joints[0]) > 0; ++frame) {
+      planner.NextFrame();
+      if (frame == 20) {
+        planner.SetSpeedLimit(joints[0], planner.SpeedLimit(joints[0]) / 2);
+      }
+      const int frames_left = planner.FramesLeft(joints[0]);
+      ASSERT_THAT(framesLeftOf(planner, joints), Each(frames_left));
+      ASSERT_GE((frame + frames_left) * 8, duration);
+    }
+    for (const int joint : joints) {
+      ASSERT_EQ(planner.Position(joint), planner.Target(joint));
+    }
+  }
+}
+
+TEST(MotionPlanner, StopsWithinTheBrakingDistance) {
+  MotionPlanner planner(ers7());
+  RandomClient client(4);
+  for (int i = 0; i < 500; ++i) {
+    std::vector<JointTarget> targets = client.targetsForAll();
+    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), 0);
+    run(planner, client.between(0, 40));
+    const std::vector<int> from = postureOf(planner);
+    std::vector<double> speeds;
+    for (const int joint : allJoints()) {
+      speeds.push_back(planner.Speed(joint));
+    }
+    planner.HoldAll();
+    // From the highest speed that takes 12.5 frames.
+    ASSERT_LE(runUntilAllHaveArrived(planner), 13);
+    for (const int joint : allJoints()) {
+      const auto index = static_cast<size_t>(joint);
+      const double unit = kFramesPerSecond * kFramesPerSecond;
+      const double acceleration = std::floor(planner.AccelerationLimit(joint) / unit) * unit;
+      const double distance = planner.Position(joint) - from[index];
+      ASSERT_LE(std::abs(distance), speeds[index] * speeds[index] / (2 * acceleration)) << ers7().joints[joint].name;
+    }
+  }
+}
+
+TEST(MotionPlanner, StopsOneJointAndLetsTheOthersGo) {
+  MotionPlanner planner(ers7());
+  const int pan = joint("head_pan");
+  const int tail = joint("tail_pan");
+  planner.SetTarget(pan, 1000000);
+  planner.SetTarget(tail, 500000);
+  run(planner, 5);
+  planner.Hold(pan);
+  runUntilAllHaveArrived(planner);
+  EXPECT_LT(planner.Position(pan), 500000);
+  EXPECT_EQ(planner.Position(tail), 500000);
+}
+
+TEST(MotionPlanner, MovesTheSameForTheSameCommands) {
+  std::vector<std::vector<int>> postures;
+  for (int i = 0; i < 2; ++i) {
+    MotionPlanner planner(ers7());
+    RandomClient client(5);
+    for (int command = 0; command < 300; ++command) {
+      client.command(planner);
+      run(planner, client.between(0, 10));
+    }
+    postures.push_back(postureOf(planner));
+  }
+  EXPECT_EQ(postures[0], postures[1]);
+}
+
+TEST(MotionPlanner, TakesTheJointsOfACommandInAnyOrder) {
+  RandomClient client(6);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<JointTarget> targets = client.targets();
+    std::vector<JointTarget> reversed(targets.rbegin(), targets.rend());
+    const int duration = client.between(0, 500);
+    MotionPlanner planner(ers7());
+    MotionPlanner other(ers7());
+    std::vector<JointTarget> before = client.targets();
+    planner.SetTargets(before.data(), static_cast<int>(before.size()), 0);
+    other.SetTargets(before.data(), static_cast<int>(before.size()), 0);
+    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), duration);
+    other.SetTargets(reversed.data(), static_cast<int>(reversed.size()), duration);
+    ASSERT_EQ(targetsOf(planner), targetsOf(other));
+    run(planner, 30);
+    run(other, 30);
+    ASSERT_EQ(postureOf(planner), postureOf(other));
+  }
+}
+
+TEST(MotionPlanner, TakesTheLastOfTwoPositionsForOneJoint) {
+  MotionPlanner planner(ers7());
+  std::vector<JointTarget> targets = {{joint("head_pan"), 1000}, {joint("head_pan"), 2000}};
+  planner.SetTargets(targets.data(), 2, 0);
+  EXPECT_EQ(planner.Target(joint("head_pan")), 2000);
+  EXPECT_EQ(targets[0].position, 2000);
+  EXPECT_EQ(targets[1].position, 2000);
+}
+
+TEST(MotionPlanner, DoesWhatOneSetOfTargetsSaysWhereTheyFitTogether) {
+  MotionPlanner planner(ers7());
+  std::vector<JointTarget> targets = {{joint("left_front_elevator"), microradians(-10)},
+                                      {joint("left_front_rotator"), microradians(100)},
+                                      {joint("right_hind_elevator"), microradians(-10)},
+                                      {joint("right_hind_rotator"), microradians(10)}};
+  planner.SetTargets(targets.data(), 4, 0);
+  EXPECT_EQ(targets[0].position, microradians(-2));
+  EXPECT_EQ(targets[1].position, microradians(100));
+  EXPECT_EQ(targets[2].position, microradians(-10));
+  EXPECT_EQ(targets[3].position, microradians(10));
+}
+
+TEST(MotionPlanner, AcceptsNoElevatorBelowItsLimitForWhereTheRotatorIsGoing) {
+  MotionPlanner planner(ers7());
+  planner.SetTarget(joint("left_front_rotator"), microradians(-60));
+  EXPECT_EQ(planner.SetTarget(joint("left_front_elevator"), microradians(-10)), microradians(-2));
+}
+
+TEST(MotionPlanner, AcceptsNoHeadTiltBelowItsLimitForNeckAndMouth) {
+  MotionPlanner planner(ers7());
+  EXPECT_EQ(planner.SetTarget(joint("head_tilt"), microradians(-15)), microradians(-5));
+  planner.SetTarget(joint("neck_tilt"), microradians(-50));
+  EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
+  planner.SetTarget(joint("neck_tilt"), 0);
+  EXPECT_EQ(planner.SetTarget(joint("head_tilt"), microradians(-15)), microradians(-5));
+  planner.SetTarget(joint("mouth"), microradians(-50));
+  EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
+}
+
+// The rotator is on its way up to where the elevator, which is slow, is not yet high enough.
+TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  planner.SetTarget(elevator, microradians(-10));
+  runUntilAllHaveArrived(planner);
+  planner.SetSpeedLimit(elevator, microradians(4));
+  planner.SetTarget(rotator, microradians(100));
+  EXPECT_EQ(planner.Target(elevator), microradians(-2));
+  const int frames = runUntilAllHaveArrived(planner);
+  // Two seconds for the elevator's 8 degrees, and a third of one for the last of the rotator's way.
+  EXPECT_GT(frames, 2 * kFramesPerSecond);
+  EXPECT_LT(frames, 2 * kFramesPerSecond + kFramesPerSecond / 3);
+  EXPECT_EQ(planner.Position(rotator), microradians(100));
+  EXPECT_EQ(planner.Position(elevator), microradians(-2));
+}
+
+TEST(MotionPlanner, LetsAWaitingJointGoAsNearAsItMay) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  planner.SetTarget(elevator, microradians(-10));
+  runUntilAllHaveArrived(planner);
+  planner.SetSpeedLimit(elevator, 125);
+  planner.SetTarget(rotator, microradians(100));
+  run(planner, 50);
+  EXPECT_EQ(planner.Position(rotator), microradians(20));
+  EXPECT_EQ(planner.Speed(rotator), 0);
+}
+
+TEST(MotionPlanner, LowersTheElevatorOnlyAsTheRotatorMakesRoom) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("right_hind_rotator");
+  const int elevator = joint("right_hind_elevator");
+  planner.SetTarget(rotator, microradians(-100));
+  runUntilAllHaveArrived(planner);
+  ASSERT_EQ(planner.Position(elevator), 0);
+  planner.SetSpeedLimit(rotator, microradians(50));
+  std::vector<JointTarget> targets = {{rotator, 0}, {elevator, microradians(-10)}};
+  planner.SetTargets(targets.data(), 2, 0);
+  run(planner, kFramesPerSecond / 2);
+  EXPECT_EQ(planner.Position(elevator), 0);
+  runUntilAllHaveArrived(planner);
+  EXPECT_EQ(planner.Position(rotator), 0);
+  EXPECT_EQ(planner.Position(elevator), microradians(-10));
+}
+
+TEST(MotionPlanner, DelaysNobodyForAJointThatHasToWaitForAnother) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  const int tail = joint("tail_pan");
+  planner.SetTarget(elevator, microradians(-10));
+  runUntilAllHaveArrived(planner);
+  std::vector<JointTarget> targets = {{rotator, microradians(50)}, {tail, 500000}};
+  planner.SetTargets(targets.data(), 2, 4000);
+  ASSERT_EQ(planner.Target(elevator), microradians(-5));
+  run(planner, 499);
+  EXPECT_NE(planner.Position(elevator), microradians(-5));
+  EXPECT_NE(planner.Position(tail), 500000);
+  planner.NextFrame();
+  EXPECT_EQ(planner.Position(elevator), microradians(-5));
+  EXPECT_EQ(planner.Position(tail), 500000);
+  // It may go beyond 45 degrees only now.
+  EXPECT_LE(planner.Position(rotator), microradians(46));
+  EXPECT_LE(runUntilAllHaveArrived(planner), 20);
+  EXPECT_EQ(planner.Position(rotator), microradians(50));
+}
+
+TEST(MotionPlanner, StopsTheRotatorThatIsOnItsWayToWhereAHeldElevatorIs) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  planner.SetTarget(elevator, microradians(-10));
+  runUntilAllHaveArrived(planner);
+  planner.SetTarget(rotator, microradians(100));
+  run(planner, 5);
+  planner.Hold(elevator);
+  EXPECT_LE(runUntilAllHaveArrived(planner), 13);
+  EXPECT_LT(planner.Position(rotator), microradians(40));
+}
+
+TEST(MotionPlanner, DoesNotLowerAnElevatorToWhereAHeldRotatorStands) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  planner.SetTarget(rotator, microradians(-100));
+  runUntilAllHaveArrived(planner);
+  std::vector<JointTarget> targets = {{rotator, 0}, {elevator, microradians(-10)}};
+  planner.SetTargets(targets.data(), 2, 0);
+  run(planner, 5);
+  planner.Hold(rotator);
+  runUntilAllHaveArrived(planner);
+  EXPECT_LT(planner.Position(rotator), microradians(-76));
+  EXPECT_EQ(planner.Position(elevator), microradians(-1));
+  EXPECT_EQ(planner.Target(elevator), microradians(-1));
+}
+
+TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {
+  MotionPlanner planner(ers7());
+  RandomClient client(7);
+  std::vector<int> found;
+  for (const int i : allJoints()) {
+    found.push_back(client.position(i));
+  }
+  for (const int i : allJoints()) {
+    planner.SetPosition(i, found[static_cast<size_t>(i)]);
+  }
+  EXPECT_EQ(postureOf(planner), found);
+  EXPECT_EQ(targetsOf(planner), found);
+  run(planner, 10);
+  EXPECT_EQ(postureOf(planner), found);
+  planner.HoldAll();
+  run(planner, 10);
+  EXPECT_EQ(postureOf(planner), found);
+}
+
+TEST(MotionPlanner, TakesNoMeasurementBeyondTheMechanicalLimits) {
+  MotionPlanner planner(ers7());
+  planner.SetPosition(joint("head_pan"), 2000000000);
+  EXPECT_EQ(planner.Position(joint("head_pan")), microradians(93));
+  planner.SetPosition(joint("head_pan"), -2000000000);
+  EXPECT_EQ(planner.Position(joint("head_pan")), microradians(-93));
+}
+
+// How far a joint is below where it may be.
+int depth(const std::vector<int>& posture, int joint) {
+  return std::max(0, robot_model::lowestPosition(ers7(), joint, posture.data()) - posture[static_cast<size_t>(joint)]);
+}
+
+TEST(MotionPlanner, ComesOutOfAForbiddenPostureWithoutGoingDeeper) {
+  RandomClient client(8);
+  for (int i = 0; i < 300; ++i) {
+    MotionPlanner planner(ers7());
+    for (const int joint : allJoints()) {
+      planner.SetPosition(joint, client.position(joint));
+    }
+    const std::vector<int> found = postureOf(planner);
+    std::vector<JointTarget> targets = client.targetsForAll();
+    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), client.between(0, 1) * 500);
+    for (int frame = 0; frame < 3 * kFramesPerSecond; ++frame) {
+      planner.NextFrame();
+      const std::vector<int> posture = postureOf(planner);
+      for (const int joint : allJoints()) {
+        ASSERT_LE(depth(posture, joint), depth(found, joint)) << ers7().joints[joint].name << ", frame " << frame;
+      }
+    }
+    ASSERT_EQ(postureOf(planner), targetsOf(planner));
+  }
+}
+
+TEST(MotionPlanner, ServesARobotWithoutCouplings) {
+  const robot_model::RobotModel& ers210 = *robot_model::findRobotModel("ERS-210");
+  MotionPlanner planner(ers210);
+  const int roll = findJointByName(ers210, "head_roll");
+  EXPECT_EQ(planner.SetTarget(roll, microradians(-40)), microradians(-29));
+  run(planner, 100);
+  EXPECT_EQ(planner.Position(roll), microradians(-29));
+}
+
+}  // namespace

@@ -1,0 +1,332 @@
+#include "rcserver/joints/MotionPlayer.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion_bytes.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StrEq;
+
+constexpr int kFrame = MotionPlanner::FRAME_MILLISECONDS;
+
+// Longer than any motion here.
+constexpr int kPatience = 100000;
+
+// A joint is behind by as much, at most.
+constexpr int kLag = 50;  // ms
+
+double degrees(int microradians) {
+  return microradians * 180e-6 / std::acos(-1.0);
+}
+
+class MotionPlayerTest : public ::testing::Test {
+ protected:
+  int joint(const std::string& name) const { return findJointByName(robot_, name.c_str()); }
+  double at(const std::string& name) const { return degrees(planner_.Position(joint(name))); }
+
+  // What Play() says; empty if it plays.
+  std::string play(const std::string& name, const std::string& bytes, int repetitions = 1) {
+    unsigned char* const room = player_->FindRoom();
+    if (room == nullptr) {
+      return "no room";
+    }
+    std::memcpy(room, bytes.data(), bytes.size());
+    protocol::MotionName motion_name;
+    EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
+    const char* problem = player_->Play(motion_name, bytes.size(), repetitions);
+    return problem != nullptr ? problem : "";
+  }
+
+  void stop(const std::string& name) {
+    protocol::MotionName motion_name;
+    EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
+    player_->Stop(motion_name);
+  }
+
+  void passFrame() {
+    player_->NextFrame();
+    planner_.NextFrame();
+  }
+
+  void passFrames(int count) {
+    for (int i = 0; i < count; ++i) {
+      passFrame();
+    }
+  }
+
+  // Where a joint is at the end of each frame until nothing is played any more.
+  std::vector<double> pathOf(const std::string& name) {
+    std::vector<double> path;
+    while (player_->IsPlaying() && path.size() < kPatience) {
+      passFrame();
+      path.push_back(at(name));
+    }
+    EXPECT_LT(path.size(), kPatience) << "the motion does not end";
+    return path;
+  }
+
+  const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
+  MotionPlanner planner_{robot_};
+  std::unique_ptr<MotionPlayer> player_ = std::make_unique<MotionPlayer>(planner_, robot_);
+};
+
+double greatestStep(const std::vector<double>& path) {
+  double greatest = 0;
+  for (size_t i = 1; i < path.size(); ++i) {
+    greatest = std::max(greatest, std::abs(path[i] - path[i - 1]));
+  }
+  return greatest;
+}
+
+// How near a path, of one position a frame, comes to a position at that time or within kLag after it.
+double distance(const std::vector<double>& path, int milliseconds, double position) {
+  double nearest = 1e9;
+  for (int time = milliseconds; time <= milliseconds + kLag + kFrame; time += kFrame) {
+    const size_t frame = std::min(static_cast<size_t>(time / kFrame), path.size() - 1);
+    nearest = std::min(nearest, std::abs(path[frame] - position));
+  }
+  return nearest;
+}
+
+// How often a path goes up through zero.
+int countPasses(const std::vector<double>& path) {
+  int passes = 0;
+  for (size_t i = 1; i < path.size(); ++i) {
+    passes += path[i - 1] < 0 && path[i] >= 0 ? 1 : 0;
+  }
+  return passes;
+}
+
+TEST_F(MotionPlayerTest, followsTheLineBetweenKeyFramesAndEndsAtTheLast) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 800 head_pan 40\nat 1600 head_pan 10\n")), "");
+  const std::vector<double> path = pathOf("head_pan");
+  for (int time = kFrame; time <= 1600; time += kFrame) {
+    const double line = time < 800 ? time * 40.0 / 800 : 40 - (time - 800) * 30.0 / 800;
+    EXPECT_LT(distance(path, time - kFrame, line), 0.5) << time << " ms";
+  }
+  EXPECT_NEAR(at("head_pan"), 10, 1e-4);
+  EXPECT_LT(path.size(), 215U) << "it ends soon after its last key frame";
+}
+
+TEST_F(MotionPlayerTest, beginsWhereTheJointsAreWithoutAJump) {
+  planner_.SetPosition(joint("head_pan"), -1000000);
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 50\nat 80 head_pan 50\n")), "");
+  const std::vector<double> path = pathOf("head_pan");
+  EXPECT_NEAR(path.front(), degrees(-1000000), 0.5);
+  // Somewhat faster than on average, as it speeds up and brakes.
+  EXPECT_LT(greatestStep(path), 1.1 * degrees(PlayedMotion::APPROACH_SPEED) * kFrame / 1000);
+  EXPECT_NEAR(at("head_pan"), 50, 1e-4);
+}
+
+TEST_F(MotionPlayerTest, playsAsOftenAsItIsTold) {
+  const std::string there_and_back = motionBytes("at 0 head_pan -10\nat 320 head_pan 10\nat 640 head_pan -10\n");
+  for (const int repetitions : {1, 2, 5}) {
+    ASSERT_EQ(play("A.MTN", there_and_back, repetitions), "");
+    const std::vector<double> path = pathOf("head_pan");
+    EXPECT_EQ(countPasses(path), repetitions);
+  }
+}
+
+TEST_F(MotionPlayerTest, aMotionThatEndsWhereItBeganGoesOnWithoutAStop) {
+  planner_.SetPosition(joint("head_pan"), 0);
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 160 head_pan 10\nat 320 head_pan 0\n"), 10), "");
+  EXPECT_NEAR(static_cast<double>(pathOf("head_pan").size()), 10 * 320.0 / kFrame, 5);
+}
+
+TEST_F(MotionPlayerTest, aMotionThatEndsElsewhereGoesBackAsSlowlyAsItCame) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan -40\nat 1600 head_pan 40\n"), 2), "");
+  const std::vector<double> path = pathOf("head_pan");
+  EXPECT_EQ(countPasses(path), 2);
+  EXPECT_LT(greatestStep(path), 1.1 * degrees(PlayedMotion::APPROACH_SPEED) * kFrame / 1000);
+}
+
+TEST_F(MotionPlayerTest, aSingleKeyFrameIsAPosture) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 30 tail_pan -20\n"), 3), "");
+  pathOf("head_pan");
+  EXPECT_NEAR(at("head_pan"), 30, 1e-4);
+  EXPECT_NEAR(at("tail_pan"), -20, 1e-4);
+}
+
+TEST_F(MotionPlayerTest, joinsStayWithinTheirLimitsWhateverTheFileSays) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 neck_tilt 0 head_tilt 0\n"
+                                      "at 16 head_pan 300 neck_tilt -300 head_tilt -300\n"
+                                      "at 2000\n")),
+            "");
+  const std::vector<double> path = pathOf("head_pan");
+  EXPECT_LE(greatestStep(path), degrees(robot_.joints[joint("head_pan")].highest_speed) * kFrame / 1000);
+  EXPECT_NEAR(at("head_pan"), 88, 1e-4);
+  EXPECT_NEAR(at("neck_tilt"), -75, 1e-4);
+  EXPECT_NEAR(at("head_tilt"), 5, 1e-4) << "what goes with the neck";
+}
+
+TEST_F(MotionPlayerTest, playsMotionsOfOtherJointsAtOnce) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 1600 head_pan 40\n")), "");
+  passFrames(50);
+  ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0\nat 1600 tail_pan 40\n")), "");
+  pathOf("head_pan");
+  EXPECT_NEAR(at("head_pan"), 40, 1e-4);
+  EXPECT_NEAR(at("tail_pan"), 40, 1e-4);
+}
+
+TEST_F(MotionPlayerTest, refusesAMotionOfAJointThatIsMovedAlready) {
+  const std::string head = motionBytes("at 0 tail_pan 0 head_pan 0\nat 1600 head_pan 40\n");
+  ASSERT_EQ(play("A.MTN", head), "");
+  EXPECT_THAT(play("B.MTN", motionBytes("at 0 mouth -10 head_pan 5\n")),
+              StrEq("A.MTN is being played and moves head_pan, too; stop it first"));
+  EXPECT_THAT(play("A.MTN", head), HasSubstr("A.MTN is being played"));
+  pathOf("head_pan");
+  EXPECT_EQ(play("B.MTN", motionBytes("at 0 head_pan 5\n")), "") << "it is over now";
+}
+
+TEST_F(MotionPlayerTest, hasRoomForSoMany) {
+  const char* const joints[] = {"head_pan", "mouth", "tail_pan", "tail_tilt"};
+  for (int i = 0; i < MotionPlayer::MAX_PLAYING; ++i) {
+    ASSERT_EQ(play(std::to_string(i) + ".MTN", motionBytes(std::string("at 0 ") + joints[i] + " 0\nat 800\n")), "");
+  }
+  EXPECT_EQ(player_->FindRoom(), nullptr);
+  pathOf("head_pan");
+  EXPECT_NE(player_->FindRoom(), nullptr);
+}
+
+TEST_F(MotionPlayerTest, refusesWhatIsNoMotion) {
+  EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is no motion file: it ends before section 0"));
+  EXPECT_THAT(play("A.MTN", ""), HasSubstr("is no motion file"));
+  EXPECT_FALSE(player_->IsPlaying());
+}
+
+TEST_F(MotionPlayerTest, refusesAMotionOfAnotherRobotsJointByItsName) {
+  EXPECT_THAT(play("A.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n")),
+              StrEq("A.MTN moves the joint PRM:/r1/c1/c2/c3-Joint2:j3, which this robot does not have"));
+}
+
+// -------------------------------------------------------------------------------------------------- before its end
+
+class StoppedMotionTest : public MotionPlayerTest {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 head_tilt 0\nat 1600 head_pan 60 head_tilt 30\n")), "");
+    ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0\nat 1600 tail_pan 40\n")), "");
+    passFrames(100);
+    EXPECT_GT(planner_.Speed(joint("head_pan")), 0);
+  }
+
+  // The joints of A.MTN stop where they can.
+  void expectStopped() {
+    const double at_first = at("head_pan");
+    const double highest = robot_.joints[joint("head_pan")].highest_speed;
+    const double way = degrees(static_cast<int>(std::pow(planner_.Speed(joint("head_pan")), 2) / (2 * 10 * highest)));
+    passFrames(100);
+    EXPECT_LE(at("head_pan") - at_first, way + 0.1);
+    EXPECT_EQ(planner_.Speed(joint("head_pan")), 0);
+    EXPECT_EQ(planner_.Speed(joint("head_tilt")), 0);
+  }
+};
+
+TEST_F(StoppedMotionTest, isStoppedByItsName) {
+  stop("A.MTN");
+  expectStopped();
+  EXPECT_TRUE(player_->IsPlaying()) << "the other one goes on";
+  pathOf("tail_pan");
+  EXPECT_NEAR(at("tail_pan"), 40, 1e-4);
+}
+
+TEST_F(StoppedMotionTest, allAreStoppedAtOnce) {
+  player_->StopAll();
+  EXPECT_FALSE(player_->IsPlaying());
+  expectStopped();
+}
+
+TEST_F(StoppedMotionTest, whoCommandsAJointEndsItsMotion) {
+  player_->JointIsCommanded(joint("head_tilt"));
+  planner_.SetTarget(joint("head_tilt"), 0);
+  passFrames(200);
+  EXPECT_NEAR(at("head_tilt"), 0, 1e-4);
+  EXPECT_LT(at("head_pan"), 45);
+  EXPECT_NEAR(at("tail_pan"), 40, 1e-4) << "the other one has gone on";
+}
+
+TEST_F(StoppedMotionTest, endsWhenOneOfItsJointsFails) {
+  player_->JointFails(joint("head_tilt"));
+  expectStopped();
+  MotionPlayer::Failure failure;
+  ASSERT_TRUE(player_->TakeFailure(&failure));
+  EXPECT_THAT(failure.name, StrEq("A.MTN"));
+  EXPECT_EQ(failure.joint, joint("head_tilt"));
+  EXPECT_FALSE(player_->TakeFailure(&failure)) << "told once";
+  EXPECT_TRUE(player_->IsPlaying());
+}
+
+TEST_F(StoppedMotionTest, aJointOfNoMotionFailsWithoutConsequences) {
+  player_->JointFails(joint("mouth"));
+  MotionPlayer::Failure failure;
+  EXPECT_FALSE(player_->TakeFailure(&failure));
+}
+
+// ------------------------------------------------------------------------------------------------ shipped motions
+
+class ShippedMotionsPlayedTest : public MotionPlayerTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    bytes_ = fileContent(std::string(MEMORY_STICK "/OPEN-R/MW/DATA/P/") + GetParam() + ".MTN");
+    ASSERT_TRUE(motion_.read(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size()))
+        << motion_.problem();
+    ASSERT_EQ(play(std::string(GetParam()) + ".MTN", bytes_), "");
+  }
+
+  int robotsJoint(int i) const { return findJointByLocator(robot_, motion_.locator(i)); }
+
+  bool isAtFirstKeyFrame() const {
+    for (int i = 0; i < motion_.numberOfJoints(); ++i) {
+      if (planner_.Position(robotsJoint(i)) != motion_.position(0, i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // What a joint needs to stop from the speed with which it comes to a key frame.
+  double roundingAt(int key_frame, int i) const {
+    const double way = degrees(motion_.position(key_frame, i) - motion_.position(key_frame - 1, i));
+    const double speed = way * 1000 / motion_.milliseconds(key_frame);
+    return speed * speed / (2 * degrees(planner_.AccelerationLimit(robotsJoint(i))));
+  }
+
+  std::string bytes_;
+  mtn::Motion motion_;
+};
+
+TEST_P(ShippedMotionsPlayedTest, goesThroughAllKeyFrames) {
+  for (int frame = 0; frame < kPatience && !isAtFirstKeyFrame(); ++frame) {
+    passFrame();
+  }
+  std::vector<std::vector<double>> paths(static_cast<size_t>(motion_.numberOfJoints()));
+  while (player_->IsPlaying() && paths[0].size() < kPatience) {
+    for (int i = 0; i < motion_.numberOfJoints(); ++i) {
+      paths[static_cast<size_t>(i)].push_back(degrees(planner_.Position(robotsJoint(i))));
+    }
+    passFrame();
+  }
+  int milliseconds = 0;
+  for (int key_frame = 1; key_frame < motion_.numberOfKeyFrames(); ++key_frame) {
+    milliseconds += motion_.milliseconds(key_frame);
+    for (int i = 0; i < motion_.numberOfJoints(); ++i) {
+      const std::vector<double>& path = paths[static_cast<size_t>(i)];
+      EXPECT_LT(distance(path, milliseconds, degrees(motion_.position(key_frame, i))), roundingAt(key_frame, i) + 0.5)
+          << robot_.joints[robotsJoint(i)].name << " at key frame " << key_frame;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsPlayedTest, ::testing::Values("NOD", "WAG", "SIT"));
+
+}  // namespace

@@ -1,0 +1,315 @@
+// Motions, as clients of both versions ask for them.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fake_robot.h"
+#include "motion_bytes.h"
+#include "protocol/motion_requests.h"
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "rcserver/joints/JointWatch.h"
+#include "rcserver_fixture.h"
+#include "temporary_memory_stick.h"
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr unsigned kUntilMeasured = 12;
+constexpr unsigned kLongestMotion = 2000;
+constexpr int kHeadPan = 2;
+
+const char kFolder[] = "OPEN-R/MW/DATA/P";
+
+class MotionsTest : public RCServerFixture {
+ protected:
+  void start(const std::string& settings) {
+    host_.memory_stick = stick_.folder();
+    stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", settings);
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    client_ = connectServed();
+  }
+
+  std::vector<std::string> motions() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(stick_.path(kFolder))) {
+      names.push_back(entry.path().filename());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  double degrees(const std::string& joint) { return robot_.joint(joint).position * 180e-6 / std::acos(-1.0); }
+
+  TemporaryMemoryStick stick_;
+  FakeRobot robot_;
+  std::unique_ptr<TestClient> client_;
+  const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
+};
+
+// ------------------------------------------------------------------------------------------------------ version 1
+
+class Version1MotionsTest : public MotionsTest {
+ protected:
+  static std::string fileRequest(char letter, const std::string& name, unsigned short a, unsigned short b = 0) {
+    protocol::FileRequest file = {};
+    name.copy(file.name, protocol::MAX_MOTION_NAME_SIZE);
+    file.a = a;
+    file.b = b;
+    unsigned char payload[protocol::FILE_PAYLOAD_SIZE];
+    encodeFileRequest(file, payload);
+    return request(letter, 7) + std::string(payload, payload + sizeof(payload));
+  }
+
+  static std::string upload(const std::string& name, const std::string& content) {
+    return fileRequest('U', name, static_cast<unsigned short>(content.size() / 512),
+                       static_cast<unsigned short>(content.size() % 512)) +
+           content;
+  }
+
+  std::string answer() {
+    const std::optional<Reply> reply = await(*client_);
+    machine_->runPending();
+    if (!reply) {
+      return "none";
+    }
+    return reply->letter + std::to_string(reply->value.identifier) + " " + std::to_string(reply->value.value);
+  }
+
+  std::string answerTo(const std::string& bytes) {
+    client_->send(bytes);
+    return answer();
+  }
+};
+
+TEST_F(Version1MotionsTest, playsAMotionFromTheMemoryStick) {
+  start("");
+  EXPECT_EQ(answerTo(fileRequest('P', "nod.mtn", 1)), "p7 0");
+  passFrames(kLongestMotion);
+  const std::vector<int>& path = robot_.joint("neck_tilt").path;
+  EXPECT_LT(*std::min_element(path.begin(), path.end()), -450000) << "it has nodded";
+  EXPECT_NEAR(degrees("neck_tilt"), -10, 0.01);
+}
+
+TEST_F(Version1MotionsTest, tellsWhatCannotBePlayedByItsCodes) {
+  start("");
+  stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
+  EXPECT_EQ(answerTo(fileRequest('P', "MISSING.MTN", 1)), "e0 1");
+  EXPECT_EQ(answerTo(fileRequest('P', "NOD.TXT", 1)), "e0 2");
+  EXPECT_EQ(answerTo(fileRequest('P', "../A.MTN", 1)), "e0 2");
+  EXPECT_EQ(answerTo(fileRequest('P', "", 1)), "e0 2");
+  EXPECT_EQ(answerTo(fileRequest('P', "BAD.MTN", 1)), "e0 0");
+}
+
+TEST_F(Version1MotionsTest, stopsAMotionByRepetitionsOfNone) {
+  start("");
+  for (const char* const name : {"WAG.MTN", ""}) {
+    EXPECT_EQ(answerTo(fileRequest('P', "WAG.MTN", 1000)), "p7 0");
+    passFrames(400);
+    EXPECT_EQ(answerTo(fileRequest('P', name, 0)), "p7 0");
+    passFrames(100);
+    const int stopped_at = robot_.joint("tail_pan").position;
+    passFrames(100);
+    EXPECT_EQ(robot_.joint("tail_pan").position, stopped_at);
+  }
+  EXPECT_EQ(answerTo(fileRequest('P', "WAG.MTN", 0)), "p7 0") << "it is over already";
+}
+
+TEST_F(Version1MotionsTest, aJointThatIsCommandedEndsTheMotion) {
+  start("");
+  EXPECT_EQ(answerTo(fileRequest('P', "WAG.MTN", 1000)), "p7 0");
+  passFrames(400);
+  client_->send(request('J', 51, 1000));
+  EXPECT_EQ(answer(), "j51 1000");
+  passFrames(500);
+  EXPECT_NEAR(degrees("tail_pan"), 10, 0.01);
+}
+
+TEST_F(Version1MotionsTest, nothingIsUploadedOrDeletedUnlessItIsAllowed) {
+  start("");
+  EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "e0 0");
+  EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 0");
+  EXPECT_EQ(answerTo(request('J', kHeadPan)).substr(0, 2), "j2") << "the content was skipped";
+  EXPECT_THAT(motions(), ElementsAre("NOD.MTN", "SIT.MTN", "WAG.MTN"));
+}
+
+TEST_F(Version1MotionsTest, uploadsInWhateverPiecesItComes) {
+  start("ALLOW_UPLOAD=yes\n");
+  std::string text = "at 0 head_pan 0\n";
+  for (int i = 1; i < 200; ++i) {
+    text += "at " + std::to_string(16 * i) + " head_pan " + std::to_string(i % 10) + "\n";
+  }
+  const std::string content = motionBytes(text);
+  ASSERT_GT(content.size(), 2 * Session::INPUT_CAPACITY);
+  const std::string bytes = upload("new.mtn", content) + request('J', kHeadPan);
+  for (size_t begin = 0; begin < bytes.size(); begin += 700) {
+    client_->send(bytes.substr(begin, 700));
+    machine_->runPending();
+  }
+  EXPECT_EQ(answer(), "u7 0");
+  EXPECT_EQ(answer().substr(0, 2), "j2") << "what follows the content is a request";
+  EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), content);
+  EXPECT_THAT(motions(), ElementsAre("NEW.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
+}
+
+TEST_F(Version1MotionsTest, anUploadThatIsCutOffLeavesNothing) {
+  start("ALLOW_UPLOAD=yes\n");
+  const std::string bytes = upload("NEW.MTN", motion_);
+  client_->send(bytes.substr(0, bytes.size() - 1));
+  machine_->runPending();
+  client_->close();
+  passFrames(kUntilMeasured);
+  EXPECT_THAT(motions(), ElementsAre("NOD.MTN", "SIT.MTN", "WAG.MTN"));
+  client_ = connectServed();
+  EXPECT_EQ(answerTo(fileRequest('P', "NEW.MTN", 1)), "e0 1");
+}
+
+TEST_F(Version1MotionsTest, whatIsNoMotionIsNotKept) {
+  start("ALLOW_UPLOAD=yes\n");
+  EXPECT_EQ(answerTo(upload("NEW.MTN", "no motion")), "e0 0");
+  EXPECT_EQ(answerTo(upload("NEW.MTN", "")), "e0 0");
+  EXPECT_EQ(answerTo(upload("NEW.TXT", motion_)), "e0 2");
+  EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n"))), "e0 0");
+  EXPECT_EQ(answerTo(fileRequest('U', "NEW.MTN", 1000)), "e0 0") << "at once, although nothing of it has come";
+  EXPECT_THAT(motions(), ElementsAre("NOD.MTN", "SIT.MTN", "WAG.MTN"));
+}
+
+TEST_F(Version1MotionsTest, deletesWhatIsThere) {
+  start("ALLOW_DELETE=yes\n");
+  EXPECT_EQ(answerTo(fileRequest('D', "nod.mtn", 0)), "d7 0");
+  EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 1");
+  EXPECT_THAT(motions(), ElementsAre("SIT.MTN", "WAG.MTN"));
+}
+
+// ------------------------------------------------------------------------------------------------------ version 2
+
+class Version2MotionsTest : public MotionsTest {
+ protected:
+  void startVersion2(const std::string& settings) {
+    start(settings);
+    client_->send(request('X', protocol::version2::VERSION));
+    ASSERT_TRUE(await(*client_));
+    machine_->runPending();
+  }
+
+  static std::string frame(char kind, const std::string& payload) {
+    const protocol::version2::FrameHeader header = {kind, 0, 1, static_cast<unsigned>(payload.size())};
+    std::string bytes(protocol::version2::FRAME_HEADER_SIZE, '\0');
+    encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
+    return bytes + payload;
+  }
+
+  static std::string play(const std::string& name, int repetitions) {
+    return frame('P', std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name);
+  }
+
+  static std::string upload(const std::string& name, const std::string& content) {
+    return frame('U', static_cast<char>(name.size()) + name + content);
+  }
+
+  // The next frame: its kind, the code if it is an error, and what it says.
+  std::string answer() {
+    std::optional<Frame> frame;
+    EXPECT_TRUE(machine_->runUntil([&] { return (frame = client_->nextFrame()).has_value(); }));
+    machine_->runPending();
+    if (!frame) {
+      return "none";
+    }
+    const std::string payload(frame->payload.begin(), frame->payload.end());
+    if (frame->header.kind != 'e') {
+      return frame->header.kind + payload;
+    }
+    return "e" + std::to_string(static_cast<int>(payload.at(1))) + " " + payload.substr(2);
+  }
+
+  std::string answerTo(const std::string& bytes) {
+    client_->send(bytes);
+    return answer();
+  }
+};
+
+TEST_F(Version2MotionsTest, listsPlaysAndStops) {
+  startVersion2("");
+  EXPECT_EQ(answerTo(frame('N', "")), "nNOD.MTN\nSIT.MTN\nWAG.MTN");
+  EXPECT_EQ(answerTo(play("nod.mtn", 2)), "p");
+  EXPECT_EQ(answerTo(play("WAG.MTN", 65535)), "p") << "two at once";
+  EXPECT_THAT(answerTo(play("SIT.MTN", 1)), HasSubstr("e0 NOD.MTN is being played and moves neck_tilt, too"));
+  passFrames(300);
+  EXPECT_EQ(answerTo(play("", 0)), "p");
+  EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
+}
+
+TEST_F(Version2MotionsTest, saysWhatCannotBePlayed) {
+  startVersion2("");
+  stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
+  EXPECT_THAT(answerTo(play("MISSING.MTN", 1)), HasSubstr("e1 there is no MISSING.MTN on the memory stick"));
+  EXPECT_THAT(answerTo(play("NOD.TXT", 1)), HasSubstr("e0 bad request"));
+  EXPECT_THAT(answerTo(play("BAD.MTN", 1)), HasSubstr("e0 BAD.MTN is no motion file: section 0"));
+  EXPECT_EQ(answerTo(frame('O', std::string(1, '\0'))), std::string("o") + '\0');
+  EXPECT_THAT(answerTo(play("NOD.MTN", 1)), HasSubstr("e0 the motors are off"));
+}
+
+TEST_F(Version2MotionsTest, saysInWhichLineOfTheSettingsItWouldBeAllowed) {
+  startVersion2("");
+  EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("ALLOW_UPLOAD=yes in RCSERVER.CFG"));
+  EXPECT_THAT(answerTo(frame('D', "NOD.MTN")), HasSubstr("ALLOW_DELETE=yes in RCSERVER.CFG"));
+  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N\n"));
+}
+
+TEST_F(Version2MotionsTest, uploadsAndDeletes) {
+  startVersion2("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N U D\n"));
+  EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "u");
+  EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), motion_);
+  EXPECT_EQ(answerTo(play("NEW.MTN", 1)), "p");
+  EXPECT_EQ(answerTo(frame('D', "NEW.MTN")), "d");
+  EXPECT_THAT(answerTo(frame('D', "NEW.MTN")), HasSubstr("e1 there is no NEW.MTN"));
+  passFrames(kLongestMotion);
+  EXPECT_NEAR(degrees("head_pan"), 30, 0.01) << "it was played to its end all the same";
+}
+
+TEST_F(Version2MotionsTest, saysWhyAnUploadIsNotKept) {
+  startVersion2("ALLOW_UPLOAD=yes\n");
+  EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")), HasSubstr("e0 NEW.MTN is no motion file: it ends before section 0"));
+  EXPECT_THAT(answerTo(upload("NEW.MTN", std::string(mtn::MAX_FILE_SIZE + 1, 'x'))),
+              HasSubstr("e0 64001 bytes are more than a motion may have"));
+  std::filesystem::remove_all(stick_.path(kFolder));
+  EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("e0 NEW.MTN cannot be written"));
+}
+
+TEST_F(Version2MotionsTest, tellsOfAMotionThatAFaultyJointStops) {
+  startVersion2("");
+  EXPECT_EQ(answerTo(play("NOD.MTN", 100)), "p");
+  passFrames(100);
+  robot_.joint("neck_tilt").jammed = true;
+  robot_.joint("neck_tilt").position -= 800000;
+  passFrames(2 * JointWatch::PATIENCE);
+  EXPECT_THAT(answer(), HasSubstr("e3 neck_tilt is jammed"));
+  EXPECT_THAT(answer(), HasSubstr("e3 NOD.MTN is stopped: neck_tilt does not follow"));
+  passFrames(100);
+  const int stopped_at = robot_.joint("head_tilt").position;
+  passFrames(200);
+  EXPECT_EQ(robot_.joint("head_tilt").position, stopped_at);
+}
+
+TEST_F(Version2MotionsTest, endsWithTheClient) {
+  startVersion2("");
+  EXPECT_EQ(answerTo(play("WAG.MTN", 1000)), "p");
+  passFrames(400);
+  client_->close();
+  passFrames(100);
+  const int stopped_at = robot_.joint("tail_pan").position;
+  passFrames(100);
+  EXPECT_EQ(robot_.joint("tail_pan").position, stopped_at);
+}
+
+}  // namespace

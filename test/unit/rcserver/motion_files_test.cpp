@@ -1,0 +1,138 @@
+#include "rcserver/memory_stick/MotionFiles.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "motion_bytes.h"
+#include "temporary_memory_stick.h"
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class MotionFilesTest : public ::testing::Test {
+ protected:
+  MotionFilesTest() {
+    host_.memory_stick = stick_.folder();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directory(folder_);
+  }
+
+  struct Name {
+    explicit Name(const std::string& text) {
+      EXPECT_EQ(protocol::readMotionName(text.data(), text.size(), name), nullptr);
+    }
+    protocol::MotionName name;
+  };
+
+  bool store(const std::string& name, const std::string& content) {
+    return files_.Store(Name(name).name, reinterpret_cast<const unsigned char*>(content.data()), content.size());
+  }
+
+  MotionFiles::Result read(const std::string& name, std::string* content, size_t capacity = 1000) {
+    content->resize(capacity);
+    size_t size = 0;
+    const MotionFiles::Result result =
+        files_.Read(Name(name).name, reinterpret_cast<unsigned char*>(content->data()), capacity, &size);
+    content->resize(size);
+    return result;
+  }
+
+  std::vector<std::string> listed() {
+    protocol::version2::MotionList list;
+    files_.List(&list);
+    return {list.names, list.names + list.count};
+  }
+
+  std::vector<std::string> inFolder() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename());
+    }
+    return names;
+  }
+
+  TemporaryMemoryStick stick_;
+  std::filesystem::path folder_ = stick_.path(MOTION_FOLDER);
+  HostSettings host_;
+  MotionFiles files_{host_};
+};
+
+TEST_F(MotionFilesTest, storesReadsAndDeletes) {
+  EXPECT_TRUE(store("HOP.MTN", "content"));
+  std::string content;
+  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::DONE);
+  EXPECT_EQ(content, "content");
+  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), MotionFiles::DONE);
+  EXPECT_THAT(inFolder(), IsEmpty());
+}
+
+TEST_F(MotionFilesTest, anUploadTakesThePlaceOfTheFileThatWasThere) {
+  EXPECT_TRUE(store("HOP.MTN", "old"));
+  EXPECT_TRUE(store("HOP.MTN", "new one"));
+  std::string content;
+  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::DONE);
+  EXPECT_EQ(content, "new one");
+  EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
+}
+
+TEST_F(MotionFilesTest, knowsAFileHoweverItIsSpelled) {
+  stick_.write(std::string(MOTION_FOLDER) + "/Hop.mtn", "content");
+  std::string content;
+  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::DONE);
+  EXPECT_THAT(listed(), ElementsAre("HOP.MTN"));
+  EXPECT_TRUE(store("hop.MTN", "new"));
+  EXPECT_THAT(inFolder(), ElementsAre("Hop.mtn"));
+  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), MotionFiles::DONE);
+  EXPECT_THAT(inFolder(), IsEmpty());
+}
+
+TEST_F(MotionFilesTest, listsMotionsOnlyInTheOrderOfTheirNames) {
+  for (const char* name : {"B.MTN", "C.MTN", "A.MTN", "README.TXT", "TOOLONGNAME.MTN", "UPLOAD.TMP"}) {
+    stick_.write(std::string(MOTION_FOLDER) + "/" + name, "");
+  }
+  EXPECT_THAT(listed(), ElementsAre("A.MTN", "B.MTN", "C.MTN"));
+}
+
+TEST_F(MotionFilesTest, saysWhatIsNotThere) {
+  std::string content;
+  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::MISSING);
+  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), MotionFiles::MISSING);
+  std::filesystem::remove_all(folder_);
+  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::MISSING);
+  EXPECT_THAT(listed(), IsEmpty());
+  EXPECT_FALSE(store("HOP.MTN", "content"));
+}
+
+TEST_F(MotionFilesTest, saysWhatIsTooLargeOrNoFile) {
+  std::string content;
+  EXPECT_TRUE(store("HOP.MTN", "123456"));
+  EXPECT_EQ(read("HOP.MTN", &content, 6), MotionFiles::DONE);
+  EXPECT_EQ(read("HOP.MTN", &content, 5), MotionFiles::TOO_LARGE);
+  std::filesystem::create_directory(folder_ / "DIR.MTN");
+  EXPECT_EQ(read("DIR.MTN", &content), MotionFiles::FAILED);
+}
+
+// A limit on the size of files stands in for a memory stick that is full: writing fails halfway.
+TEST_F(MotionFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
+  EXPECT_TRUE(store("HOP.MTN", "old"));
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small = {100, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const bool is_stored = store("HOP.MTN", std::string(60000, 'x'));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_FALSE(is_stored);
+  EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
+  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "old");
+}
+
+}  // namespace
