@@ -313,7 +313,7 @@ std::vector<Row> clientRows() {
   constexpr Milliseconds kHalfASecond{500};
   return {
       {"F1", "split at every offset of three pictures", 3 * kPictureSize, 4, {}, maker<SplitExperiment>()},
-      {"F1b", "drops of 1 and 7 bytes, random pieces, pictures joined", 400, 4, {}, maker<SliceExperiment>()},
+      {"F1b", "drops of 1 and 7 bytes, random pieces, pictures joined", 400, 2, {}, maker<SliceExperiment>()},
       {"F2", "closed amid a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kClose)},
       {"F3", "reset amid a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kReset)},
       {"F4", "garbage before or over a header", 1000, 8, kSoon, maker<GarbageExperiment>()},

@@ -55,7 +55,7 @@ struct Conditions {
   bool random_pieces = false;              ///< pieces of 1..largest_piece bytes instead
   std::chrono::microseconds piece_gap{0};  ///< from one piece to the next
   std::chrono::microseconds join{0};       ///< what was sent within this time comes as one
-  bool paused = false;                     ///< nothing is read any more: the sender's window closes
+  bool paused = false;                     ///< what the server sends is not read any more: its window closes
 };
 
 /// How a client is received.

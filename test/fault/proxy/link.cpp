@@ -24,7 +24,8 @@ Link::Link(std::size_t number, aibo_driver::FileDescriptor client, aibo_driver::
       server_{std::move(server), Pipe(Direction::kToServer, seed + 1)} {}
 
 bool Link::mayRead(const Side& from, const Side& to, const Conditions& conditions) const {
-  return !from.ended && !to.out.isFull(conditions) && !conditions.paused;
+  const bool paused = conditions.paused && &from == &server_;
+  return !from.ended && !to.out.isFull(conditions) && !paused;
 }
 
 std::array<pollfd, 2> Link::interests(TimePoint now, const Conditions& conditions) {

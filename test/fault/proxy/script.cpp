@@ -16,7 +16,7 @@ const char* const kScriptHelp =
     "  pieces BYTES [GAP_MS]       bytes come in pieces of this size, with a gap between two; 0 = as they were sent\n"
     "  random-pieces BYTES         bytes come in pieces of up to this size\n"
     "  join MS                     what is sent within this time comes as one\n"
-    "  pause, resume               nothing is read; it is again\n"
+    "  pause, resume               what the server sends is not read any more; it is again\n"
     "  welcome serve|close|reset|silence|refuse|unreachable     how clients are received from now on\n"
     "  end close|reset|halfclose|silence                        all connections end now, in this way\n"
     "  fault ACTION[:VALUE][@PLACE][>server]                    something goes wrong once; ACTION is\n"

@@ -44,6 +44,8 @@ class Process {
 
   bool isRunning() { return !waitForExit(std::chrono::milliseconds(0)).has_value(); }
 
+  pid_t pid() const { return pid_; }
+
   /// Number of its open file descriptors.
   std::size_t openFiles() const;
 

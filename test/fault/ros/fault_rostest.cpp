@@ -1,0 +1,317 @@
+// How the driver's node lives through bad days of robot, network, ROS master, and those who use it.
+
+#include <aibo_driver/Connection.h>
+#include <aibo_driver/Ears.h>
+#include <aibo_driver/Leds.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/SetCameraInfo.h>
+#include <signal.h>
+#include <std_msgs/Float64.h>
+#include <std_srvs/SetBool.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "driver_process.h"
+#include "proxy/fault_proxy.h"
+#include "proxy/script.h"
+#include "proxy/sockets.h"
+#include "robot_model/robot_model.h"
+#include "simulated_robot.h"
+#include "support/picture_server.h"
+#include "support/resources.h"
+#include "topic_listener.h"
+
+namespace {
+
+using aibo_driver::Connection;
+using fault_bench::Action;
+using fault_bench::FaultProxy;
+using fault_bench::PictureServer;
+using fault_bench::Resources;
+using fault_bench::Welcome;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using test_support::DriverProcess;
+using test_support::Process;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+
+using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
+
+constexpr milliseconds kPatience{30000};
+
+/// The whole campaign tries more often than the tests do, on a computer that is not busy with other things.
+bool wholeCampaign() {
+  return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
+}
+
+template <typename Condition>
+bool eventually(const Condition& condition) {
+  const auto end = steady_clock::now() + kPatience;
+  while (!condition()) {
+    if (steady_clock::now() > end) {
+      return false;
+    }
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return true;
+}
+
+/// A fast server, and a proxy in front of it.
+class Faults : public testing::Test {
+ protected:
+  static FaultProxy::Options options(int target_port) {
+    FaultProxy::Options options;
+    options.target_port = target_port;
+    return options;
+  }
+
+  bool picturesFlow() {
+    const std::uint64_t before = server_.lastNumber();
+    return eventually([&] { return server_.lastNumber() > before + 5; });
+  }
+
+  PictureServer server_{2, milliseconds(2)};
+  FaultProxy proxy_{options(server_.port())};
+};
+
+TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
+  const int rounds = wholeCampaign() ? 500 : 50;
+  const int warm_up = rounds / 5;
+  DriverProcess driver("/reconnects", proxy_.port(), {"_reconnect_wait_max:=0.05"});
+  Resources before;
+  for (int round = 0; round < rounds; ++round) {
+    ASSERT_TRUE(picturesFlow()) << "round " << round;
+    if (round == warm_up) {
+      before = Resources::of(std::to_string(driver.pid()));
+    }
+    const std::size_t connections = proxy_.connections();
+    if (round % 3 == 0) {
+      proxy_.add(fault_bench::parseFault("overwrite:ff@picture"));
+    } else {
+      proxy_.endConnections(round % 3 == 1 ? Action::kReset : Action::kClose);
+    }
+    ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; })) << "round " << round;
+  }
+  ASSERT_TRUE(picturesFlow());
+  const Resources after = Resources::of(std::to_string(driver.pid()));
+  EXPECT_EQ(after.descriptors, before.descriptors);
+  EXPECT_EQ(after.threads, before.threads);
+  if (wholeCampaign()) {
+    EXPECT_LE(after.resident_kilobytes, before.resident_kilobytes + 1024);
+  }
+}
+
+TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
+  const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
+  const std::map<std::string, Welcome> states = {{"turned_away", Welcome::kClose},
+                                                 {"black_hole", Welcome::kSilence},
+                                                 {"refused", Welcome::kRefuse},
+                                                 {"unreachable", Welcome::kUnreachable},
+                                                 {"streaming", Welcome::kServe}};
+  for (const auto& state : states) {
+    proxy_.setWelcome(state.second);
+    TopicListener<Connection> connection("/" + state.first + "/connection");
+    DriverProcess driver("/" + state.first, proxy_.port());
+    ASSERT_TRUE(connection.waitFor([&](const Connection& message) {
+      return state.second == Welcome::kServe ? message.state == Connection::CONNECTED : !message.reason.empty();
+    })) << state.first;
+    const auto begin = steady_clock::now();
+    driver.signal(SIGINT);
+    EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0) << state.first;
+    EXPECT_LE(steady_clock::now() - begin, limit) << state.first;
+  }
+}
+
+TEST_F(Faults, CtrlCEndsTheNodeAmidAPicture) {
+  CompressedListener pictures("/amid/camera/image_raw/compressed");
+  DriverProcess driver("/amid", proxy_.port(), {"_read_timeout:=30"});
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  proxy_.add(fault_bench::parseFault("silence@picture+1000"));
+  ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
+  driver.signal(SIGINT);
+  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0);
+}
+
+TEST_F(Faults, SubscribersComeAndGo) {
+  const int rounds = wholeCampaign() ? 1000 : 40;
+  DriverProcess driver("/subscribers", proxy_.port());
+  const auto come_and_go = [](int count) {
+    for (int i = 0; i < count; ++i) {
+      const CompressedListener compressed("/subscribers/camera/image_raw/compressed");
+      const TopicListener<sensor_msgs::Image> images("/subscribers/camera/image_raw");
+      std::this_thread::sleep_for(milliseconds(i % 10));
+    }
+  };
+  ASSERT_TRUE(picturesFlow());
+  come_and_go(rounds / 4);
+  EXPECT_FALSE(CompressedListener("/subscribers/camera/image_raw/compressed").waitForCount(1).empty());
+  const Resources before = Resources::of(std::to_string(driver.pid()));
+  come_and_go(rounds - rounds / 4);
+  EXPECT_FALSE(TopicListener<sensor_msgs::Image>("/subscribers/camera/image_raw").waitForCount(1).empty());
+  EXPECT_TRUE(eventually([&] {
+    const Resources now = Resources::of(std::to_string(driver.pid()));
+    return now.descriptors <= before.descriptors + 2 && now.threads <= before.threads;
+  })) << "descriptors or threads were left behind";
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST_F(Faults, ASubscriberThatHangsDelaysNobodyElse) {
+  CompressedListener pictures("/hangs/camera/image_raw/compressed");
+  TopicListener<sensor_msgs::Image> decoded("/hangs/decoder/image_raw");
+  DriverProcess driver("/hangs", proxy_.port());
+  Process decoder({AIBO_IMAGE_DECODER, "__ns:=/hangs/decoder",
+                   "/hangs/decoder/image_raw/compressed:=/hangs/camera/image_raw/compressed"});
+  ASSERT_FALSE(decoded.waitForCount(1).empty());
+  decoder.signal(SIGSTOP);
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_FALSE(pictures.waitForCount(pictures.count() + 50).empty());
+  }
+  EXPECT_TRUE(picturesFlow());
+  decoder.signal(SIGCONT);
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST_F(Faults, ANodeThatIsKilledAndStartedAgainGoesOnForThoseWhoListen) {
+  CompressedListener pictures("/respawn/camera/image_raw/compressed");
+  auto driver = std::make_unique<DriverProcess>("/respawn", proxy_.port());
+  for (int round = 0; round < 3; ++round) {
+    pictures.clear();
+    ASSERT_FALSE(pictures.waitForCount(3).empty()) << "round " << round;
+    driver->kill();
+    driver = std::make_unique<DriverProcess>("/respawn", proxy_.port());
+  }
+  pictures.clear();
+  EXPECT_FALSE(pictures.waitForCount(3).empty());
+}
+
+TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
+  const SimulatedRobot robot;
+  CompressedListener pictures("/commands/camera/image_raw/compressed");
+  DriverProcess driver("/commands", robot.port());
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  ros::NodeHandle topics("/commands");
+  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  auto command = topics.advertise<sensor_msgs::JointState>("joint_command", 10);
+  auto trajectory = topics.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10);
+  auto leds = topics.advertise<aibo_driver::Leds>("leds", 10);
+  auto ears = topics.advertise<aibo_driver::Ears>("ears", 10);
+  std::vector<ros::Publisher> controllers;
+  sensor_msgs::JointState joints;
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    joints.name.emplace_back(model.joints[i].name);
+    const std::string topic = joints.name.back() + "_position_controller/command";
+    controllers.push_back(topics.advertise<std_msgs::Float64>(topic, 10));
+  }
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<double> angle(-2, 2);
+  pictures.clear();
+  auto next = steady_clock::now();
+  for (int i = 0; i < 2000; ++i) {
+    joints.position.assign(joints.name.size(), i % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : angle(random));
+    command.publish(joints);
+    for (const ros::Publisher& controller : controllers) {
+      std_msgs::Float64 position;
+      position.data = i % 70 == 0 ? std::numeric_limits<double>::infinity() : angle(random);
+      controller.publish(position);
+    }
+    trajectory_msgs::JointTrajectory path;
+    path.joint_names = joints.name;
+    path.points.resize(static_cast<std::size_t>(i % 3));
+    for (auto& point : path.points) {
+      point.positions = joints.position;
+      point.time_from_start = ros::Duration(angle(random));
+    }
+    trajectory.publish(path);
+    leds.publish(aibo_driver::Leds());
+    ears.publish(aibo_driver::Ears());
+    std::this_thread::sleep_until(next += milliseconds(1));
+  }
+  EXPECT_TRUE(pictures.waitForNext()) << "no picture after all these commands";
+  std_srvs::SetBool::Request request;
+  std_srvs::SetBool::Response response;
+  request.data = 1;
+  EXPECT_TRUE(ros::service::call("/commands/motors", request, response));
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST_F(Faults, CameraInfoOfNonsenseHarmsNobody) {
+  CompressedListener pictures("/nonsense/camera/image_raw/compressed");
+  DriverProcess driver("/nonsense", proxy_.port(), {"_camera_info_url:=file:///nowhere/to/be/found.yaml"});
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  sensor_msgs::SetCameraInfo::Request request;
+  request.camera_info.width = std::numeric_limits<std::uint32_t>::max();
+  request.camera_info.distortion_model = std::string(100000, 'x') + "\n: [\0";
+  request.camera_info.D.assign(10000, std::numeric_limits<double>::quiet_NaN());
+  request.camera_info.K.fill(std::numeric_limits<double>::infinity());
+  request.camera_info.roi.x_offset = 1000000;
+  for (int i = 0; i < 3; ++i) {
+    sensor_msgs::SetCameraInfo::Response response;
+    EXPECT_TRUE(ros::service::call("/nonsense/camera/set_camera_info", request, response));
+    request.camera_info = sensor_msgs::CameraInfo();
+  }
+  EXPECT_TRUE(pictures.waitForNext());
+  EXPECT_TRUE(driver.isRunning());
+}
+
+/// A roscore of its own.
+class Master {
+ public:
+  Master() : port_(fault_bench::portOf(fault_bench::bindTo("127.0.0.1", 0))) { start(); }
+  ~Master() { stop(); }
+
+  void start() {
+    process_ =
+        std::make_unique<Process>(std::vector<std::string>{"roscore", "-p", std::to_string(port_)}, environment());
+    process_->waitForOutput("started core service", std::chrono::seconds(60));
+  }
+
+  /// It ends in order: killed, it would leave its children behind.
+  void stop() {
+    if (process_) {
+      process_->signal(SIGINT);
+      process_->waitForExit(kPatience);
+      process_.reset();
+    }
+  }
+
+  std::map<std::string, std::string> environment() const {
+    return {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(port_)}};
+  }
+
+ private:
+  const int port_;
+  std::unique_ptr<Process> process_;
+};
+
+TEST_F(Faults, TheMasterGoesAndComesBack) {
+  Master master;
+  DriverProcess driver("/master", proxy_.port(), {}, master.environment());
+  ASSERT_TRUE(picturesFlow());
+  master.stop();
+  const std::size_t connections = proxy_.connections();
+  proxy_.endConnections(Action::kReset);
+  ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; }))
+      << "without a master it does not reconnect";
+  EXPECT_TRUE(picturesFlow());
+  master.start();
+  EXPECT_TRUE(picturesFlow());
+  EXPECT_TRUE(driver.isRunning());
+  master.stop();
+  driver.signal(SIGINT);
+  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0) << "without a master it does not end";
+}
+
+}  // namespace
