@@ -2,16 +2,12 @@
 
 #include <OPENR/OSyslog.h>
 
+#include "rcserver/body/EmptyRobot.h"
+
 using robot_model::MAX_EARS;
 using robot_model::MAX_JOINTS;
 using robot_model::MAX_LEDS;
 using robot_model::RobotModel;
-
-namespace {
-
-const RobotModel ROBOT_WITHOUT_ANYTHING = {"", NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
-
-}  // namespace
 
 Body::Body() : power_order_(POWER_STAYS_ON) {
   design_[0] = '\0';
@@ -22,10 +18,10 @@ void Body::Open() {
   const RobotModel* robot = robot_model::findRobotModel(design_);
   if (robot == NULL) {
     OSYSLOG1((osyslogERROR, "RCServer: no joints, sensors and LEDs: the design \"%s\" is not known", design_));
-    robot = &ROBOT_WITHOUT_ANYTHING;
+    robot = &EMPTY_ROBOT;
   } else if (!vectors_.Create(MAX_JOINTS + MAX_LEDS + MAX_EARS)) {
     OSYSLOG1((osyslogERROR, "RCServer: no memory for commands to joints and LEDs"));
-    robot = &ROBOT_WITHOUT_ANYTHING;
+    robot = &EMPTY_ROBOT;
   }
   joint_driver_.Open(*robot);
   light_driver_.Open(*robot);

@@ -5,23 +5,22 @@
 #include <string.h>
 
 #include "rcserver/body/CommandVectors.h"
+#include "rcserver/body/EmptyRobot.h"
+#include "rcserver/body/SensorReports.h"
 
 using robot_model::Joint;
 using robot_model::MAX_JOINTS;
-using robot_model::NO_JOINT;
 using robot_model::PidGains;
 using robot_model::RobotModel;
 
 namespace {
-
-const RobotModel ROBOT_WITHOUT_JOINTS = {"", NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
 
 // The robot keeps two vectors at most. When it takes a third one, it has played the first.
 const int VECTORS_UNTIL_ONE_IS_PLAYED = 3;
 
 }  // namespace
 
-JointDriver::JointDriver() : joints_(NULL), number_of_primitives_(0), state_(OFF), vectors_until_gains_(0), now_(0) {}
+JointDriver::JointDriver() : joints_(NULL), state_(OFF), vectors_until_gains_(0), now_(0) {}
 
 JointDriver::~JointDriver() {
   delete joints_;
@@ -30,13 +29,13 @@ JointDriver::~JointDriver() {
 void JointDriver::Open(const RobotModel& robot) {
   const bool are_open = OpenPrimitives(robot);
   if (!are_open) {
-    ClosePrimitives();
+    primitives_.Close();
   }
-  joints_ = new JointControl(are_open ? robot : ROBOT_WITHOUT_JOINTS);
+  joints_ = new JointControl(are_open ? robot : EMPTY_ROBOT);
 }
 
 void JointDriver::Close() {
-  ClosePrimitives();
+  primitives_.Close();
   delete joints_;
   joints_ = NULL;
   state_ = OFF;
@@ -52,7 +51,7 @@ bool JointDriver::Switch(bool on) {
   state_ = OFF;
   joints_->Motions().StopAll();
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    Check(OPENR::DisableJointGain(primitives_[i]), i, "still holds");
+    Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds");
   }
   return true;
 }
@@ -75,7 +74,7 @@ bool JointDriver::HasCommand() const {
 void JointDriver::Fill(RCRegion* vector) {
   OCommandData* data[MAX_JOINTS];
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    data[i] = CommandVectors::Add(vector, odataJOINT_COMMAND2, primitives_[i], CommandVectors::FRAMES);
+    data[i] = CommandVectors::Add(vector, odataJOINT_COMMAND2, primitives_.Id(i), CommandVectors::FRAMES);
   }
   for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
     if (state_ == ON) {
@@ -96,22 +95,16 @@ void JointDriver::Sent() {
 }
 
 bool JointDriver::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {
+  SensorReports reports(sensors, primitives_);
   bool is_any = false;
-  for (int entry = 0; entry < static_cast<int>(sensors->vectorInfo.numData); ++entry) {
-    const OSensorFrameInfo* info = sensors->GetInfo(entry);
-    const int joint = FindPrimitive(info->primitiveID);
-    if (joint == NO_JOINT || info->numFrames == 0) {
-      continue;
-    }
+  while (reports.Next()) {
     is_any = true;
-    now_ = info->frameNumber + info->numFrames - 1;
-    OJointValue value;
-    memcpy(&value, &sensors->GetData(entry)->frame[info->numFrames - 1], sizeof(value));
-    const JointReading reading = {value.value, value.refValue, value.pwmDuty};
-    Report(joint, joints_->Measured(joint, reading, now_, state_ == ON));
-  }
-  if (is_any) {
+    now_ = reports.Frame();
     *frame = now_;
+    OJointValue report;
+    reports.Read(&report);
+    const JointReading reading = {report.value, report.refValue, report.pwmDuty};
+    Report(reports.Row(), joints_->Measured(reports.Row(), reading, now_, state_ == ON));
   }
   return is_any;
 }
@@ -120,29 +113,19 @@ bool JointDriver::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) 
 bool JointDriver::OpenPrimitives(const RobotModel& robot) {
   for (int i = 0; i < robot.number_of_joints; ++i) {
     const Joint& joint = robot.joints[i];
-    const OStatus status = OPENR::OpenPrimitive(joint.locator, &primitives_[i]);
-    if (status != oSUCCESS) {
-      OSYSLOG1((osyslogERROR, "RCServer: no joints: %s (%s) does not open (status %u)", joint.name, joint.locator,
-                static_cast<unsigned>(status)));
+    if (!primitives_.Open(i, joint.name, joint.locator)) {
+      OSYSLOG1((osyslogERROR, "RCServer: without %s no joint is moved", joint.name));
       return false;
     }
-    ++number_of_primitives_;
     const PidGains& gains = joint.gains;
-    OPENR::SetJointGain(primitives_[i], gains.proportional, gains.integral, gains.derivative, gains.proportional_shift,
-                        gains.integral_shift, gains.derivative_shift);
+    OPENR::SetJointGain(primitives_.Id(i), gains.proportional, gains.integral, gains.derivative,
+                        gains.proportional_shift, gains.integral_shift, gains.derivative_shift);
   }
   return true;
 }
 
-void JointDriver::ClosePrimitives() {
-  while (number_of_primitives_ > 0) {
-    --number_of_primitives_;
-    OPENR::ClosePrimitive(primitives_[number_of_primitives_]);
-  }
-}
-
 bool JointDriver::SwitchOn() {
-  if (number_of_primitives_ == 0) {
+  if (joints_->NumberOfJoints() == 0) {
     return false;
   }
   if (OPENR::SetMotorPower(opowerON) != oSUCCESS) {
@@ -160,7 +143,8 @@ bool JointDriver::SwitchOn() {
 bool JointDriver::HoldPresentPositions() {
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
     OJointValue value;
-    if (!Check(OPENR::GetJointValue(primitives_[i], &value), i, "does not say where it is, so the motors stay off")) {
+    if (!Check(OPENR::GetJointValue(primitives_.Id(i), &value), i,
+               "does not say where it is, so the motors stay off")) {
       return false;
     }
     joints_->Hold(i, value.value, now_);
@@ -170,18 +154,9 @@ bool JointDriver::HoldPresentPositions() {
 
 void JointDriver::EnableGains() {
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    Check(OPENR::EnableJointGain(primitives_[i]), i, "does not hold");
+    Check(OPENR::EnableJointGain(primitives_.Id(i)), i, "does not hold");
   }
   state_ = ON;
-}
-
-int JointDriver::FindPrimitive(OPrimitiveID primitive) const {
-  for (int i = 0; i < number_of_primitives_; ++i) {
-    if (primitives_[i] == primitive) {
-      return i;
-    }
-  }
-  return NO_JOINT;
 }
 
 bool JointDriver::Check(OStatus status, int joint, const char* otherwise) const {

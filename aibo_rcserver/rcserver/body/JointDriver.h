@@ -7,6 +7,7 @@
 #include <OPENR/OPENR.h>
 #include <OPENR/RCRegion.h>
 
+#include "rcserver/body/Primitives.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/joints/Motors.h"
 
@@ -56,17 +57,14 @@ class JointDriver : public Motors {
   JointDriver& operator=(const JointDriver&);
 
   bool OpenPrimitives(const robot_model::RobotModel& robot);
-  void ClosePrimitives();
   bool HoldPresentPositions();
   bool SwitchOn();
   void EnableGains();
-  int FindPrimitive(OPrimitiveID primitive) const;
   bool Check(OStatus status, int joint, const char* otherwise) const;
   void Report(int joint, JointWatch::Verdict verdict) const;
 
   JointControl* joints_;
-  OPrimitiveID primitives_[robot_model::MAX_JOINTS];
-  int number_of_primitives_;  ///< that are open
+  Primitives primitives_;
   State state_;
   int vectors_until_gains_;  ///< that are still to be sent in GOING_ON
   int commanded_[robot_model::MAX_JOINTS];

@@ -1,9 +1,10 @@
 #include "rcserver/body/SensorDriver.h"
 
 #include <OPENR/OPENRAPI.h>
-#include <string.h>
 
 #include <algorithm>
+
+#include "rcserver/body/SensorReports.h"
 
 using robot_model::Sensor;
 
@@ -45,18 +46,14 @@ void SensorDriver::Close() {
 }
 
 bool SensorDriver::Read(OSensorFrameVectorData* vector, longword* frame) {
+  SensorReports reports(vector, primitives_);
   bool is_any = false;
-  for (int entry = 0; entry < static_cast<int>(vector->vectorInfo.numData); ++entry) {
-    const OSensorFrameInfo* info = vector->GetInfo(entry);
-    const int sensor = primitives_.Find(info->primitiveID);
-    if (sensor == Primitives::NOT_OPEN || info->numFrames == 0) {
-      continue;
-    }
+  while (reports.Next()) {
     is_any = true;
-    *frame = info->frameNumber + info->numFrames - 1;
-    OSensorValue value;
-    memcpy(&value, &vector->GetData(entry)->frame[info->numFrames - 1], sizeof(value));
-    sensors_->Measured(sensor, value.value);
+    *frame = reports.Frame();
+    OSensorValue report;
+    reports.Read(&report);
+    sensors_->Measured(reports.Row(), report.value);
   }
   if (is_any && *frame - last_power_ >= FRAMES_BETWEEN_POWER) {
     ReadPower(*frame);
