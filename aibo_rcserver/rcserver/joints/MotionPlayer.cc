@@ -3,8 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include <algorithm>
-
 using robot_model::NO_JOINT;
 
 const int MotionPlayer::MAX_PLAYING;
@@ -31,7 +29,6 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
     return problem_;
   }
   motion.Start(repetitions);
-  failed_joints_[&motion - motions_] = NO_JOINT;
   return NULL;
 }
 
@@ -69,16 +66,17 @@ void MotionPlayer::JointIsCommanded(int joint) {
 void MotionPlayer::JointFails(int joint) {
   if (PlayedMotion* const motion = FindMoving(joint)) {
     motion->Stop(planner_);
-    failed_joints_[motion - motions_] = joint;
+    Failure& failure = failures_[motion - motions_];
+    strcpy(failure.name, motion->Name());
+    failure.joint = joint;
   }
 }
 
 bool MotionPlayer::TakeFailure(Failure* failure) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
-    if (failed_joints_[i] != NO_JOINT) {
-      strcpy(failure->name, motions_[i].Name());
-      failure->joint = failed_joints_[i];
-      failed_joints_[i] = NO_JOINT;
+    if (failures_[i].joint != NO_JOINT) {
+      *failure = failures_[i];
+      failures_[i].joint = NO_JOINT;
       return true;
     }
   }
@@ -87,7 +85,10 @@ bool MotionPlayer::TakeFailure(Failure* failure) {
 
 void MotionPlayer::ClientGone() {
   StopAll();
-  std::fill(failed_joints_, failed_joints_ + MAX_PLAYING, NO_JOINT);
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    failures_[i].name[0] = '\0';
+    failures_[i].joint = NO_JOINT;
+  }
 }
 
 void MotionPlayer::NextFrame() {

@@ -74,7 +74,7 @@ class MotionPlayer {
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
   PlayedMotion motions_[MAX_PLAYING];
-  int failed_joints_[MAX_PLAYING];  ///< of motions that have been stopped for it
+  Failure failures_[MAX_PLAYING];  ///< each of them with NO_JOINT if there is nothing to tell
   char problem_[MAX_PROBLEM_SIZE];
 };
 

@@ -1,6 +1,5 @@
 #include "rcserver/version1/Version1Lights.h"
 
-using robot_model::NO_EAR;
 using robot_model::NO_LED;
 
 bool Version1Lights::Execute(const protocol::Request& request) {
@@ -33,6 +32,9 @@ bool Version1Lights::SetLed(int identifier, unsigned char intensity) {
 }
 
 bool Version1Lights::SetAllLeds(unsigned char intensity) {
+  if (lights_.Robot().number_of_leds == 0) {
+    return false;
+  }
   for (int i = 0; i < lights_.Robot().number_of_leds; ++i) {
     const Lights::LedState wanted = {intensity, lights_.Led(i).is_mode_b};
     lights_.SetLed(i, wanted);
@@ -42,6 +44,9 @@ bool Version1Lights::SetAllLeds(unsigned char intensity) {
 }
 
 bool Version1Lights::SetFace(int identifier, unsigned char intensity) {
+  if (lights_.Robot().number_of_leds == 0) {
+    return false;
+  }
   const Lights::LedState wanted = {intensity, identifier != protocol::FACE_MODE_A};
   for (int i = 0; i < lights_.Robot().number_of_leds; ++i) {
     lights_.SetLed(i, wanted);
@@ -52,15 +57,16 @@ bool Version1Lights::SetFace(int identifier, unsigned char intensity) {
 
 // Tells for both ears whether both are drawn.
 bool Version1Lights::SetEars(int identifier, bool draw) {
-  if (identifier != protocol::ALL_IDENTIFIERS && lights_.FindEar(identifier) == NO_EAR) {
-    return false;
-  }
+  bool is_any = false;
   bool are_drawn = true;
   for (int i = 0; i < lights_.Robot().number_of_ears; ++i) {
-    if (identifier == protocol::ALL_IDENTIFIERS || lights_.FindEar(identifier) == i) {
+    if (identifier == protocol::ALL_IDENTIFIERS || lights_.Robot().ears[i].identifier == identifier) {
+      is_any = true;
       are_drawn = lights_.SetEar(i, draw) && are_drawn;
     }
   }
-  replies_.Value('k', identifier, are_drawn ? 1 : 0);
-  return true;
+  if (is_any) {
+    replies_.Value('k', identifier, are_drawn ? 1 : 0);
+  }
+  return is_any;
 }

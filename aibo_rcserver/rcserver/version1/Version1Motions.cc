@@ -1,6 +1,5 @@
 #include "rcserver/version1/Version1Motions.h"
 
-#include <ctype.h>
 #include <string.h>
 
 using protocol::FileRequest;
@@ -76,7 +75,7 @@ void Version1Motions::Play(const MotionName& name, unsigned short repetitions) {
 void Version1Motions::Answer(MotionCommands::Outcome outcome) {
   switch (outcome) {
     case MotionCommands::DONE:
-      replies_.Value(static_cast<char>(tolower(request_.command)), request_.identifier, 0);
+      replies_.Answer(request_, 0);
       break;
     case MotionCommands::REFUSED:
       replies_.Refuse(protocol::ERROR_REFUSED);

@@ -1,13 +1,11 @@
 #include "rcserver/version1/Version1Power.h"
 
-#include "protocol/version2.h"
-
 bool Version1Power::Execute(const protocol::Request& request) {
   const bool is_reboot = request.basic.command == protocol::REQUEST_REBOOT;
   if (is_reboot ? !settings_.allow_reboot : !settings_.allow_shut_down) {
     return false;
   }
   order_ = is_reboot ? POWER_REBOOT : POWER_SHUT_DOWN;
-  replies_.Value(protocol::version2::replyKind(request.basic.command), request.basic.identifier, 0);
+  replies_.Answer(request.basic, 0);
   return true;
 }

@@ -12,6 +12,9 @@ class Version1Replies {
   /// @param outbox must outlive this
   explicit Version1Replies(Outbox& outbox) : outbox_(outbox) {}
 
+  /// The small letter of the request, its identifier and a value.
+  void Answer(const protocol::BasicGetCommand& request, short value);
+
   void Value(char letter, int identifier, short value);
   void Refuse(protocol::ErrorCode code) { Value(protocol::REPLY_ERROR, 0, static_cast<short>(code)); }
 
