@@ -70,6 +70,8 @@ po::options_description describe(Options& options) {
      "folder with photographs (JPEG, PPM) that the camera shows in turn; without it, the camera sees a room")
     ("seconds-per-image", po::value(&options.robot.seconds_per_image)->default_value(2),
      "how long each photograph is shown")
+    ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
+     "how long a full battery lasts")
     ("picture-log", po::value(&options.picture_log),
      "file or named pipe to write to when the camera saw each picture that is sent, for aibo_monitor")
     ("seed", po::value(&options.robot.seed)->default_value(1), "of the noise in the camera's images");
@@ -103,6 +105,9 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
   if (!(options.robot.seconds_per_image > 0)) {
     throw po::error("option '--seconds-per-image' must be above 0");
+  }
+  if (!(options.robot.battery_minutes > 0)) {
+    throw po::error("option '--battery-minutes' must be above 0");
   }
 }
 

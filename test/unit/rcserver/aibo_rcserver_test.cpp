@@ -66,6 +66,8 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
                                                        {"--port", "x"},
                                                        {"--console-port", "65536"},
                                                        {"--seconds-per-image", "0"},
+                                                       {"--battery-minutes", "0"},
+                                                       {"--battery-minutes", "nan"},
                                                        {"--protocol-version", "3"},
                                                        {"--protocol-version", "0"},
                                                        {"--no-such-option"}};
