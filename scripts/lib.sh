@@ -14,6 +14,14 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
+# From here on the build folder is that of a sanitizer: address, thread, or fuzz (cmake/sanitizers.cmake).
+use_sanitizer() {
+  case $1 in
+    address | thread | fuzz) build_dir=$project_dir/.build/$1 ;;
+    *) fail "there is no sanitizer '$1'." "There are address and thread." ;;
+  esac
+}
+
 # Each argument is one line: what went wrong, then what to do about it.
 fail() {
   printf '\n%s: %s\n' "${0##*/}" "$1" >&2

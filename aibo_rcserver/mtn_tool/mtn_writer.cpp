@@ -42,6 +42,14 @@ std::string section(std::uint32_t number, std::string content) {
   return bytes + content;
 }
 
+void checkFrame(int milliseconds) {
+  if (milliseconds < mtn::MIN_FRAME_MILLISECONDS || milliseconds > mtn::MAX_FRAME_MILLISECONDS) {
+    throw std::runtime_error("a frame of " + std::to_string(milliseconds) + " ms is out of " +
+                             std::to_string(mtn::MIN_FRAME_MILLISECONDS) + ".." +
+                             std::to_string(mtn::MAX_FRAME_MILLISECONDS) + " ms");
+  }
+}
+
 std::string generalSection(const KeyFrameMotion& motion) {
   std::string content;
   append32(content, mtn::NUMBER_OF_SECTIONS);
@@ -99,6 +107,7 @@ std::string keyFrameSection(const KeyFrameMotion& motion) {
 }  // namespace
 
 std::string encodeMtn(const KeyFrameMotion& motion) {
+  checkFrame(motion.frame_milliseconds);
   const std::string bytes =
       mtn::MAGIC + generalSection(motion) + textSection(motion) + locatorSection(motion) + keyFrameSection(motion);
   mtn::Motion read;

@@ -1,0 +1,17 @@
+# What watches the code while it runs. A build folder of its own for each: scripts/test --sanitize, scripts/fuzz.
+set(AIBO_SANITIZE "" CACHE STRING "address (with undefined behaviour), thread, fuzz (clang, libFuzzer; with both), or nothing")
+set_property(CACHE AIBO_SANITIZE PROPERTY STRINGS "" address thread fuzz)
+
+set(sanitizers_address address,undefined)
+set(sanitizers_thread thread)
+set(sanitizers_fuzz address,undefined,fuzzer-no-link)
+
+if(AIBO_SANITIZE)
+  if(NOT DEFINED sanitizers_${AIBO_SANITIZE})
+    message(FATAL_ERROR "AIBO_SANITIZE is '${AIBO_SANITIZE}'; there are address, thread and fuzz.")
+  endif()
+  # The first finding ends the program, so that no test passes over one. Stacks are whole with frame pointers alone.
+  set(options -fsanitize=${sanitizers_${AIBO_SANITIZE}} -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
+  add_compile_options(${options})
+  add_link_options(${options})
+endif()

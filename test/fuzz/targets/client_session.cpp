@@ -1,0 +1,233 @@
+// The client's side of a connection: a server that says anything, in any pieces, while users ask for everything.
+//
+// The first byte says how the connection begins. Then come events, a byte each (Event) and what belongs to them.
+#include <deque>
+#include <future>
+#include <memory>
+
+#include "aibo_driver/jpeg_inspector.h"
+#include "client/fault.h"
+#include "client/version1_session.h"
+#include "client/version2_session.h"
+#include "client/version_negotiation.h"
+#include "fuzz_input.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+
+namespace {
+
+enum Event {
+  BYTES_ARRIVE = 0,
+  MANY_BYTES_ARRIVE = 3,
+  TIME_PASSES,
+  PICTURE_IS_WANTED,
+  ROBOT_IS_ASKED,
+  BODY_IS_COMMANDED,
+  WISH_CHANGES,
+  COUNT
+};
+
+// More requests than there can be for what is waiting.
+constexpr int kManyRequests = 10000;
+
+class Client {
+ public:
+  explicit Client(FuzzInput& input) : input_(input) {}
+
+  // A fault ends a connection; whoever waits gets an answer all the same.
+  void run() {
+    try {
+      begin();
+      while (!input_.empty()) {
+        play();
+      }
+    } catch (const Fault& fault) {
+      require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault says why, and what to do");
+    }
+    if (session_) {
+      session_->failRequests(CallOutcome::kConnectionLost, "the connection ended");
+    }
+    for (const auto& answer : pictures_) {
+      require(isReady(answer), "who waits for a picture gets an answer");
+    }
+    for (const auto& answer : answers_) {
+      require(isReady(answer), "who asks the robot gets an answer");
+    }
+  }
+
+ private:
+  template <typename Answer>
+  static bool isReady(const std::future<Answer>& answer) {
+    return answer.wait_for(milliseconds(0)) == std::future_status::ready;
+  }
+
+  void begin() {
+    switch (input_.takeByte() % 3) {
+      case 0:
+        beginVersion1(Version1Session::VersionAnswer::kNotAsked);
+        break;
+      case 1:
+        session_ = std::make_unique<Version2Session>(context(), now_);
+        break;
+      default:
+        negotiate();
+    }
+  }
+
+  void beginVersion1(Version1Session::VersionAnswer answer) {
+    session_ = std::make_unique<Version1Session>(context(), habits_, answer, now_);
+  }
+
+  void negotiate() {
+    VersionNegotiation negotiation(now_);
+    const Bytes bytes = input_.takeBytes(input_.takeByte());
+    negotiation.bytesArrived(bytes.data(), bytes.size());
+    now_ = std::max(now_, negotiation.deadline());
+    negotiation.checkDeadline(now_);
+    switch (negotiation.result()) {
+      case VersionNegotiation::Result::kVersion2:
+        session_ = std::make_unique<Version2Session>(context(), now_);
+        break;
+      case VersionNegotiation::Result::kVersion1:
+        beginVersion1(Version1Session::VersionAnswer::kRefused);
+        break;
+      default:
+        require(negotiation.result() != VersionNegotiation::Result::kOpen, "patience ends");
+        beginVersion1(Version1Session::VersionAnswer::kOwed);
+    }
+    session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), now_);
+  }
+
+  void play() {
+    switch (const unsigned event = input_.takeByte() % COUNT) {
+      case TIME_PASSES:
+        passTime(milliseconds(4 * input_.takeByte()));
+        break;
+      case PICTURE_IS_WANTED:
+        wantPicture();
+        break;
+      case ROBOT_IS_ASKED:
+        askRobot();
+        break;
+      case BODY_IS_COMMANDED:
+        commandBody();
+        break;
+      case WISH_CHANGES:
+        changeWish();
+        break;
+      default:
+        bytesArrive(input_.takeBytes(event == MANY_BYTES_ARRIVE ? input_.take16() : input_.takeByte()));
+    }
+  }
+
+  void bytesArrive(const Bytes& bytes) {
+    talk();
+    session_->bytesArrived(bytes.data(), bytes.size(), now_);
+    look();
+  }
+
+  // As in the client's loop: look at the socket when the session wants to, at the latest.
+  void passTime(milliseconds time) {
+    const auto end = now_ + time;
+    while (now_ < end) {
+      talk();
+      look();  // somebody may have been in no mood to wait at all
+      talk();
+      require(session_->nextDeadline() > now_, "the loop does not spin");
+      now_ = std::min(end, session_->nextDeadline());
+      look();
+    }
+  }
+
+  void look() {
+    session_->foundEmpty(now_);
+    session_->checkDeadlines(now_);
+  }
+
+  void talk() {
+    for (int i = 0; !session_->nextRequest(wish_, now_).empty(); ++i) {
+      require(i < kManyRequests, "requests come to an end");
+    }
+  }
+
+  void wantPicture() {
+    PictureRequest request;
+    request.quality = static_cast<int>(input_.takeByte() % 101);
+    request.timeout = milliseconds(8 * input_.takeByte());
+    request.since = now_;
+    request.deadline = now_ + request.timeout;
+    pictures_.push_back(request.promise.get_future());
+    session_->add(std::move(request), now_);
+  }
+
+  void askRobot() {
+    const std::string letters = "ODPUNQR";
+    RobotRequest request;
+    request.letter = letters[input_.takeByte() % letters.size()];
+    request.name = "NOD.MTN";
+    request.number = static_cast<int>(input_.takeByte() % 2);
+    request.content.resize(1 + input_.takeByte());
+    request.timeout = milliseconds(8 * input_.takeByte());
+    request.deadline = now_ + request.timeout;
+    answers_.push_back(request.promise.get_future());
+    session_->add(std::move(request));
+  }
+
+  void commandBody() {
+    const unsigned kind = input_.takeByte();
+    const int id = 1 + static_cast<int>(input_.takeByte() % 255);
+    const double value = (static_cast<int>(input_.takeByte()) - 128) / 20.4;  // radian: to 2 pi
+    Commands commands;
+    switch (kind % 4) {
+      case 0:
+        commands.add(JointCommand{milliseconds(8 * kind), {{id, value}}});
+        break;
+      case 1:
+        commands.add(std::vector<JointSpeedLimit>{{id, std::abs(value) + 0.01}});
+        break;
+      case 2:
+        commands.add(std::vector<LedCommand>{{id, static_cast<int>(kind), LedMode::kB}});
+        break;
+      default:
+        commands.add(std::vector<EarCommand>{{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});
+    }
+    session_->add(commands);
+  }
+
+  void changeWish() {
+    const unsigned bits = input_.takeByte();
+    wish_.streaming = (bits & 1U) != 0;
+    wish_.telemetry_period = (bits & 2U) != 0 ? 4 : 0;
+    wish_.jpeg_quality = 1 + static_cast<int>(bits % 100);
+  }
+
+  SessionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 1}; }
+
+  static RcServerClient::Callbacks callbacks() {
+    RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [](const PicturePtr& picture) {
+      require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not published");
+    };
+    callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a line says something"); };
+    return callbacks;
+  }
+
+  FuzzInput& input_;
+  Notifier notifier_{callbacks()};
+  Counters counters_;
+  ServerHabits habits_;
+  Wish wish_{false, 85, 0};
+  Session::TimePoint now_ = Session::TimePoint() + milliseconds(100000);
+  std::deque<std::future<PictureAnswer>> pictures_;
+  std::deque<std::future<RobotAnswer>> answers_;
+  std::unique_ptr<Session> session_;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzInput input(data, size);
+  Client(input).run();
+  return 0;
+}

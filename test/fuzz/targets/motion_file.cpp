@@ -1,0 +1,47 @@
+// The reader of motion files: any bytes. What it accepts is played, printed and checked.
+#include <sstream>
+#include <stdexcept>
+
+#include "fuzz_input.h"
+#include "mtn/motion.h"
+#include "mtn_tool/motion_check.h"
+#include "mtn_tool/mtn_writer.h"
+#include "mtn_tool/robots.h"
+#include "mtn_tool/text_form.h"
+
+namespace {
+
+void readEverything(const mtn::Motion& motion) {
+  for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {
+    require(motion.milliseconds(key_frame) >= 0, "time does not go back");
+    for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
+      const int position = motion.position(key_frame, joint);
+      require(position >= -mtn::MAX_POSITION && position <= mtn::MAX_POSITION, "a position is within its range");
+    }
+  }
+}
+
+// Texts in other character sets, with `#` or blanks in them, do not survive; all else does.
+void printAndReadAgain(const mtn::Motion& motion) {
+  std::istringstream text(mtn_tool::printTextForm(motion));
+  try {
+    mtn_tool::encodeMtn(mtn_tool::parseTextForm(text));
+  } catch (const std::runtime_error&) {
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  mtn::Motion motion;
+  if (!motion.read(data, size)) {
+    require(motion.problem()[0] != '\0' && motion.numberOfJoints() == 0, "who refuses says why");
+    return 0;
+  }
+  readEverything(motion);
+  printAndReadAgain(motion);
+  if (const robot_model::RobotModel* robot = mtn_tool::modelOf(motion.design())) {
+    mtn_tool::findObstacles(motion, *robot);
+  }
+  return 0;
+}

@@ -1,0 +1,21 @@
+// The readable form of motions: any text. What is accepted makes a motion file that is accepted.
+#include <sstream>
+#include <stdexcept>
+
+#include "fuzz_input.h"
+#include "mtn/motion.h"
+#include "mtn_tool/mtn_writer.h"
+#include "mtn_tool/text_form.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::istringstream text(FuzzInput(data, size).takeText(size));
+  std::string bytes;
+  try {
+    bytes = mtn_tool::encodeMtn(mtn_tool::parseTextForm(text));
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+  mtn::Motion motion;
+  require(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), "what is made is a motion");
+  return 0;
+}

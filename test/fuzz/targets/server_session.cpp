@@ -1,0 +1,240 @@
+// The whole server behind its sockets: a client that says anything, in any pieces, while the robot lives on.
+//
+// The first byte says what RCSERVER.CFG allows. Then come events, a byte each (Event) and what belongs to them.
+#include "rcserver/Session.h"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "fuzz_input.h"
+#include "robot_model/robot_model.h"
+
+namespace fs = std::filesystem;
+namespace version2 = protocol::version2;
+
+namespace {
+
+const robot_model::RobotModel& kRobot = *robot_model::findRobotModel("ERS-7");
+
+enum Event {
+  BYTES_ARRIVE = 0,
+  MANY_BYTES_ARRIVE = 4,
+  FRAMES_PASS,
+  CAMERA_HAS_IMAGE,
+  JOINT_IS_JAMMED,
+  CLIENT_GOES,
+  COUNT
+};
+
+// A memory stick with one motion, in a folder of its own.
+class MemoryStick {
+ public:
+  MemoryStick() {
+    std::string pattern = (fs::temp_directory_path() / "fuzz_memory_stick_XXXXXX").string();
+    require(mkdtemp(pattern.data()) != nullptr, "there is a temporary folder");
+    folder_ = pattern;
+    motions_ = fs::path(folder_) / MOTION_FOLDER;
+    restore();
+  }
+  ~MemoryStick() { fs::remove_all(folder_); }
+  MemoryStick(const MemoryStick&) = delete;
+  MemoryStick& operator=(const MemoryStick&) = delete;
+
+  const char* folder() const { return folder_.c_str(); }
+
+  void restore() {
+    fs::remove_all(motions_);
+    fs::create_directories(motions_);
+    fs::copy(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN", motions_);
+  }
+
+ private:
+  std::string folder_;
+  fs::path motions_;
+};
+
+class MotorSwitch final : public Motors {
+ public:
+  bool AreOn() const override { return on_; }
+  bool Switch(bool on) override {
+    on_ = on;
+    return true;
+  }
+
+ private:
+  bool on_ = true;
+};
+
+Settings settingsOf(unsigned bits) {
+  Settings settings;
+  settings.allow_upload = (bits & 1U) != 0;
+  settings.allow_delete = (bits & 2U) != 0;
+  settings.allow_shut_down = (bits & 4U) != 0;
+  settings.allow_reboot = (bits & 8U) != 0;
+  return settings;
+}
+
+class Server {
+ public:
+  Server(const MemoryStick& stick, unsigned setting_bits) : settings_(settingsOf(setting_bits)) {
+    host_.memory_stick = stick.folder();
+    std::array<int, robot_model::MAX_JOINTS> posture{};
+    robot_model::clampPosture(kRobot, posture.data());
+    for (int joint = 0; joint < joints_.NumberOfJoints(); ++joint) {
+      joints_.Hold(joint, posture[static_cast<std::size_t>(joint)], 0);
+    }
+    session_.Begin();
+  }
+
+  void play(FuzzInput& input) {
+    switch (const unsigned event = input.takeByte() % COUNT) {
+      case FRAMES_PASS:
+        passFrames(input.takeByte() % 64);
+        break;
+      case CAMERA_HAS_IMAGE:
+        imageArrives();
+        break;
+      case JOINT_IS_JAMMED:
+        jammed_joint_ = static_cast<int>(input.takeByte()) % (2 * joints_.NumberOfJoints());
+        break;
+      case CLIENT_GOES:
+        clientGoes();
+        break;
+      default:
+        bytesArrive(input.takeBytes(event == MANY_BYTES_ARRIVE ? input.take16() : input.takeByte()));
+    }
+    answer();
+  }
+
+ private:
+  // As they come from the IPStack: no more at once than there is room for.
+  void bytesArrive(const Bytes& bytes) {
+    for (std::size_t used = 0; used < bytes.size() && session_.WantsInput();) {
+      const std::size_t size = std::min(bytes.size() - used, Session::INPUT_CAPACITY);
+      const Bytes piece(bytes.begin() + static_cast<std::ptrdiff_t>(used),
+                        bytes.begin() + static_cast<std::ptrdiff_t>(used + size));
+      session_.AddInput(piece.data(), piece.size());
+      used += size;
+      answer();
+    }
+  }
+
+  void passFrames(unsigned count) {
+    for (; count > 0; --count) {
+      ++now_;
+      joints_.NextFrame();
+      lights_.NextFrame();
+      checkJoints();
+      if (now_ % 4 == 0) {
+        measure();
+      }
+      answer();
+    }
+  }
+
+  void checkJoints() {
+    for (int joint = 0; joint < joints_.NumberOfJoints(); ++joint) {
+      const int position = joints_.Planner().Position(joint);
+      require(position >= kRobot.joints[joint].lowest && position <= kRobot.joints[joint].highest,
+              "a joint stays within its limits");
+    }
+  }
+
+  void measure() {
+    for (int joint = 0; joint < joints_.NumberOfJoints(); ++joint) {
+      const int reference = joints_.Planner().Position(joint);
+      const int position = joint == jammed_joint_ ? joints_.Position(joint) : reference;
+      joints_.Measured(joint, {position, reference, position == reference ? 0 : 512}, now_, motors_.AreOn());
+    }
+    for (int sensor = 0; sensor < sensors_.NumberOfSensors(); ++sensor) {
+      sensors_.Measured(sensor, static_cast<int>(now_) * sensor);
+    }
+    session_.Measured(now_);
+  }
+
+  void imageArrives() {
+    PictureOrder order;
+    if (!session_.Camera().ImageArrived(++images_, &order)) {
+      return;
+    }
+    require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
+    const version2::ImageHeader image = {images_, now_,          208,
+                                         160,     order.quality, static_cast<version2::Layer>(order.layer)};
+    Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
+    require(session_.EncodePictureHeader(order, image, 4500, header.data()) <= header.size(), "a header has room");
+  }
+
+  // Sends all there is to say, as often as it takes.
+  void answer() {
+    const bool was_version2 = session_.ExpectsHeartbeat();
+    do {
+      session_.HandleRequests(now_);
+      take(was_version2);
+    } while (!session_.IsOver() && !session_.WantsInput());
+    if (session_.IsOver()) {
+      clientGoes();
+    }
+  }
+
+  void take(bool is_version2) {
+    output_.resize(Outbox::CAPACITY);
+    output_.resize(session_.TakeOutput(output_.data()));
+    // An empty outbox has room for an answer, and an answer is made of a request: this cannot go on without end.
+    require(!output_.empty() || session_.IsOver() || session_.WantsInput(), "a request is handled, or more is wanted");
+    if (is_version2) {
+      checkFrames();
+    }
+  }
+
+  // All that is sent are whole frames.
+  void checkFrames() {
+    std::size_t size = 0;
+    for (std::size_t at = 0; at < output_.size(); at += size) {
+      require(output_.size() - at >= version2::FRAME_HEADER_SIZE, "a header is whole");
+      size = version2::FRAME_HEADER_SIZE + version2::decodeFrameHeader(output_.data() + at).payload_size;
+      require(output_.size() - at >= size, "a frame is whole");
+    }
+  }
+
+  void clientGoes() {
+    session_.End();
+    require(session_.WantsInput() || power_order_ != POWER_STAYS_ON, "the next client is served");
+    power_order_ = POWER_STAYS_ON;
+    session_.Begin();
+  }
+
+  HostSettings host_;
+  Settings settings_;
+  JointControl joints_{kRobot};
+  MotorSwitch motors_;
+  Sensors sensors_{kRobot};
+  Lights lights_{kRobot};
+  PowerOrder power_order_ = POWER_STAYS_ON;
+  MotionFiles files_{host_};
+  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, power_order_, files_};
+  Session session_{robot_, settings_, version2::VERSION};
+  Bytes output_;
+  unsigned now_ = 0;
+  unsigned images_ = 0;
+  int jammed_joint_ = robot_model::NO_JOINT;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static MemoryStick stick;
+  static std::optional<Server> server;  // too large to be taken from the heap each time
+  FuzzInput input(data, size);
+  const unsigned setting_bits = input.takeByte();
+  server.emplace(stick, setting_bits);
+  while (!input.empty()) {
+    server->play(input);
+  }
+  if ((setting_bits & 3U) != 0) {  // uploads or deletes
+    stick.restore();
+  }
+  return 0;
+}

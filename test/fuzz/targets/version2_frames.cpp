@@ -1,0 +1,111 @@
+// Version 2's reader of frames, and all decoders of payloads: any bytes in any pieces.
+#include "fuzz_input.h"
+#include "protocol/frame_reader.h"
+#include "protocol/motion_requests.h"
+
+namespace version2 = protocol::version2;
+using version2::FrameReader;
+
+namespace {
+
+// Larger than any payload that has a layout, and small enough for frames that are too large.
+constexpr std::size_t kCapacity = 4096;
+
+// What is accepted has one form only: it is encoded in as many bytes, which are accepted, too.
+template <typename Value, typename Argument>
+void decode(const char* (*decode)(const unsigned char*, std::size_t, Value*),
+            std::size_t (*encode)(Argument, unsigned char*), const Bytes& payload) {
+  Value value;
+  if (decode(payload.data(), payload.size(), &value) != nullptr) {
+    return;
+  }
+  Bytes again(payload.size());
+  require(encode(value, again.data()) == payload.size(), "encoded in as many bytes");
+  require(decode(again.data(), again.size(), &value) == nullptr, "what is encoded is accepted");
+}
+
+// A name alone is no struct.
+struct Name {
+  protocol::MotionName text;
+};
+
+const char* decodeName(const unsigned char* payload, std::size_t size, Name* name) {
+  return version2::decodeMotionName(payload, size, name->text);
+}
+
+std::size_t encodeName(const Name& name, unsigned char* out) {
+  return version2::encodeMotionName(name.text, out);
+}
+
+void decodePicture(const Bytes& payload) {
+  version2::ImageHeader header;
+  std::size_t jpeg_size = 0;
+  if (version2::decodePicture(payload.data(), payload.size(), &header, &jpeg_size) == nullptr) {
+    require(version2::IMAGE_HEADER_SIZE + jpeg_size == payload.size() && jpeg_size > 0, "the JPEG is the rest");
+    Bytes again(version2::IMAGE_HEADER_SIZE);
+    version2::encodeImageHeader(header, again.data());
+  }
+}
+
+// A text that is too long is cut when it is encoded.
+void decodeErrorMessage(const Bytes& payload) {
+  version2::ErrorMessage message;
+  if (version2::decodeErrorMessage(payload.data(), payload.size(), &message) == nullptr) {
+    require(message.text_size + 2 == payload.size(), "the text is the rest");
+    Bytes again(std::min(payload.size(), version2::MAX_ERROR_MESSAGE_SIZE));
+    require(version2::encodeErrorMessage(message, again.data()) <= again.size(), "a message has its greatest size");
+  }
+}
+
+void decodeAsEverything(const Bytes& payload) {
+  decode(version2::decodePictureRequest, version2::encodePictureRequest, payload);
+  decode(version2::decodeStreamSettings, version2::encodeStreamSettings, payload);
+  decode(version2::decodeJointTargets, version2::encodeJointTargets, payload);
+  decode(version2::decodeSpeedLimits, version2::encodeSpeedLimits, payload);
+  decode(version2::decodeTelemetryPeriod, version2::encodeTelemetryPeriod, payload);
+  decode(version2::decodeTelemetry, version2::encodeTelemetry, payload);
+  decode(version2::decodeMotorState, version2::encodeMotorState, payload);
+  decode(version2::decodeLedValues, version2::encodeLedValues, payload);
+  decode(version2::decodeEarPositions, version2::encodeEarPositions, payload);
+  decode(version2::decodeMotionUpload, version2::encodeMotionUpload, payload);
+  decode(decodeName, encodeName, payload);
+  decode(version2::decodeMotionOrder, version2::encodeMotionOrder, payload);
+  decode(version2::decodeMotionList, version2::encodeMotionList, payload);
+  decodePicture(payload);
+  decodeErrorMessage(payload);
+}
+
+// Returns how many bytes were taken.
+std::size_t append(FrameReader& reader, const unsigned char* bytes, std::size_t size) {
+  std::size_t taken = 0;
+  switch (reader.append(bytes, size, &taken)) {
+    case FrameReader::FRAME_COMPLETE:
+      require(reader.header().payload_size <= kCapacity, "a frame fits");
+      decodeAsEverything(Bytes(reader.payload(), reader.payload() + reader.header().payload_size));
+      break;
+    case FrameReader::FRAME_TOO_LARGE:
+      require(reader.header().payload_size > kCapacity, "only what does not fit is refused");
+      reader.reset();
+      break;
+    case FrameReader::FRAME_INCOMPLETE:
+      require(taken == size, "an unfinished frame takes all");
+      break;
+  }
+  require(taken > 0 && taken <= size, "bytes are taken, and no more than there are");
+  return taken;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  PiecewiseInput input(data, size);
+  Bytes buffer(kCapacity);
+  FrameReader reader(buffer.data(), buffer.size());
+  while (!input.empty()) {
+    const Bytes piece = input.takePiece();
+    for (std::size_t used = 0; used < piece.size();) {
+      used += append(reader, piece.data() + used, piece.size() - used);
+    }
+  }
+  return 0;
+}
