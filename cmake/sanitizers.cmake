@@ -14,4 +14,9 @@ if(AIBO_SANITIZE)
   set(options -fsanitize=${sanitizers_${AIBO_SANITIZE}} -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
   add_compile_options(${options})
   add_link_options(${options})
+  # A program that is not built so and loads a library of ours needs the sanitizer's own library before all others.
+  set(sanitizer_library_address libasan.so)
+  set(sanitizer_library_thread libtsan.so)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${sanitizer_library_${AIBO_SANITIZE}}
+    OUTPUT_VARIABLE AIBO_SANITIZER_LIBRARY OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif()
