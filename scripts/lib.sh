@@ -55,3 +55,19 @@ use_private_ros() {
   export ROS_IP=127.0.0.1 ROS_HOME=$1 ROS_LOG_DIR=$1/log
   mkdir -p "$ROS_LOG_DIR"
 }
+
+# A TCP port that is free on this machine: the one given, if possible.
+free_port() {
+  python3 - "$1" <<'PYTHON'
+import socket, sys
+for port in (int(sys.argv[1]), 0):
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            continue
+        print(probe.getsockname()[1])
+        break
+PYTHON
+}

@@ -28,6 +28,11 @@ class SimulatedRobot {
   /// Starts it again, on the same port. Returns when it listens.
   void restart() { start(port_); }
 
+  bool isRunning() { return process_ && process_->isRunning(); }
+
+  /// The process that it is until it is killed.
+  Process& process() { return *process_; }
+
  private:
   void start(int port);
 

@@ -1,0 +1,61 @@
+/// @file picture_watch.h
+#ifndef TEST_SOAK_PICTURE_WATCH_H
+#define TEST_SOAK_PICTURE_WATCH_H
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "client/file_descriptor.h"
+#include "picture_audit.h"
+#include "violations.h"
+
+namespace soak {
+
+/// Sees every picture that the driver publishes, and what the robot says that it sends. Any thread.
+class PictureWatch {
+ public:
+  /// @param topic of the compressed pictures
+  /// @param picture_log named pipe that the robot writes to; is made
+  /// @throw std::system_error it cannot be made
+  PictureWatch(const std::string& topic, const std::string& picture_log, Violations* violations);
+
+  /// Waits for a picture that the camera saw at this time or later.
+  /// @return how long after this time it was published; nothing if the time has passed
+  std::optional<std::chrono::duration<double>> waitForPictureOf(PictureAudit::Time time, std::chrono::seconds patience);
+
+  /// From now on, no picture may be left out.
+  void beginCalm();
+
+  /// Waits for all pictures that were sent in the calm, and ends it.
+  void endCalm();
+
+  void setDamaging(bool damaging);
+
+  /// Takes in what the robot says, so that its pipe never fills up.
+  void readLog();
+
+  PictureAudit audit() const;
+
+ private:
+  void onPicture(const sensor_msgs::CompressedImage& picture);
+  void readLogLocked();
+
+  Violations* const violations_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  PictureAudit audit_;
+  aibo_driver::FileDescriptor log_;
+  std::string unfinished_line_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace soak
+
+#endif  // TEST_SOAK_PICTURE_WATCH_H

@@ -1,0 +1,81 @@
+/// @file soak.h
+#ifndef TEST_SOAK_SOAK_H
+#define TEST_SOAK_SOAK_H
+
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "driver_process.h"
+#include "mishaps.h"
+#include "picture_watch.h"
+#include "proxy/fault_proxy.h"
+#include "request_tap.h"
+#include "resource_log.h"
+#include "simulated_robot.h"
+#include "violations.h"
+#include "workload.h"
+
+namespace soak {
+
+struct Options {
+  double minutes = 60;
+  unsigned seed = 1;
+  std::string folder;  ///< for resources.csv and driver.log; has to be there
+};
+
+/// The driver's node and the robot's server for a long time, with a proxy between them: in turn, a calm stretch with
+/// all that users do, and something that goes wrong. Needs a running ROS master and a spinner.
+class Soak {
+ public:
+  /// Starts them.
+  explicit Soak(const Options& options);
+
+  /// Runs them until the time is over, and prints what came of it.
+  /// @return true if all was as it has to be
+  bool run();
+
+ private:
+  struct Tally {
+    unsigned tried = 0;
+    std::vector<double> recoveries{};  // s
+  };
+
+  fault_bench::FaultProxy::Options proxyOptions();
+  void awaitFirstPicture();
+  void stayCalm();
+  void goWrong(const Mishap& mishap);
+  void awaitTrajectory();
+  void recover(const Mishap& mishap, PictureAudit::Time healthy);
+  void expectNoJointMoves(std::size_t connections_before, std::chrono::milliseconds settling);
+  void pass(std::chrono::milliseconds time);
+  void look();
+  ResourceLog::Seconds elapsed() const;
+  void report() const;
+
+  const Options options_;
+  Random random_;
+  Violations violations_;
+  RequestTap tap_;
+  PictureWatch pictures_;
+  test_support::SimulatedRobot robot_;
+  fault_bench::FaultProxy proxy_;
+  test_support::DriverProcess driver_;
+  Workload workload_;
+  const std::vector<Mishap> mishaps_ = allMishaps();
+  std::map<std::string, Tally> tallies_;
+  unsigned faults_ = 0;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point next_look_ = begin_;
+  ResourceLog driver_resources_;
+  ResourceLog robot_resources_;
+  std::ofstream table_;
+};
+
+}  // namespace soak
+
+#endif  // TEST_SOAK_SOAK_H
