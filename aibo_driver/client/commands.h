@@ -11,13 +11,13 @@
 
 namespace aibo_driver {
 
-/// Where an ear is to go.
+/// What an ear is to do.
 struct EarCommand {
   static constexpr int kLeft = 1;   ///< RCServer identifier
   static constexpr int kRight = 2;  ///< RCServer identifier
 
   int id = 0;
-  bool position = false;  ///< which of the two
+  bool drawn = false;  ///< else let go
 };
 
 /// What the body has been told and has not been sent yet.

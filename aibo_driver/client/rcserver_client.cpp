@@ -114,8 +114,16 @@ class RcServerClient::Implementation {
 
   void setJpegQuality(int quality) {
     checkRange("jpeg_quality", quality, 1, 100);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      wish_.jpeg_quality = quality;
+    }
+    transport_->wakeUp();
+  }
+
+  int jpegQuality() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    wish_.jpeg_quality = quality;
+    return wish_.jpeg_quality;
   }
 
   void setTelemetryPeriod(int frames) {
@@ -549,6 +557,10 @@ void RcServerClient::setStreaming(bool on) {
 
 void RcServerClient::setJpegQuality(int quality) {
   implementation_->setJpegQuality(quality);
+}
+
+int RcServerClient::jpegQuality() const {
+  return implementation_->jpegQuality();
 }
 
 bool RcServerClient::streaming() const {

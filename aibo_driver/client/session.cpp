@@ -55,7 +55,7 @@ Session::MutablePicturePtr Session::inspect(Bytes jpeg, TimePoint first_byte_tim
   }
   auto picture = std::make_shared<Picture>();
   picture->jpeg = std::move(jpeg);
-  picture->first_byte_time = first_byte_time;
+  picture->first_byte_time = last_first_byte_ = std::max(first_byte_time, last_first_byte_ + TimePoint::duration(1));
   picture->width = inspection.width;
   picture->height = inspection.height;
   picture->connection_number = context_.connection_number;

@@ -178,6 +178,7 @@ class Session {
   TimePoint last_picture_sign_;
   TimePoint transfer_end_;  // of a large request, at the latest
   TimePoint now_;
+  TimePoint last_first_byte_;  // of a picture
   std::string last_damage_;
   std::map<char, std::string> last_refusals_;  // by the request's letter
 };

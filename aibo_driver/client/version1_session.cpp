@@ -169,7 +169,7 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
 Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
   if (!commands_.ears.empty()) {
     const EarCommand ear = commands_.ears.take(1).front();
-    return setValue(protocol::REQUEST_EARS, ear.id, ear.position ? 1 : 0, now);
+    return setValue(protocol::REQUEST_EARS, ear.id, ear.drawn ? 1 : 0, now);
   }
   if (areAllAlike(commands_.leds.items())) {
     const LedCommand led = commands_.leds.take(commands_.leds.items().size()).front();

@@ -178,7 +178,7 @@ Session::Bytes Version2Session::requestLeds(TimePoint now) {
 Session::Bytes Version2Session::requestEars(TimePoint now) {
   version2::EarPositions positions = {};
   for (const EarCommand& ear : commands_.ears.take(2)) {
-    (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.position;
+    (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
   unsigned char payload[version2::EAR_POSITIONS_SIZE];
   return request(version2::REQUEST_EARS, 0, payload, version2::encodeEarPositions(positions, payload), now);

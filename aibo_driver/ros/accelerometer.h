@@ -13,7 +13,8 @@
 
 namespace aibo_driver {
 
-/// Makes messages of what the three accelerometers measured, in the axes of the body (REP 103: x forward, y left, z up).
+/// Makes messages of what the three accelerometers measured, in the axes of the body (REP 103: x forward, y left, z
+/// up).
 ///
 /// Like every accelerometer they measure what holds the robot up, too: at rest, 9.81 upwards (sensor_msgs/Imu). Sony
 /// names the axes (a1 front-back, a2 right-left, a3 up-down; Model Information ERS-7) but not the signs. These follow

@@ -29,9 +29,10 @@ void warnOfUnknown(const DriverParameters& parameters, const std::string& name_p
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
     : parameters_(readDriverParameters(private_handle)),
+      model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
       handle_(driverHandle(handle)),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
-      power_(parameters_.robot),
+      power_(model_),
       policy_(
           parameters_.stream_on_start, parameters_.stream_on_demand, [this] { return cameraHasSubscribers(); },
           [this](bool on) { client_.setStreaming(on); }),
@@ -42,7 +43,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       client_(parameters_.client, makeCallbacks()),
       services_(handle_, parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       joints_(handle_, parameters_, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
-      body_(handle_, parameters_.robot, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
+      body_(handle_, model_, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
       settings_(private_handle, settingTargets()),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {

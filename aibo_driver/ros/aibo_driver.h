@@ -16,6 +16,7 @@
 #include "live_settings.h"
 #include "power_status.h"
 #include "raw_image_publisher.h"
+#include "robot_model/robot_model.h"
 #include "robot_stamper.h"
 #include "robot_time/robot_clock.h"
 #include "stream_meter.h"
@@ -54,6 +55,7 @@ class AiboDriver {
   // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
   // policy_ is started, and once it is stopped, it does nothing about them.
   const DriverParameters parameters_;
+  const robot_model::RobotModel& model_;
   ros::NodeHandle handle_;
   RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;

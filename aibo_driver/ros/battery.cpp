@@ -1,20 +1,23 @@
 #include "battery.h"
 
-#include <limits>
-
 #include "sensor_reading.h"
 
 namespace aibo_driver {
 
 std::optional<sensor_msgs::BatteryState> Battery::read(const Telemetry& telemetry) {
-  const std::optional<double> charge = readingOf(sensor_, telemetry);
+  if (connection_ != telemetry.connection_number) {
+    connection_ = telemetry.connection_number;
+    temperature_ = kNotMeasured;
+  }
+  temperature_ = static_cast<float>(readingOf(temperature_sensor_, telemetry).value_or(temperature_));
+  const std::optional<double> charge = readingOf(charge_sensor_, telemetry);
   if (!charge || (last_ && telemetry.arrival - *last_ < kPeriod)) {
     return std::nullopt;
   }
   last_ = telemetry.arrival;
-  constexpr float kNotMeasured = std::numeric_limits<float>::quiet_NaN();
   Message message;
   message.voltage = kNotMeasured;
+  message.temperature = temperature_;
   message.current = kNotMeasured;
   message.charge = kNotMeasured;
   message.capacity = kNotMeasured;

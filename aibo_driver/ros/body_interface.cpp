@@ -2,15 +2,13 @@
 
 #include <utility>
 
-#include "robot_model/robot_model.h"
-
 namespace aibo_driver {
 
-BodyInterface::BodyInterface(const ros::NodeHandle& handle, const std::string& design, RcServerClient& client,
-                             TelemetryStamper stamp_of)
-    : sensors_(handle, design, std::move(stamp_of)),
+BodyInterface::BodyInterface(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
+                             RcServerClient& client, TelemetryStamper stamp_of)
+    : sensors_(handle, model, std::move(stamp_of)),
       thread_(handle),
-      expression_(thread_.handle(), *robot_model::findRobotModel(design.c_str()), client),
+      expression_(thread_.handle(), model, client),
       motion_files_(thread_.handle(), client),
       power_(thread_.handle(), client) {
   thread_.start();

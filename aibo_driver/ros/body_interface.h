@@ -4,13 +4,12 @@
 
 #include <ros/node_handle.h>
 
-#include <string>
-
 #include "aibo_driver/rcserver_client.h"
 #include "callback_thread.h"
 #include "expression_commander.h"
 #include "motion_file_services.h"
 #include "power_services.h"
+#include "robot_model/robot_model.h"
 #include "sensor_publishers.h"
 #include "telemetry_stamper.h"
 
@@ -21,9 +20,8 @@ namespace aibo_driver {
 /// waits for the memory stick keeps neither pictures nor joints waiting.
 class BodyInterface {
  public:
-  /// @param design of the robot, as OPEN-R names it
-  /// @param client must outlive the object
-  BodyInterface(const ros::NodeHandle& handle, const std::string& design, RcServerClient& client,
+  /// @param model, client must outlive the object
+  BodyInterface(const ros::NodeHandle& handle, const robot_model::RobotModel& model, RcServerClient& client,
                 TelemetryStamper stamp_of);
 
   /// A service that waits must have been ended before, by stopping the client.

@@ -80,28 +80,10 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   const std::uint64_t damaged = client.corrupt_pictures + raw.decode_errors;
   const std::uint64_t newly_damaged = damaged - reported_damaged_;
   reported_damaged_ = damaged;
-  const bool wanted = sources_.policy.wanted();
-  const bool streaming = sources_.client.streaming();
-
-  if (newly_damaged > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(newly_damaged) +
-                                               " damaged pictures dropped: is the RCServer on the robot the one that "
-                                               "belongs to this driver, and its memory stick in order?");
-  } else if (reading.pictures > 0) {
-    status.summary(DiagnosticStatus::OK, oneDecimal(reading.picturesPerSecond()) + " pictures/s, " +
-                                             oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
-  } else if (!wanted) {
-    status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
-  } else if (sources_.policy.waitsForSubscriber()) {
-    status.summary(DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
-  } else if (!streaming) {
-    status.summary(DiagnosticStatus::WARN, "no pictures: the robot is not connected");
-  } else {
-    status.summary(DiagnosticStatus::WARN, "no pictures although the stream is on: does the robot's camera run?");
-  }
+  summarizeStream(reading, newly_damaged, status);
   reportDelay(sources_.robot_clock.read(), status);
-  status.add("stream wanted", yesOrNo(wanted));
-  status.add("streaming", yesOrNo(streaming));
+  status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
+  status.add("streaming", yesOrNo(sources_.client.streaming()));
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
   status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
   status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
@@ -113,6 +95,26 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("images decoded", raw.published);
   status.add("images not decodable", raw.decode_errors);
   status.add("images dropped for newer ones", raw.skipped);
+}
+
+void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, std::uint64_t newly_damaged,
+                                        DiagnosticStatusWrapper& status) const {
+  if (newly_damaged > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(newly_damaged) +
+                                               " damaged pictures dropped: is the RCServer on the robot the one that "
+                                               "belongs to this driver, and its memory stick in order?");
+  } else if (reading.pictures > 0) {
+    status.summary(DiagnosticStatus::OK, oneDecimal(reading.picturesPerSecond()) + " pictures/s, " +
+                                             oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
+  } else if (!sources_.policy.wanted()) {
+    status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
+  } else if (sources_.policy.waitsForSubscriber()) {
+    status.summary(DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
+  } else if (!sources_.client.streaming()) {
+    status.summary(DiagnosticStatus::WARN, "no pictures: the robot is not connected");
+  } else {
+    status.summary(DiagnosticStatus::WARN, "no pictures although the stream is on: does the robot's camera run?");
+  }
 }
 
 void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {

@@ -7,13 +7,15 @@
 #include <sstream>
 
 #include "aibo_driver/exceptions.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_driver {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr double kHighestTelemetryRate = 31.25;  // a second: the robot measures every 32 ms
+constexpr int kFramesOfMeasurement = 4;          // of 8 ms: the robot measures every 32 ms
+constexpr double kHighestTelemetryRate = 31.25;  // a second
 
 /// Reads one parameter after the other and remembers which names exist.
 class ParameterReader {
@@ -142,7 +144,7 @@ bool isWord(const std::string& text) {
 }
 
 bool isRobot(const std::string& text) {
-  return text == "ERS-7" || text == "ERS-210";
+  return robot_model::findRobotModel(text.c_str()) != nullptr;
 }
 
 bool isFrame(const std::string& text) {
@@ -162,8 +164,16 @@ bool isCameraInfoUrl(const std::string& text) {
 }  // namespace
 
 int telemetryPeriodOf(double rate) {
-  constexpr double kFramesPerSecond = 125;
-  return rate == 0 ? 0 : static_cast<int>(std::lround(std::clamp(kFramesPerSecond / rate, 4.0, 65535.0)));
+  if (rate == 0) {
+    return 0;
+  }
+  constexpr int kLongest = 65535 / kFramesOfMeasurement;
+  const double measurements = kHighestTelemetryRate / rate;
+  return kFramesOfMeasurement * static_cast<int>(std::lround(std::clamp<double>(measurements, 1, kLongest)));
+}
+
+double telemetryRateOf(int period) {
+  return period == 0 ? 0 : kHighestTelemetryRate * kFramesOfMeasurement / period;
 }
 
 DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::string& name_prefix) {

@@ -36,10 +36,13 @@ struct DriverParameters {
   std::vector<std::string> unknown;  ///< names that were given and that nobody reads: most likely misspelt
 };
 
-/// The nearest period, in OPEN-R frames of 8 ms, from the 4 in which the robot measures to the 65535 that it can be
-/// told.
+/// The nearest period that the robot keeps evenly: a multiple of the 4 OPEN-R frames of 8 ms in which it measures, up
+/// to the 65535 that it can be told.
 /// @param rate messages a second, 0 or more; 0 means none, as does a period of 0
 int telemetryPeriodOf(double rate);
+
+/// The messages a second of such a period.
+double telemetryRateOf(int period);
 
 /// Checks what a user gave. Needs no ROS master.
 /// @param values a struct of parameters, or an invalid value when there are none

@@ -18,19 +18,28 @@ constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
 constexpr int kFlags = TJFLAG_STOPONWARNING;
 #endif
 
+// For one picture only: a decoder keeps its tables, and decodes a picture whose own ones are lost by those of the last.
+class Decompressor {
+ public:
+  Decompressor() : handle_(tjInitDecompress()) {
+    if (handle_ == nullptr) {
+      throw DecodeException(std::string("cannot make a JPEG decoder: ") + tjGetErrorStr2(nullptr));
+    }
+  }
+  ~Decompressor() { tjDestroy(handle_); }
+
+  Decompressor(const Decompressor&) = delete;
+  Decompressor& operator=(const Decompressor&) = delete;
+
+  tjhandle get() const { return handle_; }
+
+ private:
+  tjhandle handle_;
+};
+
 }  // namespace
 
-void JpegDecoder::Closer::operator()(void* handle) const {
-  tjDestroy(handle);
-}
-
-JpegDecoder::JpegDecoder() : handle_(tjInitDecompress()) {
-  if (!handle_) {
-    throw DecodeException(std::string("cannot make a JPEG decoder: ") + tjGetErrorStr2(nullptr));
-  }
-}
-
-BgrImage JpegDecoder::decode(const std::uint8_t* jpeg, std::size_t size) {
+BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size) {
   const JpegInspection inspection = inspectJpeg(jpeg, size);
   if (!inspection.good()) {
     throw DecodeException(inspection.problem);
@@ -40,9 +49,10 @@ BgrImage JpegDecoder::decode(const std::uint8_t* jpeg, std::size_t size) {
   image.height = inspection.height;
   image.pixels.resize(static_cast<std::size_t>(kBytesPerPixel) * static_cast<std::size_t>(image.width) *
                       static_cast<std::size_t>(image.height));
-  if (tjDecompress2(handle_.get(), jpeg, static_cast<unsigned long>(size), image.pixels.data(), image.width,
+  const Decompressor decompressor;
+  if (tjDecompress2(decompressor.get(), jpeg, static_cast<unsigned long>(size), image.pixels.data(), image.width,
                     image.width * kBytesPerPixel, image.height, TJPF_BGR, kFlags) != 0) {
-    throw DecodeException(std::string("the compressed data is damaged: ") + tjGetErrorStr2(handle_.get()));
+    throw DecodeException(std::string("the compressed data is damaged: ") + tjGetErrorStr2(decompressor.get()));
   }
   return image;
 }

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "aibo_driver/exceptions.h"
@@ -25,26 +24,14 @@ struct BgrImage {
   std::vector<std::uint8_t> pixels;  ///< 3 * width * height
 };
 
-/// Decodes the robot's pictures, one after the other.
+/// Decodes one of the robot's pictures. Any thread may call it.
 ///
 /// A picture that inspectJpeg() does not find good is refused before anything is allocated for it, and a decoder's
 /// warning is an error: half a picture with grey blocks in it is worth less than none, and a hostile one costs no more
-/// time than a good one. An object belongs to one thread at a time.
-class JpegDecoder {
- public:
-  /// @throw DecodeException there is no memory for a decoder
-  JpegDecoder();
-
-  /// @param jpeg not null unless size is 0
-  /// @throw DecodeException the picture is damaged, or none that the camera can make
-  BgrImage decode(const std::uint8_t* jpeg, std::size_t size);
-
- private:
-  struct Closer {
-    void operator()(void* handle) const;
-  };
-  std::unique_ptr<void, Closer> handle_;
-};
+/// time than a good one.
+/// @param jpeg not null unless size is 0
+/// @throw DecodeException the picture is damaged, or none that the camera can make; or there is no memory
+BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size);
 
 }  // namespace aibo_driver
 

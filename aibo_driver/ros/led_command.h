@@ -19,8 +19,8 @@ struct LedOrders {
 };
 
 /// Finds the LEDs that a message names, by themselves or in groups; of an LED that is named twice, the later counts.
-/// Left out: names that are no LED's and no group's, and intensities that are not 0..1. Arrays that do not fit together,
-/// or a mode that there is not, refuse the whole message.
+/// Left out: names that are no LED's and no group's, and intensities that are not 0..1. Arrays that do not fit
+/// together, or a mode that there is not, refuse the whole message.
 LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
 }  // namespace aibo_driver

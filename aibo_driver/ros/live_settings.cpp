@@ -22,6 +22,7 @@ void LiveSettings::apply(AiboDriverConfig& config) {
     config.speed_scale = in_force_.speed_scale;
   }
   telemetry_period_ = telemetryPeriodOf(config.telemetry_rate);
+  config.telemetry_rate = telemetryRateOf(telemetry_period_);
   targets_.set_jpeg_quality(config.jpeg_quality);
   targets_.set_telemetry_period(telemetry_period_);
   targets_.set_speed_scale(config.speed_scale);

@@ -1,25 +1,23 @@
 #include "motion_file_services.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
 #include "file_loader.h"
 #include "motion_name.h"
+#include "mtn/layout.h"
+#include "service_answer.h"
 
 namespace aibo_driver {
 namespace {
-
-constexpr std::size_t kLongestMotion = 65523;  // RcServerClient::uploadMotion()
 
 std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
   if (request.file.empty() == request.data.empty()) {
     throw LoadException(request.file.empty() ? "give a file or data" : "give a file or data, not both");
   }
-  return request.file.empty() ? request.data : loadFile(request.file, kLongestMotion);
+  return request.file.empty() ? request.data : loadFile(request.file, mtn::MAX_FILE_SIZE);
 }
 
 std::string nameOf(const UploadMotion::Request& request) {
@@ -36,39 +34,27 @@ MotionFileServices::MotionFileServices(const ros::NodeHandle& handle, RcServerCl
 }
 
 bool MotionFileServices::listMotions(ListMotions::Request&, ListMotions::Response& response) {
-  try {
+  return answerService(response, "The motions are not known", [&] {
     response.names = client_.listMotions(kTimeout);
-    response.message = "Motions on the robot: " + std::to_string(response.names.size()) + ".";
-    response.success = true;
-  } catch (const Exception& error) {
-    response.message = std::string("The motions are not known: ") + error.what();
-  }
-  return true;
+    return "Motions on the robot: " + std::to_string(response.names.size()) + ".";
+  });
 }
 
 bool MotionFileServices::uploadMotion(UploadMotion::Request& request, UploadMotion::Response& response) {
-  try {
+  return answerService(response, "Nothing was uploaded", [&] {
     const std::vector<std::uint8_t> content = contentOf(request);
     const std::string name = nameOf(request);
     client_.uploadMotion(name, content, kUploadTimeout);
-    response.message = name + " is on the robot, " + std::to_string(content.size()) + " bytes.";
-    response.success = true;
-  } catch (const Exception& error) {
-    response.message = std::string("Nothing was uploaded: ") + error.what();
-  }
-  return true;
+    return name + " is on the robot, " + std::to_string(content.size()) + " bytes.";
+  });
 }
 
 bool MotionFileServices::deleteMotion(DeleteMotion::Request& request, DeleteMotion::Response& response) {
-  const std::string name = motionFileName(request.name);
-  try {
+  return answerService(response, "Nothing was deleted", [&] {
+    const std::string name = motionFileName(request.name);
     client_.deleteMotion(name, kTimeout);
-    response.message = name + " was deleted from the robot.";
-    response.success = true;
-  } catch (const Exception& error) {
-    response.message = std::string("Nothing was deleted: ") + error.what();
-  }
-  return true;
+    return name + " was deleted from the robot.";
+  });
 }
 
 }  // namespace aibo_driver

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
+#include "service_answer.h"
 
 namespace aibo_driver {
 
@@ -13,15 +14,15 @@ MotorService::MotorService(const ros::NodeHandle& handle, RcServerClient& client
       server_(ros::NodeHandle(handle).advertiseService("motors", &MotorService::setMotors, this)) {}
 
 bool MotorService::setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  try {
-    const bool on = client_.setMotors(request.data, kTimeout);
+  return answerService(response, "The motors were not switched", [&] {
+    const bool wanted = request.data != 0;
+    const bool on = client_.setMotors(wanted, kTimeout);
     switched_(on);
-    response.success = on == static_cast<bool>(request.data);
-    response.message = on ? "The motors are on." : "The motors are off: the joints can be moved by hand.";
-  } catch (const Exception& error) {
-    response.message = std::string("The motors were not switched: ") + error.what();
-  }
-  return true;
+    if (on != wanted) {
+      throw CommandException(std::string("the robot says that they are ") + (on ? "on" : "off") + " all the same.");
+    }
+    return on ? "The motors are on." : "The motors are off: the joints can be moved by hand.";
+  });
 }
 
 }  // namespace aibo_driver

@@ -1,41 +1,40 @@
 #include "play_motion_service.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
 #include "motion_name.h"
+#include "service_answer.h"
 
 namespace aibo_driver {
 
-PlayMotionService::PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client,
-                                     std::function<void()> begun)
+PlayMotionService::PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> begun)
     : client_(client),
       begun_(std::move(begun)),
       server_(ros::NodeHandle(handle).advertiseService("play_motion", &PlayMotionService::playMotion, this)) {}
 
 bool PlayMotionService::playMotion(PlayMotion::Request& request, PlayMotion::Response& response) {
   const std::string name = motionFileName(request.name);
-  try {
-    if (request.stop) {
-      client_.stopMotion(name, kTimeout);
-      response.message = (name.empty() ? "All motions" : name) + " stopped: the joints hold where they are.";
-    } else if (name.empty()) {
-      response.message = "Nothing is played: say which motion. list_motions tells which there are.";
-      return true;
-    } else {
-      const int repetitions = std::max<int>(1, request.repetitions);
-      client_.playMotion(name, repetitions, kTimeout);
-      begun_();
-      response.message =
-          name + " has begun, to be played " + (repetitions == 1 ? "once." : std::to_string(repetitions) + " times.");
-    }
-    response.success = true;
-  } catch (const Exception& error) {
-    response.message = (request.stop ? "Nothing was stopped: " : "Nothing is played: ") + std::string(error.what());
+  if (request.stop) {
+    return answerService(response, "Nothing was stopped", [&] { return stop(name); });
   }
-  return true;
+  return answerService(response, "Nothing is played",
+                       [&] { return play(name, std::max<int>(1, request.repetitions)); });
+}
+
+std::string PlayMotionService::play(const std::string& name, int repetitions) {
+  if (name.empty()) {
+    throw InvalidArgumentException("say which motion. list_motions tells which there are.");
+  }
+  client_.playMotion(name, repetitions, kTimeout);
+  begun_();
+  return name + " has begun, to be played " + (repetitions == 1 ? "once." : std::to_string(repetitions) + " times.");
+}
+
+std::string PlayMotionService::stop(const std::string& name) {
+  client_.stopMotion(name, kTimeout);
+  return (name.empty() ? "All motions" : name) + " stopped: the joints hold where they are.";
 }
 
 }  // namespace aibo_driver

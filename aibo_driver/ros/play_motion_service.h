@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <functional>
+#include <string>
 
 #include "aibo_driver/rcserver_client.h"
 
@@ -23,6 +24,8 @@ class PlayMotionService {
 
  private:
   bool playMotion(PlayMotion::Request& request, PlayMotion::Response& response);
+  std::string play(const std::string& name, int repetitions);
+  std::string stop(const std::string& name);
 
   RcServerClient& client_;
   const std::function<void()> begun_;

@@ -1,8 +1,6 @@
 #include "power_services.h"
 
-#include <string>
-
-#include "aibo_driver/exceptions.h"
+#include "service_answer.h"
 
 namespace aibo_driver {
 
@@ -13,25 +11,17 @@ PowerServices::PowerServices(const ros::NodeHandle& handle, RcServerClient& clie
 }
 
 bool PowerServices::shutDown(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  try {
+  return answerService(response, "The robot does not shut down", [this] {
     client_.shutDownRobot(kTimeout);
-    response.message = "The robot shuts down. The driver connects again when it is switched on.";
-    response.success = true;
-  } catch (const Exception& error) {
-    response.message = std::string("The robot does not shut down: ") + error.what();
-  }
-  return true;
+    return "The robot shuts down. The driver connects again when it is switched on.";
+  });
 }
 
 bool PowerServices::reboot(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  try {
+  return answerService(response, "The robot does not start anew", [this] {
     client_.rebootRobot(kTimeout);
-    response.message = "The robot starts anew. The driver connects again as soon as it answers.";
-    response.success = true;
-  } catch (const Exception& error) {
-    response.message = std::string("The robot does not start anew: ") + error.what();
-  }
-  return true;
+    return "The robot starts anew. The driver connects again as soon as it answers.";
+  });
 }
 
 }  // namespace aibo_driver

@@ -3,8 +3,8 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <cstdio>
+#include <string>
 
-#include "aibo_driver/exceptions.h"
 #include "sensor_reading.h"
 
 namespace aibo_driver {
@@ -12,14 +12,6 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
-
-const robot_model::RobotModel& findModel(const std::string& design) {
-  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
-  if (model == nullptr) {
-    throw InvalidArgumentException("There is no table of a robot named '" + design + "'.");
-  }
-  return *model;
-}
 
 void updateFrom(const Telemetry& telemetry, const robot_model::RobotModel& model, const char* name,
                 std::optional<double>* value) {
@@ -58,8 +50,6 @@ void warnOfTemperature(double temperature, DiagnosticStatusWrapper& status) {
 }
 
 }  // namespace
-
-PowerStatus::PowerStatus(const std::string& design) : model_(findModel(design)) {}
 
 void PowerStatus::update(const Telemetry& telemetry) {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -6,7 +6,6 @@
 
 #include <mutex>
 #include <optional>
-#include <string>
 
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
@@ -16,8 +15,7 @@ namespace aibo_driver {
 /// What the robot last told of its battery, and what that means to who has to look after it. From any thread.
 class PowerStatus {
  public:
-  /// Full is 1. The first leaves time to end what one is doing, the second to carry the robot to its
-  /// station.
+  /// Full is 1. The first leaves time to end what one is doing, the second to carry the robot to its station.
   static constexpr double kLowCharge = 0.20;
   static constexpr double kEmptyCharge = 0.10;
 
@@ -25,9 +23,8 @@ class PowerStatus {
   static constexpr double kWarm = 50;
   static constexpr double kHot = 60;
 
-  /// @param design as OPEN-R names it: "ERS-7" or "ERS-210"
-  /// @throw InvalidArgumentException there is no such design
-  explicit PowerStatus(const std::string& design);
+  /// @param model must outlive the object
+  explicit PowerStatus(const robot_model::RobotModel& model) : model_(model) {}
 
   void update(const Telemetry& telemetry);
 

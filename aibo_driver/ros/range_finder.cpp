@@ -20,9 +20,7 @@ std::optional<sensor_msgs::Range> RangeFinder::read(const Telemetry& telemetry) 
   message.min_range = static_cast<float>(shortest);
   message.max_range = static_cast<float>(longest);
   // At its limits the sensor stays, whatever lies beyond them.
-  message.range = *distance <= shortest  ? -kInfinity
-                  : *distance >= longest ? kInfinity
-                                          : static_cast<float>(*distance);
+  message.range = *distance <= shortest ? -kInfinity : *distance >= longest ? kInfinity : static_cast<float>(*distance);
   return message;
 }
 

@@ -89,7 +89,7 @@ void RawImagePublisher::run() {
 
 void RawImagePublisher::decodeAndPublish(const sensor_msgs::CompressedImage& picture) {
   try {
-    BgrImage decoded = decoder_.decode(picture.data.data(), picture.data.size());
+    BgrImage decoded = decodeJpeg(picture.data.data(), picture.data.size());
     const auto image = boost::make_shared<sensor_msgs::Image>();
     image->header = picture.header;
     image->width = static_cast<std::uint32_t>(decoded.width);

@@ -35,7 +35,6 @@ class RawImagePublisher {
   /// @param handle its namespace holds the topic
   /// @param topic base name of the image topic, such as image_raw; may be remapped
   /// @param subscribers_changed called from handle's callback queue when a subscriber comes or goes; may be empty
-  /// @throw DecodeException there is no memory for a decoder
   RawImagePublisher(const ros::NodeHandle& handle, const std::string& topic, std::function<void()> subscribers_changed);
   ~RawImagePublisher();
 
@@ -53,7 +52,6 @@ class RawImagePublisher {
   void run();
   void decodeAndPublish(const sensor_msgs::CompressedImage& picture);
 
-  JpegDecoder decoder_;
   image_transport::Publisher publisher_;
 
   mutable std::mutex mutex_;

@@ -6,7 +6,6 @@
 #include "accelerometer.h"
 #include "battery.h"
 #include "range_finder.h"
-#include "robot_model/robot_model.h"
 #include "touch_sensors.h"
 
 namespace aibo_driver {
@@ -24,9 +23,9 @@ const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const 
 
 }  // namespace
 
-SensorPublishers::SensorPublishers(const ros::NodeHandle& handle, const std::string& design, TelemetryStamper stamp_of)
+SensorPublishers::SensorPublishers(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
+                                   TelemetryStamper stamp_of)
     : handle_(handle), stamp_of_(std::move(stamp_of)) {
-  const robot_model::RobotModel& model = *robot_model::findRobotModel(design.c_str());
   const std::string range_prefix = "range_";
   for (int i = 0; i < model.number_of_sensors; ++i) {
     const robot_model::Sensor& sensor = model.sensors[i];
@@ -34,7 +33,7 @@ SensorPublishers::SensorPublishers(const ros::NodeHandle& handle, const std::str
     if (sensor.kind == robot_model::SENSOR_DISTANCE) {
       add("range/" + name.substr(range_prefix.size()), name + "_link", RangeFinder(sensor));
     } else if (sensor.kind == robot_model::SENSOR_CHARGE) {
-      add(name, kBaseFrame, Battery(sensor));
+      add(name, kBaseFrame, Battery(sensor, sensorOf(model, "temperature")));
     }
   }
   add("touch", kBaseFrame, TouchSensors(model));

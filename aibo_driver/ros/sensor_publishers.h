@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "aibo_driver/telemetry.h"
+#include "robot_model/robot_model.h"
 #include "telemetry_stamper.h"
 
 namespace aibo_driver {
@@ -17,8 +18,8 @@ namespace aibo_driver {
 /// sensors that the robot has are advertised; a message is published when there is something new for it.
 class SensorPublishers {
  public:
-  /// @param design of the robot, as OPEN-R names it: "ERS-7" or "ERS-210"
-  SensorPublishers(const ros::NodeHandle& handle, const std::string& design, TelemetryStamper stamp_of);
+  /// @param model must outlive the object
+  SensorPublishers(const ros::NodeHandle& handle, const robot_model::RobotModel& model, TelemetryStamper stamp_of);
 
   /// Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);

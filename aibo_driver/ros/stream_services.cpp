@@ -62,7 +62,7 @@ void StreamServices::publishStreaming(bool streaming) {
 }
 
 bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Response& response) {
-  const int stream_quality = parameters_.client.jpeg_quality;
+  const int stream_quality = client_.jpegQuality();
   const int quality = request.quality == 0 ? stream_quality : std::min(request.quality, kMaxQuality);
   try {
     bool from_stream = false;

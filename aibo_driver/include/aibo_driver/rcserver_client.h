@@ -128,6 +128,9 @@ class RcServerClient {
   /// @throw InvalidArgumentException outside of the range
   void setJpegQuality(int quality);
 
+  /// What setJpegQuality() was last told, or the option at first.
+  int jpegQuality() const;
+
   /// True while a stream has been asked for over the present connection and has not been stopped since.
   bool streaming() const;
 
@@ -201,9 +204,10 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   void commandLeds(const std::vector<LedCommand>& leds);
 
-  /// Moves the ears. Each has two positions, which OPEN-R numbers 0 and 1. Returns without waiting, as commandLeds().
-  /// @param left true = position 1
-  /// @param right true = position 1
+  /// Flicks the ears: one that is drawn is let go again by the robot after 128 ms, because its magnet must not be held
+  /// energised. Returns without waiting, as commandLeds().
+  /// @param left true = draw it, false = let it go at once
+  /// @param right the same
   /// @throw NetworkException, CommandException, StoppedException as commandLeds()
   void commandEars(bool left, bool right);
 
@@ -231,7 +235,9 @@ class RcServerClient {
 
   /// Writes a motion to the robot's memory stick, in the place of one of this name. The robot's RCSERVER.CFG has to
   /// allow it (ALLOW_UPLOAD). Pictures go on meanwhile; a version 1 server is asked for nothing else until it is done.
-  /// @param content the file's bytes, 1..65523: what a request of version 2 holds beside a name
+  /// @param content the file's bytes, 1..65523: what a request of version 2 holds beside a name. This project's
+  /// RCServer
+  ///   takes no motion of more than 64000.
   void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                     std::chrono::milliseconds timeout);
 

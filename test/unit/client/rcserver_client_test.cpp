@@ -141,6 +141,7 @@ TEST_F(RcServerClientTest, RapidTogglesEndWithTheWantedParity) {
 TEST_F(RcServerClientTest, TheQualityIsThatOfTheNextStart) {
   ScriptedPeer peer = startStream();
   client_.setJpegQuality(42);
+  EXPECT_EQ(42, client_.jpegQuality());
   EXPECT_THROW(client_.setJpegQuality(0), InvalidArgumentException);
   EXPECT_THROW(client_.setJpegQuality(101), InvalidArgumentException);
   client_.setStreaming(false);

@@ -52,13 +52,19 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
-TEST(DriverParameters, ATelemetryRateMeansANumberOfOpenRFrames) {
+TEST(DriverParameters, ATelemetryRateMeansSomeOfTheRobotsMeasurementsEachOf4Frames) {
   EXPECT_EQ(telemetryPeriodOf(31.25), 4);
   EXPECT_EQ(telemetryPeriodOf(30), 4);
-  EXPECT_EQ(telemetryPeriodOf(10), 13);  // 104 ms
-  EXPECT_EQ(telemetryPeriodOf(1), 125);
+  EXPECT_EQ(telemetryPeriodOf(10), 12);
+  EXPECT_EQ(telemetryPeriodOf(1), 124);
   EXPECT_EQ(telemetryPeriodOf(0), 0);
-  EXPECT_EQ(telemetryPeriodOf(0.0001), 65535) << "the longest that the robot knows";
+  EXPECT_EQ(telemetryPeriodOf(0.0001), 65532) << "the longest that the robot knows";
+}
+
+TEST(DriverParameters, ATelemetryPeriodTellsTheRateInForce) {
+  EXPECT_DOUBLE_EQ(telemetryRateOf(4), 31.25);
+  EXPECT_DOUBLE_EQ(telemetryRateOf(20), 6.25);
+  EXPECT_DOUBLE_EQ(telemetryRateOf(0), 0);
 }
 
 TEST(DriverParameters, OfTheJointsAreTakenOver) {

@@ -3,8 +3,6 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gmock/gmock.h>
 
-#include "aibo_driver/exceptions.h"
-
 namespace aibo_driver {
 namespace {
 
@@ -30,7 +28,7 @@ DiagnosticStatusWrapper reportOf(const PowerStatus& power, bool asked = kAsked) 
 }
 
 DiagnosticStatusWrapper reportAt(double charge, double temperature) {
-  PowerStatus power("ERS-7");
+  PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   power.update(telling({{kBattery, charge}, {kTemperature, temperature}}));
   return reportOf(power);
 }
@@ -60,7 +58,7 @@ TEST(PowerStatus, WarnsOfHeatAndOfBothAtOnce) {
 }
 
 TEST(PowerStatus, RemembersWhatTheRobotTellsInTurn) {
-  PowerStatus power("ERS-7");
+  PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   power.update(telling({{kBattery, 0.5}}));
   power.update(telling({{kTemperature, 55}}));
   EXPECT_THAT(reportOf(power).message, HasSubstr("55 degrees"));
@@ -68,7 +66,7 @@ TEST(PowerStatus, RemembersWhatTheRobotTellsInTurn) {
 }
 
 TEST(PowerStatus, OfARobotThatTellsNothingIsAFaultOnlyIfItWasAsked) {
-  PowerStatus power("ERS-7");
+  PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
   EXPECT_THAT(reportOf(power).message, HasSubstr("RCServer"));
   EXPECT_EQ(reportOf(power, !kAsked).level, DiagnosticStatus::OK);
@@ -76,14 +74,10 @@ TEST(PowerStatus, OfARobotThatTellsNothingIsAFaultOnlyIfItWasAsked) {
 }
 
 TEST(PowerStatus, IsForgottenWithTheConnection) {
-  PowerStatus power("ERS-7");
+  PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   power.update(telling({{kBattery, 0.05}}));
   power.clear();
   EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
-}
-
-TEST(PowerStatus, NeedsARobotThatThereIs) {
-  EXPECT_THROW(PowerStatus("ERS-8"), InvalidArgumentException);
 }
 
 }  // namespace

@@ -176,19 +176,29 @@ TEST_F(TouchSensorsTest, KeepsWhatWasToldBeforeUntilTheNextConnection) {
 }
 
 TEST(BatteryTest, TellsHowFullItIsAndThatNothingElseIsKnown) {
-  Battery battery(sensorOf("battery"));
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
   const auto message = battery.read(telemetryWith({{"battery", 0.87}}));
   ASSERT_TRUE(message);
   EXPECT_FLOAT_EQ(message->percentage, 0.87F);
   EXPECT_TRUE(message->present);
-  for (const float unknown :
-       {message->voltage, message->current, message->charge, message->capacity, message->design_capacity}) {
+  for (const float unknown : {message->voltage, message->temperature, message->current, message->charge,
+                              message->capacity, message->design_capacity}) {
     EXPECT_TRUE(std::isnan(unknown));
   }
 }
 
+TEST(BatteryTest, TellsTheTemperatureThatWasToldLastOverThisConnection) {
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
+  EXPECT_FALSE(battery.read(telemetryWith({{"temperature", 31.5}}))) << "it does not tell how full it is";
+  EXPECT_FLOAT_EQ(battery.read(telemetryWith({{"battery", 0.87}}))->temperature, 31.5F);
+  Telemetry after_reconnect = telemetryWith({{"battery", 0.87}});
+  after_reconnect.arrival += 2s;
+  ++after_reconnect.connection_number;
+  EXPECT_TRUE(std::isnan(battery.read(after_reconnect)->temperature));
+}
+
 TEST(BatteryTest, SpeaksOnceASecond) {
-  Battery battery(sensorOf("battery"));
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
   int messages = 0;
   for (int i = 0; i < 3 * 31; ++i) {
     Telemetry telemetry = telemetryWith({{"battery", 0.5}});
