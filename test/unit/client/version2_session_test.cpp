@@ -288,6 +288,18 @@ TEST_F(Version2SessionTest, TelemetryAndPicturesHaveTheTimeOfTheirFirstByteAndTh
   }
 }
 
+TEST_F(Version2SessionTest, PicturesThatArrivedTogetherCanBeToldApartByTheirTime) {
+  wish_.streaming = true;
+  request();
+  Bytes bytes = makePicture(0, 1);
+  const Bytes second = makePicture(0, 2);
+  bytes.insert(bytes.end(), second.begin(), second.end());
+  receive(bytes);
+  ASSERT_EQ(2u, pictures_.size());
+  EXPECT_EQ(now_, pictures_[0]->first_byte_time);
+  EXPECT_LT(pictures_[0]->first_byte_time, pictures_[1]->first_byte_time);
+}
+
 TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
   Bytes bytes;
   for (unsigned frame = 1; frame <= 5; ++frame) {
