@@ -314,6 +314,30 @@ TEST_F(BodyTest, WhatIsNoLedAndNoEarIsRefused) {
   expectError(request('K', kLeftEar, 2));
 }
 
+TEST_F(BodyTest, RobotOfUnknownDesignRefusesCommandsToAllLedsAndEars) {
+  robot_.design_name = "ERS-8";
+  start();
+  expectError(request('L', 0, 1));
+  expectError(request('Y', 1, 1));
+  expectError(request('K', 0, 1));
+  EXPECT_THAT(console_.str(), HasSubstr("the design \"ERS-8\" is not known"));
+}
+
+TEST_F(BodyTest, EarsOfAnErs210AreDrawnAndLetGo) {
+  FakeRobot ers210("ERS-210");
+  machine_.reset();
+  boot(ers210);
+  passFrames(kUntilMeasured);
+  client_ = connectServed();
+  expectAnswer(request('K', 0, 1), 'k', 0, 1);
+  passFrames(100);
+  for (const FakeRobot::FakeEar& ear : ers210.ears) {
+    EXPECT_EQ(std::count(ear.path.begin(), ear.path.end(), true), Lights::EAR_FRAMES);
+  }
+  client_.reset();
+  machine_.reset();
+}
+
 // --------------------------------------------------------------------------------------------------- version 1: power
 
 TEST_F(BodyTest, ShuttingDownAndRebootingAreRefusedUnlessTheFileAllowsThem) {

@@ -51,7 +51,10 @@ class FakeRobot : public openr_host::VirtualRobot {
     std::vector<bool> path;  ///< at the end of each frame
   };
 
-  FakeRobot() : region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * 3 * kWidth * kHeight)) {
+  /// @param robot_design one that robot_model knows
+  explicit FakeRobot(const char* robot_design = "ERS-7")
+      : model(*robot_model::findRobotModel(robot_design)),
+        region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * 3 * kWidth * kHeight)) {
     std::vector<int> posture(joints.size(), 0);
     robot_model::clampPosture(model, posture.data());
     for (size_t i = 0; i < joints.size(); ++i) {
@@ -77,7 +80,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// From now on images are taken in the frames in which the joints are measured.
   void takeImagesWhenJointsAreMeasured() { first_frame_of_image_ = 1; }
 
-  std::string design() const override { return "ERS-7"; }
+  std::string design() const override { return design_name; }
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
     if (locator == missing_locator) {
       return oNOT_FOUND;
@@ -141,7 +144,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   void switchOff() override { ++times_switched_off; }
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
     if (id >= kFirstEar) {
-      return type == odataJOINT_COMMAND4;
+      return type ==
+             (model.ears[id - kFirstEar].kind == robot_model::EAR_JOINT4 ? odataJOINT_COMMAND4 : odataJOINT_COMMAND3);
     }
     if (id >= kFirstLed) {
       return type == (model.leds[id - kFirstLed].kind == robot_model::LED2 ? odataLED_COMMAND2 : odataLED_COMMAND3);
@@ -192,7 +196,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     return joints[static_cast<size_t>(robot_model::findJointByName(model, name.c_str()))];
   }
 
-  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  const robot_model::RobotModel& model;
+  std::string design_name = model.design;  ///< that OPEN-R tells
   std::vector<FakeJoint> joints = std::vector<FakeJoint>(static_cast<size_t>(model.number_of_joints));
   std::vector<int> sensor_values = std::vector<int>(static_cast<size_t>(model.number_of_sensors));
   std::vector<FakeLed> leds = std::vector<FakeLed>(static_cast<size_t>(model.number_of_leds));
@@ -230,7 +235,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   void carryOut(const openr_host::EffectorCommand& command) {
     if (command.type == odataJOINT_COMMAND2) {
       at(command.primitive).reference = valueOf<OJointCommandValue2>(command).value;
-    } else if (command.type == odataJOINT_COMMAND4) {
+    } else if (command.primitive >= kFirstEar) {
       ears.at(command.primitive - kFirstEar).drawn = valueOf<OJointCommandValue4>(command).value == ojoint4_STATE1;
     } else {
       FakeLed& led = leds.at(command.primitive - kFirstLed);

@@ -266,6 +266,14 @@ TEST_F(StoppedMotionTest, endsWhenOneOfItsJointsFails) {
   EXPECT_TRUE(player_->IsPlaying());
 }
 
+TEST_F(StoppedMotionTest, aFailureIsToldByItsNameWhateverIsPlayedMeanwhile) {
+  player_->JointFails(joint("head_tilt"));
+  ASSERT_EQ(play("C.MTN", motionBytes("at 0 mouth -10\n")), "");
+  MotionPlayer::Failure failure;
+  ASSERT_TRUE(player_->TakeFailure(&failure));
+  EXPECT_THAT(failure.name, StrEq("A.MTN"));
+}
+
 TEST_F(StoppedMotionTest, aJointOfNoMotionFailsWithoutConsequences) {
   player_->JointFails(joint("mouth"));
   MotionPlayer::Failure failure;
