@@ -109,8 +109,9 @@ TEST(TextFormTest, saysInWhichLineWhatIsWrong) {
   EXPECT_THAT(problemOf(begin + "at 16 left_wing 1\n"), HasSubstr("line 3: an ERS-7 has no joint \"left_wing\""));
   EXPECT_THAT(problemOf(begin + "at 160000\n"), HasSubstr("more than 60 s"));
   for (const std::string frame : {"0", "-1", "7", "1001", "65552"}) {  // 65552 is 16 in the two bytes of a motion file
-    EXPECT_THAT(problemOf("frame " + frame + "\n" + begin + "at 160\n"), HasSubstr("a frame of " + frame + " ms"));
+    EXPECT_THAT(problemOf("frame " + frame + "\n" + begin), HasSubstr("a frame of " + frame + " ms"));
   }
+  EXPECT_THAT(problemOf("frame 0\n" + begin + "at 160\n"), HasSubstr("a frame of 0 ms"));
 }
 
 }  // namespace
