@@ -1,5 +1,7 @@
 // What can be changed while the driver runs, by dynamic_reconfigure.
 
+#include <aibo_driver/Connection.h>
+#include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
@@ -14,15 +16,23 @@
 #include "joint_listener.h"
 #include "simulated_robot.h"
 #include "topic_listener.h"
+#include "topic_publishers.h"
 
 namespace {
 
+using aibo_driver::Connection;
+using aibo_driver::TakePicture;
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
 using test_support::DriverProcess;
 using test_support::JointListener;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::HasSubstr;
+
+// On a busy machine the connection would break off, and the motion with it.
+constexpr const char* kPatient = "_read_timeout:=20";
 
 Config jpegQuality(int value) {
   Config config;
@@ -80,9 +90,9 @@ class SettingsUser {
 };
 
 TEST(Settings, BeginWithTheParameters) {
-  SettingsUser user("/settings_begin", {"_jpeg_quality:=40", "_telemetry_rate:=5", "_speed_scale:=0.5"});
+  SettingsUser user("/settings_begin", {"_jpeg_quality:=40", "_telemetry_rate:=6.25", "_speed_scale:=0.5"});
   EXPECT_EQ(user.inForce("jpeg_quality"), 40);
-  EXPECT_EQ(user.inForce("telemetry_rate"), 5);
+  EXPECT_EQ(user.inForce("telemetry_rate"), 6.25);
   EXPECT_EQ(user.inForce("speed_scale"), 0.5);
 }
 
@@ -95,11 +105,22 @@ TEST(Settings, JpegQualityChangesTheRunningStream) {
   EXPECT_TRUE(pictures.waitFor([&before](const auto& p) { return 2 * p.data.size() < before->data.size(); }));
 }
 
+TEST(Settings, JpegQualityIsThatOfTakePictureToo) {
+  SettingsUser user("/settings_picture", {"_stream_on_start:=false"});
+  user.set(jpegQuality(20));
+  TopicListener<Connection> connection("/settings_picture/connection");
+  ASSERT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
+  TakePicture call;
+  ASSERT_TRUE(ros::service::call("/settings_picture/take_picture", call));
+  EXPECT_THAT(call.response.message, HasSubstr("at quality 20"));
+}
+
 TEST(Settings, TelemetryRateChangesJointStates) {
   TopicListener<sensor_msgs::JointState> states("/settings_rate/joint_states");
   SettingsUser user("/settings_rate");
   ASSERT_TRUE(states.waitForNext());
-  user.set(number("telemetry_rate", 1));
+  const double rate = user.valueOf(user.set(number("telemetry_rate", 1)), "telemetry_rate");
+  EXPECT_NEAR(rate, 1, 0.01) << "31 measurements of 32 ms";
   ros::Time last;
   EXPECT_TRUE(states.waitFor([&last](const auto& state) {
     const double interval = (state.header.stamp - last).toSec();
@@ -110,15 +131,14 @@ TEST(Settings, TelemetryRateChangesJointStates) {
 
 TEST(Settings, SpeedScaleSlowsTheJointsDown) {
   JointListener joints("/settings_speed");
-  SettingsUser user("/settings_speed", {"_joint_speed_limit:=5", "_approach_speed:=5"});
-  ros::Publisher commands =
-      ros::NodeHandle().advertise<sensor_msgs::JointState>("/settings_speed/joint_command", 1, true);
+  SettingsUser user("/settings_speed", {"_joint_speed_limit:=5", "_approach_speed:=5", kPatient});
+  TopicPublishers topics("/settings_speed");
   ASSERT_TRUE(joints.messages().waitForNext());
   user.set(number("speed_scale", 0.1));
   sensor_msgs::JointState command;
   command.name = {"head_pan"};
   command.position = {0.5};
-  commands.publish(command);
+  topics.publish("joint_command", command);
   EXPECT_TRUE(joints.waitForPosition("head_pan", 0.5));
   EXPECT_LT(joints.highestSpeed("head_pan"), 0.7);
 }
