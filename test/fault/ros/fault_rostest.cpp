@@ -3,19 +3,26 @@
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/Ears.h>
 #include <aibo_driver/Leds.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/TakePicture.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/SetCameraInfo.h>
 #include <signal.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
 #include <std_srvs/SetBool.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <future>
 #include <limits>
 #include <map>
 #include <random>
@@ -23,18 +30,23 @@
 #include <thread>
 
 #include "driver_process.h"
+#include "joint_listener.h"
 #include "proxy/fault_proxy.h"
 #include "proxy/script.h"
 #include "proxy/sockets.h"
+#include "recording_proxy.h"
 #include "robot_model/robot_model.h"
 #include "simulated_robot.h"
 #include "support/picture_server.h"
 #include "support/resources.h"
 #include "topic_listener.h"
+#include "topic_publishers.h"
 
 namespace {
 
 using aibo_driver::Connection;
+using aibo_driver::PlayMotion;
+using aibo_driver::TakePicture;
 using fault_bench::Action;
 using fault_bench::FaultProxy;
 using fault_bench::PictureServer;
@@ -43,9 +55,14 @@ using fault_bench::Welcome;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using test_support::DriverProcess;
+using test_support::JointListener;
+using test_support::kSafetyNet;
 using test_support::Process;
+using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::IsEmpty;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
@@ -244,6 +261,94 @@ TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
   request.data = 1;
   EXPECT_TRUE(ros::service::call("/commands/motors", request, response));
   EXPECT_TRUE(response.success) << response.message;
+  EXPECT_TRUE(driver.isRunning());
+}
+
+template <typename Service>
+std::future<typename Service::Response> callInBackground(const std::string& name, typename Service::Request request) {
+  return std::async(std::launch::async, [name, request]() mutable {
+    typename Service::Response response;
+    EXPECT_TRUE(ros::service::call(name, request, response)) << "the call itself failed";
+    return response;
+  });
+}
+
+double farthest(const sensor_msgs::JointState& a, const sensor_msgs::JointState& b) {
+  double distance = 0;
+  for (std::size_t i = 0; i < a.position.size(); ++i) {
+    distance = std::max(distance, std::abs(a.position[i] - b.position.at(i)));
+  }
+  return distance;
+}
+
+/// Waits for them to stand, and then for a second in which none moves.
+bool jointsHold(JointListener& joints) {
+  joints.messages().waitForNext();  // the first one knows of no velocity yet
+  joints.messages().clear();
+  const auto standing = joints.messages().waitFor([](const sensor_msgs::JointState& message) {
+    return std::all_of(message.velocity.begin(), message.velocity.end(),
+                       [](double velocity) { return std::abs(velocity) < 0.05; });
+  });
+  joints.messages().clear();
+  const auto later = joints.messages().waitForCount(30);
+  return standing && later.size() >= 30 && std::all_of(later.begin(), later.end(), [&](const auto& message) {
+           return farthest(*standing, *message) < JointListener::kTolerance;
+         });
+}
+
+TEST(FaultsOfUsers, WhatTheNetworkCutsOffEndsWithAnAnswerAndIsNotRepeated) {
+  const SimulatedRobot robot;
+  RecordingProxy proxy(robot.port());
+  JointListener joints("/cut_off");
+  TopicListener<Connection> connection("/cut_off/connection");
+  DriverProcess driver("/cut_off", proxy.port(), {"_stream_on_start:=false", "_read_timeout:=60"});
+  ASSERT_FALSE(joints.messages().waitForCount(1).empty());
+  proxy.setMute(true);
+  PlayMotion::Request motion;
+  motion.name = "nod";
+  motion.repetitions = 1000;
+  auto played = callInBackground<PlayMotion>("/cut_off/play_motion", motion);
+  auto taken = callInBackground<TakePicture>("/cut_off/take_picture", {});
+  ASSERT_TRUE(proxy.waitForRequest("P", kSafetyNet));
+  ASSERT_TRUE(proxy.waitForRequest("F", kSafetyNet));
+
+  const std::size_t connections = proxy.connections();
+  connection.clear();
+  proxy.cut();
+  const PlayMotion::Response no_motion = played.get();
+  EXPECT_FALSE(no_motion.success);
+  EXPECT_NE(no_motion.message, "");
+  const TakePicture::Response no_picture = taken.get();
+  EXPECT_FALSE(no_picture.success);
+  EXPECT_NE(no_picture.message, "");
+
+  proxy.setMute(false);
+  ASSERT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
+  EXPECT_TRUE(jointsHold(joints)) << "the motion goes on without anybody who could stop it";
+  EXPECT_THAT(proxy.requestsFromDriver("FPJ", connections), IsEmpty());
+  EXPECT_TRUE(callInBackground<PlayMotion>("/cut_off/play_motion", motion).get().success);
+  EXPECT_TRUE(driver.isRunning());
+}
+
+TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
+  TopicListener<rosgraph_msgs::Log> log("/rosout");
+  const SimulatedRobot robot;
+  JointListener joints("/types");
+  DriverProcess driver("/types", robot.port(), {"_stream_on_start:=false"});
+  ASSERT_FALSE(joints.messages().waitForCount(1).empty());
+  for (const std::string topic :
+       {"joint_command", "joint_trajectory", "head_pan_position_controller/command", "leds", "ears"}) {
+    constexpr bool kLatched = true;
+    ros::Publisher publisher = ros::NodeHandle("/types").advertise<std_msgs::String>(topic, 10, kLatched);
+    publisher.publish(std_msgs::String());
+    const std::string complaint = "wants topic /types/" + topic + " to have datatype/md5sum";
+    EXPECT_TRUE(log.waitFor([&](const auto& entry) { return entry.msg.find(complaint) != std::string::npos; }));
+  }
+  TopicPublishers topics("/types");
+  std_msgs::Float64 position;
+  position.data = 0.5;
+  topics.publish("head_pan_position_controller/command", position);
+  EXPECT_TRUE(joints.waitForPosition("head_pan", 0.5));
   EXPECT_TRUE(driver.isRunning());
 }
 
