@@ -1,6 +1,10 @@
 // The executable, as scripts and roslaunch use it.
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
+#include <netinet/in.h>
 #include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -25,12 +29,27 @@ std::vector<std::string> command(const std::vector<std::string>& options) {
 
 const std::vector<std::string> kFreePorts = {"--port", "0", "--console-port", "0"};
 
-// Waits until it listens.
-std::string portOf(ChildProcess& robot) {
-  const std::string text = "RCServer listening on 127.0.0.1:";
+std::string restOfLine(ChildProcess& robot, const std::string& text) {
   const std::string line = robot.readLineWith(text);
   EXPECT_GT(line.size(), text.size()) << robot.printed();
   return line.substr(std::min(line.size(), text.size()));
+}
+
+// Waits until it listens.
+std::string portOf(ChildProcess& robot, const std::string& address = "127.0.0.1") {
+  return restOfLine(robot, "RCServer listening on " + address + ":");
+}
+
+// By another address of this computer than that on which it listens unless told otherwise.
+bool isReachableByAnotherAddress(const std::string& port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
+  EXPECT_EQ(::inet_pton(AF_INET, "127.0.0.2", &address.sin_addr), 1);
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  const bool reached = ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  ::close(socket);
+  return reached;
 }
 
 TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
@@ -92,6 +111,20 @@ TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
     }
     ASSERT_TRUE(reply) << version;
     EXPECT_EQ(reply->letter, letter) << version;
+  }
+}
+
+TEST(AiboRCServer, ListensAndHasItsConsoleOnLoopbackUnlessItIsToldOtherwise) {
+  for (const auto& [address, reachable] : std::map<std::string, bool>{{"127.0.0.1", false}, {"0.0.0.0", true}}) {
+    std::vector<std::string> options = kFreePorts;
+    if (reachable) {
+      options.insert(options.end(), {"--bind", address});
+    }
+    ChildProcess robot(command(options));
+    const std::string console_port = restOfLine(robot, "Console on " + address + ":");
+    const std::string port = portOf(robot, address);
+    EXPECT_EQ(isReachableByAnotherAddress(port), reachable);
+    EXPECT_EQ(isReachableByAnotherAddress(console_port), reachable);
   }
 }
 

@@ -48,6 +48,15 @@ class MotionsTest : public RCServerFixture {
     return names;
   }
 
+  // A motion beside the folder, for those who would leave it.
+  void writeOutside() { stick_.write("OPEN-R/MW/DATA/OUT.MTN", motion_); }
+
+  // Everything on the stick is as it was.
+  void expectNothingTouchedOutside() const {
+    EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/OUT.MTN")), motion_);
+    EXPECT_THAT(motions(), ElementsAre("NOD.MTN", "SIT.MTN", "WAG.MTN"));
+  }
+
   double degrees(const std::string& joint) { return robot_.joint(joint).position * 180e-6 / std::acos(-1.0); }
 
   TemporaryMemoryStick stick_;
@@ -183,6 +192,17 @@ TEST_F(Version1MotionsTest, whatIsNoMotionIsNotKept) {
   EXPECT_THAT(motions(), ElementsAre("NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
+TEST_F(Version1MotionsTest, noNameLeadsOutOfTheFolder) {
+  start("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+  writeOutside();
+  for (const std::string name : {"../OUT.MTN", "..\\OUT.MTN", "/OUT.MTN", "./NOD.MTN", "..", "A:.MTN"}) {
+    EXPECT_EQ(answerTo(fileRequest('P', name, 1)), "e0 2") << name;
+    EXPECT_EQ(answerTo(fileRequest('D', name, 0)), "e0 2") << name;
+    EXPECT_EQ(answerTo(upload(name, motion_)), "e0 2") << name;
+  }
+  expectNothingTouchedOutside();
+}
+
 TEST_F(Version1MotionsTest, deletesWhatIsThere) {
   start("ALLOW_DELETE=yes\n");
   EXPECT_EQ(answerTo(fileRequest('D', "nod.mtn", 0)), "d7 0");
@@ -275,6 +295,19 @@ TEST_F(Version2MotionsTest, uploadsAndDeletes) {
   EXPECT_THAT(answerTo(frame('D', "NEW.MTN")), HasSubstr("e1 there is no NEW.MTN"));
   passFrames(kLongestMotion);
   EXPECT_NEAR(degrees("head_pan"), 30, 0.01) << "it was played to its end all the same";
+}
+
+TEST_F(Version2MotionsTest, noNameLeadsOutOfTheFolder) {
+  startVersion2("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+  writeOutside();
+  const std::string with_zero("OUT\0.MTN", 8);
+  for (const std::string& name : {std::string("../OUT.MTN"), std::string("../../CONF/RCSERVER.CFG"), with_zero,
+                                  std::string("/MS/OPEN-R/MW/DATA/OUT.MTN"), std::string(255, 'A') + ".MTN"}) {
+    EXPECT_THAT(answerTo(play(name, 1)), HasSubstr("e0 bad request")) << name;
+    EXPECT_THAT(answerTo(frame('D', name)), HasSubstr("e0 bad request")) << name;
+    EXPECT_THAT(answerTo(upload(name, motion_)), HasSubstr("e0 bad request")) << name;
+  }
+  expectNothingTouchedOutside();
 }
 
 TEST_F(Version2MotionsTest, saysWhyAnUploadIsNotKept) {
