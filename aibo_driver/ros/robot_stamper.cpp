@@ -33,7 +33,7 @@ ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::size_t remembered = std::min(count_, kRemembered);
   for (std::size_t i = 0; i < remembered; ++i) {
-    if (latest_[i].arrival == arrival) {
+    if (latest_[i].arrival == arrival && latest_[i].frame_number == frame_number) {
       return latest_[i].stamp;
     }
   }
@@ -46,7 +46,7 @@ ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std
       stamp = last + ros::Duration(0, 1);
     }
   }
-  latest_[count_ % kRemembered] = {arrival, stamp};
+  latest_[count_ % kRemembered] = {arrival, frame_number, stamp};
   ++count_;
   return stamp;
 }

@@ -56,6 +56,7 @@ class RobotStamper {
 
   struct Stamped {
     SteadyTime arrival;
+    std::optional<std::uint32_t> frame_number;  ///< of messages that arrive together
     ros::Time stamp;
   };
 

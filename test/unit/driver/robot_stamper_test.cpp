@@ -93,6 +93,14 @@ TEST_F(RobotStamperTest, TheSamePictureHasTheSameStampLater) {
   EXPECT_EQ(stamper.stamp(picture), stamp);
 }
 
+TEST_F(RobotStamperTest, StampsOfMessagesThatArriveTogetherKeepTheIntervalOfTheirFrames) {
+  RobotStamper stamper = makeStamper(0ns, &robot_clock_);
+  stamper.stamp(telemetryOf(100, steady_now_));
+  advance(200ms);
+  const ros::Time first = stamper.stamp(telemetryOf(108, steady_now_));
+  EXPECT_EQ(stamper.stamp(telemetryOf(112, steady_now_)), first + ros::Duration(0, 32000000));
+}
+
 TEST_F(RobotStamperTest, StampsIncreaseAlthoughTheRosClockStepsBackALittle) {
   RobotStamper stamper = makeStamper(0ns);
   const ros::Time first = stamper.stamp(pictureOf(steady_now_));
