@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{5};
 
+// More than a test program has open at a time.
+constexpr int kMostDescriptors = 1024;
+
 // Between fork and exec nothing may allocate: another thread may hold the allocator's lock.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -57,6 +60,9 @@ Process::Process(const std::vector<std::string>& command, const std::map<std::st
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::dup2(pipe_ends[1], STDOUT_FILENO);
     ::dup2(pipe_ends[1], STDERR_FILENO);
+    for (int descriptor = STDERR_FILENO + 1; descriptor < kMostDescriptors; ++descriptor) {
+      ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // roscpp's sockets are not the child's
+    }
     ::execvpe(argv[0], argv.data(), envp.data());
     ::_exit(127);
   }
