@@ -289,7 +289,7 @@ class IdleExperiment : public ClientExperiment {
     proxy_.heal();
     Outcome outcome;
     if (used > 0.01 * Milliseconds(kTime)) {
-      outcome.violations.push_back("I7: " + std::to_string(used.count()) + " ms of processor time in " +
+      outcome.violations.push_back("M: I7: " + std::to_string(used.count()) + " ms of processor time in " +
                                    std::to_string(kTime.count()) + " ms without a connection");
     }
     return outcome;

@@ -18,7 +18,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 /// What became of one fault.
 struct Outcome {
   std::optional<Milliseconds> recovery;  ///< from when nothing was wrong any more to the first good picture
-  std::vector<std::string> violations;
+  std::vector<std::string> violations;   ///< those that begin with M are of time: a busy computer is to blame, too
 };
 
 /// Tries faults of one kind, one after the other, on a client or server of its own.

@@ -104,7 +104,7 @@ class HangingClientExperiment : public ServerExperiment {
     Outcome outcome = {steady_clock::now() - stopped, {}};
     const milliseconds gap = server_.takeLongestImageGap();
     if (gap > kBlocked) {
-      outcome.violations.push_back("no camera image for " + std::to_string(gap.count()) + " ms");
+      outcome.violations.push_back("M: no camera image for " + std::to_string(gap.count()) + " ms");
     }
     return outcome;
   }
@@ -136,7 +136,7 @@ class PauseExperiment : public ServerExperiment {
     client.close();
     Outcome outcome = awaitService(steady_clock::now());
     if (stale > 7) {
-      outcome.violations.push_back(std::to_string(stale) + " stale pictures were sent");
+      outcome.violations.push_back("M: " + std::to_string(stale) + " stale pictures were sent");
     }
     return outcome;
   }
@@ -190,7 +190,7 @@ class HeldUpExperiment : public ServerExperiment {
     await(&pictures, pictures + 5);
     Outcome outcome;
     if (stale > 1) {
-      outcome.violations.push_back(std::to_string(stale) + " stale pictures were delivered");
+      outcome.violations.push_back("M: " + std::to_string(stale) + " stale pictures were delivered");
     }
     return outcome;
   }

@@ -66,7 +66,7 @@ void Witness::judge(const Picture& picture, const Sighting& sighting) {
   }
   // The client looks at the clock, then reads: it may be held up in between.
   if (picture.first_byte_time + kHeldUp < sighting.sent) {
-    complain("I4: the time of " + which + " is before it was sent");
+    complain("M: I4: the time of " + which + " is before it was sent");
   }
   const bool same_connection = sighting.name.connection == last_.name.connection;
   const std::uint64_t spoilt = server_.lastSpoilt().first.number;
