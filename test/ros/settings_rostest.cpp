@@ -7,6 +7,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/JointState.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
 #include <cstddef>
 #include <limits>
@@ -26,11 +27,14 @@ using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
 using test_support::DriverProcess;
 using test_support::JointListener;
+using test_support::positionOf;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
 using ::testing::HasSubstr;
 
+// A setting that was changed stays on the parameter server, for the next driver of the same name.
+constexpr const char* kFullSpeed = "_speed_scale:=1";
 // On a busy machine the connection would break off, and the motion with it.
 constexpr const char* kPatient = "_read_timeout:=20";
 
@@ -131,7 +135,7 @@ TEST(Settings, TelemetryRateChangesJointStates) {
 
 TEST(Settings, SpeedScaleSlowsTheJointsDown) {
   JointListener joints("/settings_speed");
-  SettingsUser user("/settings_speed", {"_joint_speed_limit:=5", "_approach_speed:=5", kPatient});
+  SettingsUser user("/settings_speed", {"_joint_speed_limit:=5", "_approach_speed:=5", kFullSpeed, kPatient});
   TopicPublishers topics("/settings_speed");
   ASSERT_TRUE(joints.messages().waitForNext());
   user.set(number("speed_scale", 0.1));
@@ -141,6 +145,24 @@ TEST(Settings, SpeedScaleSlowsTheJointsDown) {
   topics.publish("joint_command", command);
   EXPECT_TRUE(joints.waitForPosition("head_pan", 0.5));
   EXPECT_LT(joints.highestSpeed("head_pan"), 0.7);
+}
+
+TEST(Settings, SpeedScaleSlowsATrajectoryThatIsUnderWay) {
+  JointListener joints("/settings_trajectory");
+  SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=2", kFullSpeed, kPatient});
+  TopicPublishers topics("/settings_trajectory");
+  ASSERT_TRUE(joints.messages().waitForNext());
+  trajectory_msgs::JointTrajectory trajectory;
+  trajectory.joint_names = {"head_pan"};
+  trajectory.points.resize(1);
+  trajectory.points[0].positions = {1.0};
+  trajectory.points[0].time_from_start = ros::Duration(1.5);
+  topics.publish("joint_trajectory", trajectory);
+  ASSERT_TRUE(joints.messages().waitFor([](const auto& state) { return positionOf(state, "head_pan") > 0.1; }));
+  user.set(number("speed_scale", 0.1));
+  ASSERT_TRUE(joints.waitForSpeedBelow("head_pan", 0.25)) << "0.2 is allowed";
+  EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0)) << "it goes to the end all the same";
+  EXPECT_LT(joints.highestSpeed("head_pan"), 0.3);
 }
 
 TEST(Settings, OutOfRangeAreSetToTheNearestThatIsAllowed) {

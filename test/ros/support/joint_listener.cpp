@@ -4,15 +4,31 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace test_support {
 
-std::optional<double> positionOf(const sensor_msgs::JointState& message, const std::string& joint) {
+namespace {
+
+// What one of the arrays of a message says of a joint.
+std::optional<double> valueOf(const sensor_msgs::JointState& message, const std::vector<double>& values,
+                              const std::string& joint) {
   const auto found = std::find(message.name.begin(), message.name.end(), joint);
   if (found == message.name.end()) {
     return std::nullopt;
   }
-  return message.position.at(static_cast<std::size_t>(found - message.name.begin()));
+  return values.at(static_cast<std::size_t>(found - message.name.begin()));
+}
+
+}  // namespace
+
+std::optional<double> positionOf(const sensor_msgs::JointState& message, const std::string& joint) {
+  return valueOf(message, message.position, joint);
+}
+
+std::optional<double> speedOf(const sensor_msgs::JointState& message, const std::string& joint) {
+  const std::optional<double> velocity = valueOf(message, message.velocity, joint);
+  return velocity ? std::optional<double>(std::abs(*velocity)) : std::nullopt;
 }
 
 std::map<std::string, double> JointListener::waitForPositions(const std::map<std::string, double>& expected) {
@@ -36,6 +52,12 @@ std::map<std::string, double> JointListener::waitForPositions(const std::map<std
   return elsewhere;
 }
 
+bool JointListener::waitForSpeedBelow(const std::string& joint, double speed) {
+  listener_.clear();
+  return listener_.waitFor([&](const auto& message) { return speedOf(message, joint).value_or(speed) < speed; }) !=
+         nullptr;
+}
+
 double JointListener::position(const std::string& joint) {
   listener_.clear();
   const auto message = listener_.waitFor([&](const auto& candidate) { return positionOf(candidate, joint); });
@@ -45,11 +67,7 @@ double JointListener::position(const std::string& joint) {
 double JointListener::highestSpeed(const std::string& joint) {
   double highest = 0;
   for (const auto& message : listener_.waitForCount(1)) {
-    for (std::size_t i = 0; i < message->name.size(); ++i) {
-      if (message->name[i] == joint) {
-        highest = std::max(highest, std::abs(message->velocity.at(i)));
-      }
-    }
+    highest = std::max(highest, speedOf(*message, joint).value_or(0));
   }
   return highest;
 }

@@ -15,6 +15,9 @@ namespace test_support {
 /// The position of a joint in a message, or nothing.
 std::optional<double> positionOf(const sensor_msgs::JointState& message, const std::string& joint);
 
+/// How fast a joint moves in a message, whichever way, or nothing.
+std::optional<double> speedOf(const sensor_msgs::JointState& message, const std::string& joint);
+
 /// Follows joint_states.
 class JointListener {
  public:
@@ -31,6 +34,9 @@ class JointListener {
   bool waitForPosition(const std::string& joint, double expected) {
     return waitForPositions({{joint, expected}}).empty();
   }
+
+  /// True if the joint comes to move slower than this.
+  bool waitForSpeedBelow(const std::string& joint, double speed);
 
   /// The position of a joint in the next message with it.
   double position(const std::string& joint);
