@@ -101,9 +101,10 @@ class TestSystem {
   }
 
   /// Handles messages and sockets until `done` says so.
-  /// @return false if that takes more than 20 s
-  bool runUntil(const std::function<bool()>& done) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  /// @param limit safety net
+  /// @return false if that takes longer
+  bool runUntil(const std::function<bool()>& done, std::chrono::seconds limit = std::chrono::seconds(20)) {
+    const auto end = std::chrono::steady_clock::now() + limit;
     while (!done()) {
       if (std::chrono::steady_clock::now() > end) {
         return false;
