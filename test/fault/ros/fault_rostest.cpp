@@ -380,7 +380,12 @@ class Master {
   void start() {
     process_ =
         std::make_unique<Process>(std::vector<std::string>{"roscore", "-p", std::to_string(port_)}, environment());
-    process_->waitForOutput("started core service", std::chrono::seconds(60));
+    try {
+      process_->waitForOutput("started core service", std::chrono::seconds(60));
+    } catch (...) {
+      stop();
+      throw;
+    }
   }
 
   /// It ends in order: killed, it would leave its children behind.

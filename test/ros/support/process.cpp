@@ -30,7 +30,9 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 std::vector<std::string> mergedEnvironment(std::map<std::string, std::string> added) {
-  added.emplace("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1");  // or a pipe gets ROS_INFO only when the process ends
+  // Or a pipe gets only when the process ends what ROS_INFO and Python print.
+  added.emplace("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1");
+  added.emplace("PYTHONUNBUFFERED", "1");
   std::vector<std::string> result;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
