@@ -13,13 +13,13 @@ PictureRequests::TimePoint PictureRequests::nextDeadline() const {
 }
 
 void PictureRequests::answerFront(const PicturePtr& picture) {
-  requests_.front().answer(picture, false);
+  requests_.front().answer(picture, 0);
   requests_.pop_front();
 }
 
-void PictureRequests::answerFromStream(const PicturePtr& picture) {
+void PictureRequests::answerFromStream(const PicturePtr& picture, int quality) {
   while (!requests_.empty() && requests_.front().since < picture->first_byte_time) {
-    requests_.front().answer(picture, true);
+    requests_.front().answer(picture, quality);
     requests_.pop_front();
   }
 }

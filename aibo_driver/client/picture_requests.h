@@ -15,9 +15,9 @@ namespace aibo_driver {
 /// What RcServerClient::takePicture() waits for: a picture, or why there is none.
 struct PictureAnswer {
   CallOutcome outcome = CallOutcome::kDone;
-  PicturePtr picture;        ///< null unless done
-  bool from_stream = false;  ///< taken from the running stream
-  std::string problem;       ///< empty if done
+  PicturePtr picture;      ///< null unless done
+  int stream_quality = 0;  ///< that of the running stream from which it was taken; 0 = taken for this call alone
+  std::string problem;     ///< empty if done
 };
 
 /// A call of RcServerClient::takePicture() that is in progress.
@@ -31,10 +31,10 @@ struct PictureRequest {
   TimePoint deadline;                    ///< the caller waits no longer
   std::promise<Answer> promise;
 
-  void answer(const PicturePtr& picture, bool from_stream) {
-    promise.set_value({CallOutcome::kDone, picture, from_stream, ""});
+  void answer(const PicturePtr& picture, int stream_quality) {
+    promise.set_value({CallOutcome::kDone, picture, stream_quality, ""});
   }
-  void fail(CallOutcome outcome, const std::string& problem) { promise.set_value({outcome, nullptr, false, problem}); }
+  void fail(CallOutcome outcome, const std::string& problem) { promise.set_value({outcome, nullptr, 0, problem}); }
 };
 
 /// The requests that wait for a version 1 server, first come first served: its pictures do not say what they answer.
@@ -53,7 +53,8 @@ class PictureRequests {
   void answerFront(const PicturePtr& picture);
 
   /// Gives a picture of the stream to everybody whose request is older than it.
-  void answerFromStream(const PicturePtr& picture);
+  /// @param quality the stream's
+  void answerFromStream(const PicturePtr& picture, int quality);
 
   /// The first request will not be answered.
   void failFront(CallOutcome outcome, const std::string& problem);

@@ -567,11 +567,11 @@ bool RcServerClient::streaming() const {
   return implementation_->streaming();
 }
 
-PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, bool* from_stream) {
+PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* stream_quality) {
   const PictureAnswer answer = implementation_->takePicture(quality, timeout);
   throwUnlessDone(answer.outcome, answer.problem);
-  if (from_stream != nullptr) {
-    *from_stream = answer.from_stream;
+  if (stream_quality != nullptr) {
+    *stream_quality = answer.stream_quality;
   }
   return answer.picture;
 }

@@ -37,8 +37,8 @@ void Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint
   }
 }
 
-void Session::toggleStream(TimePoint now) {
-  stream_.toggled(now);
+void Session::toggleStream(int quality, TimePoint now) {
+  stream_.toggled(quality, now);
   stall_detector_.restart(now);
   signOfPicture(now);
 }

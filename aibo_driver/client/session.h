@@ -114,7 +114,7 @@ class Session {
   TimePoint now() const { return now_; }
 
   /// The stream is told to start or to stop, whichever it has not been told last.
-  void toggleStream(TimePoint now);
+  void toggleStream(int quality, TimePoint now);
   const StreamControl& stream() const { return stream_; }
   StreamControl& stream() { return stream_; }
 

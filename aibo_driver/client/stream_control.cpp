@@ -2,8 +2,9 @@
 
 namespace aibo_driver {
 
-void StreamControl::toggled(TimePoint now) {
+void StreamControl::toggled(int quality, TimePoint now) {
   on_ = !on_;
+  quality_ = quality;
   if (!on_) {
     off_since_ = now;
     quiet_since_ = now;

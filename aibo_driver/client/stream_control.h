@@ -22,8 +22,14 @@ class StreamControl {
 
   bool on() const { return on_; }
 
-  /// A toggle has been sent.
-  void toggled(TimePoint now);
+  /// Of the pictures, 1..100; 0 = never toggled.
+  int quality() const { return quality_; }
+
+  /// A toggle has been sent, with this quality.
+  void toggled(int quality, TimePoint now);
+
+  /// The running stream has been told another quality (version 2 only).
+  void setQuality(int quality) { quality_ = quality; }
 
   /// Bytes have come while the stream was off and nobody had asked for a picture.
   void lateBytes(TimePoint now) { quiet_since_ = now; }
@@ -37,6 +43,7 @@ class StreamControl {
 
  private:
   bool on_ = false;
+  int quality_ = 0;
   TimePoint off_since_;
   TimePoint quiet_since_;
 };

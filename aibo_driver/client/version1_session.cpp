@@ -112,7 +112,7 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
     return {};
   }
   if (wish.streaming != stream().on()) {
-    toggleStream(now);
+    toggleStream(wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
   }
   if (mayRequestPicture(now)) {
@@ -219,7 +219,7 @@ void Version1Session::deliver(const PicturePtr& picture) {
   } else if (!stream().on()) {
     dropUnexpected();
   } else if (publishFromStream(picture)) {
-    requests_.answerFromStream(picture);
+    requests_.answerFromStream(picture, stream().quality());
   }
 }
 

@@ -64,7 +64,7 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (!ready_) {
     return {};
   }
-  if (wish.streaming != stream().on() || (wish.streaming && wish.jpeg_quality != stream_quality_)) {
+  if (wish.streaming != stream().on() || (wish.streaming && wish.jpeg_quality != stream().quality())) {
     return requestStream(wish, now);
   }
   if (const PictureRequest* call = pictures_.firstUnsent()) {
@@ -86,9 +86,9 @@ Session::Bytes Version2Session::requestHello(TimePoint now) {
 
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   if (wish.streaming != stream().on()) {
-    toggleStream(now);
+    toggleStream(wish.jpeg_quality, now);
   }
-  stream_quality_ = wish.jpeg_quality;
+  stream().setQuality(wish.jpeg_quality);
   unsigned char payload[version2::STREAM_SETTINGS_SIZE];
   const std::size_t size = version2::encodeStreamSettings({wish.streaming, version2::LAYER_HIGH, 1}, payload);
   return request(version2::REQUEST_STREAM, wish.jpeg_quality, payload, size, now);
@@ -346,7 +346,7 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
     return;
   }
   publish(picture);
-  pictures_.take(number)->answer(picture, false);
+  pictures_.take(number)->answer(picture, 0);
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {

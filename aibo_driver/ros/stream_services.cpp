@@ -18,10 +18,10 @@ constexpr std::uint32_t kTakePictureThreads = 4;
 
 constexpr std::uint8_t kMaxQuality = 100;  // report, section 3.3.6
 
-std::string describePicture(const Picture& picture, int asked_quality, int stream_quality, bool from_stream) {
+std::string describePicture(const Picture& picture, int asked_quality, int stream_quality) {
   std::string text = "Took a picture of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
                      " pixels, " + std::to_string(picture.jpeg.size()) + " bytes, at quality ";
-  if (!from_stream) {
+  if (stream_quality == 0) {
     return text + std::to_string(asked_quality) + ".";
   }
   text += std::to_string(stream_quality) + ", from the running stream";
@@ -62,13 +62,12 @@ void StreamServices::publishStreaming(bool streaming) {
 }
 
 bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Response& response) {
-  const int stream_quality = client_.jpegQuality();
-  const int quality = request.quality == 0 ? stream_quality : std::min(request.quality, kMaxQuality);
+  const int quality = request.quality == 0 ? client_.jpegQuality() : std::min<int>(request.quality, kMaxQuality);
   try {
-    bool from_stream = false;
-    const PicturePtr picture = client_.takePicture(quality, parameters_.take_picture_timeout, &from_stream);
+    int stream_quality = 0;
+    const PicturePtr picture = client_.takePicture(quality, parameters_.take_picture_timeout, &stream_quality);
     response.image = to_message_(*picture);
-    response.message = describePicture(*picture, quality, stream_quality, from_stream);
+    response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {
       response.message += " Saved to " + saveFile(request.save_to, picture->jpeg) + ".";
     }

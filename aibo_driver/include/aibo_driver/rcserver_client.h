@@ -146,7 +146,9 @@ class RcServerClient {
   ///
   /// @param quality 0..100; 0 = the stream's quality
   /// @param timeout longest time to wait, 1 ms..1 h
-  /// @param[out] from_stream if not null: true if the picture was taken from the running stream
+  /// @param[out] stream_quality if not null: the quality of the running stream from which the picture was
+  /// taken, 1..100;
+  ///     0 = it was taken for this call alone
   /// @return the picture, never null
   /// @throw InvalidArgumentException quality or timeout out of range
   /// @throw NetworkException no connection, or it broke while waiting; the message says why and what to check
@@ -154,7 +156,7 @@ class RcServerClient {
   /// @throw CommandException the robot answered with an error
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
-  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, bool* from_stream = nullptr);
+  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr);
 
   /// Sends joints to positions: together, in one request, and at once. Returns without waiting for the answer, which
   /// comes through on_joints_accepted, or through the log if the robot refuses.

@@ -38,14 +38,14 @@ TEST_F(TakePictureTest, WithoutAStreamOnePictureOfTheGivenQualityIsTaken) {
 TEST_F(TakePictureTest, DuringTheStreamItIsTheNextPictureOfTheStream) {
   ScriptedPeer peer = startStream();
   sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  bool from_stream = false;
-  auto taken = std::async(std::launch::async, [&] { return client_.takePicture(40, seconds(20), &from_stream); });
+  int stream_quality = 0;
+  auto taken = std::async(std::launch::async, [&] { return client_.takePicture(40, seconds(20), &stream_quality); });
   unsigned number = 2;
   while (taken.wait_for(milliseconds(10)) != std::future_status::ready && number < 1000) {
     peer.sendPicture(test_pictures::makeNumbered(number++));
   }
   EXPECT_NE(test_pictures::makeNumbered(1), taken.get()->jpeg);
-  EXPECT_TRUE(from_stream);
+  EXPECT_EQ(85, stream_quality);
   EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F into the own stream";
 }
 

@@ -188,7 +188,7 @@ TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality)
   ASSERT_TRUE(done(answer));
   const PictureAnswer got = answer.get();
   EXPECT_EQ(test_pictures::makeNumbered(1), got.picture->jpeg);
-  EXPECT_FALSE(got.from_stream);
+  EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(1u, pictures_.size()) << "it is published like any other";
   EXPECT_EQ("", command());
 }
@@ -214,6 +214,7 @@ TEST_F(Version1SessionTest, SeveralCallersGetAPictureEachOfTheirOwnQuality) {
 TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterTheCall) {
   wish_.streaming = true;
   command();
+  wish_.jpeg_quality = 60;  // of the next stream
   const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
   receive(Bytes(reply.begin(), reply.begin() + 100));
   pass(milliseconds(1));
@@ -228,7 +229,7 @@ TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBegi
   ASSERT_TRUE(done(first));
   ASSERT_TRUE(done(second));
   const PictureAnswer got = first.get();
-  EXPECT_TRUE(got.from_stream);
+  EXPECT_EQ(85, got.stream_quality);
   EXPECT_EQ(test_pictures::makeNumbered(2), got.picture->jpeg);
   EXPECT_EQ(got.picture, second.get().picture);
 }
@@ -258,7 +259,7 @@ TEST_F(Version1SessionTest, TheStreamIsNotToggledWhileAPictureIsOwed) {
   wish_.streaming = true;
   EXPECT_EQ("", command());
   receivePicture(1);
-  EXPECT_FALSE(answer.get().from_stream);
+  EXPECT_EQ(0, answer.get().stream_quality);
   EXPECT_EQ("W85", command());
 }
 

@@ -189,7 +189,7 @@ TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQu
   EXPECT_EQ(test_pictures::makeNumbered(2), second.get().picture->jpeg);
   const PictureAnswer got = first.get();
   EXPECT_EQ(test_pictures::makeNumbered(3), got.picture->jpeg);
-  EXPECT_FALSE(got.from_stream);
+  EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(3u, pictures_.size());
 }
 
