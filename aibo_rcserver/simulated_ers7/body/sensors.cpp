@@ -127,8 +127,10 @@ int Sensors::distance(std::size_t sensor, const RangeFinder& finder, const Situa
     return sensors_[sensor].readings.back().value;
   }
   const double distance = 1e6 * scene_.castRay(rayOf(finder, situation)).distance;
-  const int most_error = static_cast<int>(kDistanceError * std::min<double>(distance, model.highest));
-  const double measured = std::min<double>(distance, model.highest) + errorUpTo(most_error);
+  if (distance >= model.highest) {
+    return static_cast<int>(model.highest);  // nothing comes back: no error either
+  }
+  const double measured = distance + errorUpTo(static_cast<int>(kDistanceError * distance));
   return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
 }
 

@@ -66,10 +66,11 @@ TEST_F(SensorsTest, NearAndFarMeasureTheBallWhereTheHeadLooks) {
 TEST_F(SensorsTest, WhatIsOutOfRangeIsMeasuredAsTheRangesEnd) {
   situation_.head.neck_tilt = 0;
   situation_.head.head_tilt = 0.5;  // the ceiling
-  passFrames(7);
-  EXPECT_NEAR(value("range_near"), 500000, 5000);
-  EXPECT_LE(value("range_near"), 500000);
-  EXPECT_NEAR(value("range_far"), 1500000, 15000);
+  for (int measurement = 0; measurement < 10; ++measurement) {
+    passFrames(7);
+    EXPECT_EQ(value("range_near"), 500000) << "no error brings it back into the range";
+    EXPECT_EQ(value("range_far"), 1500000);
+  }
   situation_.stance.body = Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.02));  // the chest on the floor
   passFrames(5);
   EXPECT_EQ(value("range_chest"), 100000);
