@@ -1,6 +1,7 @@
 /// @file campaign.cpp
 /// Tries every fault, many times, and prints what became of them.
 
+#include <malloc.h>
 #include <signal.h>
 
 #include <algorithm>
@@ -248,6 +249,7 @@ std::vector<Row> allRows() {
 
 int main(int argc, char** argv) {
   ::signal(SIGPIPE, SIG_IGN);
+  ::mallopt(M_ARENA_MAX, 1);  // else each of the many threads keeps pieces of its own, and I6 finds them
   try {
     return fault_bench::run(argc, argv);
   } catch (const std::exception& error) {
