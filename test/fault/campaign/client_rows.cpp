@@ -175,7 +175,7 @@ class SizeExperiment : public ClientExperiment {
   static std::uint32_t announcedSize(unsigned kind, Random& random) {
     constexpr auto kMost = static_cast<std::uint32_t>(protocol::version2::MAX_PAYLOAD_TOWARDS_CLIENT);
     const std::array<std::uint32_t, 8> sizes = {0, 1, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, kMost + 1, kMost};
-    const unsigned which = kind % (sizes.size() + 2);
+    const auto which = kind % (sizes.size() + 2);
     if (which < sizes.size()) {
       return sizes[which];
     }
