@@ -7,14 +7,12 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
+#include "trajectory_start.h"
 
 namespace aibo_driver {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 2;
-
-// A message takes its time from the sender to here, and the clocks of two machines differ a little.
-constexpr double kLatestStart = 1.0;  // s after header.stamp
 
 // A joint that moves slower than this stands; an encoder's step within 32 ms looks like 0.03 rad/s.
 constexpr double kStanding = 0.06;  // rad/s
@@ -30,19 +28,6 @@ TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
     request.points.push_back({point.time_from_start.toSec(), point.positions, point.velocities});
   }
   return request;
-}
-
-// How long to wait before the trajectory begins.
-std::chrono::nanoseconds waitFor(const ros::Time& stamp) {
-  if (stamp.isZero()) {
-    return std::chrono::nanoseconds(0);
-  }
-  const ros::Duration wait = stamp - ros::Time::now();
-  if (wait.toSec() < -kLatestStart) {
-    throw InvalidArgumentException("Trajectory refused: header.stamp, when it was to begin, was " +
-                                   std::to_string(-wait.toSec()) + " s ago; a stamp of 0 means at once.");
-  }
-  return std::chrono::nanoseconds(std::max<std::int64_t>(0, wait.toNSec()));
 }
 
 }  // namespace
@@ -102,7 +87,7 @@ void TrajectoryExecutor::receive(const trajectory_msgs::JointTrajectory& message
 
 void TrajectoryExecutor::start(const trajectory_msgs::JointTrajectory& message) {
   const SteadyTime now = std::chrono::steady_clock::now();
-  const std::chrono::nanoseconds wait = waitFor(message.header.stamp);
+  const std::chrono::nanoseconds wait = waitBeforeStart(message.header.stamp, ros::Time::now());
   Trajectory trajectory(toRequest(message), table_, present(now), slow_down_);
   if (trajectory.stretch() > 1) {
     ROS_INFO_STREAM_NAMED("joints", "The trajectory is slowed down " << trajectory.stretch()
