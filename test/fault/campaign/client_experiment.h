@@ -61,6 +61,16 @@ class ClientExperiment : public Experiment {
   aibo_driver::RcServerClient client_;
 };
 
+/// For what concerns the whole process, so that nothing may run beside it: each trial has a client and a server of its
+/// own, of version 1 and 2 in turn.
+template <typename SomeExperiment>
+class InTurn : public Experiment {
+ public:
+  explicit InTurn(unsigned) {}
+
+  Outcome run(unsigned trial, Random& random) override { return SomeExperiment(trial % 2).run(trial, random); }
+};
+
 }  // namespace fault_bench
 
 #endif  // TEST_FAULT_CLIENT_EXPERIMENT_H

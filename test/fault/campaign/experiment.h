@@ -41,6 +41,12 @@ struct Row {
   std::function<std::unique_ptr<Experiment>(unsigned remainder)> make;
 };
 
+/// What Row::make needs to make such an experiment.
+template <typename SomeExperiment, typename... Arguments>
+std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... arguments) {
+  return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
+}
+
 int uniform(Random& random, int lowest, int highest);
 
 /// All lines of the table.

@@ -181,9 +181,7 @@ class CorruptExperiment : public ClientExperiment {
 }  // namespace
 
 std::vector<Row> pictureRows() {
-  return {{"F6", "damaged and hostile JPEGs", 10000, 4, {}, [](unsigned remainder) {
-             return std::make_unique<CorruptExperiment>(remainder);
-           }}};
+  return {{"F6", "damaged and hostile JPEGs", 10000, 4, {}, maker<CorruptExperiment>()}};
 }
 
 }  // namespace fault_bench

@@ -343,11 +343,6 @@ class ServerSyscallExperiment : public ServerExperiment {
   }
 };
 
-template <typename SomeExperiment, typename... Arguments>
-std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... arguments) {
-  return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
-}
-
 }  // namespace
 
 std::vector<Row> serverRows() {

@@ -111,7 +111,7 @@ class ClockExperiment : public ClientExperiment {
  private:
   Outcome attempt(unsigned trial, Random&) override {
     const std::uint32_t before = connection();
-    syscalls::shiftWallClock(std::chrono::hours(trial % 2 == 0 ? 1 : -1));
+    syscalls::shiftWallClock(std::chrono::hours(trial / 2 % 2 == 0 ? 1 : -1));
     awaitPictures(100);
     syscalls::shiftWallClock(std::chrono::seconds(0));
     awaitPictures(100);
@@ -124,18 +124,8 @@ class ClockExperiment : public ClientExperiment {
 std::vector<Row> systemRows() {
   const auto sites = static_cast<unsigned>(kHarmless.size() + kHarmful.size());
   return {
-      {"F13",
-       "system calls of the client fail",
-       100 * sites,
-       8,
-       {},
-       [](unsigned remainder) { return std::make_unique<SyscallExperiment>(remainder); }},
-      {"F14",
-       "wall clock jumps by an hour",
-       20,
-       1,
-       {},
-       [](unsigned remainder) { return std::make_unique<ClockExperiment>(remainder); }},
+      {"F13", "system calls of the client fail", 100 * sites, 8, {}, maker<SyscallExperiment>()},
+      {"F14", "wall clock jumps by an hour", 20, 1, {}, maker<InTurn<ClockExperiment>>()},
   };
 }
 
