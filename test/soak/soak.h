@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "driver_process.h"
+#include "memory_stick.h"
 #include "mishaps.h"
 #include "picture_watch.h"
 #include "proxy/fault_proxy.h"
@@ -54,6 +55,8 @@ class Soak {
   void expectNoJointMoves(std::size_t connections_before, std::chrono::milliseconds settling);
   void pass(std::chrono::milliseconds time);
   void look();
+  void keepDriverLog();
+  void endDriver();
   ResourceLog::Seconds elapsed() const;
   void report() const;
 
@@ -62,6 +65,7 @@ class Soak {
   Violations violations_;
   RequestTap tap_;
   PictureWatch pictures_;
+  const test_support::MemoryStick memory_stick_{"ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n"};
   test_support::SimulatedRobot robot_;
   fault_bench::FaultProxy proxy_;
   test_support::DriverProcess driver_;
@@ -74,6 +78,8 @@ class Soak {
   ResourceLog driver_resources_;
   ResourceLog robot_resources_;
   std::ofstream table_;
+  std::ofstream driver_log_;
+  std::size_t driver_log_size_ = 0;
 };
 
 }  // namespace soak
