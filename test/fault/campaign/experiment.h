@@ -19,6 +19,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 struct Outcome {
   std::optional<Milliseconds> recovery;  ///< from when nothing was wrong any more to the first good picture
   std::vector<std::string> violations;   ///< those that begin with M are of time: a busy computer is to blame, too
+  bool excused = false;                  ///< pictures are missing, which the client itself has left out as stale
 };
 
 /// Tries faults of one kind, one after the other, on a client or server of its own.

@@ -8,8 +8,10 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "campaign/experiment.h"
+#include "campaign/spin_check.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "proxy/fault_proxy.h"
 #include "support/raw_client.h"
 #include "support/robot_server.h"
 #include "support/syscalls.h"
@@ -25,7 +27,7 @@ namespace {
 
 constexpr milliseconds kPatience{20000};
 // What had waited through a pause of 5 s is older than that; what only comes over a busy computer is not.
-constexpr milliseconds kStale{1000};
+constexpr milliseconds kStale{3000};
 const std::string kStream = "W\x55";
 const std::string kPicture = "F\x55";
 const std::string kVersion2 = {'X', 2};
@@ -81,13 +83,21 @@ class ServerExperiment : public Experiment {
 /// F9: a client takes pictures, and then does not read them. The place is free again soon, and the camera goes on.
 class HangingClientExperiment : public ServerExperiment {
  public:
-  HangingClientExperiment(unsigned remainder, bool drips) : ServerExperiment(remainder), drips_(drips) {}
+  enum class Manner { kNeverReads, kDrips, kVanishes };
+
+  HangingClientExperiment(unsigned remainder, Manner manner) : ServerExperiment(remainder), manner_(manner) {}
 
  private:
   Outcome attempt(unsigned trial, Random&) override {
-    RawClient client(server_.port());
+    FaultProxy::Options options;
+    options.target_port = server_.port();
+    FaultProxy proxy(options);
+    RawClient client(manner_ == Manner::kVanishes ? proxy.port() : server_.port());
     client.send(trial % 2 == 0 ? kStream : kVersion2 + kVersion2Stream);
     client.read(4000, kPatience);
+    if (manner_ == Manner::kVanishes) {
+      proxy.endConnections(Action::kSilence);
+    }
     const TimePoint stopped = steady_clock::now();
     server_.takeLongestImageGap();
     TimePoint next_byte = stopped;
@@ -95,7 +105,7 @@ class HangingClientExperiment : public ServerExperiment {
       if (steady_clock::now() - stopped > kPatience) {
         throw std::runtime_error("the server keeps a client that does not read");
       }
-      if (drips_ && steady_clock::now() > next_byte) {
+      if (manner_ == Manner::kDrips && steady_clock::now() > next_byte) {
         client.receive(milliseconds(0), 1);
         next_byte += std::chrono::seconds(1);
       }
@@ -112,7 +122,7 @@ class HangingClientExperiment : public ServerExperiment {
   // Longer than a busy computer holds up a thread, shorter than the kernel would hold up a server that waits for it.
   static constexpr milliseconds kBlocked{1000};
 
-  const bool drips_;
+  const Manner manner_;
 };
 
 /// F10: a client does not read for five seconds. What it gets then is new, but for a few pictures.
@@ -136,7 +146,7 @@ class PauseExperiment : public ServerExperiment {
     client.close();
     Outcome outcome = awaitService(steady_clock::now());
     if (stale > 7) {
-      outcome.violations.push_back("M: " + std::to_string(stale) + " stale pictures were sent");
+      outcome.violations.push_back(std::to_string(stale) + " stale pictures were sent");
     }
     return outcome;
   }
@@ -190,7 +200,7 @@ class HeldUpExperiment : public ServerExperiment {
     await(&pictures, pictures + 5);
     Outcome outcome;
     if (stale > 1) {
-      outcome.violations.push_back("M: " + std::to_string(stale) + " stale pictures were delivered");
+      outcome.violations.push_back(std::to_string(stale) + " stale pictures were delivered");
     }
     return outcome;
   }
@@ -326,6 +336,7 @@ class ServerSyscallExperiment : public ServerExperiment {
         {Call::kSend, EPIPE},    {Call::kSetsockopt, ENOMEM}, {Call::kPpoll, EINTR},   {Call::kPpoll, ENOMEM}};
     const Failure& failure = kFailures[trial % kFailures.size()];
     const auto skip = static_cast<unsigned>(failure.call == Call::kSetsockopt ? uniform(random, 0, 6) : 0);
+    const SpinCheck spin_check(mark_);
     syscalls::setPlan(mark_, {failure.call, failure.error, skip, 3});
     for (int i = 0; i < 10; ++i) {
       RawClient client(server_.port());
@@ -339,6 +350,7 @@ class ServerSyscallExperiment : public ServerExperiment {
       outcome.violations.push_back(std::string(syscalls::kNames[static_cast<std::size_t>(failure.call)]) +
                                    "() was never called");
     }
+    spin_check.conclude(&outcome);
     return outcome;
   }
 };
@@ -346,11 +358,16 @@ class ServerSyscallExperiment : public ServerExperiment {
 }  // namespace
 
 std::vector<Row> serverRows() {
-  // Of these, 2.5 s begin when the kernel holds no more for the client, some 0.4 s after it has stopped to read.
+  using Manner = HangingClientExperiment::Manner;
+  // Of these, 2 s begin when the kernel holds no more for the client, some 0.4 s after it has stopped to read.
   constexpr Milliseconds kFreeAgain{3000};
+  // What the proxy holds has to be filled, too.
+  constexpr Milliseconds kFreeBehindProxy{3500};
   return {
-      {"F9", "server: a client never reads", 300, 8, kFreeAgain, maker<HangingClientExperiment>(false)},
-      {"F9b", "server: a client reads a byte a second", 200, 8, kFreeAgain, maker<HangingClientExperiment>(true)},
+      {"F9", "server: a client never reads", 300, 8, kFreeAgain, maker<HangingClientExperiment>(Manner::kNeverReads)},
+      {"F9b", "server: a client reads a byte a second", 200, 8, kFreeAgain,
+       maker<HangingClientExperiment>(Manner::kDrips)},
+      {"F9c", "server: a client vanishes", 100, 8, kFreeBehindProxy, maker<HangingClientExperiment>(Manner::kVanishes)},
       {"F10", "server: a client pauses for 5 s", 100, 10, {}, maker<PauseExperiment>()},
       {"F10b", "driver's client held up for 5 s", 100, 10, {}, maker<HeldUpExperiment>()},
       {"F11", "server: strangers beside a client", 1000, 4, {}, maker<StrangerExperiment>()},
