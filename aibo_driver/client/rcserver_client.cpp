@@ -390,7 +390,7 @@ class RcServerClient::Implementation {
     for (RobotRequest& request : news.robot) {
       session_->add(std::move(request));
     }
-    session_->add(news.commands);
+    session_->add(news.commands, now);
     return wish;
   }
 

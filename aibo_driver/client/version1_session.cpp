@@ -111,6 +111,7 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   if (isAnswerOwed()) {
     return {};
   }
+  dropStaleJointCommands(now);
   if (wish.streaming != stream().on()) {
     toggleStream(wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
@@ -121,7 +122,8 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
     const int quality = requests_.front().quality;
     return makeCommand(protocol::REQUEST_PICTURE, quality == 0 ? wish.jpeg_quality : quality);
   }
-  return calls_.firstUnsent() != nullptr ? nextCall(now) : nextValueRequest(now);
+  const RobotRequest* call = calls_.firstUnsent();
+  return call != nullptr && !mustWaitForSpeedLimits(*call) ? nextCall(*call, now) : nextValueRequest(now);
 }
 
 bool Version1Session::mayRequestPicture(TimePoint now) const {
@@ -132,8 +134,9 @@ bool Version1Session::mayPoll() const {
   return poll_wanted_ && !poll_.empty();
 }
 
-Session::Bytes Version1Session::nextCall(TimePoint now) {
-  Bytes bytes = encodeForVersion1(*calls_.firstUnsent());
+Session::Bytes Version1Session::nextCall(const RobotRequest& call, TimePoint now) {
+  Bytes bytes = encodeForVersion1(call);
+  dropSupersededJointCommands(call);
   calls_.sent(kCallOwed);
   transferBegins(bytes.size(), now);
   return bytes;

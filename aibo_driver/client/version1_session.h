@@ -70,7 +70,7 @@ class Version1Session final : public Session, private ReplyHandler {
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
   bool isAnswerOwed() const { return picture_owed_ || value_owed_ || calls_.has(kCallOwed); }
-  Bytes nextCall(TimePoint now);
+  Bytes nextCall(const RobotRequest& call, TimePoint now);
   Bytes nextValueRequest(TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes nextJointCommand(TimePoint now);
