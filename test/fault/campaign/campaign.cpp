@@ -244,7 +244,7 @@ int run(int argc, char** argv) {
 
 std::vector<Row> allRows() {
   std::vector<Row> rows;
-  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows()}) {
+  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows(), wayRows()}) {
     rows.insert(rows.end(), some.begin(), some.end());
   }
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {

@@ -12,6 +12,9 @@
 
 namespace fault_bench {
 
+// Bytes. Longer than any picture of the server.
+constexpr unsigned kPictureSize = 5200;
+
 /// A client with the driver's own settings, a server, and the proxy between them.
 class ClientExperiment : public Experiment {
  public:

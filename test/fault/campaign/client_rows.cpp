@@ -17,9 +17,6 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-// Longer than any picture of the server.
-constexpr unsigned kPictureSize = 5200;
-
 /// F1: one segment becomes two, at every offset of a picture in turn. Each version of the protocol has all of them.
 class SplitExperiment : public ClientExperiment {
  public:

@@ -57,6 +57,7 @@ std::vector<Row> clientRows();
 std::vector<Row> pictureRows();
 std::vector<Row> systemRows();
 std::vector<Row> serverRows();
+std::vector<Row> wayRows();
 
 }  // namespace fault_bench
 

@@ -1,4 +1,4 @@
-// F9 to F11: what a client, or who is none, can do to the robot's server.
+// F9 to F11, F20: what a client, or who is none, can do to the robot's server.
 
 #include <atomic>
 #include <cerrno>
@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "aibo_driver/rcserver_client.h"
+#include "campaign/any_fault.h"
 #include "campaign/experiment.h"
 #include "campaign/spin_check.h"
 #include "protocol/version1.h"
@@ -33,6 +34,16 @@ const std::string kPicture = "F\x55";
 const std::string kVersion2 = {'X', 2};
 const std::string kVersion2Stream = {'W', 85, 0, 1, 0, 0, 0, 4, 1, 0, 0, 1};
 const std::string kVersion2Hello = {'H', 0, 0, 2, 0, 0, 0, 0};
+
+void awaitCount(const std::atomic<int>& pictures, int count) {
+  const TimePoint end = steady_clock::now() + kPatience;
+  while (pictures < count) {
+    if (steady_clock::now() > end) {
+      throw std::runtime_error("no picture came any more");
+    }
+    std::this_thread::sleep_for(milliseconds(2));
+  }
+}
 
 /// The robot's server, and clients of any manners.
 class ServerExperiment : public Experiment {
@@ -193,26 +204,16 @@ class HeldUpExperiment : public ServerExperiment {
     aibo_driver::RcServerClient client(options, callbacks);
     client.setStreaming(true);
     client.start();
-    await(&pictures, 3);
+    awaitCount(pictures, 3);
     stale = 0;
     pause = uniform(random, 4900, 5100);
-    await(&pictures, pictures + 1);  // the one that holds it up
-    await(&pictures, pictures + 5);
+    awaitCount(pictures, pictures + 1);  // the one that holds it up
+    awaitCount(pictures, pictures + 5);
     Outcome outcome;
     if (stale > 1) {
       outcome.violations.push_back(std::to_string(stale) + " stale pictures were delivered");
     }
     return outcome;
-  }
-
-  static void await(const std::atomic<int>* pictures, int count) {
-    const TimePoint end = steady_clock::now() + kPatience;
-    while (*pictures < count) {
-      if (steady_clock::now() > end) {
-        throw std::runtime_error("no picture came any more");
-      }
-      std::this_thread::sleep_for(milliseconds(2));
-    }
   }
 };
 
@@ -317,6 +318,68 @@ class StormExperiment : public ServerExperiment {
   }
 };
 
+/// F20: anything goes wrong with what the driver's client asks for, on the way to the server, at the beginning of a
+/// connection or soon after.
+class RequestExperiment : public ServerExperiment {
+ public:
+  explicit RequestExperiment(unsigned remainder)
+      : ServerExperiment(remainder),
+        proxy_(proxyOptions(server_.port(), remainder)),
+        client_(clientOptions(proxy_.port(), remainder), callbacks()) {
+    client_.setStreaming(true);
+    client_.setTelemetryPeriod(4);
+    client_.start();
+    awaitCount(pictures_, 3);
+  }
+
+ private:
+  // More than there can be under way.
+  static constexpr int kManyPictures = 10;
+
+  Outcome attempt(unsigned trial, Random& random) override {
+    Fault fault = anyFault(trial / 2, random);
+    fault.direction = Direction::kToServer;
+    fault.place = Place::kByte;
+    fault.offset = static_cast<unsigned>(uniform(random, 0, 80));
+    const std::size_t done = proxy_.faultsDone();
+    proxy_.endConnections(Action::kReset);
+    proxy_.add(fault);
+    const auto report = proxy_.waitForFaults(done + 1, kPatience);
+    if (!report) {
+      return {{}, {"the fault could not be made: the client asked for nothing"}};
+    }
+    awaitCount(pictures_, pictures_ + kManyPictures);
+    const Milliseconds recovery = steady_clock::now() - report->time;
+    proxy_.heal();  // a connection that fell silent might stand for ever
+    // A server that is not told of its client's end serves nobody else until it has found out by itself (F9c).
+    return {fault.action == Action::kSilence ? std::nullopt : std::optional<Milliseconds>(recovery), {}};
+  }
+
+  static FaultProxy::Options proxyOptions(int target_port, unsigned seed) {
+    FaultProxy::Options options;
+    options.target_port = target_port;
+    options.seed = seed;
+    return options;
+  }
+
+  static aibo_driver::ClientOptions clientOptions(int port, unsigned remainder) {
+    aibo_driver::ClientOptions options;
+    options.port = port;
+    options.protocol_version = remainder % 2 == 0 ? 1 : 0;
+    return options;
+  }
+
+  aibo_driver::RcServerClient::Callbacks callbacks() {
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [this](const PicturePtr&) { ++pictures_; };
+    return callbacks;
+  }
+
+  std::atomic<int> pictures_{0};
+  FaultProxy proxy_;
+  aibo_driver::RcServerClient client_;
+};
+
 /// F13: a system call of the server fails.
 class ServerSyscallExperiment : public ServerExperiment {
  public:
@@ -373,6 +436,7 @@ std::vector<Row> serverRows() {
       {"F11", "server: strangers beside a client", 1000, 4, {}, maker<StrangerExperiment>()},
       {"F11b", "server: nonsense, floods and half commands", 2000, 8, {}, maker<NonsenseExperiment>()},
       {"F11c", "server: 10 connections that end at once, each", 1000, 4, {}, maker<StormExperiment>()},
+      {"F20", "server: anything on the way to it", 400, 8, Milliseconds(2000), maker<RequestExperiment>()},
       {"F13b", "server: its system calls fail", 1600, 8, {}, maker<ServerSyscallExperiment>()},
   };
 }
