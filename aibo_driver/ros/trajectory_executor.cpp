@@ -1,7 +1,5 @@
 #include "trajectory_executor.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -77,11 +75,11 @@ void TrajectoryExecutor::receive(const trajectory_msgs::JointTrajectory& message
       start(message);
     }
   } catch (const InvalidArgumentException& error) {
-    ROS_WARN_STREAM_NAMED("joints", error.what());
+    warnings_.warn(error.what());
   } catch (const StoppedException&) {
     return;  // the driver ends
   } catch (const Exception& error) {
-    ROS_WARN_STREAM_NAMED("joints", "Trajectory dropped: " << error.what());
+    warnings_.warn(std::string("Trajectory dropped: ") + error.what());
   }
 }
 
@@ -93,7 +91,7 @@ void TrajectoryExecutor::start(const trajectory_msgs::JointTrajectory& message) 
     ROS_INFO_STREAM_NAMED("joints", "The trajectory is slowed down " << trajectory.stretch()
                                                                      << " times, to keep the joints' speed limits.");
   }
-  running_ = Running{std::move(trajectory), now + wait, link_.connection(), false};
+  running_ = Running{std::move(trajectory), TrajectoryClock(now + wait, kPeriod), link_.connection(), false};
   timer_.start();
   goOn();
 }
@@ -125,7 +123,7 @@ void TrajectoryExecutor::goOn() {
     return;
   }
   const Trajectory& trajectory = running_->trajectory;
-  const double time = seconds(std::chrono::steady_clock::now() - running_->start);
+  const double time = running_->clock.attend(std::chrono::steady_clock::now());
   if (time < 0) {
     return;
   }
@@ -152,7 +150,7 @@ void TrajectoryExecutor::goOn() {
 std::vector<Trajectory::Start> TrajectoryExecutor::present(SteadyTime now) const {
   std::vector<Trajectory::Start> joints;
   if (running_) {
-    const std::vector<double> positions = running_->trajectory.sample(seconds(now - running_->start));
+    const std::vector<double> positions = running_->trajectory.sample(running_->clock.at(now));
     for (std::size_t i = 0; i < positions.size(); ++i) {
       joints.push_back({running_->trajectory.joints()[i], positions[i]});
     }
