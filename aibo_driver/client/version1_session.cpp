@@ -75,6 +75,7 @@ Version1Session::Version1Session(const SessionContext& context, ServerHabits& ha
     : Session(context, connected),
       habits_(habits),
       connected_(connected),
+      heard_(answer == VersionAnswer::kRefused),
       version_answer_owed_(answer == VersionAnswer::kOwed),
       poll_(connected),
       settled_(answer == VersionAnswer::kRefused) {
@@ -189,6 +190,7 @@ Session::Bytes Version1Session::setValue(char letter, int id, short value, TimeP
 }
 
 void Version1Session::parse(const std::uint8_t* data, std::size_t size) {
+  heard_ = heard_ || size > 0;
   parser_.feed(data, size, now(), *this);
   if (parser_.betweenReplies()) {
     return;
@@ -362,7 +364,7 @@ void Version1Session::checkCall(TimePoint now) {
 
 void Version1Session::failUnanswered() {
   const char letter = value_owed_->letter;
-  if (!value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
+  if (heard_ && !value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
     notifier().log(LogLevel::kWarn, address() + " does not answer when it is asked for its " + partOf(letter) +
                                         "s. It is not asked again: there is no telemetry of them.");
   }

@@ -569,6 +569,15 @@ TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOn
   }
 }
 
+TEST_F(Version1SessionTest, AServerThatSaysNothingAtAllIsAskedAgainAndAgain) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 10; ++i) {
+    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kOwed, now_);
+    ASSERT_FALSE(session.nextRequest(wish_, now_).empty()) << "it was out of reach, and may be back";
+    EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
+  }
+}
+
 TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   commandLeds({{7, 255}, {8, 0, LedMode::kB}});
   EXPECT_EQ("L7=255", command());
