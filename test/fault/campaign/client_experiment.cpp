@@ -25,24 +25,24 @@ ClientOptions clientOptions(int port, const std::string& name) {
   return options;
 }
 
-FaultProxy::Options proxyOptions(int target_port, unsigned seed) {
-  FaultProxy::Options options;
-  options.target_port = target_port;
-  options.seed = seed;
-  return options;
-}
-
 }  // namespace
 
 int uniform(Random& random, int lowest, int highest) {
   return std::uniform_int_distribution<int>(lowest, highest)(random);
 }
 
+FaultProxy::Options proxyTo(int port, unsigned seed) {
+  FaultProxy::Options options;
+  options.target_port = port;
+  options.seed = seed;
+  return options;
+}
+
 ClientExperiment::ClientExperiment(unsigned remainder)
     : version_(remainder % 2 == 0 ? 1 : 2),
       mark_(static_cast<int>(remainder) + 1),
       server_(version_, kPicturePeriod),
-      proxy_(proxyOptions(server_.port(), remainder)),
+      proxy_(proxyTo(server_.port(), remainder)),
       witness_(server_),
       client_(clientOptions(proxy_.port(), robotName()), callbacks(),
               std::make_unique<TcpTransport>([this](const std::string&, int port) {

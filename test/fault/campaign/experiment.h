@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "proxy/fault_proxy.h"
+
 namespace fault_bench {
 
 using Random = std::mt19937;
@@ -49,6 +51,9 @@ std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... argument
 }
 
 int uniform(Random& random, int lowest, int highest);
+
+/// Of a proxy before the server on this port of 127.0.0.1.
+FaultProxy::Options proxyTo(int port, unsigned seed);
 
 /// All lines of the table.
 std::vector<Row> allRows();

@@ -12,7 +12,6 @@
 #include "campaign/spin_check.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "proxy/fault_proxy.h"
 #include "support/raw_client.h"
 #include "support/robot_server.h"
 #include "support/syscalls.h"
@@ -100,9 +99,7 @@ class HangingClientExperiment : public ServerExperiment {
 
  private:
   Outcome attempt(unsigned trial, Random&) override {
-    FaultProxy::Options options;
-    options.target_port = server_.port();
-    FaultProxy proxy(options);
+    FaultProxy proxy(proxyTo(server_.port(), trial));
     RawClient client(manner_ == Manner::kVanishes ? proxy.port() : server_.port());
     client.send(trial % 2 == 0 ? kStream : kVersion2 + kVersion2Stream);
     client.read(4000, kPatience);
@@ -324,7 +321,7 @@ class RequestExperiment : public ServerExperiment {
  public:
   explicit RequestExperiment(unsigned remainder)
       : ServerExperiment(remainder),
-        proxy_(proxyOptions(server_.port(), remainder)),
+        proxy_(proxyTo(server_.port(), remainder)),
         client_(clientOptions(proxy_.port(), remainder), callbacks()) {
     client_.setStreaming(true);
     client_.setTelemetryPeriod(4);
@@ -353,13 +350,6 @@ class RequestExperiment : public ServerExperiment {
     proxy_.heal();  // a connection that fell silent might stand for ever
     // A server that is not told of its client's end serves nobody else until it has found out by itself (F9c).
     return {fault.action == Action::kSilence ? std::nullopt : std::optional<Milliseconds>(recovery), {}};
-  }
-
-  static FaultProxy::Options proxyOptions(int target_port, unsigned seed) {
-    FaultProxy::Options options;
-    options.target_port = target_port;
-    options.seed = seed;
-    return options;
   }
 
   static aibo_driver::ClientOptions clientOptions(int port, unsigned remainder) {

@@ -103,9 +103,9 @@ class SyscallExperiment : public ClientExperiment {
     const std::uint32_t before = connection();
     plan(failure, failure.call == Call::kSetsockopt ? someCalls(kOptions - 1, random) : 0, UINT_MAX);
     proxy_.endConnections(Action::kReset);
-    for (const TimePoint begin = steady_clock::now();
-         steady_clock::now() < begin + milliseconds(200) ||
-         (syscalls::failed(mark()) == 0 && steady_clock::now() < begin + kPatience);) {
+    const TimePoint begin = steady_clock::now();
+    std::this_thread::sleep_for(milliseconds(200));
+    while (syscalls::failed(mark()) == 0 && steady_clock::now() < begin + kPatience) {
       std::this_thread::sleep_for(milliseconds(10));
     }
     const unsigned attempts = syscalls::failed(mark());
