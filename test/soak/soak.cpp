@@ -19,6 +19,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
+using test_support::DiagnosticsListener;
 
 constexpr const char* kNamespace = "/soak";
 constexpr const char* kMotion = "/OPEN-R/MW/DATA/P/WAG.MTN";
@@ -27,6 +28,9 @@ constexpr const char* kMotion = "/OPEN-R/MW/DATA/P/WAG.MTN";
 constexpr seconds kLongestRecovery{16};
 constexpr seconds kFirstPicturePatience{60};
 constexpr seconds kLongestEnd{15};
+
+// Of pictures in calm stretches, one of so many may be left out because this computer was busy with something else.
+constexpr std::uint64_t kPicturesPerLoss = 1000;
 
 constexpr milliseconds kStep{100};
 constexpr milliseconds kLookPeriod{2000};
@@ -95,6 +99,7 @@ bool Soak::run() {
     violations_.add(error.what());
   }
   violations_.setScene("the whole run");
+  judgeLosses();
   endDriver();
   driver_resources_.judge(&violations_);
   robot_resources_.judge(&violations_);
@@ -218,6 +223,26 @@ void Soak::keepDriverLog() {
   const std::string output = driver_.output();
   driver_log_ << output.substr(driver_log_size_) << std::flush;
   driver_log_size_ = output.size();
+}
+
+// A driver that this computer has held up leaves out what grew stale meanwhile, and says so.
+void Soak::judgeLosses() {
+  const PictureAudit audit = pictures_.audit();
+  if (audit.lostInCalm() == 0) {
+    return;
+  }
+  const auto stream = diagnostics_.waitForNext(std::string(kNamespace + 1) + "/aibo_driver: stream");
+  const std::string stale = DiagnosticsListener::value(stream, "pictures dropped for newer ones");
+  const std::string losses = std::to_string(audit.lostInCalm()) +
+                             " pictures were lost while all was calm; of those that "
+                             "grew stale while this computer held it up, the driver left out " +
+                             stale;
+  const bool explained = !stale.empty() && std::stoull(stale) >= audit.lostInCalm();
+  if (explained && audit.lostInCalm() * kPicturesPerLoss <= audit.calmCount()) {
+    std::printf("\n%s\n", losses.c_str());
+  } else {
+    violations_.add(losses);
+  }
 }
 
 // By Ctrl-C, so that it can still say what it has lost sight of; also what waits for an answer of it goes on then.

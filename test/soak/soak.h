@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics_listener.h"
 #include "driver_process.h"
 #include "memory_stick.h"
 #include "mishaps.h"
@@ -56,6 +57,7 @@ class Soak {
   void pass(std::chrono::milliseconds time);
   void look();
   void keepDriverLog();
+  void judgeLosses();
   void endDriver();
   ResourceLog::Seconds elapsed() const;
   void report() const;
@@ -80,6 +82,7 @@ class Soak {
   std::ofstream table_;
   std::ofstream driver_log_;
   std::size_t driver_log_size_ = 0;
+  test_support::DiagnosticsListener diagnostics_;
 };
 
 }  // namespace soak
