@@ -554,7 +554,7 @@ TEST_F(Faults, TheMasterGoesAndComesBack) {
   const auto ask = [&](const std::vector<std::string>& command, const std::string& answer) {
     Process(command, master.environment()).waitForOutput(answer, kSafetyNet);
   };
-  DriverProcess driver("/master", proxy_.port(), {}, master.environment());
+  DriverProcess driver("/master", proxy_.port(), {"_read_timeout:=60"}, master.environment());
   const std::string topic = "/master/camera/image_raw/compressed";
   RateMeter early(master, topic);
   early.expectMessages();
