@@ -22,6 +22,17 @@ use_sanitizer() {
   esac
 }
 
+# From here on programs are built and run under a sanitizer. What is suppressed, and why, stands in these files.
+watch_with() {
+  [[ $1 =~ ^(address|thread)$ ]] || fail "there is no sanitizer '$1'." "There are address and thread."
+  use_sanitizer "$1"
+  local suppressions=$project_dir/test/sanitizers
+  export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1
+  export UBSAN_OPTIONS=print_stacktrace=1
+  export LSAN_OPTIONS=suppressions=$suppressions/leaks.txt:print_suppressions=0
+  export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1
+}
+
 # Each argument is one line: what went wrong, then what to do about it.
 fail() {
   printf '\n%s: %s\n' "${0##*/}" "$1" >&2

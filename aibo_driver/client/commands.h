@@ -35,9 +35,9 @@ struct Commands {
   void add(const std::vector<EarCommand>& commands) { ears.add(commands); }
 
   /// Adds what came later.
-  void append(const Commands& newer) {
+  void append(const Commands& newer, JointCommands::TimePoint now) {
     speed_limits.add(newer.speed_limits.items());
-    joints.append(newer.joints);
+    joints.append(newer.joints, now);
     leds.add(newer.leds.items());
     ears.add(newer.ears.items());
   }

@@ -16,6 +16,15 @@ bool shareAJoint(const JointCommand& a, const JointCommand& b) {
                      [&b](const JointTarget& target) { return names(b.targets, target.id); });
 }
 
+/// @return false if there was nothing to remove
+template <typename Condition>
+bool removeCommands(std::deque<JointCommand>* commands, const Condition& condition) {
+  const auto end = std::remove_if(commands->begin(), commands->end(), condition);
+  const bool found = end != commands->end();
+  commands->erase(end, commands->end());
+  return found;
+}
+
 /// Removes targets from the commands, and the commands that have none left.
 template <typename Condition>
 void removeTargets(std::deque<JointCommand>* commands, const Condition& condition) {
@@ -24,7 +33,7 @@ void removeTargets(std::deque<JointCommand>* commands, const Condition& conditio
                           command.targets.end());
   }
   const auto is_empty = [](const JointCommand& command) { return command.targets.empty(); };
-  commands->erase(std::remove_if(commands->begin(), commands->end(), is_empty), commands->end());
+  removeCommands(commands, is_empty);
 }
 
 }  // namespace
@@ -37,10 +46,15 @@ void JointCommands::add(const JointCommand& command) {
   commands_.insert(commands_.begin() + before, command);
 }
 
-void JointCommands::append(const JointCommands& newer) {
-  for (const JointCommand& command : newer.commands_) {
+void JointCommands::append(const JointCommands& newer, TimePoint now) {
+  for (JointCommand command : newer.commands_) {
+    command.since = now;
     add(command);
   }
+}
+
+bool JointCommands::dropOlderThan(TimePoint time) {
+  return removeCommands(&commands_, [time](const JointCommand& command) { return command.since < time; });
 }
 
 JointCommand JointCommands::takeCommand() {

@@ -14,6 +14,7 @@ namespace aibo_driver {
 struct JointCommand {
   std::chrono::milliseconds duration{0};
   std::vector<JointTarget> targets;
+  std::chrono::steady_clock::time_point since{};  ///< it waits to be sent, see JointCommands::append()
 };
 
 /// Where the joints have been told to go and what has not been sent yet. As with LatestById each joint is there once,
@@ -21,10 +22,16 @@ struct JointCommand {
 /// stay together.
 class JointCommands {
  public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
   void add(const JointCommand& command);
 
-  /// Adds what came later.
-  void append(const JointCommands& newer);
+  /// Adds what came later, and waits from now on.
+  void append(const JointCommands& newer, TimePoint now);
+
+  /// Drops the commands that wait since an earlier time.
+  /// @return false if there are none
+  bool dropOlderThan(TimePoint time);
 
   bool empty() const { return commands_.empty(); }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <random>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -389,7 +390,7 @@ class RcServerClient::Implementation {
     for (RobotRequest& request : news.robot) {
       session_->add(std::move(request));
     }
-    session_->add(news.commands);
+    session_->add(news.commands, now);
     return wish;
   }
 
@@ -424,7 +425,7 @@ class RcServerClient::Implementation {
   // The connection works: what was wrong before is over.
   void onSettled() {
     backoff_.reset();
-    logged_reason_.clear();
+    logged_faults_.clear();
     notifier_.log(LogLevel::kInfo, "Connected to " + address_ + ".");
     updateStatus([](ConnectionStatus& status) {
       status.reason.clear();
@@ -440,10 +441,10 @@ class RcServerClient::Implementation {
     counters_.failed_attempts += established() ? 0 : 1;
     // An attempt that took its time needs no pause after it.
     next_attempt_ = (established() ? steady_clock::now() : attempt_began_) + backoff_.next();
-    if (fault.what() != logged_reason_) {
-      logged_reason_ = fault.what();
-      notifier_.log(LogLevel::kWarn, "No connection to the robot: " + logged_reason_ + ". " + fault.advice() +
-                                         " Trying again until it works.");
+    // Once each: of a robot that is off, the reasons alternate, attempt by attempt.
+    if (logged_faults_.insert(fault.kind()).second) {
+      notifier_.log(LogLevel::kWarn, std::string("No connection to the robot: ") + fault.what() + ". " +
+                                         fault.advice() + " Trying again until it works.");
     }
     endConnection(fault.what(), fault.advice(), silent ? CallOutcome::kTimeout : CallOutcome::kConnectionLost);
   }
@@ -526,7 +527,7 @@ class RcServerClient::Implementation {
   TimePoint attempt_began_;                 // the present or last one to connect
   TimePoint next_attempt_;
   ReconnectBackoff backoff_;
-  std::string logged_reason_;  // the reason that was logged last; empty since a connection has worked
+  std::set<FaultKind> logged_faults_;  // since a connection has worked
   std::array<std::uint8_t, 64 * 1024> buffer_;
 };
 

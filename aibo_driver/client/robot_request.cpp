@@ -118,6 +118,10 @@ std::string explainRefusal(const RobotRequest& request, int code) {
   }
 }
 
+bool takesOverJoints(const RobotRequest& request) {
+  return request.letter == version2::REQUEST_MOTORS || (request.letter == version2::REQUEST_PLAY && request.number > 0);
+}
+
 bool isKnownToVersion1(const RobotRequest& request) {
   return request.letter != version2::REQUEST_MOTORS && request.letter != version2::REQUEST_LIST;
 }

@@ -45,6 +45,10 @@ std::string describe(const RobotRequest& request);
 /// What an error code of version 1 means in answer to this request, and what the user can do.
 std::string explainRefusal(const RobotRequest& request, int code);
 
+/// True if it decides where joints are from then on, as a motion does and the motors' switch: what they were told
+/// before counts no more.
+bool takesOverJoints(const RobotRequest& request);
+
 /// True if version 1 of the protocol has this request.
 bool isKnownToVersion1(const RobotRequest& request);
 

@@ -15,6 +15,9 @@ constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 // What a weak wireless link of 1 Mbit/s leaves beside a stream, and a memory stick takes.
 constexpr std::size_t kSlowestTransfer = 32 * 1024;  // bytes/s
 
+// Commands to the joints are for now. Whoever gave one has seen by then that nothing moves.
+constexpr std::chrono::milliseconds kLongestJointWait{500};
+
 }  // namespace
 
 Session::Session(const SessionContext& context, TimePoint connected)
@@ -22,7 +25,8 @@ Session::Session(const SessionContext& context, TimePoint connected)
       stream_(connected),
       stall_detector_(connected),
       last_picture_sign_(connected),
-      transfer_end_(connected) {}
+      transfer_end_(connected),
+      joints_turn_(connected) {}
 
 void Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   counters().bytes_received += size;
@@ -97,6 +101,20 @@ void Session::failSilent() const {
 
 std::chrono::milliseconds Session::answerLimit() const {
   return std::max(context_.read_timeout, kShortestAnswerLimit);
+}
+
+void Session::dropStaleJointCommands(TimePoint now) {
+  const TimePoint stale = now - kLongestJointWait;
+  if (std::exchange(joints_turn_, now) < stale && commands_.joints.dropOlderThan(stale)) {
+    notifier().log(LogLevel::kWarn, "Joint commands that had to wait for " + address() + " for more than " +
+                                        std::to_string(kLongestJointWait.count()) + " ms are dropped.");
+  }
+}
+
+void Session::dropSupersededJointCommands(const RobotRequest& request) {
+  if (takesOverJoints(request)) {
+    commands_.joints = JointCommands();
+  }
 }
 
 void Session::noteRefusal(char letter, const std::string& problem) {

@@ -57,7 +57,7 @@ class Session {
   virtual void add(RobotRequest request) = 0;
 
   /// Takes over commands to the body.
-  void add(const Commands& commands) { commands_.append(commands); }
+  void add(const Commands& commands, TimePoint now) { commands_.append(commands, now); }
 
   /// Ends all calls that are waiting.
   virtual void failRequests(CallOutcome outcome, const std::string& problem) = 0;
@@ -157,6 +157,16 @@ class Session {
   /// When the stall detector wants to look at the socket again.
   TimePoint nextLook() const { return stream_.on() ? stall_detector_.nextLook() : TimePoint::max(); }
 
+  /// To be called whenever commands to the joints could be sent, before they are. If that was long ago, because the
+  /// robot was busy or the link stood still, those of then are dropped: nobody expects them any more.
+  void dropStaleJointCommands(TimePoint now);
+  /// To be called when a request is sent: it may make out of date what the joints were told before it.
+  void dropSupersededJointCommands(const RobotRequest& request);
+  /// True if this request has to wait until the joints' speed limits have been sent, which hold for what it begins.
+  bool mustWaitForSpeedLimits(const RobotRequest& request) const {
+    return takesOverJoints(request) && !commands_.speed_limits.empty();
+  }
+
   /// Counts a command or a poll that the robot refused, and logs it, but not again and again.
   /// @param letter of the request
   void noteRefusal(char letter, const std::string& problem);
@@ -177,6 +187,7 @@ class Session {
   StallDetector stall_detector_;
   TimePoint last_picture_sign_;
   TimePoint transfer_end_;  // of a large request, at the latest
+  TimePoint joints_turn_;   // when commands to the joints could be sent
   TimePoint now_;
   TimePoint last_first_byte_;  // of a picture
   std::string last_damage_;

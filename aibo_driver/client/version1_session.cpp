@@ -75,6 +75,7 @@ Version1Session::Version1Session(const SessionContext& context, ServerHabits& ha
     : Session(context, connected),
       habits_(habits),
       connected_(connected),
+      heard_(answer == VersionAnswer::kRefused),
       version_answer_owed_(answer == VersionAnswer::kOwed),
       poll_(connected),
       settled_(answer == VersionAnswer::kRefused) {
@@ -111,6 +112,7 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   if (isAnswerOwed()) {
     return {};
   }
+  dropStaleJointCommands(now);
   if (wish.streaming != stream().on()) {
     toggleStream(wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
@@ -121,7 +123,8 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
     const int quality = requests_.front().quality;
     return makeCommand(protocol::REQUEST_PICTURE, quality == 0 ? wish.jpeg_quality : quality);
   }
-  return calls_.firstUnsent() != nullptr ? nextCall(now) : nextValueRequest(now);
+  const RobotRequest* call = calls_.firstUnsent();
+  return call != nullptr && !mustWaitForSpeedLimits(*call) ? nextCall(*call, now) : nextValueRequest(now);
 }
 
 bool Version1Session::mayRequestPicture(TimePoint now) const {
@@ -132,8 +135,9 @@ bool Version1Session::mayPoll() const {
   return poll_wanted_ && !poll_.empty();
 }
 
-Session::Bytes Version1Session::nextCall(TimePoint now) {
-  Bytes bytes = encodeForVersion1(*calls_.firstUnsent());
+Session::Bytes Version1Session::nextCall(const RobotRequest& call, TimePoint now) {
+  Bytes bytes = encodeForVersion1(call);
+  dropSupersededJointCommands(call);
   calls_.sent(kCallOwed);
   transferBegins(bytes.size(), now);
   return bytes;
@@ -186,6 +190,7 @@ Session::Bytes Version1Session::setValue(char letter, int id, short value, TimeP
 }
 
 void Version1Session::parse(const std::uint8_t* data, std::size_t size) {
+  heard_ = heard_ || size > 0;
   parser_.feed(data, size, now(), *this);
   if (parser_.betweenReplies()) {
     return;
@@ -359,7 +364,7 @@ void Version1Session::checkCall(TimePoint now) {
 
 void Version1Session::failUnanswered() {
   const char letter = value_owed_->letter;
-  if (!value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
+  if (heard_ && !value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
     notifier().log(LogLevel::kWarn, address() + " does not answer when it is asked for its " + partOf(letter) +
                                         "s. It is not asked again: there is no telemetry of them.");
   }

@@ -16,8 +16,8 @@ namespace aibo_driver {
 
 /// What is known of a version 1 server beyond one connection.
 struct ServerHabits {
-  /// A server that is this often in a row asked for a joint, or for a sensor, and does not answer is not asked for any
-  /// more.
+  /// A server that is this often in a row asked for a joint, or for a sensor, and does not answer, although it has sent
+  /// something else, is not asked for any more.
   static constexpr int kUnansweredPollsLimit = 3;
 
   std::map<char, int> unanswered_polls;  ///< in a row, by the request's letter; each has cost a connection
@@ -70,7 +70,7 @@ class Version1Session final : public Session, private ReplyHandler {
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
   bool isAnswerOwed() const { return picture_owed_ || value_owed_ || calls_.has(kCallOwed); }
-  Bytes nextCall(TimePoint now);
+  Bytes nextCall(const RobotRequest& call, TimePoint now);
   Bytes nextValueRequest(TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes nextJointCommand(TimePoint now);
@@ -85,6 +85,7 @@ class Version1Session final : public Session, private ReplyHandler {
 
   ServerHabits& habits_;
   const TimePoint connected_;
+  bool heard_;  // the server has sent something
   ReplyParser parser_;
   PictureRequests requests_;
   bool picture_owed_ = false;  // `F` has been sent for the first request and not been answered

@@ -71,7 +71,7 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
     return requestPicture(*call, wish);
   }
   if (const RobotRequest* call = calls_.firstUnsent()) {
-    return requestCall(*call, now);
+    return mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(*call, now);
   }
   if (wish.telemetry_period != telemetry_period_) {
     return requestTelemetry(wish, now);
@@ -112,6 +112,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
 
 Session::Bytes Version2Session::requestCall(const RobotRequest& call, TimePoint now) {
   const Bytes payload = encodeForVersion2(call);
+  dropSupersededJointCommands(call);
   Bytes frame = makeFrame(call.letter, 0, payload.data(), payload.size());
   calls_.sent(last_number_);
   transferBegins(frame.size(), now);
@@ -132,8 +133,11 @@ Session::Bytes Version2Session::nextCommand(TimePoint now) {
   if (!commands_.speed_limits.empty() && mayCommandJoints()) {
     return requestSpeedLimits(now);
   }
-  if (!commands_.joints.empty() && mayCommandJoints()) {
-    return requestTargets(now);
+  if (mayCommandJoints()) {
+    dropStaleJointCommands(now);
+    if (!commands_.joints.empty()) {
+      return requestTargets(now);
+    }
   }
   if (!commands_.leds.empty() && outstanding(version2::REQUEST_LEDS) == 0) {
     return requestLeds(now);

@@ -9,11 +9,15 @@ namespace {
 // Of an approach: for the way of the command to the robot, and for speeding up and braking.
 constexpr std::chrono::milliseconds kMargin{500};
 
-// A target that differs by less than this is the same (an encoder's step is 0.0009 rad).
-constexpr double kSamePosition = 0.001;
+// A joint as near to its target has followed it, and does not jump to the next one.
+constexpr double kNear = 0.1;  // rad
 
 // The robot counts speeds in whole units, and not below a few of them.
 constexpr double kLowestSpeed = 0.001;  // rad/s
+
+std::chrono::nanoseconds timeFor(double way, double speed) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(way / speed));
+}
 
 std::string describeMismatch(const JointCommand& command) {
   if (command.names.empty()) {
@@ -81,13 +85,20 @@ JointOrder JointCommandFilter::orderFor(std::size_t index, double position, doub
 
 bool JointCommandFilter::approaches(std::size_t index, double target, double speed, SteadyTime now) {
   std::optional<Approach>& approach = approaches_[index];
-  if (approach && now >= approach->end) {
+  if (!approach) {
+    const double longest_way = table_[index].highest - table_[index].lowest;
+    approach = Approach{target, now + timeFor(distance(index, target), speed) + kMargin,
+                        now + timeFor(longest_way, speed) + kMargin};
+    return true;
+  }
+  if (now < approach->end && target != approach->target && isNear(index, approach->target)) {
+    approach->end = now;
+  }
+  if (now >= approach->end) {
     return false;
   }
-  if (!approach || std::abs(target - approach->target) > kSamePosition) {
-    const std::chrono::duration<double> way(distance(index, target) / speed);
-    approach = Approach{target, now + std::chrono::duration_cast<std::chrono::nanoseconds>(way) + kMargin};
-  }
+  approach->end = std::min(approach->latest_end, approach->end + timeFor(std::abs(target - approach->target), speed));
+  approach->target = target;
   return true;
 }
 
@@ -97,6 +108,11 @@ double JointCommandFilter::distance(std::size_t index, double target) const {
     return std::abs(target - measured->position);
   }
   return std::max(target - table_[index].lowest, table_[index].highest - target);
+}
+
+bool JointCommandFilter::isNear(std::size_t index, double target) const {
+  const std::optional<MeasuredJoint> measured = measured_.find(index);
+  return measured && std::abs(target - measured->position) < kNear;
 }
 
 }  // namespace aibo_driver

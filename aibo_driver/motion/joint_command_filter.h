@@ -35,7 +35,9 @@ struct FilteredCommand {
 /// - No joint moves faster than its speed limit, or the velocity given.
 /// - Approach: the first command to a joint may come from a program that knows nothing of the robot's posture, such as
 ///   joint_state_publisher_gui, which begins by commanding every joint to 0 or to its middle. So the joint goes there
-///   at the approach speed. After the time that this takes, its speed limit alone holds.
+///   at the approach speed. After the time that this takes, or once it is told to go on from where it is measured near,
+///   its speed limit alone holds. A target that moves on meanwhile makes it last longer, but not longer than the
+///   joint's longest way takes.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -54,11 +56,13 @@ class JointCommandFilter {
   struct Approach {
     double target = 0;
     SteadyTime end;
+    SteadyTime latest_end;
   };
 
   JointOrder orderFor(std::size_t index, double position, double velocity, SteadyTime now);
   bool approaches(std::size_t index, double target, double speed, SteadyTime now);
   double distance(std::size_t index, double target) const;
+  bool isNear(std::size_t index, double target) const;
 
   const JointTable& table_;
   const MeasuredJoints& measured_;

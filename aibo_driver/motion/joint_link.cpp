@@ -10,27 +10,36 @@ void JointLink::send(const std::vector<JointOrder>& orders, std::chrono::millise
   if (orders.empty()) {
     return;
   }
+  std::vector<JointSpeedLimit> limits;
+  std::vector<JointTarget> targets;
+  for (const JointOrder& order : orders) {
+    limits.push_back({order.id, order.speed});
+    targets.push_back({order.id, order.position});
+  }
+  limitSpeeds(limits);
+  robot_.command(targets, duration);
+}
+
+void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
   const std::uint64_t connection = robot_.connections();
   if (connection != speeds_connection_) {
     speeds_.clear();
     speeds_connection_ = connection;
   }
-  std::vector<JointSpeedLimit> limits;
-  std::vector<JointTarget> targets;
-  for (const JointOrder& order : orders) {
-    const auto known = speeds_.find(order.id);
-    if (known == speeds_.end() || known->second != order.speed) {
-      limits.push_back({order.id, order.speed});
-    }
-    targets.push_back({order.id, order.position});
-  }
-  if (!limits.empty()) {
-    robot_.set_speed_limits(limits);
-    for (const JointSpeedLimit& limit : limits) {
-      speeds_[limit.id] = limit.speed;
+  std::vector<JointSpeedLimit> changes;
+  for (const JointSpeedLimit& limit : limits) {
+    const auto known = speeds_.find(limit.id);
+    if (known == speeds_.end() || known->second != limit.speed) {
+      changes.push_back(limit);
     }
   }
-  robot_.command(targets, duration);
+  if (changes.empty()) {
+    return;
+  }
+  robot_.set_speed_limits(changes);
+  for (const JointSpeedLimit& limit : changes) {
+    speeds_[limit.id] = limit.speed;
+  }
 }
 
 }  // namespace aibo_driver

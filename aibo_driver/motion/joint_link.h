@@ -39,6 +39,11 @@ class JointLink {
   /// @throw as RcServerClient::commandJoints()
   void send(const std::vector<JointOrder>& orders, std::chrono::milliseconds duration);
 
+  /// Tells the robot how fast joints may move, whoever moves them. What it knows already is not sent again.
+  /// @param limits each joint once
+  /// @throw as RcServerClient::setJointSpeedLimits()
+  void limitSpeeds(const std::vector<JointSpeedLimit>& limits);
+
   /// Differs between two calls if a new connection was made in between: what was told to the robot before is not to be
   /// told again.
   std::uint64_t connection() const { return robot_.connections(); }

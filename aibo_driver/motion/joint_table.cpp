@@ -35,6 +35,14 @@ JointTable::JointTable(const std::string& design, double speed_limit) : design_(
   }
 }
 
+std::vector<JointSpeedLimit> JointTable::speedLimits() const {
+  std::vector<JointSpeedLimit> limits;
+  for (std::size_t i = 0; i < size(); ++i) {
+    limits.push_back({joints_[i].id, speedLimit(i)});
+  }
+  return limits;
+}
+
 std::optional<std::size_t> JointTable::findByName(const std::string& name) const {
   return findIndex(joints_, [&name](const JointProperties& joint) { return joint.name == name; });
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "aibo_driver/joints.h"
+
 namespace aibo_driver {
 
 /// What the driver knows of a joint, in radian.
@@ -34,6 +36,9 @@ class JointTable {
 
   /// How fast the joint may move at present, in rad/s. From any thread.
   double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
+
+  /// The same of all joints. From any thread.
+  std::vector<JointSpeedLimit> speedLimits() const;
 
   /// Lets all joints move slower than their limits. From any thread.
   /// @param scale above 0, at most 1; 1 at the beginning

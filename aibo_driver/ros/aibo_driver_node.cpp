@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "aibo_driver.h"
+#include "master_watch.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_driver");
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
   const ros::NodeHandle private_handle("~");
   try {
     const aibo_driver::AiboDriver driver(handle, private_handle, ros::this_node::getName());
+    const aibo_driver::MasterWatch master_watch(ros::this_node::getName());
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("The driver cannot start. " << error.what());

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "aibo_driver.h"
+#include "master_watch.h"
 
 namespace aibo_driver {
 
@@ -14,6 +15,7 @@ class AiboDriverNodelet : public nodelet::Nodelet {
   void onInit() override {
     try {
       driver_ = std::make_unique<AiboDriver>(getNodeHandle(), getPrivateNodeHandle(), getName());
+      master_watch_ = std::make_unique<MasterWatch>(getName());
     } catch (const std::exception& error) {
       NODELET_FATAL_STREAM("The driver cannot start. " << error.what());
       throw;  // the manager answers that it could not load the nodelet
@@ -21,6 +23,7 @@ class AiboDriverNodelet : public nodelet::Nodelet {
   }
 
   std::unique_ptr<AiboDriver> driver_;
+  std::unique_ptr<MasterWatch> master_watch_;
 };
 
 }  // namespace aibo_driver

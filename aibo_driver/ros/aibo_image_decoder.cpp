@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "image_decoder.h"
+#include "master_watch.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_image_decoder");
@@ -11,6 +12,7 @@ int main(int argc, char** argv) {
   const ros::NodeHandle handle;
   try {
     const aibo_driver::ImageDecoder decoder(handle);
+    const aibo_driver::MasterWatch master_watch(ros::this_node::getName());
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("The decoder cannot start. " << error.what());

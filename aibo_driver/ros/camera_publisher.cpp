@@ -6,8 +6,6 @@
 
 #include <cstdint>
 
-#include "aibo_driver/exceptions.h"
-
 namespace aibo_driver {
 namespace {
 
@@ -24,14 +22,7 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
                                  RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
     : frame_id_(parameters.frame_id),
       stamper_(robot_clock, parameters.time_offset),
-      camera_info_(camera_handle, parameters.camera_name) {
-  if (!camera_info_.validateURL(parameters.camera_info_url)) {
-    throw InvalidArgumentException("Parameter camera_info_url is '" + parameters.camera_info_url +
-                                   "', which cannot be resolved; allowed is file:///FILE.yaml, "
-                                   "package://PACKAGE/FILE.yaml of a package that is installed, or empty.");
-  }
-  camera_info_.loadCameraInfo(parameters.camera_info_url);
-
+      calibration_(camera_handle, parameters.camera_name, parameters.camera_info_url) {
   ros::NodeHandle handle(camera_handle);
   const std::string image_topic = handle.resolveName("image_raw");
   const ros::SubscriberStatusCallback on_change = [subscribers_changed](const ros::SingleSubscriberPublisher&) {
@@ -66,11 +57,11 @@ bool CameraPublisher::hasSubscribers() const {
 }
 
 void CameraPublisher::publishCameraInfo(const std_msgs::Header& header, const Picture& picture) {
-  const auto message = boost::make_shared<sensor_msgs::CameraInfo>(camera_info_.getCameraInfo());
+  const auto message = boost::make_shared<sensor_msgs::CameraInfo>(calibration_.cameraInfo());
   const auto width = static_cast<std::uint32_t>(picture.width);
   const auto height = static_cast<std::uint32_t>(picture.height);
   message->header = header;
-  if (!camera_info_.isCalibrated()) {
+  if (!calibration_.isCalibrated()) {
     message->width = width;
     message->height = height;
   } else if (message->width != width || message->height != height) {

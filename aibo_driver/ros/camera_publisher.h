@@ -2,7 +2,6 @@
 #ifndef AIBO_DRIVER_CAMERA_PUBLISHER_H
 #define AIBO_DRIVER_CAMERA_PUBLISHER_H
 
-#include <camera_info_manager/camera_info_manager.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/CompressedImage.h>
 
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "aibo_driver/picture.h"
+#include "calibration.h"
 #include "driver_parameters.h"
 #include "robot_stamper.h"
 
@@ -17,8 +17,8 @@ namespace aibo_driver {
 
 /// Publishes each picture as the robot sent it (image_raw/compressed), and its camera_info with the same header.
 ///
-/// The calibration is camera_info_manager's, with the service set_camera_info in the camera's namespace. Without a
-/// calibration camera_info holds the picture's width and height and zeros, which by CameraInfo.msg means uncalibrated.
+/// Without a calibration camera_info holds the picture's width and height and zeros, which by CameraInfo.msg means
+/// uncalibrated.
 class CameraPublisher {
  public:
   /// @param camera_handle the camera's namespace
@@ -42,7 +42,7 @@ class CameraPublisher {
 
   const std::string frame_id_;
   RobotStamper stamper_;
-  camera_info_manager::CameraInfoManager camera_info_;
+  Calibration calibration_;
   ros::Publisher compressed_publisher_;
   ros::Publisher camera_info_publisher_;
 };

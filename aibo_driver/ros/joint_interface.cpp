@@ -32,13 +32,14 @@ JointInterface::JointInterface(const ros::NodeHandle& handle, const DriverParame
       commander_(thread_.handle(), table_, measured_, link_, parameters.approach_speed,
                  [this](const std::vector<JointOrder>& orders) { trajectories_.yieldTo(orders); }),
       motors_(thread_.handle(), client,
-              [this](bool on) {
+              [this] {
+                trajectories_.end("the motors are switched");
                 commander_.startApproach();
-                if (!on) {
-                  trajectories_.end("the motors were switched off");
-                }
               }),
-      motions_(thread_.handle(), client, [this] { trajectories_.end("a motion was begun by play_motion"); }) {
+      motions_(thread_.handle(), client, [this] {
+        trajectories_.end("play_motion is to play a motion");
+        link_.limitSpeeds(table_.speedLimits());
+      }) {
   thread_.start();
 }
 

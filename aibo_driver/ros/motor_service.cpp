@@ -8,16 +8,16 @@
 
 namespace aibo_driver {
 
-MotorService::MotorService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void(bool)> switched)
+MotorService::MotorService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> switching)
     : client_(client),
-      switched_(std::move(switched)),
+      switching_(std::move(switching)),
       server_(ros::NodeHandle(handle).advertiseService("motors", &MotorService::setMotors, this)) {}
 
 bool MotorService::setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   return answerService(response, "The motors were not switched", [&] {
     const bool wanted = request.data != 0;
+    switching_();
     const bool on = client_.setMotors(wanted, kTimeout);
-    switched_(on);
     if (on != wanted) {
       throw CommandException(std::string("the robot says that they are ") + (on ? "on" : "off") + " all the same.");
     }

@@ -18,15 +18,15 @@ class MotorService {
   static constexpr std::chrono::milliseconds kTimeout{2000};
 
   /// @param client must outlive the service
-  /// @param switched called after the robot has switched, with whether the motors are on; from the handle's callback
+  /// @param switching called before the robot is asked to switch, whatever becomes of it; from the handle's callback
   ///   queue
-  MotorService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void(bool)> switched);
+  MotorService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> switching);
 
  private:
   bool setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   RcServerClient& client_;
-  const std::function<void(bool)> switched_;
+  const std::function<void()> switching_;
   ros::ServiceServer server_;
 };
 

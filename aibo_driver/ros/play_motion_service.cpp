@@ -9,9 +9,10 @@
 
 namespace aibo_driver {
 
-PlayMotionService::PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> begun)
+PlayMotionService::PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client,
+                                     std::function<void()> beginning)
     : client_(client),
-      begun_(std::move(begun)),
+      beginning_(std::move(beginning)),
       server_(ros::NodeHandle(handle).advertiseService("play_motion", &PlayMotionService::playMotion, this)) {}
 
 bool PlayMotionService::playMotion(PlayMotion::Request& request, PlayMotion::Response& response) {
@@ -27,8 +28,8 @@ std::string PlayMotionService::play(const std::string& name, int repetitions) {
   if (name.empty()) {
     throw InvalidArgumentException("say which motion. list_motions tells which there are.");
   }
+  beginning_();
   client_.playMotion(name, repetitions, kTimeout);
-  begun_();
   return name + " has begun, to be played " + (repetitions == 1 ? "once." : std::to_string(repetitions) + " times.");
 }
 

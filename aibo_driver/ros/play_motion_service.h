@@ -19,8 +19,9 @@ class PlayMotionService {
   static constexpr std::chrono::milliseconds kTimeout{2000};
 
   /// @param client must outlive the service
-  /// @param begun called after the robot has begun to play a motion; from the handle's callback queue
-  PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> begun);
+  /// @param beginning called before the robot is asked to play a motion; from the handle's callback queue. What it
+  ///   throws, the caller of the service is told
+  PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> beginning);
 
  private:
   bool playMotion(PlayMotion::Request& request, PlayMotion::Response& response);
@@ -28,7 +29,7 @@ class PlayMotionService {
   std::string stop(const std::string& name);
 
   RcServerClient& client_;
-  const std::function<void()> begun_;
+  const std::function<void()> beginning_;
   ros::ServiceServer server_;
 };
 

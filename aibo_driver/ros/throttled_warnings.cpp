@@ -1,6 +1,8 @@
 #include "throttled_warnings.h"
 
+#include <cctype>
 #include <cstddef>
+#include <sstream>
 
 namespace aibo_driver {
 namespace {
@@ -10,18 +12,29 @@ constexpr std::chrono::seconds kPeriod{5};
 // Texts hold what users send, so there is no end to how many there are.
 constexpr std::size_t kMostRemembered = 100;
 
+std::string withoutNumbers(const std::string& text) {
+  std::istringstream words(text);
+  std::string others;
+  for (std::string word; words >> word;) {
+    const bool is_number = word.front() == '-' || std::isdigit(static_cast<unsigned char>(word.front())) != 0;
+    others += is_number ? " " : word + " ";
+  }
+  return others;
+}
+
 }  // namespace
 
 void ThrottledWarnings::warn(const std::string& text) {
   const auto now = std::chrono::steady_clock::now();
-  const auto found = last_.find(text);
+  const std::string kind = withoutNumbers(text);
+  const auto found = last_.find(kind);
   if (found != last_.end() && now - found->second < kPeriod) {
     return;
   }
   if (last_.size() >= kMostRemembered) {
     last_.clear();
   }
-  last_[text] = now;
+  last_[kind] = now;
   log_(text);
 }
 

@@ -11,7 +11,8 @@
 namespace aibo_driver {
 
 /// Logs each different warning once in a while: a program that repeats its mistake many times a second is told of it,
-/// and hides no other. From one thread at a time.
+/// and hides no other. Numbers make no difference, as they do not in the mistake; those in names do. From one thread at
+/// a time.
 class ThrottledWarnings {
  public:
   /// @param log logs a warning, under the logger of what is warned about
@@ -21,7 +22,7 @@ class ThrottledWarnings {
 
  private:
   const std::function<void(const std::string&)> log_;
-  std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged
+  std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged, without numbers
 };
 
 }  // namespace aibo_driver

@@ -1,20 +1,16 @@
 #include "trajectory_executor.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
+#include "trajectory_start.h"
 
 namespace aibo_driver {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 2;
-
-// A message takes its time from the sender to here, and the clocks of two machines differ a little.
-constexpr double kLatestStart = 1.0;  // s after header.stamp
 
 // A joint that moves slower than this stands; an encoder's step within 32 ms looks like 0.03 rad/s.
 constexpr double kStanding = 0.06;  // rad/s
@@ -30,19 +26,6 @@ TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
     request.points.push_back({point.time_from_start.toSec(), point.positions, point.velocities});
   }
   return request;
-}
-
-// How long to wait before the trajectory begins.
-std::chrono::nanoseconds waitFor(const ros::Time& stamp) {
-  if (stamp.isZero()) {
-    return std::chrono::nanoseconds(0);
-  }
-  const ros::Duration wait = stamp - ros::Time::now();
-  if (wait.toSec() < -kLatestStart) {
-    throw InvalidArgumentException("Trajectory refused: header.stamp, when it was to begin, was " +
-                                   std::to_string(-wait.toSec()) + " s ago; a stamp of 0 means at once.");
-  }
-  return std::chrono::nanoseconds(std::max<std::int64_t>(0, wait.toNSec()));
 }
 
 }  // namespace
@@ -92,23 +75,23 @@ void TrajectoryExecutor::receive(const trajectory_msgs::JointTrajectory& message
       start(message);
     }
   } catch (const InvalidArgumentException& error) {
-    ROS_WARN_STREAM_NAMED("joints", error.what());
+    warnings_.warn(error.what());
   } catch (const StoppedException&) {
     return;  // the driver ends
   } catch (const Exception& error) {
-    ROS_WARN_STREAM_NAMED("joints", "Trajectory dropped: " << error.what());
+    warnings_.warn(std::string("Trajectory dropped: ") + error.what());
   }
 }
 
 void TrajectoryExecutor::start(const trajectory_msgs::JointTrajectory& message) {
   const SteadyTime now = std::chrono::steady_clock::now();
-  const std::chrono::nanoseconds wait = waitFor(message.header.stamp);
+  const std::chrono::nanoseconds wait = waitBeforeStart(message.header.stamp, ros::Time::now());
   Trajectory trajectory(toRequest(message), table_, present(now), slow_down_);
   if (trajectory.stretch() > 1) {
     ROS_INFO_STREAM_NAMED("joints", "The trajectory is slowed down " << trajectory.stretch()
                                                                      << " times, to keep the joints' speed limits.");
   }
-  running_ = Running{std::move(trajectory), now + wait, link_.connection(), false};
+  running_ = Running{std::move(trajectory), TrajectoryClock(now + wait, kPeriod), link_.connection(), false};
   timer_.start();
   goOn();
 }
@@ -140,7 +123,7 @@ void TrajectoryExecutor::goOn() {
     return;
   }
   const Trajectory& trajectory = running_->trajectory;
-  const double time = seconds(std::chrono::steady_clock::now() - running_->start);
+  const double time = running_->clock.attend(std::chrono::steady_clock::now());
   if (time < 0) {
     return;
   }
@@ -167,7 +150,7 @@ void TrajectoryExecutor::goOn() {
 std::vector<Trajectory::Start> TrajectoryExecutor::present(SteadyTime now) const {
   std::vector<Trajectory::Start> joints;
   if (running_) {
-    const std::vector<double> positions = running_->trajectory.sample(seconds(now - running_->start));
+    const std::vector<double> positions = running_->trajectory.sample(running_->clock.at(now));
     for (std::size_t i = 0; i < positions.size(); ++i) {
       joints.push_back({running_->trajectory.joints()[i], positions[i]});
     }

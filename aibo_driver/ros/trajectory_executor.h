@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
 #define AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <trajectory_msgs/JointTrajectory.h>
@@ -16,6 +17,8 @@
 #include "motion/joint_table.h"
 #include "motion/measured_joints.h"
 #include "motion/trajectory.h"
+#include "motion/trajectory_clock.h"
+#include "throttled_warnings.h"
 
 namespace aibo_driver {
 
@@ -23,8 +26,9 @@ namespace aibo_driver {
 ///
 /// Every kPeriod the robot is told where the joints are to be kLookahead later, to arrive by then. So it always knows
 /// what comes next, a message that is late by less does not make it falter, and as it counts each time anew from the
-/// arrival of the message, its clock and ours need not agree. If the connection is lost, the joints stop where they
-/// were last sent, which is at most kLookahead away, and the trajectory is over.
+/// arrival of the message, its clock and ours need not agree. Held up for longer, the trajectory goes on where it was.
+/// If the connection is lost, the joints stop where they were last sent, which is at most kLookahead away, and the
+/// trajectory is over.
 ///
 /// A new trajectory replaces the one before, going on from where that one is. One without points stops the joints that
 /// move. Everything runs on the callback queue of the handle, which must be served by one thread.
@@ -50,7 +54,7 @@ class TrajectoryExecutor {
 
   struct Running {
     Trajectory trajectory;
-    SteadyTime start;
+    TrajectoryClock clock;
     std::uint64_t connection = 0;
     bool end_sent = false;
   };
@@ -67,6 +71,7 @@ class TrajectoryExecutor {
   const MeasuredJoints& measured_;
   JointLink& link_;
   const bool slow_down_;
+  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   std::optional<Running> running_;
   ros::SteadyTimer timer_;
   ros::Subscriber subscriber_;

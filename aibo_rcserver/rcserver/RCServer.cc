@@ -357,7 +357,7 @@ void RCServer::CountStreamPicture() {
   if (!is_streaming_) {
     return;
   }
-  if (stream_pictures_ > 0) {
+  if (stream_pictures_ > 0 && image_count_ != last_of_stream_) {
     images_left_out_ += image_count_ - last_of_stream_ - 1;
   }
   last_of_stream_ = image_count_;

@@ -2,8 +2,6 @@
 
 #include <signal.h>
 
-#include <stdexcept>
-
 #include "support/raw_client.h"
 
 namespace soak {
@@ -49,7 +47,7 @@ void carryOut(const Scene& scene, const Fault& fault) {
   scene.proxy->add(fault);
   if (!scene.proxy->waitForFaults(done + 1, kPatience)) {
     scene.proxy->clearFaults();
-    throw std::runtime_error("nothing came over the connection to make a fault in");
+    throw NothingCame();
   }
 }
 

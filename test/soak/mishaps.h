@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,18 @@ struct Scene {
   std::function<void(std::chrono::milliseconds)> pass;  ///< lets so much time go by
 };
 
+/// Nothing came over the connection, so that nothing could go wrong with it.
+class NothingCame : public std::runtime_error {
+ public:
+  NothingCame() : std::runtime_error("nothing came over the connection to make a fault in") {}
+};
+
 /// A kind of thing that goes wrong.
 struct Mishap {
   std::string name;
   bool damages;  ///< bytes are changed on the way: it may take some time to show, and pictures may be changed, too
   /// Lets it happen. When it returns, all is well again.
-  /// @throw std::runtime_error it could not be made
+  /// @throw NothingCame
   std::function<void(const Scene& scene, Random& random)> happen;
 };
 

@@ -13,7 +13,7 @@ namespace soak {
 
 /// Compares the pictures that a driver publishes with those that the robot has sent, by what the robot's picture log
 /// tells. No picture may be published twice, nor after a newer one, nor with a stamp that is not after the last one's;
-/// none that the robot has not sent; and while all is calm, none may be left out. No I/O. Not thread-safe.
+/// none that the robot has not sent; what is left out while all is calm is counted. No I/O. Not thread-safe.
 class PictureAudit {
  public:
   using Time = std::chrono::system_clock::time_point;
@@ -30,7 +30,7 @@ class PictureAudit {
   /// Bytes are changed on the way from now on, or no more: then pictures that the robot has not sent are only counted.
   void setDamaging(bool damaging) { damaging_ = damaging; }
 
-  /// From the picture on that was published last, none may be left out; or again they may.
+  /// From the picture on that was published last, all is calm; or not any more.
   void setCalm(bool calm) { calm_ = calm; }
 
   /// The number of the picture that was sent last, 1 and up; 0 if there was none.
@@ -48,7 +48,10 @@ class PictureAudit {
   /// Of these, pictures that were published in calm stretches.
   std::uint64_t calmCount() const { return calm_count_; }
 
-  /// Of these, pictures that were changed on the way.
+  /// Pictures that the robot sent in calm stretches and that were left out.
+  std::uint64_t lostInCalm() const { return lost_in_calm_; }
+
+  /// Of those published, pictures that were changed on the way.
   std::uint64_t damagedCount() const { return damaged_count_; }
 
  private:
@@ -70,6 +73,7 @@ class PictureAudit {
   bool calm_ = false;
   std::uint64_t count_ = 0;
   std::uint64_t calm_count_ = 0;
+  std::uint64_t lost_in_calm_ = 0;
   std::uint64_t damaged_count_ = 0;
 };
 

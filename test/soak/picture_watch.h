@@ -30,7 +30,7 @@ class PictureWatch {
   /// @return how long after this time it was published; nothing if the time has passed
   std::optional<std::chrono::duration<double>> waitForPictureOf(PictureAudit::Time time, std::chrono::seconds patience);
 
-  /// From now on, no picture may be left out.
+  /// From now on, pictures that are left out are counted.
   void beginCalm();
 
   /// Waits for all pictures that were sent in the calm, and ends it.

@@ -104,7 +104,7 @@ void ResourceLog::judge(Violations* violations) const {
     return;
   }
   const double growth = kilobytesPerHour() * time.count() / 3600;
-  if (growth > kAllowedKilobytes) {
+  if (fault_bench::kMemoryCounts && growth > kAllowedKilobytes) {
     violations->add(name_ + ": " + std::to_string(std::lround(growth)) + " KB more");
   }
   if (least(&Resources::descriptors, 0.75, 1) > least(&Resources::descriptors, 0, 0.25)) {

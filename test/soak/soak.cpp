@@ -1,8 +1,11 @@
 #include "soak.h"
 
+#include <signal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 
@@ -16,12 +19,18 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
+using test_support::DiagnosticsListener;
 
 constexpr const char* kNamespace = "/soak";
+constexpr const char* kMotion = "/OPEN-R/MW/DATA/P/WAG.MTN";
 
 // Two attempts to connect with the longest waits before them (connect_timeout, reconnect_wait_max), and as much again.
 constexpr seconds kLongestRecovery{16};
 constexpr seconds kFirstPicturePatience{60};
+constexpr seconds kLongestEnd{15};
+
+// Of pictures in calm stretches, one of so many may be left out because this computer was busy with something else.
+constexpr std::uint64_t kPicturesPerLoss = 1000;
 
 constexpr milliseconds kStep{100};
 constexpr milliseconds kLookPeriod{2000};
@@ -53,13 +62,14 @@ Soak::Soak(const Options& options)
     : options_(options),
       random_(options.seed),
       pictures_(std::string(kNamespace) + "/camera/image_raw/compressed", options.folder + "/pictures", &violations_),
-      robot_({"--picture-log", options.folder + "/pictures"}),
+      robot_({"--picture-log", options.folder + "/pictures", "--memory-stick", memory_stick_.path()}),
       proxy_(proxyOptions()),
       driver_(kNamespace, proxy_.port()),
-      workload_(kNamespace, &violations_),
+      workload_(kNamespace, memory_stick_.path() + kMotion, &violations_),
       driver_resources_("driver", kDriverWarmUp),
       robot_resources_("server", kRobotWarmUp),
-      table_(options.folder + "/resources.csv") {
+      table_(options.folder + "/resources.csv"),
+      driver_log_(options.folder + "/driver.log") {
   table_ << "seconds,driver KB,driver descriptors,driver threads,server KB,server descriptors,server threads,"
             "pictures,faults\n";
 }
@@ -88,8 +98,9 @@ bool Soak::run() {
   } catch (const std::exception& error) {
     violations_.add(error.what());
   }
-  std::ofstream(options_.folder + "/driver.log") << driver_.output();
   violations_.setScene("the whole run");
+  judgeLosses();
+  endDriver();
   driver_resources_.judge(&violations_);
   robot_resources_.judge(&violations_);
   report();
@@ -105,13 +116,17 @@ void Soak::awaitFirstPicture() {
 
 void Soak::stayCalm() {
   violations_.setScene("calm");
+  if (!robot_.isRunning()) {
+    throw std::runtime_error("the robot's server has ended:\n" + robot_.process().output());
+  }
   pictures_.beginCalm();
   const auto end = elapsed() + milliseconds(std::uniform_int_distribution<int>(1000, 7000)(random_));
   while (elapsed() < end) {
-    workload_.doSomething(random_, true);
+    workload_.doSomething(random_);
     pass(milliseconds(std::uniform_int_distribution<int>(50, 1000)(random_)));
   }
   pictures_.endCalm();
+  workload_.measure();
 }
 
 void Soak::goWrong(const Mishap& mishap) {
@@ -121,15 +136,18 @@ void Soak::goWrong(const Mishap& mishap) {
   awaitTrajectory();
   const std::size_t connections_before = tap_.connections();
   pictures_.setDamaging(mishap.damages);
+  ServiceCalls calls(&workload_, random_());
   try {
     mishap.happen({&proxy_, &robot_, &workload_, [this](milliseconds time) { pass(time); }}, random_);
-  } catch (const std::runtime_error& error) {
+  } catch (const NothingCame& error) {
     violations_.add(error.what());
   }
   proxy_.heal();
   recover(mishap, system_clock::now());
+  calls.end();
   expectNoJointMoves(connections_before, mishap.damages ? kDamageShows : kBraking);
   pictures_.setDamaging(false);
+  workload_.callEveryService(random_);
 }
 
 // Something to repeat after a reconnect, for who would.
@@ -156,15 +174,15 @@ void Soak::recover(const Mishap& mishap, PictureAudit::Time healthy) {
 // Nobody commands any joint meanwhile.
 void Soak::expectNoJointMoves(std::size_t connections_before, milliseconds settling) {
   pass(settling);
+  const auto before = workload_.measure();
   if (tap_.connections() == connections_before) {
     return;  // the trajectory goes on
   }
-  const auto before = workload_.jointPositions();
   pass(kWatchTime);
   if (const std::size_t requests = tap_.jointRequestsFrom(connections_before); requests > 0) {
     violations_.add("after the reconnect, " + std::to_string(requests) + " requests that move joints");
   }
-  for (const auto& [joint, position] : workload_.jointPositions()) {
+  for (const auto& [joint, position] : workload_.measure()) {
     const auto was = before.find(joint);
     if (was != before.end() && std::abs(position - was->second) > kStill) {
       violations_.add("after the reconnect, " + joint + " moved by " + std::to_string(position - was->second) + " rad");
@@ -186,6 +204,7 @@ void Soak::pass(milliseconds time) {
 // Also while the robot is dead: then its process is not looked at.
 void Soak::look() {
   pictures_.readLog();
+  keepDriverLog();
   if (!driver_.isRunning()) {
     throw std::runtime_error("the driver's node has ended:\n" + driver_.output());
   }
@@ -198,6 +217,44 @@ void Soak::look() {
     table_ << ",,,";
   }
   table_ << "," << pictures_.audit().count() << "," << faults_ << std::endl;
+}
+
+void Soak::keepDriverLog() {
+  const std::string output = driver_.output();
+  driver_log_ << output.substr(driver_log_size_) << std::flush;
+  driver_log_size_ = output.size();
+}
+
+// A driver that this computer has held up leaves out what grew stale meanwhile, and says so.
+void Soak::judgeLosses() {
+  const PictureAudit audit = pictures_.audit();
+  if (audit.lostInCalm() == 0) {
+    return;
+  }
+  const auto stream = diagnostics_.waitForNext(std::string(kNamespace + 1) + "/aibo_driver: stream");
+  const std::string stale = DiagnosticsListener::value(stream, "pictures dropped for newer ones");
+  const std::string losses = std::to_string(audit.lostInCalm()) +
+                             " pictures were lost while all was calm; of those that "
+                             "grew stale while this computer held it up, the driver left out " +
+                             stale;
+  const bool explained = !stale.empty() && std::stoull(stale) >= audit.lostInCalm();
+  if (explained && audit.lostInCalm() * kPicturesPerLoss <= audit.calmCount()) {
+    std::printf("\n%s\n", losses.c_str());
+  } else {
+    violations_.add(losses);
+  }
+}
+
+// By Ctrl-C, so that it can still say what it has lost sight of; also what waits for an answer of it goes on then.
+void Soak::endDriver() {
+  driver_.signal(SIGINT);
+  const std::optional<int> status = driver_.waitForExit(kLongestEnd);
+  if (status != EXIT_SUCCESS) {
+    violations_.add(status ? "the driver's node ended with exit status " + std::to_string(*status)
+                           : "the driver's node does not end");
+  }
+  driver_.kill();
+  keepDriverLog();
 }
 
 ResourceLog::Seconds Soak::elapsed() const {

@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics_listener.h"
 #include "driver_process.h"
+#include "memory_stick.h"
 #include "mishaps.h"
 #include "picture_watch.h"
 #include "proxy/fault_proxy.h"
@@ -54,6 +56,9 @@ class Soak {
   void expectNoJointMoves(std::size_t connections_before, std::chrono::milliseconds settling);
   void pass(std::chrono::milliseconds time);
   void look();
+  void keepDriverLog();
+  void judgeLosses();
+  void endDriver();
   ResourceLog::Seconds elapsed() const;
   void report() const;
 
@@ -62,6 +67,7 @@ class Soak {
   Violations violations_;
   RequestTap tap_;
   PictureWatch pictures_;
+  const test_support::MemoryStick memory_stick_{"ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n"};
   test_support::SimulatedRobot robot_;
   fault_bench::FaultProxy proxy_;
   test_support::DriverProcess driver_;
@@ -74,6 +80,9 @@ class Soak {
   ResourceLog driver_resources_;
   ResourceLog robot_resources_;
   std::ofstream table_;
+  std::ofstream driver_log_;
+  std::size_t driver_log_size_ = 0;
+  test_support::DiagnosticsListener diagnostics_;
 };
 
 }  // namespace soak

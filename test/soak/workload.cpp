@@ -1,15 +1,20 @@
 #include "workload.h"
 
+#include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/Ears.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/TakePicture.h>
+#include <aibo_driver/UploadMotion.h>
 #include <ros/service.h>
 #include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
+#include <memory>
+#include <thread>
 
 #include "robot_model/robot_model.h"
 
@@ -17,10 +22,21 @@ namespace soak {
 namespace {
 
 using std::chrono::milliseconds;
+using std::chrono::seconds;
 using std::chrono::steady_clock;
 
-// take_picture ends after 2 s at the latest, what the memory stick has to do with after 5 s; and a busy computer.
-constexpr milliseconds kLongestCall{8000};
+// Within these times each is answered, says docs/ros_interface.md.
+constexpr seconds kAtOnce{0};
+constexpr seconds kOfBody{2};  // also pictures
+constexpr seconds kOfMemoryStick{5};
+constexpr seconds kOfUpload{15};
+
+constexpr seconds kHeldUp{3};       // by a busy computer
+constexpr seconds kNeverAny{60};    // what has not been answered by then
+constexpr seconds kMeasurement{5};  // several come each second
+
+constexpr const char* kPlayed = "nod";
+constexpr const char* kUploaded = "soak";
 
 constexpr double kMicro = 1e-6;
 
@@ -33,16 +49,21 @@ double anyPosition(const robot_model::Joint& joint, Random& random) {
   return kMicro * std::uniform_int_distribution<int>(joint.lowest, joint.highest)(random);
 }
 
-void ignore(const sensor_msgs::ImageConstPtr& /*image*/) {}
-
 bool maybe(Random& random) {
   return std::bernoulli_distribution()(random);
 }
 
 }  // namespace
 
-Workload::Workload(const std::string& name_space, Violations* violations)
+// The last one alone moves joints.
+const std::vector<Workload::ServiceCall> Workload::kServiceCalls = {
+    &Workload::takePicture,   &Workload::switchStreamOn, &Workload::switchMotorsOn, &Workload::listMotions,
+    &Workload::changeMotions, &Workload::askForPower,    &Workload::stopMotion,     &Workload::playMotion,
+};
+
+Workload::Workload(const std::string& name_space, const std::string& motion, Violations* violations)
     : node_(name_space),
+      motion_(motion),
       violations_(violations),
       joint_command_(node_.advertise<sensor_msgs::JointState>("joint_command", 10)),
       trajectory_(node_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10)),
@@ -50,14 +71,14 @@ Workload::Workload(const std::string& name_space, Violations* violations)
       ears_(node_.advertise<aibo_driver::Ears>("ears", 10)),
       joint_states_(node_.subscribe("joint_states", 100, &Workload::onJointState, this)) {}
 
-void Workload::doSomething(Random& random, bool connected) {
+void Workload::doSomething(Random& random) {
   switch (std::uniform_int_distribution<int>(0, 9)(random)) {
     case 0:
       return light(random);
     case 1:
       return flickEars(random);
     case 2:
-      return callService(random, connected);
+      return (this->*anyOf(kServiceCalls.size(), random))(random, Expected::kSuccess);
     case 3:
       return lookAtImages();
     case 4:
@@ -103,75 +124,177 @@ void Workload::flickEars(Random& random) {
   ears_.publish(command);
 }
 
-void Workload::callService(Random& random, bool connected) {
-  switch (std::uniform_int_distribution<int>(0, 3)(random)) {
-    case 0:
-      return call("list_motions", aibo_driver::ListMotions(), connected);
-    case 1: {
-      aibo_driver::PlayMotion motion;
-      motion.request.stop = true;  // else it is refused while it plays
-      call("play_motion", motion, connected);
-      motion.request.stop = false;
-      motion.request.name = "nod";
-      return call("play_motion", motion, connected);
-    }
-    default: {
-      aibo_driver::TakePicture picture;
-      picture.request.quality = static_cast<std::uint8_t>(std::uniform_int_distribution<int>(1, 100)(random));
-      return call("take_picture", picture, connected);
-    }
-  }
-}
-
 // Decoded pictures are wanted for a while, and then no more.
 void Workload::lookAtImages() {
   if (images_) {
     images_.shutdown();
     images_ = ros::Subscriber();
   } else {
-    images_ = node_.subscribe("camera/image_raw", 1, &ignore);
+    images_ = node_.subscribe("camera/image_raw", 1, &Workload::onImage, this);
   }
+}
+
+void Workload::callEveryService(Random& random) {
+  for (const ServiceCall service : kServiceCalls) {
+    (this->*service)(random, Expected::kSuccess);
+  }
+}
+
+void Workload::callAnyService(Random& random) {
+  (this->*anyOf(kServiceCalls.size() - 1, random))(random, Expected::kAnswer);
+}
+
+Workload::ServiceCall Workload::anyOf(std::size_t first, Random& random) {
+  return kServiceCalls[std::uniform_int_distribution<std::size_t>(0, first - 1)(random)];
+}
+
+void Workload::takePicture(Random& random, Expected expected) {
+  aibo_driver::TakePicture picture;
+  picture.request.quality = static_cast<std::uint8_t>(std::uniform_int_distribution<int>(1, 100)(random));
+  call("take_picture", picture, kOfBody, expected);
+}
+
+void Workload::switchStreamOn(Random& /*random*/, Expected expected) {
+  setStreaming(true, expected);
 }
 
 void Workload::toggleStream() {
-  for (const bool on : {false, true}) {
-    std_srvs::SetBool streaming;
-    streaming.request.data = on;
-    call("set_streaming", streaming, true);
-  }
+  setStreaming(false, Expected::kSuccess);
+  setStreaming(true, Expected::kSuccess);
 }
 
+void Workload::setStreaming(bool on, Expected expected) {
+  std_srvs::SetBool streaming;
+  streaming.request.data = on;
+  call("set_streaming", streaming, kAtOnce, expected);
+}
+
+void Workload::switchMotorsOn(Random& /*random*/, Expected expected) {
+  std_srvs::SetBool motors;
+  motors.request.data = true;
+  call("motors", motors, kOfBody, expected);
+}
+
+void Workload::listMotions(Random& /*random*/, Expected expected) {
+  call("list_motions", aibo_driver::ListMotions(), kOfMemoryStick, expected);
+}
+
+void Workload::changeMotions(Random& /*random*/, Expected expected) {
+  aibo_driver::UploadMotion upload;
+  upload.request.name = kUploaded;
+  upload.request.file = motion_;
+  call("upload_motion", upload, kOfUpload, expected);
+  aibo_driver::DeleteMotion deletion;
+  deletion.request.name = kUploaded;
+  call("delete_motion", deletion, kOfMemoryStick, expected);
+}
+
+// The robot does not allow it.
+void Workload::askForPower(Random& random, Expected /*expected*/) {
+  call(maybe(random) ? "shut_down" : "reboot", std_srvs::Trigger(), kOfMemoryStick, Expected::kAnswer);
+}
+
+// Without it, one that plays is not played again.
+void Workload::stopMotion(Random& /*random*/, Expected expected) {
+  aibo_driver::PlayMotion motion;
+  motion.request.name = kPlayed;
+  motion.request.stop = true;
+  call("play_motion", motion, kOfBody, expected);
+}
+
+void Workload::playMotion(Random& random, Expected expected) {
+  stopMotion(random, expected);
+  aibo_driver::PlayMotion motion;
+  motion.request.name = kPlayed;
+  call("play_motion", motion, kOfBody, expected);
+}
+
+// In a thread of its own, since it cannot be interrupted.
 template <typename Service>
-void Workload::call(const std::string& name, Service service, bool connected) {
+void Workload::call(const std::string& name, const Service& service, seconds longest, Expected expected) {
+  const auto answer = std::make_shared<Service>(service);
   const auto begin = steady_clock::now();
-  const bool answered = ros::service::call(node_.resolveName(name), service);
+  std::future<bool> answered = std::async(std::launch::async, [answer, full_name = node_.resolveName(name)] {
+    return ros::service::call(full_name, *answer);
+  });
+  const bool over = answered.wait_for(kNeverAny) == std::future_status::ready;
   const auto time = std::chrono::duration_cast<milliseconds>(steady_clock::now() - begin);
-  ++calls_;
-  longest_call_ = std::max(longest_call_, time);
-  if (!answered) {
-    violations_->add(name + " was not answered");
-  } else if (connected && !service.response.success) {
-    violations_->add(name + ": " + service.response.message);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++calls_;
+    longest_call_ = std::max(longest_call_, time);
+    if (!over) {
+      given_up_.push_back(std::move(answered));
+      throw Unanswered(name + " was not answered within " + std::to_string(kNeverAny.count()) + " s");
+    }
   }
-  if (time > kLongestCall) {
-    violations_->add(name + " took " + std::to_string(time.count()) + " ms");
+  if (!answered.get()) {
+    violations_->add(name + " was not answered");
+  } else if (expected == Expected::kSuccess && !answer->response.success) {
+    violations_->add(name + ": " + answer->response.message);
+  }
+  if (time > longest + kHeldUp) {
+    violations_->add(name + " took " + std::to_string(time.count()) + " ms, more than " +
+                     std::to_string(longest.count()) + " s");
   }
 }
 
 void Workload::onJointState(const sensor_msgs::JointState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (message.header.stamp <= last_stamp_) {
+  if (message.header.stamp <= measured_) {
     violations_->add("a stamp of joint_states is not after that of the one before");
   }
-  last_stamp_ = message.header.stamp;
+  measured_ = message.header.stamp;
   for (std::size_t i = 0; i < message.name.size(); ++i) {
     positions_[message.name[i]] = message.position[i];
   }
+  changed_.notify_all();
 }
 
-std::map<std::string, double> Workload::jointPositions() const {
+void Workload::onImage(const sensor_msgs::Image& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  seen_ = image.header.stamp;
+  changed_.notify_all();
+}
+
+std::map<std::string, double> Workload::measure() {
+  const ros::Time begin = ros::Time::now();
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!changed_.wait_for(lock, kMeasurement, [&] { return measured_ > begin; })) {
+    violations_->add("no joint_states come");
+  }
+  if (images_ && !changed_.wait_for(lock, kMeasurement, [&] { return seen_ > begin; })) {
+    violations_->add("no decoded pictures come");
+  }
   return positions_;
+}
+
+std::size_t Workload::calls() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return calls_;
+}
+
+milliseconds Workload::longestCall() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return longest_call_;
+}
+
+ServiceCalls::ServiceCalls(Workload* workload, Random::result_type seed)
+    : calls_(std::async(std::launch::async, [this, workload, seed] {
+        Random random(seed);
+        while (!ending_) {
+          workload->callAnyService(random);
+          std::this_thread::sleep_for(milliseconds(std::uniform_int_distribution<int>(0, 300)(random)));
+        }
+      })) {}
+
+ServiceCalls::~ServiceCalls() {
+  ending_ = true;
+}
+
+void ServiceCalls::end() {
+  ending_ = true;
+  calls_.get();
 }
 
 }  // namespace soak

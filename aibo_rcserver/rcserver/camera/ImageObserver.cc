@@ -77,7 +77,8 @@ void ImageObserver::TakeOldestOwed(PictureOrder* order) {
 }
 
 bool ImageObserver::TakeStreamPicture(unsigned image_count, PictureOrder* order) {
-  if (stream_has_begun_ && image_count - last_of_stream_ < every_nth_image_) {
+  // The count is of no matter for who wants every image: a camera whose count stands still streams all the same.
+  if (every_nth_image_ > 1 && stream_has_begun_ && image_count - last_of_stream_ < every_nth_image_) {
     return false;
   }
   stream_has_begun_ = true;

@@ -57,11 +57,12 @@ JointWatch::Verdict JointControl::TakeFault(int joint) {
 }
 
 void JointControl::ClientGone() {
-  motions_.ClientGone();
-  planner_.HoldAll();
+  // The limits first: with low ones that the client has left, a joint would glide on for long.
   for (int i = 0; i < NumberOfJoints(); ++i) {
     planner_.SetSpeedLimit(i, robot_.joints[i].highest_speed);
     planner_.SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));
     TakeFault(i);
   }
+  motions_.ClientGone();
+  planner_.HoldAll();
 }

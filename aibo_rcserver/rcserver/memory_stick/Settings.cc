@@ -20,7 +20,8 @@ const char* SkipSpaces(const char* text) {
 
 class Reader {
  public:
-  Reader(Settings* settings, SettingsProblems& problems) : settings_(*settings), problems_(problems), line_(0) {
+  Reader(Settings* settings, SettingsProblems& problems)
+      : settings_(*settings), problems_(problems), line_(0), first_passed_over_(0) {
     memset(is_set_, 0, sizeof(is_set_));
   }
 
@@ -33,10 +34,12 @@ class Reader {
   const char* MakeSafe(int name);
   bool* FindSwitch(int name);
   void PassOver(const char* problem, const char* text);
+  void DoubtAddresses();
 
   Settings& settings_;
   SettingsProblems& problems_;
   int line_;
+  int first_passed_over_;  // line; 0: none
   bool is_set_[NUMBER_OF_NAMES];
 };
 
@@ -50,6 +53,11 @@ void Reader::Read(FILE* file) {
       ReadLine(reader.Line());
     }
   }
+  if (ferror(file)) {
+    ++line_;
+    PassOver("it cannot be read", "");
+  }
+  DoubtAddresses();
 }
 
 void Reader::ReadLine(const char* line) {
@@ -132,6 +140,16 @@ void Reader::PassOver(const char* problem, const char* text) {
   char message[256];
   sprintf(message, "%s, and is passed over: \"%.60s\"", problem, text);
   problems_.Tell(line_, message);
+  first_passed_over_ = first_passed_over_ == 0 ? line_ : first_passed_over_;
+}
+
+// What was passed over may have been meant to keep others out.
+void Reader::DoubtAddresses() {
+  if (first_passed_over_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
+    char text[128];
+    sprintf(text, "was it %s? That is not set; %s", NAMES[ALLOWED_ADDRESSES], MakeSafe(ALLOWED_ADDRESSES));
+    problems_.Tell(first_passed_over_, text);
+  }
 }
 
 }  // namespace

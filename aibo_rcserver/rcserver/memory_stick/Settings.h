@@ -8,6 +8,7 @@
 #include "rcserver/memory_stick/AllowedAddresses.h"
 
 /// Where they are on the memory stick.
+const char SETTINGS_FOLDER[] = "OPEN-R/MW/CONF";
 const char SETTINGS_FILE[] = "OPEN-R/MW/CONF/RCSERVER.CFG";
 
 /// Made with what holds where the file says nothing: nothing dangerous is allowed.
@@ -38,8 +39,9 @@ class SettingsProblems {
 };
 
 /// Reads lines NAME=VALUE. Empty lines and what comes behind a # are passed over, capitals and small letters are the
-/// same, and lines may end as on any system. A line that is wrong changes nothing, or makes its setting the safe one:
-/// not allowed, 10 s, and no address but 127.0.0.1. The same name twice is wrong, too.
+/// same, and lines may end as on any system. A line that is wrong is passed over, or makes its setting the safe one:
+/// not allowed, 10 s, and no address but 127.0.0.1. The same name twice is wrong, too. Where a line was passed over and
+/// none sets ALLOWED_ADDRESSES, it may have been that one: no address but 127.0.0.1, too.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
 #endif  // RCSERVER_MEMORY_STICK_SETTINGS_H

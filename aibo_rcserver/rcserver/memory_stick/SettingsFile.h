@@ -7,7 +7,8 @@
 #include "rcserver/memory_stick/Settings.h"
 
 /// Reads the settings from the memory stick, and names on the console each line that is wrong. Without the file all is
-/// as it is without any line in it, and the console says so.
+/// as it is without any line in it; with one that cannot be read, nobody but 127.0.0.1 may connect. The console says
+/// so.
 Settings readSettingsFile(const HostSettings& host);
 
 #endif  // RCSERVER_MEMORY_STICK_SETTINGS_FILE_H

@@ -12,6 +12,9 @@
 
 namespace fault_bench {
 
+// Bytes. Longer than any picture of the server.
+constexpr unsigned kPictureSize = 5200;
+
 /// A client with the driver's own settings, a server, and the proxy between them.
 class ClientExperiment : public Experiment {
  public:
@@ -59,6 +62,16 @@ class ClientExperiment : public Experiment {
   std::atomic<bool> name_known_{true};  ///< whether the robot's name can be looked up
   std::atomic<int> address_{1};         ///< it leads to 127.0.0.N
   aibo_driver::RcServerClient client_;
+};
+
+/// For what concerns the whole process, so that nothing may run beside it: each trial has a client and a server of its
+/// own, of version 1 and 2 in turn.
+template <typename SomeExperiment>
+class InTurn : public Experiment {
+ public:
+  explicit InTurn(unsigned) {}
+
+  Outcome run(unsigned trial, Random& random) override { return SomeExperiment(trial % 2).run(trial, random); }
 };
 
 }  // namespace fault_bench

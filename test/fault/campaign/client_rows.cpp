@@ -17,15 +17,7 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-// Longer than any picture of the server.
-constexpr unsigned kPictureSize = 5200;
-
-template <typename SomeExperiment, typename... Arguments>
-std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... arguments) {
-  return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
-}
-
-/// F1: one segment becomes two, at every offset of three pictures in turn.
+/// F1: one segment becomes two, at every offset of a picture in turn. Each version of the protocol has all of them.
 class SplitExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -35,7 +27,7 @@ class SplitExperiment : public ClientExperiment {
     Fault split;
     split.action = Action::kSplit;
     split.place = Place::kPicture;
-    split.offset = trial % kPictureSize;
+    split.offset = trial / 2 % kPictureSize;
     split.time = microseconds(300);
     const std::uint32_t before = connection();
     carryOut(split);
@@ -278,7 +270,7 @@ class IdleExperiment : public ClientExperiment {
  private:
   Outcome attempt(unsigned trial, Random&) override {
     constexpr std::array<Welcome, 3> kWelcomes = {Welcome::kRefuse, Welcome::kUnreachable, Welcome::kSilence};
-    proxy_.setWelcome(kWelcomes[trial % kWelcomes.size()]);
+    proxy_.setWelcome(kWelcomes[trial / 2 % kWelcomes.size()]);
     proxy_.endConnections(Action::kReset);
     witness_.waitForState(ConnectionState::kDisconnected, kPatience);
     server_.setStopped(true);
@@ -311,28 +303,26 @@ std::vector<Row> clientRows() {
   using Absence = AbsenceExperiment::Kind;
   constexpr Milliseconds kSoon{250};
   constexpr Milliseconds kHalfASecond{500};
+  // The client waits up to 2 s between two attempts, and then has to connect and get a picture.
+  constexpr Milliseconds kLongestWait{2100};
   return {
-      {"F1", "split at every offset of three pictures", 3 * kPictureSize, 4, {}, maker<SplitExperiment>()},
+      {"F1", "split at every offset, twice in either version", 4 * kPictureSize, 4, {}, maker<SplitExperiment>()},
       {"F1b", "drops of 1 and 7 bytes, random pieces, pictures joined", 400, 2, {}, maker<SliceExperiment>()},
       {"F2", "closed amid a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kClose)},
       {"F3", "reset amid a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kReset)},
       {"F4", "garbage before or over a header", 1000, 8, kSoon, maker<GarbageExperiment>()},
-      {"F4b", "bytes lost, inserted, flipped in or by a header", 1000, 8, {}, maker<DamageExperiment>()},
+      {"F4b", "bytes lost, inserted, flipped in or by a header", 1000, 8, kSoon, maker<DamageExperiment>()},
       {"F5", "impossible, shorter and longer sizes", 1000, 8, kSoon, maker<SizeExperiment>()},
       {"F7", "server stopped", 100, 16, kHalfASecond, maker<SilenceExperiment>(Silence::kServerStopped)},
       {"F7b", "black hole that still accepts", 100, 16, kHalfASecond, maker<SilenceExperiment>(Silence::kBlackHole)},
-      {"F7c",
-       "nothing comes through, no answer to connect",
-       100,
-       16,
-       {},
+      {"F7c", "nothing comes through, no answer to connect", 100, 16, kHalfASecond,
        maker<SilenceExperiment>(Silence::kUnreachable)},
       {"F8", "server gone for up to 0.3 s", 200, 16, kHalfASecond, maker<AbsenceExperiment>(Absence::kRestart)},
-      {"F8b", "port closed for up to 4 s", 100, 16, {}, maker<AbsenceExperiment>(Absence::kPortClosed)},
-      {"F8c", "name unknown for up to 4 s", 100, 16, {}, maker<AbsenceExperiment>(Absence::kNameUnknown)},
-      {"F8d", "turned away for up to 4 s", 100, 16, {}, maker<AbsenceExperiment>(Absence::kTurnedAway)},
+      {"F8b", "port closed for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kPortClosed)},
+      {"F8c", "name unknown for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kNameUnknown)},
+      {"F8d", "turned away for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kTurnedAway)},
       {"F8e", "robot has another address", 100, 8, Milliseconds(1100), maker<AbsenceExperiment>(Absence::kMoved)},
-      {"I7", "processor time while nobody is there", 9, 1, {}, maker<IdleExperiment>()},
+      {"I7", "processor time while nobody is there", 12, 1, {}, maker<InTurn<IdleExperiment>>()},
   };
 }
 

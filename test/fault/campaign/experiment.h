@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "proxy/fault_proxy.h"
+
 namespace fault_bench {
 
 using Random = std::mt19937;
@@ -19,6 +21,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 struct Outcome {
   std::optional<Milliseconds> recovery;  ///< from when nothing was wrong any more to the first good picture
   std::vector<std::string> violations;   ///< those that begin with M are of time: a busy computer is to blame, too
+  bool excused = false;                  ///< pictures are missing, which the client itself has left out as stale
 };
 
 /// Tries faults of one kind, one after the other, on a client or server of its own.
@@ -41,7 +44,16 @@ struct Row {
   std::function<std::unique_ptr<Experiment>(unsigned remainder)> make;
 };
 
+/// What Row::make needs to make such an experiment.
+template <typename SomeExperiment, typename... Arguments>
+std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... arguments) {
+  return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
+}
+
 int uniform(Random& random, int lowest, int highest);
+
+/// Of a proxy before the server on this port of 127.0.0.1.
+FaultProxy::Options proxyTo(int port, unsigned seed);
 
 /// All lines of the table.
 std::vector<Row> allRows();
@@ -50,6 +62,7 @@ std::vector<Row> clientRows();
 std::vector<Row> pictureRows();
 std::vector<Row> systemRows();
 std::vector<Row> serverRows();
+std::vector<Row> wayRows();
 
 }  // namespace fault_bench
 

@@ -15,7 +15,11 @@ namespace {
 
 using test_pictures::PictureKind;
 
-using Spoil = Bytes (*)(Bytes jpeg, Random& random);
+/// A way to make a picture a bad one.
+struct Spoiling {
+  Bytes (*spoil)(Bytes jpeg, Random& random);
+  bool always_tells;  ///< it can be told without decoding, and so is never delivered
+};
 
 std::ptrdiff_t position(Random& random, const Bytes& jpeg) {
   return uniform(random, 0, static_cast<int>(jpeg.size()) - 1);
@@ -56,7 +60,7 @@ Bytes noJpegAtAll(Bytes jpeg, Random& random) {
 
 Bytes ofWrongSize(Bytes, Random& random) {
   PictureKind kind;
-  kind.width = uniform(random, 16, 640);
+  kind.width = uniform(random, 16, 640) | 1;  // no camera has an odd one
   kind.height = uniform(random, 16, 480);
   return test_pictures::make(kind);
 }
@@ -124,13 +128,21 @@ class CorruptExperiment : public ClientExperiment {
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    constexpr std::array<Spoil, 10> kWays = {flipBits,    cutShort,    loseBytes,   withoutEnd, withMoreBehind,
-                                             noJpegAtAll, ofWrongSize, progressive, sizeBomb,   scanBomb};
-    const unsigned way = trial / 4 % (2 * kWays.size());
-    const Spoil spoil = way < kWays.size() ? kWays[way] : flipBits;  // the commonest, half of the time
+    constexpr std::array<Spoiling, 10> kWays = {{{flipBits, false},
+                                                 {cutShort, false},
+                                                 {loseBytes, false},
+                                                 {withoutEnd, true},
+                                                 {withMoreBehind, true},
+                                                 {noJpegAtAll, true},
+                                                 {ofWrongSize, true},
+                                                 {progressive, true},
+                                                 {sizeBomb, true},
+                                                 {scanBomb, true}}};
+    const unsigned which = trial / 4 % (2 * kWays.size());
+    const Spoiling& way = kWays[which < kWays.size() ? which : 0];  // the commonest, half of the time
     const std::uint32_t before = connection();
     const std::uint64_t spoilt_before = server_.lastSpoilt().first.number;
-    server_.spoilNext([&](Bytes jpeg) { return spoil(std::move(jpeg), random); });
+    server_.spoilNext([&](Bytes jpeg) { return way.spoil(std::move(jpeg), random); });
     const auto next = witness_.waitFor(
         [&](const Witness::Sighting& each) {
           const std::uint64_t spoilt = server_.lastSpoilt().first.number;
@@ -140,6 +152,9 @@ class CorruptExperiment : public ClientExperiment {
     Outcome outcome;
     if (!next || next->name.connection != before) {
       outcome.violations.emplace_back(next ? "the connection was given up" : "no picture came any more");
+    }
+    if (way.always_tells && witness_.hasSeenSpoilt()) {
+      outcome.violations.emplace_back("what is no picture of a camera was delivered");
     }
     judge(server_.lastSpoilt().second, &outcome);
     return outcome;
@@ -181,9 +196,7 @@ class CorruptExperiment : public ClientExperiment {
 }  // namespace
 
 std::vector<Row> pictureRows() {
-  return {{"F6", "damaged and hostile JPEGs", 10000, 4, {}, [](unsigned remainder) {
-             return std::make_unique<CorruptExperiment>(remainder);
-           }}};
+  return {{"F6", "damaged and hostile JPEGs", 10000, 4, {}, maker<CorruptExperiment>()}};
 }
 
 }  // namespace fault_bench

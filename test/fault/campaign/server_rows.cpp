@@ -1,4 +1,4 @@
-// F9 to F11: what a client, or who is none, can do to the robot's server.
+// F9 to F11, F20: what a client, or who is none, can do to the robot's server.
 
 #include <atomic>
 #include <cerrno>
@@ -7,7 +7,9 @@
 #include <thread>
 
 #include "aibo_driver/rcserver_client.h"
+#include "campaign/any_fault.h"
 #include "campaign/experiment.h"
+#include "campaign/spin_check.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "support/raw_client.h"
@@ -25,12 +27,22 @@ namespace {
 
 constexpr milliseconds kPatience{20000};
 // What had waited through a pause of 5 s is older than that; what only comes over a busy computer is not.
-constexpr milliseconds kStale{1000};
+constexpr milliseconds kStale{3000};
 const std::string kStream = "W\x55";
 const std::string kPicture = "F\x55";
 const std::string kVersion2 = {'X', 2};
 const std::string kVersion2Stream = {'W', 85, 0, 1, 0, 0, 0, 4, 1, 0, 0, 1};
 const std::string kVersion2Hello = {'H', 0, 0, 2, 0, 0, 0, 0};
+
+void awaitCount(const std::atomic<int>& pictures, int count) {
+  const TimePoint end = steady_clock::now() + kPatience;
+  while (pictures < count) {
+    if (steady_clock::now() > end) {
+      throw std::runtime_error("no picture came any more");
+    }
+    std::this_thread::sleep_for(milliseconds(2));
+  }
+}
 
 /// The robot's server, and clients of any manners.
 class ServerExperiment : public Experiment {
@@ -81,13 +93,19 @@ class ServerExperiment : public Experiment {
 /// F9: a client takes pictures, and then does not read them. The place is free again soon, and the camera goes on.
 class HangingClientExperiment : public ServerExperiment {
  public:
-  HangingClientExperiment(unsigned remainder, bool drips) : ServerExperiment(remainder), drips_(drips) {}
+  enum class Manner { kNeverReads, kDrips, kVanishes };
+
+  HangingClientExperiment(unsigned remainder, Manner manner) : ServerExperiment(remainder), manner_(manner) {}
 
  private:
   Outcome attempt(unsigned trial, Random&) override {
-    RawClient client(server_.port());
+    FaultProxy proxy(proxyTo(server_.port(), trial));
+    RawClient client(manner_ == Manner::kVanishes ? proxy.port() : server_.port());
     client.send(trial % 2 == 0 ? kStream : kVersion2 + kVersion2Stream);
     client.read(4000, kPatience);
+    if (manner_ == Manner::kVanishes) {
+      proxy.endConnections(Action::kSilence);
+    }
     const TimePoint stopped = steady_clock::now();
     server_.takeLongestImageGap();
     TimePoint next_byte = stopped;
@@ -95,7 +113,7 @@ class HangingClientExperiment : public ServerExperiment {
       if (steady_clock::now() - stopped > kPatience) {
         throw std::runtime_error("the server keeps a client that does not read");
       }
-      if (drips_ && steady_clock::now() > next_byte) {
+      if (manner_ == Manner::kDrips && steady_clock::now() > next_byte) {
         client.receive(milliseconds(0), 1);
         next_byte += std::chrono::seconds(1);
       }
@@ -112,7 +130,7 @@ class HangingClientExperiment : public ServerExperiment {
   // Longer than a busy computer holds up a thread, shorter than the kernel would hold up a server that waits for it.
   static constexpr milliseconds kBlocked{1000};
 
-  const bool drips_;
+  const Manner manner_;
 };
 
 /// F10: a client does not read for five seconds. What it gets then is new, but for a few pictures.
@@ -136,7 +154,7 @@ class PauseExperiment : public ServerExperiment {
     client.close();
     Outcome outcome = awaitService(steady_clock::now());
     if (stale > 7) {
-      outcome.violations.push_back("M: " + std::to_string(stale) + " stale pictures were sent");
+      outcome.violations.push_back(std::to_string(stale) + " stale pictures were sent");
     }
     return outcome;
   }
@@ -183,26 +201,16 @@ class HeldUpExperiment : public ServerExperiment {
     aibo_driver::RcServerClient client(options, callbacks);
     client.setStreaming(true);
     client.start();
-    await(&pictures, 3);
+    awaitCount(pictures, 3);
     stale = 0;
     pause = uniform(random, 4900, 5100);
-    await(&pictures, pictures + 1);  // the one that holds it up
-    await(&pictures, pictures + 5);
+    awaitCount(pictures, pictures + 1);  // the one that holds it up
+    awaitCount(pictures, pictures + 5);
     Outcome outcome;
     if (stale > 1) {
-      outcome.violations.push_back("M: " + std::to_string(stale) + " stale pictures were delivered");
+      outcome.violations.push_back(std::to_string(stale) + " stale pictures were delivered");
     }
     return outcome;
-  }
-
-  static void await(const std::atomic<int>* pictures, int count) {
-    const TimePoint end = steady_clock::now() + kPatience;
-    while (*pictures < count) {
-      if (steady_clock::now() > end) {
-        throw std::runtime_error("no picture came any more");
-      }
-      std::this_thread::sleep_for(milliseconds(2));
-    }
   }
 };
 
@@ -307,6 +315,61 @@ class StormExperiment : public ServerExperiment {
   }
 };
 
+/// F20: anything goes wrong with what the driver's client asks for, on the way to the server, at the beginning of a
+/// connection or soon after.
+class RequestExperiment : public ServerExperiment {
+ public:
+  explicit RequestExperiment(unsigned remainder)
+      : ServerExperiment(remainder),
+        proxy_(proxyTo(server_.port(), remainder)),
+        client_(clientOptions(proxy_.port(), remainder), callbacks()) {
+    client_.setStreaming(true);
+    client_.setTelemetryPeriod(4);
+    client_.start();
+    awaitCount(pictures_, 3);
+  }
+
+ private:
+  // More than there can be under way.
+  static constexpr int kManyPictures = 10;
+
+  Outcome attempt(unsigned trial, Random& random) override {
+    Fault fault = anyFault(trial / 2, random);
+    fault.direction = Direction::kToServer;
+    fault.place = Place::kByte;
+    fault.offset = static_cast<unsigned>(uniform(random, 0, 80));
+    const std::size_t done = proxy_.faultsDone();
+    proxy_.endConnections(Action::kReset);
+    proxy_.add(fault);
+    const auto report = proxy_.waitForFaults(done + 1, kPatience);
+    if (!report) {
+      return {{}, {"the fault could not be made: the client asked for nothing"}};
+    }
+    awaitCount(pictures_, pictures_ + kManyPictures);
+    const Milliseconds recovery = steady_clock::now() - report->time;
+    proxy_.heal();  // a connection that fell silent might stand for ever
+    // A server that is not told of its client's end serves nobody else until it has found out by itself (F9c).
+    return {fault.action == Action::kSilence ? std::nullopt : std::optional<Milliseconds>(recovery), {}};
+  }
+
+  static aibo_driver::ClientOptions clientOptions(int port, unsigned remainder) {
+    aibo_driver::ClientOptions options;
+    options.port = port;
+    options.protocol_version = remainder % 2 == 0 ? 1 : 0;
+    return options;
+  }
+
+  aibo_driver::RcServerClient::Callbacks callbacks() {
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [this](const PicturePtr&) { ++pictures_; };
+    return callbacks;
+  }
+
+  std::atomic<int> pictures_{0};
+  FaultProxy proxy_;
+  aibo_driver::RcServerClient client_;
+};
+
 /// F13: a system call of the server fails.
 class ServerSyscallExperiment : public ServerExperiment {
  public:
@@ -326,6 +389,7 @@ class ServerSyscallExperiment : public ServerExperiment {
         {Call::kSend, EPIPE},    {Call::kSetsockopt, ENOMEM}, {Call::kPpoll, EINTR},   {Call::kPpoll, ENOMEM}};
     const Failure& failure = kFailures[trial % kFailures.size()];
     const auto skip = static_cast<unsigned>(failure.call == Call::kSetsockopt ? uniform(random, 0, 6) : 0);
+    const SpinCheck spin_check(mark_);
     syscalls::setPlan(mark_, {failure.call, failure.error, skip, 3});
     for (int i = 0; i < 10; ++i) {
       RawClient client(server_.port());
@@ -339,28 +403,30 @@ class ServerSyscallExperiment : public ServerExperiment {
       outcome.violations.push_back(std::string(syscalls::kNames[static_cast<std::size_t>(failure.call)]) +
                                    "() was never called");
     }
+    spin_check.conclude(&outcome);
     return outcome;
   }
 };
 
-template <typename SomeExperiment, typename... Arguments>
-std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... arguments) {
-  return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
-}
-
 }  // namespace
 
 std::vector<Row> serverRows() {
-  // Of these, 2.5 s begin when the kernel holds no more for the client, some 0.4 s after it has stopped to read.
+  using Manner = HangingClientExperiment::Manner;
+  // Of these, 2 s begin when the kernel holds no more for the client, some 0.4 s after it has stopped to read.
   constexpr Milliseconds kFreeAgain{3000};
+  // What the proxy holds has to be filled, too.
+  constexpr Milliseconds kFreeBehindProxy{3500};
   return {
-      {"F9", "server: a client never reads", 300, 8, kFreeAgain, maker<HangingClientExperiment>(false)},
-      {"F9b", "server: a client reads a byte a second", 200, 8, kFreeAgain, maker<HangingClientExperiment>(true)},
+      {"F9", "server: a client never reads", 300, 8, kFreeAgain, maker<HangingClientExperiment>(Manner::kNeverReads)},
+      {"F9b", "server: a client reads a byte a second", 200, 8, kFreeAgain,
+       maker<HangingClientExperiment>(Manner::kDrips)},
+      {"F9c", "server: a client vanishes", 100, 8, kFreeBehindProxy, maker<HangingClientExperiment>(Manner::kVanishes)},
       {"F10", "server: a client pauses for 5 s", 100, 10, {}, maker<PauseExperiment>()},
       {"F10b", "driver's client held up for 5 s", 100, 10, {}, maker<HeldUpExperiment>()},
       {"F11", "server: strangers beside a client", 1000, 4, {}, maker<StrangerExperiment>()},
       {"F11b", "server: nonsense, floods and half commands", 2000, 8, {}, maker<NonsenseExperiment>()},
       {"F11c", "server: 10 connections that end at once, each", 1000, 4, {}, maker<StormExperiment>()},
+      {"F20", "server: anything on the way to it", 400, 8, Milliseconds(2000), maker<RequestExperiment>()},
       {"F13b", "server: its system calls fail", 1600, 8, {}, maker<ServerSyscallExperiment>()},
   };
 }

@@ -5,9 +5,11 @@
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/TakePicture.h>
+#include <aibo_driver/UploadMotion.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Log.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
@@ -22,6 +24,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <future>
 #include <limits>
 #include <map>
@@ -31,6 +34,7 @@
 
 #include "driver_process.h"
 #include "joint_listener.h"
+#include "memory_stick.h"
 #include "proxy/fault_proxy.h"
 #include "proxy/script.h"
 #include "proxy/sockets.h"
@@ -39,6 +43,7 @@
 #include "simulated_robot.h"
 #include "support/picture_server.h"
 #include "support/resources.h"
+#include "temporary_folder.h"
 #include "topic_listener.h"
 #include "topic_publishers.h"
 
@@ -47,6 +52,7 @@ namespace {
 using aibo_driver::Connection;
 using aibo_driver::PlayMotion;
 using aibo_driver::TakePicture;
+using aibo_driver::UploadMotion;
 using fault_bench::Action;
 using fault_bench::FaultProxy;
 using fault_bench::PictureServer;
@@ -57,12 +63,16 @@ using std::chrono::steady_clock;
 using test_support::DriverProcess;
 using test_support::JointListener;
 using test_support::kSafetyNet;
+using test_support::MemoryStick;
 using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
+using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
@@ -83,6 +93,15 @@ bool eventually(const Condition& condition) {
     std::this_thread::sleep_for(milliseconds(1));
   }
   return true;
+}
+
+/// Ctrl-C.
+void expectEndsSoon(DriverProcess* driver) {
+  const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
+  const auto begin = steady_clock::now();
+  driver->signal(SIGINT);
+  EXPECT_EQ(driver->waitForExit(kPatience).value_or(-1), 0);
+  EXPECT_LE(steady_clock::now() - begin, limit);
 }
 
 /// A fast server, and a proxy in front of it.
@@ -131,7 +150,6 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
 }
 
 TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
-  const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
   const std::map<std::string, Welcome> states = {{"turned_away", Welcome::kClose},
                                                  {"black_hole", Welcome::kSilence},
                                                  {"refused", Welcome::kRefuse},
@@ -144,10 +162,8 @@ TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
     ASSERT_TRUE(connection.waitFor([&](const Connection& message) {
       return state.second == Welcome::kServe ? message.state == Connection::CONNECTED : !message.reason.empty();
     })) << state.first;
-    const auto begin = steady_clock::now();
-    driver.signal(SIGINT);
-    EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0) << state.first;
-    EXPECT_LE(steady_clock::now() - begin, limit) << state.first;
+    SCOPED_TRACE(state.first);
+    expectEndsSoon(&driver);
   }
 }
 
@@ -157,8 +173,54 @@ TEST_F(Faults, CtrlCEndsTheNodeAmidAPicture) {
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   proxy_.add(fault_bench::parseFault("silence@picture+1000"));
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
-  driver.signal(SIGINT);
-  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0);
+  expectEndsSoon(&driver);
+}
+
+TEST_F(Faults, CtrlCEndsTheNodeWhileItsRobotsNameIsLookedUp) {
+  TopicListener<Connection> connection("/name/connection");
+  DriverProcess driver("/name", proxy_.port(), {"_host:=no-such-robot.invalid", "_reconnect_wait_max:=0.01"});
+  ASSERT_FALSE(connection.waitForCount(1).empty());
+  expectEndsSoon(&driver);
+}
+
+TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
+  CompressedListener pictures("/waiting/camera/image_raw/compressed");
+  DriverProcess driver("/waiting", proxy_.port(), {"_read_timeout:=60"});
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  const MemoryStick stick("");
+  PlayMotion play;
+  play.request.name = "nod";
+  play.request.repetitions = 1;
+  UploadMotion upload;
+  upload.request.file = stick.path() + "/OPEN-R/MW/DATA/P/WAG.MTN";
+  proxy_.add(fault_bench::parseFault("pause:600000>server"));
+  // The node may end without an answer.
+  const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
+  const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });
+  ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
+  pictures.clear();
+  EXPECT_FALSE(pictures.waitForCount(100).empty());
+  for (const auto* waiting : {&plays, &uploads}) {
+    EXPECT_EQ(waiting->wait_for(milliseconds(0)), std::future_status::timeout);
+  }
+  expectEndsSoon(&driver);
+}
+
+TEST(FaultsOfUsers, CtrlCEndsTheNodeAmidATrajectory) {
+  const SimulatedRobot robot;
+  JointListener joints("/amid_motion");
+  TopicPublishers topics("/amid_motion");
+  DriverProcess driver("/amid_motion", robot.port());
+  ASSERT_FALSE(joints.messages().waitForCount(1).empty());
+  trajectory_msgs::JointTrajectory trajectory;
+  trajectory.joint_names = {"head_pan"};
+  trajectory.points.resize(1);
+  trajectory.points[0].positions = {1.0};
+  trajectory.points[0].time_from_start = ros::Duration(100);
+  topics.publish("joint_trajectory", trajectory);
+  ASSERT_TRUE(joints.messages().waitFor(
+      [](const auto& message) { return test_support::positionOf(message, "head_pan").value_or(0) > 0.05; }));
+  expectEndsSoon(&driver);
 }
 
 TEST_F(Faults, SubscribersComeAndGo) {
@@ -192,11 +254,23 @@ TEST_F(Faults, ASubscriberThatHangsDelaysNobodyElse) {
                    "/hangs/decoder/image_raw/compressed:=/hangs/camera/image_raw/compressed"});
   ASSERT_FALSE(decoded.waitForCount(1).empty());
   decoder.signal(SIGSTOP);
+  pictures.clear();
   for (int i = 0; i < 10; ++i) {
     ASSERT_FALSE(pictures.waitForCount(pictures.count() + 50).empty());
   }
   EXPECT_TRUE(picturesFlow());
+  decoded.clear();
+  const auto meanwhile = pictures.waitForCount(1);
   decoder.signal(SIGCONT);
+  const auto is_new = [&](const sensor_msgs::Image& image) {
+    return image.header.stamp > meanwhile.back()->header.stamp;
+  };
+  ASSERT_TRUE(decoded.waitFor(is_new));
+  std::size_t stale = 0;
+  for (const auto& image : decoded.waitForCount(1)) {
+    stale += is_new(*image) ? 0 : 1;
+  }
+  EXPECT_LT(stale, meanwhile.size() / 2) << "it decodes what has grown old";
   EXPECT_TRUE(driver.isRunning());
 }
 
@@ -213,9 +287,19 @@ TEST_F(Faults, ANodeThatIsKilledAndStartedAgainGoesOnForThoseWhoListen) {
   EXPECT_FALSE(pictures.waitForCount(3).empty());
 }
 
+void expectWithinLimits(const robot_model::RobotModel& model, const sensor_msgs::JointState& message) {
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    const robot_model::Joint& joint = model.joints[i];
+    const double position = test_support::positionOf(message, joint.name).value_or(0);
+    EXPECT_GE(position, joint.lowest / 1e6 - JointListener::kTolerance) << joint.name;
+    EXPECT_LE(position, joint.highest / 1e6 + JointListener::kTolerance) << joint.name;
+  }
+}
+
 TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
   const SimulatedRobot robot;
   CompressedListener pictures("/commands/camera/image_raw/compressed");
+  JointListener measured("/commands");
   DriverProcess driver("/commands", robot.port());
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   ros::NodeHandle topics("/commands");
@@ -251,8 +335,15 @@ TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
       point.time_from_start = ros::Duration(angle(random));
     }
     trajectory.publish(path);
-    leds.publish(aibo_driver::Leds());
-    ears.publish(aibo_driver::Ears());
+    aibo_driver::Leds light;
+    light.names = {"all", "face_1", i % 30 == 0 ? "" : "back"};
+    light.intensities.assign(light.names.size(), static_cast<float>(angle(random)));
+    light.mode = static_cast<std::uint8_t>(i % 3);
+    leds.publish(light);
+    aibo_driver::Ears flick;
+    flick.left = i % 2 == 0;
+    flick.right = i % 3 == 0;
+    ears.publish(flick);
     std::this_thread::sleep_until(next += milliseconds(1));
   }
   EXPECT_TRUE(pictures.waitForNext()) << "no picture after all these commands";
@@ -261,6 +352,9 @@ TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
   request.data = 1;
   EXPECT_TRUE(ros::service::call("/commands/motors", request, response));
   EXPECT_TRUE(response.success) << response.message;
+  for (const auto& message : measured.messages().waitForCount(1)) {
+    expectWithinLimits(model, *message);
+  }
   EXPECT_TRUE(driver.isRunning());
 }
 
@@ -352,23 +446,55 @@ TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST_F(Faults, CameraInfoOfNonsenseHarmsNobody) {
-  CompressedListener pictures("/nonsense/camera/image_raw/compressed");
-  DriverProcess driver("/nonsense", proxy_.port(), {"_camera_info_url:=file:///nowhere/to/be/found.yaml"});
-  ASSERT_FALSE(pictures.waitForCount(1).empty());
-  sensor_msgs::SetCameraInfo::Request request;
-  request.camera_info.width = std::numeric_limits<std::uint32_t>::max();
-  request.camera_info.distortion_model = std::string(100000, 'x') + "\n: [\0";
-  request.camera_info.D.assign(10000, std::numeric_limits<double>::quiet_NaN());
-  request.camera_info.K.fill(std::numeric_limits<double>::infinity());
-  request.camera_info.roi.x_offset = 1000000;
-  for (int i = 0; i < 3; ++i) {
-    sensor_msgs::SetCameraInfo::Response response;
-    EXPECT_TRUE(ros::service::call("/nonsense/camera/set_camera_info", request, response));
-    request.camera_info = sensor_msgs::CameraInfo();
+sensor_msgs::CameraInfo goodCalibration() {
+  sensor_msgs::CameraInfo info;
+  info.width = 208;
+  info.height = 160;
+  info.distortion_model = "plumb_bob";
+  info.D = {0.1, -0.2, 0.0, 0.0, 0.0};
+  info.K = {190.0, 0.0, 104.0, 0.0, 190.0, 80.0, 0.0, 0.0, 1.0};
+  return info;
+}
+
+TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
+  using sensor_msgs::CameraInfo;
+  const TemporaryFolder folder;
+  const std::vector<std::string> parameters = {"_camera_info_url:=file://" + folder.path() + "/new/aibo.yaml"};
+  const auto set = [](const CameraInfo& info) {
+    sensor_msgs::SetCameraInfo service;
+    service.request.camera_info = info;
+    EXPECT_TRUE(ros::service::call("/nonsense/camera/set_camera_info", service));
+    EXPECT_NE(service.response.success, !service.response.status_message.empty());
+    return static_cast<bool>(service.response.success);
+  };
+  TopicListener<CameraInfo> camera_infos("/nonsense/camera/camera_info");
+  const auto old_one_stays = [&] {
+    camera_infos.clear();
+    const auto info = camera_infos.waitForNext();
+    return info && info->K == goodCalibration().K && info->D == goodCalibration().D && info->width == 208;
+  };
+  auto driver = std::make_unique<DriverProcess>("/nonsense", proxy_.port(), parameters);
+  ASSERT_FALSE(camera_infos.waitForCount(1).empty());
+  EXPECT_TRUE(set(goodCalibration()));
+  const std::vector<std::function<void(CameraInfo*)>> nonsense = {
+      [](CameraInfo* info) { *info = CameraInfo(); },
+      [](CameraInfo* info) { info->width = std::numeric_limits<std::uint32_t>::max(); },
+      [](CameraInfo* info) { info->height = 0; },
+      [](CameraInfo* info) { info->distortion_model = std::string(100000, 'x') + "\n: ["; },
+      [](CameraInfo* info) { info->D.assign(10000, 0.0); },
+      [](CameraInfo* info) { info->D[0] = std::numeric_limits<double>::quiet_NaN(); },
+      [](CameraInfo* info) { info->K.fill(std::numeric_limits<double>::infinity()); },
+      [](CameraInfo* info) { info->R[8] = -std::numeric_limits<double>::infinity(); },
+      [](CameraInfo* info) { info->P[11] = std::numeric_limits<double>::quiet_NaN(); }};
+  for (std::size_t i = 0; i < nonsense.size(); ++i) {
+    CameraInfo info = goodCalibration();
+    nonsense[i](&info);
+    EXPECT_FALSE(set(info)) << "nonsense " << i;
   }
-  EXPECT_TRUE(pictures.waitForNext());
-  EXPECT_TRUE(driver.isRunning());
+  EXPECT_TRUE(old_one_stays());
+  driver.reset();
+  driver = std::make_unique<DriverProcess>("/nonsense", proxy_.port(), parameters);
+  EXPECT_TRUE(old_one_stays()) << "it was not saved";
 }
 
 /// A roscore of its own.
@@ -406,18 +532,49 @@ class Master {
   std::unique_ptr<Process> process_;
 };
 
+/// Somebody at that master who measures the rate of a topic once a second.
+class RateMeter {
+ public:
+  RateMeter(const Master& master, const std::string& topic)
+      : process_({"rostopic", "hz", topic}, master.environment()) {}
+
+  /// Waits for messages that come after this call.
+  void expectMessages() {
+    const std::size_t before = process_.output().size();
+    EXPECT_TRUE(eventually([&] { return process_.output().find("average rate", before) != std::string::npos; }))
+        << process_.output();
+  }
+
+ private:
+  Process process_;
+};
+
 TEST_F(Faults, TheMasterGoesAndComesBack) {
   Master master;
-  DriverProcess driver("/master", proxy_.port(), {}, master.environment());
-  ASSERT_TRUE(picturesFlow());
+  const auto ask = [&](const std::vector<std::string>& command, const std::string& answer) {
+    Process(command, master.environment()).waitForOutput(answer, kSafetyNet);
+  };
+  DriverProcess driver("/master", proxy_.port(), {"_read_timeout:=60"}, master.environment());
+  const std::string topic = "/master/camera/image_raw/compressed";
+  RateMeter early(master, topic);
+  early.expectMessages();
   master.stop();
   const std::size_t connections = proxy_.connections();
   proxy_.endConnections(Action::kReset);
   ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; }))
       << "without a master it does not reconnect";
-  EXPECT_TRUE(picturesFlow());
+  early.expectMessages();
+  EXPECT_THAT(driver.output(), Not(HasSubstr("does not know this node"))) << "nobody said so";
+
+  const std::size_t reconnected = proxy_.connections();
   master.start();
-  EXPECT_TRUE(picturesFlow());
+  driver.waitForOutput("knows this node again", kSafetyNet);
+  RateMeter(master, topic).expectMessages();
+  early.expectMessages();
+  ask({"rosservice", "call", "/master/set_streaming", "true"}, "success: True");
+  ask({"rostopic", "info", "/master/joint_command"}, "Subscribers:[^:]*/master/aibo_driver");
+  ask({"rosparam", "get", "/master/aibo_driver/port"}, std::to_string(proxy_.port()));
+  EXPECT_EQ(proxy_.connections(), reconnected);
   EXPECT_TRUE(driver.isRunning());
   master.stop();
   driver.signal(SIGINT);

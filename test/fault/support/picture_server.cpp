@@ -158,6 +158,10 @@ class PictureServer::Implementation {
       case protocol::REQUEST_PICTURE:
         peer->owed.push_back(0);
         break;
+      case protocol::REQUEST_JOINT:
+      case protocol::REQUEST_SENSOR:
+        append({static_cast<std::uint8_t>(version2::replyKind(command.command)), command.identifier, 0, 0}, peer);
+        break;
       default:
         append({'e', 0, 0, 0}, peer);
     }
@@ -188,7 +192,7 @@ class PictureServer::Implementation {
         peer->owed.push_back(header.request_number);
         return;
       case version2::REQUEST_STREAM:
-        peer->streaming = payload.at(0) != 0;
+        peer->streaming = !payload.empty() && payload.front() != 0;
         break;
       case version2::REQUEST_JOINTS:
         ++joint_commands_;

@@ -18,12 +18,6 @@ constexpr std::size_t kAllowedKilobytes = 1024;
 constexpr milliseconds kSettleTime{300};
 constexpr int kLooks = 20;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryCounts = false;  // a sanitizer keeps what was freed
-#else
-constexpr bool kMemoryCounts = true;
-#endif
-
 std::size_t entries(const std::string& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }

@@ -7,6 +7,13 @@
 
 namespace fault_bench {
 
+/// How much memory a process holds, tells something: a sanitizer keeps what was freed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMemoryCounts = false;
+#else
+constexpr bool kMemoryCounts = true;
+#endif
+
 /// What a process holds.
 struct Resources {
   std::size_t descriptors = 0;

@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 #include <poll.h>
+#include <pthread.h>
 #include <signal.h>
+#include <sys/epoll.h>
 #include <sys/socket.h>
 #include <time.h>
 #include <unistd.h>
@@ -21,6 +23,7 @@ std::atomic<std::int64_t> wall_clock_shift{0};  // s
 struct Entry {
   Plan plan;
   unsigned failed = 0;
+  clockid_t clock = 0;  // processor time of the thread
 };
 std::mutex mutex;
 std::array<Entry, kMarks> entries;  // guarded by mutex
@@ -64,11 +67,26 @@ auto callOrFail(Call call, Real* real, Arguments... arguments) {
 
 void markThisThread(int mark) {
   own_mark = mark;
+  const std::lock_guard<std::mutex> lock(mutex);
+  ::pthread_getcpuclockid(::pthread_self(), &entries.at(static_cast<std::size_t>(mark)).clock);
+}
+
+int markOfThisThread() {
+  return own_mark;
+}
+
+std::chrono::nanoseconds processorTime(int mark) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  timespec time = {};
+  ::clock_gettime(entries.at(static_cast<std::size_t>(mark)).clock, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 void setPlan(int mark, const Plan& plan) {
   const std::lock_guard<std::mutex> lock(mutex);
-  entries.at(static_cast<std::size_t>(mark)) = {plan, 0};
+  Entry& entry = entries.at(static_cast<std::size_t>(mark));
+  entry.plan = plan;
+  entry.failed = 0;
 }
 
 unsigned failed(int mark) {
@@ -134,6 +152,16 @@ int ppoll(pollfd* polled, nfds_t count, const timespec* timeout, const sigset_t*
 int accept4(int fd, sockaddr* address, socklen_t* size, int flags) {
   static const auto real = syscalls::next<int(int, sockaddr*, socklen_t*, int)>("accept4");
   return callOrFail(Call::kAccept, real, fd, address, size, flags);
+}
+
+int epoll_create1(int flags) noexcept {
+  static const auto real = syscalls::next<int(int)>("epoll_create1");
+  return callOrFail(Call::kEpollCreate, real, flags);
+}
+
+int epoll_ctl(int epoll, int operation, int fd, epoll_event* event) noexcept {
+  static const auto real = syscalls::next<int(int, int, int, epoll_event*)>("epoll_ctl");
+  return callOrFail(Call::kEpollCtl, real, epoll, operation, fd, event);
 }
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {

@@ -9,15 +9,19 @@
 
 namespace fault_bench::syscalls {
 
-enum class Call { kSocket, kSetsockopt, kConnect, kRecv, kSend, kPoll, kPpoll, kAccept };
-constexpr std::array<const char*, 8> kNames = {"socket", "setsockopt", "connect", "recv",
-                                               "send",   "poll",       "ppoll",   "accept4"};
+enum class Call { kSocket, kSetsockopt, kConnect, kRecv, kSend, kPoll, kPpoll, kAccept, kEpollCreate, kEpollCtl };
+constexpr std::array<const char*, 10> kNames = {"socket", "setsockopt", "connect", "recv",          "send",
+                                                "poll",   "ppoll",      "accept4", "epoll_create1", "epoll_ctl"};
 
 /// Whose call it is: only threads with a mark fail, and each mark has a plan of its own.
 constexpr int kUnmarked = 0;
 constexpr int kMarks = 64;
 /// @param mark 1..kMarks - 1, or kUnmarked
 void markThisThread(int mark);
+int markOfThisThread();
+
+/// Processor time that the thread which got this mark last has used.
+std::chrono::nanoseconds processorTime(int mark);
 
 /// What is to fail.
 struct Plan {

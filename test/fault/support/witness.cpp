@@ -14,6 +14,8 @@ namespace fault_bench {
 namespace {
 
 constexpr milliseconds kHeldUp{100};
+// Why the connection has ended, and why there is none since.
+constexpr int kMostWarnings = 2;
 
 }  // namespace
 
@@ -24,14 +26,36 @@ aibo_driver::RcServerClient::Callbacks Witness::callbacks() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (std::exchange(state_, status.state) != status.state) {
       state_since_ = steady_clock::now();
+      judgeEnd(status);
       changed_.notify_all();
     }
   };
-  callbacks.log = [this](LogLevel level, const std::string& line) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    last_warning_ = level == LogLevel::kInfo ? last_warning_ : line;
-  };
+  callbacks.log = [this](LogLevel level, const std::string& line) { hear(level, line); };
   return callbacks;
+}
+
+void Witness::judgeEnd(const ConnectionStatus& status) {
+  if (status.state != ConnectionState::kDisconnected) {
+    return;
+  }
+  if (status.reason.empty() || status.advice.empty()) {
+    complain("a connection has ended without a reason or an advice: '" + status.reason + "', '" + status.advice + "'");
+  }
+  if (warnings_ == 0) {
+    complain("nothing was logged of the end of a connection: " + status.reason);
+  }
+}
+
+void Witness::hear(LogLevel level, const std::string& line) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (level == LogLevel::kInfo) {
+    warnings_ = line.rfind("Connected to ", 0) == 0 ? 0 : warnings_;
+    return;
+  }
+  last_warning_ = line;
+  if (line.rfind("No connection to the robot: ", 0) == 0 && ++warnings_ > kMostWarnings) {
+    complain("logged, though there have been " + std::to_string(kMostWarnings) + " warnings already: " + line);
+  }
 }
 
 void Witness::see(const Picture& picture) {
@@ -41,6 +65,7 @@ void Witness::see(const Picture& picture) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++count_;
   if (picture.jpeg == spoilt.second) {
+    spoilt_ = spoilt.first.number;
     return;  // as it was sent, though not good: who spoilt it looks at it
   }
   if (!name) {
@@ -112,6 +137,12 @@ std::optional<TimePoint> Witness::waitForState(ConnectionState state, millisecon
 std::string Witness::lastWarning() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return last_warning_;
+}
+
+bool Witness::hasSeenSpoilt() const {
+  const std::uint64_t number = server_.lastSpoilt().first.number;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return number > 0 && spoilt_ == number;
 }
 
 std::vector<std::string> Witness::takeViolations() {

@@ -19,7 +19,8 @@ namespace fault_bench {
 ///
 /// Of every picture: that it is, byte for byte, one that the server has sent; that it comes once, and none comes after
 /// a newer one; that its time of arrival is not before the last one's, nor before it was sent; and that over one
-/// connection none is left out.
+/// connection none is left out. Of every connection that ends: that the status says why and what to check, and the log,
+/// too, but not attempt by attempt.
 class Witness {
  public:
   struct Sighting {
@@ -52,12 +53,17 @@ class Witness {
   /// The line that was logged last as a warning.
   std::string lastWarning() const;
 
+  /// True if the picture that the server has spoilt last was delivered as it was sent.
+  bool hasSeenSpoilt() const;
+
   /// What was not as it has to be, since this was called last.
   std::vector<std::string> takeViolations();
 
  private:
   void see(const aibo_driver::Picture& picture);
   void judge(const aibo_driver::Picture& picture, const Sighting& sighting);
+  void judgeEnd(const aibo_driver::ConnectionStatus& status);
+  void hear(aibo_driver::LogLevel level, const std::string& line);
   void complain(const std::string& problem) { violations_.push_back(problem); }
 
   const PictureServer& server_;
@@ -65,7 +71,9 @@ class Witness {
   std::condition_variable changed_;
   Sighting last_;
   std::uint64_t count_ = 0;
+  std::uint64_t spoilt_ = 0;  // number of the last spoilt picture that was delivered
   std::string last_warning_;
+  int warnings_ = 0;  // that there is no connection, since one has worked
   bool gaps_allowed_ = false;
   aibo_driver::ConnectionState state_ = aibo_driver::ConnectionState::kDisconnected;
   TimePoint state_since_;

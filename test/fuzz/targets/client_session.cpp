@@ -192,7 +192,7 @@ class Client {
       default:
         commands.add(std::vector<EarCommand>{{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});
     }
-    session_->add(commands);
+    session_->add(commands, now_);
   }
 
   void changeWish() {

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   require(hello.joint_count <= protocol::version2::MAX_JOINTS, "joints have room");
   version2::hasCapability(hello, "J");
-  Bytes again(version2::MAX_HELLO_SIZE);
+  static Bytes again(version2::MAX_HELLO_SIZE);
   const std::size_t again_size = version2::encodeHello(hello, again.data());
   require(again_size <= again.size(), "a hello has its greatest size");
   version2::Hello same;

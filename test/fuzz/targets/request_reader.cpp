@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(reader.append(piece.data(), piece.size()) == piece.size(), "there is room for what comes");
     require(takeRequests(reader) <= RequestReader::MAX_REQUESTS, "requests have their least size");
   }
-  Bytes rest(RequestReader::MAX_WAITING);
+  static Bytes rest(RequestReader::MAX_WAITING);
   reader.takeWaiting(rest.data());
   return 0;
 }

@@ -99,7 +99,7 @@ std::size_t append(FrameReader& reader, const unsigned char* bytes, std::size_t 
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   PiecewiseInput input(data, size);
-  Bytes buffer(kCapacity);
+  static Bytes buffer(kCapacity);  // large ones are slow to make
   FrameReader reader(buffer.data(), buffer.size());
   while (!input.empty()) {
     const Bytes piece = input.takePiece();

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "temporary_folder.h"
+
 namespace test_support {
 
 /// A copy of the robot's memory stick in a temporary folder, for tests that change what is on it.
@@ -11,15 +13,11 @@ class MemoryStick {
  public:
   /// @param settings what its RCSERVER.CFG says, such as "ALLOW_UPLOAD=yes\n"
   explicit MemoryStick(const std::string& settings);
-  ~MemoryStick();
 
-  MemoryStick(const MemoryStick&) = delete;
-  MemoryStick& operator=(const MemoryStick&) = delete;
-
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return folder_.path(); }
 
  private:
-  std::string path_;
+  const TemporaryFolder folder_;
 };
 
 }  // namespace test_support

@@ -2,15 +2,15 @@
 #ifndef AIBO_DRIVER_TEST_RECORDING_PROXY_H
 #define AIBO_DRIVER_TEST_RECORDING_PROXY_H
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "proxy/fault_proxy.h"
 
 namespace test_support {
 
@@ -18,35 +18,31 @@ namespace test_support {
 struct Request {
   char kind = 0;
   int id = 0;  ///< quality of `F` and `W`
-  std::vector<std::uint8_t> payload;
+  fault_bench::Bytes payload;
 };
 
-/// Stands between driver and robot on a free port, passes every byte on, and remembers it. One connection at a time.
+/// Stands between driver and robot on a free port, passes every byte on, and remembers it.
 class RecordingProxy {
  public:
   /// @param robot_port where the robot listens, on 127.0.0.1
   explicit RecordingProxy(int robot_port);
-  ~RecordingProxy();
 
-  RecordingProxy(const RecordingProxy&) = delete;
-  RecordingProxy& operator=(const RecordingProxy&) = delete;
+  int port() const { return proxy_.port(); }
 
-  int port() const { return port_; }
-
-  /// Breaks the present connection, if there is one.
-  void cut() { cut_ = true; }
+  /// Ends the present connection, if there is one.
+  void cut() { proxy_.endConnections(fault_bench::Action::kClose); }
 
   /// From now on the driver hears nothing from the robot, though connections stay and are accepted; or it does again.
-  void setMute(bool mute) { mute_ = mute; }
+  void setMute(bool mute);
 
   /// The JPEGs that the robot has sent since the proxy began, in this order.
-  std::vector<std::vector<std::uint8_t>> picturesFromRobot() const;
+  std::vector<fault_bench::Bytes> picturesFromRobot() const;
 
   /// What the driver has sent since the proxy began.
   std::string bytesFromDriver() const;
 
   /// How many connections there have been.
-  std::size_t connections() const;
+  std::size_t connections() const { return proxy_.connections(); }
 
   /// What the driver has requested of a version 2 server, in this order.
   /// @param kinds only requests of these kinds
@@ -58,21 +54,15 @@ class RecordingProxy {
   bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout);
 
  private:
-  void run();
-  void serve(int driver);
+  fault_bench::FaultProxy::Options options(int robot_port);
+  void record(std::size_t connection, fault_bench::Direction direction, const std::uint8_t* data, std::size_t size);
   std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const;
 
-  const int robot_port_;
-  int listener_ = -1;
-  int port_ = 0;
-  std::atomic<bool> stopping_{false};
-  std::atomic<bool> cut_{false};
-  std::atomic<bool> mute_{false};
-  mutable std::mutex mutex_;
+  mutable std::mutex mutex_;  // guards what follows, down to the proxy
   std::condition_variable changed_;
-  std::vector<std::vector<std::uint8_t>> from_robot_;  ///< one entry for each connection
-  std::vector<std::string> from_driver_;               ///< likewise
-  std::thread thread_;
+  std::vector<fault_bench::Bytes> from_robot_;   ///< one entry for each connection
+  std::vector<fault_bench::Bytes> from_driver_;  ///< likewise
+  fault_bench::FaultProxy proxy_;
 };
 
 }  // namespace test_support

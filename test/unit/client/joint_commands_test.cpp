@@ -73,8 +73,22 @@ TEST(JointCommandsTest, WhatCameLaterIsAppended) {
   commands.add({milliseconds(100), {{1, 0.1}}});
   JointCommands newer;
   newer.add({milliseconds(200), {{1, 0.2}}});
-  commands.append(newer);
+  commands.append(newer, JointCommands::TimePoint());
   EXPECT_THAT(takeAll(commands), testing::ElementsAre("1:2 in 200"));
+}
+
+TEST(JointCommandsTest, WhatHasWaitedForLongCanBeDroppedAndTheRestStays) {
+  const auto at = [](int time) { return JointCommands::TimePoint(milliseconds(time)); };
+  JointCommands old;
+  old.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
+  JointCommands newer;
+  newer.add({milliseconds(200), {{2, 0.3}}});
+  JointCommands commands;
+  commands.append(old, at(1000));
+  commands.append(newer, at(2000));
+  EXPECT_FALSE(commands.dropOlderThan(at(1000)));
+  EXPECT_TRUE(commands.dropOlderThan(at(1500)));
+  EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:3 in 200"));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ class SessionFixture : public testing::Test {
   void tell(const Command& command) {
     aibo_driver::Commands commands;
     commands.add(command);
-    session().add(commands);
+    session().add(commands, now_);
   }
 
   template <typename Request>

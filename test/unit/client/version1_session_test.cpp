@@ -365,6 +365,29 @@ TEST_F(Version1SessionTest, NoJointIsSentWhileAPictureIsOwed) {
   EXPECT_EQ("J1=573", command());
 }
 
+TEST_F(Version1SessionTest, JointCommandsThatHadToWaitForLongAreDroppedAndFreshOnesAreSent) {
+  auto upload = ask('U', "NOD.MTN", 0, Bytes(10), milliseconds(20000));
+  bytes();
+  commandJoints({{1, 0.1}, {2, 0.1}});
+  pass(milliseconds(600));
+  commandJoints({{2, 0.2}});
+  receive({'u', 0, 0, 0});
+  EXPECT_EQ("J2=1146", command());
+  receiveValue("J2");
+  EXPECT_EQ("", command());
+  EXPECT_EQ(1, logged("had to wait for robot:54321 for more than 500 ms are dropped"));
+}
+
+TEST_F(Version1SessionTest, JointCommandsThatTakeTheirTurnsAreNotDroppedHoweverLongAllOfThemTake) {
+  commandJoints({{1, 0}, {2, 0}, {3, 0}, {4, 0}, {11, 0}, {12, 0}, {13, 0}, {21, 0}});
+  for (const int id : {1, 2, 3, 4, 11, 12, 13, 21}) {
+    const std::string request = command();
+    EXPECT_EQ("J" + std::to_string(id) + "=0", request);
+    pass(milliseconds(150));
+    receiveValue(request);
+  }
+}
+
 TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
   commandJoints({{1, 0.1}});
   limitSpeed({{1, 0.5}, {2, 20}});
@@ -546,6 +569,15 @@ TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOn
   }
 }
 
+TEST_F(Version1SessionTest, AServerThatSaysNothingAtAllIsAskedAgainAndAgain) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 10; ++i) {
+    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kOwed, now_);
+    ASSERT_FALSE(session.nextRequest(wish_, now_).empty()) << "it was out of reach, and may be back";
+    EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
+  }
+}
+
 TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   commandLeds({{7, 255}, {8, 0, LedMode::kB}});
   EXPECT_EQ("L7=255", command());
@@ -601,6 +633,20 @@ TEST_F(Version1SessionTest, AMotionIsPlayedAndStopped) {
   EXPECT_EQ(CallOutcome::kDone, play.get().outcome);
   auto stop = ask('P');
   EXPECT_EQ(Bytes({'P', 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), bytes());
+}
+
+TEST_F(Version1SessionTest, JointCommandsFromBeforeAMotionAreDroppedAndSpeedLimitsGoBeforeIt) {
+  auto upload = ask('U', "NOD.MTN", 0, Bytes(10));
+  bytes();
+  commandJoints({{1, 0.1}});
+  limitSpeed({{1, 0.5}});
+  auto play = ask('P', "NOD.MTN", 1);
+  receive({'u', 0, 0, 0});
+  EXPECT_EQ("V1=2865", command());
+  receiveValue("V1", 2865);
+  EXPECT_EQ('P', bytes().at(0));
+  receive({'p', 0, 0, 0});
+  EXPECT_EQ("", command());
 }
 
 TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndAllElseWaits) {

@@ -345,6 +345,45 @@ TEST_F(Version2SessionTest, NoMoreThanFourCommandsAreUnderWayAndThenTheLatestIsN
   EXPECT_EQ("", request());
 }
 
+TEST_F(Version2SessionTest, CommandsThatHadToWaitForLongAreDroppedAndFreshOnesAreSent) {
+  for (int i = 0; i < 4; ++i) {
+    commandJoints({{2, 0.1 * i}});
+    EXPECT_EQ("J" + std::to_string(i + 2), request());
+  }
+  commandJoints({{2, 0.9}, {3, 0.9}});
+  pass(milliseconds(490));
+  EXPECT_EQ("", request());
+  pass(milliseconds(9));
+  commandJoints({{3, 0.3}});
+  pass(milliseconds(1));
+  EXPECT_EQ("H6", request());
+  receive(makeFrame('h', 6, version2_frames::makeHello()));
+  pass(milliseconds(10));
+  receive(makeFrame('j', 2, {0, 0, 0, 0}));
+  EXPECT_EQ("J7", request());
+  version2::JointTargets targets;
+  ASSERT_EQ(nullptr, version2::decodeJointTargets(frame_.payload.data(), frame_.payload.size(), &targets));
+  ASSERT_EQ(1, targets.count);
+  EXPECT_EQ(3, targets.joints[0].id);
+  EXPECT_EQ("", request());
+  EXPECT_EQ(1, logged("had to wait for robot:54321 for more than 500 ms are dropped"));
+}
+
+TEST_F(Version2SessionTest, MotorsAndMotionsDropTheJointCommandsThatAreQueuedBeforeThem) {
+  for (const char letter : {'O', 'P'}) {
+    commandJoints({{2, 0.5}});
+    limitSpeed({{2, 0.75}});
+    auto answer = ask(letter, letter == 'P' ? "NOD.MTN" : "", 1);
+    EXPECT_EQ('V', request().at(0)) << "so that they hold for the motion";
+    EXPECT_EQ(letter, request().at(0));
+    EXPECT_EQ("", request());
+  }
+  commandJoints({{2, 0.5}});
+  auto stop = ask('P');
+  EXPECT_EQ('P', request().at(0));
+  EXPECT_EQ('J', request().at(0)) << "stopping a motion is no reason";
+}
+
 TEST_F(Version2SessionTest, SpeedLimitsGoFirst) {
   commandJoints({{2, 0.5}});
   limitSpeed({{2, 0.75}, {3, 1}});

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -126,10 +127,49 @@ TEST_F(JointCommandFilterTest, GoesOnApproachingWhenThePositionChangesOnTheWay) 
   order({{"head_pan"}, {0.5}, {}});
   now_ += milliseconds(900);
   order({{"head_pan"}, {-0.5}, {}});
-  now_ += milliseconds(2900);  // another 3 s
+  now_ += milliseconds(2500);  // until 1.5 s, and 2 s for the way from one to the other
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {}}).speed, kApproachSpeed);
-  now_ += seconds(1);
+  now_ += milliseconds(200);
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {}}).speed, kSpeedLimit);
+}
+
+TEST_F(JointCommandFilterTest, ApproachesUntilTheJointIsMeasuredNear) {
+  measure(1.0);
+  order({{"head_pan"}, {0.0}, {}});
+  measure(0.11);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed);
+  measure(-0.91);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed) << "no jerk at the end";
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {1.0}, {}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kSpeedLimit) << "it does not begin again";
+}
+
+// A sine of 0.5 Hz, commanded 50 times a second for 10 s.
+double sine(int i) {
+  return std::sin(M_PI * i / 50);
+}
+
+TEST_F(JointCommandFilterTest, CatchesUpWithATargetThatMovesAllTheTime) {
+  double position = -1.5;
+  double last_speed = 0;
+  for (int i = 0; i < 500; ++i) {
+    measure(position);
+    last_speed = order({{"head_pan"}, {sine(i)}, {}}).speed;
+    const double step = last_speed * 0.02;
+    position += std::clamp(sine(i) - position, -step, step);
+    now_ += milliseconds(20);
+  }
+  EXPECT_DOUBLE_EQ(last_speed, kSpeedLimit);
+}
+
+TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesThoughNothingIsMeasured) {
+  for (int i = 0; i < 330; ++i) {  // for 6.6 s; 176 degrees at 0.5 rad/s take 6.1 s
+    const double speed = order({{"head_pan"}, {sine(i)}, {}}).speed;
+    EXPECT_TRUE(i > 200 || speed == kApproachSpeed) << i;
+    now_ += milliseconds(20);
+  }
+  now_ += milliseconds(100);
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
 }
 
 TEST_F(JointCommandFilterTest, TakesAJointThatWasNotMeasuredForFarAway) {

@@ -64,6 +64,18 @@ TEST_F(JointLinkTest, SendsSpeedLimitsAgainOverANewConnection) {
   EXPECT_THAT(told_, ElementsAre("V 1 2.00", "J 1:0.50 in 0"));
 }
 
+TEST_F(JointLinkTest, LimitsSpeedsWithoutMovingAndRemembersThem) {
+  link_.send({{1, 0.5, 0.5}, {2, 0.25, 2.0}}, milliseconds(0));
+  told_.clear();
+  link_.limitSpeeds({{1, 2.0}, {2, 2.0}});
+  EXPECT_THAT(told_, ElementsAre("V 1 2.00"));
+  told_.clear();
+  link_.limitSpeeds({{1, 2.0}, {2, 2.0}});
+  EXPECT_THAT(told_, IsEmpty());
+  link_.send({{1, 0.5, 0.5}}, milliseconds(0));
+  EXPECT_THAT(told_, ElementsAre("V 1 0.50", "J 1:0.50 in 0"));
+}
+
 TEST_F(JointLinkTest, SendsNothingWithoutOrders) {
   link_.send({}, milliseconds(0));
   EXPECT_THAT(told_, IsEmpty());

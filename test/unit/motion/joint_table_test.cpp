@@ -32,6 +32,17 @@ TEST(JointTable, ScalesTheSpeedLimitsOfAllJoints) {
   EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 0.5 * 3.185226, 1e-6);
 }
 
+TEST(JointTable, ListsTheSpeedLimitsThatHoldAtPresent) {
+  JointTable table("ERS-7", 4);
+  table.setSpeedScale(0.5);
+  const std::vector<JointSpeedLimit> limits = table.speedLimits();
+  ASSERT_EQ(limits.size(), table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    EXPECT_EQ(limits[i].id, table[i].id);
+    EXPECT_DOUBLE_EQ(limits[i].speed, table.speedLimit(i));
+  }
+}
+
 TEST(JointTable, KnowsOtherRobotsByTheirDesign) {
   EXPECT_TRUE(JointTable("ERS-210", 1).findByName("head_roll"));
   EXPECT_FALSE(JointTable("ERS-7", 1).findByName("head_roll"));

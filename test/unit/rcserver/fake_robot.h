@@ -206,6 +206,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   int open_primitives = 0;
   int times_switched_off = 0;
   bool powered = false;
+  bool counts_images = true;    ///< in the field counter; else it stands still
   std::string missing_locator;  ///< of what does not open
 
   bool cameraImageDue(longword frame) override {
@@ -297,8 +298,9 @@ class FakeRobot : public openr_host::VirtualRobot {
       std::generate_n(pixels, 3 * width * height, [this] { return static_cast<byte>(random_() & 0xff); });
     }
     byte* tag = pixels + 3 * width * (height - 1);
-    tag[0] = static_cast<byte>(image_ & 0xff);
-    tag[1] = static_cast<byte>(image_ >> 8);
+    const longword count = counts_images ? image_ : 0;
+    tag[0] = static_cast<byte>(count & 0xff);
+    tag[1] = static_cast<byte>(count >> 8);
   }
 
   RCRegion* region_;

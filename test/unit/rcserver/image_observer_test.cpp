@@ -223,6 +223,14 @@ TEST_F(ImageObserverTest, StreamOfEveryThirdImageLeavesOutTheOthers) {
   }
 }
 
+TEST_F(ImageObserverTest, StreamOfEveryImageGoesOnThoughTheCameraDoesNotCount) {
+  observer_.StartStream(ofQuality(60), 1);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(imageArrives(), picture(60));
+    --image_count_;
+  }
+}
+
 TEST_F(ImageObserverTest, ImageThatCameTooEarlyToBeSentCountsForEveryNth) {
   observer_.StartStream(ofQuality(60), 3);
   EXPECT_EQ(imageArrives(), picture(60));

@@ -387,6 +387,17 @@ TEST_F(RCServerTest, SlowClientGetsNewPicturesNotAllThatItMissed) {
   EXPECT_TRUE(await(*client)) << "the stream does not go on";
 }
 
+TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesStreamsThemAll) {
+  robot_.counts_images = false;
+  auto client = connectServed();
+  ask(*client, request('W', 85));
+  expectPictureOfNextImage(*client, 85);
+  expectPictureOfNextImage(*client, 85);
+  ask(*client, request('W', 85));
+  expectNoPictureOfNextImage(*client);
+  EXPECT_THAT(console_.str(), HasSubstr("stream off after 2 pictures, 0 camera images left out\n"));
+}
+
 TEST_F(RCServerTest, ConsoleTellsWhatHappens) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
   auto client = connectServed();

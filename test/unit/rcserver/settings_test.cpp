@@ -105,7 +105,8 @@ class BrokenLines : public ::testing::TestWithParam<BrokenLine> {};
 
 TEST_P(BrokenLines, AreNamedAndTheSafeValueHolds) {
   const Read result = read("# comment\n" + GetParam().line + "\nALLOW_REBOOT=yes");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(2, HasSubstr(GetParam().told)))) << GetParam().line;
+  ASSERT_FALSE(result.problems.empty());
+  EXPECT_THAT(result.problems.front(), Pair(2, HasSubstr(GetParam().told))) << GetParam().line;
   EXPECT_FALSE(result.settings.allow_upload);
   EXPECT_EQ(result.settings.silent_client_seconds, 10U);
   EXPECT_TRUE(result.settings.allow_reboot) << "lines after it count";
@@ -140,6 +141,29 @@ TEST(Settings, BrokenListOfAddressesLetsNobodyIn) {
   EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("nobody but 127.0.0.1 may connect"))));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
+}
+
+class MisspeltAddresses : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(MisspeltAddresses, LetNobodyIn) {
+  const Read result = read("ALLOW_REBOOT=yes\n" + GetParam() + "\nnonsense\n");
+  EXPECT_THAT(result.problems,
+              ElementsAre(Pair(2, HasSubstr("is passed over")), Pair(3, HasSubstr("is passed over")),
+                          Pair(2, "was it ALLOWED_ADDRESSES? That is not set; nobody but 127.0.0.1 may connect")));
+  EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
+  EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, MisspeltAddresses,
+                         ::testing::Values("ALLOWED_ADDRESSES 192.168.1.20", "ALLOWED_ADRESSES=192.168.1.20",
+                                           "ALLOWED_ADDRESSES=192.168.1.20," + std::string(1024, ' ') +
+                                               "192.168.1.21"));
+
+TEST(Settings, LineThatIsPassedOverChangesNoAddressesThatAreSet) {
+  const Read result = read("nonsense\nALLOWED_ADDRESSES=192.168.1.20");
+  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("is passed over"))));
+  EXPECT_TRUE(result.settings.allowed_addresses.Allow(0xc0a80114));
+  EXPECT_FALSE(result.settings.allowed_addresses.Allow(kLoopback));
 }
 
 // ---------------------------------------------------------------------------------------------------------- addresses
@@ -213,6 +237,19 @@ TEST_F(SettingsOnTheRobotTest, WithoutTheFileTheRobotServesAndSaysWhatIsNotAllow
   boot(robot_);
   EXPECT_THAT(console_.str(), HasSubstr("no OPEN-R/MW/CONF/RCSERVER.CFG on the memory stick"));
   connectServed();
+}
+
+TEST_F(SettingsOnTheRobotTest, FileThatCannotBeReadLetsNobodyInAndTheConsoleSaysSo) {
+  const std::filesystem::path file = stick_.path(SETTINGS_FILE);
+  std::filesystem::remove(file);
+  std::filesystem::create_symlink(file, file);
+  boot(robot_);
+  EXPECT_THAT(console_.str(), HasSubstr("CFG cannot be read; nobody but 127.0.0.1 may connect"));
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  console_.str("");
+  boot(robot_);
+  EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("nobody but 127.0.0.1")));
 }
 
 TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsNotAllowedIsTurnedAwayAtOnce) {

@@ -1,0 +1,47 @@
+/// @file calibration.h
+#ifndef AIBO_DRIVER_CALIBRATION_H
+#define AIBO_DRIVER_CALIBRATION_H
+
+#include <camera_info_manager/camera_info_manager.h>
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/SetCameraInfo.h>
+
+#include <string>
+
+namespace aibo_driver {
+
+/// The camera's calibration, with the service set_camera_info.
+///
+/// Files are found as camera_info_manager does. The service is not its own, which takes and saves whatever comes: this
+/// one refuses what can be no calibration of the robot's camera, and then the old one stays.
+class Calibration {
+ public:
+  /// @param camera_handle the camera's namespace
+  /// @param camera_name in the file
+  /// @param url of the file, as camera_info_manager understands it
+  /// @throw InvalidArgumentException url is none that it understands
+  Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url);
+
+  /// From any thread.
+  sensor_msgs::CameraInfo cameraInfo() { return manager_.getCameraInfo(); }
+
+  /// From any thread.
+  bool isCalibrated() { return manager_.isCalibrated(); }
+
+ private:
+  bool set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs::SetCameraInfo::Response& response);
+
+  const std::string camera_name_;
+  camera_info_manager::CameraInfoManager manager_;
+  std::string file_;
+  ros::ServiceServer service_;
+};
+
+/// What makes a message no calibration of the robot's camera; empty if nothing does.
+std::string problemOf(const sensor_msgs::CameraInfo& info);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CALIBRATION_H
