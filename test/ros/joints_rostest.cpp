@@ -1,6 +1,7 @@
 // Moving the robot, and what keeps it from harm.
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/PlayMotion.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -133,6 +134,13 @@ class JointUser {
     EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
     joints.messages().clear();
     EXPECT_TRUE(joints.messages().waitForNext());
+  }
+
+  bool waitForPanBeyond(double position) {
+    const auto isBeyond = [position](const JointState& state) {
+      return positionOf(state, "head_pan").value_or(position) > position;
+    };
+    return joints.messages().waitFor(isBeyond) != nullptr;
   }
 
   void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
@@ -287,10 +295,7 @@ TEST(JointCommand, CutOffByADisconnectIsNotRepeatedAndTheJointHolds) {
   JointState message = command({{"head_pan", 1.4}});
   message.velocity = {0.1};
   user.publish("joint_command", message);
-  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
-    const auto position = positionOf(state, "head_pan");
-    return position && *position > 0.1;
-  }));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
   const std::size_t connections = user.proxy.connections();
   user.reconnect();
   const double first = user.joints.position("head_pan");
@@ -305,10 +310,7 @@ TEST(JointCommand, CutOffByADisconnectIsNotRepeatedAndTheJointHolds) {
 TEST(JointTrajectory, CutOffByADisconnectStaysCutOff) {
   JointUser user("/trajectory_cut_off");
   user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
-  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
-    const auto position = positionOf(state, "head_pan");
-    return position && *position > 0.1;
-  }));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
   const std::size_t connections = user.proxy.connections();
   user.reconnect();
   user.waitForWarning("The trajectory ends early");
@@ -354,10 +356,7 @@ TEST(JointTrajectory, WaitsForItsStamp) {
 TEST(JointTrajectory, WithoutPointsStopsTheJoints) {
   JointUser user("/hold");
   user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
-  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
-    const auto position = positionOf(state, "head_pan");
-    return position && *position > 0.1;
-  }));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
   user.publish("joint_trajectory", JointTrajectory());
   const std::size_t requests = user.jointRequests();
   // It stands where it is from the first message on that shows it standing.
@@ -374,10 +373,7 @@ TEST(JointTrajectory, WithoutPointsStopsTheJoints) {
 TEST(JointTrajectory, GivesWayToACommandForOneOfItsJoints) {
   JointUser user("/way");
   user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
-  ASSERT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
-    const auto position = positionOf(state, "head_pan");
-    return position && *position > 0.1;
-  }));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
   user.publish("joint_command", command({{"head_pan", -0.5}}));
   EXPECT_TRUE(user.joints.waitForPosition("head_pan", -0.5));
   user.waitForWarning("head_pan was commanded to go elsewhere");
@@ -396,6 +392,29 @@ TEST(Motors, OffLetNoJointMoveAndOnAgainDo) {
   EXPECT_TRUE(on.success) << on.message;
   user.publish("joint_command", command({{"head_pan", 0.5}}));
   EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.5));
+}
+
+TEST(Motors, ACallThatFailsEndsTheTrajectoryToo) {
+  JointUser user("/motors_refused", kQuick, {"--protocol-version", "1"});
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
+  EXPECT_FALSE(user.setMotors(false).success) << "version 1 has no such request";
+  user.waitForWarning("The trajectory ends early");
+}
+
+TEST(PlayMotion, IsNotSlowedDownByTheApproachOfACommandBefore) {
+  JointUser user("/motion_after_approach", {"_stream_on_start:=false"});
+  user.publish("joint_command", command({{"neck_tilt", -0.2}}));
+  ASSERT_TRUE(user.joints.waitForPosition("neck_tilt", -0.2));
+  EXPECT_LE(user.joints.highestSpeed("neck_tilt"), 0.5 + kSpeedTolerance) << "that was the approach";
+  aibo_driver::PlayMotion motion;
+  motion.request.name = "nod";
+  ASSERT_TRUE(ros::service::call("/motion_after_approach/play_motion", motion));
+  ASSERT_TRUE(motion.response.success) << motion.response.message;
+  EXPECT_TRUE(user.joints.messages().waitFor([](const JointState& state) {
+    const auto neck = std::find(state.name.begin(), state.name.end(), "neck_tilt") - state.name.begin();
+    return std::abs(state.velocity.at(static_cast<std::size_t>(neck))) > 0.7;
+  }));
 }
 
 TEST(Motors, WithoutARobotSayWhyAndWhatToCheck) {
