@@ -210,13 +210,13 @@ TEST(FaultsOfUsers, CtrlCEndsTheNodeAmidATrajectory) {
   const SimulatedRobot robot;
   JointListener joints("/amid_motion");
   TopicPublishers topics("/amid_motion");
-  DriverProcess driver("/amid_motion", robot.port());
+  DriverProcess driver("/amid_motion", robot.port(), {"_stream_on_start:=false"});
   ASSERT_FALSE(joints.messages().waitForCount(1).empty());
   trajectory_msgs::JointTrajectory trajectory;
   trajectory.joint_names = {"head_pan"};
   trajectory.points.resize(1);
   trajectory.points[0].positions = {1.0};
-  trajectory.points[0].time_from_start = ros::Duration(100);
+  trajectory.points[0].time_from_start = ros::Duration(20);
   topics.publish("joint_trajectory", trajectory);
   ASSERT_TRUE(joints.messages().waitFor(
       [](const auto& message) { return test_support::positionOf(message, "head_pan").value_or(0) > 0.05; }));
