@@ -8,9 +8,11 @@
 
 namespace aibo_driver {
 
-/// How long to wait before a trajectory begins.
+/// How long to wait before a trajectory begins. From any thread.
 /// @param stamp header.stamp of the message, whatever is in it; 0 means at once
-/// @throw InvalidArgumentException it was to begin long ago, or is to begin in a time that nobody means
+/// @param now by the same clock
+/// @return 0 to an hour; 0 also for a stamp of up to 1 s ago
+/// @throw InvalidArgumentException the stamp is more than 1 s ago, or more than an hour ahead
 std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time& now);
 
 }  // namespace aibo_driver
