@@ -10,12 +10,16 @@
 #include <chrono>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 namespace openr_host {
 namespace {
 
 /// After this time without an answer a client has vanished.
 constexpr std::chrono::milliseconds kPatience{2000};
+
+/// The waiting client wakes the server again at once; nothing but time may bring memory. Shorter than a camera frame.
+constexpr std::chrono::milliseconds kMemoryPause{10};
 
 bool setOption(int fd, int level, int name, int value) {
   return setsockopt(fd, level, name, &value, sizeof(value)) == 0;
@@ -84,6 +88,7 @@ std::optional<TcpConnection> TcpListener::accept() {
         return std::nullopt;
       case ENOBUFS:
       case ENOMEM:
+        std::this_thread::sleep_for(kMemoryPause);
         return std::nullopt;
       default:  // this client has gone already; perhaps there is another one
         break;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -390,8 +391,10 @@ class ServerSyscallExperiment : public ServerExperiment {
     const Failure& failure = kFailures[trial % kFailures.size()];
     const auto skip = static_cast<unsigned>(failure.call == Call::kSetsockopt ? uniform(random, 0, 6) : 0);
     const SpinCheck spin_check(mark_);
-    syscalls::setPlan(mark_, {failure.call, failure.error, skip, 3});
-    for (int i = 0; i < 10; ++i) {
+    // Memory that is short stays so for a while.
+    const bool lasts = failure.call == Call::kAccept && failure.error == ENOMEM;
+    syscalls::setPlan(mark_, {failure.call, failure.error, skip, lasts ? std::numeric_limits<unsigned>::max() : 3});
+    for (int i = 0; i < (lasts ? 2 : 10); ++i) {
       RawClient client(server_.port());
       client.send(kPicture);
       client.read(protocol::PICTURE_HEADER_SIZE, milliseconds(200));
