@@ -26,8 +26,14 @@ constexpr std::size_t kComponents = 3;
 constexpr std::size_t kFrameHeaderSize = 6 + 3 * kComponents;  // ITU T.81, B.2.2, without the length
 constexpr std::size_t kScanHeaderSize = 4 + 2 * kComponents;   // ITU T.81, B.2.3, without the length
 
-constexpr std::array<std::pair<int, int>, 8> kCameraSizes = {
-    {{208, 160}, {104, 80}, {52, 40}, {416, 320}, {176, 144}, {88, 72}, {44, 36}, {352, 288}}};
+constexpr std::array<std::pair<int, int>, 8> kCameraSizes = {{{208, 160},
+                                                              {104, 80},
+                                                              {52, 40},
+                                                              {kLargestPictureWidth, kLargestPictureHeight},
+                                                              {176, 144},
+                                                              {88, 72},
+                                                              {44, 36},
+                                                              {352, 288}}};
 
 bool isCameraSize(int width, int height) {
   for (const auto& size : kCameraSizes) {

@@ -8,20 +8,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 
 #include "aibo_driver/exceptions.h"
+#include "aibo_driver/jpeg_inspector.h"
 
 namespace aibo_driver {
 namespace {
 
 constexpr const char* kService = "set_camera_info";
 constexpr const char* kDefaultUrl = "file://${ROS_HOME}/camera_info/${NAME}.yaml";  // camera_info_manager's
-
-// Of the largest picture that a camera of these robots has, as jpeg_inspector.h tells.
-constexpr std::uint32_t kMostColumns = 416;
-constexpr std::uint32_t kMostRows = 320;
 
 constexpr std::size_t kMostCoefficients = 14;  // OpenCV knows no model with more
 
@@ -47,7 +43,7 @@ std::string fileOf(const std::string& url) {
 }  // namespace
 
 std::string problemOf(const sensor_msgs::CameraInfo& info) {
-  if (info.width == 0 || info.height == 0 || info.width > kMostColumns || info.height > kMostRows) {
+  if (info.width == 0 || info.height == 0 || info.width > kLargestPictureWidth || info.height > kLargestPictureHeight) {
     return "the camera has no pictures of " + std::to_string(info.width) + "x" + std::to_string(info.height);
   }
   if (!isKnownModel(info.distortion_model)) {

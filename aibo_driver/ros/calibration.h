@@ -39,8 +39,8 @@ class Calibration {
   ros::ServiceServer service_;
 };
 
-/// What makes a message no calibration of the robot's camera: a size that is not from 1x1 to the largest that
-/// inspectJpeg() lets pass, 416x320; a distortion model other than plumb_bob, rational_polynomial, equidistant and
+/// What makes a message no calibration of the robot's camera: a size that is not from 1x1 to that of the
+/// largest picture (jpeg_inspector.h); a distortion model other than plumb_bob, rational_polynomial, equidistant and
 /// none; more than 14 coefficients; numbers that are not finite. From any thread.
 /// @return for a message to the user; empty if nothing does
 std::string problemOf(const sensor_msgs::CameraInfo& info);

@@ -24,6 +24,7 @@
 #include "diagnostics_listener.h"
 #include "driver_process.h"
 #include "joint_listener.h"
+#include "joint_messages.h"
 #include "recording_proxy.h"
 #include "robot_model/robot_model.h"
 #include "simulated_robot.h"
@@ -34,20 +35,22 @@ namespace {
 
 using aibo_driver::Connection;
 using sensor_msgs::JointState;
+using test_support::command;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
 using test_support::JointListener;
 using test_support::kSafetyNet;
 using test_support::positionOf;
+using test_support::Posture;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
+using test_support::trajectory;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using trajectory_msgs::JointTrajectory;
-using Posture = std::map<std::string, double>;
 
 // As fast as joints can go, and no slow approach: for tests of something else.
 const std::vector<std::string> kQuick{"_stream_on_start:=false", "_joint_speed_limit:=20", "_approach_speed:=20"};
@@ -67,26 +70,6 @@ Posture postureAt(double fraction) {
     posture[joint.name] = (joint.lowest + fraction * (joint.highest - joint.lowest)) / 1e6;
   }
   return posture;
-}
-
-JointState command(const Posture& posture) {
-  JointState message;
-  for (const auto& joint : posture) {
-    message.name.push_back(joint.first);
-    message.position.push_back(joint.second);
-  }
-  return message;
-}
-
-JointTrajectory trajectory(const Posture& posture, double seconds) {
-  JointTrajectory message;
-  message.points.resize(1);
-  message.points[0].time_from_start = ros::Duration(seconds);
-  for (const auto& joint : posture) {
-    message.joint_names.push_back(joint.first);
-    message.points[0].positions.push_back(joint.second);
-  }
-  return message;
 }
 
 // Robot, proxy and driver, connected with each other, and a user who moves the joints.

@@ -7,7 +7,6 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/JointState.h>
-#include <trajectory_msgs/JointTrajectory.h>
 
 #include <cstddef>
 #include <limits>
@@ -15,6 +14,7 @@
 
 #include "driver_process.h"
 #include "joint_listener.h"
+#include "joint_messages.h"
 #include "simulated_robot.h"
 #include "topic_listener.h"
 #include "topic_publishers.h"
@@ -152,12 +152,7 @@ TEST(Settings, SpeedScaleSlowsATrajectoryThatIsUnderWay) {
   SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=2", kFullSpeed, kPatient});
   TopicPublishers topics("/settings_trajectory");
   ASSERT_TRUE(joints.messages().waitForNext());
-  trajectory_msgs::JointTrajectory trajectory;
-  trajectory.joint_names = {"head_pan"};
-  trajectory.points.resize(1);
-  trajectory.points[0].positions = {1.0};
-  trajectory.points[0].time_from_start = ros::Duration(1.5);
-  topics.publish("joint_trajectory", trajectory);
+  topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 1.5));
   ASSERT_TRUE(joints.messages().waitFor([](const auto& state) { return positionOf(state, "head_pan") > 0.1; }));
   user.set(number("speed_scale", 0.1));
   ASSERT_TRUE(joints.waitForSpeedBelow("head_pan", 0.25)) << "0.2 is allowed";

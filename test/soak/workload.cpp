@@ -16,6 +16,7 @@
 #include <memory>
 #include <thread>
 
+#include "joint_messages.h"
 #include "robot_model/robot_model.h"
 
 namespace soak {
@@ -102,12 +103,8 @@ void Workload::moveJoints(Random& random) {
 
 // The head turns within 4 s: slow enough for every speed limit, and under way for as long as faults need to begin.
 void Workload::beginTrajectory(Random& random) {
-  trajectory_msgs::JointTrajectory trajectory;
-  trajectory.joint_names = {"head_pan"};
-  trajectory.points.resize(1);
-  trajectory.points[0].positions = {std::uniform_real_distribution<double>(-1.4, 1.4)(random)};
-  trajectory.points[0].time_from_start = ros::Duration(4.0);
-  trajectory_.publish(trajectory);
+  const double position = std::uniform_real_distribution<double>(-1.4, 1.4)(random);
+  trajectory_.publish(test_support::trajectory({{"head_pan", position}}, 4.0));
 }
 
 void Workload::light(Random& random) {

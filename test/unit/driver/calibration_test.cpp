@@ -1,0 +1,69 @@
+#include "calibration.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace aibo_driver {
+namespace {
+
+using sensor_msgs::CameraInfo;
+using ::testing::HasSubstr;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+CameraInfo goodCalibration() {
+  CameraInfo info;
+  info.width = 208;
+  info.height = 160;
+  info.distortion_model = "plumb_bob";
+  info.D = {0.1, -0.2, 0.0, 0.0, 0.0};
+  info.K = {190.0, 0.0, 104.0, 0.0, 190.0, 80.0, 0.0, 0.0, 1.0};
+  return info;
+}
+
+std::string problemWith(const std::function<void(CameraInfo*)>& change) {
+  CameraInfo info = goodCalibration();
+  change(&info);
+  return problemOf(info);
+}
+
+TEST(Calibration, OfTheCameraIsTaken) {
+  EXPECT_EQ(problemOf(goodCalibration()), "");
+}
+
+TEST(Calibration, OfEveryModelAndSizeThereIsIsTaken) {
+  for (const char* model : {"", "plumb_bob", "rational_polynomial", "equidistant"}) {
+    EXPECT_EQ(problemWith([&](CameraInfo* info) { info->distortion_model = model; }), "") << model;
+  }
+  EXPECT_EQ(problemWith([](CameraInfo* info) { info->D.assign(14, 0.0); }), "");
+  EXPECT_EQ(problemWith([](CameraInfo* info) { info->width = 416, info->height = 320; }), "");
+}
+
+TEST(Calibration, OfAnotherSizeThanAnyPictureIsRefused) {
+  EXPECT_THAT(problemOf(CameraInfo()), HasSubstr("0x0"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->height = 0; }), HasSubstr("208x0"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->width = 417; }), HasSubstr("417x160"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->height = 321; }), HasSubstr("208x321"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->width = std::numeric_limits<std::uint32_t>::max(); }),
+              HasSubstr("4294967295x160"));
+}
+
+TEST(Calibration, OfAModelNobodyKnowsIsRefused) {
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->distortion_model = "plumb"; }), HasSubstr("distortion model"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->D.assign(15, 0.0); }), HasSubstr("15 coefficients"));
+}
+
+TEST(Calibration, WithANumberThatIsNotFiniteIsRefused) {
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->D[4] = kNoNumber; }), HasSubstr("not finite"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->K[0] = kInfinity; }), HasSubstr("not finite"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->R[8] = -kInfinity; }), HasSubstr("not finite"));
+  EXPECT_THAT(problemWith([](CameraInfo* info) { info->P[11] = kNoNumber; }), HasSubstr("not finite"));
+}
+
+}  // namespace
+}  // namespace aibo_driver
