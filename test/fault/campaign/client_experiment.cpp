@@ -14,7 +14,6 @@ using aibo_driver::TcpTransport;
 namespace fault_bench {
 namespace {
 
-constexpr std::chrono::microseconds kPicturePeriod{1500};
 // Four times the largest picture there may be.
 constexpr std::size_t kMostAtOnce = 1024 * 1024;
 
@@ -38,10 +37,10 @@ FaultProxy::Options proxyTo(int port, unsigned seed) {
   return options;
 }
 
-ClientExperiment::ClientExperiment(unsigned remainder)
+ClientExperiment::ClientExperiment(unsigned remainder, std::chrono::microseconds period)
     : version_(remainder % 2 == 0 ? 1 : 2),
       mark_(static_cast<int>(remainder) + 1),
-      server_(version_, kPicturePeriod),
+      server_(version_, period),
       proxy_(proxyTo(server_.port(), remainder)),
       witness_(server_),
       client_(clientOptions(proxy_.port(), robotName()), callbacks(),

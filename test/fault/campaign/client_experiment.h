@@ -3,6 +3,7 @@
 #define TEST_FAULT_CLIENT_EXPERIMENT_H
 
 #include <atomic>
+#include <chrono>
 #include <string>
 
 #include "campaign/experiment.h"
@@ -19,7 +20,8 @@ constexpr unsigned kPictureSize = 5200;
 class ClientExperiment : public Experiment {
  public:
   /// @param remainder even: the server speaks version 1 of the protocol; odd: version 2
-  explicit ClientExperiment(unsigned remainder);
+  /// @param period of the server's pictures
+  explicit ClientExperiment(unsigned remainder, std::chrono::microseconds period = std::chrono::microseconds(1500));
 
   /// Tries the fault, then looks at what the witness says.
   Outcome run(unsigned trial, Random& random) final;

@@ -262,6 +262,19 @@ class AbsenceExperiment : public ClientExperiment {
   const Kind kind_;
 };
 
+/// F16: nothing goes wrong, at many times a camera's rate. Nothing is lost, and memory stays as it is.
+class FastStreamExperiment : public ClientExperiment {
+ public:
+  explicit FastStreamExperiment(unsigned remainder) : ClientExperiment(remainder, milliseconds(1)) {}
+
+ private:
+  Outcome attempt(unsigned, Random&) override {
+    const std::uint32_t before = connection();
+    awaitPictures(1000);
+    return expectConnection(before);
+  }
+};
+
 /// I7: waiting for a robot costs nothing.
 class IdleExperiment : public ClientExperiment {
  public:
@@ -322,6 +335,7 @@ std::vector<Row> clientRows() {
       {"F8c", "name unknown for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kNameUnknown)},
       {"F8d", "turned away for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kTurnedAway)},
       {"F8e", "robot has another address", 100, 8, Milliseconds(1100), maker<AbsenceExperiment>(Absence::kMoved)},
+      {"F16", "a second of 1,000 pictures, nothing wrong", 1200, 2, {}, maker<FastStreamExperiment>()},
       {"I7", "processor time while nobody is there", 12, 1, {}, maker<InTurn<IdleExperiment>>()},
   };
 }
