@@ -4,10 +4,12 @@
 #include <exception>
 
 #include "aibo_driver.h"
+#include "interrupt.h"
 #include "master_watch.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_driver");
+  aibo_driver::endOnInterrupt();
+  ros::init(argc, argv, "aibo_driver", ros::init_options::NoSigintHandler);
   // Outside of the try block: when the last handle goes, logging ends, and the reason below would not be seen.
   const ros::NodeHandle handle;
   const ros::NodeHandle private_handle("~");

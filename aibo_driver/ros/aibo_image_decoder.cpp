@@ -4,10 +4,12 @@
 #include <exception>
 
 #include "image_decoder.h"
+#include "interrupt.h"
 #include "master_watch.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_image_decoder");
+  aibo_driver::endOnInterrupt();
+  ros::init(argc, argv, "aibo_image_decoder", ros::init_options::NoSigintHandler);
   // Outside of the try block: when the last handle goes, logging ends, and the reason below would not be seen.
   const ros::NodeHandle handle;
   try {

@@ -252,6 +252,20 @@ TEST_F(Faults, CtrlCEndsTheNodeWhileItsRobotsNameIsLookedUp) {
   expectEndsSoon(&driver);
 }
 
+TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
+  FaultProxy master(options(static_cast<int>(ros::master::getPort())));
+  CompressedListener pictures("/deaf_master/camera/image_raw/compressed");
+  DriverProcess driver("/deaf_master", proxy_.port(), {},
+                       {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(master.port())}});
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  fault_bench::Conditions silence;
+  silence.paused = true;
+  master.setConditions(silence);
+  driver.signal(SIGINT);
+  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0);
+  EXPECT_THAT(driver.output(), HasSubstr("ROS master does not answer"));
+}
+
 TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   CompressedListener pictures("/waiting/camera/image_raw/compressed");
   DriverProcess driver("/waiting", proxy_.port(), {"_read_timeout:=60"});
