@@ -10,8 +10,6 @@ namespace {
 // is small: two or three pictures.
 const size_t ENDPOINT_POOL_SIZE = 8192;
 
-size_t number_of_endpoints = 0;
-
 }  // namespace
 
 const size_t Connection::PICTURE_CAPACITY;
@@ -61,14 +59,14 @@ bool Connection::Owns(const void* continuation) const {
   return state_ != CLOSED && reinterpret_cast<size_t>(continuation) == endpoint_number_;
 }
 
-bool Connection::Listen(Port port) {
+bool Connection::Listen(Port port, size_t endpoint_number) {
   antEnvCreateEndpointMsg create(EndpointType_TCP, ENDPOINT_POOL_SIZE);
   create.Call(stack_, sizeof(create));
   if (create.error != ANT_SUCCESS) {
     return false;
   }
   endpoint_ = create.moduleRef;
-  endpoint_number_ = ++number_of_endpoints;
+  endpoint_number_ = endpoint_number;
   state_ = LISTENING;
   client_name_[0] = '\0';
   TCPEndpointListenMsg listen(endpoint_, IP_ADDR_ANY, port);

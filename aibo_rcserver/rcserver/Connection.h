@@ -42,8 +42,9 @@ class Connection {
   bool Owns(const void* continuation) const;
 
   /// From CLOSED to LISTENING.
+  /// @param endpoint_number that no other endpoint of the object has had
   /// @return false if the IPStack refuses; it may be tried again later
-  bool Listen(Port port);
+  bool Listen(Port port, size_t endpoint_number);
 
   /// The answer to Listen(): from LISTENING to CONNECTED.
   void Accepted(const TCPEndpointListenMsg& answer);
@@ -117,7 +118,7 @@ class Connection {
   antSharedBuffer shared_buffer_;
   byte* buffer_;
   antModuleRef endpoint_;
-  size_t endpoint_number_;  ///< of all endpoints ever made, one a number
+  size_t endpoint_number_;
   State state_;
   bool sending_;
   bool receiving_;

@@ -57,7 +57,8 @@ const longword RCServer::HEARTBEAT_FRAMES;
 HostSettings RCServer::host;
 
 RCServer::RCServer()
-    : client_(NULL),
+    : endpoints_(0),
+      client_(NULL),
       motion_files_(host),
       robot_(NULL),
       session_(NULL),
@@ -240,7 +241,8 @@ void RCServer::PassTime(longword frame) {
 void RCServer::ListenWhereClosed() {
   last_attempt_ = now_;
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
-    if (connections_[i].GetState() == Connection::CLOSED && !connections_[i].Listen(protocol::RCSERVER_PORT)) {
+    if (connections_[i].GetState() == Connection::CLOSED &&
+        !connections_[i].Listen(protocol::RCSERVER_PORT, ++endpoints_)) {
       OSYSLOG1((osyslogERROR, "RCServer: the IPStack has no endpoint to listen on port %d", protocol::RCSERVER_PORT));
     }
   }

@@ -17,7 +17,7 @@ namespace {
 class JointsTest : public NewestClientFixture {};
 
 TEST_F(JointsTest, TheNewestVersionIsSpokenThatTheServerAgreesToAndTheRobotKnown) {
-  connectVersion2();
+  const ScriptedPeer peer = connectVersion2();
   const ConnectionStatus status = client().status();
   EXPECT_EQ(2, status.protocol_version);
   EXPECT_EQ("ERS-7", status.robot.design);
@@ -179,7 +179,7 @@ TEST_F(JointsTest, WhatTheRobotReportsIsInTheStatusUntilTheNextConnection) {
   peer.close();
   EXPECT_TRUE(recorder_.waitForReason("closed the connection"));
   EXPECT_THAT(client().status().robot_message, HasSubstr("joint head_pan does not move"));
-  connectVersion2();
+  const ScriptedPeer next = connectVersion2();
   EXPECT_TRUE(eventually([&] { return client().status().robot_message.empty(); }));
 }
 

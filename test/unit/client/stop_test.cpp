@@ -127,7 +127,7 @@ TEST_F(StopTest, EndsCallsOfTakePictureThatAreWaiting) {
 }
 
 TEST_F(StopTest, FromSeveralThreadsAtOnce) {
-  startStream();
+  const ScriptedPeer peer = startStream();
   std::vector<std::future<void>> stops;
   for (int i = 0; i < 4; ++i) {
     stops.push_back(std::async(std::launch::async, [&] { client_.stop(); }));
