@@ -30,7 +30,7 @@ watch_with() {
   export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1
   export UBSAN_OPTIONS=print_stacktrace=1
   export LSAN_OPTIONS=suppressions=$suppressions/leaks.txt:print_suppressions=0
-  export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1
+  export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1:history_size=7
 }
 
 # Each argument is one line: what went wrong, then what to do about it.
