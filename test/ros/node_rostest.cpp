@@ -9,11 +9,11 @@
 #include <signal.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "driver_process.h"
+#include "nodelet_host.h"
 #include "recording_proxy.h"
 #include "simulated_robot.h"
 #include "topic_listener.h"
@@ -22,6 +22,7 @@ namespace {
 
 using test_support::DriverProcess;
 using test_support::kSafetyNet;
+using test_support::nodeletHost;
 using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
@@ -93,20 +94,6 @@ TEST(Node, TwoDriversServeTwoRobots) {
   EXPECT_THAT(left_proxy.picturesFromRobot(), Contains(left_published.back()->data));
   EXPECT_THAT(right_proxy.picturesFromRobot(), Contains(right_published.back()->data));
   EXPECT_NE(left_published.back()->data, right_published.back()->data);
-}
-
-// ROS' host of nodelets. In a build with a sanitizer its library has to be there before those of ours are loaded; what
-// the host itself leaves behind at its end is not ours to mend.
-std::vector<std::string> nodeletHost(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{"rosrun"};
-  if (const std::string library = SANITIZER_LIBRARY; !library.empty()) {
-    const char* options = std::getenv("ASAN_OPTIONS");
-    command.insert(command.end(), {"--prefix", "env LD_PRELOAD=" + library + " ASAN_OPTIONS=" +
-                                                   (options != nullptr ? options : "") + ":detect_leaks=0"});
-  }
-  command.insert(command.end(), {"nodelet", "nodelet"});
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return command;
 }
 
 Process startNodelet(const std::string& type, const std::vector<std::string>& arguments) {

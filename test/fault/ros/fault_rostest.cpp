@@ -39,6 +39,7 @@
 #include "joint_listener.h"
 #include "joint_messages.h"
 #include "memory_stick.h"
+#include "nodelet_host.h"
 #include "proxy/fault_proxy.h"
 #include "proxy/script.h"
 #include "proxy/sockets.h"
@@ -620,36 +621,56 @@ class RateMeter {
   Process process_;
 };
 
-TEST_F(Faults, TheMasterGoesAndComesBack) {
-  Master master;
-  const auto ask = [&](const std::vector<std::string>& command, const std::string& answer) {
-    Process(command, master.environment()).waitForOutput(answer, kSafetyNet);
-  };
-  DriverProcess driver("/master", proxy_.port(), {"_read_timeout:=60"}, master.environment());
-  const std::string topic = "/master/camera/image_raw/compressed";
-  RateMeter early(master, topic);
-  early.expectMessages();
-  master.stop();
-  const std::size_t connections = proxy_.connections();
-  proxy_.endConnections(Action::kReset);
-  ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; }))
-      << "without a master it does not reconnect";
-  early.expectMessages();
-  EXPECT_THAT(driver.output(), Not(HasSubstr("does not know this node"))) << "nobody said so";
+/// A driver that outlives its master.
+class FaultsOfMaster : public Faults {
+ protected:
+  /// @param driver the command that starts it, without its parameters
+  void expectToOutliveTheMaster(const std::string& name_space, std::vector<std::string> driver) {
+    driver.insert(driver.end(),
+                  {"__ns:=" + name_space, "_port:=" + std::to_string(proxy_.port()), "_read_timeout:=60"});
+    Process process(driver, master_.environment());
+    const std::string topic = name_space + "/camera/image_raw/compressed";
+    RateMeter early(master_, topic);
+    early.expectMessages();
+    master_.stop();
+    const std::size_t connections = proxy_.connections();
+    proxy_.endConnections(Action::kReset);
+    ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; }))
+        << "without a master it does not reconnect";
+    early.expectMessages();
+    EXPECT_THAT(process.output(), Not(HasSubstr("does not know this node"))) << "nobody said so";
 
-  const std::size_t reconnected = proxy_.connections();
-  master.start();
-  driver.waitForOutput("knows this node again", kSafetyNet);
-  RateMeter(master, topic).expectMessages();
-  early.expectMessages();
-  ask({"rosservice", "call", "/master/set_streaming", "true"}, "success: True");
-  ask({"rostopic", "info", "/master/joint_command"}, "Subscribers:[^:]*/master/aibo_driver");
-  ask({"rosparam", "get", "/master/aibo_driver/port"}, std::to_string(proxy_.port()));
-  EXPECT_EQ(proxy_.connections(), reconnected);
-  EXPECT_TRUE(driver.isRunning());
-  master.stop();
-  driver.signal(SIGINT);
-  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0) << "without a master it does not end";
+    const std::size_t reconnected = proxy_.connections();
+    master_.start();
+    process.waitForOutput("knows this node again", kSafetyNet);
+    RateMeter(master_, topic).expectMessages();
+    early.expectMessages();
+    expectAnswer({"rosservice", "call", name_space + "/set_streaming", "true"}, "success: True");
+    expectAnswer({"rostopic", "info", name_space + "/joint_command"},
+                 "Subscribers:[^:]*" + name_space + "/aibo_driver");
+    expectAnswer({"rosparam", "get", name_space + "/aibo_driver/port"}, std::to_string(proxy_.port()));
+    EXPECT_EQ(proxy_.connections(), reconnected);
+    EXPECT_TRUE(process.isRunning());
+    master_.stop();
+    process.signal(SIGINT);
+    EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "without a master it does not end";
+  }
+
+ private:
+  void expectAnswer(const std::vector<std::string>& command, const std::string& answer) const {
+    Process(command, master_.environment()).waitForOutput(answer, kSafetyNet);
+  }
+
+  Master master_;
+};
+
+TEST_F(FaultsOfMaster, ItGoesAndComesBackAndKnowsTheNode) {
+  expectToOutliveTheMaster("/master", {AIBO_DRIVER_NODE});
+}
+
+TEST_F(FaultsOfMaster, ItGoesAndComesBackAndKnowsTheNodelet) {
+  expectToOutliveTheMaster(
+      "/master", test_support::nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__name:=aibo_driver"}));
 }
 
 }  // namespace
