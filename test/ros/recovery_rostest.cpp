@@ -56,27 +56,6 @@ TEST(Recovery, PicturesComeAgainWithinThreeSecondsOfTheReturnOfAKilledRobot) {
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST(Recovery, NoFileDescriptorIsLostOverFiftyBrokenConnections) {
-  constexpr int kRounds = 50;
-  SimulatedRobot robot;
-  RecordingProxy proxy(robot.port());
-  CompressedListener pictures("/broken/camera/image_raw/compressed");
-  DriverProcess driver("/broken", proxy.port(), {"_reconnect_wait_max:=0.05"});
-  std::size_t open_files = 0;
-  for (int round = 0; round <= kRounds; ++round) {
-    pictures.clear();
-    ASSERT_FALSE(pictures.waitForCount(1).empty()) << "round " << round;
-    if (round == 1) {
-      open_files = driver.openFiles();
-    }
-    if (round < kRounds) {
-      proxy.cut();
-    }
-  }
-  EXPECT_EQ(driver.openFiles(), open_files);
-  EXPECT_TRUE(driver.isRunning());
-}
-
 TEST(Recovery, ARobotThatFallsSilentIsGivenUpAndFoundAgain) {
   SimulatedRobot robot;
   RecordingProxy proxy(robot.port());

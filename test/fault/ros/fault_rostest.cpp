@@ -111,6 +111,15 @@ void expectEndsSoon(DriverProcess* driver) {
   EXPECT_LE(steady_clock::now() - begin, limit);
 }
 
+/// Of the node. A leak shows many times over; two that listen may come late.
+void expectNoMoreThan(const Resources& before, const Resources& after) {
+  EXPECT_LE(after.descriptors, before.descriptors + 2);
+  EXPECT_LE(after.threads, before.threads);
+  if (wholeCampaign()) {
+    EXPECT_LE(after.resident_kilobytes, before.resident_kilobytes + 1024);
+  }
+}
+
 /// A fast server, and a proxy in front of it.
 class Faults : public testing::Test {
  protected:
@@ -148,12 +157,7 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
     ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; })) << "round " << round;
   }
   ASSERT_TRUE(picturesFlow());
-  const Resources after = Resources::of(std::to_string(driver.pid()));
-  EXPECT_EQ(after.descriptors, before.descriptors);
-  EXPECT_EQ(after.threads, before.threads);
-  if (wholeCampaign()) {
-    EXPECT_LE(after.resident_kilobytes, before.resident_kilobytes + 1024);
-  }
+  expectNoMoreThan(before, Resources::of(std::to_string(driver.pid())));
 }
 
 /// Of numbered pictures that are published, in order and unchanged: which, and how many.
@@ -211,13 +215,11 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllPublished) {
   };
   const auto stream = diagnostics.waitFor(kStream, all_have_come);
   EXPECT_FALSE(stream.name.empty()) << "of " << sent << " pictures, some have not come";
-  EXPECT_EQ(after.descriptors, warm.descriptors);
-  EXPECT_EQ(after.threads, warm.threads);
+  expectNoMoreThan(warm, after);
   if (wholeCampaign()) {
     std::printf("of %llu pictures, %llu were left out for newer ones, and %llu came to a subscriber\n",
                 static_cast<unsigned long long>(sent), static_cast<unsigned long long>(stale(stream)),
                 static_cast<unsigned long long>(pictures.count()));
-    EXPECT_LE(after.resident_kilobytes, warm.resident_kilobytes + 1024);
     EXPECT_LE(1000 * stale(stream), sent);
     EXPECT_GE(100 * pictures.count(), 99 * sent);  // ROS' own queues overflow when this computer is held up for 5 ms
   }

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <stdexcept>
 
 namespace test_support {
@@ -118,12 +117,6 @@ std::optional<int> Process::waitForExit(std::chrono::milliseconds timeout) {
     }
   }
   return exit_status_;
-}
-
-std::size_t Process::openFiles() const {
-  namespace fs = std::filesystem;
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator("/proc/" + std::to_string(pid_) + "/fd"), fs::directory_iterator()));
 }
 
 void Process::readOutput() {

@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <cstddef>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -45,9 +44,6 @@ class Process {
   bool isRunning() { return !waitForExit(std::chrono::milliseconds(0)).has_value(); }
 
   pid_t pid() const { return pid_; }
-
-  /// Number of its open file descriptors.
-  std::size_t openFiles() const;
 
  private:
   void readOutput();
