@@ -66,6 +66,7 @@ aibo_driver::RcServerClient::Callbacks ClientExperiment::callbacks() {
 
 Outcome ClientExperiment::run(unsigned trial, Random& random) {
   const std::uint64_t stale_before = client_.statistics().stale_pictures;
+  stalls_before_ = client_.statistics().stalls;
   Outcome outcome;
   try {
     outcome = attempt(trial, random);
@@ -108,7 +109,12 @@ Outcome ClientExperiment::awaitReconnect(std::uint32_t old_connection, TimePoint
 }
 
 Outcome ClientExperiment::expectConnection(std::uint32_t expected) const {
-  return connection() == expected ? Outcome() : Outcome{{}, {"the connection was given up: " + witness_.lastWarning()}};
+  return connection() == expected ? Outcome() : Outcome{{}, {lossOfConnection()}};
+}
+
+std::string ClientExperiment::lossOfConnection() const {
+  const bool was_silent = client_.statistics().stalls > stalls_before_;
+  return (was_silent ? "M: " : "") + std::string("the connection was given up: ") + witness_.lastWarning();
 }
 
 void ClientExperiment::awaitPictures(unsigned count) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "campaign/experiment.h"
@@ -46,6 +47,10 @@ class ClientExperiment : public Experiment {
   /// What there is to say if the connection is not this one any more.
   Outcome expectConnection(std::uint32_t expected) const;
 
+  /// What there is to say of a connection that should not have ended. A matter of time if nothing came for too long: a
+  /// busy computer holds up server or client.
+  std::string lossOfConnection() const;
+
   /// Waits for so many pictures more.
   void awaitPictures(unsigned count);
 
@@ -64,6 +69,9 @@ class ClientExperiment : public Experiment {
   std::atomic<bool> name_known_{true};  ///< whether the robot's name can be looked up
   std::atomic<int> address_{1};         ///< it leads to 127.0.0.N
   aibo_driver::RcServerClient client_;
+
+ private:
+  std::uint64_t stalls_before_ = 0;  // before the trial
 };
 
 /// For what concerns the whole process, so that nothing may run beside it: each trial has a client and a server of its

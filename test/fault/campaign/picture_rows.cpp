@@ -151,7 +151,7 @@ class CorruptExperiment : public ClientExperiment {
         kPatience);
     Outcome outcome;
     if (!next || next->name.connection != before) {
-      outcome.violations.emplace_back(next ? "the connection was given up" : "no picture came any more");
+      outcome.violations.push_back(next ? lossOfConnection() : "no picture came any more");
     }
     if (way.always_tells && witness_.hasSeenSpoilt()) {
       outcome.violations.emplace_back("what is no picture of a camera was delivered");

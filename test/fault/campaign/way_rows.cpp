@@ -64,7 +64,7 @@ class BeginningExperiment : public AnyFaultExperiment {
     Outcome outcome = awaitPictureAfter(report);
     witness_.allowGaps(false);
     if (fault.action == Action::kSplit && client_.statistics().connections != connections + 1) {
-      outcome.violations.push_back("a connection was given up: " + witness_.lastWarning());
+      outcome.violations.push_back(lossOfConnection());
     }
     return outcome;
   }
