@@ -107,7 +107,7 @@ void expectEndsSoon(DriverProcess* driver) {
   const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
   const auto begin = steady_clock::now();
   driver->signal(SIGINT);
-  EXPECT_EQ(driver->waitForExit(kPatience).value_or(-1), 0);
+  EXPECT_EQ(driver->waitForExit(kPatience).value_or(-1), 0) << driver->output();
   EXPECT_LE(steady_clock::now() - begin, limit);
 }
 
