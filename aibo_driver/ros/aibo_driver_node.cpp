@@ -8,11 +8,11 @@
 #include "master_watch.h"
 
 int main(int argc, char** argv) {
-  aibo_driver::endOnInterrupt();
-  ros::init(argc, argv, "aibo_driver", ros::init_options::NoSigintHandler);
+  ros::init(argc, argv, "aibo_driver");
   // Outside of the try block: when the last handle goes, logging ends, and the reason below would not be seen.
   const ros::NodeHandle handle;
   const ros::NodeHandle private_handle("~");
+  aibo_driver::endOnInterrupt();
   try {
     const aibo_driver::AiboDriver driver(handle, private_handle, ros::this_node::getName());
     const aibo_driver::MasterWatch master_watch(ros::this_node::getName());

@@ -8,10 +8,10 @@
 #include "master_watch.h"
 
 int main(int argc, char** argv) {
-  aibo_driver::endOnInterrupt();
-  ros::init(argc, argv, "aibo_image_decoder", ros::init_options::NoSigintHandler);
+  ros::init(argc, argv, "aibo_image_decoder");
   // Outside of the try block: when the last handle goes, logging ends, and the reason below would not be seen.
   const ros::NodeHandle handle;
+  aibo_driver::endOnInterrupt();
   try {
     const aibo_driver::ImageDecoder decoder(handle);
     const aibo_driver::MasterWatch master_watch(ros::this_node::getName());

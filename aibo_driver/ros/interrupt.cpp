@@ -9,15 +9,17 @@
 namespace aibo_driver {
 namespace {
 
-constexpr unsigned kTimeToSignOff = 3;  // s; a master that answers takes a tenth of it
+constexpr unsigned kTimeToSignOff = 10;  // s; a master that answers takes less than 1; roslaunch kills after 15
 
 // Nothing but what is allowed in a signal handler.
 void endAtOnce(int) {
-  constexpr char kReason[] = "The ROS master does not answer; this node ends without signing off.\n";
+  constexpr char kReason[] =
+      "This node has not come to its end within 10 s. If that is because the ROS master does not answer, all is well. "
+      "It ends now, without signing off.\n";
   if (::write(STDERR_FILENO, kReason, sizeof(kReason) - 1) < 0) {
     // Then nobody is there to read it.
   }
-  ::_exit(EXIT_SUCCESS);
+  ::_exit(EXIT_FAILURE);
 }
 
 void end(int) {
@@ -29,7 +31,10 @@ void end(int) {
 
 void endOnInterrupt() {
   ::signal(SIGALRM, endAtOnce);
-  ::signal(SIGINT, end);
+  struct sigaction action = {};
+  action.sa_handler = end;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  ::sigaction(SIGINT, &action, nullptr);
 }
 
 }  // namespace aibo_driver

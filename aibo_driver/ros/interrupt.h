@@ -4,10 +4,11 @@
 
 namespace aibo_driver {
 
-/// From now on, Ctrl-C (SIGINT) ends this process as ROS' own handler does; and after 3 s also if the ROS master does
-/// not answer, whom roscpp tells of each topic and service, one by one, and waits for without end.
+/// From now on, Ctrl-C (SIGINT) ends this process as ROS' own handler does. If that takes longer than 10 s, it ends at
+/// once, says so on stderr, and its exit status is EXIT_FAILURE: roscpp tells the ROS master of each topic and service,
+/// one by one, and waits for its answers without end. A second Ctrl-C ends it at once in any case.
 ///
-/// To be called before ros::init() with ros::init_options::NoSigintHandler. Takes SIGALRM.
+/// To be called once, when there is a ros::NodeHandle, whose making sets ROS' handler. Takes SIGALRM.
 void endOnInterrupt();
 
 }  // namespace aibo_driver

@@ -86,7 +86,7 @@ class RCServer : public OObject {
   static HostSettings host;
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
-  size_t endpoints_;    ///< made so far
+  size_t endpoints_;    ///< numbers given so far
   Connection* client_;  ///< the connection that is served; NULL if there is none
   Body body_;
   MotionFiles motion_files_;

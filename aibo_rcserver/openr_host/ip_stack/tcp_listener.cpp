@@ -18,8 +18,8 @@ namespace {
 /// After this time without an answer a client has vanished.
 constexpr std::chrono::milliseconds kPatience{2000};
 
-/// The waiting client wakes the server again at once; nothing but time may bring memory. Shorter than a camera frame.
-constexpr std::chrono::milliseconds kMemoryPause{10};
+/// The waiting client wakes the server again at once; nothing but time may bring memory. Shorter than a joint's frame.
+constexpr std::chrono::milliseconds kMemoryPause{5};
 
 bool setOption(int fd, int level, int name, int value) {
   return setsockopt(fd, level, name, &value, sizeof(value)) == 0;

@@ -222,7 +222,7 @@ class StrangerExperiment : public ServerExperiment {
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    // Whoever reads nothing for 2 s loses its place, and it may be long since the trial before.
+    // Who reads nothing for 2 s loses its place, and it may be long since the trial before.
     if (!first_ || steady_clock::now() - last_read_ > std::chrono::seconds(1)) {
       takeThePlace();
     }
@@ -261,6 +261,7 @@ class StrangerExperiment : public ServerExperiment {
           throw std::runtime_error("a second client was not turned away at once");
         }
       }
+      readPictures();
     }
   }
 

@@ -30,9 +30,11 @@
 #include <future>
 #include <limits>
 #include <map>
+#include <memory>
 #include <random>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "diagnostics_listener.h"
 #include "driver_process.h"
@@ -184,7 +186,7 @@ class NumberedPictures {
   const ros::Subscriber subscriber_;
 };
 
-TEST(FaultsOfRobots, AThousandPicturesASecondAreAllPublished) {
+TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   const std::uint64_t wanted = wholeCampaign() ? 600000 : 2000;
   const std::uint64_t warm_up = wanted / 5;
   const std::string kStream = "fast/aibo_driver: stream";
@@ -199,10 +201,10 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllPublished) {
       ASSERT_TRUE(eventually([&] { return pictures.last() > before; })) << "after picture " << before;
     }
   };
-  waitForPicture(warm_up);
+  ASSERT_NO_FATAL_FAILURE(waitForPicture(warm_up));
   ASSERT_FALSE(diagnostics.waitForNext(kStream).name.empty());
   const Resources warm = Resources::of(process);
-  waitForPicture(wanted);
+  ASSERT_NO_FATAL_FAILURE(waitForPicture(wanted));
   const Resources after = Resources::of(process);
   server.setStopped(true);
   const std::uint64_t sent = server.lastNumber();
@@ -262,15 +264,19 @@ TEST_F(Faults, CtrlCEndsTheNodeWhileItsRobotsNameIsLookedUp) {
 TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   FaultProxy master(options(static_cast<int>(ros::master::getPort())));
   CompressedListener pictures("/deaf_master/camera/image_raw/compressed");
-  DriverProcess driver("/deaf_master", proxy_.port(), {},
-                       {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(master.port())}});
+  const char* const sanitizer = std::getenv("TSAN_OPTIONS");
+  const std::map<std::string, std::string> environment = {
+      {"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(master.port())},
+      {"TSAN_OPTIONS",
+       std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // left as meant
+  DriverProcess driver("/deaf_master", proxy_.port(), {}, environment);
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   fault_bench::Conditions silence;
   silence.paused = true;
   master.setConditions(silence);
   driver.signal(SIGINT);
-  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), 0);
-  EXPECT_THAT(driver.output(), HasSubstr("ROS master does not answer"));
+  driver.waitForOutput("without signing off", kSafetyNet);
+  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), EXIT_FAILURE);
 }
 
 TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {

@@ -41,7 +41,8 @@ TEST(Calibration, OfEveryModelAndSizeThereIsIsTaken) {
     EXPECT_EQ(problemWith([&](CameraInfo* info) { info->distortion_model = model; }), "") << model;
   }
   EXPECT_EQ(problemWith([](CameraInfo* info) { info->D.assign(14, 0.0); }), "");
-  EXPECT_EQ(problemWith([](CameraInfo* info) { info->width = 416, info->height = 320; }), "");
+  EXPECT_EQ(problemWith([](CameraInfo* info) { info->width = 416; }), "");
+  EXPECT_EQ(problemWith([](CameraInfo* info) { info->height = 320; }), "");
 }
 
 TEST(Calibration, OfAnotherSizeThanAnyPictureIsRefused) {
