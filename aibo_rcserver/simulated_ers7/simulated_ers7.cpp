@@ -40,6 +40,8 @@ ODataType typeOf(robot_model::SensorKind kind) {
 /// What a vector of sensor frames has: the joints, then the sensors that are primitives.
 std::vector<SensorFrameEntry> sensorFrameEntries() {
   std::vector<SensorFrameEntry> entries;
+  entries.reserve(static_cast<std::size_t>(model().number_of_joints) +
+                  static_cast<std::size_t>(model().number_of_sensors));
   for (int i = 0; i < model().number_of_joints; ++i) {
     entries.push_back({jointPrimitive(static_cast<std::size_t>(i)), odataJOINT_VALUE});
   }

@@ -61,8 +61,8 @@ Sensors::Sensors(const robot_model::RobotModel& model, Scene& scene, std::uint64
     : scene_(scene), random_(seed) {
   for (int i = 0; i < model.number_of_sensors; ++i) {
     const robot_model::Sensor& sensor = model.sensors[i];
-    sensors_.push_back(
-        {&sensor, measurementOf(sensor, sensors_.size()), std::string(sensor.name) == "wlan_switch", {}});
+    const bool pressed = std::string(sensor.name) == "wlan_switch";
+    sensors_.push_back({&sensor, measurementOf(sensor, sensors_.size()), pressed, {}});
   }
 }
 

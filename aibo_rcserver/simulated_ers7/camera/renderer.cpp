@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 size_t indexOf(int x, int y) {
-  return static_cast<size_t>(y * kPictureWidth + x);
+  return static_cast<size_t>(y) * kPictureWidth + static_cast<size_t>(x);
 }
 
 Ray rayThrough(const Eigen::Isometry3d& camera, const Vector2d& place) {
