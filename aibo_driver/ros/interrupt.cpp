@@ -33,7 +33,7 @@ void endOnInterrupt() {
   ::signal(SIGALRM, endAtOnce);
   struct sigaction action = {};
   action.sa_handler = end;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   ::sigaction(SIGINT, &action, nullptr);
 }
 
