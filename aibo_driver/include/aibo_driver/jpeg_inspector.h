@@ -9,7 +9,8 @@
 
 namespace aibo_driver {
 
-/// Pixels of the largest picture that a camera of these robots has: the highest layer of the ERS-7's.
+/// Pixels of the largest picture that a camera of these robots makes: the ERS-7's 208x160 in
+/// double resolution, the most that the RCServer compresses.
 constexpr int kLargestPictureWidth = 416;
 constexpr int kLargestPictureHeight = 320;
 
@@ -26,8 +27,8 @@ struct JpegInspection {
 ///
 /// Good is: a baseline JPEG (SOF0: neither progressive nor arithmetic) of 8 bit YCbCr, in 4:4:4, 4:2:2, 4:4:0 or
 /// 4:2:0, in one scan, that begins with SOI and ends with EOI and has nothing behind it, of a size that a camera of
-/// the ERS-7 (208x160 and its layers 104x80, 52x40 and the largest) or of the ERS-210 (176x144, 88x72, 44x36, 352x288)
-/// can have. So nothing larger is ever decoded, whatever a header announces, and no picture can take
+/// the ERS-7 (208x160, its layers 104x80 and 52x40, and 416x320) or of the ERS-210 (176x144, 88x72, 44x36, 352x288)
+/// can have. So nothing larger than 416x320 is ever decoded, whatever a header announces, and no picture can take
 /// longer to decode than its size says.
 ///
 /// Damage inside of the compressed data shows only when it is decoded. Nothing is allocated for a good picture.

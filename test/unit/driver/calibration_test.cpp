@@ -7,24 +7,17 @@
 #include <limits>
 #include <string>
 
+#include "good_calibration.h"
+
 namespace aibo_driver {
 namespace {
 
 using sensor_msgs::CameraInfo;
+using test_support::goodCalibration;
 using ::testing::HasSubstr;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
-CameraInfo goodCalibration() {
-  CameraInfo info;
-  info.width = 208;
-  info.height = 160;
-  info.distortion_model = "plumb_bob";
-  info.D = {0.1, -0.2, 0.0, 0.0, 0.0};
-  info.K = {190.0, 0.0, 104.0, 0.0, 190.0, 80.0, 0.0, 0.0, 1.0};
-  return info;
-}
 
 std::string problemWith(const std::function<void(CameraInfo*)>& change) {
   CameraInfo info = goodCalibration();
