@@ -72,21 +72,21 @@ std::deque<EffectorCommands> readFrames(const RCRegion& region, const VirtualRob
 }  // namespace
 
 void CommandQueue::add(RCRegion& region, const VirtualRobot& robot) {
-  require(hasRoom(), text(kMostVectors) + " are waiting already: send one more for each Ready");
   vectors_.push_back({reference(&region), readFrames(region, robot)});
 }
 
-EffectorCommands CommandQueue::next() {
+bool CommandQueue::next(EffectorCommands* commands) {
   if (vectors_.empty()) {
-    return {};
+    return false;
   }
   auto& frames = vectors_.front().frames;
-  EffectorCommands commands = std::move(frames.front());
+  commands->insert(commands->end(), frames.front().begin(), frames.front().end());
   frames.pop_front();
-  if (frames.empty()) {
-    vectors_.pop_front();
+  if (!frames.empty()) {
+    return false;
   }
-  return commands;
+  vectors_.pop_front();
+  return true;
 }
 
 }  // namespace openr_host
