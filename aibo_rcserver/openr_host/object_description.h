@@ -29,6 +29,7 @@ struct ObserverDescription {
 
 struct ObjectDescription {
   std::string name;
+  int priority = 128;                                                   ///< SCHED_PRIORITY of its .ocf file, 0..255
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
   std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME

@@ -1,6 +1,10 @@
 #include "openr_host/system.h"
 
+#include <OPENR/OPENRMessages.h>
+
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -89,6 +93,7 @@ OObject& System::create(const ObjectDescription& description) {
   const Running running(*this, object);
   object.object = description.create();
   object.object->myOID_ = static_cast<OID>(objects_.size());
+  processor_.add(object.object->myOID_, description.priority);
   for (const auto& subject : description.subjects) {
     service_names_.push_back(subject.service);
   }
@@ -116,7 +121,7 @@ void System::connect(const std::string& subject_name, const std::string& observe
     subject_id = subject_index < 0 ? subject_id : SubjectID{id, subject_index};
     observer_id = observer_index < 0 ? observer_id : ObserverID{id, observer_index};
   }
-  subject(subject_id).connect(observer_id);
+  subject(subject_id).connect(observer_id, observer(observer_id).bufferControl());
   observer(observer_id).connect(subject_id);
 
   LoadedObject& sender = loaded(subject_id.object);
@@ -166,8 +171,12 @@ void System::runAs(OObject& object, const std::function<void()>& function) {
 }
 
 void System::postReady(const ObserverID& observer_id, const SubjectID& subject_id, bool ready) {
-  messages_.push_back({subject_id.object, [=](LoadedObject& receiver) {
-                         subject(subject_id).setReady(observer_id, ready);
+  messages_.push_back({subject_id.object, Entry::kReady, [=](LoadedObject& receiver) {
+                         if (ready) {
+                           subject(subject_id).assertReady(observer_id);
+                         } else {
+                           subject(subject_id).deassertReady(observer_id);
+                         }
                          const auto index = static_cast<std::size_t>(subject_id.index);
                          if (const auto& function = receiver.description.subjects[index].ready) {
                            function(*receiver.object, OReadyEvent(subject_id.index, observer_id, ready));
@@ -176,7 +185,7 @@ void System::postReady(const ObserverID& observer_id, const SubjectID& subject_i
 }
 
 void System::postNotification(const SubjectID& subject_id, const ObserverID& observer_id, const Regions& data) {
-  messages_.push_back({observer_id.object, [=](LoadedObject& receiver) {
+  messages_.push_back({observer_id.object, Entry::kNotify, [=](LoadedObject& receiver) {
                          const auto index = static_cast<std::size_t>(observer_id.index);
                          if (const auto& function = receiver.description.observers[index].notify) {
                            std::vector<RCRegion*> regions;
@@ -190,7 +199,7 @@ void System::postNotification(const SubjectID& subject_id, const ObserverID& obs
 }
 
 void System::postAnswer(const Envelope& answer) {
-  messages_.push_back({answer.object(), [=](LoadedObject& receiver) {
+  messages_.push_back({answer.object(), Entry::kExtra, [=](LoadedObject& receiver) {
                          receiver.description.extra_entries[answer.entry()](*receiver.object, answer.content());
                        }});
 }
@@ -200,13 +209,78 @@ bool System::hasEntry(OID object, Selector entry) const {
          entry < objects_[object - 1].description.extra_entries.size();
 }
 
+bool System::isDue(const Message& message, Processor::Time now) const {
+  return message.held_by == oidUNDEF && processor_.mayRun(message.receiver, now);
+}
+
+bool System::hasMessages() const {
+  const Processor::Time now = now_();
+  return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
+    const bool is_released = message.held_by == oidUNDEF || processor_.busyUntil(message.held_by) <= now;
+    return is_released && processor_.mayRun(message.receiver, now);
+  });
+}
+
 void System::handleMessages() {
-  for (std::size_t left = messages_.size(); left > 0; --left) {
-    const Message message = std::move(messages_.front());
-    messages_.pop_front();
-    LoadedObject& receiver = loaded(message.receiver);
+  const Processor::Time now = now_();
+  std::deque<Message> queued = std::exchange(messages_, {});
+  for (auto& message : queued) {
+    if (message.held_by != oidUNDEF && processor_.busyUntil(message.held_by) <= now) {
+      message.held_by = oidUNDEF;
+    }
+  }
+  std::deque<Message> left;
+  for (auto& message : queued) {
+    if (isDue(message, now)) {
+      handle(message);
+    } else {
+      left.push_back(std::move(message));
+    }
+  }
+  messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
+}
+
+// What the object posts leaves it when it has finished.
+void System::handle(const Message& message) {
+  LoadedObject& receiver = loaded(message.receiver);
+  const std::size_t first_posted = messages_.size();
+  const auto begin = std::chrono::steady_clock::now();
+  {
     const Running running(*this, receiver);
     message.handle(receiver);
+  }
+  if (!handler_time_) {
+    return;
+  }
+  const Processor::Time duration =
+      handler_time_(receiver.description.name, message.entry, std::chrono::steady_clock::now() - begin);
+  if (duration <= Processor::Time(0)) {
+    return;
+  }
+  processor_.run(message.receiver, now_(), duration);
+  for (std::size_t i = first_posted; i < messages_.size(); ++i) {
+    messages_[i].held_by = message.receiver;
+  }
+}
+
+void System::modelTime(HandlerTime handler_time, std::function<Processor::Time()> now) {
+  handler_time_ = std::move(handler_time);
+  now_ = std::move(now);
+}
+
+void System::watchPower() {
+  if (!power_watch_.isWatching()) {
+    return;
+  }
+  OPowerStatus status;
+  if (robot_.getPowerStatus(&status) != oSUCCESS) {
+    return;
+  }
+  for (const OServiceEntry& entry : power_watch_.look(status)) {
+    const auto message = std::make_shared<OPowerStatusMessage>(status);
+    messages_.push_back({entry.GetOID(), Entry::kExtra, [=](LoadedObject& receiver) {
+                           receiver.description.extra_entries[entry.GetSelector()](*receiver.object, message.get());
+                         }});
   }
 }
 

@@ -32,6 +32,28 @@ const OStatus oGAIN_DISABLED = 4108;               ///< the joint is commanded w
 const OStatus oALERT_JOINT_UNCONTROLLABLE = 8192;  ///< the joint cannot follow what it is told
 
 const OID oidUNDEF = 0;
+/// Names an `Extra` entry of an object: Extra_Entry[entryNAME] of its entry.h.
+struct OServiceEntry {
+  OID oid;
+  Selector selector;
+
+  OServiceEntry() : oid(oidUNDEF), selector(0xffffffffU) {}
+  OServiceEntry(OID object, Selector entry) : oid(object), selector(entry) {}
+  void Set(OID object, Selector entry) {
+    oid = object;
+    selector = entry;
+  }
+  OID GetOID() const { return oid; }
+  Selector GetSelector() const { return selector; }
+};
+
+inline bool operator==(const OServiceEntry& a, const OServiceEntry& b) {
+  return a.oid == b.oid && a.selector == b.selector;
+}
+inline bool operator!=(const OServiceEntry& a, const OServiceEntry& b) {
+  return !(a == b);
+}
+
 const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in a call that takes it: all opened primitives
 const MemoryRegionID memoryRegionID_UNDEF = 0;
 
