@@ -185,6 +185,17 @@ TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainWhenItsReadyComes) {
   EXPECT_EQ(vectors[1]->NumberOfReference(), 1);
 }
 
+TEST_F(VirtualRobotCommTest, AVectorThatIsWrittenToWhileItIsOutputChangesWhatTheJointsDo) {
+  const RegionReference vector = makeVector({{1, {10, 20, 30}}});
+  send({vector});
+  pass(1);
+  const OJointCommandValue2 value{999, 0};
+  std::memcpy(&vectorIn(vector).GetData(0)->value[2], &value, sizeof(value));
+  pass(2);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10))), Pair(101, ElementsAre(Pair(1, 20))),
+                                            Pair(102, ElementsAre(Pair(1, 999)))));
+}
+
 TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNextOneIsPlayed) {
   struct Case {
     std::string message;
@@ -207,6 +218,11 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNext
       {"dataOffset 0 leads out of the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
       {"dataOffset 511 leads out of the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = vector.vectorInfo.totalSize - 1; }},
+      {"dataOffset 392 leads out of the data of its region of 512 bytes",  // by one value, if that has 16 frames
+       [](OCommandVectorData& vector) {
+         vector.GetInfo(1)->numFrames = 16;
+         vector.GetInfo(1)->dataOffset += 8;
+       }},
       {"dataOffset 4294967295 leads out of the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0xffffffffU; }},
   };
