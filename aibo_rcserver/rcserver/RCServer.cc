@@ -146,8 +146,10 @@ void RCServer::NotifySensor(const ONotifyEvent& event) {
   observer[event.ObsIndex()]->AssertReady();
 }
 
-void RCServer::ReadyEffector(const OReadyEvent&) {
-  body_.SendCommands(subject[sbjEffector]);
+void RCServer::ReadyEffector(const OReadyEvent& event) {
+  if (event.IsAssert()) {
+    body_.EffectorIsReady(subject[sbjEffector]);
+  }
 }
 
 void RCServer::ListenCont(ANTENVMSG msg) {

@@ -541,7 +541,23 @@ TEST_F(Version2Test, MotorsAreOnFromTheStartAndSwitchedOffAndOn) {
   EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false)));
   EXPECT_TRUE(motorsAfter("\1"));
   passFrames(kUntilMeasured);
-  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
+  for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+    EXPECT_TRUE(joint.gain);
+    EXPECT_NE(joint.gains.proportional, 0);
+  }
+  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positionOf("head_pan"), 1000000);
+}
+
+TEST_F(Version2Test, AJointThatGetsNoGainIsNamed) {
+  motorsAfter(std::string(1, '\0'));
+  robot_.joint("mouth").refuses_gains = true;
+  motorsAfter("\1");
+  passFrames(kUntilMeasured);
+  const std::optional<Frame> pushed = client_->nextFrame();
+  ASSERT_TRUE(pushed);
+  expectRefusal(*pushed, CODE_JOINT_FAULT, "mouth is limp: its motor got no gain");
 }
 
 TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
