@@ -1,5 +1,6 @@
 #include "rcserver/Connection.h"
 
+#include <EndpointTypes.h>
 #include <entry.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,7 +19,7 @@ const size_t Connection::PICTURE_SIZE;
 const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
-    : object_(oidUNDEF),
+    : object_(),
       buffer_(NULL),
       endpoint_number_(0),
       state_(CLOSED),

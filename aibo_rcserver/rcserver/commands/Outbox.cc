@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-const size_t Outbox::MAX_MESSAGE_SIZE;
+const size_t Outbox::MAX_REPLY_SIZE;
 const size_t Outbox::MAX_TELEMETRY_SIZE;
 const size_t Outbox::CAPACITY;
 

@@ -12,23 +12,22 @@
 /// Keeps replies in order, and of the telemetry only the latest. Memory of a fixed size; pure logic.
 class Outbox {
  public:
-  /// Bytes of the largest message: a list of motions in version 2.
-  static const size_t MAX_MESSAGE_SIZE =
-      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_MOTION_LIST_SIZE;
+  /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
+  static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_MOTION_LIST_SIZE;
 
   /// Bytes of the largest telemetry message.
   static const size_t MAX_TELEMETRY_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
 
   /// Most bytes that can wait in all.
-  static const size_t CAPACITY = 4 * MAX_MESSAGE_SIZE + MAX_TELEMETRY_SIZE;
+  static const size_t CAPACITY = 4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE;
 
   Outbox() : replies_size_(0), telemetry_size_(0) {}
 
   void Clear();
 
-  /// True if one more message of MAX_MESSAGE_SIZE can wait. To be asked before a request is handled.
-  bool HasRoom() const { return replies_size_ + MAX_MESSAGE_SIZE <= sizeof(replies_); }
+  /// True if one more message of MAX_REPLY_SIZE can wait. To be asked before a request is handled.
+  bool HasRoom() const { return replies_size_ + MAX_REPLY_SIZE <= sizeof(replies_); }
 
   /// Adds a message; only if HasRoom().
   void Add(const unsigned char* message, size_t size);
