@@ -158,7 +158,7 @@ TEST_F(Version1MotionsTest, uploadsInWhateverPiecesItComes) {
     text += "at " + std::to_string(16 * i) + " head_pan " + std::to_string(i % 10) + "\n";
   }
   const std::string content = motionBytes(text);
-  ASSERT_GT(content.size(), 2 * Session::INPUT_CAPACITY);
+  ASSERT_GT(content.size(), 2U * 1024);
   const std::string bytes = upload("new.mtn", content) + request('J', kHeadPan);
   for (size_t begin = 0; begin < bytes.size(); begin += 700) {
     client_->send(bytes.substr(begin, 700));
