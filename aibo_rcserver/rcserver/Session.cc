@@ -15,6 +15,7 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       newest_version_(newest_version),
       version_(1),
       is_over_(false),
+      power_reason_(NULL),
       motions_(robot, settings),
       version1_(robot, settings, motions_, camera_, outbox_, payload_),
       version2_(robot, settings, motions_, camera_, outbox_),
@@ -27,6 +28,7 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
 void Session::Begin() {
   version_ = 1;
   is_over_ = false;
+  power_reason_ = "it switched the robot off";
   has_frame_ = false;
   has_requests_ = false;
   input_begin_ = 0;
@@ -80,6 +82,14 @@ void Session::FileDone(const FileResult& result) {
     version2_.FileDone(result);
   }
   outbox_.Reserve(false);
+}
+
+// Version 1 has no words, and would take a reply that it has not asked for as the answer to its next request.
+void Session::RobotGoesOff(const char* reason) {
+  power_reason_ = reason;
+  if (version_ == protocol::version2::VERSION) {
+    version2_.PushError(protocol::version2::CODE_POWER, reason);
+  }
 }
 
 void Session::Measured(unsigned frame) {

@@ -55,6 +55,10 @@ class Session {
   /// The memory stick has done a job. A result that nobody waits for any more is passed over.
   void FileDone(const FileResult& result);
 
+  /// The robot goes off whatever the client does, which is told so, if its version has words for it. It is over then.
+  /// @param reason in words; must outlive this
+  void RobotGoesOff(const char* reason);
+
   /// All joints have been measured.
   /// @param frame in which
   void Measured(unsigned frame);
@@ -70,7 +74,7 @@ class Session {
   bool IsOver() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
 
   /// Why it is over.
-  const char* EndReason() const { return is_over_ ? "it broke the protocol" : "it switched the robot off"; }
+  const char* EndReason() const { return is_over_ ? "it broke the protocol" : power_reason_; }
 
   /// True if a client that says nothing is to be left (version 2).
   bool ExpectsHeartbeat() const { return version_ == protocol::version2::VERSION; }
@@ -97,6 +101,7 @@ class Session {
   const int newest_version_;
   int version_;
   bool is_over_;
+  const char* power_reason_;  ///< why the robot goes off
   ImageObserver camera_;
   Outbox outbox_;
   MotionCommands motions_;

@@ -40,6 +40,7 @@ class RCServerFixture : public ::testing::Test {
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
     options.console = &console_;
+    options.handler_time = handler_time_;
     setHostSettings(host_);
     machine_ = std::make_unique<openr_host::Machine>(options, clock_, robot);
     machine_->boot();
@@ -88,6 +89,7 @@ class RCServerFixture : public ::testing::Test {
   }
 
   HostSettings host_;
+  openr_host::HandlerTime handler_time_;
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;
