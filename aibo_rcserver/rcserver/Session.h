@@ -92,7 +92,7 @@ class Session {
   Session& operator=(const Session&);
 
   void HandleVersion1();
-  bool HandleNextOfVersion1();
+  bool HandleRequestOfVersion1();
   void HandleVersion2(unsigned now);
   bool ReadFrame();
   void ChangeToVersion2();
@@ -110,6 +110,8 @@ class Session {
   protocol::RequestReader request_reader_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: of an upload
   protocol::version2::FrameReader frame_reader_;
+  protocol::Request request_;
+  bool has_request_;   ///< in request_, that has to wait for the memory stick
   bool has_frame_;     ///< in frame_reader_, that has to wait for the memory stick
   bool has_requests_;  ///< of version 1 that may be whole
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
