@@ -123,7 +123,7 @@ TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsAndItI
   passFrames(20 + 250);
   EXPECT_FALSE(tailMoves());
   passFrames(3000);
-  EXPECT_EQ(timesSaid("silent for 10 s: its motions end"), 1U);
+  EXPECT_EQ(timesSaid("silent for 10 s: its motions are not repeated any more"), 1U);
   EXPECT_TRUE(isServed(*client));
   startPlaying(*client);
   EXPECT_TRUE(tailMoves());
