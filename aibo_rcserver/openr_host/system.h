@@ -74,7 +74,7 @@ class System {
   void postReady(const ObserverID& observer, const SubjectID& subject, bool ready);
   void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
   void postAnswer(const Envelope& answer);
-  bool hasEntry(OID object, Selector entry) const;
+  bool hasEntry(const OID& object, Selector entry) const;
   bool hasMessages() const { return !messages_.empty(); }
   /// Handles the messages that are queued now, each to its end, but not those that come meanwhile.
   void handleMessages();
@@ -104,7 +104,7 @@ class System {
   /// While one of these lives, it is this object that is being called.
   class Running;
 
-  LoadedObject& loaded(OID id) { return objects_[id - 1]; }
+  LoadedObject& loaded(const OID& oid);
   SubjectService& subject(const SubjectID& id);
   ObserverService& observer(const ObserverID& id);
 
@@ -112,7 +112,7 @@ class System {
   Console console_;
   IpStack ip_stack_;
   CommandVectorMemory command_vector_memory_;
-  std::deque<LoadedObject> objects_;  ///< the object with OID n is at n - 1
+  std::deque<LoadedObject> objects_;  ///< in the order of their making
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;

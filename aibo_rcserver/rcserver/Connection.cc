@@ -18,7 +18,7 @@ const size_t Connection::PICTURE_SIZE;
 const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
-    : object_(oidUNDEF),
+    : object_(),
       buffer_(NULL),
       endpoint_number_(0),
       state_(CLOSED),
