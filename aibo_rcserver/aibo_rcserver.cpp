@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "RCServer_stub.h"
+#include "object_catalog.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "picture_log.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/RCServer.h"
+#include "rcserver/memory_stick/HostSettings.h"
 #include "simulated_ers7/console_commands.h"
 #include "simulated_ers7/simulated_ers7.h"
 
@@ -119,7 +119,7 @@ openr_host::MachineOptions machineOptions(const Options& options) {
     machine.ports[openr_host::kConsolePort] = static_cast<std::uint16_t>(options.console_port);
   }
   machine.memory_stick = options.memory_stick;
-  machine.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+  machine.catalog = objectCatalog();
   machine.console = &std::cout;
   return machine;
 }
@@ -163,7 +163,7 @@ void run(const Options& options) {
   HostSettings host;
   host.newest_version = options.protocol_version;
   host.memory_stick = options.memory_stick.c_str();
-  RCServer::SetHost(host);
+  setHostSettings(host);
   stopOnSignal(machine);
   machine.boot();
   announce(machine, options);

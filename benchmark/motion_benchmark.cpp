@@ -39,8 +39,8 @@
 #include <utility>
 #include <vector>
 
-#include "RCServer_stub.h"
 #include "driver_process.h"
+#include "object_catalog.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "protocol/version1.h"
@@ -184,7 +184,7 @@ class RobotThread {
     openr_host::MachineOptions options;
     options.ports = {{kRobotPort, std::uint16_t{0}}};
     options.memory_stick = MEMORY_STICK;
-    options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+    options.catalog = objectCatalog();
     return options;
   }
 

@@ -4,15 +4,16 @@ namespace openr_host {
 
 WallClock::WallClock() : begin_(std::chrono::steady_clock::now()) {}
 
-longword WallClock::frame() const {
-  return static_cast<longword>((std::chrono::steady_clock::now() - begin_) / kFramePeriod);
+std::chrono::nanoseconds WallClock::now() const {
+  return std::chrono::steady_clock::now() - begin_;
 }
 
-std::optional<std::chrono::steady_clock::time_point> WallClock::beginOf(longword frame) const {
-  return begin_ + frame * std::chrono::duration_cast<std::chrono::nanoseconds>(kFramePeriod);
+std::optional<std::chrono::steady_clock::time_point> WallClock::timeOf(std::chrono::nanoseconds since_begin) const {
+  return begin_ + since_begin;
 }
 
-std::optional<std::chrono::steady_clock::time_point> SteppedClock::beginOf(longword /*frame*/) const {
+std::optional<std::chrono::steady_clock::time_point> SteppedClock::timeOf(
+    std::chrono::nanoseconds /*since_begin*/) const {
   return std::nullopt;
 }
 

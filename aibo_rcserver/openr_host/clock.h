@@ -16,19 +16,27 @@ class Clock {
  public:
   virtual ~Clock() = default;
 
-  /// The frame that it is now.
-  virtual longword frame() const = 0;
+  /// Time since the clock was made.
+  virtual std::chrono::nanoseconds now() const = 0;
 
-  /// When a frame begins; empty if only the caller of SteppedClock::step() knows.
-  virtual std::optional<std::chrono::steady_clock::time_point> beginOf(longword frame) const = 0;
+  /// When it is so late; empty if only the caller of SteppedClock::step() knows.
+  virtual std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const = 0;
+
+  /// The present frame.
+  longword frame() const { return static_cast<longword>(now() / kFramePeriod); }
+
+  /// When a frame begins, as timeOf().
+  std::optional<std::chrono::steady_clock::time_point> beginOf(longword frame) const {
+    return timeOf(frame * std::chrono::nanoseconds(kFramePeriod));
+  }
 };
 
-/// Goes with the steady clock: every frame's begin is reckoned from frame 0, so that nothing drifts.
+/// Goes with the steady clock: every frame's begin is counted from frame 0, so that nothing drifts.
 class WallClock : public Clock {
  public:
   WallClock();
-  longword frame() const override;
-  std::optional<std::chrono::steady_clock::time_point> beginOf(longword frame) const override;
+  std::chrono::nanoseconds now() const override;
+  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override;
 
  private:
   const std::chrono::steady_clock::time_point begin_;
@@ -37,8 +45,8 @@ class WallClock : public Clock {
 /// Stands still until stepped. For tests: step(), then Machine::runPending(), on the same thread.
 class SteppedClock : public Clock {
  public:
-  longword frame() const override { return frame_; }
-  std::optional<std::chrono::steady_clock::time_point> beginOf(longword frame) const override;
+  std::chrono::nanoseconds now() const override { return frame_ * std::chrono::nanoseconds(kFramePeriod); }
+  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override;
 
   /// Goes on by this many frames at once, as the wall's clock does while the host holds the process up. To have the
   /// machine see every single frame, step one and run.

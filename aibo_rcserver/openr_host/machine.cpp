@@ -73,7 +73,7 @@ class Machine::Implementation {
   bool beginFrame();
   bool handle(const Deadline& latest);
   void obeyShutdownRequest();
-  Deadline nextFrame() const;
+  Deadline nextEvent() const;
 
   MachineOptions options_;  ///< with the ports that were taken in place of any free ones
   Clock& clock_;
@@ -103,6 +103,7 @@ void Machine::Implementation::boot() {
 void Machine::Implementation::load() {
   system_ = std::make_unique<System>(options_.bind_address, options_.console, options_.on_console_line, robot_,
                                      options_.on_send);
+  system_->modelTime(options_.handler_time, [this] { return clock_.now(); });
   createObjects();
   const auto connections = readConnections();
   takePorts();
@@ -165,7 +166,7 @@ std::vector<ServiceConnection> Machine::Implementation::readConnections() const 
 
 void Machine::Implementation::run() {
   while (!stop_requested_ && isOn()) {
-    handle(nextFrame());
+    handle(nextEvent());
   }
 }
 
@@ -193,7 +194,7 @@ bool Machine::Implementation::runUntil(const std::function<bool()>& done, std::c
     if (std::chrono::steady_clock::now() >= end || !isOn()) {
       return false;
     }
-    handle(std::min(end, nextFrame().value_or(end)));
+    handle(std::min(end, nextEvent().value_or(end)));
   }
   return true;
 }
@@ -237,11 +238,16 @@ bool Machine::Implementation::beginFrame() {
   }
   last_frame_ = frame;
   system_->runAs(*robot_comm_, [&] { robot_comm_->beginFrame(frame); });
+  system_->watchPower();
   return true;
 }
 
-Deadline Machine::Implementation::nextFrame() const {
-  return clock_.beginOf(last_frame_ ? *last_frame_ + 1 : 0);
+/// When there is something to be done even if no socket has anything.
+Deadline Machine::Implementation::nextEvent() const {
+  const Deadline next_frame = clock_.beginOf(last_frame_ ? *last_frame_ + 1 : 0);
+  const auto next_finish = system_->nextFinish();
+  const Deadline end = next_finish ? clock_.timeOf(*next_finish) : next_frame;
+  return end && next_frame ? std::min(end, next_frame) : next_frame;
 }
 
 Machine::Machine(MachineOptions options, Clock& clock, VirtualRobot& robot)

@@ -15,6 +15,7 @@
 
 #include "openr_host/clock.h"
 #include "openr_host/object_description.h"
+#include "openr_host/processor.h"
 #include "openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -50,6 +51,9 @@ struct MachineOptions {
   /// Gets each line that is typed at the console, without its end, and returns the answer for who typed it. Empty: what
   /// is typed is ignored, as by the robot. Called by the thread that runs the machine; must not throw.
   std::function<std::string(const std::string& line)> on_console_line;
+
+  /// How long the robot needs for what this computer does in no time; empty: no time.
+  HandlerTime handler_time;
 
   /// @name For who measures; may be empty. Called by the thread that runs the machine.
   /// @{

@@ -29,6 +29,9 @@ struct ObserverDescription {
 
 struct ObjectDescription {
   std::string name;
+  /// SCHED_PRIORITY of the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are its class: the
+  /// object never runs while one of a higher class does. 128 is that of an ordinary application.
+  int priority = 128;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
   std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME

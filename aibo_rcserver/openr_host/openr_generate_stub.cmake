@@ -1,8 +1,11 @@
-# openr_generate_stub(TARGET STUB_CFG)
+# openr_generate_stub(TARGET STUB_CFG [OBJECT_OCF])
 #
 # Adds to the target, which holds the sources of one OPEN-R object, what the object's stub.cfg says: def.h and entry.h
-# for the object to include, and OBJECTNAME_stub.h with describeOBJECTNAME(), which a machine makes the object by.
-# To be called in the folder of the target. The object's class is OBJECTNAME, in OBJECTNAME.h.
+# for the object's own sources to include, and OBJECTNAME_stub.h with describeOBJECTNAME(), which a machine makes the
+# object by. To be called in the folder of the target. The object's class is OBJECTNAME, in OBJECTNAME.h.
+#
+# OBJECT_OCF is the file from which the object is built for the robot. Its line "object NAME STACK HEAP PRIORITY ..."
+# gives the object's priority; without the file it is 128.
 function(openr_generate_stub target stub_cfg)
   get_filename_component(stub_cfg ${stub_cfg} ABSOLUTE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${stub_cfg})
@@ -12,18 +15,32 @@ function(openr_generate_stub target stub_cfg)
   endif()
   set(object ${CMAKE_MATCH_2})
 
+  set(priority 128)
+  if(ARGC GREATER 2)
+    get_filename_component(ocf ${ARGV2} ABSOLUTE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ocf})
+    file(READ ${ocf} text)
+    if(NOT text MATCHES "object[ \t]+${object}[ \t]+[0-9]+[ \t]+[0-9]+[ \t]+([0-9]+)")
+      message(FATAL_ERROR "${ocf}: there is no line: object ${object} STACK HEAP PRIORITY ...")
+    endif()
+    set(priority ${CMAKE_MATCH_1})
+  endif()
+
+  # Each object has a def.h and an entry.h: only its own sources may find them.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${object}_stub)
-  file(MAKE_DIRECTORY ${folder})
-  set(headers ${folder}/def.h ${folder}/entry.h ${folder}/${object}_stub.h)
+  set(public_folder ${folder}/public)
+  file(MAKE_DIRECTORY ${public_folder})
+  set(headers ${folder}/def.h ${folder}/entry.h ${public_folder}/${object}_stub.h)
   set(source ${folder}/${object}_stub.cc)
   add_custom_command(OUTPUT ${headers} ${source}
-    COMMAND openr_stub_generator ${stub_cfg} ${folder}
+    COMMAND openr_stub_generator ${stub_cfg} ${priority} ${folder} ${public_folder}
     DEPENDS openr_stub_generator ${stub_cfg}
     COMMENT "Generating the stub of ${object}"
     VERBATIM)
-  # The object itself may be compiled as C++98; the machine's side of it is not.
-  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-std=c++17")
+  # The object itself may be compiled as C++98; the machine's side of it is not. C++17 has a std::byte, which an object
+  # that is using namespace std would find beside the SDK's byte.
+  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-std=c++14")
   target_sources(${target} PRIVATE ${headers} ${source})
-  target_include_directories(${target} PUBLIC ${folder})
+  target_include_directories(${target} PRIVATE ${folder} PUBLIC ${public_folder})
   target_link_libraries(${target} PUBLIC openr_host)
 endfunction()

@@ -1,8 +1,14 @@
 #include "openr_host/system.h"
 
+#include <OPENR/OPENRMessages.h>
+
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
+
+#include "openr_host/objects/object_number.h"
 
 namespace openr_host {
 namespace {
@@ -26,15 +32,6 @@ Service& findService(const std::vector<Service*>& services, const Id& id, const 
                              "REGISTER_ALL_ENTRY");
   }
   return **found;
-}
-
-/// The object with OID n is the n-th that was made, from 1 on.
-OID oidOf(std::size_t number) {
-  return OID(reinterpret_cast<void*>(number));
-}
-
-std::size_t numberOf(const OID& oid) {
-  return reinterpret_cast<std::size_t>(oid.GetAddress());
 }
 
 int indexOf(const OServiceEntry& service) {
@@ -102,6 +99,7 @@ OObject& System::create(const ObjectDescription& description) {
   const Running running(*this, object);
   object.object = description.create();
   object.object->myOID_ = oidOf(objects_.size());
+  processor_.add(object.object->myOID_, description.priority);
   for (const auto& subject : description.subjects) {
     service_names_.push_back(subject.service);
   }
@@ -129,7 +127,7 @@ void System::connect(const std::string& subject_name, const std::string& observe
     subject_id = subject_index < 0 ? subject_id : SubjectID(oidOf(number), static_cast<Selector>(subject_index));
     observer_id = observer_index < 0 ? observer_id : ObserverID(oidOf(number), static_cast<Selector>(observer_index));
   }
-  subject(subject_id).connect(observer_id);
+  subject(subject_id).connect(observer_id, observer(observer_id).bufferControl());
   observer(observer_id).connect(subject_id);
 
   LoadedObject& sender = loaded(subject_id.oid);
@@ -179,8 +177,12 @@ void System::runAs(OObject& object, const std::function<void()>& function) {
 }
 
 void System::postReady(const ObserverID& observer_id, const SubjectID& subject_id, bool ready) {
-  messages_.push_back({subject_id.oid, [=](LoadedObject& receiver) {
-                         subject(subject_id).setReady(observer_id, ready);
+  messages_.push_back({subject_id.oid, Entry::kReady, [=](LoadedObject& receiver) {
+                         if (ready) {
+                           subject(subject_id).assertReady(observer_id);
+                         } else {
+                           subject(subject_id).deassertReady(observer_id);
+                         }
                          const auto index = subject_id.selector;
                          if (const auto& function = receiver.description.subjects[index].ready) {
                            function(*receiver.object, OReadyEvent(indexOf(subject_id), observer_id, ready));
@@ -189,7 +191,7 @@ void System::postReady(const ObserverID& observer_id, const SubjectID& subject_i
 }
 
 void System::postNotification(const SubjectID& subject_id, const ObserverID& observer_id, const Regions& data) {
-  messages_.push_back({observer_id.oid, [=](LoadedObject& receiver) {
+  messages_.push_back({observer_id.oid, Entry::kNotify, [=](LoadedObject& receiver) {
                          const auto index = observer_id.selector;
                          if (const auto& function = receiver.description.observers[index].notify) {
                            std::vector<RCRegion*> regions;
@@ -203,7 +205,7 @@ void System::postNotification(const SubjectID& subject_id, const ObserverID& obs
 }
 
 void System::postAnswer(const Envelope& answer) {
-  messages_.push_back({answer.object(), [=](LoadedObject& receiver) {
+  messages_.push_back({answer.object(), Entry::kExtra, [=](LoadedObject& receiver) {
                          receiver.description.extra_entries[answer.entry()](*receiver.object, answer.content());
                        }});
 }
@@ -213,13 +215,78 @@ bool System::hasEntry(const OID& object, Selector entry) const {
   return number >= 1 && number <= objects_.size() && entry < objects_[number - 1].description.extra_entries.size();
 }
 
+bool System::isDue(const Message& message, Processor::Time now) const {
+  return !message.held_by.IsValid() && processor_.mayRun(message.receiver, now);
+}
+
+bool System::hasMessages() const {
+  const Processor::Time now = now_();
+  return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
+    const bool is_released = !message.held_by.IsValid() || processor_.busyUntil(message.held_by) <= now;
+    return is_released && processor_.mayRun(message.receiver, now);
+  });
+}
+
 void System::handleMessages() {
-  for (std::size_t left = messages_.size(); left > 0; --left) {
-    const Message message = std::move(messages_.front());
-    messages_.pop_front();
-    LoadedObject& receiver = loaded(message.receiver);
+  const Processor::Time now = now_();
+  std::deque<Message> queued = std::exchange(messages_, {});
+  for (auto& message : queued) {
+    if (message.held_by.IsValid() && processor_.busyUntil(message.held_by) <= now) {
+      message.held_by.MakeInvalid();
+    }
+  }
+  std::deque<Message> left;
+  for (auto& message : queued) {
+    if (isDue(message, now)) {
+      handle(message);
+    } else {
+      left.push_back(std::move(message));
+    }
+  }
+  messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
+}
+
+// What the object posts leaves it when it has finished.
+void System::handle(const Message& message) {
+  LoadedObject& receiver = loaded(message.receiver);
+  const std::size_t first_posted = messages_.size();
+  const auto begin = std::chrono::steady_clock::now();
+  {
     const Running running(*this, receiver);
     message.handle(receiver);
+  }
+  if (!handler_time_) {
+    return;
+  }
+  const Processor::Time duration =
+      handler_time_(receiver.description.name, message.entry, std::chrono::steady_clock::now() - begin);
+  if (duration <= Processor::Time(0)) {
+    return;
+  }
+  processor_.run(message.receiver, now_(), duration);
+  for (std::size_t i = first_posted; i < messages_.size(); ++i) {
+    messages_[i].held_by = message.receiver;
+  }
+}
+
+void System::modelTime(HandlerTime handler_time, std::function<Processor::Time()> now) {
+  handler_time_ = std::move(handler_time);
+  now_ = std::move(now);
+}
+
+void System::watchPower() {
+  if (!power_watch_.isWatching()) {
+    return;
+  }
+  OPowerStatus status;
+  if (robot_.getPowerStatus(&status) != oSUCCESS) {
+    return;
+  }
+  for (const OServiceEntry& entry : power_watch_.look(status)) {
+    const auto message = std::make_shared<OPowerStatusMessage>(status);
+    messages_.push_back({entry.GetOID(), Entry::kExtra, [=](LoadedObject& receiver) {
+                           receiver.description.extra_entries[entry.GetSelector()](*receiver.object, message.get());
+                         }});
   }
 }
 

@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@
 #include "openr_host/object_description.h"
 #include "openr_host/objects/command_vector_memory.h"
 #include "openr_host/objects/observer_service.h"
+#include "openr_host/objects/power_watch.h"
 #include "openr_host/objects/subject_service.h"
+#include "openr_host/processor.h"
 #include "openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -43,6 +46,15 @@ class System {
   IpStack& ipStack() { return ip_stack_; }
   VirtualRobot& robot() { return robot_; }
   CommandVectorMemory& commandVectorMemory() { return command_vector_memory_; }
+
+  /// From now on messages keep objects busy.
+  /// @param now time since the machine's clock was made
+  void modelTime(HandlerTime handler_time, std::function<Processor::Time()> now);
+
+  PowerWatch& powerWatch() { return power_watch_; }
+
+  /// Tells the objects that observe the power what has changed since this was called last.
+  void watchPower();
 
   /// Name of the object that is being called.
   const std::string& runningObject() const;
@@ -75,9 +87,13 @@ class System {
   void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
   void postAnswer(const Envelope& answer);
   bool hasEntry(const OID& object, Selector entry) const;
-  bool hasMessages() const { return !messages_.empty(); }
-  /// Handles the messages that are queued now, each to its end, but not those that come meanwhile.
+  /// True if there is a message that can be handled now.
+  bool hasMessages() const;
+  /// Handles the messages that are queued now, each to its end, but not those that come meanwhile, nor those whose
+  /// objects are busy.
   void handleMessages();
+  /// When an object that is busy now has finished.
+  std::optional<Processor::Time> nextFinish() const { return processor_.nextFinish(now_()); }
   /// @}
 
   /// @name For OSubject and OObserver
@@ -98,13 +114,17 @@ class System {
 
   struct Message {
     OID receiver;
+    Entry entry;
     std::function<void(LoadedObject&)> handle;
+    OID held_by = {};  ///< the object that has posted it and has not finished yet
   };
 
   /// While one of these lives, it is this object that is being called.
   class Running;
 
   LoadedObject& loaded(const OID& oid);
+  bool isDue(const Message& message, Processor::Time now) const;
+  void handle(const Message& message);
   SubjectService& subject(const SubjectID& id);
   ObserverService& observer(const ObserverID& id);
 
@@ -117,6 +137,10 @@ class System {
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;
   std::deque<Message> messages_;
+  PowerWatch power_watch_;
+  Processor processor_;
+  HandlerTime handler_time_;  ///< empty: handlers take no time
+  std::function<Processor::Time()> now_ = [] { return Processor::Time(0); };
   const LoadedObject* running_ = nullptr;
   ShutdownRequest shutdown_requested_ = ShutdownRequest::kNone;
 };

@@ -1,17 +1,21 @@
 #include "rcserver/Connection.h"
 
+#include <EndpointTypes.h>
 #include <entry.h>
 #include <stdio.h>
 #include <string.h>
 
 namespace {
 
-// What the IPStack may hold of what was sent. It is what a client that stops reading still gets when it goes on, so it
-// is small: two or three pictures.
-const size_t ENDPOINT_POOL_SIZE = 8192;
+// What the IPStack may hold of what was sent: slightly more than a part (Internet Protocol Version4, 1.3: 10 KB for
+// packets of 8 KB). It is what a client that stops reading still gets when it goes on, so it is small: two or three
+// pictures.
+const size_t ENDPOINT_POOL_SIZE = 10 * 1024;
 
 }  // namespace
 
+const size_t Connection::MAX_PART_SIZE;
+const longword Connection::CLOSE_PATIENCE;
 const size_t Connection::PICTURE_CAPACITY;
 const size_t Connection::MESSAGE_CAPACITY;
 const size_t Connection::PICTURE_SIZE;
@@ -22,7 +26,11 @@ Connection::Connection()
       buffer_(NULL),
       endpoint_number_(0),
       state_(CLOSED),
+      aborting_(false),
+      close_began_(0),
       sending_(false),
+      unsent_(NULL),
+      unsent_size_(0),
       receiving_(false),
       picture_(NULL),
       picture_size_(0),
@@ -36,11 +44,10 @@ bool Connection::Create(OID object) {
   stack_ = antStackRef("IPStack");
   antEnvCreateSharedBufferMsg create(MESSAGE_CAPACITY + PICTURE_SIZE + RECEIVE_SIZE);
   create.Call(stack_, sizeof(create));
-  if (create.error != ANT_SUCCESS) {
+  shared_buffer_ = create.buffer;
+  if (create.error != ANT_SUCCESS || shared_buffer_.Map() != ANT_SUCCESS) {
     return false;
   }
-  shared_buffer_ = create.buffer;
-  shared_buffer_.Map();
   buffer_ = static_cast<byte*>(shared_buffer_.GetAddress());
   return true;
 }
@@ -71,7 +78,7 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
   client_name_[0] = '\0';
   TCPEndpointListenMsg listen(endpoint_, IP_ADDR_ANY, port);
   if (!Post(listen, Extra_Entry[entryListenCont], sizeof(listen))) {
-    Close(true);
+    Close(true, 0);
     return false;
   }
   return true;
@@ -80,6 +87,7 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
 void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   state_ = CONNECTED;
   sending_ = false;
+  unsent_size_ = 0;
   receiving_ = false;
   picture_size_ = 0;
   is_sending_picture_ = false;
@@ -88,11 +96,13 @@ void Connection::Accepted(const TCPEndpointListenMsg& answer) {
           (client_address_ >> 8) & 0xff, client_address_ & 0xff, static_cast<unsigned>(answer.fPort));
 }
 
-void Connection::Close(bool abort) {
-  if (state_ == CLOSING || state_ == CLOSED) {
+void Connection::Close(bool abort, longword now) {
+  if (state_ == CLOSED || (state_ == CLOSING && (aborting_ || !abort))) {
     return;
   }
   state_ = CLOSING;
+  aborting_ = abort;
+  close_began_ = now;
   TCPEndpointCloseMsg close(endpoint_);
   close.abort = abort;
   if (!Post(close, Extra_Entry[entryCloseCont], sizeof(close))) {
@@ -100,28 +110,37 @@ void Connection::Close(bool abort) {
   }
 }
 
+void Connection::PassTime(longword now) {
+  if (state_ == CLOSING && now - close_began_ >= CLOSE_PATIENCE) {
+    Close(true, now);
+  }
+}
+
 void Connection::Closed() {
   state_ = CLOSED;
 }
 
-bool Connection::SendMessage(size_t size) {
-  return Send(MessageBuffer(), size);
-}
-
-bool Connection::SendPicture(const byte* header, size_t header_size, size_t size) {
+void Connection::PutPicture(const byte* header, size_t header_size, size_t size) {
   picture_ = PictureBuffer() - header_size;
   picture_size_ = header_size + size;
   memcpy(picture_, header, header_size);
-  return sending_ || SendWaitingPicture();
+}
+
+bool Connection::SendWaitingPicture() {
+  is_sending_picture_ = true;
+  return Send(picture_, picture_size_);
 }
 
 bool Connection::Sent() {
   sending_ = false;
+  if (unsent_size_ > 0) {
+    return SendPart();
+  }
   if (is_sending_picture_) {
     is_sending_picture_ = false;
     picture_size_ = 0;
   }
-  return picture_size_ == 0 || SendWaitingPicture();
+  return true;
 }
 
 bool Connection::Receive() {
@@ -132,13 +151,17 @@ bool Connection::Receive() {
   return receiving_;
 }
 
-bool Connection::SendWaitingPicture() {
-  is_sending_picture_ = true;
-  return Send(picture_, picture_size_);
+bool Connection::Send(byte* bytes, size_t size) {
+  unsent_ = bytes;
+  unsent_size_ = size;
+  return SendPart();
 }
 
-bool Connection::Send(byte* bytes, size_t size) {
-  TCPEndpointSendMsg send(endpoint_, bytes, static_cast<int>(size));
+bool Connection::SendPart() {
+  const size_t size = unsent_size_ < MAX_PART_SIZE ? unsent_size_ : MAX_PART_SIZE;
+  TCPEndpointSendMsg send(endpoint_, unsent_, static_cast<int>(size));
+  unsent_ += size;
+  unsent_size_ -= size;
   sending_ = Post(send, Extra_Entry[entrySendCont], sizeof(send));
   return sending_;
 }

@@ -7,20 +7,31 @@
 #include <TCPEndpointMsg.h>
 #include <ant.h>
 
+#include "picture_encoder/PictureJob.h"
 #include "rcserver/Session.h"
 #include "rcserver/commands/Outbox.h"
 
 /// Listens, serves one client and closes, again and again: each time with a new endpoint, because an endpoint of the
 /// IPStack serves one connection.
 ///
-/// At most one send and one receive are under way at a time. A picture may be handed over while a message is under way,
-/// and is sent right after it, so that answers and telemetry cost the stream no picture.
+/// At most one message or picture and one receive are under way at a time. What is sent goes in parts of at most
+/// MAX_PART_SIZE bytes, each when the IPStack has taken the one before. A picture may be handed over while a message is
+/// under way, and waits: so answers and telemetry cost the stream no picture.
+///
+/// An orderly close is answered only when the client has closed, too (Internet Protocol Version4, 2.2 and 2.7). A
+/// client that takes longer than CLOSE_PATIENCE is aborted.
 class Connection {
  public:
   enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
 
-  /// Bytes of a picture that can be sent: 100 KiB, which hold any 208x160 picture (JpegEncoder::WorstCaseSize).
-  static const size_t PICTURE_CAPACITY = 100 * 1024;
+  /// Most bytes that are given to the IPStack at once. Nearly every picture fits in there with its header.
+  static const size_t MAX_PART_SIZE = 8 * 1024;
+
+  /// Frames that an orderly close may take: 2 s.
+  static const longword CLOSE_PATIENCE = 250;
+
+  /// Bytes of a picture that can be sent.
+  static const size_t PICTURE_CAPACITY = ENCODED_PICTURE_CAPACITY;
 
   /// Bytes of messages that can be sent at once: all that an outbox holds.
   static const size_t MESSAGE_CAPACITY = Outbox::CAPACITY;
@@ -49,9 +60,14 @@ class Connection {
   /// The answer to Listen(): from LISTENING to CONNECTED.
   void Accepted(const TCPEndpointListenMsg& answer);
 
-  /// From any state to CLOSING.
-  /// @param abort true: with a reset, for a client taken for dead; false: what was sent still arrives
-  void Close(bool abort);
+  /// From any state to CLOSING; to CLOSED if the IPStack refuses.
+  /// @param abort true: with a reset, for a client taken for dead or turned away; false: what was sent still arrives
+  /// @param now OPEN-R frame
+  void Close(bool abort, longword now);
+
+  /// Aborts an orderly close that takes too long.
+  /// @param now OPEN-R frame
+  void PassTime(longword now);
 
   /// The answer to Close(): from CLOSING to CLOSED.
   void Closed();
@@ -64,20 +80,29 @@ class Connection {
 
   /// Sends the message in MessageBuffer(). Not while IsSending().
   /// @return false if the IPStack refuses
-  bool SendMessage(size_t size);
+  bool SendMessage(size_t size) { return Send(MessageBuffer(), size); }
 
-  /// False while there is a picture that has not been sent.
-  bool TakesPicture() const { return picture_size_ == 0; }
+  /// True while there is a picture that has not been sent to its end.
+  bool HasPicture() const { return picture_size_ > 0; }
 
-  /// Where to put the next picture, PICTURE_CAPACITY bytes. Only if TakesPicture().
+  /// True while there is a picture of which nothing has been sent.
+  bool HasWaitingPicture() const { return HasPicture() && !is_sending_picture_; }
+
+  /// Where to put the next picture, PICTURE_CAPACITY bytes. Not while HasPicture().
   byte* PictureBuffer() const { return MessageBuffer() + MESSAGE_CAPACITY + Session::MAX_PICTURE_HEADER_SIZE; }
 
-  /// Sends the picture in PictureBuffer(), header and picture at once, as soon as no message is under way.
+  /// Hands over the picture in PictureBuffer(): it waits.
   /// @param header, header_size what goes before it, up to Session::MAX_PICTURE_HEADER_SIZE bytes
-  /// @return false if the IPStack refuses
-  bool SendPicture(const byte* header, size_t header_size, size_t size);
+  void PutPicture(const byte* header, size_t header_size, size_t size);
 
-  /// The answer to a send: begins to send the picture that waits, if there is one.
+  /// Drops the picture that waits.
+  void DropWaitingPicture() { picture_size_ = 0; }
+
+  /// Sends the picture that waits. Not while IsSending().
+  /// @return false if the IPStack refuses
+  bool SendWaitingPicture();
+
+  /// The answer to a send: sends the next part, if there is one.
   /// @return false if the IPStack refuses
   bool Sent();
 
@@ -108,8 +133,8 @@ class Connection {
   static const size_t PICTURE_SIZE = Session::MAX_PICTURE_HEADER_SIZE + PICTURE_CAPACITY;
   static const size_t RECEIVE_SIZE = Session::INPUT_CAPACITY;
 
-  bool SendWaitingPicture();
   bool Send(byte* bytes, size_t size);
+  bool SendPart();
   bool Post(antEnvMsg& message, Selector entry, size_t size);
   byte* ReceiveBuffer() const { return buffer_ + MESSAGE_CAPACITY + PICTURE_SIZE; }
 
@@ -120,7 +145,11 @@ class Connection {
   antModuleRef endpoint_;
   size_t endpoint_number_;
   State state_;
+  bool aborting_;         ///< in CLOSING
+  longword close_began_;  ///< in CLOSING: the frame in which it began
   bool sending_;
+  byte* unsent_;  ///< what is left of the message or picture that is being sent
+  size_t unsent_size_;
   bool receiving_;
   byte* picture_;            ///< with its header
   size_t picture_size_;      ///< 0: there is none

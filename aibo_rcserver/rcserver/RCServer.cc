@@ -5,8 +5,10 @@
 #include <OPENR/core_macro.h>
 
 #include <stdio.h>
+#include <string.h>
 
 #include "protocol/version1.h"
+#include "rcserver/memory_stick/HostSettings.h"
 #include "rcserver/memory_stick/SettingsFile.h"
 
 namespace {
@@ -54,42 +56,34 @@ const char* ReasonOf(TCPEndpointError error) {
 }  // namespace
 
 const longword RCServer::HEARTBEAT_FRAMES;
-HostSettings RCServer::host;
 
 RCServer::RCServer()
     : endpoints_(0),
       client_(NULL),
-      motion_files_(host),
       robot_(NULL),
       session_(NULL),
       now_(0),
       last_bytes_received_(0),
       last_sign_of_life_(0),
+      was_silent_(false),
       last_attempt_(0),
       turned_away_(0),
       last_told_turned_away_(0 - FRAMES_PER_SECOND),
-      is_streaming_(false),
-      image_count_(0),
-      last_of_stream_(0),
-      stream_pictures_(0),
-      images_left_out_(0) {}
+      image_count_(0) {}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
   REGISTER_ALL_ENTRY;
   SET_ALL_READY_AND_NOTIFY_ENTRY;
-  for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
-    if (!connections_[i].Create(myOID_)) {
-      OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for a connection"));
-      return oFAIL;
-    }
+  if (!CreateRegions()) {
+    return oFAIL;
   }
   body_.Open();
-  settings_ = readSettingsFile(host);
+  settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_.Design(),    body_.Joints(),        body_.GetMotors(), body_.GetSensors(),
-                       body_.GetLights(), body_.GetPowerOrder(), motion_files_};
+                       body_.GetLights(), body_.GetPowerOrder(), file_desk_};
   robot_ = new Robot(robot);
-  session_ = new Session(*robot_, settings_, host.newest_version);
+  session_ = new Session(*robot_, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
 
@@ -117,6 +111,8 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   session_ = NULL;
   delete robot_;
   robot_ = NULL;
+  file_desk_.Destroy();
+  pictures_.Destroy();
   body_.Close();
   DELETE_ALL_SUBJECT_AND_OBSERVER;
   return oSUCCESS;
@@ -126,11 +122,33 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   CountImage(image_vector);
-  // What cannot be sent now is left out, never kept: the next picture shows what is then.
-  if (client_ != NULL && client_->TakesPicture()) {
-    SendImage(image_vector);
+  // What cannot be used now is left out, never kept: the next picture shows what is then.
+  if (client_ != NULL && pictures_.IsFree()) {
+    BeginPicture(image_vector);
   }
   observer[event.ObsIndex()]->AssertReady();
+}
+
+void RCServer::NotifyPicture(const ONotifyEvent& event) {
+  const EncodedPicture* picture = static_cast<const EncodedPicture*>(event.Data(0));
+  if (pictures_.Take(*picture)) {
+    SendPicture(*picture);
+  }
+  observer[event.ObsIndex()]->AssertReady();
+}
+
+void RCServer::NotifyFileResult(const ONotifyEvent& event) {
+  session_->FileDone(*static_cast<const FileResult*>(event.Data(0)));
+  if (client_ != NULL) {
+    ServeClient();
+  }
+  observer[event.ObsIndex()]->AssertReady();
+}
+
+void RCServer::ReadyFileJob(const OReadyEvent&) {
+  if (client_ != NULL) {
+    ServeClient();
+  }
 }
 
 void RCServer::NotifySensor(const ONotifyEvent& event) {
@@ -146,8 +164,10 @@ void RCServer::NotifySensor(const ONotifyEvent& event) {
   observer[event.ObsIndex()]->AssertReady();
 }
 
-void RCServer::ReadyEffector(const OReadyEvent&) {
-  body_.SendCommands(subject[sbjEffector]);
+void RCServer::ReadyEffector(const OReadyEvent& event) {
+  if (event.IsAssert()) {
+    body_.EffectorIsReady(subject[sbjEffector]);
+  }
 }
 
 void RCServer::ListenCont(ANTENVMSG msg) {
@@ -159,7 +179,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   if (answer->error != TCP_SUCCESS) {
     OSYSLOG1((osyslogERROR, "RCServer: cannot listen on port %d (error %d)", protocol::RCSERVER_PORT,
               static_cast<int>(answer->error)));
-    connection->Close(true);
+    connection->Close(true, now_);
     return;
   }
   connection->Accepted(*answer);
@@ -167,7 +187,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
     TurnAway(connection, "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it");
   } else if (client_ == NULL) {
     Admit(connection);
-  } else if (now_ - last_sign_of_life_ >= settings_.silent_client_seconds * FRAMES_PER_SECOND) {
+  } else if (IsClientSilent()) {
     DropClient("it was silent and another one came", true);
     Admit(connection);
   } else {
@@ -200,7 +220,8 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
-    DropClient(ReasonOf(answer->error), false);
+    // The client has closed: so an orderly close is answered at once.
+    DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
   last_sign_of_life_ = now_;
@@ -223,19 +244,57 @@ void RCServer::CloseCont(ANTENVMSG msg) {
   }
 }
 
+bool RCServer::CreateRegions() {
+  for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
+    if (!connections_[i].Create(myOID_)) {
+      OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for a connection"));
+      return false;
+    }
+  }
+  if (!pictures_.Create(subject[sbjEncodeJob]) || !file_desk_.Create(subject[sbjFileJob])) {
+    OSYSLOG1((osyslogERROR, "RCServer: no shared memory for images and files"));
+    return false;
+  }
+  return true;
+}
+
 void RCServer::PassTime(longword frame) {
   if (static_cast<slongword>(frame - now_) > 0) {
     now_ = frame;
   }
+  for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
+    connections_[i].PassTime(now_);
+  }
   if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
     ListenWhereClosed();
   }
-  if (client_ != NULL && session_->IsOver() && now_ - last_bytes_received_ >= FRAMES_PER_SECOND) {
+  if (client_ != NULL) {
+    JudgeClient();
+  }
+}
+
+// A client of version 1 may be silent and well. But it may be lost, too, so what it has begun does not go on for ever.
+void RCServer::JudgeClient() {
+  if (session_->IsOver() && now_ - last_bytes_received_ >= FRAMES_PER_SECOND) {
     DropClient(session_->EndReason(), true);
+    return;
   }
-  if (client_ != NULL && session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
+  if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
     DropClient("it has been silent for 5 s", true);
+    return;
   }
+  const bool was_silent = was_silent_;
+  was_silent_ = IsClientSilent();
+  MotionPlayer& motions = robot_->joints.Motions();
+  if (was_silent_ && !was_silent && motions.IsPlaying()) {
+    OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions end\n", client_->ClientName(),
+               settings_.silent_client_seconds));
+    motions.StopAll();
+  }
+}
+
+bool RCServer::IsClientSilent() const {
+  return now_ - last_sign_of_life_ >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
 }
 
 void RCServer::ListenWhereClosed() {
@@ -261,14 +320,15 @@ void RCServer::Admit(Connection* newcomer) {
   client_ = newcomer;
   last_sign_of_life_ = now_;
   last_bytes_received_ = now_;
+  was_silent_ = false;
   session_->Begin();
   OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
   ServeClient();
 }
 
-// However many come, the console is told once a second at most.
+// With an abort, which frees the place at once. However many come, the console is told once a second at most.
 void RCServer::TurnAway(Connection* newcomer, const char* reason) {
-  newcomer->Close(false);
+  newcomer->Close(true, now_);
   ++turned_away_;
   if (now_ - last_told_turned_away_ < FRAMES_PER_SECOND) {
     return;
@@ -284,10 +344,11 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
 // Forgets the client with all that it left behind.
 void RCServer::DropClient(const char* reason, bool abort) {
   OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
-  client_->Close(abort);
+  client_->Close(abort, now_);
   client_ = NULL;
   session_->End();
-  is_streaming_ = false;
+  pictures_.Forget();
+  stream_report_.ClientGone();
   body_.CarryOutPowerOrder();
   body_.SendCommands(subject[sbjEffector]);
 }
@@ -295,7 +356,10 @@ void RCServer::DropClient(const char* reason, bool abort) {
 // Does all that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
-  ReportStream();
+  stream_report_.Update(session_->Camera());
+  if (client_->HasWaitingPicture() && !session_->Camera().Wants(pictures_.Order())) {
+    client_->DropWaitingPicture();
+  }
   body_.SendCommands(subject[sbjEffector]);
   if (!SendOutput()) {
     DropClient("the IPStack does not send", true);
@@ -306,11 +370,16 @@ void RCServer::ServeClient() {
   }
 }
 
+// Sends what waits, the picture first: it is the fresher the sooner it goes.
 bool RCServer::SendOutput() {
-  if (client_->IsSending() || !session_->HasOutput()) {
+  if (client_->IsSending()) {
     return true;
   }
-  return client_->SendMessage(session_->TakeOutput(client_->MessageBuffer()));
+  if (client_->HasWaitingPicture()) {
+    stream_report_.PictureIsSent(pictures_.Header().image_count);
+    return client_->SendWaitingPicture();
+  }
+  return !session_->HasOutput() || client_->SendMessage(session_->TakeOutput(client_->MessageBuffer()));
 }
 
 void RCServer::CountImage(OFbkImageVectorData* image_vector) {
@@ -320,9 +389,9 @@ void RCServer::CountImage(OFbkImageVectorData* image_vector) {
   }
 }
 
-void RCServer::SendImage(OFbkImageVectorData* image_vector) {
+void RCServer::BeginPicture(OFbkImageVectorData* image_vector) {
   PictureOrder order;
-  if (!session_->Camera().ImageArrived(image_count_, &order)) {
+  if (!FindOrder(&order)) {
     return;
   }
   CameraImage image;
@@ -331,51 +400,45 @@ void RCServer::SendImage(OFbkImageVectorData* image_vector) {
     DropClient("there is no picture for it", true);
     return;
   }
-  SendPicture(image, order, image_vector->GetInfo(order.layer)->frameNumber);
+  const protocol::version2::ImageHeader header = {image_count_,
+                                                  image_vector->GetInfo(order.layer)->frameNumber,
+                                                  static_cast<unsigned short>(image.width),
+                                                  static_cast<unsigned short>(image.height),
+                                                  order.quality,
+                                                  static_cast<protocol::version2::Layer>(order.layer)};
+  if (!pictures_.Begin(image, order, header)) {
+    OSYSLOG1((osyslogERROR, "RCServer: the camera image is larger than %ux%u", static_cast<unsigned>(MAX_IMAGE_WIDTH),
+              static_cast<unsigned>(MAX_IMAGE_HEIGHT)));
+    DropClient("there is no picture for it", true);
+  }
 }
 
-void RCServer::SendPicture(const CameraImage& image, const PictureOrder& order, longword frame) {
-  const size_t size = encoder_.Encode(image, order.quality, client_->PictureBuffer(), Connection::PICTURE_CAPACITY);
-  if (size == 0) {
-    OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", encoder_.LastError()));
+// What the picture of this image is to be. False: none is due.
+bool RCServer::FindOrder(PictureOrder* order) {
+  if (client_->HasWaitingPicture()) {
+    // It has waited until this image came, which shows what is now: so the picture is made again.
+    client_->DropWaitingPicture();
+    *order = pictures_.Order();
+    session_->Camera().TakeAgain(*order, image_count_);
+    return true;
+  }
+  return !client_->HasPicture() && session_->Camera().ImageArrived(image_count_, order);
+}
+
+void RCServer::SendPicture(const EncodedPicture& picture) {
+  if (picture.size == 0) {
+    OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", picture.problem));
     DropClient("there is no picture for it", true);
     return;
   }
-  const protocol::version2::ImageHeader image_header = {image_count_,
-                                                        frame,
-                                                        static_cast<unsigned short>(image.width),
-                                                        static_cast<unsigned short>(image.height),
-                                                        order.quality,
-                                                        static_cast<protocol::version2::Layer>(order.layer)};
-  byte header[Session::MAX_PICTURE_HEADER_SIZE];
-  const size_t header_size = session_->EncodePictureHeader(order, image_header, size, header);
-  CountStreamPicture();
-  if (!client_->SendPicture(header, header_size, size)) {
-    DropClient("the IPStack does not send", true);
-  }
-}
-
-void RCServer::CountStreamPicture() {
-  if (!is_streaming_) {
+  if (!session_->Camera().Wants(pictures_.Order())) {
     return;
   }
-  if (stream_pictures_ > 0 && image_count_ != last_of_stream_) {
-    images_left_out_ += image_count_ - last_of_stream_ - 1;
+  byte header[Session::MAX_PICTURE_HEADER_SIZE];
+  const size_t header_size = session_->EncodePictureHeader(pictures_.Order(), pictures_.Header(), picture.size, header);
+  memcpy(client_->PictureBuffer(), picture.jpeg, picture.size);
+  client_->PutPicture(header, header_size, picture.size);
+  if (!SendOutput()) {
+    DropClient("the IPStack does not send", true);
   }
-  last_of_stream_ = image_count_;
-  ++stream_pictures_;
-}
-
-// Tells the console when the stream has begun or stopped.
-void RCServer::ReportStream() {
-  const bool is_streaming = session_->Camera().State() == IOS_CONTINUOUS;
-  if (is_streaming && !is_streaming_) {
-    stream_pictures_ = 0;
-    images_left_out_ = 0;
-    OSYSPRINT(("RCServer: stream on, quality %d\n", static_cast<int>(session_->Camera().StreamQuality())));
-  } else if (!is_streaming && is_streaming_) {
-    OSYSPRINT(
-        ("RCServer: stream off after %lu pictures, %lu camera images left out\n", stream_pictures_, images_left_out_));
-  }
-  is_streaming_ = is_streaming;
 }

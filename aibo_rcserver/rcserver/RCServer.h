@@ -13,26 +13,26 @@
 #include "rcserver/Connection.h"
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
-#include "rcserver/camera/CameraImage.h"
-#include "rcserver/camera/JpegEncoder.h"
+#include "rcserver/camera/PictureTaker.h"
+#include "rcserver/camera/StreamReport.h"
 #include "rcserver/commands/Robot.h"
-#include "rcserver/memory_stick/HostSettings.h"
-#include "rcserver/memory_stick/MotionFiles.h"
+#include "rcserver/memory_stick/FileDesk.h"
 #include "rcserver/memory_stick/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
-/// Everything happens in one of the entry points below, each of which returns without waiting. The robot's time is the
-/// number of the frame, of 8 ms, in which joints were measured or the camera took an image last.
+/// Everything happens in one of the entry points below, each of which returns without waiting: while one runs, no joint
+/// is commanded. What takes longer than a frame is done by objects of a lower scheduling class: PictureEncoder makes
+/// the pictures, FileKeeper reads and writes motion files.
+///
+/// The robot's time is the number of the frame, of 8 ms, in which joints were measured or the camera took an image
+/// last.
 ///
 /// When the robot starts, all joints hold where they are, and LEDs and ears are left alone.
 class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for so many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
-
-  /// What servers started from now on find. For a computer that stands in for the robot.
-  static void SetHost(const HostSettings& settings) { host = settings; }
 
   RCServer();
   virtual ~RCServer() {}
@@ -47,6 +47,15 @@ class RCServer : public OObject {
 
   /// A camera image is there (gate Image).
   void NotifyImage(const ONotifyEvent& event);
+
+  /// A picture has been made, or could not be made (gate Picture).
+  void NotifyPicture(const ONotifyEvent& event);
+
+  /// The memory stick has done a job (gate FileResult).
+  void NotifyFileResult(const ONotifyEvent& event);
+
+  /// FileKeeper takes a job (gate FileJob).
+  void ReadyFileJob(const OReadyEvent& event);
 
   /// Joints have been measured (gate Sensor).
   void NotifySensor(const ONotifyEvent& event);
@@ -69,7 +78,10 @@ class RCServer : public OObject {
   RCServer(const RCServer&);
   RCServer& operator=(const RCServer&);
 
+  bool CreateRegions();
   void PassTime(longword frame);
+  void JudgeClient();
+  bool IsClientSilent() const;
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
@@ -78,33 +90,28 @@ class RCServer : public OObject {
   void ServeClient();
   bool SendOutput();
   void CountImage(OFbkImageVectorData* image_vector);
-  void SendImage(OFbkImageVectorData* image_vector);
-  void SendPicture(const CameraImage& image, const PictureOrder& order, longword frame);
-  void CountStreamPicture();
-  void ReportStream();
-
-  static HostSettings host;
+  void BeginPicture(OFbkImageVectorData* image_vector);
+  bool FindOrder(PictureOrder* order);
+  void SendPicture(const EncodedPicture& picture);
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;    ///< numbers given so far
   Connection* client_;  ///< the connection that is served; NULL if there is none
   Body body_;
-  MotionFiles motion_files_;
+  FileDesk file_desk_;
+  PictureTaker pictures_;  ///< for the client alone
+  StreamReport stream_report_;
   Settings settings_;
   Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session
   Session* session_;  ///< with the client
-  JpegEncoder encoder_;
   longword now_;
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client
+  bool was_silent_;               ///< the client, when it was judged last
   longword last_attempt_;         ///< to listen
   unsigned turned_away_;          ///< clients of whom the console has not been told
   longword last_told_turned_away_;
-  bool is_streaming_;              ///< as far as the console has been told
-  unsigned image_count_;           ///< the camera's own count, which has 16 bits, carried on to 32
-  unsigned last_of_stream_;        ///< image_count_ of the last picture of the stream
-  unsigned long stream_pictures_;  ///< sent in the current stream
-  unsigned long images_left_out_;  ///< of the camera, in the current stream
+  unsigned image_count_;  ///< the camera's own count, which has 16 bits, carried on to 32
 };
 
 #endif  // RCSERVER_RCSERVER_H

@@ -19,6 +19,7 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       version1_(robot, settings, motions_, camera_, outbox_, payload_),
       version2_(robot, settings, motions_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
+      has_frame_(false),
       has_requests_(false),
       input_begin_(0),
       input_end_(0) {}
@@ -26,12 +27,14 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
 void Session::Begin() {
   version_ = 1;
   is_over_ = false;
+  has_frame_ = false;
   has_requests_ = false;
   input_begin_ = 0;
   input_end_ = 0;
   request_reader_.reset();
   frame_reader_.reset();
   outbox_.Clear();
+  motions_.Begin();
   version1_.Begin();
   version2_.Begin();
 }
@@ -44,7 +47,7 @@ void Session::End() {
 }
 
 bool Session::WantsInput() const {
-  return !IsOver() && !has_requests_ && input_begin_ == input_end_;
+  return !IsOver() && !has_requests_ && !has_frame_ && input_begin_ == input_end_;
 }
 
 void Session::AddInput(const unsigned char* bytes, size_t size) {
@@ -67,6 +70,18 @@ void Session::HandleRequests(unsigned now) {
   }
 }
 
+void Session::FileDone(const FileResult& result) {
+  if (!motions_.Awaits(result)) {
+    return;
+  }
+  if (version_ == 1) {
+    version1_.FileDone(result);
+  } else {
+    version2_.FileDone(result);
+  }
+  outbox_.Reserve(false);
+}
+
 void Session::Measured(unsigned frame) {
   if (version_ == protocol::version2::VERSION) {
     version2_.Measured(frame);
@@ -86,41 +101,67 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 }
 
 void Session::HandleVersion1() {
-  Request request;
-  // The end of an upload is answered in the room that was there at its beginning.
-  while (version_ == 1 && !IsOver()) {
+  while (version_ == 1 && !IsOver() && !motions_.IsBusy()) {
+    // The end of an upload is answered in the room that was there at its beginning.
     has_requests_ = version1_.TakeContent(request_reader_);
-    if (has_requests_ && !outbox_.HasRoom()) {
-      return;
+    if (has_requests_ && !motions_.IsPending()) {
+      if (!outbox_.HasRoom()) {
+        return;
+      }
+      has_requests_ = HandleNextOfVersion1();
     }
-    has_requests_ = has_requests_ && request_reader_.next(&request);
+    outbox_.Reserve(motions_.IsPending());
     if (!has_requests_) {
       return;
-    }
-    const bool asks_for_version2 = request.valid && request.basic.command == protocol::REQUEST_NEWER_VERSION &&
-                                   request.basic.identifier == protocol::version2::VERSION;
-    if (asks_for_version2 && newest_version_ >= protocol::version2::VERSION) {
-      ChangeToVersion2();
-    } else {
-      version1_.Handle(request);
     }
   }
 }
 
+// False if there is no whole request.
+bool Session::HandleNextOfVersion1() {
+  Request request;
+  if (!request_reader_.next(&request)) {
+    return false;
+  }
+  const bool asks_for_version2 = request.valid && request.basic.command == protocol::REQUEST_NEWER_VERSION &&
+                                 request.basic.identifier == protocol::version2::VERSION;
+  if (asks_for_version2 && newest_version_ >= protocol::version2::VERSION) {
+    ChangeToVersion2();
+    return false;
+  }
+  version1_.Handle(request);
+  return true;
+}
+
 void Session::HandleVersion2(unsigned now) {
-  while (!IsOver() && input_begin_ < input_end_ && outbox_.HasRoom()) {
+  while (!IsOver() && outbox_.HasRoom() && (has_frame_ || ReadFrame())) {
+    has_frame_ = !version2_.Handle(frame_reader_.header(), frame_reader_.payload(), now);
+    if (has_frame_) {
+      return;
+    }
+    outbox_.Reserve(motions_.IsPending());
+    motions_.NoticeMotors();
+  }
+}
+
+// False if there is no whole frame, or one that is too large, which ends the session.
+bool Session::ReadFrame() {
+  while (input_begin_ < input_end_) {
     size_t taken = 0;
     const FrameReader::Result result = frame_reader_.append(input_ + input_begin_, input_end_ - input_begin_, &taken);
     input_begin_ += taken;
     if (result == FrameReader::FRAME_COMPLETE) {
-      version2_.Handle(frame_reader_.header(), frame_reader_.payload(), now);
-    } else if (result == FrameReader::FRAME_TOO_LARGE) {
+      return true;
+    }
+    if (result == FrameReader::FRAME_TOO_LARGE) {
       char text[128];
       sprintf(text, "a request of %u bytes is too large; the server hangs up", frame_reader_.header().payload_size);
       version2_.Refuse(frame_reader_.header(), protocol::version2::CODE_REFUSED, text);
       is_over_ = true;
+      return false;
     }
   }
+  return false;
 }
 
 // Bytes that have come behind the request are version 2's.

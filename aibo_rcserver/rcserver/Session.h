@@ -19,6 +19,9 @@
 /// Makes requests of the bytes that come, has them carried out in the version of the protocol that the client has
 /// chosen, and keeps the answers until they can be sent. Pure logic: no OPEN-R. Memory of a fixed size: requests that
 /// have come wait while there is no room for their answers, and meanwhile nothing more is received.
+///
+/// What needs the memory stick is answered when that has done its work (FileDone()). Meanwhile requests of version 2
+/// are handled until there is a second one of that kind; those of version 1 wait, so that replies keep their order.
 class Session {
  public:
   /// Most bytes that AddInput() takes.
@@ -44,9 +47,13 @@ class Session {
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
-  /// Handles requests as long as there is room for the answers. To be called when bytes were added or taken.
+  /// Handles requests as long as there is room for the answers. To be called when bytes were added or taken, and when
+  /// the memory stick has become free.
   /// @param now OPEN-R frame
   void HandleRequests(unsigned now);
+
+  /// The memory stick has done a job. A result that nobody waits for any more is passed over.
+  void FileDone(const FileResult& result);
 
   /// All joints have been measured.
   /// @param frame in which
@@ -81,7 +88,9 @@ class Session {
   Session& operator=(const Session&);
 
   void HandleVersion1();
+  bool HandleNextOfVersion1();
   void HandleVersion2(unsigned now);
+  bool ReadFrame();
   void ChangeToVersion2();
 
   const Robot& robot_;
@@ -96,7 +105,8 @@ class Session {
   protocol::RequestReader request_reader_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: of an upload
   protocol::version2::FrameReader frame_reader_;
-  bool has_requests_;                                          ///< of version 1 that may be whole
+  bool has_frame_;     ///< in frame_reader_, that has to wait for the memory stick
+  bool has_requests_;  ///< of version 1 that may be whole
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
   size_t input_begin_;
   size_t input_end_;

@@ -8,8 +8,8 @@ namespace simulated_ers7 {
 namespace {
 
 const char kHelp[] =
-    "press SENSOR      presses a switch or touches a touch sensor: head_touch, chin, paw_left_front...\n"
-    "release SENSOR    lets it go\n"
+    "press BUTTON      presses the pause button or a switch, or touches a touch sensor: pause, chin, head_touch...\n"
+    "release BUTTON    lets it go\n"
     "battery PERCENT   charges or empties the battery to this\n"
     "jam JOINT         holds a joint fast: head_pan...\n"
     "free JOINT        lets it go\n"

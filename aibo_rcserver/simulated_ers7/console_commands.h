@@ -11,8 +11,8 @@ namespace simulated_ers7 {
 
 /// Obeys one line:
 ///
-///     press SENSOR      somebody presses a switch, or touches a touch sensor
-///     release SENSOR    and no longer does
+///     press BUTTON      somebody presses the pause button or a switch, or touches a touch sensor
+///     release BUTTON    and no longer does
 ///     battery PERCENT   what is left in the battery
 ///     jam JOINT         something holds a joint fast
 ///     free JOINT        and no longer does

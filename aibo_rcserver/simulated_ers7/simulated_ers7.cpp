@@ -115,14 +115,14 @@ OStatus SimulatedErs7::controlPrimitive(OPrimitiveID id, OPrimitiveRequest reque
 }
 
 OStatus SimulatedErs7::setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) {
-  return forJoints(id, [&](Joint& joint) {
-    joint.setGains({pg, ig, dg, ps, is, ds});
-    return oSUCCESS;
-  });
+  return forJoints(id, [&](Joint& joint) { return joint.setGains({pg, ig, dg, ps, is, ds}); });
 }
 
 OStatus SimulatedErs7::enableJointGain(OPrimitiveID id) {
-  return forJoints(id, [](Joint& joint) { return joint.enableGain(); });
+  return forJoints(id, [](Joint& joint) {
+    joint.enableGain();
+    return oSUCCESS;
+  });
 }
 
 OStatus SimulatedErs7::disableJointGain(OPrimitiveID id) {
@@ -141,7 +141,7 @@ OStatus SimulatedErs7::getJointValue(OPrimitiveID id, OJointValue* value) {
     return oINVALID_ARG;
   }
   *value = joint->readings().back();
-  return joint->status();
+  return oSUCCESS;
 }
 
 OStatus SimulatedErs7::getSensorValue(OPrimitiveID id, OSensorValue* value) {
@@ -168,6 +168,7 @@ OStatus SimulatedErs7::getPowerStatus(OPowerStatus* status) {
   }
   *status = battery_.status();
   status->robotStatus |= motors_powered_ ? orsbMOTOR_POWER : 0;
+  status->robotStatus |= pause_pressed_ ? orsbPAUSE : 0;
   return oSUCCESS;
 }
 
@@ -237,6 +238,14 @@ void SimulatedErs7::passFrameOfEars() {
       OSYSLOG1((osyslogWARNING, "%s was energised for %d ms without a pause and is too hot now: let it go",
                 model().ears[i].name, static_cast<int>(8 * Ear::kMostFramesEnergised)));
     }
+  }
+}
+
+void SimulatedErs7::press(const std::string& button, bool pressed) {
+  if (button == kPauseButton) {
+    pause_pressed_ = pressed;
+  } else {
+    sensors_.press(button, pressed);
   }
 }
 

@@ -41,6 +41,9 @@ struct SimulatedErs7Options {
   std::uint64_t seed = 1;
 };
 
+/// The button on the robot's back that switches it on, and that objects see as orsbPAUSE.
+constexpr char kPauseButton[] = "pause";
+
 /// Not thread-safe; all calls come from the machine's thread.
 class SimulatedErs7 : public openr_host::VirtualRobot {
  public:
@@ -55,20 +58,17 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
 
-  /// @name Joints. `id` may be oprimitiveID_UNDEF: all that are open; of several failures one is returned.
-  /// All return oINVALID_PRIMITIVE_ID if the primitive is not open or no joint.
+  /// @name Joints, as in joint.h. `id` may be oprimitiveID_UNDEF: all that are open; of several failures one is
+  /// returned. All return oINVALID_PRIMITIVE_ID if the primitive is not open or no joint.
   /// @{
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
-  /// @see Joint::enableGain() for what else is returned
   OStatus enableJointGain(OPrimitiveID id) override;
   OStatus disableJointGain(OPrimitiveID id) override;
   /// @}
 
   /// What the joint measured at the end of the last frame.
   /// @param id of one joint
-  /// @return oALERT_JOINT_UNCONTROLLABLE, with the value given all the same, if the joint cannot follow its command
-  ///         (Joint::status())
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override;
 
   /// What the sensor measured at the end of the last frame.
@@ -109,9 +109,10 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// @throw std::invalid_argument if there is no such ear
   const Ear& ear(const std::string& name) const;
 
-  /// Somebody presses a button: Sensors::press().
+  /// Somebody presses a button, or lets it go.
+  /// @param button kPauseButton, or a sensor that can be pressed (Sensors::press())
   /// @throw std::invalid_argument if there is no such button
-  void press(const std::string& sensor, bool pressed) { sensors_.press(sensor, pressed); }
+  void press(const std::string& button, bool pressed);
 
   /// What is left in the battery from now on, 0..1.
   void setCharge(double charge) { battery_.setCharge(charge); }
@@ -135,6 +136,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   std::vector<Led> leds_;
   std::vector<Ear> ears_;
   bool motors_powered_ = false;
+  bool pause_pressed_ = false;
   Stance stance_;
   RegionPool sensor_regions_;
   std::unique_ptr<PictureSource> pictures_;

@@ -53,40 +53,42 @@ OCommandInfo readInfo(const RCRegion& region, std::size_t entry, std::size_t ent
   return info;
 }
 
-std::deque<EffectorCommands> readFrames(const RCRegion& region, const VirtualRobot& robot) {
-  const std::size_t entries = readHeader(region).numData;
-  std::deque<EffectorCommands> frames;
-  for (std::size_t entry = 0; entry < entries; ++entry) {
-    const OCommandInfo info = readInfo(region, entry, entries, robot);
-    frames.resize(std::max<std::size_t>(frames.size(), info.numFrames));
-    for (std::size_t frame = 0; frame < info.numFrames; ++frame) {
-      EffectorCommand command{info.primitiveID, info.type, {}};
-      std::memcpy(&command.value, region.Base() + info.dataOffset + frame * sizeof(command.value),
-                  sizeof(command.value));
-      frames[frame].push_back(command);
-    }
+std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot& robot) {
+  const std::size_t count = readHeader(region).numData;
+  std::vector<OCommandInfo> entries;
+  entries.reserve(count);
+  for (std::size_t entry = 0; entry < count; ++entry) {
+    entries.push_back(readInfo(region, entry, count, robot));
   }
-  return frames;
+  return entries;
 }
 
 }  // namespace
 
 void CommandQueue::add(RCRegion& region, const VirtualRobot& robot) {
-  require(hasRoom(), text(kMostVectors) + " are waiting already: send one more for each Ready");
-  vectors_.push_back({reference(&region), readFrames(region, robot)});
+  vectors_.push_back({reference(&region), readEntries(region, robot)});
 }
 
-EffectorCommands CommandQueue::next() {
+bool CommandQueue::next(EffectorCommands* commands) {
   if (vectors_.empty()) {
-    return {};
+    return false;
   }
-  auto& frames = vectors_.front().frames;
-  EffectorCommands commands = std::move(frames.front());
-  frames.pop_front();
-  if (frames.empty()) {
+  Vector& vector = vectors_.front();
+  bool is_last = true;
+  for (const OCommandInfo& entry : vector.entries) {
+    if (vector.frame < entry.numFrames) {
+      EffectorCommand command{entry.primitiveID, entry.type, {}};
+      std::memcpy(&command.value, vector.region->Base() + entry.dataOffset + vector.frame * sizeof(command.value),
+                  sizeof(command.value));
+      commands->push_back(command);
+    }
+    is_last = is_last && vector.frame + 1 >= entry.numFrames;
+  }
+  ++vector.frame;
+  if (is_last) {
     vectors_.pop_front();
   }
-  return commands;
+  return is_last;
 }
 
 }  // namespace openr_host

@@ -30,20 +30,28 @@ void OObserver::Register(OID object, int index) {
   }
 }
 
-void OObserver::AssertReady() {
+OStatus OObserver::AssertReady() {
   registered(service_).announceReady(true);
+  return oSUCCESS;
 }
 
-void OObserver::AssertReady(const SubjectID& subject) {
+OStatus OObserver::AssertReady(const SubjectID& subject) {
   registered(service_).announceReady(subject, true);
+  return oSUCCESS;
 }
 
-void OObserver::DeassertReady() {
+OStatus OObserver::DeassertReady() {
   registered(service_).announceReady(false);
+  return oSUCCESS;
 }
 
-void OObserver::DeassertReady(const SubjectID& subject) {
+OStatus OObserver::DeassertReady(const SubjectID& subject) {
   registered(service_).announceReady(subject, false);
+  return oSUCCESS;
+}
+
+void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
+  registered(service_).setBufferControl({skip, min, max});
 }
 
 int OObserver::NumberOfSubjects() const {

@@ -35,41 +35,75 @@ void OSubject::Enable(bool enabled) {
   registered(service_).enable(enabled);
 }
 
-void OSubject::SetData(RCRegion* region) {
+OStatus OSubject::SetData(RCRegion* region) {
   registered(service_).setData(region);
+  return oSUCCESS;
 }
 
-void OSubject::SetData(const ObserverID& observer, RCRegion* region) {
+OStatus OSubject::SetData(const ObserverID& observer, RCRegion* region) {
   registered(service_).setData(observer, region);
+  return oSUCCESS;
 }
 
-void OSubject::SetData(const void* data, size_t size) {
+OStatus OSubject::SetData(const void* data, size_t size) {
   auto* region = new RCRegion(size);
   std::memcpy(region->Base(), data, size);
-  SetData(region);
+  const OStatus status = SetData(region);
   region->RemoveReference();
+  return status;
 }
 
-void OSubject::NotifyObservers() {
+OStatus OSubject::NotifyObservers() {
   registered(service_).notifyAll();
+  return oSUCCESS;
 }
 
-void OSubject::NotifyObserver(const ObserverID& observer) {
+OStatus OSubject::NotifyObserver(const ObserverID& observer) {
   registered(service_).notify(observer);
+  return oSUCCESS;
 }
 
-bool OSubject::IsReady(const ObserverID& observer) const {
-  return registered(service_).isReady(observer);
+int OSubject::IsReady(const ObserverID& observer) const {
+  return ReadyStatus(observer) > 0 ? 1 : 0;
 }
 
-bool OSubject::IsAnyReady() const {
-  return registered(service_).isAnyReady();
+int OSubject::IsAnyReady() const {
+  return registered(service_).isAnyReady() ? 1 : 0;
 }
 
-bool OSubject::IsAllReady() const {
-  return registered(service_).isAllReady();
+int OSubject::IsAllReady() const {
+  return registered(service_).isAllReady() ? 1 : 0;
 }
 
-void OSubject::ClearBuffer() {
+int OSubject::ReadyStatus(const ObserverID& observer) const {
+  switch (registered(service_).readiness(observer)) {
+    case openr_host::Readiness::kAssertReady:
+      return 1;
+    case openr_host::Readiness::kDeassertReady:
+      return -1;
+    case openr_host::Readiness::kUnknown:
+      break;
+  }
+  return 0;
+}
+
+OStatus OSubject::SetBufferSize(size_t size) {
+  if (size == 0) {
+    return oINVALID_ARG;
+  }
+  registered(service_).setBufferSize(size);
+  return oSUCCESS;
+}
+
+size_t OSubject::GetBufferSize() const {
+  return registered(service_).bufferSize();
+}
+
+size_t OSubject::RemainBuffer(const ObserverID& observer) const {
+  return registered(service_).roomFor(observer);
+}
+
+OStatus OSubject::ClearBuffer() {
   registered(service_).clear();
+  return oSUCCESS;
 }

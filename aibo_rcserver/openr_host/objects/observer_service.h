@@ -6,11 +6,13 @@
 
 #include <vector>
 
+#include "openr_host/objects/buffer_control.h"
+
 namespace openr_host {
 
 class System;
 
-/// What an OObserver is inside: its subjects.
+/// The inside of an OObserver: its subjects.
 class ObserverService {
  public:
   ObserverService(System& system, const ObserverID& id) : system_(system), id_(id) {}
@@ -19,6 +21,11 @@ class ObserverService {
   ObserverService& operator=(const ObserverService&) = delete;
 
   const ObserverID& id() const { return id_; }
+
+  /// Counts for connections that are made later.
+  void setBufferControl(const BufferControl& control) { control_ = control; }
+  const BufferControl& bufferControl() const { return control_; }
+
   void connect(const SubjectID& subject) { subjects_.push_back(subject); }
   int numberOfSubjects() const { return static_cast<int>(subjects_.size()); }
 
@@ -28,6 +35,7 @@ class ObserverService {
  private:
   System& system_;
   const ObserverID id_;
+  BufferControl control_;
   std::vector<SubjectID> subjects_;
 };
 

@@ -59,6 +59,23 @@ OStatus OPENR::GetPowerStatus(OPowerStatus* status) {
   return System::current().robot().getPowerStatus(status);
 }
 
+OStatus OPENR::ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry) {
+  System& system = System::current();
+  OPowerStatus present;
+  if (!system.hasEntry(entry.GetOID(), entry.GetSelector())) {
+    return oINVALID_ARG;
+  }
+  const OStatus status = system.robot().getPowerStatus(&present);
+  if (status == oSUCCESS) {
+    system.powerWatch().observe(entry, notifyStatus, present);
+  }
+  return status;
+}
+
+OStatus OPENR::UnobservePowerStatus(const OServiceEntry& entry) {
+  return System::current().powerWatch().unobserve(entry) ? oSUCCESS : oINVALID_ARG;
+}
+
 OStatus OPENR::Shutdown(const OBootCondition& condition) {
   const bool boots_again = (condition.bitmap & obcbBOOT_TIMER) != 0;
   if (boots_again && (condition.bootTimeType != obcbttRELATIVE || condition.bootTime != 0)) {

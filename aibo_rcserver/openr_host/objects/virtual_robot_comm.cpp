@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
+
+#include "openr_host/system.h"
 
 namespace openr_host {
 namespace {
@@ -26,27 +29,28 @@ ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot, const std::fun
 }
 
 OStatus VirtualRobotComm::DoInit(const OSystemEvent& /*event*/) {
-  image_sensor_ = std::make_unique<OSubject>();
-  image_sensor_->Register(myOID_, 0);
-  sensor_ = std::make_unique<OSubject>();
-  sensor_->Register(myOID_, 1);
+  System& system = System::current();
+  image_sensor_ = std::make_unique<SubjectService>(system, SubjectID{myOID_, 0});
+  system.add(*image_sensor_);
+  sensor_ = std::make_unique<SubjectService>(system, SubjectID{myOID_, 1});
+  system.add(*sensor_);
   effector_ = std::make_unique<OObserver>();
   effector_->Register(myOID_, 0);
   return oSUCCESS;
 }
 
 OStatus VirtualRobotComm::DoStart(const OSystemEvent& /*event*/) {
-  image_sensor_->Enable(true);
-  sensor_->Enable(true);
-  askForCommands();
+  image_sensor_->enable(true);
+  sensor_->enable(true);
+  effector_->AssertReady();
   return oSUCCESS;
 }
 
 OStatus VirtualRobotComm::DoStop(const OSystemEvent& /*event*/) {
-  image_sensor_->Enable(false);
-  sensor_->Enable(false);
+  image_sensor_->enable(false);
+  sensor_->enable(false);
   effector_->DeassertReady();
-  commands_.clear();
+  commanders_.clear();
   return oSUCCESS;
 }
 
@@ -67,53 +71,63 @@ void VirtualRobotComm::beginFrame(longword frame) {
       sense(frame - since_sensors);
     }
   }
-  if (commands_.hasRoom() && !asked_for_commands_) {
-    askForCommands();
-  }
   look(frame);
 }
 
 void VirtualRobotComm::passFrame(longword frame) {
-  robot_.passFrame(frame, commands_.next());
+  EffectorCommands commands;
+  std::vector<SubjectID> ready;
+  for (auto& commander : commanders_) {
+    const bool has_completed_a_vector = commander.commands.next(&commands);
+    if (has_completed_a_vector || std::exchange(commander.was_refused, false)) {
+      ready.push_back(commander.subject);
+    }
+  }
+  robot_.passFrame(frame, commands);
+  for (const auto& subject : ready) {
+    effector_->AssertReady(subject);
+  }
 }
 
+// What nobody is ready for is kept for those who are busy: the newest counts (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
-  if (sensor_->IsAnyReady()) {
-    sensor_->SetData(robot_.captureSensors(frame));
-    sensor_->NotifyObservers();
+  if (sensor_->isWanted()) {
+    sensor_->setData(robot_.captureSensors(frame));
+    sensor_->notifyAll();
   }
 }
 
 void VirtualRobotComm::look(longword frame) {
-  if (robot_.cameraImageDue(frame) && image_sensor_->IsAnyReady()) {
-    image_sensor_->SetData(robot_.captureImage(frame));
+  if (robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
+    image_sensor_->setData(robot_.captureImage(frame));
     if (on_image_) {
       on_image_();
     }
-    image_sensor_->NotifyObservers();
+    image_sensor_->notifyAll();
   }
+}
+
+VirtualRobotComm::Commander& VirtualRobotComm::commander(const SubjectID& subject) {
+  const auto found = std::find_if(commanders_.begin(), commanders_.end(),
+                                  [&](const Commander& candidate) { return candidate.subject == subject; });
+  if (found != commanders_.end()) {
+    return *found;
+  }
+  commanders_.push_back({subject, {}, false});
+  return commanders_.back();
 }
 
 void VirtualRobotComm::takeCommands(const ONotifyEvent& event) {
-  asked_for_commands_ = false;
+  Commander& sender = commander(event.SenderID());
   try {
     for (int i = 0; i < event.NumOfData(); ++i) {
-      commands_.add(*event.RCData(i), robot_);
+      sender.commands.add(*event.RCData(i), robot_);
     }
   } catch (const std::invalid_argument& error) {
-    // The next one is asked for in the next frame only, so that an object that knows no better cannot send such without
-    // end.
+    // READY follows in the next frame only, so that an object cannot send malformed vectors without end.
+    sender.was_refused = true;
     OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
-    return;
   }
-  if (commands_.hasRoom()) {
-    askForCommands();
-  }
-}
-
-void VirtualRobotComm::askForCommands() {
-  asked_for_commands_ = true;
-  effector_->AssertReady();
 }
 
 }  // namespace openr_host

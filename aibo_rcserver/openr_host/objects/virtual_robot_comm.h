@@ -4,23 +4,26 @@
 
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
-#include <OPENR/OSubject.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "openr_host/object_description.h"
 #include "openr_host/objects/command_queue.h"
+#include "openr_host/objects/subject_service.h"
 #include "openr_host/virtual_robot.h"
 
 namespace openr_host {
 
-/// The system object OVirtualRobotComm (report, section 2.1.1): the gates between the robot's body and the objects.
+/// The system object OVirtualRobotComm: the gates between the robot's body and the objects
+/// (Level2 Reference Guide, page 44).
 ///
-/// Its effector gate is for one commanding object. It is ready whenever one more command vector can wait, so that the
-/// object sends two at first and then one for each Ready.
+/// Any number of objects may command the body side by side, each of them its own primitives. An object is told READY
+/// when the output of a vector that it sent is complete, once for each vector. So an object that wants no gap sends
+/// two vectors first, and one more for each READY.
 class VirtualRobotComm : public OObject {
  public:
   /// @param on_image called when an image is handed to the observers; may be empty
@@ -38,19 +41,25 @@ class VirtualRobotComm : public OObject {
   void beginFrame(longword frame);
 
  private:
+  /// One object that commands the body.
+  struct Commander {
+    SubjectID subject;
+    CommandQueue commands;
+    bool was_refused = false;  ///< what it sent last; it is told READY in the next frame
+  };
+
+  Commander& commander(const SubjectID& subject);
   void takeCommands(const ONotifyEvent& event);
-  void askForCommands();
   void passFrame(longword frame);
   void sense(longword frame);
   void look(longword frame);
 
   VirtualRobot& robot_;
   const std::function<void()> on_image_;
-  std::unique_ptr<OSubject> image_sensor_;
-  std::unique_ptr<OSubject> sensor_;
+  std::unique_ptr<SubjectService> image_sensor_;
+  std::unique_ptr<SubjectService> sensor_;
   std::unique_ptr<OObserver> effector_;
-  CommandQueue commands_;
-  bool asked_for_commands_ = false;  ///< and has not got any since
+  std::vector<Commander> commanders_;
   std::optional<longword> last_frame_;
 };
 

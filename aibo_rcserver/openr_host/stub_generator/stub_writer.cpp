@@ -76,12 +76,13 @@ std::string writeDescriptionHeader(const StubConfiguration& stub) {
   return out.str();
 }
 
-std::string writeDescription(const StubConfiguration& stub) {
+std::string writeDescription(const StubConfiguration& stub, int priority) {
   std::ostringstream out;
   out << kOrigin << "#include \"" << stub.object_name << "_stub.h\"\n\n#include \"" << stub.object_name << ".h\"\n\n"
       << "openr_host::ObjectDescription describe" << stub.object_name << "() {\n"
       << "  openr_host::ObjectDescription description;\n"
-      << "  description.name = \"" << stub.object_name << "\";\n";
+      << "  description.name = \"" << stub.object_name << "\";\n"
+      << "  description.priority = " << priority << ";\n";
   writeServices(out, stub, "subjects", stub.subjects, "OControlEvent", "OReadyEvent");
   writeServices(out, stub, "observers", stub.observers, "OConnectEvent", "ONotifyEvent");
   for (const auto& function : stub.extra_functions) {

@@ -19,7 +19,8 @@ std::string writeEntry(const StubConfiguration& stub);
 std::string writeDescriptionHeader(const StubConfiguration& stub);
 
 /// OBJECTNAME_stub.cc: defines it, and expects the class OBJECTNAME in OBJECTNAME.h.
-std::string writeDescription(const StubConfiguration& stub);
+/// @param priority of the object's .ocf, 0..255
+std::string writeDescription(const StubConfiguration& stub, int priority);
 
 }  // namespace openr_host
 

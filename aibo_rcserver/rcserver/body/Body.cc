@@ -9,7 +9,7 @@ using robot_model::MAX_JOINTS;
 using robot_model::MAX_LEDS;
 using robot_model::RobotModel;
 
-Body::Body() : power_order_(POWER_STAYS_ON) {
+Body::Body() : vectors_on_their_way_(0), power_order_(POWER_STAYS_ON) {
   design_[0] = '\0';
 }
 
@@ -36,24 +36,43 @@ void Body::Close() {
 }
 
 void Body::SendCommands(OSubject* effector) {
-  const bool joints_are_due = joint_driver_.HasCommand();
-  if ((!joints_are_due && !light_driver_.HasCommand()) || !effector->IsReady()) {
+  if (!effector->IsReady()) {
     return;
   }
-  RCRegion* vector = vectors_.FindFree();
+  const int wanted = CommandVectors::NUMBER_OF_VECTORS - vectors_on_their_way_;
+  int added = 0;
+  while (added < wanted && AddVector(effector)) {
+    ++added;
+  }
+  if (added > 0) {
+    effector->NotifyObservers();
+  }
+}
+
+void Body::EffectorIsReady(OSubject* effector) {
+  if (vectors_on_their_way_ > 0) {  // the first READY follows no vector
+    --vectors_on_their_way_;
+    joint_driver_.OutputIsComplete();
+  }
+  SendCommands(effector);
+}
+
+// Adds what is to be said now to the next notification.
+bool Body::AddVector(OSubject* effector) {
+  const bool joints_are_due = joint_driver_.HasCommand();
+  RCRegion* vector = joints_are_due || light_driver_.HasCommand() ? vectors_.FindFree() : NULL;
   if (vector == NULL) {
-    return;
+    return false;
   }
   CommandVectors::Clear(vector);
   if (joints_are_due) {
     joint_driver_.Fill(vector);
+    joint_driver_.Sent(vectors_on_their_way_);
   }
   light_driver_.Fill(vector);
   effector->SetData(vector);
-  effector->NotifyObservers();
-  if (joints_are_due) {
-    joint_driver_.Sent();
-  }
+  ++vectors_on_their_way_;
+  return true;
 }
 
 bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {

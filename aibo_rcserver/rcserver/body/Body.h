@@ -16,8 +16,10 @@
 /// Joints, sensors, LEDs and ears, opened by the table of the robot's design; and the two gates that they share.
 ///
 /// Commands are sent while there is something to say: at rest none are, joints hold and LEDs shine as they were
-/// commanded last. So the first command after a rest is played from the next frame on, not after two vectors that
-/// already wait. Commands to LEDs and ears go with those to joints, and delay none.
+/// commanded last. So the first command after a rest is output from the next frame on. It takes two vectors at once,
+/// and each READY brings one more, so that the next vector always waits when one has been output, and an answer to
+/// READY may take as long as a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same).
+/// Commands to LEDs and ears go with those to joints, and delay none.
 class Body {
  public:
   Body();
@@ -37,10 +39,13 @@ class Body {
   PowerOrder& GetPowerOrder() { return power_order_; }
   /// @}
 
-  /// Sends the next command vector if one is due and the robot can take it. To be called when it is ready for one, and
-  /// when something was commanded.
+  /// Sends the next command vectors if they are due and the robot can take them. To be called when something was
+  /// commanded.
   /// @param effector gate to OVirtualRobotComm.Effector
   void SendCommands(OSubject* effector);
+
+  /// READY has come: goes on sending.
+  void EffectorIsReady(OSubject* effector);
 
   /// Takes over what joints and sensors report.
   /// @param[out] frame the last frame in the vector
@@ -52,6 +57,8 @@ class Body {
   void CarryOutPowerOrder();
 
  private:
+  bool AddVector(OSubject* effector);
+
   Body(const Body&);
   Body& operator=(const Body&);
 
@@ -60,6 +67,7 @@ class Body {
   LightDriver light_driver_;
   SensorDriver sensor_driver_;
   CommandVectors vectors_;
+  int vectors_on_their_way_;  ///< sent, and their output is not complete
   PowerOrder power_order_;
 };
 

@@ -16,7 +16,7 @@ const int CommandVectors::NUMBER_OF_VECTORS;
 
 CommandVectors::CommandVectors() {
   for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    memories_[i] = 0;
+    memories_[i] = MemoryRegionID();
     regions_[i] = NULL;
   }
 }

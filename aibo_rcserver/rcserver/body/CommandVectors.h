@@ -7,11 +7,12 @@
 #include <OPENR/OPENR.h>
 #include <OPENR/RCRegion.h>
 
-/// Two command vectors that are used in turn: one is filled while the other is played. Each is for FRAMES frames of 8
+/// Two command vectors that are used in turn: one is filled while the other is output. Each is for FRAMES frames of 8
 /// ms. OPEN-R would take 16 frames at once; the fewer, the sooner a new command counts.
 class CommandVectors {
  public:
   static const int FRAMES = 4;
+  static const int NUMBER_OF_VECTORS = 2;
 
   CommandVectors();
 
@@ -20,8 +21,8 @@ class CommandVectors {
   bool Create(int most_entries);
   void Destroy();
 
-  /// The vector that nobody plays.
-  /// @return NULL if both are being played
+  /// A vector that is not on its way.
+  /// @return NULL if both are
   RCRegion* FindFree();
 
   /// Takes all entries out.
@@ -36,8 +37,6 @@ class CommandVectors {
   static OCommandData* Add(RCRegion* vector, ODataType type, OPrimitiveID primitive, int frames);
 
  private:
-  static const int NUMBER_OF_VECTORS = 2;
-
   CommandVectors(const CommandVectors&);
   CommandVectors& operator=(const CommandVectors&);
 

@@ -13,14 +13,7 @@ using robot_model::MAX_JOINTS;
 using robot_model::PidGains;
 using robot_model::RobotModel;
 
-namespace {
-
-// The robot keeps two vectors at most. When it takes a third one, it has played the first.
-const int VECTORS_UNTIL_ONE_IS_PLAYED = 3;
-
-}  // namespace
-
-JointDriver::JointDriver() : joints_(NULL), state_(OFF), vectors_until_gains_(0), now_(0) {}
+JointDriver::JointDriver() : joints_(NULL), state_(OFF), robot_(&EMPTY_ROBOT), vectors_until_gains_(0), now_(0) {}
 
 JointDriver::~JointDriver() {
   delete joints_;
@@ -31,7 +24,8 @@ void JointDriver::Open(const RobotModel& robot) {
   if (!are_open) {
     primitives_.Close();
   }
-  joints_ = new JointControl(are_open ? robot : EMPTY_ROBOT);
+  robot_ = are_open ? &robot : &EMPTY_ROBOT;
+  joints_ = new JointControl(*robot_);
 }
 
 void JointDriver::Close() {
@@ -88,8 +82,14 @@ void JointDriver::Fill(RCRegion* vector) {
   }
 }
 
-void JointDriver::Sent() {
-  if (state_ == GOING_ON && --vectors_until_gains_ == 0) {
+void JointDriver::Sent(int vectors_ahead) {
+  if (state_ == GOING_ON && vectors_until_gains_ == 0) {
+    vectors_until_gains_ = vectors_ahead + 1;
+  }
+}
+
+void JointDriver::OutputIsComplete() {
+  if (state_ == GOING_ON && vectors_until_gains_ > 0 && --vectors_until_gains_ == 0) {
     EnableGains();
   }
 }
@@ -117,9 +117,6 @@ bool JointDriver::OpenPrimitives(const RobotModel& robot) {
       OSYSLOG1((osyslogERROR, "RCServer: without %s no joint is moved", joint.name));
       return false;
     }
-    const PidGains& gains = joint.gains;
-    OPENR::SetJointGain(primitives_.Id(i), gains.proportional, gains.integral, gains.derivative,
-                        gains.proportional_shift, gains.integral_shift, gains.derivative_shift);
   }
   return true;
 }
@@ -136,7 +133,7 @@ bool JointDriver::SwitchOn() {
     return false;
   }
   state_ = GOING_ON;
-  vectors_until_gains_ = VECTORS_UNTIL_ONE_IS_PLAYED;
+  vectors_until_gains_ = 0;
   return true;
 }
 
@@ -154,9 +151,20 @@ bool JointDriver::HoldPresentPositions() {
 
 void JointDriver::EnableGains() {
   for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    Check(OPENR::EnableJointGain(primitives_.Id(i)), i, "does not hold");
+    if (!EnableGain(i)) {
+      joints_->Failed(i, JointWatch::LIMP);
+    }
   }
   state_ = ON;
+}
+
+bool JointDriver::EnableGain(int joint) const {
+  const PidGains& gains = robot_->joints[joint].gains;
+  const OPrimitiveID id = primitives_.Id(joint);
+  return Check(OPENR::EnableJointGain(id), joint, "is limp: its gain does not go on") &&
+         Check(OPENR::SetJointGain(id, gains.proportional, gains.integral, gains.derivative, gains.proportional_shift,
+                                   gains.integral_shift, gains.derivative_shift),
+               joint, "is limp: it does not take its gain");
 }
 
 bool JointDriver::Check(OStatus status, int joint, const char* otherwise) const {

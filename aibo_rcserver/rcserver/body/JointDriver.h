@@ -14,7 +14,9 @@
 /// Opens the joints of the robot by the table of its design, switches their motors, hands on what they report, and
 /// commands them where the planner wants them.
 ///
-/// Gains go on only after the joints' present positions have been commanded and played, so that nothing moves.
+/// Gains go on only after the joints' present positions have been commanded and output, so that nothing moves: first
+/// EnableJointGain, then SetJointGain, since a gain that is set earlier counts for nothing (Level2 Reference Guide,
+/// pages 70 and 71). A joint that gets no gain is a fault of JointControl's.
 class JointDriver : public Motors {
  public:
   JointDriver();
@@ -38,8 +40,12 @@ class JointDriver : public Motors {
   /// @param vector of CommandVectors
   void Fill(RCRegion* vector);
 
-  /// The vector has been sent.
-  void Sent();
+  /// The vector that was filled has been sent.
+  /// @param vectors_ahead that were sent before it and whose output is not complete
+  void Sent(int vectors_ahead);
+
+  /// The output of a vector is complete, the oldest of those that were sent, whether it was filled here or not.
+  void OutputIsComplete();
 
   /// Takes over what the joints report.
   /// @param[out] frame the last frame in the vector; untouched if it reports nothing
@@ -60,13 +66,15 @@ class JointDriver : public Motors {
   bool HoldPresentPositions();
   bool SwitchOn();
   void EnableGains();
+  bool EnableGain(int joint) const;
   bool Check(OStatus status, int joint, const char* otherwise) const;
   void Report(int joint, JointWatch::Verdict verdict) const;
 
   JointControl* joints_;
   Primitives primitives_;
   State state_;
-  int vectors_until_gains_;  ///< that are still to be sent in GOING_ON
+  const robot_model::RobotModel* robot_;
+  int vectors_until_gains_;  ///< in GOING_ON: whose output is still to be completed; 0: none has been sent
   int commanded_[robot_model::MAX_JOINTS];
   longword now_;
 };

@@ -15,7 +15,9 @@ bool ImageObserver::RequestPicture(const PictureOrder& order) {
   if (number_of_owed_ == MAX_OWED) {
     return false;
   }
-  owed_[(oldest_owed_ + number_of_owed_) % MAX_OWED] = order;
+  PictureOrder& owed = owed_[(oldest_owed_ + number_of_owed_) % MAX_OWED];
+  owed = order;
+  owed.is_of_stream = false;
   ++number_of_owed_;
   if (state_ != IOS_CONTINUOUS) {
     state_ = IOS_PICTURE;
@@ -33,6 +35,7 @@ void ImageObserver::ToggleStream(const PictureOrder& order) {
 
 void ImageObserver::StartStream(const PictureOrder& order, unsigned short every_nth_image) {
   stream_order_ = order;
+  stream_order_.is_of_stream = true;
   every_nth_image_ = every_nth_image;
   stream_has_begun_ = false;
   state_ = IOS_CONTINUOUS;
@@ -63,6 +66,17 @@ bool ImageObserver::ImageArrived(unsigned image_count, PictureOrder* order) {
       return TakeStreamPicture(image_count, order);
   }
   return false;
+}
+
+void ImageObserver::TakeAgain(const PictureOrder& order, unsigned image_count) {
+  if (order.is_of_stream) {
+    last_of_stream_ = image_count;
+  }
+}
+
+bool ImageObserver::Wants(const PictureOrder& order) const {
+  return !order.is_of_stream ||
+         (state_ == IOS_CONTINUOUS && order.quality == stream_order_.quality && order.layer == stream_order_.layer);
 }
 
 void ImageObserver::ClientGone() {

@@ -18,6 +18,7 @@ struct PictureOrder {
   unsigned char quality;          ///< JPEG quality, 0..100
   unsigned char layer;            ///< of the camera, as OPEN-R numbers them; version 1 knows but the first, 0
   unsigned short request_number;  ///< of the `F` that asked for it, in version 2; 0 in a stream and in version 1
+  bool is_of_stream;              ///< else it is owed to an `F`
 };
 
 /// Decides which camera image becomes a picture, and what kind of. Pure logic: no camera, no client.
@@ -37,6 +38,7 @@ class ImageObserver {
   unsigned char StreamQuality() const { return stream_order_.quality; }
 
   /// `F`: one more picture is owed.
+  /// @param order whose is_of_stream does not matter here, nor in the functions below
   /// @return false if MAX_OWED pictures are owed already; then this one is not
   bool RequestPicture(const PictureOrder& order);
 
@@ -55,6 +57,14 @@ class ImageObserver {
   /// @param[out] order what the picture to send is to be
   /// @return true if this image is to be sent
   bool ImageArrived(unsigned image_count, PictureOrder* order);
+
+  /// A picture that was not sent yet is made again of an image that arrived later.
+  /// @param order that ImageArrived() has given
+  void TakeAgain(const PictureOrder& order, unsigned image_count);
+
+  /// True if a picture is still wanted: it is owed, or it is as the stream's pictures are now.
+  /// @param order that ImageArrived() has given
+  bool Wants(const PictureOrder& order) const;
 
   /// The client is gone, and with it all that was owed.
   void ClientGone();

@@ -2,44 +2,40 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-
-#include "rcserver/memory_stick/MotionFiles.h"
+#include <string.h>
 
 const size_t MotionCommands::MAX_PROBLEM_SIZE;
 
-MotionCommands::MotionCommands(const Robot& robot, const Settings& settings) : robot_(robot), settings_(settings) {
+MotionCommands::MotionCommands(const Robot& robot, const Settings& settings)
+    : robot_(robot), settings_(settings), ticket_(0), operation_(FileJob::LIST), repetitions_(0), cancelled_why_(NULL) {
   problem_[0] = '\0';
+  name_[0] = '\0';
 }
 
 MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions) {
-  if (!robot_.motors.AreOn()) {
-    return Fail(REFUSED, "the motors are off; switch them on first");
+  if (CheckPlay() != DONE) {
+    return REFUSED;
   }
-  MotionPlayer& player = robot_.joints.Motions();
-  unsigned char* const room = player.FindRoom();
-  if (room == NULL) {
-    return Fail(REFUSED, "%d motions are being played, and no more can be; stop one first", MotionPlayer::MAX_PLAYING);
-  }
-  size_t size = 0;
-  switch (robot_.motion_files.Read(name, room, mtn::MAX_FILE_SIZE, &size)) {
-    case MotionFiles::MISSING:
-      return Fail(FILE_MISSING, "there is no %s on the memory stick, in %s", name, MOTION_FOLDER);
-    case MotionFiles::TOO_LARGE:
-      return Fail(FILE_MISSING, "%s has more than %lu bytes", name, static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
-    case MotionFiles::FAILED:
-      return Fail(FILE_MISSING, "%s cannot be read", name);
-    case MotionFiles::DONE:
-      break;
-  }
-  const char* const problem = player.Play(name, size, repetitions);
-  return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
+  repetitions_ = repetitions;
+  cancelled_why_ = NULL;
+  return Post(FileJob::READ, name, NULL, 0);
 }
 
 void MotionCommands::Stop(const protocol::MotionName& name) {
-  if (name[0] == '\0') {
+  const bool is_all = name[0] == '\0';
+  if (is_all) {
     robot_.joints.Motions().StopAll();
   } else {
     robot_.joints.Motions().Stop(name);
+  }
+  if (is_all || strcmp(name, name_) == 0) {
+    cancelled_why_ = "was stopped while its file was being read";
+  }
+}
+
+void MotionCommands::NoticeMotors() {
+  if (!robot_.motors.AreOn()) {
+    cancelled_why_ = "is not played: the motors were switched off while its file was being read";
   }
 }
 
@@ -66,30 +62,77 @@ MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name,
   if (const char* missing = FindJoints(checked_, robot_.joints.Robot(), joints)) {
     return Fail(REFUSED, "%s moves the joint %s, which this robot does not have", name, missing);
   }
-  if (!robot_.motion_files.Store(name, content, size)) {
-    return Fail(REFUSED, "%s cannot be written: the memory stick may be full, locked or without a folder %s", name,
-                MOTION_FOLDER);
-  }
-  return DONE;
+  return Post(FileJob::STORE, name, content, size);
 }
 
 MotionCommands::Outcome MotionCommands::Delete(const protocol::MotionName& name) {
   if (!settings_.allow_delete) {
     return Fail(REFUSED, "deleting is not allowed; ALLOW_DELETE=yes in RCSERVER.CFG on the memory stick allows it");
   }
-  switch (robot_.motion_files.Delete(name)) {
-    case MotionFiles::DONE:
-      return DONE;
-    case MotionFiles::MISSING:
-      return Fail(FILE_MISSING, "there is no %s on the memory stick, in %s", name, MOTION_FOLDER);
-    default:
-      return Fail(REFUSED, "%s cannot be deleted: the memory stick may be locked", name);
-  }
+  return Post(FileJob::DELETE, name, NULL, 0);
 }
 
-const protocol::version2::MotionList& MotionCommands::List() {
-  robot_.motion_files.List(&list_);
-  return list_;
+MotionCommands::Outcome MotionCommands::List() {
+  const protocol::MotionName all = "";
+  return Post(FileJob::LIST, all, NULL, 0);
+}
+
+MotionCommands::Outcome MotionCommands::Finish(const FileResult& result) {
+  ticket_ = 0;
+  if (operation_ == FileJob::READ && cancelled_why_ != NULL) {
+    return Fail(REFUSED, "%s %s", name_, cancelled_why_);
+  }
+  switch (result.outcome) {
+    case FileResult::MISSING:
+      return Fail(FILE_MISSING, "there is no %s on the memory stick, in %s", name_, MOTION_FOLDER);
+    case FileResult::TOO_LARGE:
+      return Fail(FILE_MISSING, "%s has more than %lu bytes", name_, static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
+    case FileResult::FAILED:
+      return FailOnMemoryStick();
+    case FileResult::DONE:
+      break;
+  }
+  return operation_ == FileJob::READ ? FinishPlay(result) : DONE;
+}
+
+MotionCommands::Outcome MotionCommands::Post(FileJob::Operation operation, const protocol::MotionName& name,
+                                             const unsigned char* content, size_t size) {
+  operation_ = operation;
+  strcpy(name_, name);
+  ticket_ = robot_.files.Post(operation, name, content, size);
+  return PENDING;
+}
+
+MotionCommands::Outcome MotionCommands::CheckPlay() {
+  if (!robot_.motors.AreOn()) {
+    return Fail(REFUSED, "the motors are off; switch them on first");
+  }
+  if (robot_.joints.Motions().FindRoom() == NULL) {
+    return Fail(REFUSED, "%d motions are being played, and no more can be; stop one first", MotionPlayer::MAX_PLAYING);
+  }
+  return DONE;
+}
+
+MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
+  if (CheckPlay() != DONE) {
+    return REFUSED;
+  }
+  MotionPlayer& player = robot_.joints.Motions();
+  memcpy(player.FindRoom(), result.content, result.size);
+  const char* const problem = player.Play(name_, result.size, repetitions_);
+  return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
+}
+
+MotionCommands::Outcome MotionCommands::FailOnMemoryStick() {
+  switch (operation_) {
+    case FileJob::READ:
+      return Fail(FILE_MISSING, "%s cannot be read", name_);
+    case FileJob::STORE:
+      return Fail(REFUSED, "%s cannot be written: the memory stick may be full, locked or without a folder %s", name_,
+                  MOTION_FOLDER);
+    default:
+      return Fail(REFUSED, "%s cannot be deleted: the memory stick may be locked", name_);
+  }
 }
 
 // Says why; the outcome.

@@ -2,11 +2,12 @@
 
 #include <string.h>
 
-const size_t Outbox::MAX_MESSAGE_SIZE;
+const size_t Outbox::MAX_REPLY_SIZE;
 const size_t Outbox::MAX_TELEMETRY_SIZE;
 const size_t Outbox::CAPACITY;
 
 void Outbox::Clear() {
+  reserved_ = 0;
   replies_size_ = 0;
   telemetry_size_ = 0;
 }
@@ -25,6 +26,7 @@ size_t Outbox::Take(unsigned char* out) {
   const size_t size = replies_size_ + telemetry_size_;
   memcpy(out, replies_, replies_size_);
   memcpy(out + replies_size_, telemetry_, telemetry_size_);
-  Clear();
+  replies_size_ = 0;
+  telemetry_size_ = 0;
   return size;
 }

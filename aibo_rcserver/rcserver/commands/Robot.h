@@ -6,9 +6,9 @@
 #include "rcserver/body/Lights.h"
 #include "rcserver/body/PowerOrder.h"
 #include "rcserver/body/Sensors.h"
+#include "rcserver/commands/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/joints/Motors.h"
-#include "rcserver/memory_stick/MotionFiles.h"
 
 /// Everything here outlives the session.
 struct Robot {
@@ -18,7 +18,7 @@ struct Robot {
   const Sensors& sensors;
   Lights& lights;
   PowerOrder& power_order;
-  const MotionFiles& motion_files;
+  FileJobs& files;
 };
 
 #endif  // RCSERVER_COMMANDS_ROBOT_H

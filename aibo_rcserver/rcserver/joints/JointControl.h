@@ -43,6 +43,9 @@ class JointControl {
   /// @return what the watch says
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
+  /// Something else is wrong with a joint: it is told as what the watch finds.
+  void Failed(int joint, JointWatch::Verdict fault) { faults_[joint] = fault; }
+
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
 

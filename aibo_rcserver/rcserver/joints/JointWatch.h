@@ -18,7 +18,12 @@ struct JointReading {
 /// small enough to spare a motor that pushes in vain.
 class JointWatch {
  public:
-  enum Verdict { FOLLOWS, JAMMED, UNCONTROLLABLE };
+  enum Verdict {
+    FOLLOWS,
+    JAMMED,
+    UNCONTROLLABLE,
+    LIMP  ///< its motor got no gain; Look() never says so
+  };
 
   static const int TOLERANCE = 174533;  ///< microradian: 10 degrees
   static const int MOVEMENT = 17453;    ///< microradian: 1 degree

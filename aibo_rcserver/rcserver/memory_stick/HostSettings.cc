@@ -3,6 +3,20 @@
 #include <stdio.h>
 #include <string.h>
 
+namespace {
+
+HostSettings host_settings;
+
+}  // namespace
+
+void setHostSettings(const HostSettings& settings) {
+  host_settings = settings;
+}
+
+const HostSettings& hostSettings() {
+  return host_settings;
+}
+
 bool pathOnMemoryStick(const HostSettings& host, const char* name, char (&path)[MAX_PATH_SIZE]) {
   if (strlen(host.memory_stick) + 1 + strlen(name) >= sizeof(path)) {
     return false;

@@ -7,13 +7,18 @@
 
 #include "protocol/version2.h"
 
-/// Made with what holds on the robot. See RCServer::SetHost().
+/// Made with what holds on the robot.
 struct HostSettings {
   HostSettings() : newest_version(protocol::version2::VERSION), memory_stick("/MS") {}
 
   int newest_version;        ///< of the protocol that is spoken if a client asks for it: 1 or 2
   const char* memory_stick;  ///< folder that holds what is on the memory stick; has to outlive the server
 };
+
+/// What each object finds when it is made. For a computer that stands in for the robot: on the robot each object has a
+/// memory of its own, and nobody sets this.
+void setHostSettings(const HostSettings& settings);
+const HostSettings& hostSettings();
 
 /// Longest path that pathOnMemoryStick() makes, in bytes with the closing 0. OPEN-R's own paths are far shorter.
 const size_t MAX_PATH_SIZE = 1024;

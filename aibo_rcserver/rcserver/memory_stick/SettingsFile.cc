@@ -2,7 +2,7 @@
 
 #include <OPENR/OSyslog.h>
 #include <dirent.h>
-#include <strings.h>
+#include <string.h>
 
 namespace {
 

@@ -23,7 +23,7 @@ void Version1Commands::Handle(const protocol::Request& request) {
 
 // False: to be refused.
 bool Version1Commands::Execute(const protocol::Request& request) {
-  const PictureOrder order = {protocol::limitJpegQuality(request.basic.identifier), 0, 0};
+  const PictureOrder order = {protocol::limitJpegQuality(request.basic.identifier), 0, 0, false};
   switch (request.basic.command) {
     case protocol::REQUEST_PICTURE:
       return camera_.RequestPicture(order);

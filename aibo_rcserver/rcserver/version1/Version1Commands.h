@@ -27,13 +27,17 @@ class Version1Commands {
   /// A new client.
   void Begin();
 
-  /// Adds at most one message to the outbox.
+  /// Adds at most one message to the outbox. A request that needs the memory stick is answered by FileDone().
   void Handle(const protocol::Request& request);
 
   /// Takes what has come of a file that a request has announced. To be called before each request is taken; adds at
   /// most one message to the outbox, in the place of the one that the request had.
   /// @return false if more of it is still to come
   bool TakeContent(protocol::RequestReader& reader) { return motions_.TakeContent(reader); }
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that MotionCommands awaits
+  void FileDone(const FileResult& result) { motions_.FileDone(result); }
 
  private:
   Version1Commands(const Version1Commands&);

@@ -77,6 +77,8 @@ void Version1Motions::Answer(MotionCommands::Outcome outcome) {
     case MotionCommands::DONE:
       replies_.Answer(request_, 0);
       break;
+    case MotionCommands::PENDING:
+      break;
     case MotionCommands::REFUSED:
       replies_.Refuse(protocol::ERROR_REFUSED);
       break;

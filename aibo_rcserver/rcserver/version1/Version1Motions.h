@@ -19,8 +19,12 @@ class Version1Motions {
   /// A new client: there is no upload.
   void Begin();
 
-  /// Answers the request, unless it begins an upload, which is answered when it is whole.
+  /// Answers the request, unless it needs the memory stick, or begins an upload: these are answered when that is done.
   void Execute(const protocol::Request& request);
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that MotionCommands awaits
+  void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
 
   /// Takes what has come of the upload, if there is one.
   /// @return false if more of it is still to come

@@ -19,7 +19,7 @@ class Version1Replies {
   void Refuse(protocol::ErrorCode code) { Value(protocol::REPLY_ERROR, 0, static_cast<short>(code)); }
 
   /// Values without a header.
-  /// @param size up to Outbox::MAX_MESSAGE_SIZE - protocol::VALUE_REPLY_SIZE bytes, so that an answer can follow
+  /// @param size up to Outbox::MAX_REPLY_SIZE - protocol::VALUE_REPLY_SIZE bytes, so that an answer can follow
   void Block(const unsigned char* values, size_t size) { outbox_.Add(values, size); }
 
  private:

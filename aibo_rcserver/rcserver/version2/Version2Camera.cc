@@ -9,7 +9,7 @@ unsigned char JpegQuality(unsigned char id) {
 }
 
 PictureOrder OrderOf(const FrameHeader& request, Layer layer, unsigned short request_number) {
-  const PictureOrder order = {JpegQuality(request.id), static_cast<unsigned char>(layer), request_number};
+  const PictureOrder order = {JpegQuality(request.id), static_cast<unsigned char>(layer), request_number, false};
   return order;
 }
 

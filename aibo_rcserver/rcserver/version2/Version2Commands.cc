@@ -36,10 +36,10 @@ void Version2Commands::Begin() {
   telemetry_.Begin();
 }
 
-void Version2Commands::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
+bool Version2Commands::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
   if (request.request_number == 0) {
     Refuse(request, CODE_REFUSED, "bad request: its number is 0, which marks what the server pushes; use 1 to 65535");
-    return;
+    return true;
   }
   switch (request.kind) {
     case REQUEST_HELLO:
@@ -64,17 +64,13 @@ void Version2Commands::Handle(const FrameHeader& request, const unsigned char* p
       telemetry_.SetPeriod(request, payload);
       break;
     case REQUEST_UPLOAD:
-      motions_.Upload(request, payload);
-      break;
+      return motions_.Upload(request, payload);
     case REQUEST_DELETE:
-      motions_.Delete(request, payload);
-      break;
+      return motions_.Delete(request, payload);
     case REQUEST_PLAY:
-      motions_.Play(request, payload);
-      break;
+      return motions_.Play(request, payload);
     case REQUEST_LIST:
-      motions_.List(request);
-      break;
+      return motions_.List(request);
     case REQUEST_LEDS:
       lights_.SetLeds(request, payload);
       break;
@@ -91,6 +87,7 @@ void Version2Commands::Handle(const FrameHeader& request, const unsigned char* p
       RefuseUnknownKind(request);
       break;
   }
+  return true;
 }
 
 void Version2Commands::Refuse(const FrameHeader& request, unsigned short code, const char* text) {

@@ -28,9 +28,15 @@ class Version2Commands {
   /// A new client.
   void Begin();
 
-  /// Adds one message to the outbox, unless the request is for a picture, which is the answer.
+  /// Adds one message to the outbox, unless the request is for a picture, which is the answer, or needs the memory
+  /// stick: then FileDone() adds it.
   /// @param now OPEN-R frame
-  void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+  /// @return false if nothing was done because the request has to wait for the memory stick
+  bool Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that MotionCommands awaits
+  void FileDone(const FileResult& result) { motions_.FileDone(result); }
 
   /// Answers a request by an error.
   /// @param text a reason in words

@@ -72,15 +72,24 @@ void Version2Joints::SwitchMotors(const Request& request, const unsigned char* p
   replies_.Reply(request, encodeMotorState(motors_.AreOn(), replies_.Payload()));
 }
 
+const char* Version2Joints::WordsFor(JointWatch::Verdict fault) {
+  switch (fault) {
+    case JointWatch::JAMMED:
+      return "is jammed: its motor pushes and it does not move. It is held where it is until it is commanded again";
+    case JointWatch::LIMP:
+      return "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason";
+    default:
+      return "does not follow what it is told. It is held where it is until it is commanded again";
+  }
+}
+
 // A fault that finds no room is pushed the next time.
 void Version2Joints::PushFaults() {
   for (int i = 0; i < joints_.NumberOfJoints() && replies_.HasRoom(); ++i) {
     const JointWatch::Verdict fault = joints_.TakeFault(i);
     if (fault != JointWatch::FOLLOWS) {
       char text[MAX_ERROR_TEXT_SIZE];
-      sprintf(text, "%s %s. It is held where it is until it is commanded again", joints_.Name(i),
-              fault == JointWatch::JAMMED ? "is jammed: its motor pushes and it does not move"
-                                          : "does not follow what it is told");
+      sprintf(text, "%s %s", joints_.Name(i), WordsFor(fault));
       replies_.PushError(CODE_JOINT_FAULT, text);
     }
   }

@@ -25,6 +25,7 @@ class Version2Joints {
   void PushFaults();
 
  private:
+  static const char* WordsFor(JointWatch::Verdict fault);
   void RefuseUnknownJoint(const Request& request, unsigned char identifier);
 
   JointControl& joints_;

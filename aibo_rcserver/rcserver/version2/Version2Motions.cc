@@ -5,44 +5,69 @@
 using namespace protocol::version2;
 using protocol::MotionName;
 
-void Version2Motions::Upload(const Request& request, const unsigned char* payload) {
+bool Version2Motions::Upload(const Request& request, const unsigned char* payload) {
   MotionUpload upload;
   if (const char* problem = decodeMotionUpload(payload, request.payload_size, &upload)) {
     replies_.RefuseBadRequest(request, problem);
-    return;
+    return true;
+  }
+  if (motions_.IsBusy()) {
+    return false;
   }
   Answer(request, motions_.Upload(upload.name, upload.content, upload.content_size));
+  return true;
 }
 
-void Version2Motions::Delete(const Request& request, const unsigned char* payload) {
+bool Version2Motions::Delete(const Request& request, const unsigned char* payload) {
   MotionName name;
   if (const char* problem = decodeMotionName(payload, request.payload_size, name)) {
     replies_.RefuseBadRequest(request, problem);
-    return;
+    return true;
+  }
+  if (motions_.IsBusy()) {
+    return false;
   }
   Answer(request, motions_.Delete(name));
+  return true;
 }
 
-void Version2Motions::Play(const Request& request, const unsigned char* payload) {
+bool Version2Motions::Play(const Request& request, const unsigned char* payload) {
   MotionOrder order;
   if (const char* problem = decodeMotionOrder(payload, request.payload_size, &order)) {
     replies_.RefuseBadRequest(request, problem);
-    return;
+    return true;
   }
   if (order.repetitions == 0) {
     motions_.Stop(order.name);
     Answer(request, MotionCommands::DONE);
-  } else {
-    Answer(request, motions_.Play(order.name, order.repetitions));
+    return true;
   }
+  if (motions_.IsBusy()) {
+    return false;
+  }
+  Answer(request, motions_.Play(order.name, order.repetitions));
+  return true;
 }
 
-void Version2Motions::List(const Request& request) {
+bool Version2Motions::List(const Request& request) {
   if (const char* problem = checkNoPayload(request.payload_size)) {
     replies_.RefuseBadRequest(request, problem);
-    return;
+    return true;
   }
-  replies_.Reply(request, encodeMotionList(motions_.List(), replies_.Payload()));
+  if (motions_.IsBusy()) {
+    return false;
+  }
+  Answer(request, motions_.List());
+  return true;
+}
+
+void Version2Motions::FileDone(const FileResult& result) {
+  const MotionCommands::Outcome outcome = motions_.Finish(result);
+  if (pending_.kind == REQUEST_LIST && outcome == MotionCommands::DONE) {
+    replies_.Reply(pending_, encodeMotionList(result.list, replies_.Payload()));
+  } else {
+    Answer(pending_, outcome);
+  }
 }
 
 // A failure that finds no room is pushed the next time.
@@ -57,10 +82,18 @@ void Version2Motions::PushFailures() {
 }
 
 void Version2Motions::Answer(const Request& request, MotionCommands::Outcome outcome) {
-  if (outcome == MotionCommands::DONE) {
-    replies_.Reply(request, 0);
-    return;
+  switch (outcome) {
+    case MotionCommands::DONE:
+      replies_.Reply(request, 0);
+      break;
+    case MotionCommands::PENDING:
+      pending_ = request;
+      break;
+    case MotionCommands::REFUSED:
+      replies_.Refuse(request, CODE_REFUSED, motions_.Problem());
+      break;
+    case MotionCommands::FILE_MISSING:
+      replies_.Refuse(request, CODE_FILE_MISSING, motions_.Problem());
+      break;
   }
-  const bool is_missing = outcome == MotionCommands::FILE_MISSING;
-  replies_.Refuse(request, is_missing ? CODE_FILE_MISSING : CODE_REFUSED, motions_.Problem());
 }

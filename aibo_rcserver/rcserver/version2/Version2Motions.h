@@ -7,20 +7,27 @@
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/version2/Version2Replies.h"
 
-/// Carries out `U`, `D`, `P` and `N`, and tells of motions that have failed. Pure logic: no OPEN-R. Each function
-/// answers its request; `payload` is as many bytes as the request's header says.
+/// Carries out `U`, `D`, `P` and `N`, and reports motions that have failed. Pure logic: no OPEN-R.
+///
+/// The first four functions answer their request now, or in FileDone() if it needs the memory stick. They return false
+/// and do nothing if it has to wait because the memory stick is busy: then they are to be called again. `payload` is as
+/// many bytes as the request's header says.
 class Version2Motions {
  public:
   typedef Version2Replies::Request Request;
 
   /// All must outlive this.
   Version2Motions(MotionCommands& motions, JointControl& joints, Version2Replies& replies)
-      : motions_(motions), joints_(joints), replies_(replies) {}
+      : motions_(motions), joints_(joints), replies_(replies), pending_() {}
 
-  void Upload(const Request& request, const unsigned char* payload);
-  void Delete(const Request& request, const unsigned char* payload);
-  void Play(const Request& request, const unsigned char* payload);
-  void List(const Request& request);
+  bool Upload(const Request& request, const unsigned char* payload);
+  bool Delete(const Request& request, const unsigned char* payload);
+  bool Play(const Request& request, const unsigned char* payload);
+  bool List(const Request& request);
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that MotionCommands awaits
+  void FileDone(const FileResult& result);
 
   /// Pushes an error for each motion that was stopped because one of its joints does not follow.
   void PushFailures();
@@ -31,6 +38,7 @@ class Version2Motions {
   MotionCommands& motions_;
   JointControl& joints_;
   Version2Replies& replies_;
+  Request pending_;  ///< that waits for the memory stick
 };
 
 #endif  // RCSERVER_VERSION2_VERSION2_MOTIONS_H

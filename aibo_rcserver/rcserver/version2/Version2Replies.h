@@ -17,7 +17,7 @@ class Version2Replies {
   /// Where to put the payload of the next message: room for MAX_PAYLOAD_SIZE bytes.
   unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
 
-  static const size_t MAX_PAYLOAD_SIZE = Outbox::MAX_MESSAGE_SIZE - protocol::version2::FRAME_HEADER_SIZE;
+  static const size_t MAX_PAYLOAD_SIZE = Outbox::MAX_REPLY_SIZE - protocol::version2::FRAME_HEADER_SIZE;
 
   /// Answers a request by the payload in Payload().
   void Reply(const Request& request, size_t payload_size);
@@ -50,7 +50,7 @@ class Version2Replies {
   void AddError(unsigned short request_number, unsigned short code, const char* text);
 
   Outbox& outbox_;
-  unsigned char message_[Outbox::MAX_MESSAGE_SIZE];  ///< in the making
+  unsigned char message_[Outbox::MAX_REPLY_SIZE];  ///< in the making
 };
 
 #endif  // RCSERVER_VERSION2_VERSION2_REPLIES_H

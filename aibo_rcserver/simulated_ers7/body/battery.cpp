@@ -27,8 +27,9 @@ OPowerStatus Battery::status() const {
   OPowerStatus status;
   const bool is_low = charge_ <= kLowCharge;
   status.robotStatus = orsbBATTERY_CONNECTED | (is_low ? orsbBATTERY_CAPACITY_LOW : 0);
-  status.batteryStatus = static_cast<word>(obsbDISCHARGING | (is_low ? obsbREMAINING_CAPACITY_ALARM : 0) |
-                                           (charge_ == 0 ? obsbFULLY_DISCHARGED : 0));
+  status.batteryStatus =
+      static_cast<word>(obsbINITIALIZED | obsbDISCHARGING | (is_low ? obsbREMAINING_CAPACITY_ALARM : 0) |
+                        (charge_ == 0 ? obsbFULLY_DISCHARGED : 0));
   status.remainingCapacity = rounded(100 * charge_);
   status.temperature = rounded(10 * (temperature_ + kZeroCelsius));
   status.fullyChargedCapacity = kCapacity;

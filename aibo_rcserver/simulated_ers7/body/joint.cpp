@@ -31,29 +31,22 @@ Joint::Joint(const robot_model::Joint& model, int position)
   readings_.fill(read(0));
 }
 
-OStatus Joint::enableGain() {
-  if (!powered_) {
-    return oFAIL;
+OStatus Joint::setGains(const robot_model::PidGains& gains) {
+  if (!gain_enabled_) {
+    return oGAIN_DISABLED;
   }
-  if (!gain_enabled_ && isFar()) {
-    return oALERT_JOINT_UNCONTROLLABLE;
-  }
-  gain_enabled_ = true;
+  gains_ = gains;
   return oSUCCESS;
 }
 
-OStatus Joint::status() const {
-  return isDriven() && (isFar() || frames_stalled_ >= kStallFrames) ? oALERT_JOINT_UNCONTROLLABLE : oSUCCESS;
-}
-
-bool Joint::isFar() const {
-  return std::abs(reference_ - position_) > kFarFrames * highest_step_;
+void Joint::disableGain() {
+  gain_enabled_ = false;
+  gains_ = {};
 }
 
 void Joint::passFrame(int error_of_reading) {
   drive();
   move();
-  watch();
   std::rotate(readings_.begin(), readings_.begin() + 1, readings_.end());
   readings_.back() = read(error_of_reading);
 }
@@ -81,11 +74,6 @@ void Joint::move() {
     position_ = stop;
     step_ = 0;
   }
-}
-
-void Joint::watch() {
-  const bool pushes_in_vain = std::abs(duty_) > kStallDuty && std::abs(step_) < kStandstill;
-  frames_stalled_ = pushes_in_vain ? frames_stalled_ + 1 : 0;
 }
 
 OJointValue Joint::read(int error_of_reading) const {

@@ -22,8 +22,9 @@ namespace simulated_ers7 {
 ///   steadily at a distance of 3 of its steps, 24 ms behind, and settles by half in each frame at the end. A lower
 ///   proportional gain makes it softer; the other gains and the shifts change nothing.
 /// - A joint carries no weight. It stops at once when its gain or the power goes off, and stays where it is.
-/// - A command does not move a joint whose gain is off; it counts when the gain goes on. A command far from where the
-///   joint is makes it run at its highest speed; it never jumps.
+/// - A command does not move a joint whose gain is off; it counts when the gain goes on. Then, as after any command far
+///   from where the joint is, it runs there at its highest speed, as a robot's joint snaps. A motor that pushes against
+///   something shows it by its duty alone: no document of Sony's says that a call fails.
 class Joint {
  public:
   /// How many readings are kept: as many as one OSensorFrameVectorData carries.
@@ -35,29 +36,24 @@ class Joint {
   /// What the motor's full duty is reported as, forward; as Tekkotsu reads OJointValue::pwmDuty.
   static constexpr int kFullDuty = 512;
 
-  /// The distance from its command from which on a joint counts as far from it, in frames at its highest speed: twice
-  /// what it falls behind when it moves at highest speed.
-  static constexpr int kFarFrames = 6;
-
-  /// A motor stalls when it has been driven with more than this share of its duty for so many frames (half a second)
-  /// while its joint stood.
-  static constexpr double kStallDuty = 0.25;
-  static constexpr int kStallFrames = 62;
-
   /// At rest, with gain and power off and all gains 0, commanded to where it is.
   /// @param model must outlive the joint
   Joint(const robot_model::Joint& model, int position);
 
   const robot_model::Joint& model() const { return model_; }
 
-  /// Counts at once, whether the gain is on or off.
-  void setGains(const robot_model::PidGains& gains) { gains_ = gains; }
+  /// @name Level2 Reference Guide, pages 70 and 71
+  /// @{
 
-  /// @return oSUCCESS; oFAIL without motor power; oALERT_JOINT_UNCONTROLLABLE, and the gain stays off, if the joint is
-  ///         far from where it was commanded last
-  OStatus enableGain();
+  /// @return oGAIN_DISABLED, and nothing is set, if the gain is not effective
+  OStatus setGains(const robot_model::PidGains& gains);
 
-  void disableGain() { gain_enabled_ = false; }
+  /// Makes the gain effective. It is 0 until setGains().
+  void enableGain() { gain_enabled_ = true; }
+
+  /// Makes the gain 0 and ineffective.
+  void disableGain();
+  /// @}
 
   /// Without power no gain has an effect; it has again when the power is back.
   void setPower(bool on) { powered_ = on; }
@@ -79,15 +75,10 @@ class Joint {
   /// where it was put. `signal` and `refSignal` count the encoder's steps from the lower mechanical limit.
   const std::array<OJointValue, kReadings>& readings() const { return readings_; }
 
-  /// oALERT_JOINT_UNCONTROLLABLE while the motor is to follow a command and is far from it or stalls, else oSUCCESS.
-  OStatus status() const;
-
  private:
   bool isDriven() const { return powered_ && gain_enabled_; }
-  bool isFar() const;
   void drive();
   void move();
-  void watch();
   OJointValue read(int error_of_reading) const;
 
   const robot_model::Joint& model_;
@@ -100,7 +91,6 @@ class Joint {
   double position_;
   double step_ = 0;  ///< of the last frame
   double duty_ = 0;  ///< -1..1
-  int frames_stalled_ = 0;
   std::array<OJointValue, kReadings> readings_;
 };
 

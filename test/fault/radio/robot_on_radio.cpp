@@ -4,7 +4,7 @@
 #include <future>
 #include <string_view>
 
-#include "RCServer_stub.h"
+#include "object_catalog.h"
 #include "protocol/version1.h"
 
 namespace fault_bench {
@@ -52,7 +52,7 @@ openr_host::MachineOptions RobotOnRadio::machineOptions(const NetworkHost& host)
   options.bind_address = host.address();
   options.ports = {};
   options.memory_stick = MEMORY_STICK;
-  options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+  options.catalog = objectCatalog();
   options.on_camera_image = [this] { cameraImageTaken(); };
   options.on_send = [this](const void* data, std::size_t size) { aboutToSend(data, size); };
   return options;

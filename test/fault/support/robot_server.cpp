@@ -5,7 +5,7 @@
 #include <map>
 #include <thread>
 
-#include "RCServer_stub.h"
+#include "object_catalog.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "protocol/version1.h"
@@ -44,7 +44,7 @@ class RobotServer::Implementation {
     constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
     options.ports = {{kRobotPort, 0}};
     options.memory_stick = MEMORY_STICK;
-    options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+    options.catalog = objectCatalog();
     options.on_camera_image = [this] { noteImage(); };
     openr_host::Machine machine(options, clock_, robot);
     try {

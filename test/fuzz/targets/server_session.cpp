@@ -3,12 +3,15 @@
 // The first byte says what RCSERVER.CFG allows. Then come events, a byte each (Event) and what belongs to them.
 #include "rcserver/Session.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 
+#include "file_keeper/MotionFiles.h"
 #include "fuzz_input.h"
 #include "robot_model/robot_model.h"
 
@@ -66,6 +69,39 @@ class MotorSwitch final : public Motors {
 
  private:
   bool on_ = true;
+};
+
+// Does a job on the memory stick when it is told to, and not before.
+class SlowFiles final : public FileJobs {
+ public:
+  explicit SlowFiles(const HostSettings& host) : files_(host) {}
+
+  bool IsFree() const override { return !has_job_; }
+  unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
+                std::size_t size) override {
+    require(IsFree(), "there is one job at a time");
+    require(size <= sizeof(job_.content), "a content has room");
+    has_job_ = true;
+    job_.ticket = ++last_ticket_;
+    job_.operation = operation;
+    std::copy(std::begin(name), std::end(name), job_.name);
+    job_.size = size;
+    std::copy(content, content + size, job_.content);
+    return last_ticket_;
+  }
+
+  const FileResult& doJob() {
+    files_.CarryOut(job_, &result_);
+    has_job_ = false;
+    return result_;
+  }
+
+ private:
+  MotionFiles files_;
+  FileJob job_{};
+  FileResult result_{};
+  bool has_job_ = false;
+  unsigned last_ticket_ = 0;
 };
 
 Settings settingsOf(unsigned bits) {
@@ -131,6 +167,9 @@ class Server {
       if (now_ % 4 == 0) {
         measure();
       }
+      if (now_ % 16 == 0) {
+        finishFileJob();
+      }
       answer();
     }
   }
@@ -170,12 +209,21 @@ class Server {
   // Sends all there is to say, as often as it takes.
   void answer() {
     const bool was_version2 = session_.ExpectsHeartbeat();
-    do {
+    session_.HandleRequests(now_);
+    take(was_version2);
+    while (!session_.IsOver() && !session_.WantsInput()) {
+      finishFileJob();  // a request may wait for it
       session_.HandleRequests(now_);
       take(was_version2);
-    } while (!session_.IsOver() && !session_.WantsInput());
+    }
     if (session_.IsOver()) {
       clientGoes();
+    }
+  }
+
+  void finishFileJob() {
+    if (!files_.IsFree()) {
+      session_.FileDone(files_.doJob());
     }
   }
 
@@ -183,7 +231,8 @@ class Server {
     output_.resize(Outbox::CAPACITY);
     output_.resize(session_.TakeOutput(output_.data()));
     // An empty outbox has room for an answer, and an answer is made of a request: this cannot go on without end.
-    require(!output_.empty() || session_.IsOver() || session_.WantsInput(), "a request is handled, or more is wanted");
+    require(!output_.empty() || !files_.IsFree() || session_.IsOver() || session_.WantsInput(),
+            "a request is handled, or more is wanted");
     if (is_version2) {
       checkFrames();
     }
@@ -213,7 +262,7 @@ class Server {
   Sensors sensors_{kRobot};
   Lights lights_{kRobot};
   PowerOrder power_order_ = POWER_STAYS_ON;
-  MotionFiles files_{host_};
+  SlowFiles files_{host_};
   Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, power_order_, files_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;

@@ -43,6 +43,6 @@ TEST_P(ShippedMotionsTest, endsWhereItBegan) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsTest, ::testing::Values("NOD", "WAG", "SIT"));
+INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsTest, ::testing::Values("LIE", "NOD", "WAG", "SIT"));
 
 }  // namespace

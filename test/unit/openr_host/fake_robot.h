@@ -34,6 +34,8 @@ class FakeRobot : public VirtualRobot {
   std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
   OStatus joint_status = oSUCCESS;                                  ///< what all calls for joints and sensors return
 
+  OPowerStatus power_status;
+
   RCRegion* image() const { return image_; }
   RCRegion* sensors() const { return sensors_; }
 
@@ -67,7 +69,7 @@ class FakeRobot : public VirtualRobot {
   void switchOff() override { record("switchOff", {}); }
 
   OStatus getPowerStatus(OPowerStatus* status) override {
-    status->remainingCapacity = 87;
+    *status = power_status;
     return record("getPowerStatus", {});
   }
 

@@ -49,28 +49,74 @@ class ReadyNotifyTest : public testing::Test {
   std::vector<std::string> other_received_;
 };
 
-TEST_F(ReadyNotifyTest, DataForAnObserverThatIsNotReadyNeverReachesIt) {
+// Level2 Reference Guide, page 18: NotifyObservers() keeps data for an observer that is in neither state.
+TEST_F(ReadyNotifyTest, DataForAnObserverThatHasNotSpokenIsKeptUntilItIsReady) {
   boot();
-  notify("lost");
+  notify("kept");
   test_.run();
-  assertReady(receiver_);
   EXPECT_THAT(received_, IsEmpty());
-  notify("seen");
-  test_.run();
-  EXPECT_THAT(received_, ElementsAre("seen"));
+  assertReady(receiver_);
+  EXPECT_THAT(received_, ElementsAre("kept"));
 }
 
-TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThrough) {
+// Page 27: "max" is 1 unless set, and then only the last notification is held.
+TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThroughAndTheNewestOfTheOthersIsKept) {
   boot();
   assertReady(receiver_);
   notify("first");
   notify("second");
+  notify("third");
   test_.run();
   EXPECT_THAT(received_, ElementsAre("first"));
   assertReady(receiver_);
-  notify("third");
-  test_.run();
   EXPECT_THAT(received_, ElementsAre("first", "third"));
+  test_.as(sender_, [&] { EXPECT_EQ(sender_.subject().ReadyStatus(receiver_.observerId()), 0); });
+}
+
+TEST_F(ReadyNotifyTest, AnObserverThatAsksForALargerBufferGetsAllThatItHolds) {
+  test_.system.initialize();
+  test_.as(receiver_, [&] { receiver_.observer().SetBufCtrlParam(0, 1, 2); });
+  test_.system.connect("Sender.Out.Data.S", "Receiver.In.Data.O");
+  test_.system.start();
+  notify("lost");
+  notify("second");
+  test_.as(sender_, [&] { EXPECT_EQ(sender_.subject().RemainBuffer(receiver_.observerId()), 0U); });
+  notify("third");
+  assertReady(receiver_);
+  EXPECT_THAT(received_, ElementsAre("second", "third"));
+}
+
+// Page 27: "skip" leaves notifications out, "min" collects them.
+TEST_F(ReadyNotifyTest, AnObserverMayLeaveSomeNotificationsOutAndHaveOthersCollected) {
+  test_.system.initialize();
+  test_.as(receiver_, [&] { receiver_.observer().SetBufCtrlParam(1, 2, 2); });
+  test_.system.connect("Sender.Out.Data.S", "Receiver.In.Data.O");
+  test_.system.start();
+  assertReady(receiver_);
+  for (const char* text : {"0", "1", "2"}) {
+    notify(text);
+    test_.run();
+    EXPECT_THAT(received_, IsEmpty());
+  }
+  notify("3");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("1", "3"));
+}
+
+TEST_F(ReadyNotifyTest, ASubjectMayKeepMoreForItsObservers) {
+  test_.system.initialize();
+  test_.as(sender_, [&] {
+    EXPECT_EQ(sender_.subject().GetBufferSize(), 1U);
+    EXPECT_EQ(sender_.subject().SetBufferSize(0), oINVALID_ARG);
+    EXPECT_EQ(sender_.subject().SetBufferSize(3), oSUCCESS);
+  });
+  test_.system.connect("Sender.Out.Data.S", "Receiver.In.Data.O");
+  test_.system.start();
+  for (const char* text : {"1", "2", "3", "4"}) {
+    notify(text);
+  }
+  assertReady(receiver_);
+  EXPECT_THAT(received_, ElementsAre("2", "3", "4"));
 }
 
 TEST_F(ReadyNotifyTest, OnlyTheObserversThatAreReadyAreNotified) {
@@ -85,8 +131,28 @@ TEST_F(ReadyNotifyTest, OnlyTheObserversThatAreReadyAreNotified) {
   });
   notify("for the other");
   test_.run();
-  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(received_, IsEmpty()) << "it is kept";
   EXPECT_THAT(other_received_, ElementsAre("for the other"));
+}
+
+// Level2 Reference Guide, pages 18 and 22.
+TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedAndSoIsWhatWasKept) {
+  boot();
+  notify("kept");
+  test_.as(receiver_, [&] { receiver_.observer().DeassertReady(); });
+  test_.run();
+  notify("deleted");
+  test_.run();
+  test_.as(sender_, [&] {
+    EXPECT_LT(sender_.subject().ReadyStatus(receiver_.observerId()), 0);
+    EXPECT_FALSE(sender_.subject().IsAllReady()) << "nobody is ready";
+  });
+  assertReady(other_receiver_);
+  EXPECT_THAT(other_received_, ElementsAre("deleted")) << "it was kept for this one";
+  assertReady(other_receiver_);
+  test_.as(sender_, [&] { EXPECT_TRUE(sender_.subject().IsAllReady()) << "one is ready, the other wants nothing"; });
+  assertReady(receiver_);
+  EXPECT_THAT(received_, IsEmpty());
 }
 
 TEST_F(ReadyNotifyTest, DeassertReadyTakesTheReadinessBack) {
@@ -227,6 +293,8 @@ TEST_F(ReadyNotifyTest, ASubjectThatIsNotEnabledSendsNothing) {
 TEST_F(ReadyNotifyTest, ARegionReturnsToItsMakerWhenEveryObserverIsDoneWithIt) {
   boot();
   assertReady(receiver_);
+  test_.as(other_receiver_, [&] { other_receiver_.observer().DeassertReady(); });
+  test_.run();
   auto* region = new RCRegion(4);
   RCRegion* kept = nullptr;
   receiver_.on_notify = [&](const ONotifyEvent& event) {
@@ -247,8 +315,12 @@ TEST_F(ReadyNotifyTest, ARegionReturnsToItsMakerWhenEveryObserverIsDoneWithIt) {
   region->RemoveReference();
 }
 
-TEST_F(ReadyNotifyTest, ARegionThatNobodyWasReadyForReturnsAtOnce) {
+TEST_F(ReadyNotifyTest, ARegionThatNobodyWantsReturnsAtOnce) {
   boot();
+  for (TestObject* observer : {&receiver_, &other_receiver_}) {
+    test_.as(*observer, [&] { observer->observer().DeassertReady(); });
+  }
+  test_.run();
   auto* region = new RCRegion(4);
   test_.as(sender_, [&] {
     sender_.subject().SetData(region);

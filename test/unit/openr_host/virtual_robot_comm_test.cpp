@@ -27,6 +27,7 @@ class VirtualRobotCommTest : public testing::Test {
     mover_.on_ready = [this](const OReadyEvent& event) { readies_ += event.IsAssert() ? 1 : 0; };
     test_.system.initialize();
     test_.system.connect("Mover.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
+    test_.system.connect("Other.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
     test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Mover.In.Data.O");
     test_.system.start();
     test_.run();
@@ -60,15 +61,17 @@ class VirtualRobotCommTest : public testing::Test {
     return made;
   }
 
-  void send(const std::vector<RegionReference>& regions) {
-    test_.as(mover_, [&] {
+  void sendAs(TestObject& sender, const std::vector<RegionReference>& regions) {
+    test_.as(sender, [&] {
       for (const auto& region : regions) {
-        mover_.subject().SetData(region.get());
+        sender.subject().SetData(region.get());
       }
-      mover_.subject().NotifyObservers();
+      sender.subject().NotifyObservers();
     });
     test_.run();
   }
+
+  void send(const std::vector<RegionReference>& regions) { sendAs(mover_, regions); }
 
   /// The clock shows this frame next, and those in between have been missed.
   void jumpTo(longword frame) {
@@ -88,6 +91,7 @@ class VirtualRobotCommTest : public testing::Test {
   VirtualRobotComm& comm_ =
       static_cast<VirtualRobotComm&>(test_.system.create(VirtualRobotComm::describe(robot_, nullptr)));
   TestObject& mover_ = test_.add("Mover");
+  TestObject& other_ = test_.add("Other");
   longword frame_ = 99;  ///< the last one that has passed
   int readies_ = 0;
 };
@@ -114,21 +118,25 @@ TEST_F(VirtualRobotCommTest, AVectorLastsAsLongAsItsLongestEntryAndTheOthersComm
   EXPECT_THAT(robot_.commanded[115], ElementsAre(Pair(2, 7)));
 }
 
-TEST_F(VirtualRobotCommTest, TwoVectorsAreTakenAtOnceAndThenOneForEachThatHasBeenPlayed) {
+// Level2 Reference Guide, page 44: READY follows when the output of a vector is complete. All of Sony's motion samples
+// send two vectors in their first notification, and one for each READY.
+TEST_F(VirtualRobotCommTest, ReadyFollowsTheOutputOfEachVectorSoThatTwoAtFirstLeaveNoGap) {
   EXPECT_EQ(readies_, 1);
-  send({makeVector({{1, {1, 2}}})});
-  EXPECT_EQ(readies_, 2);
-  send({makeVector({{1, {3, 4}}})});
-  EXPECT_EQ(readies_, 2);
+  send({makeVector({{1, {1, 2}}}), makeVector({{1, {3, 4}}})});
+  EXPECT_EQ(readies_, 1);
   EXPECT_FALSE(mover_.subject().IsReady());
 
   pass(1);
-  EXPECT_EQ(readies_, 2);
+  EXPECT_EQ(readies_, 1);
   pass(1);
-  EXPECT_EQ(readies_, 3);
+  EXPECT_EQ(readies_, 2);
+  EXPECT_TRUE(mover_.subject().IsReady());
   send({makeVector({{1, {5}}})});
+  EXPECT_EQ(readies_, 2);
+  pass(2);
   EXPECT_EQ(readies_, 3);
-  pass(3);
+  pass(1);
+  EXPECT_EQ(readies_, 4);
   std::vector<slongword> played;
   for (const auto& [frame, commands] : robot_.commanded) {
     EXPECT_EQ(frame, 100 + played.size()) << "a gap";
@@ -137,10 +145,35 @@ TEST_F(VirtualRobotCommTest, TwoVectorsAreTakenAtOnceAndThenOneForEachThatHasBee
   EXPECT_THAT(played, ElementsAre(1, 2, 3, 4, 5));
 }
 
-TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainAfterItsLastFrameAndBeforeTheNextVectorIsAskedFor) {
+TEST_F(VirtualRobotCommTest, OneVectorForEachReadyLeavesAGapAsLongAsTheObjectTakesToAnswer) {
+  send({makeVector({{1, {1, 2}}})});
+  pass(3);
+  EXPECT_EQ(readies_, 2);
+  send({makeVector({{1, {3}}})});
+  pass(1);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 1))), Pair(101, ElementsAre(Pair(1, 2))),
+                                            Pair(103, ElementsAre(Pair(1, 3)))));
+}
+
+// BlinkingLED7, a sample of the SDK, runs four objects side by side, each with LEDs or ears of its own.
+TEST_F(VirtualRobotCommTest, ObjectsCommandTheirOwnPrimitivesSideBySideAndEachIsToldItsOwnReady) {
+  int other_readies = 0;
+  other_.on_ready = [&](const OReadyEvent&) { ++other_readies; };
+  send({makeVector({{1, {10, 20}}}), makeVector({{1, {30, 40}}})});
+  sendAs(other_, {makeVector({{2, {7}}}), makeVector({{2, {8, 9}}})});
+  pass(4);
+  EXPECT_THAT(
+      robot_.commanded,
+      ElementsAre(Pair(100, ElementsAre(Pair(1, 10), Pair(2, 7))), Pair(101, ElementsAre(Pair(1, 20), Pair(2, 8))),
+                  Pair(102, ElementsAre(Pair(1, 30), Pair(2, 9))), Pair(103, ElementsAre(Pair(1, 40)))));
+  EXPECT_EQ(readies_, 3);
+  EXPECT_EQ(other_readies, 2);
+  EXPECT_THAT(test_.output.str(), IsEmpty());
+}
+
+TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainWhenItsReadyComes) {
   const std::vector<RegionReference> vectors = {makeVector({{1, {1, 2}}}), makeVector({{1, {3, 4}}})};
-  send({vectors[0]});
-  send({vectors[1]});
+  send(vectors);
   std::vector<int> references_when_ready;
   mover_.on_ready = [&](const OReadyEvent&) { references_when_ready.push_back(vectors[0]->NumberOfReference()); };
   pass(1);
@@ -152,11 +185,15 @@ TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainAfterItsLastFrameAndBeforeTheNext
   EXPECT_EQ(vectors[1]->NumberOfReference(), 1);
 }
 
-TEST_F(VirtualRobotCommTest, OneVectorTooManyInANotificationIsRefusedAndTheOthersArePlayed) {
-  send({makeVector({{1, {1}}}), makeVector({{1, {2}}}), makeVector({{1, {3}}})});
-  EXPECT_THAT(test_.output.str(), HasSubstr("2 are waiting already"));
-  pass(4);
-  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 1))), Pair(101, ElementsAre(Pair(1, 2)))));
+TEST_F(VirtualRobotCommTest, AVectorThatIsWrittenToWhileItIsOutputChangesWhatTheJointsDo) {
+  const RegionReference vector = makeVector({{1, {10, 20, 30}}});
+  send({vector});
+  pass(1);
+  const OJointCommandValue2 value{999, 0};
+  std::memcpy(&vectorIn(vector).GetData(0)->value[2], &value, sizeof(value));
+  pass(2);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10))), Pair(101, ElementsAre(Pair(1, 20))),
+                                            Pair(102, ElementsAre(Pair(1, 999)))));
 }
 
 TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNextOneIsPlayed) {
@@ -181,6 +218,11 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNext
       {"dataOffset 0 leads out of the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
       {"dataOffset 511 leads out of the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = vector.vectorInfo.totalSize - 1; }},
+      {"dataOffset 392 leads out of the data of its region of 512 bytes",  // by one value, if that has 16 frames
+       [](OCommandVectorData& vector) {
+         vector.GetInfo(1)->numFrames = 16;
+         vector.GetInfo(1)->dataOffset += 8;
+       }},
       {"dataOffset 4294967295 leads out of the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0xffffffffU; }},
   };
@@ -248,9 +290,24 @@ TEST_F(VirtualRobotCommTest, WhatTheSensorsReadComesEveryFourFramesToAnObserverT
   EXPECT_EQ(robot_.sensors()->NumberOfReference(), 1);
 }
 
-TEST_F(VirtualRobotCommTest, SensorsAreNotReadWhileNobodyIsReady) {
+TEST_F(VirtualRobotCommTest, SensorsAreNotReadWhileNobodyWantsThem) {
+  test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
+  test_.run();
   pass(8);
   EXPECT_THAT(robot_.calls, Not(testing::Contains(HasSubstr("captureSensors"))));
+}
+
+// Level2 Reference Guide, pages 18 and 27: the newest is kept for an observer that is busy.
+TEST_F(VirtualRobotCommTest, AnObserverThatIsBusyGetsTheNewestReadingWhenItIsReady) {
+  std::vector<longword> received;
+  mover_.on_notify = [&](const ONotifyEvent& event) {
+    auto* data = const_cast<void*>(event.Data(0));
+    received.push_back(static_cast<OSensorFrameVectorData*>(data)->GetInfo(0)->frameNumber);
+  };
+  pass(9);
+  test_.as(mover_, [&] { mover_.observer().AssertReady(); });
+  test_.run();
+  EXPECT_THAT(received, ElementsAre(104));
 }
 
 TEST_F(VirtualRobotCommTest, AFramePassesBeforeItsSensorsAreReadAndItsCameraLooks) {
@@ -264,8 +321,7 @@ TEST_F(VirtualRobotCommTest, AFramePassesBeforeItsSensorsAreReadAndItsCameraLook
 TEST_F(VirtualRobotCommTest, FramesInWhichTheHostHeldTheProcessUpArePassedInTurn) {
   test_.as(mover_, [&] { mover_.observer().AssertReady(); });
   test_.run();
-  send({makeVector({{1, {1, 2, 3}}})});
-  send({makeVector({{1, {4, 5, 6}}})});
+  send({makeVector({{1, {1, 2, 3}}}), makeVector({{1, {4, 5, 6}}})});
   pass(1);
   robot_.calls.clear();
   jumpTo(110);
@@ -280,6 +336,8 @@ TEST_F(VirtualRobotCommTest, FramesInWhichTheHostHeldTheProcessUpArePassedInTurn
 }
 
 TEST_F(VirtualRobotCommTest, AfterAHoldUpOfMoreThanASecondItsLastSecondIsPassedAndTheWaitingCommandsArePlayed) {
+  test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
+  test_.run();
   pass(1);
   send({makeVector({{1, {1, 2}}})});
   robot_.calls.clear();
@@ -331,6 +389,7 @@ TEST_F(VirtualRobotCommTest, CallsForJointsAndSensorsAreTheRobots) {
     OJointValue joint{};
     OSensorValue sensor{};
     OPowerStatus power;
+    robot_.power_status.remainingCapacity = 87;
     for (const OStatus status : {oSUCCESS, oGAIN_DISABLED, oALERT_JOINT_UNCONTROLLABLE, oINVALID_PRIMITIVE_ID}) {
       robot_.calls.clear();
       robot_.joint_status = status;

@@ -12,6 +12,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/body/Lights.h"
+#include "rcserver/memory_stick/Settings.h"
 #include "temporary_memory_stick.h"
 #include "version2_fixture.h"
 

@@ -18,9 +18,9 @@
 /// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each has one brightness all
 /// over, which is another one than that of the ten images before and after.
 ///
-/// Has the joints of an ERS-7, beginning in a posture that is allowed. A joint whose gain is on is in each frame where
-/// it was commanded last, unless it is jammed; what it reports is exact. Sensors report what the test says; LEDs and
-/// ears keep what they were commanded.
+/// Has the joints of an ERS-7, beginning in a posture that is allowed. A joint that has its gains is in each frame
+/// where it was commanded last, unless it is jammed; what it reports is exact. Sensors report what the test says; LEDs
+/// and ears keep what they were commanded.
 class FakeRobot : public openr_host::VirtualRobot {
  public:
   static constexpr longword kFramesPerImage = 4;
@@ -31,7 +31,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool open = false;
     bool gain = false;
     bool jammed = false;
-    bool refuses_gain = false;
+    bool refuses_gain = false;   ///< EnableJointGain fails
+    bool refuses_gains = false;  ///< SetJointGain fails
     bool reports_no_duty = false;
     robot_model::PidGains gains = {};
     int position = 0;
@@ -113,6 +114,12 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override {
+    if (!at(id).gain) {
+      return oGAIN_DISABLED;
+    }
+    if (at(id).refuses_gains) {
+      return oFAIL;
+    }
     at(id).gains = {pg, ig, dg, ps, is, ds};
     return oSUCCESS;
   }
@@ -126,6 +133,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
   OStatus disableJointGain(OPrimitiveID id) override {
     at(id).gain = false;
+    at(id).gains = {};
     return oSUCCESS;
   }
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
@@ -158,7 +166,7 @@ class FakeRobot : public openr_host::VirtualRobot {
       carryOut(command);
     }
     for (FakeJoint& joint : joints) {
-      if (powered && joint.gain && !joint.jammed) {
+      if (powered && joint.gain && joint.gains.proportional != 0 && !joint.jammed) {
         joint.position = joint.reference;
       }
       joint.path.push_back(joint.position);

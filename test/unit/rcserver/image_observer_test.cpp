@@ -22,7 +22,7 @@ std::ostream& operator<<(std::ostream& out, const Arrival& arrival) {
 const Arrival kNothing{false, 0};
 
 PictureOrder ofQuality(int quality) {
-  return {static_cast<unsigned char>(quality), 0, 0};
+  return {static_cast<unsigned char>(quality), 0, 0, false};
 }
 
 Arrival picture(int quality) {
@@ -256,7 +256,7 @@ TEST_F(ImageObserverTest, StoppingWhereThereIsNoStreamChangesNothing) {
 }
 
 TEST_F(ImageObserverTest, PictureIsOfTheLayerAndForTheRequestThatAskedForIt) {
-  observer_.RequestPicture({60, 2, 4711});
+  observer_.RequestPicture({60, 2, 4711, false});
   PictureOrder order = {};
   ASSERT_TRUE(observer_.ImageArrived(1, &order));
   EXPECT_EQ(order.layer, 2);

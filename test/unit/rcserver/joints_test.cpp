@@ -96,6 +96,7 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   machine_.reset();
   for (FakeRobot::FakeJoint& joint : robot_.joints) {
     joint.gain = false;
+    joint.gains = {};
     joint.reference = 12345;  // what some program commanded last
     joint.path.clear();
   }
@@ -121,11 +122,14 @@ TEST_F(JointsTest, RobotWithAJointMissingShowsPicturesAndRefusesToMove) {
   EXPECT_EQ(reply->letter, 'f');
 }
 
-TEST_F(JointsTest, JointWhoseGainDoesNotGoOnIsNamedOnTheConsole) {
+TEST_F(JointsTest, JointsThatGetNoGainAreNamedOnTheConsoleAndTheOthersHold) {
   machine_.reset();
   robot_.joint("mouth").refuses_gain = true;
+  robot_.joint("tail_pan").refuses_gains = true;
   start();
-  EXPECT_THAT(console_.str(), HasSubstr("mouth does not hold"));
+  EXPECT_THAT(console_.str(), HasSubstr("mouth is limp: its gain does not go on (status 8192)"));
+  EXPECT_THAT(console_.str(), HasSubstr("tail_pan is limp: it does not take its gain (status 2)"));
+  EXPECT_NE(robot_.joint("head_pan").gains.proportional, 0);
 }
 
 TEST_F(JointsTest, PrimitivesAreClosedWhenTheRobotShutsDown) {

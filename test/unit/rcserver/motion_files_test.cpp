@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/MotionFiles.h"
+#include "file_keeper/MotionFiles.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -35,10 +35,10 @@ class MotionFilesTest : public ::testing::Test {
     return files_.Store(Name(name).name, reinterpret_cast<const unsigned char*>(content.data()), content.size());
   }
 
-  MotionFiles::Result read(const std::string& name, std::string* content, size_t capacity = 1000) {
+  FileResult::Outcome read(const std::string& name, std::string* content, size_t capacity = 1000) {
     content->resize(capacity);
     size_t size = 0;
-    const MotionFiles::Result result =
+    const FileResult::Outcome result =
         files_.Read(Name(name).name, reinterpret_cast<unsigned char*>(content->data()), capacity, &size);
     content->resize(size);
     return result;
@@ -67,9 +67,9 @@ class MotionFilesTest : public ::testing::Test {
 TEST_F(MotionFilesTest, storesReadsAndDeletes) {
   EXPECT_TRUE(store("HOP.MTN", "content"));
   std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::DONE);
+  EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_EQ(content, "content");
-  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), MotionFiles::DONE);
+  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::DONE);
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
@@ -77,7 +77,7 @@ TEST_F(MotionFilesTest, anUploadTakesThePlaceOfTheFileThatWasThere) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
   EXPECT_TRUE(store("HOP.MTN", "new one"));
   std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::DONE);
+  EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_EQ(content, "new one");
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
 }
@@ -85,11 +85,11 @@ TEST_F(MotionFilesTest, anUploadTakesThePlaceOfTheFileThatWasThere) {
 TEST_F(MotionFilesTest, knowsAFileHoweverItIsSpelled) {
   stick_.write(std::string(MOTION_FOLDER) + "/Hop.mtn", "content");
   std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::DONE);
+  EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_THAT(listed(), ElementsAre("HOP.MTN"));
   EXPECT_TRUE(store("hop.MTN", "new"));
   EXPECT_THAT(inFolder(), ElementsAre("Hop.mtn"));
-  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), MotionFiles::DONE);
+  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::DONE);
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
@@ -102,10 +102,10 @@ TEST_F(MotionFilesTest, listsMotionsOnlyInTheOrderOfTheirNames) {
 
 TEST_F(MotionFilesTest, saysWhatIsNotThere) {
   std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::MISSING);
-  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), MotionFiles::MISSING);
+  EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
+  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::MISSING);
   std::filesystem::remove_all(folder_);
-  EXPECT_EQ(read("HOP.MTN", &content), MotionFiles::MISSING);
+  EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
   EXPECT_THAT(listed(), IsEmpty());
   EXPECT_FALSE(store("HOP.MTN", "content"));
 }
@@ -113,10 +113,10 @@ TEST_F(MotionFilesTest, saysWhatIsNotThere) {
 TEST_F(MotionFilesTest, saysWhatIsTooLargeOrNoFile) {
   std::string content;
   EXPECT_TRUE(store("HOP.MTN", "123456"));
-  EXPECT_EQ(read("HOP.MTN", &content, 6), MotionFiles::DONE);
-  EXPECT_EQ(read("HOP.MTN", &content, 5), MotionFiles::TOO_LARGE);
+  EXPECT_EQ(read("HOP.MTN", &content, 6), FileResult::DONE);
+  EXPECT_EQ(read("HOP.MTN", &content, 5), FileResult::TOO_LARGE);
   std::filesystem::create_directory(folder_ / "DIR.MTN");
-  EXPECT_EQ(read("DIR.MTN", &content), MotionFiles::FAILED);
+  EXPECT_EQ(read("DIR.MTN", &content), FileResult::FAILED);
 }
 
 // A limit on the size of files stands in for a memory stick that is full: writing fails halfway.

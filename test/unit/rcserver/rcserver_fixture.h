@@ -11,12 +11,11 @@
 #include <sstream>
 #include <string>
 
-#include "RCServer_stub.h"
+#include "object_catalog.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "openr_host/virtual_robot.h"
 #include "protocol/version1.h"
-#include "rcserver/RCServer.h"
 #include "rcserver/memory_stick/HostSettings.h"
 #include "test_client.h"
 
@@ -39,9 +38,9 @@ class RCServerFixture : public ::testing::Test {
     openr_host::MachineOptions options;
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
-    options.catalog = {{"RCSERVER.BIN", describeRCServer()}};
+    options.catalog = objectCatalog();
     options.console = &console_;
-    RCServer::SetHost(host_);
+    setHostSettings(host_);
     machine_ = std::make_unique<openr_host::Machine>(options, clock_, robot);
     machine_->boot();
     machine_->runPending();

@@ -1,5 +1,4 @@
-#include "rcserver/RCServer.h"
-
+// Clients, pictures and requests of version 1.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "fake_robot.h"
 #include "picture_checks.h"
 #include "protocol/version1.h"
+#include "rcserver/camera/ImageObserver.h"
 #include "rcserver_fixture.h"
 
 namespace {

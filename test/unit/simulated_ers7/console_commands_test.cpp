@@ -34,6 +34,19 @@ TEST_F(ConsoleCommandsTest, AButtonIsPressedUntilItIsReleased) {
   EXPECT_EQ(chin(), 0);
 }
 
+TEST_F(ConsoleCommandsTest, ThePauseButtonShowsInThePowerStatusUntilItIsReleased) {
+  const auto is_paused = [&] {
+    OPowerStatus status;
+    robot_.getPowerStatus(&status);
+    return (status.robotStatus & orsbPAUSE) != 0;
+  };
+  EXPECT_FALSE(is_paused());
+  EXPECT_EQ(say("press pause"), "ok: press pause\n");
+  EXPECT_TRUE(is_paused());
+  EXPECT_EQ(say("release pause"), "ok: release pause\n");
+  EXPECT_FALSE(is_paused());
+}
+
 TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
   EXPECT_EQ(say("battery 12"), "ok: battery 12\n");
   OPowerStatus status;
@@ -51,8 +64,8 @@ TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFree) {
   OPrimitiveID pan = oprimitiveID_UNDEF;
   robot_.openPrimitive(locator, &pan);
   robot_.setMotorPower(opowerON);
-  robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F);
   robot_.enableJointGain(pan);
+  robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F);
   openr_host::EffectorCommand command = {pan, odataJOINT_COMMAND2, {{100000, 0}}};
   EXPECT_EQ(say("jam head_pan"), "ok: jam head_pan\n");
   for (int i = 0; i < 60; ++i) {

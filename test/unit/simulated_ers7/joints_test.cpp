@@ -56,8 +56,8 @@ TEST(Joints, TheHeadIsWhereItsThreeJointsAre) {
   joints.setPower(true);
   for (const char* name : {"neck_tilt", "head_pan", "head_tilt"}) {
     Joint& joint = joints.named(name);
-    joint.setGains(joint.model().gains);
-    ASSERT_EQ(joint.enableGain(), oSUCCESS);
+    joint.enableGain();
+    ASSERT_EQ(joint.setGains(joint.model().gains), oSUCCESS);
   }
   joints.named("neck_tilt").command(-700000);
   joints.named("head_pan").command(300000);

@@ -111,8 +111,8 @@ class SimulatedErs7Test : public testing::Test {
   OPrimitiveID driveJoint(const char* name) {
     const OPrimitiveID id = openJoint(name);
     EXPECT_EQ(robot_.setMotorPower(opowerON), oSUCCESS);
-    EXPECT_EQ(robot_.setJointGain(id, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
     EXPECT_EQ(robot_.enableJointGain(id), oSUCCESS);
+    EXPECT_EQ(robot_.setJointGain(id, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
     return id;
   }
 
@@ -230,10 +230,10 @@ TEST_F(SimulatedErs7Test, WhatIsNotOpenOrNoJointIsRefused) {
 TEST_F(SimulatedErs7Test, TheUndefinedPrimitiveMeansAllOpenJoints) {
   const OPrimitiveID pan = openJoint("head_pan");
   const OPrimitiveID tail = openJoint("tail_pan");
-  EXPECT_EQ(robot_.enableJointGain(oprimitiveID_UNDEF), oFAIL) << "no power";
   ASSERT_EQ(robot_.setMotorPower(opowerON), oSUCCESS);
-  ASSERT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
+  EXPECT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
   ASSERT_EQ(robot_.enableJointGain(oprimitiveID_UNDEF), oSUCCESS);
+  ASSERT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
   robot_.passFrame(0, {jointCommand(pan, 100000), jointCommand(tail, 200000)});
   passFrames(60);
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
@@ -274,13 +274,14 @@ TEST_F(SimulatedErs7Test, EachFramesCommandCountsFromThatFrameOn) {
   EXPECT_NEAR(value.value, 80000, 873) << "the last one holds";
 }
 
-TEST_F(SimulatedErs7Test, AJammedJointSaysSo) {
+// GetJointValue knows no other failure than a wrong primitive (Level2 Reference Guide, page 72).
+TEST_F(SimulatedErs7Test, AJammedJointShowsByItsDutyThatItIs) {
   const OPrimitiveID pan = driveJoint("head_pan");
   robot_.jam("head_pan", true);
   robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
   passFrames(63);
   OJointValue value;
-  EXPECT_EQ(robot_.getJointValue(pan, &value), oALERT_JOINT_UNCONTROLLABLE);
+  EXPECT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
   EXPECT_NEAR(value.value, 0, 873);
   EXPECT_EQ(value.pwmDuty, 512);
   robot_.jam("head_pan", false);
@@ -458,7 +459,7 @@ TEST_F(SimulatedErs7Test, ARobotThatWasSwitchedOffHoldsNothingAndHasNothingOpen)
   robot_.switchOff();
   EXPECT_FALSE(robot_.takesCommand(pan, odataJOINT_COMMAND2));
   ASSERT_EQ(openJoint("head_pan"), pan);
-  EXPECT_EQ(robot_.enableJointGain(pan), oFAIL) << "no power";
+  EXPECT_EQ(robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
   robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
   passFrames(60);
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);

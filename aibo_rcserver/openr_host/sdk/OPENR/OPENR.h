@@ -8,6 +8,7 @@
 #define OPENR_OPENR_H
 
 // What an object may use without including it: the SDK's headers bring these in too.
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

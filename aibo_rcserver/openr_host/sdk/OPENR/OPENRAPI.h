@@ -5,6 +5,7 @@
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
+#include <OPENR/OPENRMessages.h>
 #include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
 
@@ -52,13 +53,16 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 /// @return oINVALID_PRIMITIVE_ID if it is not open or no joint
 /// @{
 
-/// Gains of the servo, each with its shift. They count at once, whether set before or after EnableJointGain().
+/// Gains of the servo, each with its shift (Level2 Reference Guide, page 71).
+/// @return oGAIN_DISABLED, and no gain is set, unless EnableJointGain() was called before
 OStatus SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds);
 
-/// The servo holds its joint where it was commanded last: command the present position first.
+/// Makes the joint's gain effective; it is 0 until SetJointGain() is called (page 70). The servo pulls its joint then
+/// to where it was commanded last: command the present position first.
+/// @return oALERT_JOINT_UNCONTROLLABLE if its potentiometer is broken
 OStatus EnableJointGain(OPrimitiveID primitiveID);
 
-/// The joint can be moved by hand.
+/// Makes the joint's gain 0 and ineffective (page 70): the joint can be moved by hand.
 OStatus DisableJointGain(OPrimitiveID primitiveID);
 
 /// Keeps gains for SetDefaultJointGain().
@@ -84,9 +88,21 @@ OStatus SetMotorPower(OPower power);
 /// Battery, motor power and what else the power supply knows.
 OStatus GetPowerStatus(OPowerStatus* status);
 
+/// Calls an `Extra` entry with an OPowerStatusMessage (OPENRMessages.h) whenever the power status changes as asked,
+/// until UnobservePowerStatus() (page 79).
+/// @param notifyStatus bits of robotStatus and batteryStatus whose every change is told; for remainingCapacity,
+///        temperature, timeDif and volume a value that is told when it is reached, or one of the opso constants of
+///        OPower.h. fullyChargedCapacity, voltage and current are not looked at
+/// @param entry Extra_Entry[entryNAME] of the object that calls
+/// @return oINVALID_ARG if there is no such entry
+OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry);
+
+/// @return oINVALID_ARG if the entry observes nothing
+OStatus UnobservePowerStatus(const OServiceEntry& entry);
+
 /// Ends all objects and switches the robot off, soon after the entry point that calls this has returned.
 /// @param condition when to boot again: with obcbBOOT_TIMER after bootTime seconds, else when somebody touches the
-///        robot. On Linux 0 seconds is the one time there is: the machine boots anew at once; nobody touches it
+///        robot. On Linux 0 seconds is the one time there is: the machine boots again at once; nobody touches it
 /// @return oINVALID_ARG, and the robot stays on, if `condition` asks for another time on Linux
 OStatus Shutdown(const OBootCondition& condition);
 

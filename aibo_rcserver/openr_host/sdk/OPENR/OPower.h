@@ -1,35 +1,80 @@
 /// @file OPower.h
-/// Motor power, battery, shutting down and booting anew.
+/// Motor power, battery, shutting down and booting again.
 #ifndef OPENR_OPOWER_H
 #define OPENR_OPOWER_H
 
 #include <OPENR/OPENR.h>
 #include <time.h>
 
-enum OPower { opowerOFF, opowerON };
+typedef bool OPower;
+const OPower opowerON = true;
+const OPower opowerOFF = false;
 
-/// @name Bits of OPowerStatus::robotStatus
+/// @name Bits of OPowerStatus::robotStatus (Level2 Reference Guide, page 76)
 /// @{
-const longword orsbPAUSE = 0x00000001;  ///< the pause switch has been pressed
+const longword orsbPAUSE = 0x00000001;  ///< the pause button has been pressed
 const longword orsbMOTOR_POWER = 0x00000002;
 const longword orsbVIBRATION_DETECT = 0x00000004;
+const longword orsbEX_PORT_CONNECTED = 0x00000008;  ///< to a station or a charger
 const longword orsbSTATION_CONNECTED = 0x00000010;
+const longword orsbEX_POWER_CONNECTED = 0x00000020;
 const longword orsbBATTERY_CONNECTED = 0x00000040;
 const longword orsbBATTERY_CHARGING = 0x00000080;
 const longword orsbBATTERY_CAPACITY_FULL = 0x00000100;
 const longword orsbBATTERY_CAPACITY_LOW = 0x00000200;
+const longword orsbBATTERY_OVER_CURRENT = 0x00000400;
+const longword orsbBATTERY_OVER_TEMP_DISCHARGING = 0x00000800;
+const longword orsbBATTERY_OVER_TEMP_CHARGING = 0x00001000;
+const longword orsbBATTERY_ERROR_OF_CHARGING = 0x00002000;
+const longword orsbERROR_OF_PLUNGER = 0x00004000;  ///< the battery cannot be locked
+const longword orsbOPEN_R_POWER_GOOD = 0x00008000;
+const longword orsbERROR_OF_FAN = 0x00010000;
+const longword orsbDATA_STREAM_FROM_STATION = 0x00020000;
+const longword orsbREGISTER_UPDATED_BY_STATION = 0x00040000;
+const longword orsbRTC_ERROR = 0x00080000;  ///< of the clock
+const longword orsbRTC_OVERFLOW = 0x00100000;
+const longword orsbRTC_RESET = 0x00200000;
+const longword orsbRTC_SET = 0x00400000;
+const longword orsbSPECIAL_MODE = 0x00800000;
+const longword orsbBMN_DEBUG_MODE = 0x01000000;
+const longword orsbCHARGER_STATUS = 0x02000000;
+const longword orsbPLUNGER = 0x04000000;  ///< the battery is locked
+const longword orsbSUSPENDED = 0x08000000;
+const longword orsbSPECIAL_DATA_READ_REQ = 0x10000000;
+const longword orsbALL = 0x1FFFFFFF;
 /// @}
 
-/// @name Bits of OPowerStatus::batteryStatus
+/// @name Bits of OPowerStatus::batteryStatus (Level2 Reference Guide, page 78)
 /// @{
+const word obsbERROR_CODE_MASK = 0x000F;
 const word obsbFULLY_DISCHARGED = 0x0010;
 const word obsbFULLY_CHARGED = 0x0020;
 const word obsbDISCHARGING = 0x0040;
+const word obsbINITIALIZED = 0x0080;  ///< always set
+const word obsbREMAINING_TIME_ALARM = 0x0100;
 const word obsbREMAINING_CAPACITY_ALARM = 0x0200;
+const word obsbTERMINATED_DISCHARGING_ALARM = 0x0800;
 const word obsbOVER_TEMP_ALARM = 0x1000;
+const word obsbTERMINATED_CHARGING_ALARM = 0x4000;
+const word obsbOVER_CHARGED_ALARM = 0x8000;
+const word obsbALL = 0xFFFF;
 /// @}
 
-/// What OPENR::GetPowerStatus() tells.
+/// @name For OPENR::ObservePowerStatus(): what is to be told of a value
+/// The guide (page 79) gives 0xFF and 0xFE for the two of timeDif, the header 0x7F and 0x7E. The header is what objects
+/// are compiled with.
+/// @{
+const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xFFFF;
+const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xFFFE;
+const word opsoTEMPERATURE_NOTIFY_EVERY_CHANGE = 0xFFFF;
+const word opsoTEMPERATURE_NOT_NOTIFY = 0xFFFE;
+const sbyte opsoTIME_DIF_NOTIFY_EVERY_CHANGE = 0x7F;
+const sbyte opsoTIME_DIF_NOT_NOTIFY = 0x7E;
+const byte opsoVOLUME_NOTIFY_EVERY_CHANGE = 0xFF;
+const byte opsoVOLUME_NOT_NOTIFY = 0xFE;
+/// @}
+
+/// What OPENR::GetPowerStatus() says, and OPENR::ObservePowerStatus() is asked to look at.
 struct OPowerStatus {
   longword robotStatus;
   word batteryStatus;
@@ -51,6 +96,16 @@ struct OPowerStatus {
         current(0),
         timeDif(0),
         volume(0) {}
+
+  /// For OPENR::ObservePowerStatus(), which cannot look at the members that are left out.
+  void Set(longword robot_bits, word battery_bits, word capacity, word kelvin, sbyte time_zone, byte loudness) {
+    robotStatus = robot_bits;
+    batteryStatus = battery_bits;
+    remainingCapacity = capacity;
+    temperature = kelvin;
+    timeDif = time_zone;
+    volume = loudness;
+  }
 };
 
 /// @name Bits of OBootCondition::bitmap: what boots the robot again
@@ -76,7 +131,8 @@ struct OBootCondition {
   longword bootTimeType;
   byte vibrationLevel;
 
-  explicit OBootCondition(word bits) : bitmap(bits), bootTime(0), bootTimeType(obcbttRELATIVE), vibrationLevel(0) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): as in the SDK
+  OBootCondition(word bits) : bitmap(bits), bootTime(0), bootTimeType(obcbttRELATIVE), vibrationLevel(0) {}
   OBootCondition(word bits, time_t at, longword time_type)
       : bitmap(bits), bootTime(at), bootTimeType(time_type), vibrationLevel(0) {}
 };

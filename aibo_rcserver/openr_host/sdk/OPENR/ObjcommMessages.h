@@ -3,6 +3,13 @@
 #ifndef OPENR_OBJCOMMMESSAGES_H
 #define OPENR_OBJCOMMMESSAGES_H
 
+// What an object may use without including it: the SDK's header brings these in too.
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENRMessages.h>
+#include <OPENR/OPower.h>
+#include <OPENR/OSyslog.h>
+#include <OPENR/OTime.h>
+
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 

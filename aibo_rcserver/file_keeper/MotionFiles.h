@@ -1,16 +1,14 @@
 /// @file MotionFiles.h
 /// The motions on the memory stick.
-#ifndef RCSERVER_MEMORY_STICK_MOTION_FILES_H
-#define RCSERVER_MEMORY_STICK_MOTION_FILES_H
+#ifndef FILE_KEEPER_MOTION_FILES_H
+#define FILE_KEEPER_MOTION_FILES_H
 
 #include <stddef.h>
 
+#include "file_keeper/FileJob.h"
 #include "protocol/motion_name.h"
 #include "protocol/motion_requests.h"
 #include "rcserver/memory_stick/HostSettings.h"
-
-/// Where they are on the memory stick.
-const char MOTION_FOLDER[] = "OPEN-R/MW/DATA/P";
 
 /// Reads, stores, deletes and lists motion files. Does not look into them.
 ///
@@ -24,20 +22,21 @@ class MotionFiles {
   /// @param host whose memory stick it is; must outlive this
   explicit MotionFiles(const HostSettings& host) : host_(host) {}
 
-  /// What reading or deleting a file has come to.
-  enum Result { DONE, MISSING, TOO_LARGE, FAILED };
+  /// Does a job by one of the functions below.
+  /// @param[out] result all of it but what the job's operation does not give
+  void CarryOut(const FileJob& job, FileResult* result) const;
 
   /// Reads a whole file.
   /// @param[out] bytes room for capacity bytes
   /// @param[out] size of the file, if DONE
-  Result Read(const protocol::MotionName& name, unsigned char* bytes, size_t capacity, size_t* size) const;
+  FileResult::Outcome Read(const protocol::MotionName& name, unsigned char* bytes, size_t capacity, size_t* size) const;
 
   /// Stores a whole file, in the place of one of that name: under another name first, so that a file under its own name
   /// is always whole.
   /// @return false if it could not be written, as on a memory stick that is full or locked; nothing is left of it then
   bool Store(const protocol::MotionName& name, const unsigned char* bytes, size_t size) const;
 
-  Result Delete(const protocol::MotionName& name) const;
+  FileResult::Outcome Delete(const protocol::MotionName& name) const;
 
   /// @param[out] list the motions there are, in the order of their names; so many as find room
   void List(protocol::version2::MotionList* list) const;
@@ -51,4 +50,4 @@ class MotionFiles {
   const HostSettings& host_;
 };
 
-#endif  // RCSERVER_MEMORY_STICK_MOTION_FILES_H
+#endif  // FILE_KEEPER_MOTION_FILES_H

@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/MotionFiles.h"
+#include "file_keeper/MotionFiles.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -80,24 +80,44 @@ int CompareNames(const void* a, const void* b) {
 
 }  // namespace
 
-MotionFiles::Result MotionFiles::Read(const MotionName& name, unsigned char* bytes, size_t capacity,
+void MotionFiles::CarryOut(const FileJob& job, FileResult* result) const {
+  result->ticket = job.ticket;
+  result->outcome = FileResult::DONE;
+  result->size = 0;
+  switch (job.operation) {
+    case FileJob::READ:
+      result->outcome = Read(job.name, result->content, sizeof(result->content), &result->size);
+      break;
+    case FileJob::STORE:
+      result->outcome = Store(job.name, job.content, job.size) ? FileResult::DONE : FileResult::FAILED;
+      break;
+    case FileJob::DELETE:
+      result->outcome = Delete(job.name);
+      break;
+    case FileJob::LIST:
+      List(&result->list);
+      break;
+  }
+}
+
+FileResult::Outcome MotionFiles::Read(const MotionName& name, unsigned char* bytes, size_t capacity,
                                       size_t* size) const {
   char path[MAX_PATH_SIZE];
   if (!Find(name, path)) {
-    return MISSING;
+    return FileResult::MISSING;
   }
   FILE* const file = fopen(path, "rb");
   if (file == NULL) {
-    return FAILED;
+    return FileResult::FAILED;
   }
   *size = fread(bytes, 1, capacity, file);
   const bool is_whole = getc(file) == EOF;
   const bool has_failed = ferror(file) != 0;
   fclose(file);
   if (has_failed) {
-    return FAILED;
+    return FileResult::FAILED;
   }
-  return is_whole ? DONE : TOO_LARGE;
+  return is_whole ? FileResult::DONE : FileResult::TOO_LARGE;
 }
 
 bool MotionFiles::Store(const MotionName& name, const unsigned char* bytes, size_t size) const {
@@ -114,12 +134,12 @@ bool MotionFiles::Store(const MotionName& name, const unsigned char* bytes, size
   return false;
 }
 
-MotionFiles::Result MotionFiles::Delete(const MotionName& name) const {
+FileResult::Outcome MotionFiles::Delete(const MotionName& name) const {
   char path[MAX_PATH_SIZE];
   if (!Find(name, path)) {
-    return MISSING;
+    return FileResult::MISSING;
   }
-  return remove(path) == 0 ? DONE : FAILED;
+  return remove(path) == 0 ? FileResult::DONE : FileResult::FAILED;
 }
 
 void MotionFiles::List(MotionList* list) const {

@@ -1,0 +1,48 @@
+#include "file_keeper/FileKeeper.h"
+
+#include <OPENR/OSyslog.h>
+#include <OPENR/core_macro.h>
+
+#include "rcserver/memory_stick/HostSettings.h"
+
+FileKeeper::FileKeeper() : files_(hostSettings()) {}
+
+OStatus FileKeeper::DoInit(const OSystemEvent&) {
+  NEW_ALL_SUBJECT_AND_OBSERVER;
+  REGISTER_ALL_ENTRY;
+  SET_ALL_READY_AND_NOTIFY_ENTRY;
+  if (!results_.Create(subject[sbjResult])) {
+    OSYSLOG1((osyslogERROR, "FileKeeper: no shared memory for a result"));
+    return oFAIL;
+  }
+  return oSUCCESS;
+}
+
+// ReadyResult() is where the first job is asked for.
+OStatus FileKeeper::DoStart(const OSystemEvent&) {
+  ENABLE_ALL_SUBJECT;
+  return oSUCCESS;
+}
+
+OStatus FileKeeper::DoStop(const OSystemEvent&) {
+  DISABLE_ALL_SUBJECT;
+  DEASSERT_READY_TO_ALL_OBSERVER;
+  return oSUCCESS;
+}
+
+OStatus FileKeeper::DoDestroy(const OSystemEvent&) {
+  results_.Destroy();
+  DELETE_ALL_SUBJECT_AND_OBSERVER;
+  return oSUCCESS;
+}
+
+void FileKeeper::ReadyResult(const OReadyEvent& event) {
+  if (event.IsAssert()) {
+    observer[obsJob]->AssertReady();
+  }
+}
+
+void FileKeeper::NotifyJob(const ONotifyEvent& event) {
+  files_.CarryOut(*static_cast<const FileJob*>(event.Data(0)), results_.Memory());
+  results_.Send();
+}

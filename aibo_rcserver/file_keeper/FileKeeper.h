@@ -1,0 +1,48 @@
+/// @file FileKeeper.h
+/// The OPEN-R object that reads and writes motion files on the memory stick for RCServer.
+#ifndef FILE_KEEPER_FILE_KEEPER_H
+#define FILE_KEEPER_FILE_KEEPER_H
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+#include <def.h>
+
+#include "file_keeper/FileJob.h"
+#include "file_keeper/MotionFiles.h"
+#include "jobs/RegionSender.h"
+
+/// Does one job at a time.
+///
+/// It is an object of its own because the memory stick makes its caller wait, and an object handles one message at a
+/// time. Its scheduling class is below that of RCServer (FileKeeper.ocf), which interrupts it.
+///
+/// It is ready for a job when RCServer is ready for the result: so there is always room for the result.
+class FileKeeper : public OObject {
+ public:
+  FileKeeper();
+  virtual ~FileKeeper() {}
+
+  OSubject* subject[numOfSubject];
+  OObserver* observer[numOfObserver];
+
+  virtual OStatus DoInit(const OSystemEvent& event);
+  virtual OStatus DoStart(const OSystemEvent& event);
+  virtual OStatus DoStop(const OSystemEvent& event);
+  virtual OStatus DoDestroy(const OSystemEvent& event);
+
+  /// RCServer takes a result (gate Result).
+  void ReadyResult(const OReadyEvent& event);
+
+  /// A job is there (gate Job).
+  void NotifyJob(const ONotifyEvent& event);
+
+ private:
+  FileKeeper(const FileKeeper&);
+  FileKeeper& operator=(const FileKeeper&);
+
+  MotionFiles files_;
+  RegionSender<FileResult> results_;
+};
+
+#endif  // FILE_KEEPER_FILE_KEEPER_H

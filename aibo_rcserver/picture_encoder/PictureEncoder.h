@@ -1,0 +1,50 @@
+/// @file PictureEncoder.h
+/// The OPEN-R object that makes JPEG files of camera images for RCServer.
+#ifndef PICTURE_ENCODER_PICTURE_ENCODER_H
+#define PICTURE_ENCODER_PICTURE_ENCODER_H
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+#include <def.h>
+
+#include "jobs/RegionSender.h"
+#include "picture_encoder/PictureJob.h"
+#include "rcserver/camera/JpegEncoder.h"
+
+/// Encodes one picture at a time.
+///
+/// It is an object of its own because encoding takes longer than a frame of the joints, and an object handles one
+/// message at a time. Its scheduling class is below that of RCServer (PictureEncoder.ocf), which interrupts it.
+///
+/// It is ready for a job when RCServer is ready for the picture: so there is always room for the result.
+class PictureEncoder : public OObject {
+ public:
+  PictureEncoder() {}
+  virtual ~PictureEncoder() {}
+
+  OSubject* subject[numOfSubject];
+  OObserver* observer[numOfObserver];
+
+  virtual OStatus DoInit(const OSystemEvent& event);
+  virtual OStatus DoStart(const OSystemEvent& event);
+  virtual OStatus DoStop(const OSystemEvent& event);
+  virtual OStatus DoDestroy(const OSystemEvent& event);
+
+  /// RCServer takes a picture (gate Picture).
+  void ReadyPicture(const OReadyEvent& event);
+
+  /// A job is there (gate Job).
+  void NotifyJob(const ONotifyEvent& event);
+
+ private:
+  PictureEncoder(const PictureEncoder&);
+  PictureEncoder& operator=(const PictureEncoder&);
+
+  void Encode(const PictureJob& job, EncodedPicture* picture);
+
+  JpegEncoder encoder_;
+  RegionSender<EncodedPicture> pictures_;
+};
+
+#endif  // PICTURE_ENCODER_PICTURE_ENCODER_H

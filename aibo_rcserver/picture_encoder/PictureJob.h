@@ -1,0 +1,35 @@
+/// @file PictureJob.h
+/// What RCServer and PictureEncoder send each other.
+#ifndef PICTURE_ENCODER_PICTURE_JOB_H
+#define PICTURE_ENCODER_PICTURE_JOB_H
+
+#include <stddef.h>
+
+/// The largest image of a camera: layer H of an ERS-7.
+const size_t MAX_IMAGE_WIDTH = 208;
+const size_t MAX_IMAGE_HEIGHT = 160;
+
+/// Bytes that hold any picture of that size: JpegEncoder::WorstCaseSize() says 101888.
+const size_t ENCODED_PICTURE_CAPACITY = 100 * 1024;
+
+/// RCServer.EncodeJob: make a picture of this image.
+struct PictureJob {
+  unsigned ticket;  ///< comes back with the picture; not 0
+  int quality;      ///< JPEG quality, 0..100
+  size_t width;     ///< pixels, 1..MAX_IMAGE_WIDTH
+  size_t height;    ///< pixels, 1..MAX_IMAGE_HEIGHT
+  /// Rows of Y, Cr and Cb in turn, `width` bytes each, as the camera lays them out; the camera's tag included.
+  unsigned char pixels[3 * MAX_IMAGE_WIDTH * MAX_IMAGE_HEIGHT];
+};
+
+/// PictureEncoder.Picture: the picture, or why there is none.
+struct EncodedPicture {
+  static const size_t MAX_PROBLEM_SIZE = 256;
+
+  unsigned ticket;                 ///< of the job
+  size_t size;                     ///< bytes of the JPEG file; 0: it could not be made
+  char problem[MAX_PROBLEM_SIZE];  ///< why not, in words; empty if it was made
+  unsigned char jpeg[ENCODED_PICTURE_CAPACITY];
+};
+
+#endif  // PICTURE_ENCODER_PICTURE_JOB_H

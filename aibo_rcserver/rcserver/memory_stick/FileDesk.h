@@ -1,0 +1,32 @@
+/// @file FileDesk.h
+/// RCServer's side of the object FileKeeper.
+#ifndef RCSERVER_MEMORY_STICK_FILE_DESK_H
+#define RCSERVER_MEMORY_STICK_FILE_DESK_H
+
+#include <OPENR/OSubject.h>
+
+#include "jobs/RegionSender.h"
+#include "rcserver/commands/FileJobs.h"
+
+/// Sends jobs to FileKeeper.
+class FileDesk : public FileJobs {
+ public:
+  FileDesk() {}
+
+  /// To be called in DoInit.
+  /// @param gate to FileKeeper; must outlive this
+  /// @return false if there is no memory
+  bool Create(OSubject* gate) { return jobs_.Create(gate); }
+
+  /// To be called in DoDestroy.
+  void Destroy() { jobs_.Destroy(); }
+
+  virtual bool IsFree() const { return jobs_.IsFree(); }
+  virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
+                        size_t size);
+
+ private:
+  RegionSender<FileJob> jobs_;
+};
+
+#endif  // RCSERVER_MEMORY_STICK_FILE_DESK_H
