@@ -6,37 +6,52 @@
 #include <OPENR/OSubject.h>
 #include <OPENR/RCRegion.h>
 
-/// Sends a Content, a plain struct without pointers, through a gate to one other object, in one piece of shared memory.
+/// Sends a Content, a plain struct without pointers, through a gate to one other object, in shared memory.
 ///
-/// The memory belongs to the receiver until it has said that it is ready for more. Nothing is ever queued.
-template <typename Content>
+/// What has been sent belongs to the receiver until it has said that it is ready for more. Nothing is ever queued.
+///
+/// @tparam REGIONS pieces of memory. With 1, the next Content can be written when the receiver is ready for it; with 2,
+/// while it is still at work on the last one
+template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
-  RegionSender() : subject_(NULL), region_(NULL), last_ticket_(0) {}
+  RegionSender() : subject_(NULL), last_ticket_(0) {
+    for (int i = 0; i < REGIONS; ++i) {
+      regions_[i] = NULL;
+    }
+  }
 
   /// To be called in DoInit, behind NEW_ALL_SUBJECT_AND_OBSERVER.
   /// @param subject a gate with one observer; must outlive this
   /// @return false if there is no memory
   bool Create(OSubject* subject) {
     subject_ = subject;
-    region_ = new RCRegion(sizeof(Content));
-    return region_->Base() != NULL;
+    bool succeeds = true;
+    for (int i = 0; i < REGIONS; ++i) {
+      regions_[i] = new RCRegion(sizeof(Content));
+      succeeds = succeeds && regions_[i]->Base() != NULL;
+    }
+    return succeeds;
   }
 
   /// To be called in DoDestroy.
   void Destroy() {
-    if (region_ != NULL) {
-      region_->RemoveReference();
-      region_ = NULL;
+    for (int i = 0; i < REGIONS; ++i) {
+      if (regions_[i] != NULL) {
+        regions_[i]->RemoveReference();
+        regions_[i] = NULL;
+      }
     }
   }
 
-  /// True if the receiver is ready and has done with what was sent last. Only then may Memory() be written and sent.
-  bool IsFree() const { return region_->NumberOfReference() == 1 && subject_->IsReady(); }
+  /// True if the receiver is ready, and there is Memory(): what is written there may be sent.
+  bool IsFree() const { return subject_->IsReady() && FindFree() != NULL; }
 
+  /// Where the next Content goes: the same place until Send().
+  /// @return NULL if all of it is the receiver's
   Content* Memory() const {
-    void* const base = region_->Base();
-    return static_cast<Content*>(base);
+    RCRegion* const region = FindFree();
+    return region == NULL ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
   }
 
   /// A number for a job by which its result is known. No job of late has had it; not 0.
@@ -46,8 +61,9 @@ class RegionSender {
     return last_ticket_;
   }
 
+  /// Sends what has been written to Memory(). Only if IsFree().
   void Send() {
-    subject_->SetData(region_);
+    subject_->SetData(FindFree());
     subject_->NotifyObservers();
   }
 
@@ -55,8 +71,17 @@ class RegionSender {
   RegionSender(const RegionSender&);
   RegionSender& operator=(const RegionSender&);
 
+  RCRegion* FindFree() const {
+    for (int i = 0; i < REGIONS; ++i) {
+      if (regions_[i]->NumberOfReference() == 1) {
+        return regions_[i];
+      }
+    }
+    return NULL;
+  }
+
   OSubject* subject_;
-  RCRegion* region_;
+  RCRegion* regions_[REGIONS];
   unsigned last_ticket_;
 };
 

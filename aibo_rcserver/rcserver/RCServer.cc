@@ -4,6 +4,7 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
+#include <entry.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -66,6 +67,7 @@ RCServer::RCServer()
       last_bytes_received_(0),
       last_sign_of_life_(0),
       was_silent_(false),
+      last_not_over_(0),
       last_attempt_(0),
       turned_away_(0),
       last_told_turned_away_(0 - FRAMES_PER_SECOND),
@@ -90,14 +92,20 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
 OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
-  body_.GetMotors().Switch(true);
+  if (settings_.motors_at_boot) {
+    body_.GetMotors().Switch(true);
+  } else {
+    OSYSPRINT(("RCServer: the motors stay off until a client switches them on (MOTORS_AT_BOOT in RCSERVER.CFG)\n"));
+  }
   body_.SendCommands(subject[sbjEffector]);
   ListenWhereClosed();
   OSYSPRINT(("RCServer: waiting for a client on port %d\n", protocol::RCSERVER_PORT));
+  ObservePower();
   return oSUCCESS;
 }
 
 OStatus RCServer::DoStop(const OSystemEvent&) {
+  body_.GetPowerSupply().Unobserve();
   DISABLE_ALL_SUBJECT;
   DEASSERT_READY_TO_ALL_OBSERVER;
   return oSUCCESS;
@@ -122,9 +130,9 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   CountImage(image_vector);
-  // What cannot be used now is left out, never kept: the next picture shows what is then.
-  if (client_ != NULL && pictures_.IsFree()) {
-    BeginPicture(image_vector);
+  if (client_ != NULL && pictures_.HasRoom()) {
+    OfferImage(image_vector);
+    BeginPicture();
   }
   observer[event.ObsIndex()]->AssertReady();
 }
@@ -137,8 +145,18 @@ void RCServer::NotifyPicture(const ONotifyEvent& event) {
   observer[event.ObsIndex()]->AssertReady();
 }
 
+void RCServer::ReadyEncodeJob(const OReadyEvent&) {
+  BeginPicture();
+}
+
 void RCServer::NotifyFileResult(const ONotifyEvent& event) {
-  session_->FileDone(*static_cast<const FileResult*>(event.Data(0)));
+  const FileResult& result = *static_cast<const FileResult*>(event.Data(0));
+  session_->FileDone(result);
+  if (lie_down_.Awaits(result)) {
+    if (const char* problem = lie_down_.Play(result, body_.Joints())) {
+      OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
+    }
+  }
   if (client_ != NULL) {
     ServeClient();
   }
@@ -170,6 +188,11 @@ void RCServer::ReadyEffector(const OReadyEvent& event) {
   }
 }
 
+void RCServer::PowerChanged(ANTENVMSG msg) {
+  const OPowerStatusMessage* message = static_cast<const OPowerStatusMessage*>(msg);
+  Obey(body_.GetPowerSupply().Look(message->powerStatus));
+}
+
 void RCServer::ListenCont(ANTENVMSG msg) {
   const TCPEndpointListenMsg* answer = static_cast<const TCPEndpointListenMsg*>(antEnvMsg::Receive(msg));
   Connection* connection = FindConnection(answer->continuation);
@@ -185,6 +208,8 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   connection->Accepted(*answer);
   if (!settings_.allowed_addresses.Allow(connection->ClientAddress())) {
     TurnAway(connection, "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it");
+  } else if (body_.GetPowerOrder() != POWER_STAYS_ON) {
+    TurnAway(connection, "the robot goes off");
   } else if (client_ == NULL) {
     Admit(connection);
   } else if (IsClientSilent()) {
@@ -212,6 +237,7 @@ void RCServer::SendCont(ANTENVMSG msg) {
     return;
   }
   ServeClient();
+  BeginPicture();
 }
 
 void RCServer::ReceiveCont(ANTENVMSG msg) {
@@ -258,6 +284,57 @@ bool RCServer::CreateRegions() {
   return true;
 }
 
+void RCServer::ObservePower() {
+  if (!settings_.power_monitor) {
+    OSYSPRINT(("RCServer: pause button and battery are left to POWERMON.BIN (POWER_MONITOR in RCSERVER.CFG)\n"));
+    return;
+  }
+  body_.GetPowerSupply().Observe(OServiceEntry(myOID_, Extra_Entry[entryPowerChanged]));
+  Obey(body_.GetPowerSupply().LookNow());
+}
+
+void RCServer::Obey(PowerSupply::Alarm alarm) {
+  switch (alarm) {
+    case PowerSupply::NO_ALARM:
+      break;
+    case PowerSupply::PAUSE_PRESSED:
+      body_.CutMotors();
+      GoOff(POWER_SHUT_DOWN, "the pause button was pressed: motors off, the robot shuts down");
+      break;
+    case PowerSupply::BATTERY_LOW:
+      GoOff(POWER_LIE_DOWN, "the battery is low: the robot lies down and shuts down");
+      break;
+  }
+}
+
+// The client is told first, if there is one: DropClient() does the rest.
+void RCServer::GoOff(PowerOrder order, const char* reason) {
+  OSYSPRINT(("RCServer: %s\n", reason));
+  body_.GetPowerOrder() = order;
+  if (client_ == NULL) {
+    CarryOutPowerOrder();
+    return;
+  }
+  session_->RobotGoesOff(reason);
+  ServeClient();
+}
+
+void RCServer::CarryOutPowerOrder() {
+  if (body_.GetPowerOrder() == POWER_LIE_DOWN) {
+    lie_down_.Begin(now_);
+  } else {
+    body_.CarryOutPowerOrder();
+  }
+}
+
+void RCServer::LieDownFurther() {
+  lie_down_.Continue(now_, file_desk_, body_.IsAtRest());
+  if (!lie_down_.IsUnderWay()) {
+    body_.GetPowerOrder() = POWER_SHUT_DOWN;
+    body_.CarryOutPowerOrder();
+  }
+}
+
 void RCServer::PassTime(longword frame) {
   if (static_cast<slongword>(frame - now_) > 0) {
     now_ = frame;
@@ -270,12 +347,16 @@ void RCServer::PassTime(longword frame) {
   }
   if (client_ != NULL) {
     JudgeClient();
+  } else if (body_.GetPowerOrder() == POWER_LIE_DOWN) {
+    LieDownFurther();
   }
 }
 
 // A client of version 1 may be silent and well. But it may be lost, too, so what it has begun does not go on for ever.
 void RCServer::JudgeClient() {
-  if (session_->IsOver() && now_ - last_bytes_received_ >= FRAMES_PER_SECOND) {
+  if (!session_->IsOver()) {
+    last_not_over_ = now_;
+  } else if (now_ - last_not_over_ >= FRAMES_PER_SECOND) {
     DropClient(session_->EndReason(), true);
     return;
   }
@@ -287,9 +368,9 @@ void RCServer::JudgeClient() {
   was_silent_ = IsClientSilent();
   MotionPlayer& motions = robot_->joints.Motions();
   if (was_silent_ && !was_silent && motions.IsPlaying()) {
-    OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions end\n", client_->ClientName(),
-               settings_.silent_client_seconds));
-    motions.StopAll();
+    OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions are not repeated any more\n",
+               client_->ClientName(), settings_.silent_client_seconds));
+    motions.EndRepetitions();
   }
 }
 
@@ -321,6 +402,7 @@ void RCServer::Admit(Connection* newcomer) {
   last_sign_of_life_ = now_;
   last_bytes_received_ = now_;
   was_silent_ = false;
+  last_not_over_ = now_;
   session_->Begin();
   OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
   ServeClient();
@@ -349,7 +431,7 @@ void RCServer::DropClient(const char* reason, bool abort) {
   session_->End();
   pictures_.Forget();
   stream_report_.ClientGone();
-  body_.CarryOutPowerOrder();
+  CarryOutPowerOrder();
   body_.SendCommands(subject[sbjEffector]);
 }
 
@@ -389,7 +471,7 @@ void RCServer::CountImage(OFbkImageVectorData* image_vector) {
   }
 }
 
-void RCServer::BeginPicture(OFbkImageVectorData* image_vector) {
+void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   PictureOrder order;
   if (!FindOrder(&order)) {
     return;
@@ -406,7 +488,7 @@ void RCServer::BeginPicture(OFbkImageVectorData* image_vector) {
                                                   static_cast<unsigned short>(image.height),
                                                   order.quality,
                                                   static_cast<protocol::version2::Layer>(order.layer)};
-  if (!pictures_.Begin(image, order, header)) {
+  if (!pictures_.Offer(image, order, header)) {
     OSYSLOG1((osyslogERROR, "RCServer: the camera image is larger than %ux%u", static_cast<unsigned>(MAX_IMAGE_WIDTH),
               static_cast<unsigned>(MAX_IMAGE_HEIGHT)));
     DropClient("there is no picture for it", true);
@@ -415,14 +497,28 @@ void RCServer::BeginPicture(OFbkImageVectorData* image_vector) {
 
 // What the picture of this image is to be. False: none is due.
 bool RCServer::FindOrder(PictureOrder* order) {
-  if (client_->HasWaitingPicture()) {
-    // It has waited until this image came, which shows what is now: so the picture is made again.
+  // What has waited until this image came is made again of this one, which shows what is now.
+  if (pictures_.IsWaiting()) {
+    *order = pictures_.WaitingOrder();
+  } else if (client_->HasWaitingPicture()) {
     client_->DropWaitingPicture();
     *order = pictures_.Order();
-    session_->Camera().TakeAgain(*order, image_count_);
-    return true;
+  } else {
+    return !client_->HasPicture() && session_->Camera().ImageArrived(image_count_, order);
   }
-  return !client_->HasPicture() && session_->Camera().ImageArrived(image_count_, order);
+  if (!session_->Camera().Wants(*order)) {
+    pictures_.DropWaiting();
+    return false;
+  }
+  session_->Camera().TakeAgain(*order, image_count_);
+  return true;
+}
+
+// A picture that is being sent is finished first: the next one would wait behind it.
+void RCServer::BeginPicture() {
+  if (client_ != NULL && !client_->HasPicture() && pictures_.MayBegin()) {
+    pictures_.Begin();
+  }
 }
 
 void RCServer::SendPicture(const EncodedPicture& picture) {

@@ -13,6 +13,7 @@
 #include "rcserver/Connection.h"
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
+#include "rcserver/body/LieDown.h"
 #include "rcserver/camera/PictureTaker.h"
 #include "rcserver/camera/StreamReport.h"
 #include "rcserver/commands/Robot.h"
@@ -28,7 +29,10 @@
 /// The robot's time is the number of the frame, of 8 ms, in which joints were measured or the camera took an image
 /// last.
 ///
-/// When the robot starts, all joints hold where they are, and LEDs and ears are left alone.
+/// When the robot starts, all joints hold where they are, unless RCSERVER.CFG says that the motors stay off. LEDs and
+/// ears are left alone.
+///
+/// The pause button cuts the motors and shuts the robot down; a low battery makes it lie down first (PowerSupply.h).
 class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for so many frames is dropped: 5 s.
@@ -51,6 +55,9 @@ class RCServer : public OObject {
   /// A picture has been made, or could not be made (gate Picture).
   void NotifyPicture(const ONotifyEvent& event);
 
+  /// PictureEncoder takes an image (gate EncodeJob).
+  void ReadyEncodeJob(const OReadyEvent& event);
+
   /// The memory stick has done a job (gate FileResult).
   void NotifyFileResult(const ONotifyEvent& event);
 
@@ -62,6 +69,9 @@ class RCServer : public OObject {
 
   /// The robot takes one more command vector (gate Effector).
   void ReadyEffector(const OReadyEvent& event);
+
+  /// The power status has changed (OPENR::ObservePowerStatus()).
+  void PowerChanged(ANTENVMSG msg);
 
   /// @name Answers of the IPStack
   /// @{
@@ -79,6 +89,11 @@ class RCServer : public OObject {
   RCServer& operator=(const RCServer&);
 
   bool CreateRegions();
+  void ObservePower();
+  void Obey(PowerSupply::Alarm alarm);
+  void GoOff(PowerOrder order, const char* reason);
+  void CarryOutPowerOrder();
+  void LieDownFurther();
   void PassTime(longword frame);
   void JudgeClient();
   bool IsClientSilent() const;
@@ -90,8 +105,9 @@ class RCServer : public OObject {
   void ServeClient();
   bool SendOutput();
   void CountImage(OFbkImageVectorData* image_vector);
-  void BeginPicture(OFbkImageVectorData* image_vector);
+  void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
+  void BeginPicture();
   void SendPicture(const EncodedPicture& picture);
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
@@ -101,6 +117,7 @@ class RCServer : public OObject {
   FileDesk file_desk_;
   PictureTaker pictures_;  ///< for the client alone
   StreamReport stream_report_;
+  LieDown lie_down_;
   Settings settings_;
   Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session
   Session* session_;  ///< with the client
@@ -108,6 +125,7 @@ class RCServer : public OObject {
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client
   bool was_silent_;               ///< the client, when it was judged last
+  longword last_not_over_;        ///< when the session with the client was not over yet
   longword last_attempt_;         ///< to listen
   unsigned turned_away_;          ///< clients of whom the console has not been told
   longword last_told_turned_away_;

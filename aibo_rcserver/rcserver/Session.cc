@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-using protocol::Request;
 using protocol::version2::FrameHeader;
 using protocol::version2::FrameReader;
 
@@ -15,10 +14,12 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       newest_version_(newest_version),
       version_(1),
       is_over_(false),
+      power_reason_(NULL),
       motions_(robot, settings),
       version1_(robot, settings, motions_, camera_, outbox_, payload_),
       version2_(robot, settings, motions_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
+      has_request_(false),
       has_frame_(false),
       has_requests_(false),
       input_begin_(0),
@@ -27,6 +28,8 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
 void Session::Begin() {
   version_ = 1;
   is_over_ = false;
+  power_reason_ = "it switched the robot off";
+  has_request_ = false;
   has_frame_ = false;
   has_requests_ = false;
   input_begin_ = 0;
@@ -82,6 +85,14 @@ void Session::FileDone(const FileResult& result) {
   outbox_.Reserve(false);
 }
 
+// Version 1 has no words, and would take a reply that it has not asked for as the answer to its next request.
+void Session::RobotGoesOff(const char* reason) {
+  power_reason_ = reason;
+  if (version_ == protocol::version2::VERSION) {
+    version2_.PushError(protocol::version2::CODE_POWER, reason);
+  }
+}
+
 void Session::Measured(unsigned frame) {
   if (version_ == protocol::version2::VERSION) {
     version2_.Measured(frame);
@@ -101,36 +112,31 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 }
 
 void Session::HandleVersion1() {
-  while (version_ == 1 && !IsOver() && !motions_.IsBusy()) {
-    // The end of an upload is answered in the room that was there at its beginning.
+  // The end of an upload, and what the memory stick has done, are answered in the room that was there at the beginning.
+  while (version_ == 1 && !IsOver() && !motions_.IsPending() && has_requests_) {
     has_requests_ = version1_.TakeContent(request_reader_);
-    if (has_requests_ && !motions_.IsPending()) {
-      if (!outbox_.HasRoom()) {
-        return;
-      }
-      has_requests_ = HandleNextOfVersion1();
-    }
     outbox_.Reserve(motions_.IsPending());
-    if (!has_requests_) {
+    if (!has_requests_ || motions_.IsPending() || !outbox_.HasRoom() || !HandleRequestOfVersion1()) {
       return;
     }
   }
 }
 
-// False if there is no whole request.
-bool Session::HandleNextOfVersion1() {
-  Request request;
-  if (!request_reader_.next(&request)) {
+// False if there is no whole request, or if it has to wait for the memory stick.
+bool Session::HandleRequestOfVersion1() {
+  has_requests_ = has_request_ || request_reader_.next(&request_);
+  if (!has_requests_) {
     return false;
   }
-  const bool asks_for_version2 = request.valid && request.basic.command == protocol::REQUEST_NEWER_VERSION &&
-                                 request.basic.identifier == protocol::version2::VERSION;
+  const bool asks_for_version2 = request_.valid && request_.basic.command == protocol::REQUEST_NEWER_VERSION &&
+                                 request_.basic.identifier == protocol::version2::VERSION;
   if (asks_for_version2 && newest_version_ >= protocol::version2::VERSION) {
     ChangeToVersion2();
     return false;
   }
-  version1_.Handle(request);
-  return true;
+  has_request_ = !version1_.Handle(request_);
+  outbox_.Reserve(motions_.IsPending());
+  return !has_request_;
 }
 
 void Session::HandleVersion2(unsigned now) {

@@ -55,6 +55,10 @@ class Session {
   /// The memory stick has done a job. A result that nobody waits for any more is passed over.
   void FileDone(const FileResult& result);
 
+  /// The robot goes off whatever the client does, which is told so, if its version has words for it. It is over then.
+  /// @param reason in words; must outlive this
+  void RobotGoesOff(const char* reason);
+
   /// All joints have been measured.
   /// @param frame in which
   void Measured(unsigned frame);
@@ -70,7 +74,7 @@ class Session {
   bool IsOver() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
 
   /// Why it is over.
-  const char* EndReason() const { return is_over_ ? "it broke the protocol" : "it switched the robot off"; }
+  const char* EndReason() const { return is_over_ ? "it broke the protocol" : power_reason_; }
 
   /// True if a client that says nothing is to be left (version 2).
   bool ExpectsHeartbeat() const { return version_ == protocol::version2::VERSION; }
@@ -88,7 +92,7 @@ class Session {
   Session& operator=(const Session&);
 
   void HandleVersion1();
-  bool HandleNextOfVersion1();
+  bool HandleRequestOfVersion1();
   void HandleVersion2(unsigned now);
   bool ReadFrame();
   void ChangeToVersion2();
@@ -97,6 +101,7 @@ class Session {
   const int newest_version_;
   int version_;
   bool is_over_;
+  const char* power_reason_;  ///< why the robot goes off
   ImageObserver camera_;
   Outbox outbox_;
   MotionCommands motions_;
@@ -105,6 +110,8 @@ class Session {
   protocol::RequestReader request_reader_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: of an upload
   protocol::version2::FrameReader frame_reader_;
+  protocol::Request request_;
+  bool has_request_;   ///< in request_, that has to wait for the memory stick
   bool has_frame_;     ///< in frame_reader_, that has to wait for the memory stick
   bool has_requests_;  ///< of version 1 that may be whole
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2

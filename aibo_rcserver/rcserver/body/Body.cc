@@ -81,14 +81,18 @@ bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {
   return have_sensors_reported || have_joints_reported;
 }
 
+void Body::CutMotors() {
+  joint_driver_.Switch(false);
+  OPENR::SetMotorPower(opowerOFF);
+}
+
 void Body::CarryOutPowerOrder() {
   const PowerOrder order = power_order_;
   power_order_ = POWER_STAYS_ON;
   if (order == POWER_STAYS_ON) {
     return;
   }
-  joint_driver_.Switch(false);
-  OPENR::SetMotorPower(opowerOFF);
+  CutMotors();
   // Shut down, it boots when somebody presses its button.
   const OBootCondition condition =
       order == POWER_REBOOT ? OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE) : OBootCondition(obcbPAUSE_SW);

@@ -11,6 +11,7 @@
 #include "rcserver/body/JointDriver.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/PowerOrder.h"
+#include "rcserver/body/PowerSupply.h"
 #include "rcserver/body/SensorDriver.h"
 
 /// Joints, sensors, LEDs and ears, opened by the table of the robot's design; and the two gates that they share.
@@ -37,6 +38,7 @@ class Body {
   const Sensors& GetSensors() const { return sensor_driver_.GetSensors(); }
   Lights& GetLights() { return light_driver_.GetLights(); }
   PowerOrder& GetPowerOrder() { return power_order_; }
+  PowerSupply& GetPowerSupply() { return power_supply_; }
   /// @}
 
   /// Sends the next command vectors if they are due and the robot can take them. To be called when something was
@@ -51,6 +53,12 @@ class Body {
   /// @param[out] frame the last frame in the vector
   /// @return false if it reports nothing
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
+
+  /// True if nothing moves, and no command is on its way to the motors.
+  bool IsAtRest() { return vectors_on_their_way_ == 0 && !Joints().AreMoving(); }
+
+  /// Motors off at once, whatever they do.
+  void CutMotors();
 
   /// Motors off, then what the order says, unless the power stays on. The order is carried out then, whether the robot
   /// has done so or not; if not, the log says so.
@@ -69,6 +77,7 @@ class Body {
   CommandVectors vectors_;
   int vectors_on_their_way_;  ///< sent, and their output is not complete
   PowerOrder power_order_;
+  PowerSupply power_supply_;
 };
 
 #endif  // RCSERVER_BODY_BODY_H

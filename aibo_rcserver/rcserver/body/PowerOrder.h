@@ -1,9 +1,14 @@
 /// @file PowerOrder.h
-/// What a client has told the robot to do with its power.
+/// What is to become of the robot's power.
 #ifndef RCSERVER_BODY_POWER_ORDER_H
 #define RCSERVER_BODY_POWER_ORDER_H
 
-/// Waits to be carried out until the client has got its answer.
-enum PowerOrder { POWER_STAYS_ON, POWER_SHUT_DOWN, POWER_REBOOT };
+/// Waits to be carried out until the client has been told and has gone.
+enum PowerOrder {
+  POWER_STAYS_ON,
+  POWER_SHUT_DOWN,
+  POWER_REBOOT,
+  POWER_LIE_DOWN  ///< lie down, then shut down
+};
 
 #endif  // RCSERVER_BODY_POWER_ORDER_H

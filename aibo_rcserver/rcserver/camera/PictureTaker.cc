@@ -16,24 +16,32 @@ void CopyRows(const CameraImage& image, unsigned char* out) {
 
 }  // namespace
 
-PictureTaker::PictureTaker() : ticket_(0), order_(), header_() {}
+PictureTaker::PictureTaker()
+    : is_waiting_(false), waiting_order_(), waiting_header_(), ticket_(0), order_(), header_() {}
 
-bool PictureTaker::Begin(const CameraImage& image, const PictureOrder& order,
+bool PictureTaker::Offer(const CameraImage& image, const PictureOrder& order,
                          const protocol::version2::ImageHeader& header) {
   if (image.width > MAX_IMAGE_WIDTH || image.height > MAX_IMAGE_HEIGHT) {
     return false;
   }
-  ticket_ = jobs_.NewTicket();
-  order_ = order;
-  header_ = header;
   PictureJob* const job = jobs_.Memory();
-  job->ticket = ticket_;
   job->quality = order.quality;
   job->width = image.width;
   job->height = image.height;
   CopyRows(image, job->pixels);
-  jobs_.Send();
+  is_waiting_ = true;
+  waiting_order_ = order;
+  waiting_header_ = header;
   return true;
+}
+
+void PictureTaker::Begin() {
+  is_waiting_ = false;
+  order_ = waiting_order_;
+  header_ = waiting_header_;
+  ticket_ = jobs_.NewTicket();
+  jobs_.Memory()->ticket = ticket_;
+  jobs_.Send();
 }
 
 bool PictureTaker::Take(const EncodedPicture& picture) {

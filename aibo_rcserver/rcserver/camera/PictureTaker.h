@@ -11,7 +11,8 @@
 #include "rcserver/camera/CameraImage.h"
 #include "rcserver/camera/ImageObserver.h"
 
-/// Has pictures made of camera images, one at a time.
+/// Has pictures made of camera images, one at a time. While one is being made, the newest image waits to be the next:
+/// so an encoder that takes longer than the camera is never idle.
 class PictureTaker {
  public:
   PictureTaker();
@@ -24,19 +25,32 @@ class PictureTaker {
   /// To be called in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
-  /// True if the encoder takes an image now.
-  bool IsFree() const { return jobs_.IsFree(); }
+  /// True if there is room for an image that waits.
+  bool HasRoom() const { return jobs_.Memory() != NULL; }
 
-  /// Has a picture made. Only if IsFree().
+  /// An image is to become the next picture, in the place of one that waits. Only if HasRoom().
   /// @param image is copied
   /// @return false if it is larger than MAX_IMAGE_WIDTH x MAX_IMAGE_HEIGHT
-  bool Begin(const CameraImage& image, const PictureOrder& order, const protocol::version2::ImageHeader& header);
+  bool Offer(const CameraImage& image, const PictureOrder& order, const protocol::version2::ImageHeader& header);
 
-  /// True from Begin() until the picture has come, or is not wanted any more.
-  bool IsMaking() const { return ticket_ != 0; }
+  /// True from Offer() to Begin().
+  bool IsWaiting() const { return is_waiting_; }
+  const PictureOrder& WaitingOrder() const { return waiting_order_; }
 
-  /// The picture that is being made is not wanted any more.
-  void Forget() { ticket_ = 0; }
+  /// The image that waits is not wanted any more.
+  void DropWaiting() { is_waiting_ = false; }
+
+  /// True if there is an image that waits, and the encoder takes it now.
+  bool MayBegin() const { return is_waiting_ && jobs_.IsFree(); }
+
+  /// Has the picture made. Only if MayBegin().
+  void Begin();
+
+  /// Neither the picture that is being made nor the image that waits is wanted any more.
+  void Forget() {
+    ticket_ = 0;
+    is_waiting_ = false;
+  }
 
   /// A picture has come.
   /// @return false if it is not wanted any more
@@ -52,7 +66,10 @@ class PictureTaker {
   PictureTaker(const PictureTaker&);
   PictureTaker& operator=(const PictureTaker&);
 
-  RegionSender<PictureJob> jobs_;
+  RegionSender<PictureJob, 2> jobs_;
+  bool is_waiting_;
+  PictureOrder waiting_order_;
+  protocol::version2::ImageHeader waiting_header_;
   unsigned ticket_;  ///< of the picture that is being made; 0: none is
   PictureOrder order_;
   protocol::version2::ImageHeader header_;

@@ -48,6 +48,12 @@ void MotionPlayer::StopAll() {
   }
 }
 
+void MotionPlayer::EndRepetitions() {
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    motions_[i].EndRepetitions();
+  }
+}
+
 bool MotionPlayer::IsPlaying() const {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {

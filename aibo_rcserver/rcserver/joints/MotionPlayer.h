@@ -39,6 +39,9 @@ class MotionPlayer {
   void Stop(const protocol::MotionName& name);
   void StopAll();
 
+  /// Every motion ends when its present repetition does.
+  void EndRepetitions();
+
   bool IsPlaying() const;
 
   /// A joint gets another command now: the motion that moves it is over.

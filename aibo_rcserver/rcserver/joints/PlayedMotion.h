@@ -45,6 +45,9 @@ class PlayedMotion {
   /// @param repetitions not below 1
   void Start(int repetitions);
 
+  /// The present repetition is the last one.
+  void EndRepetitions() { repetitions_left_ = 1; }
+
   bool IsPlaying() const { return phase_ != OVER; }
   const char* Name() const { return name_; }
   bool Moves(int joint) const;

@@ -7,9 +7,18 @@
 
 namespace {
 
-enum Name { ALLOW_UPLOAD, ALLOW_DELETE, ALLOW_SHUT_DOWN, ALLOW_REBOOT, ALLOWED_ADDRESSES, SILENT_CLIENT_SECONDS };
-const char* const NAMES[] = {"ALLOW_UPLOAD", "ALLOW_DELETE",      "ALLOW_SHUT_DOWN",
-                             "ALLOW_REBOOT", "ALLOWED_ADDRESSES", "SILENT_CLIENT_SECONDS"};
+enum Name {
+  ALLOW_UPLOAD,
+  ALLOW_DELETE,
+  ALLOW_SHUT_DOWN,
+  ALLOW_REBOOT,
+  MOTORS_AT_BOOT,
+  POWER_MONITOR,
+  ALLOWED_ADDRESSES,
+  SILENT_CLIENT_SECONDS
+};
+const char* const NAMES[] = {"ALLOW_UPLOAD",   "ALLOW_DELETE",  "ALLOW_SHUT_DOWN",   "ALLOW_REBOOT",
+                             "MOTORS_AT_BOOT", "POWER_MONITOR", "ALLOWED_ADDRESSES", "SILENT_CLIENT_SECONDS"};
 const int NUMBER_OF_NAMES = static_cast<int>(sizeof(NAMES) / sizeof(NAMES[0]));
 
 const int MOST_SECONDS = 3600;
@@ -117,6 +126,9 @@ const char* Reader::MakeSafe(int name) {
     case SILENT_CLIENT_SECONDS:
       settings_.silent_client_seconds = Settings().silent_client_seconds;
       return "it is 10";
+    case POWER_MONITOR:
+      settings_.power_monitor = true;
+      return "it is yes";
     default:
       *FindSwitch(name) = false;
       return "it is no";
@@ -131,6 +143,10 @@ bool* Reader::FindSwitch(int name) {
       return &settings_.allow_delete;
     case ALLOW_SHUT_DOWN:
       return &settings_.allow_shut_down;
+    case MOTORS_AT_BOOT:
+      return &settings_.motors_at_boot;
+    case POWER_MONITOR:
+      return &settings_.power_monitor;
     default:
       return &settings_.allow_reboot;
   }

@@ -18,12 +18,16 @@ struct Settings {
         allow_delete(false),
         allow_shut_down(false),
         allow_reboot(false),
+        motors_at_boot(true),
+        power_monitor(true),
         silent_client_seconds(10) {}
 
   bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
   bool allow_delete;                   ///< ALLOW_DELETE: files from the memory stick
   bool allow_shut_down;                ///< ALLOW_SHUT_DOWN
   bool allow_reboot;                   ///< ALLOW_REBOOT
+  bool motors_at_boot;                 ///< MOTORS_AT_BOOT: joints hold where they are when the robot has booted
+  bool power_monitor;                  ///< POWER_MONITOR: pause button and low battery switch the robot off
   AllowedAddresses allowed_addresses;  ///< ALLOWED_ADDRESSES
   unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: then a client is taken for dead
 };
@@ -40,8 +44,9 @@ class SettingsProblems {
 
 /// Reads lines NAME=VALUE. Empty lines and what comes behind a # are passed over, capitals and small letters are the
 /// same, and lines may end as on any system. A line that is wrong is passed over, or makes its setting the safe one:
-/// not allowed, 10 s, and no address but 127.0.0.1. The same name twice is wrong, too. Where a line was passed over and
-/// none sets ALLOWED_ADDRESSES, it may have been that one: no address but 127.0.0.1, too.
+/// not allowed, motors off at boot, power monitored, 10 s, and no address but 127.0.0.1. The same name twice is wrong,
+/// too. Where a line was passed over and none sets ALLOWED_ADDRESSES, it may have been that one: no address but
+/// 127.0.0.1, too.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
 #endif  // RCSERVER_MEMORY_STICK_SETTINGS_H

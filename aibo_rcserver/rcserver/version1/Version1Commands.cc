@@ -15,10 +15,20 @@ void Version1Commands::Begin() {
   sensors_.Begin();
 }
 
-void Version1Commands::Handle(const protocol::Request& request) {
+bool Version1Commands::Handle(const protocol::Request& request) {
+  if (request.valid && IsForMotions(request)) {
+    return motions_.Execute(request);
+  }
   if (!request.valid || !Execute(request)) {
     replies_.Refuse(protocol::ERROR_REFUSED);
   }
+  return true;
+}
+
+bool Version1Commands::IsForMotions(const protocol::Request& request) {
+  return request.basic.command == protocol::REQUEST_UPLOAD_MOTION ||
+         request.basic.command == protocol::REQUEST_DELETE_MOTION ||
+         request.basic.command == protocol::REQUEST_PLAY_MOTION;
 }
 
 // False: to be refused.
@@ -36,11 +46,6 @@ bool Version1Commands::Execute(const protocol::Request& request) {
       return joints_.Execute(request);
     case protocol::REQUEST_SENSOR:
       return sensors_.Execute(request);
-    case protocol::REQUEST_UPLOAD_MOTION:
-    case protocol::REQUEST_DELETE_MOTION:
-    case protocol::REQUEST_PLAY_MOTION:
-      motions_.Execute(request);
-      return true;
     case protocol::REQUEST_LED:
     case protocol::REQUEST_FACE_LEDS:
     case protocol::REQUEST_EARS:

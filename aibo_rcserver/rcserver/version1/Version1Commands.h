@@ -28,7 +28,8 @@ class Version1Commands {
   void Begin();
 
   /// Adds at most one message to the outbox. A request that needs the memory stick is answered by FileDone().
-  void Handle(const protocol::Request& request);
+  /// @return false if nothing was done because the request has to wait for the memory stick
+  bool Handle(const protocol::Request& request);
 
   /// Takes what has come of a file that a request has announced. To be called before each request is taken; adds at
   /// most one message to the outbox, in the place of the one that the request had.
@@ -43,6 +44,7 @@ class Version1Commands {
   Version1Commands(const Version1Commands&);
   Version1Commands& operator=(const Version1Commands&);
 
+  static bool IsForMotions(const protocol::Request& request);
   bool Execute(const protocol::Request& request);
 
   ImageObserver& camera_;

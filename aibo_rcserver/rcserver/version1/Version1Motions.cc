@@ -16,14 +16,17 @@ void Version1Motions::Begin() {
   uploaded_ = 0;
 }
 
-void Version1Motions::Execute(const protocol::Request& request) {
+bool Version1Motions::Execute(const protocol::Request& request) {
   request_ = request.basic;
   const FileRequest file = protocol::decodeFileRequest(request.payload);
-  const bool stops_all = request_.command == protocol::REQUEST_PLAY_MOTION && file.a == 0 && file.name[0] == '\0';
+  const bool stops = request_.command == protocol::REQUEST_PLAY_MOTION && file.a == 0;
   MotionName name = "";
-  if (!stops_all && protocol::readMotionName(file.name, strlen(file.name), name) != NULL) {
+  if (!(stops && file.name[0] == '\0') && protocol::readMotionName(file.name, strlen(file.name), name) != NULL) {
     replies_.Refuse(protocol::ERROR_NOT_A_MOTION);
-    return;
+    return true;
+  }
+  if (!stops && motions_.IsBusy()) {
+    return false;
   }
   switch (request_.command) {
     case protocol::REQUEST_UPLOAD_MOTION:
@@ -36,6 +39,7 @@ void Version1Motions::Execute(const protocol::Request& request) {
       Play(name, file.a);
       break;
   }
+  return true;
 }
 
 bool Version1Motions::TakeContent(protocol::RequestReader& reader) {

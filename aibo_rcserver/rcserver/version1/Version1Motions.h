@@ -20,7 +20,8 @@ class Version1Motions {
   void Begin();
 
   /// Answers the request, unless it needs the memory stick, or begins an upload: these are answered when that is done.
-  void Execute(const protocol::Request& request);
+  /// @return false if nothing was done because the request has to wait for the memory stick
+  bool Execute(const protocol::Request& request);
 
   /// Answers the request that has been waiting for the memory stick.
   /// @param result that MotionCommands awaits

@@ -42,6 +42,13 @@ class Version2Commands {
   /// @param text a reason in words
   void Refuse(const protocol::version2::FrameHeader& request, unsigned short code, const char* text);
 
+  /// Pushes an error that nobody has asked for, if there is room.
+  void PushError(unsigned short code, const char* text) {
+    if (replies_.HasRoom()) {
+      replies_.PushError(code, text);
+    }
+  }
+
   /// All joints have been measured.
   /// @param frame in which
   void Measured(unsigned frame);

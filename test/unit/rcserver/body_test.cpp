@@ -101,6 +101,12 @@ TEST_F(BodyTest, SensorIsReadInTheUnitsOfVersion1) {
   expectAnswer(request('S', kPawLeftFront), 's', kPawLeftFront, 1);
 }
 
+TEST_F(BodyTest, BatteryThatSaysMoreThanFullIsFull) {
+  robot_.power_status.remainingCapacity = 101;
+  passFrames(125 + 4);
+  expectAnswer(request('S', kBattery), 's', kBattery, 100);
+}
+
 TEST_F(BodyTest, BatteryIsAskedOnceASecond) {
   expectAnswer(request('S', kBattery), 's', kBattery, 87);
   expectAnswer(request('S', kTemperature), 's', kTemperature, 2505);

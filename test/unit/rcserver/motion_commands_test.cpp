@@ -207,7 +207,7 @@ TEST_F(Version1MotionsTest, deletesWhatIsThere) {
   start("ALLOW_DELETE=yes\n");
   EXPECT_EQ(answerTo(fileRequest('D', "nod.mtn", 0)), "d7 0");
   EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 1");
-  EXPECT_THAT(motions(), ElementsAre("SIT.MTN", "WAG.MTN"));
+  EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
 // ------------------------------------------------------------------------------------------------------ version 2
@@ -259,7 +259,7 @@ class Version2MotionsTest : public MotionsTest {
 
 TEST_F(Version2MotionsTest, listsPlaysAndStops) {
   startVersion2("");
-  EXPECT_EQ(answerTo(frame('N', "")), "nNOD.MTN\nSIT.MTN\nWAG.MTN");
+  EXPECT_EQ(answerTo(frame('N', "")), "nLIE.MTN\nNOD.MTN\nSIT.MTN\nWAG.MTN");
   EXPECT_EQ(answerTo(play("nod.mtn", 2)), "p");
   EXPECT_EQ(answerTo(play("WAG.MTN", 65535)), "p") << "two at once";
   EXPECT_THAT(answerTo(play("SIT.MTN", 1)), HasSubstr("e0 NOD.MTN is being played and moves neck_tilt, too"));

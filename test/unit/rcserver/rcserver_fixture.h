@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "object_catalog.h"
 #include "openr_host/clock.h"
@@ -17,6 +18,7 @@
 #include "openr_host/virtual_robot.h"
 #include "protocol/version1.h"
 #include "rcserver/memory_stick/HostSettings.h"
+#include "slow_object.h"
 #include "test_client.h"
 
 inline std::string request(char letter, int identifier) {
@@ -39,7 +41,15 @@ class RCServerFixture : public ::testing::Test {
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
+    encoder_.standBefore(options.catalog.at("ENCODER.BIN"));
+    file_keeper_.standBefore(options.catalog.at("FILES.BIN"));
+    options.on_camera_image = [this] {
+      encoder_.obey();
+      file_keeper_.obey();
+    };
+    options.on_send = [this](const void*, size_t size) { sends_.push_back(size); };
     options.console = &console_;
+    options.handler_time = handler_time_;
     setHostSettings(host_);
     machine_ = std::make_unique<openr_host::Machine>(options, clock_, robot);
     machine_->boot();
@@ -88,6 +98,10 @@ class RCServerFixture : public ::testing::Test {
   }
 
   HostSettings host_;
+  openr_host::HandlerTime handler_time_;
+  SlowObject encoder_;
+  SlowObject file_keeper_;
+  std::vector<size_t> sends_;  ///< bytes that the server has given to the IPStack each time
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;

@@ -195,6 +195,19 @@ TEST(Joint, KeepsTheReadingsOfTheLastFourFramesInTheirOrder) {
   EXPECT_EQ(joint.position(), 1000) << "an error of the encoder moves nothing";
 }
 
+TEST(Joint, HasNoSpeedLeftAtItsStop) {
+  const robot_model::Joint& model_of_joint = jointModel("head_tilt");
+  Joint at_stop = drivenJoint(model_of_joint, 0);
+  at_stop.command(model_of_joint.mechanical_highest + 400000);
+  pass(at_stop, 100);
+  Joint at_rest = drivenJoint(model_of_joint, model_of_joint.mechanical_highest);
+  for (Joint* joint : {&at_stop, &at_rest}) {
+    joint->command(0);
+    joint->passFrame(0);
+  }
+  EXPECT_EQ(at_stop.position(), at_rest.position());
+}
+
 TEST(Joint, TheSignalsCountTheEncodersStepsFromTheMechanicalLimit) {
   const robot_model::Joint& model_of_joint = jointModel("tail_pan");  // -60 degrees
   Joint joint(model_of_joint, 0);

@@ -335,6 +335,6 @@ TEST_P(ShippedMotionsPlayedTest, goesThroughAllKeyFrames) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsPlayedTest, ::testing::Values("NOD", "WAG", "SIT"));
+INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsPlayedTest, ::testing::Values("LIE", "NOD", "WAG", "SIT"));
 
 }  // namespace

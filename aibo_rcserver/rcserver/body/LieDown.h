@@ -1,0 +1,42 @@
+/// @file LieDown.h
+/// A robot whose battery is low lies down before its motors go off.
+#ifndef RCSERVER_BODY_LIE_DOWN_H
+#define RCSERVER_BODY_LIE_DOWN_H
+
+#include "file_keeper/FileJob.h"
+#include "rcserver/commands/FileJobs.h"
+#include "rcserver/joints/JointControl.h"
+
+/// Plays LIE.MTN from the memory stick. Pure logic: no OPEN-R.
+class LieDown {
+ public:
+  /// After so many frames it counts as over, whatever has come of it: 10 s, five times what it takes from any posture.
+  static const unsigned MOST_FRAMES = 1250;
+
+  LieDown() : state_(OVER), begin_(0), ticket_(0) {}
+
+  /// @param now OPEN-R frame
+  void Begin(unsigned now);
+
+  bool IsUnderWay() const { return state_ != OVER; }
+
+  /// To be called in every frame or so while it is under way.
+  /// @param body_is_at_rest nothing moves, and no command is on its way
+  void Continue(unsigned now, FileJobs& files, bool body_is_at_rest);
+
+  /// True if this is the motion that is waited for.
+  bool Awaits(const FileResult& result) const { return state_ == READING && result.ticket == ticket_; }
+
+  /// The motion has been read. Only if Awaits().
+  /// @return NULL, or why the robot does not lie down, which is over then
+  const char* Play(const FileResult& result, JointControl& joints);
+
+ private:
+  enum State { OVER, WAITING, READING, LYING_DOWN };
+
+  State state_;
+  unsigned begin_;
+  unsigned ticket_;
+};
+
+#endif  // RCSERVER_BODY_LIE_DOWN_H

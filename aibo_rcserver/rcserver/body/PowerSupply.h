@@ -1,0 +1,37 @@
+/// @file PowerSupply.h
+/// The pause button and the battery.
+#ifndef RCSERVER_BODY_POWER_SUPPLY_H
+#define RCSERVER_BODY_POWER_SUPPLY_H
+
+#include <OPENR/OPENR.h>
+#include <OPENR/OPower.h>
+
+/// Observes what has to switch the robot off, as POWERMON.BIN of the SDK does: without one of the two, nobody obeys the
+/// pause button, and nobody spares an empty battery.
+class PowerSupply {
+ public:
+  enum Alarm { NO_ALARM, PAUSE_PRESSED, BATTERY_LOW };
+
+  PowerSupply() : last_(NO_ALARM), is_observing_(false) {}
+
+  /// Asks OPEN-R to call an entry at every change of what Look() looks at (Level2 Reference Guide, page 79). If it
+  /// refuses, the log says so.
+  void Observe(const OServiceEntry& entry);
+  void Unobserve();
+
+  /// Looks at the present status. To be called once at first, because OPEN-R calls at changes only.
+  Alarm LookNow();
+
+  /// @return an alarm when it begins; a pressed button comes after a low battery, and not the other way round
+  Alarm Look(const OPowerStatus& status);
+
+ private:
+  PowerSupply(const PowerSupply&);
+  PowerSupply& operator=(const PowerSupply&);
+
+  Alarm last_;
+  bool is_observing_;
+  OServiceEntry entry_;
+};
+
+#endif  // RCSERVER_BODY_POWER_SUPPLY_H

@@ -1,0 +1,172 @@
+// Places for clients, and clients that are lost.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fake_robot.h"
+#include "temporary_memory_stick.h"
+#include "version2_fixture.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr unsigned kUntilMeasured = 12;
+
+class ConnectionsTest : public Version2Fixture {
+ protected:
+  ConnectionsTest() { host_.memory_stick = stick_.folder(); }
+
+  void SetUp() override {
+    boot(robot_);
+    passFrames(kUntilMeasured);
+  }
+
+  // A client whom the server leaves with a last word, and who does not close.
+  std::unique_ptr<TestClient> connectAndBreakTheProtocol() {
+    auto client = connect();
+    client->send(request('X', 2) + std::string("Z\0\0\1\0\1\0\1", 8));
+    machine_->runPending();
+    return client;
+  }
+
+  bool isServed(TestClient& client) {
+    client.send("??");
+    machine_->runPending();
+    return client.next().has_value();
+  }
+
+  FakeRobot robot_;
+  TemporaryMemoryStick stick_;
+};
+
+// ------------------------------------------------------------------------------------------------- those who stay
+
+// Internet Protocol Version4, 2.7: an orderly close lasts until the other side has closed, too; one that takes too much
+// time is aborted.
+TEST_F(ConnectionsTest, ClientsThatNeverCloseAreForgottenWithinTwoSeconds) {
+  const auto first = connectAndBreakTheProtocol();
+  const auto second = connectAndBreakTheProtocol();
+  passFrames(250 + 8);
+  auto third = connect();
+  EXPECT_TRUE(isServed(*third));
+}
+
+TEST_F(ConnectionsTest, LastWordOfTheServerArrivesThoughItCloses) {
+  const auto client = connectAndBreakTheProtocol();
+  passFrames(1000);
+  EXPECT_TRUE(client->next()) << "the agreement to version 2";
+  const std::optional<Frame> last_word = client->nextFrame();
+  ASSERT_TRUE(last_word);
+  EXPECT_EQ(last_word->header.kind, 'e');
+  EXPECT_TRUE(awaitEnd(*client));
+}
+
+TEST_F(ConnectionsTest, ThoseWhoAreTurnedAwayAndStayDoNotKeepOthersOut) {
+  auto served = connectServed();
+  std::vector<std::unique_ptr<TestClient>> strangers;
+  for (int i = 0; i < 10; ++i) {
+    strangers.push_back(connect());
+    EXPECT_TRUE(awaitEnd(*strangers.back())) << i;
+    EXPECT_FALSE(strangers.back()->next());
+  }
+  served->close();
+  machine_->runPending();
+  auto next = connect();
+  EXPECT_TRUE(isServed(*next));
+}
+
+// ------------------------------------------------------------------------------------------------- those who vanish
+
+class PlayingClientTest : public ConnectionsTest {
+ protected:
+  static std::string playWag(int repetitions) {
+    return std::string("P\7WAG.MTN\0\0\0\0\0", 14) + static_cast<char>(repetitions & 0xff) +
+           static_cast<char>(repetitions >> 8) + std::string(2, '\0');
+  }
+
+  void startPlaying(TestClient& client) {
+    client.send(playWag(1000));
+    const std::optional<Reply> reply = await(client);
+    ASSERT_TRUE(reply && reply->letter == 'p');
+    machine_->runPending();
+  }
+
+  bool tailMoves() {
+    std::vector<int>& path = robot_.joint("tail_pan").path;
+    path.clear();
+    passFrames(400);
+    return std::any_of(path.begin(), path.end(), [&](int position) { return position != path.front(); });
+  }
+
+  size_t timesSaid(const std::string& text) const {
+    size_t count = 0;
+    for (size_t at = console_.str().find(text); at != std::string::npos; at = console_.str().find(text, at + 1)) {
+      ++count;
+    }
+    return count;
+  }
+};
+
+// WAG.MTN takes less than 2 s.
+TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsAndItIsServedOn) {
+  auto client = connectServed();
+  startPlaying(*client);
+  passFrames(1250 - 420);
+  EXPECT_TRUE(tailMoves());
+  EXPECT_EQ(timesSaid("silent for 10 s"), 0U);
+  passFrames(20 + 250);
+  EXPECT_FALSE(tailMoves());
+  passFrames(3000);
+  EXPECT_EQ(timesSaid("silent for 10 s: its motions end"), 1U);
+  EXPECT_TRUE(isServed(*client));
+  startPlaying(*client);
+  EXPECT_TRUE(tailMoves());
+}
+
+TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatReadsItsStreamGoesOn) {
+  auto client = connectServed();
+  client->send(request('W', 85));
+  machine_->runPending();
+  client->send(playWag(1000));
+  for (int i = 0; i < 400; ++i) {
+    passFrames(4);
+    while (client->next()) {
+    }
+  }
+  EXPECT_TRUE(tailMoves());
+}
+
+TEST_F(PlayingClientTest, TimeOfSilenceIsTheOneOfTheSettings) {
+  machine_.reset();
+  stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "SILENT_CLIENT_SECONDS=20\n");
+  boot(robot_);
+  passFrames(kUntilMeasured);
+  auto client = connectServed();
+  startPlaying(*client);
+  passFrames(2500 - 420);
+  EXPECT_TRUE(tailMoves());
+  passFrames(20 + 250);
+  EXPECT_FALSE(tailMoves());
+}
+
+// -------------------------------------------------------------------------------------------------------- motors
+
+TEST_F(PlayingClientTest, MotionThatTheMotorsEndedDoesNotGoOnWhenTheyAreOnAgain) {
+  connectVersion2();
+  EXPECT_EQ(answerTo('P', 0, std::string("\3\350WAG.MTN")).header.kind, 'p');
+  passFrames(200);
+  answerTo('O', 0, std::string(1, '\0'));
+  passFrames(kUntilMeasured);
+  answerTo('O', 0, "\1");
+  passFrames(50);
+  EXPECT_FALSE(tailMoves());
+  EXPECT_EQ(answerTo('P', 0, std::string("\0\1WAG.MTN", 9)).header.kind, 'p') << "its joints are free";
+}
+
+}  // namespace

@@ -1,0 +1,229 @@
+// Requests that need the memory stick, while it is at work.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fake_robot.h"
+#include "motion_bytes.h"
+#include "temporary_memory_stick.h"
+#include "version2_fixture.h"
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr unsigned kUntilMeasured = 12;
+
+class FileJobsTest : public Version2Fixture {
+ protected:
+  void SetUp() override {
+    host_.memory_stick = stick_.folder();
+    stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    connectVersion2();
+    file_keeper_.slowDown();
+  }
+
+  static std::string play(const std::string& name, int repetitions) {
+    return std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name;
+  }
+
+  static std::string upload(const std::string& name, const std::string& content) {
+    return static_cast<char>(name.size()) + name + content;
+  }
+
+  // What has come: kind and request number of each frame, and what an error says.
+  std::vector<std::string> answers() {
+    std::vector<std::string> all;
+    machine_->runPending();
+    while (const std::optional<Frame> next = client_->nextFrame()) {
+      all.push_back(next->header.kind + std::to_string(next->header.request_number));
+      if (next->header.kind == 'e') {
+        all.back() += " " + std::string(next->payload.begin() + 2, next->payload.end());
+      }
+    }
+    return all;
+  }
+
+  // The memory stick does its job, and the next one that may come does not take any time.
+  void finishJobs() {
+    file_keeper_.speedUp();
+    passFrames(FakeRobot::kFramesPerImage);
+  }
+
+  bool hasFile(const std::string& name) { return std::filesystem::exists(stick_.path("OPEN-R/MW/DATA/P/" + name)); }
+
+  bool moves(const std::string& joint) {
+    const int before = robot_.joint(joint).position;
+    bool has_moved = false;
+    for (int i = 0; i < 100; ++i) {
+      passFrames(4);
+      has_moved = has_moved || robot_.joint(joint).position != before;
+    }
+    return has_moved;
+  }
+
+  TemporaryMemoryStick stick_;
+  FakeRobot robot_;
+  const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
+};
+
+TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
+  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  send(frame('H', 0, 2) + frame('O', 0, 3) + frame('J', 0, 4, std::string(4, '\0')) +
+       frame('P', 0, 5, play("SIT.MTN", 0)));
+  EXPECT_THAT(answers(), ElementsAre("h2", "o3", "j4", "p5"));
+  EXPECT_FALSE(moves("tail_pan"));
+  finishJobs();
+  EXPECT_THAT(answers(), ElementsAre("p1"));
+  EXPECT_TRUE(moves("tail_pan"));
+}
+
+// Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the memory stick.
+TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
+  const std::string head_pan_to_half_a_radian("\0\0\1\0\2\0\0\0\0\7\241\40", 12);
+  send(frame('P', 0, 1, play("WAG.MTN", 1)));
+  send(frame('J', 0, 2, head_pan_to_half_a_radian));
+  passFrames(300);
+  EXPECT_EQ(robot_.joint("head_pan").position, 500000);
+  EXPECT_TRUE(file_keeper_.hasJob());
+}
+
+TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
+  send(frame('P', 0, 1, play("WAG.MTN", 1)));
+  send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));
+  send(frame('U', 0, 4, upload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
+  EXPECT_THAT(answers(), ElementsAre());
+  file_keeper_.finish();
+  passFrames(FakeRobot::kFramesPerImage);
+  EXPECT_THAT(answers(), ElementsAre("p1", "h3"));
+  EXPECT_TRUE(hasFile("NOD.MTN"));
+  finishJobs();
+  EXPECT_THAT(answers(), ElementsAre("d2", "u4", "h6", "n5"));
+  EXPECT_FALSE(hasFile("NOD.MTN"));
+  EXPECT_TRUE(hasFile("NEW.MTN"));
+}
+
+TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
+  for (const std::string& name : {std::string("WAG.MTN"), std::string()}) {
+    file_keeper_.slowDown();
+    send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+    ASSERT_TRUE(file_keeper_.hasJob());
+    send(frame('P', 0, 2, play(name, 0)));
+    EXPECT_THAT(answers(), ElementsAre("p2"));
+    finishJobs();
+    EXPECT_THAT(answers(), ElementsAre("e1 WAG.MTN was stopped while its file was being read"));
+    EXPECT_FALSE(moves("tail_pan"));
+  }
+}
+
+TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
+  for (const bool are_on_again : {false, true}) {
+    file_keeper_.slowDown();
+    send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+    ASSERT_TRUE(file_keeper_.hasJob());
+    send(frame('O', 0, 2, std::string(1, '\0')) + (are_on_again ? frame('O', 0, 3, "\1") : ""));
+    answers();
+    finishJobs();
+    EXPECT_THAT(answers(), ElementsAre(HasSubstr("e1 WAG.MTN is not played: the motors were switched off")));
+    send(frame('O', 0, 4, "\1"));
+    answers();
+    EXPECT_FALSE(moves("tail_pan"));
+  }
+}
+
+TEST_F(FileJobsTest, JointsThatAreTakenMeanwhileRefuseTheMotion) {
+  file_keeper_.speedUp();
+  send(frame('P', 0, 1, play("NOD.MTN", 1000)));
+  EXPECT_THAT(answers(), ElementsAre("p1"));
+  send(frame('P', 0, 2, play("SIT.MTN", 1)));
+  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 NOD.MTN is being played and moves neck_tilt")));
+}
+
+TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
+  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  reconnect();
+  send(frame('D', 0, 1, "NOD.MTN"));
+  EXPECT_TRUE(hasFile("NOD.MTN"));
+  finishJobs();
+  EXPECT_THAT(answers(), ElementsAre("d1"));
+  EXPECT_FALSE(hasFile("NOD.MTN"));
+  EXPECT_FALSE(moves("tail_pan"));
+}
+
+TEST_F(FileJobsTest, UploadIsFinishedAsAWholeThoughItsClientHasGone) {
+  send(frame('U', 0, 1, upload("NEW.MTN", motion_)));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  client_->close();
+  machine_->runPending();
+  EXPECT_FALSE(hasFile("NEW.MTN"));
+  finishJobs();
+  EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
+}
+
+TEST_F(FileJobsTest, AnswerFindsRoomHoweverManyOthersWait) {
+  client_->close();
+  machine_->runPending();
+  client_ = connect(4096);
+  send(request('X', 2));
+  ASSERT_TRUE(await(*client_));
+  std::string bytes = frame('P', 0, 1, play("WAG.MTN", 1));
+  for (int i = 0; i < 4096; ++i) {
+    bytes += frame('V', 0, 7);
+  }
+  for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
+    sent += client_->send(bytes.substr(sent));
+  }
+  ASSERT_TRUE(file_keeper_.hasJob());
+  finishJobs();
+  int limits = 0;
+  int plays = 0;
+  while (limits + plays < 4097) {
+    const std::optional<Frame> next = nextFrame();
+    ASSERT_TRUE(next);
+    limits += next->header.kind == 'v' ? 1 : 0;
+    plays += next->header.kind == 'p' ? 1 : 0;
+  }
+  EXPECT_EQ(plays, 1);
+}
+
+TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  const std::string play_wag = std::string("P\7WAG.MTN\0\0\0\0\0\1\0\0\0", 18);
+  client_->send(play_wag + request('?', 0) + request('X', 3));
+  machine_->runPending();
+  ASSERT_TRUE(file_keeper_.hasJob());
+  passFrames(100);
+  EXPECT_FALSE(client_->next());
+  finishJobs();
+  for (const char letter : {'p', 'e', 'e'}) {
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->letter, letter);
+  }
+}
+
+TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLastOnesJob) {
+  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  client_->close();
+  machine_->runPending();
+  client_ = connect();
+  client_->send(request('?', 0));
+  machine_->runPending();
+  finishJobs();
+  EXPECT_TRUE(await(*client_));
+  EXPECT_FALSE(moves("tail_pan"));
+}
+
+}  // namespace

@@ -1,0 +1,310 @@
+// Pictures while the encoder is at work and while the connection is busy.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fake_robot.h"
+#include "picture_checks.h"
+#include "picture_encoder/PictureJob.h"
+#include "protocol/version2.h"
+#include "rcserver/camera/CameraImage.h"
+#include "version2_fixture.h"
+
+namespace {
+
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Le;
+
+constexpr unsigned kUntilMeasured = 12;
+
+const std::string kLayerHigh(1, '\0');
+const std::string kStreamOn = {1, 0, 0, 1};
+const std::string kStreamOff = {0, 0, 0, 1};
+
+std::string moveHeadPan(int microradians) {
+  std::string payload = {0, 0, 1, 0, 2, 0, 0, 0};
+  for (const int shift : {24, 16, 8, 0}) {
+    payload += static_cast<char>(microradians >> shift);
+  }
+  return payload;
+}
+
+class PicturesTest : public Version2Fixture {
+ protected:
+  void SetUp() override {
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    connectVersion2();
+  }
+
+  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
+
+  // What has come of a kind; anything else that has come is passed over.
+  std::vector<Frame> framesOf(char kind) {
+    std::vector<Frame> frames;
+    machine_->runPending();
+    while (const std::optional<Frame> next = client_->nextFrame()) {
+      if (next->header.kind == kind) {
+        frames.push_back(*next);
+      }
+      machine_->runPending();
+    }
+    return frames;
+  }
+
+  std::vector<Frame> pictures() { return framesOf('f'); }
+
+  std::optional<Frame> nextPicture() {
+    std::optional<Frame> next = nextFrame();
+    while (next && next->header.kind != 'f') {
+      next = nextFrame();
+    }
+    return next;
+  }
+
+  static unsigned imageCount(const Frame& picture) {
+    protocol::version2::ImageHeader image{};
+    size_t size = 0;
+    EXPECT_EQ(decodePicture(picture.payload.data(), picture.payload.size(), &image, &size), nullptr);
+    return image.image_count;
+  }
+
+  static int brightness(const Frame& picture) {
+    return brightnessOf({picture.payload.begin() + protocol::version2::IMAGE_HEADER_SIZE, picture.payload.end()}).level;
+  }
+
+  void expectPictureOfImage(const Frame& picture, unsigned image) {
+    EXPECT_EQ(imageCount(picture), image);
+    EXPECT_NEAR(brightness(picture), FakeRobot::brightness(image), 3);
+  }
+
+  FakeRobot robot_;
+};
+
+// ------------------------------------------------------------------------------------------------ a slow encoder
+
+TEST_F(PicturesTest, ImagesThatComeWhileTheEncoderWorksAreLeftOut) {
+  encoder_.slowDown();
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  const unsigned first = robot_.lastImage();
+  takeImage();
+  takeImage();
+  EXPECT_TRUE(pictures().empty());
+  encoder_.speedUp();
+  takeImage();
+  const std::vector<Frame> made = pictures();
+  ASSERT_EQ(made.size(), 1U);
+  expectPictureOfImage(made[0], first);
+  takeImage();
+  const std::vector<Frame> next = pictures();
+  ASSERT_EQ(next.size(), 1U);
+  expectPictureOfImage(next[0], robot_.lastImage());
+}
+
+// Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the encoder.
+TEST_F(PicturesTest, JointsMoveAndRequestsAreAnsweredWhileTheEncoderWorks) {
+  encoder_.slowDown();
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  EXPECT_EQ(answerTo('J', 0, moveHeadPan(500000)).header.kind, 'j');
+  passFrames(300);
+  EXPECT_EQ(robot_.joint("head_pan").position, 500000);
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
+  EXPECT_TRUE(encoder_.hasJob());
+}
+
+TEST_F(PicturesTest, PictureInTheMakingGoesWithItsClient) {
+  encoder_.slowDown();
+  send(frame('F', 85, 7, kLayerHigh));
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  reconnect();
+  send(frame('F', 85, 8, kLayerHigh));
+  encoder_.speedUp();
+  takeImage();
+  EXPECT_TRUE(pictures().empty()) << "of the client that has gone";
+  takeImage();
+  const std::vector<Frame> own = pictures();
+  ASSERT_EQ(own.size(), 1U);
+  EXPECT_EQ(own[0].header.request_number, 8);
+  expectPictureOfImage(own[0], robot_.lastImage());
+}
+
+TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
+  encoder_.slowDown();
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  answerTo('W', 85, kStreamOff);
+  encoder_.speedUp();
+  takeImage();
+  takeImage();
+  EXPECT_TRUE(pictures().empty());
+}
+
+TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatItIsChanged) {
+  encoder_.slowDown();
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  answerTo('W', 20, kStreamOn);
+  encoder_.speedUp();
+  takeImage();
+  takeImage();
+  const std::vector<Frame> made = pictures();
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_EQ(made[0].header.id, 20);
+}
+
+TEST_F(PicturesTest, PictureInTheMakingIsStillOwedWhenTheStreamIsOff) {
+  encoder_.slowDown();
+  answerTo('W', 85, kStreamOn);
+  send(frame('F', 20, 1001, kLayerHigh));
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  const unsigned image = robot_.lastImage();
+  answerTo('W', 85, kStreamOff);
+  encoder_.speedUp();
+  takeImage();
+  const std::vector<Frame> owed = pictures();
+  ASSERT_EQ(owed.size(), 1U);
+  EXPECT_EQ(owed[0].header.request_number, 1001);
+  expectPictureOfImage(owed[0], image);
+}
+
+TEST_F(PicturesTest, EncoderThatFailsIsNamedAndItsClientIsDropped) {
+  encoder_.slowDown();
+  send(frame('F', 85, 7, kLayerHigh));
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  encoder_.job<PictureJob>().width = 0;
+  encoder_.speedUp();
+  takeImage();
+  EXPECT_TRUE(awaitEnd(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: no picture: "));
+  EXPECT_THAT(console_.str(), HasSubstr("there is no picture for it"));
+  connectVersion2();
+  send(frame('F', 85, 8, kLayerHigh));
+  takeImage();
+  EXPECT_EQ(pictures().size(), 1U);
+}
+
+TEST_F(PicturesTest, StreamCountsTheImagesThatTheEncoderMissed) {
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  encoder_.slowDown();
+  takeImage();
+  takeImage();
+  encoder_.speedUp();
+  takeImage();
+  takeImage();
+  EXPECT_EQ(pictures().size(), 3U);
+  answerTo('W', 85, kStreamOff);
+  EXPECT_THAT(console_.str(), HasSubstr("stream off after 3 pictures, 2 camera images left out\n"));
+}
+
+// --------------------------------------------------------------------------------------------- a busy connection
+
+// A client that asks for far more than it reads, so that a message is under way until it reads on.
+class StalledClientTest : public PicturesTest {
+ protected:
+  void SetUp() override {
+    PicturesTest::SetUp();
+    client_->close();
+    machine_->runPending();
+    client_ = connect(4096);
+    send(request('X', 2));
+    ASSERT_TRUE(await(*client_));
+  }
+
+  // Sends a request, and behind it so many others that the answers to them do not all go out.
+  void stallBehind(const std::string& request) {
+    std::string bytes = request;
+    for (int i = 0; i < 4096; ++i) {
+      bytes += frame('V', 0, 7);
+    }
+    for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
+      sent += client_->send(bytes.substr(sent));
+    }
+  }
+};
+
+TEST_F(StalledClientTest, OwedPictureThatHasWaitedShowsTheNewestImage) {
+  stallBehind(frame('F', 85, 1001, kLayerHigh));
+  for (int i = 0; i < 10; ++i) {
+    takeImage();
+  }
+  const std::vector<Frame> owed = pictures();
+  ASSERT_EQ(owed.size(), 1U);
+  EXPECT_EQ(owed[0].header.request_number, 1001);
+  expectPictureOfImage(owed[0], robot_.lastImage());
+  takeImage();
+  EXPECT_TRUE(pictures().empty());
+}
+
+TEST_F(StalledClientTest, PictureOfTheStreamThatHasWaitedShowsTheNewestImage) {
+  stallBehind(frame('W', 85, 5, kStreamOn));
+  for (int i = 0; i < 10; ++i) {
+    takeImage();
+  }
+  const std::vector<Frame> streamed = pictures();
+  ASSERT_EQ(streamed.size(), 1U);
+  expectPictureOfImage(streamed[0], robot_.lastImage());
+}
+
+// -------------------------------------------------------------------------------------------------------- parts
+
+// Internet Protocol Version4, 1.3: an endpoint's pool is to be slightly larger than the largest packet.
+TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
+  robot_.showNoise();
+  sends_.clear();
+  send(frame('F', 100, 7, kLayerHigh));
+  takeImage();
+  const std::optional<Frame> picture = nextFrame();
+  ASSERT_TRUE(picture);
+  EXPECT_GT(picture->payload.size(), 60000U);
+  EXPECT_EQ(brightnessOf({picture->payload.begin() + 16, picture->payload.end()}).width, 208);
+  EXPECT_THAT(sends_, Each(Le(8192U)));
+  EXPECT_EQ(sends_.size(), (picture->payload.size() + 8 + 8191) / 8192);
+}
+
+TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {
+  sends_.clear();
+  send(frame('F', 85, 7, kLayerHigh));
+  takeImage();
+  const std::optional<Frame> picture = nextFrame();
+  ASSERT_TRUE(picture);
+  EXPECT_THAT(sends_, ::testing::ElementsAre(picture->payload.size() + 8));
+}
+
+TEST_F(PicturesTest, PictureUnderWayIsFinishedAndTheNextOneIsTheNewest) {
+  client_->close();
+  machine_->runPending();
+  robot_.showNoise();
+  client_ = connect(4096);
+  send(request('X', 2));
+  ASSERT_TRUE(await(*client_));
+  send(frame('W', 100, 5, kStreamOn));
+  takeImage();
+  const unsigned first = robot_.lastImage();
+  for (int i = 0; i < 10; ++i) {
+    takeImage();
+  }
+  const std::optional<Frame> under_way = nextPicture();
+  ASSERT_TRUE(under_way);
+  EXPECT_EQ(imageCount(*under_way), first);
+  takeImage();
+  const std::optional<Frame> next = nextPicture();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(imageCount(*next), robot_.lastImage());
+}
+
+}  // namespace

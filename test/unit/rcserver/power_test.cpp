@@ -1,0 +1,248 @@
+// What switches the robot off by itself: its pause button and its battery. POWERMON.BIN, a sample of the SDK, does the
+// same: motors off, then OPENR::Shutdown() until the pause button is pressed again.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "fake_robot.h"
+#include "rcserver/memory_stick/Settings.h"
+#include "temporary_memory_stick.h"
+#include "version2_fixture.h"
+
+namespace {
+
+using ::testing::Each;
+using ::testing::Field;
+using ::testing::HasSubstr;
+
+constexpr unsigned kUntilMeasured = 12;
+constexpr int kPowerCode = 4;
+constexpr unsigned kFramesASecond = 125;
+
+class PowerTest : public Version2Fixture {
+ protected:
+  PowerTest() { host_.memory_stick = stick_.folder(); }
+
+  void SetUp() override { start(); }
+
+  void start() {
+    machine_.reset();
+    console_.str("");
+    boot(robot_);
+    passFrames(kUntilMeasured);
+  }
+
+  void startWith(const std::string& settings) {
+    stick_.write(SETTINGS_FILE, settings);
+    start();
+  }
+
+  void raise(longword robot_status) {
+    robot_.power_status.robotStatus |= robot_status;
+    passUntilOff(1);
+  }
+
+  /// @return how many frames it took until the robot was off
+  unsigned passUntilOff(unsigned most) {
+    unsigned passed = 0;
+    while (passed < most && machine_->isOn()) {
+      passFrames(1);
+      ++passed;
+    }
+    return passed;
+  }
+
+  bool isLimp() const {
+    return !robot_.powered && std::none_of(robot_.joints.begin(), robot_.joints.end(),
+                                           [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
+  }
+
+  int degreesOf(const std::string& joint) {
+    return static_cast<int>(std::lround(robot_.joint(joint).position * 180 / std::acos(-1.0) / 1e6));
+  }
+
+  void playSitForEver() {
+    const std::string payload = std::string("\xff\xff", 2) + "SIT.MTN";
+    EXPECT_EQ(answerTo('P', 0, payload).header.kind, 'p');
+    passFrames(100);
+  }
+
+  // The machine may be off already, and the end on its way.
+  static bool endsFor(TestClient& client) {
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!client.ended() && std::chrono::steady_clock::now() < limit) {
+      std::this_thread::yield();
+    }
+    return client.ended();
+  }
+
+  TemporaryMemoryStick stick_;
+  FakeRobot robot_;
+};
+
+// ------------------------------------------------------------------------------------------------------ pause button
+
+TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
+  connectVersion2();
+  playSitForEver();
+  raise(orsbPAUSE);
+  EXPECT_TRUE(isLimp());
+  std::optional<Frame> told = client_->nextFrame();
+  while (told && told->header.kind != 'e') {
+    told = client_->nextFrame();
+  }
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->header.request_number, 0);
+  expectRefusal(*told, kPowerCode, "the pause button was pressed");
+  passUntilOff(kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(endsFor(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("the pause button was pressed"));
+}
+
+TEST_F(PowerTest, PauseEndsTheConnectionOfAClientOfVersion1WithoutAWord) {
+  client_ = connectServed();
+  raise(orsbPAUSE);
+  EXPECT_TRUE(isLimp());
+  passUntilOff(kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(endsFor(*client_));
+  EXPECT_FALSE(client_->next());
+}
+
+TEST_F(PowerTest, PauseShutsDownWithoutAClient) {
+  raise(orsbPAUSE);
+  EXPECT_TRUE(isLimp());
+  EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(PowerTest, AClientThatDoesNotReadDelaysTheShutdownByASecondAtMost) {
+  robot_.showNoise();
+  connectVersion2();
+  send(frame('W', 100, 1, std::string("\1\0\0\1", 4)));
+  passFrames(600);  // its buffers are full
+  send(frame('H', 0, 2));
+  raise(orsbPAUSE);
+  EXPECT_TRUE(isLimp());
+  EXPECT_LE(passUntilOff(1000), kFramesASecond + 4);
+  EXPECT_FALSE(machine_->isOn());
+}
+
+// ----------------------------------------------------------------------------------------------------------- battery
+
+TEST_F(PowerTest, ALowBatteryIsToldAtOnceAndTheRobotLiesDownBeforeItsMotorsGoOff) {
+  connectVersion2();
+  playSitForEver();
+  raise(orsbBATTERY_CAPACITY_LOW);
+  std::optional<Frame> told = client_->nextFrame();
+  while (told && told->header.kind != 'e') {
+    told = client_->nextFrame();
+  }
+  ASSERT_TRUE(told);
+  expectRefusal(*told, kPowerCode, "the battery is low");
+  EXPECT_FALSE(isLimp());
+  for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+    ASSERT_FALSE(joint.path.empty());
+  }
+  EXPECT_LT(passUntilOff(10 * kFramesASecond), 5 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(isLimp());
+  EXPECT_EQ(degreesOf("left_front_rotator"), 65);
+  EXPECT_EQ(degreesOf("right_hind_rotator"), -65);
+  EXPECT_EQ(degreesOf("right_front_knee"), 30);
+}
+
+TEST_F(PowerTest, WhileItLiesDownNobodyIsServed) {
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passFrames(10);
+  ASSERT_TRUE(machine_->isOn());
+  const auto newcomer = connect();
+  machine_->runPending();
+  EXPECT_TRUE(endsFor(*newcomer));
+  EXPECT_THAT(console_.str(), HasSubstr("is turned away: the robot goes off"));
+}
+
+TEST_F(PowerTest, WithoutTheMotionItShutsDownAllTheSame) {
+  std::filesystem::remove(std::filesystem::path(stick_.folder()) / "OPEN-R/MW/DATA/P/LIE.MTN");
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passUntilOff(kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(isLimp());
+  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: LIE.MTN cannot be read"));
+}
+
+TEST_F(PowerTest, AJointThatIsHeldFastDoesNotKeepItOn) {
+  robot_.joint("left_front_rotator").jammed = true;
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passUntilOff(11 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(isLimp());
+}
+
+TEST_F(PowerTest, PauseCutsTheMotorsOfARobotThatLiesDown) {
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passFrames(20);
+  ASSERT_TRUE(machine_->isOn());
+  raise(orsbPAUSE);
+  EXPECT_TRUE(isLimp());
+  EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(PowerTest, ARobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) {
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING;
+  start();
+  passFrames(10 * kFramesASecond);
+  EXPECT_TRUE(machine_->isOn());
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  machine_.reset();
+  boot(robot_);
+  passUntilOff(10 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(PowerTest, AnotherMonitorOfThePowerMayDoItInstead) {
+  startWith("POWER_MONITOR=no");
+  EXPECT_THAT(console_.str(), HasSubstr("POWERMON.BIN"));
+  raise(orsbPAUSE | orsbBATTERY_CAPACITY_LOW);
+  passFrames(200);
+  EXPECT_TRUE(machine_->isOn());
+  EXPECT_TRUE(robot_.powered);
+}
+
+TEST_F(PowerTest, AWrongSettingLeavesThePowerMonitored) {
+  startWith("POWER_MONITOR=on");
+  EXPECT_THAT(console_.str(), HasSubstr("POWER_MONITOR=ON is neither yes nor no; it is yes"));
+  raise(orsbPAUSE);
+  EXPECT_FALSE(machine_->isOn());
+}
+
+// ------------------------------------------------------------------------------------------------------ motors at boot
+
+TEST_F(PowerTest, TheMotorsStayOffAtBootIfTheFileSaysSo) {
+  for (FakeRobot::FakeJoint& joint : robot_.joints) {
+    joint.gain = false;
+  }
+  robot_.powered = false;
+  startWith("MOTORS_AT_BOOT=no");
+  passFrames(100);
+  EXPECT_TRUE(isLimp());
+  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT"));
+  connectVersion2();
+  EXPECT_EQ(answerTo('O', 0, "\1").header.kind, 'o');
+  passFrames(kUntilMeasured);
+  EXPECT_TRUE(robot_.powered);
+  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
+}
+
+TEST_F(PowerTest, AWrongSettingLeavesTheMotorsOff) {
+  robot_.powered = false;
+  startWith("MOTORS_AT_BOOT=maybe");
+  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT=MAYBE is neither yes nor no; it is no"));
+  EXPECT_FALSE(robot_.powered);
+}
+
+}  // namespace

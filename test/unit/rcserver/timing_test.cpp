@@ -1,0 +1,155 @@
+// Joints keep time whatever the camera does, on a processor as slow as the robot's. An ERS-7 needs 9 to 14 ms to
+// compress a picture, by counted instructions; the report of 2006 measured 32 to 64 ms.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "fake_robot.h"
+#include "version2_fixture.h"
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr unsigned char kHeadPan = 2;
+constexpr unsigned kUntilMeasured = 12;
+
+/// Parameter: how many milliseconds PictureEncoder needs for a picture.
+class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<int> {
+ protected:
+  void SetUp() override {
+    handler_time_ = [this](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds) {
+      if (entry != openr_host::Entry::kNotify) {
+        return milliseconds(0);
+      }
+      return object == "PictureEncoder" ? milliseconds(GetParam())
+                                        : milliseconds(object == "FileKeeper" ? file_time_ : 0);
+    };
+    boot(robot_);
+    passFrames(kUntilMeasured);
+    connectVersion2();
+    answerTo('T', 0, std::string("\0\4", 2));       // telemetry every 4 frames
+    answerTo('W', 85, std::string("\1\0\0\1", 4));  // stream of every image
+    passFrames(25);
+    count();
+  }
+
+  struct Counts {
+    int pictures = 0;
+    int telemetry = 0;
+  };
+
+  Counts count() {
+    Counts counts;
+    machine_->runPending();
+    while (const auto frame = client_->nextFrame()) {
+      counts.pictures += frame->header.kind == 'f' ? 1 : 0;
+      counts.telemetry += frame->header.kind == 't' ? 1 : 0;
+    }
+    return counts;
+  }
+
+  /// Passes this many seconds, with a heartbeat in each.
+  Counts pass(int seconds) {
+    Counts all;
+    for (int second = 0; second < seconds; ++second) {
+      send(frame('H', 0, 999));
+      for (int i = 0; i < 125; ++i) {
+        passFrames(1);
+        const Counts counts = count();
+        all.pictures += counts.pictures;
+        all.telemetry += counts.telemetry;
+      }
+    }
+    return all;
+  }
+
+  /// Moves the head and passes frames until it stands.
+  /// @return milliseconds
+  int moveHead(int microradian, int duration) {
+    std::vector<int>& path = robot_.joint("head_pan").path;
+    path.clear();
+    const std::string payload = bytesOf(duration, 2) + std::string("\1\0", 2) + static_cast<char>(kHeadPan) +
+                                std::string(3, '\0') + bytesOf(microradian, 4);
+    send(frame('J', 0, 1000, payload));
+    int frames = 0;
+    while (robot_.joint("head_pan").position != microradian && frames < 1250) {
+      passFrames(1);
+      ++frames;
+      count();
+    }
+    return 8 * frames;
+  }
+
+  static std::string bytesOf(int value, int size) {
+    std::string bytes;
+    for (int shift = 8 * (size - 1); shift >= 0; shift -= 8) {
+      bytes += static_cast<char>((value >> shift) & 0xff);
+    }
+    return bytes;
+  }
+
+  FakeRobot robot_;
+  int file_time_ = 0;  ///< milliseconds that FileKeeper needs for a job
+};
+
+TEST_P(TimingTest, AMotionOfTwoSecondsTakesTwoSecondsWithoutAStutterWhileItStreams) {
+  EXPECT_NEAR(moveHead(1000000, 2000), 2000, 60);
+  const std::vector<int>& path = robot_.joint("head_pan").path;
+  const int fastest = 1000000 / 200;  // of a trapezoid that takes 250 frames
+  for (size_t i = 1; i < path.size(); ++i) {
+    ASSERT_LE(path[i] - path[i - 1], fastest) << "frame " << i;
+    ASSERT_TRUE(path[i] > path[i - 1] || path[i] == 0 || path[i] == 1000000) << "stands still in frame " << i;
+  }
+}
+
+TEST_P(TimingTest, TelemetryKeepsItsRateAndTheStreamHasWhatTheEncoderCanDo) {
+  const Counts counts = pass(4);
+  EXPECT_NEAR(counts.telemetry, 125, 1);
+  // The fake robot's camera has an image every 4 frames of 8 ms. The newest waits for an encoder that is busy.
+  const int frames_a_picture = std::max(4, (GetParam() + 7) / 8);
+  EXPECT_NEAR(counts.pictures, 500 / frames_a_picture, 2);
+}
+
+TEST_P(TimingTest, AMotionFileIsPlayedAsWithoutTheStream) {
+  const auto play = [&] {
+    std::vector<int>& path = robot_.joint("tail_pan").path;
+    path.clear();
+    send(frame('P', 0, 1003, std::string("\0\1", 2) + "WAG.MTN"));
+    pass(4);
+    const auto first = std::find_if(path.begin(), path.end(), [](int position) { return position != 0; });
+    const auto last = std::find_if(path.rbegin(), path.rend(), [](int position) { return position != 0; }).base();
+    return std::vector<int>(first, std::max(first, last));
+  };
+  const std::vector<int> streaming = play();
+  answerTo('W', 85, std::string("\0\0\0\1", 4));
+  passFrames(25);
+  const std::vector<int> undisturbed = play();
+  ASSERT_GT(undisturbed.size(), 100U);
+  EXPECT_EQ(streaming, undisturbed);
+}
+
+TEST_P(TimingTest, ReadingAMotionFromASlowMemoryStickHoldsUpNoJoint) {
+  file_time_ = 400;
+  send(frame('J', 0, 1001, bytesOf(2000, 2) + std::string("\1\0\2\0\0\0", 6) + bytesOf(1000000, 4)));
+  passFrames(20);
+  std::vector<int>& path = robot_.joint("head_pan").path;
+  path.clear();
+  send(frame('P', 0, 1002, std::string("\0\1", 2) + "WAG.MTN"));
+  for (int i = 0; i < 180; ++i) {
+    passFrames(1);
+    count();
+  }
+  for (size_t i = 1; i < path.size(); ++i) {
+    ASSERT_GT(path[i], path[i - 1]) << "stands still in frame " << i;
+  }
+  EXPECT_GT(std::set<int>(robot_.joint("tail_pan").path.begin(), robot_.joint("tail_pan").path.end()).size(), 10U)
+      << "it is played";
+}
+
+INSTANTIATE_TEST_SUITE_P(EncodeTimes, TimingTest, ::testing::Values(14, 40, 60, 64));
+
+}  // namespace
