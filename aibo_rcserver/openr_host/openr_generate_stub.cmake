@@ -10,10 +10,10 @@ function(openr_generate_stub target stub_cfg)
   get_filename_component(stub_cfg ${stub_cfg} ABSOLUTE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${stub_cfg})
   file(READ ${stub_cfg} text)
-  if(NOT text MATCHES "ObjectName[ \t\r\n]*:[ \t\r\n]*([A-Za-z_0-9]+)")
+  if(NOT text MATCHES "(^|\n)[ \t]*ObjectName[ \t]*:[ \t]*([A-Za-z_0-9]+)")
     message(FATAL_ERROR "${stub_cfg}: there is no ObjectName : NAME")
   endif()
-  set(object ${CMAKE_MATCH_1})
+  set(object ${CMAKE_MATCH_2})
 
   set(priority 128)
   if(ARGC GREATER 2)
@@ -37,8 +37,9 @@ function(openr_generate_stub target stub_cfg)
     DEPENDS openr_stub_generator ${stub_cfg}
     COMMENT "Generating the stub of ${object}"
     VERBATIM)
-  # The object itself may be compiled as C++98; the machine's side of it is not.
-  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-std=c++17")
+  # The object itself may be compiled as C++98; the machine's side of it is not. C++17 has a std::byte, which an object
+  # that is using namespace std would find beside the SDK's byte.
+  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-std=c++14")
   target_sources(${target} PRIVATE ${headers} ${source})
   target_include_directories(${target} PRIVATE ${folder} PUBLIC ${public_folder})
   target_link_libraries(${target} PUBLIC openr_host)

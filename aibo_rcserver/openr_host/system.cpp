@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "openr_host/objects/object_number.h"
+
 namespace openr_host {
 namespace {
 
@@ -30,6 +32,10 @@ Service& findService(const std::vector<Service*>& services, const Id& id, const 
                              "REGISTER_ALL_ENTRY");
   }
   return **found;
+}
+
+int indexOf(const OServiceEntry& service) {
+  return static_cast<int>(service.selector);
 }
 
 template <typename Description>
@@ -92,7 +98,7 @@ OObject& System::create(const ObjectDescription& description) {
   LoadedObject& object = objects_.back();
   const Running running(*this, object);
   object.object = description.create();
-  object.object->myOID_ = static_cast<OID>(objects_.size());
+  object.object->myOID_ = oidOf(objects_.size());
   processor_.add(object.object->myOID_, description.priority);
   for (const auto& subject : description.subjects) {
     service_names_.push_back(subject.service);
@@ -112,29 +118,29 @@ void System::initialize() {
 }
 
 void System::connect(const std::string& subject_name, const std::string& observer_name) {
-  SubjectID subject_id{oidUNDEF, -1};
-  ObserverID observer_id{oidUNDEF, -1};
-  for (OID id = 1; id <= objects_.size(); ++id) {
-    const ObjectDescription& description = loaded(id).description;
+  SubjectID subject_id;
+  ObserverID observer_id;
+  for (std::size_t number = 1; number <= objects_.size(); ++number) {
+    const ObjectDescription& description = loaded(oidOf(number)).description;
     const int subject_index = indexOf(description.subjects, subject_name);
     const int observer_index = indexOf(description.observers, observer_name);
-    subject_id = subject_index < 0 ? subject_id : SubjectID{id, subject_index};
-    observer_id = observer_index < 0 ? observer_id : ObserverID{id, observer_index};
+    subject_id = subject_index < 0 ? subject_id : SubjectID(oidOf(number), static_cast<Selector>(subject_index));
+    observer_id = observer_index < 0 ? observer_id : ObserverID(oidOf(number), static_cast<Selector>(observer_index));
   }
   subject(subject_id).connect(observer_id, observer(observer_id).bufferControl());
   observer(observer_id).connect(subject_id);
 
-  LoadedObject& sender = loaded(subject_id.object);
-  const auto& control = sender.description.subjects[static_cast<std::size_t>(subject_id.index)].control;
+  LoadedObject& sender = loaded(subject_id.oid);
+  const auto& control = sender.description.subjects[subject_id.selector].control;
   if (control) {
     const Running running(*this, sender);
-    control(*sender.object, OControlEvent(subject_id.index, observer_id));
+    control(*sender.object, OControlEvent(indexOf(subject_id), observer_id));
   }
-  LoadedObject& receiver = loaded(observer_id.object);
-  const auto& connected = receiver.description.observers[static_cast<std::size_t>(observer_id.index)].connect;
+  LoadedObject& receiver = loaded(observer_id.oid);
+  const auto& connected = receiver.description.observers[observer_id.selector].connect;
   if (connected) {
     const Running running(*this, receiver);
-    connected(*receiver.object, OConnectEvent(observer_id.index, subject_id));
+    connected(*receiver.object, OConnectEvent(indexOf(observer_id), subject_id));
   }
 }
 
@@ -171,28 +177,28 @@ void System::runAs(OObject& object, const std::function<void()>& function) {
 }
 
 void System::postReady(const ObserverID& observer_id, const SubjectID& subject_id, bool ready) {
-  messages_.push_back({subject_id.object, Entry::kReady, [=](LoadedObject& receiver) {
+  messages_.push_back({subject_id.oid, Entry::kReady, [=](LoadedObject& receiver) {
                          if (ready) {
                            subject(subject_id).assertReady(observer_id);
                          } else {
                            subject(subject_id).deassertReady(observer_id);
                          }
-                         const auto index = static_cast<std::size_t>(subject_id.index);
+                         const auto index = subject_id.selector;
                          if (const auto& function = receiver.description.subjects[index].ready) {
-                           function(*receiver.object, OReadyEvent(subject_id.index, observer_id, ready));
+                           function(*receiver.object, OReadyEvent(indexOf(subject_id), observer_id, ready));
                          }
                        }});
 }
 
 void System::postNotification(const SubjectID& subject_id, const ObserverID& observer_id, const Regions& data) {
-  messages_.push_back({observer_id.object, Entry::kNotify, [=](LoadedObject& receiver) {
-                         const auto index = static_cast<std::size_t>(observer_id.index);
+  messages_.push_back({observer_id.oid, Entry::kNotify, [=](LoadedObject& receiver) {
+                         const auto index = observer_id.selector;
                          if (const auto& function = receiver.description.observers[index].notify) {
                            std::vector<RCRegion*> regions;
                            for (const auto& region : data) {
                              regions.push_back(region.get());
                            }
-                           function(*receiver.object, ONotifyEvent(observer_id.index, subject_id, regions.data(),
+                           function(*receiver.object, ONotifyEvent(indexOf(observer_id), subject_id, regions.data(),
                                                                    static_cast<int>(regions.size())));
                          }
                        }});
@@ -204,19 +210,19 @@ void System::postAnswer(const Envelope& answer) {
                        }});
 }
 
-bool System::hasEntry(OID object, Selector entry) const {
-  return object != oidUNDEF && object <= objects_.size() &&
-         entry < objects_[object - 1].description.extra_entries.size();
+bool System::hasEntry(const OID& object, Selector entry) const {
+  const std::size_t number = numberOf(object);
+  return number >= 1 && number <= objects_.size() && entry < objects_[number - 1].description.extra_entries.size();
 }
 
 bool System::isDue(const Message& message, Processor::Time now) const {
-  return message.held_by == oidUNDEF && processor_.mayRun(message.receiver, now);
+  return !message.held_by.IsValid() && processor_.mayRun(message.receiver, now);
 }
 
 bool System::hasMessages() const {
   const Processor::Time now = now_();
   return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
-    const bool is_released = message.held_by == oidUNDEF || processor_.busyUntil(message.held_by) <= now;
+    const bool is_released = !message.held_by.IsValid() || processor_.busyUntil(message.held_by) <= now;
     return is_released && processor_.mayRun(message.receiver, now);
   });
 }
@@ -225,8 +231,8 @@ void System::handleMessages() {
   const Processor::Time now = now_();
   std::deque<Message> queued = std::exchange(messages_, {});
   for (auto& message : queued) {
-    if (message.held_by != oidUNDEF && processor_.busyUntil(message.held_by) <= now) {
-      message.held_by = oidUNDEF;
+    if (message.held_by.IsValid() && processor_.busyUntil(message.held_by) <= now) {
+      message.held_by.MakeInvalid();
     }
   }
   std::deque<Message> left;
@@ -284,6 +290,10 @@ void System::watchPower() {
   }
 }
 
+System::LoadedObject& System::loaded(const OID& oid) {
+  return objects_[numberOf(oid) - 1];
+}
+
 void System::forget(const SubjectService& subject) {
   subjects_.erase(std::remove(subjects_.begin(), subjects_.end(), &subject), subjects_.end());
 }
@@ -293,11 +303,11 @@ void System::forget(const ObserverService& observer) {
 }
 
 SubjectService& System::subject(const SubjectID& id) {
-  return findService(subjects_, id, loaded(id.object).description.name);
+  return findService(subjects_, id, loaded(id.oid).description.name);
 }
 
 ObserverService& System::observer(const ObserverID& id) {
-  return findService(observers_, id, loaded(id.object).description.name);
+  return findService(observers_, id, loaded(id.oid).description.name);
 }
 
 }  // namespace openr_host

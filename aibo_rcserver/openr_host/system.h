@@ -86,7 +86,7 @@ class System {
   void postReady(const ObserverID& observer, const SubjectID& subject, bool ready);
   void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
   void postAnswer(const Envelope& answer);
-  bool hasEntry(OID object, Selector entry) const;
+  bool hasEntry(const OID& object, Selector entry) const;
   /// True if there is a message that can be handled now.
   bool hasMessages() const;
   /// Handles the messages that are queued now, each to its end, but not those that come meanwhile, nor those whose
@@ -116,13 +116,13 @@ class System {
     OID receiver;
     Entry entry;
     std::function<void(LoadedObject&)> handle;
-    OID held_by = oidUNDEF;  ///< the object that has posted it and has not finished yet
+    OID held_by = {};  ///< the object that has posted it and has not finished yet
   };
 
   /// While one of these lives, it is this object that is being called.
   class Running;
 
-  LoadedObject& loaded(OID id) { return objects_[id - 1]; }
+  LoadedObject& loaded(const OID& oid);
   bool isDue(const Message& message, Processor::Time now) const;
   void handle(const Message& message);
   SubjectService& subject(const SubjectID& id);
@@ -132,7 +132,7 @@ class System {
   Console console_;
   IpStack ip_stack_;
   CommandVectorMemory command_vector_memory_;
-  std::deque<LoadedObject> objects_;  ///< the object with OID n is at n - 1
+  std::deque<LoadedObject> objects_;  ///< in the order of their making
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;

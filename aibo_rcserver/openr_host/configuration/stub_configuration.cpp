@@ -11,67 +11,33 @@
 namespace openr_host {
 namespace {
 
-/// A word, a number, a text in quotation marks (these included) or one of `:` `,` `(` `)`. Empty at the end.
-struct Token {
-  std::string text;
-  int line;
-};
+const std::string kSpace = " \t\r";
 
-class Tokenizer {
- public:
-  Tokenizer(std::istream& text, std::string file)
-      : text_(std::istreambuf_iterator<char>(text), {}), file_(std::move(file)) {}
+std::string withoutSpaceAround(const std::string& text) {
+  const auto begin = text.find_first_not_of(kSpace);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
 
-  Token next() {
-    skipSpace();
-    const int line = line_;
-    if (position_ == text_.size()) {
-      return {"", line};
-    }
-    if (text_[position_] == '"') {
-      return {quoted(), line};
-    }
-    if (isWordCharacter(text_[position_])) {
-      return {word(), line};
-    }
-    return {std::string(1, text_[position_++]), line};
-  }
+std::string firstWord(const std::string& text) {
+  return text.substr(0, text.find_first_of(kSpace));
+}
 
- private:
-  static bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-  void skipSpace() {
-    while (position_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[position_])) != 0) {
-      line_ += text_[position_++] == '\n' ? 1 : 0;
+std::vector<std::string> splitAtCommas(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
     }
   }
-
-  std::string word() {
-    const auto begin = position_;
-    while (position_ < text_.size() && isWordCharacter(text_[position_])) {
-      ++position_;
-    }
-    return text_.substr(begin, position_ - begin);
-  }
-
-  std::string quoted() {
-    const auto begin = position_;
-    const auto end = text_.find_first_of("\"\n", begin + 1);
-    if (end == std::string::npos || text_[end] == '\n') {
-      throw ConfigurationError(file_, line_, "the quotation mark is not closed on its line");
-    }
-    position_ = end + 1;
-    return text_.substr(begin, position_ - begin);
-  }
-
-  const std::string text_;
-  const std::string file_;
-  std::size_t position_ = 0;
-  int line_ = 1;
-};
+  std::transform(parts.begin(), parts.end(), parts.begin(), withoutSpaceAround);
+  return parts;
+}
 
 bool isIdentifier(const std::string& text) {
-  return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_');
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
 
 bool isNumber(const std::string& text) {
@@ -79,19 +45,46 @@ bool isNumber(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
+std::string shown(const std::string& text) {
+  return text.empty() ? "nothing" : "'" + text + "'";
+}
+
+const char* const kKeywords[] = {"ObjectName",    "NumOfOSubject", "NumOfSubject", "NumOfOObserver",
+                                 "NumOfObserver", "Service",       "Extra"};
+
+/// What a line sets: one of the keywords before its first colon, and the text after it.
+struct Setting {
+  std::string keyword;
+  std::string value;
+  int line;
+};
+
+std::optional<Setting> readSetting(const std::string& text, int line) {
+  const auto colon = text.find(':');
+  const std::string keyword = withoutSpaceAround(text.substr(0, colon));
+  if (colon == std::string::npos ||
+      std::find(std::begin(kKeywords), std::end(kKeywords), keyword) == std::end(kKeywords)) {
+    return std::nullopt;
+  }
+  return Setting{keyword, withoutSpaceAround(text.substr(colon + 1)), line};
+}
+
 class Parser {
  public:
-  Parser(std::istream& text, const std::string& file) : tokenizer_(text, file), file_(file) { advance(); }
+  explicit Parser(std::string file) : file_(std::move(file)) {}
 
-  StubConfiguration parse() {
-    while (!token_.text.empty()) {
-      parseEntry();
+  StubConfiguration parse(std::istream& text) {
+    int line = 0;
+    for (std::string raw; std::getline(text, raw);) {
+      if (const auto setting = readSetting(raw, ++line)) {
+        take(*setting);
+      }
     }
     if (stub_.object_name.empty()) {
-      fail("there is no ObjectName : NAME");
+      throw ConfigurationError(file_, line, "there is no line ObjectName : NAME");
     }
-    check(number_of_subjects_, "NumOfOSubject", stub_.subjects.size(), ".S");
-    check(number_of_observers_, "NumOfOObserver", stub_.observers.size(), ".O");
+    check(number_of_subjects_, line, "NumOfOSubject", stub_.subjects.size(), ".S");
+    check(number_of_observers_, line, "NumOfOObserver", stub_.observers.size(), ".O");
     return stub_;
   }
 
@@ -101,121 +94,92 @@ class Parser {
     int line;
   };
 
-  void parseEntry() {
-    const Token keyword = token_;
-    advance();
-    if (keyword.text == "ObjectName") {
-      parseObjectName(keyword);
-    } else if (keyword.text == "NumOfOSubject") {
-      parseCount(keyword, number_of_subjects_);
-    } else if (keyword.text == "NumOfOObserver") {
-      parseCount(keyword, number_of_observers_);
-    } else if (keyword.text == "Service") {
-      parseService();
-    } else if (keyword.text == "Extra") {
-      parseExtra();
+  void take(const Setting& setting) {
+    if (setting.keyword == "ObjectName") {
+      takeObjectName(setting);
+    } else if (setting.keyword == "Service") {
+      takeService(setting);
+    } else if (setting.keyword == "Extra") {
+      takeExtra(setting);
     } else {
-      throw error(keyword,
-                  "expected ObjectName, NumOfOSubject, NumOfOObserver, Service or Extra, found " + shown(keyword));
+      const bool of_subjects = setting.keyword.find("Subject") != std::string::npos;
+      takeCount(setting, of_subjects ? number_of_subjects_ : number_of_observers_);
     }
   }
 
-  void parseObjectName(const Token& keyword) {
-    expect(":");
+  void takeObjectName(const Setting& setting) {
     if (!stub_.object_name.empty()) {
-      throw error(keyword, "a second ObjectName");
+      fail(setting, "a second ObjectName");
     }
-    stub_.object_name = takeIdentifier("the object's name");
+    stub_.object_name = firstWord(setting.value);
+    if (!isIdentifier(stub_.object_name)) {
+      fail(setting, "expected the name of the object's class, found " + shown(stub_.object_name));
+    }
   }
 
-  void parseCount(const Token& keyword, std::optional<Count>& count) {
-    expect(":");
+  void takeCount(const Setting& setting, std::optional<Count>& count) const {
     if (count) {
-      throw error(keyword, "a second " + keyword.text);
+      fail(setting, "a second " + setting.keyword);
     }
-    if (!isNumber(token_.text)) {
-      fail("expected a number, found " + shown(token_));
+    const std::string number = firstWord(setting.value);
+    if (!isNumber(number)) {
+      fail(setting, "expected a number, found " + shown(number));
     }
-    count = Count{std::stoul(token_.text), keyword.line};
-    advance();
+    count = Count{std::stoul(number), setting.line};
   }
 
-  void parseService() {
-    expect(":");
-    const Token name_token = token_;
-    const ServiceName name = takeServiceName();
-    expect(",");
-    const std::string connection_function = takeFunctionOrNull();
-    expect(",");
+  void takeService(const Setting& setting) {
+    const std::vector<std::string> parts = splitAtCommas(setting.value);
+    if (parts.size() != 3) {
+      fail(setting,
+           "expected \"Object.Service.DataType.S\" (or .O), a function or null, a function or null: all on this line");
+    }
+    const ServiceName name = serviceName(setting, parts[0]);
     auto& services = name.is_subject ? stub_.subjects : stub_.observers;
     if (std::any_of(services.begin(), services.end(),
                     [&](const StubService& other) { return other.name.service == name.service; })) {
-      throw error(name_token, "a second service " + name.service);
+      fail(setting, "a second service " + name.service);
     }
-    services.push_back({name, connection_function, takeFunctionOrNull()});
+    services.push_back({name, functionOrNull(setting, parts[1]), functionOrNull(setting, parts[2])});
   }
 
-  void parseExtra() {
-    expect(":");
-    const Token name = token_;
-    const std::string function = takeFunction();
+  void takeExtra(const Setting& setting) {
+    // As the robot's own generator, which reads up to the first space: "Name ()" is an error there.
+    const std::string name = function(setting, firstWord(setting.value));
     auto& functions = stub_.extra_functions;
-    if (std::find(functions.begin(), functions.end(), function) != functions.end()) {
-      throw error(name, "a second Extra : " + function + "()");
+    if (std::find(functions.begin(), functions.end(), name) != functions.end()) {
+      fail(setting, "a second Extra : " + name + "()");
     }
-    functions.push_back(function);
+    functions.push_back(name);
   }
 
-  ServiceName takeServiceName() {
-    const std::string& text = token_.text;
-    const auto name = text.size() > 2 && text.front() == '"' ? ServiceName::parse(text.substr(1, text.size() - 2))
-                                                             : std::optional<ServiceName>();
+  ServiceName serviceName(const Setting& setting, const std::string& text) const {
+    const bool is_quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
+    const auto name = is_quoted ? ServiceName::parse(text.substr(1, text.size() - 2)) : std::nullopt;
     if (!name) {
-      fail("expected a service name such as \"Object.Service.DataType.S\" (or .O), found " + shown(token_));
+      fail(setting, "expected a service name such as \"Object.Service.DataType.S\" (or .O), found " + shown(text));
     }
-    if (name->object != stub_.object_name) {
-      fail("service " + name->text() + " does not begin with the ObjectName, " +
-           (stub_.object_name.empty() ? "which has to come first" : stub_.object_name));
-    }
-    advance();
     return *name;
   }
 
-  std::string takeFunctionOrNull() {
-    if (token_.text == "null") {
-      advance();
-      return "";
-    }
-    return takeFunction();
+  std::string functionOrNull(const Setting& setting, const std::string& text) const {
+    return text == "null" ? "" : function(setting, text);
   }
 
-  std::string takeFunction() {
-    const std::string name = takeIdentifier("a function such as Notify()");
-    expect("(");
-    expect(")");
+  std::string function(const Setting& setting, const std::string& text) const {
+    const std::string ending = "()";
+    const bool is_call = text.size() > ending.size() && text.substr(text.size() - ending.size()) == ending;
+    const std::string name = is_call ? withoutSpaceAround(text.substr(0, text.size() - ending.size())) : "";
+    if (!isIdentifier(name)) {
+      fail(setting, "expected a function such as Notify(), found " + shown(text));
+    }
     return name;
   }
 
-  std::string takeIdentifier(const std::string& what) {
-    const std::string text = token_.text;
-    if (!isIdentifier(text)) {
-      fail("expected " + what + ", found " + shown(token_));
-    }
-    advance();
-    return text;
-  }
-
-  void expect(const std::string& text) {
-    if (token_.text != text) {
-      fail("expected '" + text + "', found " + shown(token_));
-    }
-    advance();
-  }
-
-  void check(const std::optional<Count>& count, const std::string& keyword, std::size_t services,
+  void check(const std::optional<Count>& count, int last_line, const std::string& keyword, std::size_t services,
              const std::string& ending) const {
     if (!count) {
-      fail("there is no " + keyword + " : NUMBER");
+      throw ConfigurationError(file_, last_line, "there is no line " + keyword + " : NUMBER");
     }
     if (count->value == 0) {
       throw ConfigurationError(file_, count->line,
@@ -231,19 +195,11 @@ class Parser {
     }
   }
 
-  void advance() { token_ = tokenizer_.next(); }
-
-  static std::string shown(const Token& token) {
-    return token.text.empty() ? "the end of the file" : "'" + token.text + "'";
+  [[noreturn]] void fail(const Setting& setting, const std::string& what) const {
+    throw ConfigurationError(file_, setting.line, what);
   }
 
-  ConfigurationError error(const Token& token, const std::string& what) const { return {file_, token.line, what}; }
-
-  [[noreturn]] void fail(const std::string& what) const { throw error(token_, what); }
-
-  Tokenizer tokenizer_;
   const std::string file_;
-  Token token_;
   StubConfiguration stub_;
   std::optional<Count> number_of_subjects_;
   std::optional<Count> number_of_observers_;
@@ -252,7 +208,7 @@ class Parser {
 }  // namespace
 
 StubConfiguration StubConfiguration::parse(std::istream& text, const std::string& file) {
-  return Parser(text, file).parse();
+  return Parser(file).parse(text);
 }
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
 /// @file stub_configuration.h
-/// stub.cfg: what an object's gates and entry points are called (report, section 2.1.1).
+/// stub.cfg: what an object's gates and entry points are called.
 #ifndef OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
 #define OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
 
@@ -24,10 +24,11 @@ struct StubConfiguration {
   std::vector<StubService> observers;
   std::vector<std::string> extra_functions;
 
-  /// Reads the text of a stub.cfg. Line ends mean nothing, as in the report's own examples.
+  /// Reads the text of a stub.cfg (OPEN-R SDK Programmer's Guide, 2.3): one setting a line. A line that sets nothing,
+  /// such as a comment, is skipped. A service's first word is usually the object's name, but may be any.
   /// @param file its name, for errors
-  /// @throw ConfigurationError if it is malformed, if NumOfOSubject or NumOfOObserver is 0 or is not the number of such
-  /// services, if a service belongs to another object, or if two services or extra functions have one name
+  /// @throw ConfigurationError if a setting is malformed, if NumOfOSubject or NumOfOObserver is 0 or is not the number
+  /// of such services, or if two services or extra functions have one name
   static StubConfiguration parse(std::istream& text, const std::string& file);
 };
 

@@ -9,14 +9,11 @@
 
 namespace {
 
+/// As much of the text as the console shows.
 std::string format(const char* format, std::va_list arguments) {
-  std::va_list again;
-  va_copy(again, arguments);
-  const int size = std::vsnprintf(nullptr, 0, format, arguments);
-  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  return text;
+  char text[osyslogMAX_SIZE];
+  const int size = std::vsnprintf(text, sizeof(text), format, arguments);
+  return size > 0 ? text : "";
 }
 
 /// Code of an object that a test calls without a machine prints too.
@@ -34,22 +31,22 @@ const char* nameOf(OSyslogPriority priority) {
       return "ERROR";
     case osyslogWARNING:
       return "WARNING";
-    case osyslogINFO:
-      break;
+    default:
+      return "INFO";
   }
-  return "INFO";
 }
 
 }  // namespace
 
-void OSystemPrint(const char* format_text, ...) {
+OStatus osysprint(const char* format_text, ...) {
   std::va_list arguments;
   va_start(arguments, format_text);
   print(format(format_text, arguments));
   va_end(arguments);
+  return oSUCCESS;
 }
 
-void OSystemLog(OSyslogPriority priority, const char* format_text, ...) {
+OStatus osyslog(OSyslogPriority priority, const char* format_text, ...) {
   std::va_list arguments;
   va_start(arguments, format_text);
   const std::string text = format(format_text, arguments);
@@ -57,4 +54,5 @@ void OSystemLog(OSyslogPriority priority, const char* format_text, ...) {
   const auto* system = openr_host::System::currentOrNull();
   const std::string object = system != nullptr ? system->runningObject() + ": " : "";
   print(std::string(nameOf(priority)) + " " + object + text + "\n");
+  return oSUCCESS;
 }

@@ -11,10 +11,10 @@ antError antEnvMsg::Call(const antStackRef& stack, size_t size) {
   return stack.IsIPStack() ? openr_host::System::current().ipStack().call(*this, size) : ANT_FAIL;
 }
 
-antError antEnvMsg::Send(const antStackRef& stack, OID object, Selector entry, size_t size) {
+antError antEnvMsg::Send(const antStackRef& stack, const OID& object, Selector entry, size_t size) {
   openr_host::System& system = openr_host::System::current();
   if (!stack.IsIPStack() || !system.hasEntry(object, entry)) {
     return ANT_FAIL;
   }
-  return system.ipStack().send(openr_host::Envelope(*this, size, object, entry), size);
+  return system.ipStack().send(*this, size, object, entry);
 }

@@ -14,12 +14,12 @@ namespace openr_host {
 class Envelope {
  public:
   /// @param size bytes of the message
-  Envelope(const antEnvMsg& message, std::size_t size, OID object, Selector entry)
+  Envelope(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry)
       : object_(object), entry_(entry), copy_(new std::max_align_t[size / sizeof(std::max_align_t) + 1]) {
     std::memcpy(copy_.get(), &message, size);
   }
 
-  OID object() const { return object_; }
+  const OID& object() const { return object_; }
   Selector entry() const { return entry_; }
 
   ANTENVMSG content() const { return copy_.get(); }

@@ -1,6 +1,6 @@
 #include "openr_host/ip_stack/ip_stack.h"
 
-#include <sys/socket.h>
+#include <EndpointTypes.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -9,9 +9,6 @@
 
 namespace openr_host {
 namespace {
-
-/// More connections than this do not wait for their clients' side of the closing.
-constexpr std::size_t kMostClosing = 16;
 
 std::size_t sizeOf(antOperation operation) {
   switch (operation) {
@@ -23,35 +20,41 @@ std::size_t sizeOf(antOperation operation) {
       return sizeof(antEnvCreateEndpointMsg);
     case antOperation_TCPListen:
       return sizeof(TCPEndpointListenMsg);
+    case antOperation_TCPConnect:
+      return sizeof(TCPEndpointConnectMsg);
     case antOperation_TCPSend:
       return sizeof(TCPEndpointSendMsg);
     case antOperation_TCPReceive:
       return sizeof(TCPEndpointReceiveMsg);
     case antOperation_TCPClose:
       return sizeof(TCPEndpointCloseMsg);
+    case antOperation_UDPBind:
+      return sizeof(UDPEndpointBindMsg);
+    case antOperation_UDPConnect:
+      return sizeof(UDPEndpointConnectMsg);
+    case antOperation_UDPSend:
+      return sizeof(UDPEndpointSendMsg);
+    case antOperation_UDPReceive:
+      return sizeof(UDPEndpointReceiveMsg);
+    case antOperation_UDPClose:
+      return sizeof(UDPEndpointCloseMsg);
   }
   return 0;
 }
 
-/// Throws away what the client still sends.
-/// @return false when it has closed its side
-bool drain(int socket) {
-  char scrap[4096];
-  for (;;) {
-    const ssize_t count = recv(socket, scrap, sizeof(scrap), MSG_DONTWAIT);
-    if (count == 0) {
-      return false;
-    }
-    if (count < 0) {
-      return errno == EAGAIN || errno == EINTR;
-    }
-  }
+bool hasBuffer(const SharedBuffers& buffers, const TCPEndpointReceiveMsg& message) {
+  return message.sizeMin >= 1 && message.sizeMax >= message.sizeMin &&
+         buffers.containsRange(message.buffer, static_cast<std::size_t>(message.sizeMax));
+}
+
+template <typename Message>
+bool hasBuffer(const SharedBuffers& buffers, const Message& message) {
+  return message.size >= 1 && buffers.containsRange(message.buffer, static_cast<std::size_t>(message.size));
 }
 
 }  // namespace
 
-IpStack::IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy,
-                 OnSend on_send)
+IpStack::IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send)
     : bind_address_(std::move(bind_address)),
       deliver_(std::move(deliver)),
       objects_are_busy_(std::move(objects_are_busy)),
@@ -63,22 +66,37 @@ std::uint16_t IpStack::takePort(std::uint16_t robot_port, std::uint16_t host_por
 }
 
 antError IpStack::call(antEnvMsg& message, std::size_t size) {
-  return size == sizeOf(message.operation) ? answerAtOnce(message) : ANT_FAIL;
+  return size >= sizeOf(message.operation) ? answerAtOnce(message) : ANT_FAIL;
 }
 
-antError IpStack::send(const Envelope& message, std::size_t size) {
-  if (size != sizeOf(message.message().operation)) {
+antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& object, Selector entry) {
+  if (size < sizeOf(asked.operation)) {
     return ANT_FAIL;
   }
-  switch (message.message().operation) {
+  const Envelope message(asked, sizeOf(asked.operation), object, entry);
+  switch (asked.operation) {
     case antOperation_TCPListen:
       listen(message);
       break;
+    case antOperation_TCPConnect:
+      pass<TCPEndpointConnectMsg>(message, &TcpEndpoint::connect);
+      break;
     case antOperation_TCPSend:
-      sendData(message);
+      announceSend(message.as<TCPEndpointSendMsg>());
+      passData<TCPEndpointSendMsg>(message, &TcpEndpoint::send);
       break;
     case antOperation_TCPReceive:
-      receiveData(message);
+      passData<TCPEndpointReceiveMsg>(message, &TcpEndpoint::receive);
+      break;
+    case antOperation_TCPClose:
+      pass<TCPEndpointCloseMsg>(message, &TcpEndpoint::close);
+      forgetListeners();
+      break;
+    case antOperation_UDPSend:
+      passData<UDPEndpointSendMsg>(message, &UdpEndpoint::send);
+      break;
+    case antOperation_UDPReceive:
+      passData<UDPEndpointReceiveMsg>(message, &UdpEndpoint::receive);
       break;
     default:
       answerAtOnce(message.message());
@@ -100,17 +118,50 @@ antError IpStack::answerAtOnce(antEnvMsg& message) {
       createEndpoint(static_cast<antEnvCreateEndpointMsg&>(message));
       return ANT_SUCCESS;
     case antOperation_TCPClose:
-      closeEndpoint(static_cast<TCPEndpointCloseMsg&>(message));
-      return ANT_SUCCESS;
+      return closeAtOnce(static_cast<TCPEndpointCloseMsg&>(message));
+    case antOperation_UDPBind:
+    case antOperation_UDPConnect:
+    case antOperation_UDPClose:
+      return answerUdp(static_cast<UDPEndpointBaseMsg&>(message));
     default:
-      // The others wait for a client, and the one thread that could bring it would wait here.
+      // The others wait for somebody, and the one thread that could bring what they wait for would wait here.
       return ANT_FAIL;
   }
 }
 
+antError IpStack::closeAtOnce(TCPEndpointCloseMsg& message) {
+  auto* endpoint = find<TcpEndpoint>(message.module);
+  if (endpoint == nullptr) {
+    message.error = TCP_OPERATION_INVALID;
+    return ANT_SUCCESS;
+  }
+  if (!endpoint->closesAtOnce(message.abort)) {
+    return ANT_FAIL;
+  }
+  endpoint->closeAtOnce(message.abort);
+  forgetListeners();
+  message.error = TCP_SUCCESS;
+  return ANT_SUCCESS;
+}
+
+antError IpStack::answerUdp(UDPEndpointBaseMsg& message) {
+  auto* endpoint = find<UdpEndpoint>(message.module);
+  if (endpoint == nullptr) {
+    message.error = UDP_OPERATION_INVALID;
+  } else if (message.operation == antOperation_UDPBind) {
+    endpoint->bind(static_cast<UDPEndpointBindMsg&>(message), bind_address_);
+  } else if (message.operation == antOperation_UDPConnect) {
+    endpoint->connect(static_cast<UDPEndpointConnectMsg&>(message));
+  } else {
+    endpoint->close(static_cast<UDPEndpointCloseMsg&>(message));
+  }
+  return ANT_SUCCESS;
+}
+
 void IpStack::createSharedBuffer(antEnvCreateSharedBufferMsg& message) {
   void* address = buffers_.create(message.size);
-  message.buffer = antSharedBuffer(address);
+  message.buffer =
+      address != nullptr ? antSharedBuffer(address, static_cast<uint32>(buffers_.sizeOf(address))) : antSharedBuffer();
   message.error = address != nullptr ? ANT_SUCCESS : ANT_FAIL;
 }
 
@@ -120,7 +171,7 @@ void IpStack::destroySharedBuffer(antEnvDestroySharedBufferMsg& message) {
     return buffers_.containsRange(address, begin, size);
   };
   const bool in_use = std::any_of(endpoints_.begin(), endpoints_.end(),
-                                  [&](const auto& endpoint) { return endpoint.second.uses(is_in_it); });
+                                  [&](const auto& endpoint) { return endpoint.second->uses(is_in_it); });
   if (in_use || !buffers_.contains(address)) {
     message.error = ANT_FAIL;
     return;
@@ -130,38 +181,63 @@ void IpStack::destroySharedBuffer(antEnvDestroySharedBufferMsg& message) {
 }
 
 void IpStack::createEndpoint(antEnvCreateEndpointMsg& message) {
-  if (message.type != EndpointType_TCP) {
+  std::unique_ptr<Endpoint> endpoint;
+  if (message.protocol == EndpointType_TCP) {
+    endpoint = std::make_unique<TcpEndpoint>(message.poolSize, deliver_);
+  } else if (message.protocol == EndpointType_UDP) {
+    endpoint = std::make_unique<UdpEndpoint>(message.poolSize, deliver_);
+  } else {
     message.error = ANT_FAIL;
     return;
   }
-  endpoints_.try_emplace(++last_endpoint_, message.size, deliver_);
+  endpoints_[++last_endpoint_] = std::move(endpoint);
   message.moduleRef = antModuleRef(last_endpoint_);
   message.error = ANT_SUCCESS;
 }
 
-Endpoint* IpStack::find(const antModuleRef& module) {
+template <typename Kind>
+Kind* IpStack::find(const antModuleRef& module) {
   const auto found = endpoints_.find(module.Id());
-  return found == endpoints_.end() ? nullptr : &found->second;
+  return found == endpoints_.end() || found->second->isClosed() ? nullptr : dynamic_cast<Kind*>(found->second.get());
 }
 
-template <typename Message>
-void IpStack::refuse(const Envelope& message, TCPEndpointError error) {
-  message.as<Message>().error = error;
-  deliver_(message);
+template <typename Message, typename Kind>
+void IpStack::pass(const Envelope& message, void (Kind::*operation)(const Envelope&)) {
+  if (Kind* endpoint = find<Kind>(message.as<Message>().module)) {
+    (endpoint->*operation)(message);
+  } else {
+    answer<Message>(deliver_, message, Kind::kOperationInvalid);
+  }
+}
+
+template <typename Message, typename Kind>
+void IpStack::passData(const Envelope& message, void (Kind::*operation)(const Envelope&)) {
+  const auto& request = message.as<Message>();
+  if (find<Kind>(request.module) != nullptr && !hasBuffer(buffers_, request)) {
+    answer<Message>(deliver_, message, Kind::kBufferInvalid);
+  } else {
+    pass<Message>(message, operation);
+  }
+}
+
+void IpStack::announceSend(const TCPEndpointSendMsg& message) {
+  if (on_send_ && find<TcpEndpoint>(message.module) != nullptr && hasBuffer(buffers_, message)) {
+    on_send_(message.buffer, static_cast<std::size_t>(message.size));
+  }
 }
 
 void IpStack::listen(const Envelope& message) {
   const auto& request = message.as<TCPEndpointListenMsg>();
-  Endpoint* endpoint = find(request.module);
+  auto* endpoint = find<TcpEndpoint>(request.module);
   if (endpoint == nullptr || !endpoint->isNew()) {
-    refuse<TCPEndpointListenMsg>(message, TCP_OPERATION_INVALID);
+    answer<TCPEndpointListenMsg>(deliver_, message, TCP_OPERATION_INVALID);
     return;
   }
   if (ports_.count(request.lPort) == 0) {
     try {
       takePort(request.lPort, request.lPort);
     } catch (const std::system_error& error) {
-      refuse<TCPEndpointListenMsg>(message, error.code().value() == EADDRINUSE ? TCP_ADDRESSINUSE : TCP_FAIL);
+      answer<TCPEndpointListenMsg>(deliver_, message, error.code().value() == EADDRINUSE ? TCP_ADDRESSINUSE : TCP_FAIL);
       return;
     }
   }
@@ -169,65 +245,12 @@ void IpStack::listen(const Envelope& message) {
   endpoint->listen(message);
 }
 
-void IpStack::sendData(const Envelope& message) {
-  const auto& request = message.as<TCPEndpointSendMsg>();
-  Endpoint* endpoint = find(request.module);
-  if (endpoint == nullptr) {
-    refuse<TCPEndpointSendMsg>(message, TCP_OPERATION_INVALID);
-  } else if (request.size < 1 || !buffers_.containsRange(request.buffer, static_cast<std::size_t>(request.size))) {
-    refuse<TCPEndpointSendMsg>(message, TCP_BUFFER_INVALID);
-  } else {
-    if (on_send_) {
-      on_send_(request.buffer, static_cast<std::size_t>(request.size));
-    }
-    endpoint->send(message);
-  }
-}
-
-void IpStack::receiveData(const Envelope& message) {
-  const auto& request = message.as<TCPEndpointReceiveMsg>();
-  Endpoint* endpoint = find(request.module);
-  if (endpoint == nullptr) {
-    refuse<TCPEndpointReceiveMsg>(message, TCP_OPERATION_INVALID);
-  } else if (request.sizeMin < 1 || request.sizeMax < request.sizeMin ||
-             !buffers_.containsRange(request.buffer, static_cast<std::size_t>(request.sizeMax))) {
-    refuse<TCPEndpointReceiveMsg>(message, TCP_BUFFER_INVALID);
-  } else {
-    endpoint->receive(message);
-  }
-}
-
-void IpStack::closeEndpoint(TCPEndpointCloseMsg& message) {
-  Endpoint* endpoint = find(message.module);
-  if (endpoint == nullptr) {
-    message.error = TCP_OPERATION_INVALID;
-    return;
-  }
+void IpStack::forgetListeners() {
   for (auto& port : ports_) {
     auto& waiting = port.second.waiting;
-    waiting.erase(std::remove(waiting.begin(), waiting.end(), message.module.Id()), waiting.end());
+    const auto has_gone = [this](longword id) { return find<TcpEndpoint>(antModuleRef(id)) == nullptr; };
+    waiting.erase(std::remove_if(waiting.begin(), waiting.end(), has_gone), waiting.end());
   }
-  letGo(endpoint->close(), message.abort);
-  endpoints_.erase(message.module.Id());
-  message.error = TCP_SUCCESS;
-}
-
-void IpStack::letGo(FileDescriptor socket, bool abort) {
-  if (!socket.isOpen()) {
-    return;
-  }
-  if (abort) {
-    const linger reset{1, 0};
-    setsockopt(socket.get(), SOL_SOCKET, SO_LINGER, &reset, sizeof(reset));
-    return;
-  }
-  // Closed while unread bytes are there or still come, the kernel would reset the connection, and what was sent last
-  // would be lost to the client.
-  ::shutdown(socket.get(), SHUT_WR);
-  if (closing_.size() == kMostClosing) {
-    closing_.pop_front();
-  }
-  closing_.push_back(std::move(socket));
 }
 
 void IpStack::acceptOn(TcpPort& port) {
@@ -239,24 +262,20 @@ void IpStack::acceptOn(TcpPort& port) {
     if (!port.waiting.empty()) {
       const longword endpoint = port.waiting.front();
       port.waiting.pop_front();
-      endpoints_.at(endpoint).accept(std::move(*connection));
+      find<TcpEndpoint>(antModuleRef(endpoint))->accept(std::move(*connection));
     }
     // Else nobody listens, and the client finds its connection closed.
   }
 }
 
 void IpStack::addTo(PollSet& poll_set) {
-  closing_.erase(std::remove_if(closing_.begin(), closing_.end(), [](const auto& socket) { return !socket.isOpen(); }),
-                 closing_.end());
-  for (auto& socket : closing_) {
-    poll_set.add(socket.get(), POLLIN, [&socket] {
-      if (!drain(socket.get())) {
-        socket.close();
-      }
-    });
-  }
-  for (auto& endpoint : endpoints_) {
-    endpoint.second.addTo(poll_set);
+  for (auto endpoint = endpoints_.begin(); endpoint != endpoints_.end();) {
+    if (endpoint->second->isClosed()) {
+      endpoint = endpoints_.erase(endpoint);
+    } else {
+      endpoint->second->addTo(poll_set);
+      ++endpoint;
+    }
   }
   // Last, so that the end of a connection is known before the next client is looked at.
   for (auto& port : ports_) {

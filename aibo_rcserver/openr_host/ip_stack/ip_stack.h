@@ -3,22 +3,28 @@
 #define OPENR_HOST_IP_STACK_IP_STACK_H
 
 #include <TCPEndpointMsg.h>
+#include <UDPEndpointMsg.h>
 
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "openr_host/ip_stack/endpoint.h"
 #include "openr_host/ip_stack/envelope.h"
+#include "openr_host/ip_stack/pending_message.h"
 #include "openr_host/ip_stack/poll_set.h"
 #include "openr_host/ip_stack/shared_buffers.h"
+#include "openr_host/ip_stack/tcp_endpoint.h"
 #include "openr_host/ip_stack/tcp_listener.h"
+#include "openr_host/ip_stack/udp_endpoint.h"
 
 namespace openr_host {
 
-/// The system object IPStack: answers the messages of ant.h and TCPEndpointMsg.h with this computer's sockets.
+/// The system object IPStack: answers the messages of ant.h, TCPEndpointMsg.h and UDPEndpointMsg.h with this computer's
+/// sockets.
 class IpStack {
  public:
   using OnSend = std::function<void(const void* data, std::size_t size)>;
@@ -28,7 +34,7 @@ class IpStack {
   /// @param objects_are_busy whether messages wait for objects. While they do, a client whom nobody listens for is not
   /// turned away yet: one of them may be about to listen.
   /// @param on_send told of bytes that are about to be sent; may be empty
-  IpStack(std::string bind_address, Endpoint::Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
+  IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
 
   /// Takes a port of this computer for a port of the robot.
   /// @return the port taken
@@ -39,7 +45,8 @@ class IpStack {
   antError call(antEnvMsg& message, std::size_t size);
 
   /// What antEnvMsg::Send() does.
-  antError send(const Envelope& message, std::size_t size);
+  /// @param object, entry where the answer goes
+  antError send(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry);
 
   void addTo(PollSet& poll_set);
 
@@ -53,27 +60,29 @@ class IpStack {
   void createSharedBuffer(antEnvCreateSharedBufferMsg& message);
   void destroySharedBuffer(antEnvDestroySharedBufferMsg& message);
   void createEndpoint(antEnvCreateEndpointMsg& message);
-  void closeEndpoint(TCPEndpointCloseMsg& message);
+  antError closeAtOnce(TCPEndpointCloseMsg& message);
+  antError answerUdp(UDPEndpointBaseMsg& message);
 
   void listen(const Envelope& message);
-  void sendData(const Envelope& message);
-  void receiveData(const Envelope& message);
-  template <typename Message>
-  void refuse(const Envelope& message, TCPEndpointError error);
+  void forgetListeners();
+  void announceSend(const TCPEndpointSendMsg& message);
+  template <typename Message, typename Kind>
+  void pass(const Envelope& message, void (Kind::*operation)(const Envelope&));
+  template <typename Message, typename Kind>
+  void passData(const Envelope& message, void (Kind::*operation)(const Envelope&));
 
-  Endpoint* find(const antModuleRef& module);
+  template <typename Kind>
+  Kind* find(const antModuleRef& module);
   void acceptOn(TcpPort& port);
-  void letGo(FileDescriptor socket, bool abort);
 
   const std::string bind_address_;
-  const Endpoint::Deliver deliver_;
+  const Deliver deliver_;
   const std::function<bool()> objects_are_busy_;
   const OnSend on_send_;
   SharedBuffers buffers_;
-  std::map<longword, Endpoint> endpoints_;
+  std::map<longword, std::unique_ptr<Endpoint>> endpoints_;
   longword last_endpoint_ = 0;
   std::map<std::uint16_t, TcpPort> ports_;
-  std::deque<FileDescriptor> closing_;  ///< closed by us, not yet by the client; the oldest first
 };
 
 }  // namespace openr_host

@@ -16,6 +16,8 @@ class SharedBuffers {
   void* create(std::size_t size);
 
   bool contains(const void* address) const { return buffers_.count(address) != 0; }
+  /// Bytes of the one that begins at this address.
+  std::size_t sizeOf(const void* address) const { return buffers_.at(address).size; }
   void destroy(const void* address) { buffers_.erase(address); }
 
   /// Whether all of this lies in one of them.

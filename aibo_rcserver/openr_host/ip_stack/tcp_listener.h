@@ -2,21 +2,19 @@
 #ifndef OPENR_HOST_IP_STACK_TCP_LISTENER_H
 #define OPENR_HOST_IP_STACK_TCP_LISTENER_H
 
-#include <OPENR/OPENR.h>
-
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "openr_host/ip_stack/file_descriptor.h"
+#include "openr_host/ip_stack/socket_address.h"
 
 namespace openr_host {
 
 /// A client that has just connected.
 struct TcpConnection {
   FileDescriptor socket;  ///< non-blocking, sends at once, and notices within about 2 s that the client has vanished
-  longword address;       ///< the client's, as IPAddress.h counts them
-  word port;              ///< the client's
+  SocketAddress client;
 };
 
 /// A listening socket of this computer.

@@ -23,8 +23,10 @@ OCommandVectorData* CommandVectorMemory::create(std::size_t entries) {
   vector->vectorInfo.infoSize = sizeof(OCommandInfo);
   vector->vectorInfo.maxNumData = static_cast<longword>(entries);
   for (std::size_t entry = 0; entry < entries; ++entry) {
-    vector->GetInfo(static_cast<int>(entry))->dataOffset =
-        static_cast<longword>(data_offset + entry * sizeof(OCommandData));
+    OCommandInfo* info = vector->GetInfo(static_cast<int>(entry));
+    info->frameSize = sizeof(OCommandValue);
+    info->dataOffset = static_cast<longword>(data_offset + entry * sizeof(OCommandData));
+    info->dataSize = sizeof(OCommandData);
   }
   vectors_[last_id_] = std::move(memory);
   return vector;

@@ -24,7 +24,7 @@ class CommandVectorMemory {
 
  private:
   std::map<MemoryRegionID, std::unique_ptr<byte[]>> vectors_;
-  MemoryRegionID last_id_ = memoryRegionID_UNDEF;
+  MemoryRegionID last_id_ = 0;
 };
 
 }  // namespace openr_host

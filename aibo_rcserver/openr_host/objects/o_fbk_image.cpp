@@ -47,7 +47,25 @@ word OFbkImage::FieldCounter() const {
   return static_cast<word>(Tag(0) | Tag(1) << 8);
 }
 
-word OFbkImage::ColorFrequency(OCdtChannel channel) const {
-  const int tag = static_cast<int>(channel < 4 ? 8 + channel : channel);
-  return static_cast<word>(Tag(tag) * 16);
+byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
+  switch (channel) {
+    case ocdtCHANNEL0:
+      return Tag(8);
+    case ocdtCHANNEL1:
+      return Tag(9);
+    case ocdtCHANNEL2:
+      return Tag(10);
+    case ocdtCHANNEL3:
+      return Tag(11);
+    case ocdtCHANNEL4:
+      return Tag(4);
+    case ocdtCHANNEL5:
+      return Tag(5);
+    case ocdtCHANNEL6:
+      return Tag(6);
+    case ocdtCHANNEL7:
+      return Tag(7);
+    default:
+      return 0;
+  }
 }

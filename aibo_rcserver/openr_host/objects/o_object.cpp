@@ -1,6 +1,6 @@
 #include <OPENR/OObject.h>
 
-OObject::OObject() : myOID_(oidUNDEF) {}
+OObject::OObject() {}
 
 OObject::~OObject() {}
 

@@ -25,7 +25,7 @@ OObserver::~OObserver() {
 void OObserver::Register(OID object, int index) {
   if (service_ == nullptr) {
     openr_host::System& system = openr_host::System::current();
-    service_ = new openr_host::ObserverService(system, {object, index});
+    service_ = new openr_host::ObserverService(system, {object, static_cast<Selector>(index)});
     system.add(*service_);
   }
 }

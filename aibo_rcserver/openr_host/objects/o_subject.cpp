@@ -26,7 +26,7 @@ OSubject::~OSubject() {
 void OSubject::Register(OID object, int index) {
   if (service_ == nullptr) {
     openr_host::System& system = openr_host::System::current();
-    service_ = new openr_host::SubjectService(system, {object, index});
+    service_ = new openr_host::SubjectService(system, {object, static_cast<Selector>(index)});
     system.add(*service_);
   }
 }

@@ -87,6 +87,6 @@ OStatus OPENR::Shutdown(const OBootCondition& condition) {
 
 OStatus OPENR::GetRobotDesign(char* design) {
   const std::string name = System::current().robot().design();
-  design[name.copy(design, orobotdesignNAME_MAX - 1)] = '\0';
+  design[name.copy(design, orobotdesignNAME_MAX)] = '\0';
   return oSUCCESS;
 }

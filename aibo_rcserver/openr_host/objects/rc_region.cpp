@@ -4,9 +4,9 @@
 #include <new>
 
 RCRegion::RCRegion(size_t size)
-    : memory_id_(memoryRegionID_UNDEF),
+    : memory_id_(0),
       offset_(0),
-      base_(static_cast<byte*>(::operator new(size))),
+      base_(static_cast<char*>(::operator new(size))),
       size_(size),
       owns_memory_(true),
       references_(1) {
@@ -16,7 +16,7 @@ RCRegion::RCRegion(size_t size)
 RCRegion::RCRegion(MemoryRegionID memID, size_t offset, void* base, size_t size)
     : memory_id_(memID),
       offset_(offset),
-      base_(static_cast<byte*>(base)),
+      base_(static_cast<char*>(base)),
       size_(size),
       owns_memory_(false),
       references_(1) {}

@@ -3,6 +3,6 @@
 #ifndef OPENR_ENDPOINTTYPES_H
 #define OPENR_ENDPOINTTYPES_H
 
-enum EndpointType { EndpointType_TCP = 1 };
+enum { EndpointType_TCP = 1, EndpointType_UDP = 2 };
 
 #endif  // OPENR_ENDPOINTTYPES_H

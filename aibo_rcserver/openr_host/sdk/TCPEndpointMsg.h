@@ -1,8 +1,8 @@
 /// @file TCPEndpointMsg.h
-/// What can be asked of a TCP endpoint.
+/// What can be asked of a TCP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 2 and 7).
 ///
-/// An endpoint listens once; the connection that comes then is the endpoint's own. At one time, one send and one
-/// receive may be under way. Errors: OPEN-R SDK Internet Protocol Version4.
+/// An endpoint listens or connects once; the connection that comes of it is the endpoint's own. At one time, one send
+/// and one receive may be under way.
 #ifndef OPENR_TCPENDPOINTMSG_H
 #define OPENR_TCPENDPOINTMSG_H
 
@@ -12,80 +12,113 @@
 enum TCPEndpointError {
   TCP_SUCCESS = 0,
   TCP_FAIL = 1,                ///< the host could not do it, or it cannot be called, only sent
-  TCP_CONNECTION_CLOSED = 2,   ///< the client, or a TCPEndpointCloseMsg, has closed the connection
-  TCP_CONNECTION_RESET = 3,    ///< the client has broken the connection off
-  TCP_CONNECTION_TIMEOUT = 4,  ///< the client has vanished, or has not read for 2 s
+  TCP_CONNECTION_CLOSED = 2,   ///< the other side, or a TCPEndpointCloseMsg, has closed the connection
+  TCP_CONNECTION_RESET = 3,    ///< the other side has broken the connection off
+  TCP_CONNECTION_TIMEOUT = 4,  ///< the other side has vanished, or has not read for 2 s
   TCP_CONNECTION_BUSY = 5,     ///< a send (for a send) or a receive (for a receive) is under way
   TCP_ADDRESSINUSE = 6,        ///< another program has the port
+  TCP_ADDRESSERROR = 7,        ///< this cannot be an address
+  TCP_PORT_UNREACHABLE = 8,    ///< nobody listens there
+  TCP_PROTOCOL_UNREACHABLE = 9,
+  TCP_HOST_UNREACHABLE = 10,
+  TCP_NETWORK_UNREACHABLE = 11,
+  TCP_MESSAGE_TOO_LONG = 12,
+  TCP_TTL_EXCEEDED = 13,
+  TCP_TIME_EXCEEDED = 14,
+  TCP_WOULDBLOCK = 15,
   TCP_BUFFER_INVALID = 16,     ///< the data does not lie in a shared buffer, or a size makes no sense
-  TCP_OPERATION_INVALID = 17   ///< no such endpoint, or in its state this cannot be asked
+  TCP_OPERATION_INVALID = 17,  ///< no such endpoint, or in its state this cannot be asked
+  TCP_OPERATION_UNKNOWN = 18
 };
 
-/// Waits for one client.
-class TCPEndpointListenMsg : public antEnvMsg {
+/// Base of the messages to a TCP endpoint.
+class TCPEndpointBaseMsg : public antEnvMsg {
  public:
-  /// @param address IP_ADDR_ANY; on Linux the machine's bind address decides
-  TCPEndpointListenMsg(const antModuleRef& endpoint, IPAddress address, Port port)
-      : antEnvMsg(antOperation_TCPListen),
-        module(endpoint),
-        error(TCP_FAIL),
-        lAddress(address),
-        lPort(port),
-        fAddress(IP_ADDR_ANY),
-        fPort(0) {}
-
   antModuleRef module;
   TCPEndpointError error;
+
+ protected:
+  TCPEndpointBaseMsg(antOperation asked, const antModuleRef& endpoint)
+      : antEnvMsg(asked), module(endpoint), error(TCP_FAIL) {}
+};
+
+/// Base of the messages that make a connection. `l` is the local side, `f` the foreign one.
+class TCPEndpointAddressesMsg : public TCPEndpointBaseMsg {
+ public:
   IPAddress lAddress;
   Port lPort;
-  IPAddress fAddress;  ///< answer: the client's
-  Port fPort;          ///< answer: the client's
+  IPAddress fAddress;
+  Port fPort;
+
+ protected:
+  TCPEndpointAddressesMsg(antOperation asked, const antModuleRef& endpoint, const IPAddress& local, Port local_port,
+                          const IPAddress& foreign, Port foreign_port)
+      : TCPEndpointBaseMsg(asked, endpoint),
+        lAddress(local),
+        lPort(local_port),
+        fAddress(foreign),
+        fPort(foreign_port) {}
+};
+
+/// Waits for one client. The answer has its address and port (fAddress, fPort), and the local address.
+class TCPEndpointListenMsg : public TCPEndpointAddressesMsg {
+ public:
+  /// @param address IP_ADDR_ANY; on Linux the machine's bind address decides
+  explicit TCPEndpointListenMsg(const antModuleRef& endpoint, const IPAddress& address = IP_ADDR_ANY, Port port = 0,
+                                const IPAddress& foreign = IP_ADDR_ANY, Port foreign_port = 0)
+      : TCPEndpointAddressesMsg(antOperation_TCPListen, endpoint, address, port, foreign, foreign_port) {}
+};
+
+/// Connects to a server. The answer has the local address and port too.
+class TCPEndpointConnectMsg : public TCPEndpointAddressesMsg {
+ public:
+  /// @param address, port IP_ADDR_ANY and IP_PORT_ANY
+  /// @param foreign, foreign_port the server's
+  TCPEndpointConnectMsg(const antModuleRef& endpoint, const IPAddress& address, Port port, const IPAddress& foreign,
+                        Port foreign_port)
+      : TCPEndpointAddressesMsg(antOperation_TCPConnect, endpoint, address, port, foreign, foreign_port) {}
 };
 
 /// Sends. Answered when all bytes are in the stack's own memory, or with an error.
-class TCPEndpointSendMsg : public antEnvMsg {
+class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
  public:
   /// @param data in a shared buffer; must stay as it is until the answer comes
   /// @param bytes at least 1
   TCPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
-      : antEnvMsg(antOperation_TCPSend), module(endpoint), error(TCP_FAIL), buffer(data), size(bytes) {}
+      : TCPEndpointBaseMsg(antOperation_TCPSend, endpoint), buffer(data), size(bytes) {}
 
-  antModuleRef module;
-  TCPEndpointError error;
   byte* buffer;
   int size;
 };
 
 /// Receives. Answered as soon as sizeMin bytes are there, or with an error.
-class TCPEndpointReceiveMsg : public antEnvMsg {
+class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
  public:
   /// @param data in a shared buffer with room for `max` bytes
   /// @param min 1..max
   TCPEndpointReceiveMsg(const antModuleRef& endpoint, byte* data, int min, int max)
-      : antEnvMsg(antOperation_TCPReceive),
-        module(endpoint),
-        error(TCP_FAIL),
-        buffer(data),
-        sizeMin(min),
-        sizeMax(max) {}
+      : TCPEndpointBaseMsg(antOperation_TCPReceive, endpoint), buffer(data), sizeMin(min), sizeMax(max) {}
 
-  antModuleRef module;
-  TCPEndpointError error;
   byte* buffer;
   int sizeMin;  ///< answer: how many bytes there are; with an error, those that came before it
-  int sizeMax;
+  int sizeMax;  ///< answer: the same
 };
 
-/// Closes, whatever the endpoint is doing; a listen, send or receive under way is answered with
-/// TCP_CONNECTION_CLOSED first. The endpoint is no more afterwards.
-class TCPEndpointCloseMsg : public antEnvMsg {
+/// Closes, whatever the endpoint is doing; a listen, connect, send or receive under way is answered with
+/// TCP_CONNECTION_CLOSED first. The endpoint is no more after the answer.
+///
+/// The answer comes when the connection is fully closed. If the other side has closed already, or with `abort`, that is
+/// at once. Else it is when the other side closes, which may be never: an object that must not wait so long aborts. A
+/// second TCPEndpointCloseMsg with `abort` ends the waiting, and both are answered.
+class TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
  public:
-  explicit TCPEndpointCloseMsg(const antModuleRef& endpoint)
-      : antEnvMsg(antOperation_TCPClose), module(endpoint), error(TCP_FAIL), abort(false) {}
+  explicit TCPEndpointCloseMsg(const antModuleRef& endpoint, bool lingers = false, int linger_time = 0,
+                               bool aborts = false)
+      : TCPEndpointBaseMsg(antOperation_TCPClose, endpoint), abort(aborts), linger(lingers), lingerTime(linger_time) {}
 
-  antModuleRef module;
-  TCPEndpointError error;
-  bool abort;  ///< true: the client sees a reset; false: it gets what was sent, then the end
+  bool abort;      ///< true: the other side sees a reset; false: it gets what was sent, then the end
+  bool linger;     ///< without effect on Linux; the SDK does not document it
+  int lingerTime;  ///< the same
 };
 
 #endif  // OPENR_TCPENDPOINTMSG_H

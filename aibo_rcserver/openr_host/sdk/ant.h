@@ -6,15 +6,9 @@
 #ifndef OPENR_ANT_H
 #define OPENR_ANT_H
 
-#include <EndpointTypes.h>
-#include <OPENR/OPENR.h>
+#include <antTypes.h>
 
 typedef void* ANTENVMSG;  ///< what an `Extra` entry is called with
-
-enum antError {
-  ANT_SUCCESS = 0,
-  ANT_FAIL = 1  ///< no such stack, object, entry or buffer, a buffer in use, or a message that is of no such use
-};
 
 /// Names an endpoint of the IPStack.
 class antModuleRef {
@@ -22,6 +16,7 @@ class antModuleRef {
   antModuleRef() : id_(0) {}
   explicit antModuleRef(longword id) : id_(id) {}
   longword Id() const { return id_; }
+  bool operator==(const antModuleRef& other) const { return id_ == other.id_; }
 
  private:
   longword id_;  ///< 0 is no endpoint
@@ -41,16 +36,19 @@ class antStackRef {
 /// Memory that the object and the IPStack both reach. Whatever is sent or received lies in one.
 class antSharedBuffer {
  public:
-  antSharedBuffer() : address_(0) {}
-  explicit antSharedBuffer(void* address) : address_(address) {}
+  antSharedBuffer() : address_(0), size_(0) {}
+  antSharedBuffer(void* address, uint32 size) : address_(address), size_(size) {}
 
   /// Must be called before GetAddress() on the robot; on Linux the memory is always there.
   antError Map() const { return address_ != 0 ? ANT_SUCCESS : ANT_FAIL; }
   void* GetAddress() const { return address_; }
+  /// Bytes, whole pages.
+  uint32 GetSize() const { return size_; }
   antError UnMap() const { return Map(); }
 
  private:
   void* address_;
+  uint32 size_;
 };
 
 /// What a message asks for.
@@ -59,22 +57,29 @@ enum antOperation {
   antOperation_DestroySharedBuffer,
   antOperation_CreateEndpoint,
   antOperation_TCPListen,
+  antOperation_TCPConnect,
   antOperation_TCPSend,
   antOperation_TCPReceive,
-  antOperation_TCPClose
+  antOperation_TCPClose,
+  antOperation_UDPBind,
+  antOperation_UDPConnect,
+  antOperation_UDPSend,
+  antOperation_UDPReceive,
+  antOperation_UDPClose
 };
 
 /// Base of all messages.
 class antEnvMsg {
  public:
-  /// Asks and waits for the answer. For what is answered at once: shared buffers, the making of endpoints, closing.
-  /// @param size sizeof the message
+  /// Asks and waits for the answer. For what is answered at once: shared buffers, the making of endpoints, the binding
+  /// and connecting of UDP endpoints, and a close that need not wait for the other side.
+  /// @param size sizeof the message, or more
   antError Call(const antStackRef& stack, size_t size);
 
   /// Asks and goes on. Later the object's entry is called with an answered copy of this message.
   /// @param object, entry usually myOID_ and Extra_Entry[entryNAME]
-  /// @param size sizeof the message
-  antError Send(const antStackRef& stack, OID object, Selector entry, size_t size);
+  /// @param size sizeof the message, or more
+  antError Send(const antStackRef& stack, const OID& object, Selector entry, size_t size);
 
   /// The message in what an `Extra` entry was called with. It is valid until the entry returns.
   static antEnvMsg* Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
@@ -90,10 +95,10 @@ class antEnvMsg {
 class antEnvCreateSharedBufferMsg : public antEnvMsg {
  public:
   /// @param bytes rounded up to whole pages of 4096, as on a robot with memory protection
-  explicit antEnvCreateSharedBufferMsg(size_t bytes)
+  explicit antEnvCreateSharedBufferMsg(uint32 bytes)
       : antEnvMsg(antOperation_CreateSharedBuffer), size(bytes), error(ANT_FAIL) {}
 
-  size_t size;
+  uint32 size;
   antError error;
   antSharedBuffer buffer;  ///< answer
 };
@@ -111,13 +116,16 @@ class antEnvDestroySharedBufferMsg : public antEnvMsg {
 /// Asks for an endpoint. One endpoint serves one connection: after it is closed, the next one needs a new endpoint.
 class antEnvCreateEndpointMsg : public antEnvMsg {
  public:
-  /// @param pool_size bytes the stack may hold for this endpoint; on Linux the size of the socket's send buffer. A
-  /// send is complete when all its bytes fit in there, so the smaller it is, the fresher is what a slow reader gets.
-  antEnvCreateEndpointMsg(EndpointType endpoint_type, size_t pool_size)
-      : antEnvMsg(antOperation_CreateEndpoint), type(endpoint_type), size(pool_size), error(ANT_FAIL) {}
+  /// @param endpoint_type one of EndpointTypes.h
+  /// @param pool_size bytes the stack may hold for this endpoint. It should be slightly larger than the largest packet
+  /// that is sent: 10 KB for packets of 8 KB (OPEN-R SDK Internet Protocol Version4, page 50). On Linux it is the size
+  /// of the socket's send buffer, and what is larger is sent in parts. What becomes of it on the robot is not
+  /// documented.
+  explicit antEnvCreateEndpointMsg(int32 endpoint_type, int32 pool_size = 0)
+      : antEnvMsg(antOperation_CreateEndpoint), protocol(endpoint_type), poolSize(pool_size), error(ANT_FAIL) {}
 
-  EndpointType type;
-  size_t size;
+  int32 protocol;
+  int32 poolSize;
   antError error;
   antModuleRef moduleRef;  ///< answer
 };

@@ -70,7 +70,7 @@ class Body {
   Body(const Body&);
   Body& operator=(const Body&);
 
-  char design_[orobotdesignNAME_MAX];
+  char design_[orobotdesignNAME_MAX + 1];
   JointDriver joint_driver_;
   LightDriver light_driver_;
   SensorDriver sensor_driver_;

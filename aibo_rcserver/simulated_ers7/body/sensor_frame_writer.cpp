@@ -27,7 +27,7 @@ void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& 
   ODataVectorInfo& header = vectorIn(region)->vectorInfo;
   header = ODataVectorInfo();
   header.type = odataSENSOR_FRAME_VECTOR;
-  header.memRegionID = region->MemoryID();
+  header.memRegionID = region->MemID();
   header.offset = static_cast<longword>(region->Offset());
   header.totalSize = static_cast<longword>(sensorFramesSize(entries.size()));
   header.infoOffset = offsetof(OSensorFrameVectorData, info);

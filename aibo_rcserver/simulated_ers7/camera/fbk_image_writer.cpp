@@ -26,12 +26,15 @@ struct LayerFormat {
   std::size_t size() const { return width * height * bands; }
 };
 
-constexpr LayerFormat kLayers[ofbkimageNUM_LAYER] = {
+constexpr LayerFormat kLayers[] = {
     {ofbkimageLAYER_H, odataFBK_YCrCb_HPF, kWidth, kHeight, kBands},
     {ofbkimageLAYER_M, odataFBK_YCrCb_HPF, kWidth / 2, kHeight / 2, kBands},
     {ofbkimageLAYER_L, odataFBK_YCrCb_HPF, kWidth / 4, kHeight / 4, kBands},
     {ofbkimageLAYER_C, odataFBK_CDT, kWidth / 2, kHeight / 2, 1},
 };
+
+constexpr std::size_t kNumberOfLayers = std::size(kLayers);
+constexpr std::size_t kDataOffset = offsetof(OFbkImageVectorData, info) + kNumberOfLayers * sizeof(OFbkImageInfo);
 
 OFbkImageVectorData* vectorIn(RCRegion* region) {
   void* base = region->Base();
@@ -71,7 +74,7 @@ void writeTag(byte* data, const LayerFormat& format, longword image_number) {
 }  // namespace
 
 std::size_t fbkImageSize() {
-  std::size_t size = sizeof(OFbkImageVectorData);
+  std::size_t size = kDataOffset;
   for (const LayerFormat& format : kLayers) {
     size += format.size();
   }
@@ -82,14 +85,14 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
   OFbkImageVectorData* vector = vectorIn(region);
   *vector = OFbkImageVectorData();
   vector->vectorInfo.type = odataFBKIMAGE_VECTOR;
-  vector->vectorInfo.memRegionID = region->MemoryID();
+  vector->vectorInfo.memRegionID = region->MemID();
   vector->vectorInfo.offset = static_cast<longword>(region->Offset());
   vector->vectorInfo.totalSize = static_cast<longword>(fbkImageSize());
   vector->vectorInfo.infoOffset = offsetof(OFbkImageVectorData, info);
   vector->vectorInfo.infoSize = sizeof(OFbkImageInfo);
-  vector->vectorInfo.maxNumData = ofbkimageNUM_LAYER;
-  vector->vectorInfo.numData = ofbkimageNUM_LAYER;
-  std::size_t offset = sizeof(OFbkImageVectorData);
+  vector->vectorInfo.maxNumData = kNumberOfLayers;
+  vector->vectorInfo.numData = kNumberOfLayers;
+  std::size_t offset = kDataOffset;
   for (const LayerFormat& format : kLayers) {
     OFbkImageInfo* info = vector->GetInfo(format.layer);
     info->type = format.type;

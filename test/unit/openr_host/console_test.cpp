@@ -59,16 +59,29 @@ TEST_F(ConsoleTest, ALogLineNamesItsPriorityAndItsObject) {
   EXPECT_EQ(test_.output.str(), "ERROR Object: no image\nWARNING Object: hm\nINFO Object: well\n");
 }
 
+// Programmer's Guide, 5.1: 243 characters, the closing 0 among them.
+TEST_F(ConsoleTest, OnePrintShowsItsFirst242Characters) {
+  const std::string most(242, 'x');
+  print(most);
+  EXPECT_EQ(test_.output.str(), most);
+  test_.output.str("");
+  print(most + "and more\n");
+  EXPECT_EQ(test_.output.str(), most);
+  test_.output.str("");
+  test_.as(object_, [&] { OSYSLOG1((osyslogINFO, "%s", (most + "and more").c_str())); });
+  EXPECT_EQ(test_.output.str(), "INFO Object: " + most + "\n");
+}
+
 TEST_F(ConsoleTest, AListenerThatDoesNotReadIsNotWaitedForAndIsToldWhatItLost) {
   TestClient slow(port_, 4096);
   TestClient quick(port_);
   awaitAccepted(slow);
   awaitAccepted(quick);
-  const std::string line = std::string(1023, '#') + "\n";
+  const std::string line = std::string(241, '#') + "\n";
   constexpr std::chrono::seconds kPatience(120);  // the kernel fills so small a window only now and then
   std::size_t printed = 0;
   // Far more than the kernel and the console together keep for one listener.
-  for (; printed < 16 * 1024; ++printed) {
+  for (; printed < 64 * 1024; ++printed) {
     print(line);
     quick.received();
   }

@@ -65,10 +65,11 @@ TEST(OFbkImageTest, ReadsTheTagBytesOfTheLastRow) {
   }
   const OFbkImage image(&info, data.data(), ofbkimageBAND_CDT);
   EXPECT_EQ(image.FieldCounter(), 0x1110);
-  EXPECT_EQ(image.ColorFrequency(0), 0x18 * 16);
-  EXPECT_EQ(image.ColorFrequency(3), 0x1b * 16);
-  EXPECT_EQ(image.ColorFrequency(4), 0x14 * 16);
-  EXPECT_EQ(image.ColorFrequency(7), 0x17 * 16);
+  EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL0), 0x18);
+  EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL3), 0x1b);
+  EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL4), 0x14);
+  EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL7), 0x17);
+  EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL_UNDEF), 0);
 }
 
 TEST(RCRegionTest, CountsReferencesFromItsMakersOne) {
@@ -85,8 +86,8 @@ TEST(RCRegionTest, CountsReferencesFromItsMakersOne) {
 TEST(RCRegionTest, LendsMemoryThatIsOwnedElsewhere) {
   byte memory[8] = {};
   auto* region = new RCRegion(5, 16, memory, sizeof(memory));
-  EXPECT_EQ(region->Base(), memory);
-  EXPECT_EQ(region->MemoryID(), 5U);
+  EXPECT_EQ(region->Base(), reinterpret_cast<char*>(memory));
+  EXPECT_EQ(region->MemID(), 5U);
   EXPECT_EQ(region->Offset(), 16U);
   region->RemoveReference();
 }

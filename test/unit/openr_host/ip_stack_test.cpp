@@ -1,9 +1,11 @@
 // TCP endpoints on real sockets, from an object's point of view (OPEN-R SDK Internet Protocol Version4).
+#include <EndpointTypes.h>
 #include <gmock/gmock.h>
 #include <netinet/tcp.h>
 #include <sys/resource.h>
 
 #include <cstring>
+#include <optional>
 
 #include "test_client.h"
 #include "test_system.h"
@@ -15,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 constexpr Port kRobotPort = 7000;
-constexpr std::size_t kPoolSize = 16 * 1024;
+constexpr int kPoolSize = 16 * 1024;
 constexpr int kBufferSize = 4 * 1024 * 1024;
 
 /// What came back from the stack.
@@ -49,25 +51,11 @@ class IpStackTest : public testing::Test {
   }
 
   void record(const antEnvMsg& message) {
-    Answer answer{message.operation, 0, 0, message.continuation};
-    switch (message.operation) {
-      case antOperation_TCPListen:
-        answer.error = static_cast<const TCPEndpointListenMsg&>(message).error;
-        client_address_ = static_cast<const TCPEndpointListenMsg&>(message).fAddress;
-        client_port_ = static_cast<const TCPEndpointListenMsg&>(message).fPort;
-        break;
-      case antOperation_TCPSend:
-        answer.error = static_cast<const TCPEndpointSendMsg&>(message).error;
-        break;
-      case antOperation_TCPReceive:
-        answer.error = static_cast<const TCPEndpointReceiveMsg&>(message).error;
-        answer.size = static_cast<const TCPEndpointReceiveMsg&>(message).sizeMin;
-        break;
-      case antOperation_TCPClose:
-        answer.error = static_cast<const TCPEndpointCloseMsg&>(message).error;
-        break;
-      default:
-        break;
+    Answer answer{message.operation, static_cast<const TCPEndpointBaseMsg&>(message).error, 0, message.continuation};
+    if (message.operation == antOperation_TCPListen || message.operation == antOperation_TCPConnect) {
+      addresses_.emplace(static_cast<const TCPEndpointAddressesMsg&>(message));
+    } else if (message.operation == antOperation_TCPReceive) {
+      answer.size = static_cast<const TCPEndpointReceiveMsg&>(message).sizeMin;
     }
     answers_.push_back(answer);
   }
@@ -87,7 +75,7 @@ class IpStackTest : public testing::Test {
     return error;
   }
 
-  antModuleRef createEndpoint(std::size_t pool_size = kPoolSize) {
+  antModuleRef createEndpoint(int pool_size = kPoolSize) {
     antEnvCreateEndpointMsg message(EndpointType_TCP, pool_size);
     call(message);
     EXPECT_EQ(message.error, ANT_SUCCESS);
@@ -117,7 +105,7 @@ class IpStackTest : public testing::Test {
   }
 
   /// An endpoint with a client; the listening is forgotten.
-  antModuleRef connect(std::optional<TestClient>& client, int receive_buffer = 0, std::size_t pool_size = kPoolSize) {
+  antModuleRef connect(std::optional<TestClient>& client, int receive_buffer = 0, int pool_size = kPoolSize) {
     const antModuleRef endpoint = createEndpoint(pool_size);
     listen(endpoint);
     client.emplace(host_port_, receive_buffer);
@@ -138,8 +126,7 @@ class IpStackTest : public testing::Test {
   antSharedBuffer shared_buffer_;
   byte* buffer_ = nullptr;
   std::vector<Answer> answers_;
-  IPAddress client_address_ = 0;
-  Port client_port_ = 0;
+  std::optional<TCPEndpointAddressesMsg> addresses_;  ///< the last answer to a listen or connect
 };
 
 TEST_F(IpStackTest, ListeningIsAnsweredWithTheClientsAddressWhenOneComes) {
@@ -150,8 +137,9 @@ TEST_F(IpStackTest, ListeningIsAnsweredWithTheClientsAddressWhenOneComes) {
   ASSERT_TRUE(haveAnswers(1));
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPListen, TCP_SUCCESS)));
   EXPECT_EQ(answers_[0].continuation, reinterpret_cast<void*>(7));
-  EXPECT_EQ(client_address_, 0x7f000001U);
-  EXPECT_EQ(client_port_, client.port());
+  EXPECT_EQ(addresses_->lAddress, IPAddress(127, 0, 0, 1));
+  EXPECT_EQ(addresses_->fAddress, IPAddress("127.0.0.1"));
+  EXPECT_EQ(addresses_->fPort, client.port());
 }
 
 TEST_F(IpStackTest, AReceiveIsAnsweredOnceTheLeastNumberOfBytesIsThere) {
@@ -279,16 +267,101 @@ TEST_F(IpStackTest, AResetEndsBothTheSendAndTheReceive) {
   EXPECT_EQ(answers_[2].error, TCP_CONNECTION_RESET);
 }
 
-TEST_F(IpStackTest, ClosingEndsWhatIsUnderWayFirst) {
+// Internet Protocol Version4, figure 4 and 2.7: an active close waits in WAITCLOSEIND for the other side.
+TEST_F(IpStackTest, ACloseIsAnsweredWhenTheClientHasClosedToo) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  close(endpoint);
+  ASSERT_TRUE(test_.runUntil([&] { return client->isAtEnd(); }));
+  test_.runPending();
+  EXPECT_THAT(answers_, IsEmpty()) << "the client has not closed yet";
+  client->close();
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPClose, TCP_SUCCESS)));
+  send(endpoint, 1);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_EQ(answers_[1].error, TCP_OPERATION_INVALID) << "the endpoint is no more";
+}
+
+// 2.7: "it can no longer send or receive data", and the other side "will receive the rest of the transmission".
+TEST_F(IpStackTest, ACloseEndsTheReceiveAndLetsTheSendFinish) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client, 4096);
   receive(endpoint, 1, 1);
   send(endpoint, kBufferSize);
   close(endpoint);
+  receive(endpoint, 1, 1);
+  send(endpoint, 1);
+  close(endpoint);
+  ASSERT_TRUE(haveAnswers(4));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
+                                    is(antOperation_TCPReceive, TCP_OPERATION_INVALID),
+                                    is(antOperation_TCPSend, TCP_OPERATION_INVALID),
+                                    is(antOperation_TCPClose, TCP_OPERATION_INVALID)));
+  answers_.clear();
+  ASSERT_TRUE(test_.runUntil([&] { return client->isAtEnd(); }));
+  EXPECT_EQ(client->received().size(), static_cast<std::size_t>(kBufferSize));
+  client->close();
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPSend, TCP_SUCCESS), is(antOperation_TCPClose, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, ACloseIsAnsweredAtOnceIfTheClientHasClosedBefore) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  client->send("unread");
+  client->close();
+  receive(endpoint, 100, 100);
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_EQ(answers_[0].error, TCP_CONNECTION_CLOSED);
+  close(endpoint);
+  test_.run();
+  ASSERT_EQ(answers_.size(), 2U);
+  EXPECT_THAT(answers_[1], is(antOperation_TCPClose, TCP_SUCCESS));
+}
+
+// 2.7: "a normal close takes too much time and is aborted by one of the objects".
+TEST_F(IpStackTest, AnAbortEndsACloseThatWaits) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  close(endpoint);
+  test_.runPending();
+  close(endpoint, true);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_THAT(answers_,
+              ElementsAre(is(antOperation_TCPClose, TCP_CONNECTION_RESET), is(antOperation_TCPClose, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, AResetByTheClientEndsACloseThatWaits) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  close(endpoint);
+  test_.runPending();
+  client->reset();
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPClose, TCP_CONNECTION_RESET)));
+}
+
+TEST_F(IpStackTest, AnAbortEndsWhatIsUnderWayFirst) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client, 4096);
+  receive(endpoint, 1, 1);
+  send(endpoint, kBufferSize);
+  close(endpoint, true);
   ASSERT_TRUE(haveAnswers(3));
   EXPECT_THAT(answers_,
               ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
                           is(antOperation_TCPSend, TCP_CONNECTION_CLOSED), is(antOperation_TCPClose, TCP_SUCCESS)));
+}
+
+TEST_F(IpStackTest, ACloseThatWaitsCannotBeCalled) {
+  std::optional<TestClient> client;
+  const auto endpoint = connect(client);
+  TCPEndpointCloseMsg orderly(endpoint);
+  EXPECT_EQ(call(orderly), ANT_FAIL);
+  TCPEndpointCloseMsg aborting(endpoint, false, 0, true);
+  EXPECT_EQ(call(aborting), ANT_SUCCESS);
+  EXPECT_EQ(aborting.error, TCP_SUCCESS);
 }
 
 TEST_F(IpStackTest, TheClientGetsWhatWasSentBeforeTheCloseThoughItsOwnBytesWereNeverRead) {
@@ -364,6 +437,7 @@ TEST_F(IpStackTest, ANewEndpointListensAgainAfterAClose) {
     std::optional<TestClient> client;
     const auto endpoint = connect(client);
     close(endpoint);
+    client->close();
     ASSERT_TRUE(haveAnswers(1));
     answers_.clear();
   }
@@ -386,6 +460,60 @@ TEST_F(IpStackTest, AClientThatComesWhileTheObjectIsAboutToListenAgainIsServed) 
   ASSERT_TRUE(haveAnswers(3));
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
                                     is(antOperation_TCPClose, TCP_SUCCESS), is(antOperation_TCPListen, TCP_SUCCESS)));
+}
+
+// Internet Protocol Version4, 2.3.
+TEST_F(IpStackTest, AnEndpointConnectsToAServerAndLearnsItsOwnAddress) {
+  TcpListener server("127.0.0.1", 0);
+  const auto endpoint = createEndpoint();
+  post(TCPEndpointConnectMsg(endpoint, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), server.port()));
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPConnect, TCP_SUCCESS)));
+  std::optional<TcpConnection> connection;
+  ASSERT_TRUE(test_.runUntil([&] { return (connection = server.accept()).has_value(); }));
+  EXPECT_EQ(addresses_->lAddress, connection->client.address);
+  EXPECT_EQ(addresses_->lPort, connection->client.port);
+
+  send(endpoint, "hello");
+  ASSERT_TRUE(haveAnswers(2));
+  char heard[5] = {};
+  EXPECT_EQ(::recv(connection->socket.get(), heard, sizeof(heard), 0), 5);
+  EXPECT_EQ(std::string(heard, 5), "hello");
+  EXPECT_EQ(::send(connection->socket.get(), "you", 3, 0), 3);
+  receive(endpoint, 3, 3);
+  ASSERT_TRUE(haveAnswers(3));
+  EXPECT_EQ(inBuffer(3), "you");
+}
+
+TEST_F(IpStackTest, WhereNobodyListensNothingConnects) {
+  std::uint16_t free_port = 0;
+  {
+    const TcpListener gone("127.0.0.1", 0);
+    free_port = gone.port();
+  }
+  const auto endpoint = createEndpoint();
+  post(TCPEndpointConnectMsg(endpoint, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), free_port));
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPConnect, TCP_PORT_UNREACHABLE)));
+  close(endpoint);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_EQ(answers_[1].error, TCP_SUCCESS);
+}
+
+TEST_F(IpStackTest, AnEndpointConnectsOrListensOnce) {
+  const auto endpoint = createEndpoint();
+  listen(endpoint);
+  post(TCPEndpointConnectMsg(endpoint, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), host_port_));
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPConnect, TCP_OPERATION_INVALID)));
+}
+
+TEST(IPAddressTest, ReadsAndWritesDottedNumbers) {
+  char text[16];
+  EXPECT_STREQ(IPAddress(192, 168, 1, 20).GetAsString(text), "192.168.1.20");
+  EXPECT_EQ(IPAddress("255.255.255.255"), IP_ADDR_BROADCAST);
+  EXPECT_EQ(IPAddress("10.0.0.1").Address(), 0x0a000001U);
+  EXPECT_EQ(IPAddress("somewhere"), IP_ADDR_ANY);
 }
 
 TEST_F(IpStackTest, ConnectionsSendAtOnceAndNoticeAVanishedClient) {
@@ -456,8 +584,8 @@ TEST_F(IpStackTest, AMessageToNoSuchStackObjectOrEntryFails) {
   test_.as(object_, [&] {
     EXPECT_EQ(message.Call(antStackRef("OtherStack"), sizeof(message)), ANT_FAIL);
     EXPECT_EQ(message.Call(stack_, sizeof(antEnvMsg)), ANT_FAIL);
-    EXPECT_EQ(message.Send(stack_, oidUNDEF, 0, sizeof(message)), ANT_FAIL);
-    EXPECT_EQ(message.Send(stack_, object_.id() + 1, 0, sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Send(stack_, OID(), 0, sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Send(stack_, OID(reinterpret_cast<void*>(1000)), 0, sizeof(message)), ANT_FAIL);
     EXPECT_EQ(message.Send(stack_, object_.id(), 1, sizeof(message)), ANT_FAIL);
     EXPECT_EQ(message.Call(stack_, sizeof(message)), ANT_SUCCESS);
   });

@@ -4,6 +4,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
+#include "openr_host/objects/object_number.h"
 #include "test_system.h"
 
 namespace openr_host {
@@ -26,7 +27,7 @@ class PowerWatchTest : public testing::Test {
     return !watch_.look(now).empty();
   }
 
-  const OServiceEntry entry_{1, 0};
+  const OServiceEntry entry_{oidOf(1), 0};
   PowerWatch watch_;
   OPowerStatus present_;
   OPowerStatus changed_;

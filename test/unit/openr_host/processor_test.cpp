@@ -3,14 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "openr_host/objects/object_number.h"
+
 namespace openr_host {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr OID kServer = 1;
-constexpr OID kWorker = 2;
-constexpr OID kNeighbour = 3;
+const OID kServer = oidOf(1);
+const OID kWorker = oidOf(2);
+const OID kNeighbour = oidOf(3);
 
 class ProcessorTest : public testing::Test {
  protected:

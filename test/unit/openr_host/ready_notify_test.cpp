@@ -364,7 +364,7 @@ TEST_F(ReadyNotifyTest, PrimitivesAreTheRobots) {
     EXPECT_EQ(OPENR::ControlPrimitive(camera + 1, oprmreqCAM_SET_GAIN, &gain, sizeof(gain), nullptr, 0),
               oINVALID_PRIMITIVE_ID);
     EXPECT_EQ(OPENR::ClosePrimitive(camera), oSUCCESS);
-    char design[orobotdesignNAME_MAX];
+    char design[orobotdesignNAME_MAX + 1];
     EXPECT_EQ(OPENR::GetRobotDesign(design), oSUCCESS);
     EXPECT_STREQ(design, "ERS-7");
   });

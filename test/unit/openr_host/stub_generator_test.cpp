@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// The example of the report, section 2.1.1.
+/// Every setting once, in the form of the OPEN-R SDK Programmer's Guide, 2.3.
 const char kSample[] =
     "ObjectName : SampleObject\n"
     "NumOfOSubject : 1\n"
@@ -22,7 +22,7 @@ const char kSample[] =
     "Service : \"SampleObject.Func1.char.S\", null , Ready ()\n"
     "Service : \"SampleObject.Func2.int.O\", Connect (), Notify ()\n"
     "Service : \"SampleObject.Func3.Data.O\", null , Control ()\n"
-    "Extra : UpdatePowerStatus ()\n"
+    "Extra : UpdatePowerStatus()\n"
     "Extra : SendCont()\n";
 
 StubConfiguration parse(const std::string& text) {
@@ -43,7 +43,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(text.find(what), what.size(), by);
 }
 
-TEST(StubConfigurationTest, ReadsTheReportsExample) {
+TEST(StubConfigurationTest, ReadsEverySetting) {
   const StubConfiguration stub = parse(kSample);
   EXPECT_EQ(stub.object_name, "SampleObject");
   ASSERT_EQ(stub.subjects.size(), 1U);
@@ -57,15 +57,27 @@ TEST(StubConfigurationTest, ReadsTheReportsExample) {
   EXPECT_THAT(stub.extra_functions, testing::ElementsAre("UpdatePowerStatus", "SendCont"));
 }
 
-TEST(StubConfigurationTest, ReadsAServiceBrokenOverLinesAsTheReportPrintsIt) {
+TEST(StubConfigurationTest, SkipsLinesThatSetNothing) {
   const StubConfiguration stub = parse(
-      "ObjectName : RCServer\r\nNumOfOSubject : 1\r\nNumOfOObserver : 1\r\n"
-      "Service : \"RCServer.Dummy.DoNotConnect.S\", null, null\r\n"
-      "Service :\r\n\r\n\"RCServer.Image.OFbkImageVectorData.O\" , null , Notify\r\n ()\r\n");
-  ASSERT_EQ(stub.observers.size(), 1U);
-  EXPECT_EQ(stub.observers[0].name.text(), "RCServer.Image.OFbkImageVectorData.O");
-  EXPECT_EQ(stub.observers[0].data_function, "Notify");
-  EXPECT_EQ(stub.subjects[0].data_function, "");
+      "//\r\n// An object: with a remark\r\n//\r\n\r\n  ObjectName : Walker // its class\r\n"
+      "NumOfSubject : 1\r\nNumOfObserver : 1\r\n# Service : \"Walker.Old.Data.O\", null, null\r\nanything goes\r\n"
+      "Service : \"Walker.Legs.OCommandVectorData.S\", null, Ready()\r\n"
+      "Service : \"Walker.Dummy.DoNotConnect.O\" , null , null \r\n");
+  EXPECT_EQ(stub.object_name, "Walker");
+  EXPECT_EQ(stub.subjects.at(0).data_function, "Ready");
+  EXPECT_EQ(stub.observers.at(0).name.text(), "Walker.Dummy.DoNotConnect.O");
+}
+
+// Programmer's Guide, 2.3: "usually the core class name", but any.
+TEST(StubConfigurationTest, AServiceMayBeginWithAnyName) {
+  const StubConfiguration stub = parse(replaced(kSample, "SampleObject.Func3", "OtherName.Func3"));
+  EXPECT_EQ(stub.observers.at(1).name.text(), "OtherName.Func3.Data.O");
+}
+
+TEST(StubConfigurationTest, AServiceStandsOnOneLineAsForTheRobotsGenerator) {
+  EXPECT_THAT(errorOf(replaced(kSample, "Connect (), Notify ()", "Connect ()\n, Notify ()")),
+              AllOf(StartsWith("stub.cfg:6: "), HasSubstr("on this line")));
+  EXPECT_THAT(errorOf(replaced(kSample, "SendCont()", "SendCont ()")), StartsWith("stub.cfg:9: expected a function"));
 }
 
 TEST(StubConfigurationTest, RefusesNumbersThatDoNotMatchTheServices) {
@@ -80,17 +92,14 @@ TEST(StubConfigurationTest, ProposesADummyWhereThereIsNoSubject) {
 }
 
 TEST(StubConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
-  EXPECT_THAT(errorOf(replaced(kSample, "Notify ()", "Notify")), StartsWith("stub.cfg:7: expected '('"));
-  EXPECT_THAT(errorOf(replaced(kSample, "Extra :", "Extras :")), StartsWith("stub.cfg:8: "));
-  EXPECT_THAT(errorOf(replaced(kSample, "Func2.int.O", "Func2.O")), StartsWith("stub.cfg:6: "));
-  EXPECT_THAT(errorOf(replaced(kSample, "int.O\"", "int.O")), StartsWith("stub.cfg:6: the quotation mark"));
+  EXPECT_THAT(errorOf(replaced(kSample, "Notify ()", "Notify")), StartsWith("stub.cfg:6: expected a function"));
+  EXPECT_THAT(errorOf(replaced(kSample, "Func2.int.O", "Func2.O")), StartsWith("stub.cfg:6: expected a service name"));
+  EXPECT_THAT(errorOf(replaced(kSample, "int.O\"", "int.O")), StartsWith("stub.cfg:6: expected a service name"));
   EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : one")), StartsWith("stub.cfg:2: "));
-  EXPECT_THAT(errorOf(replaced(kSample, "SampleObject.Func3", "OtherObject.Func3")),
-              AllOf(StartsWith("stub.cfg:7: "), HasSubstr("does not begin with the ObjectName")));
-  EXPECT_THAT(errorOf("ObjectName :"), AllOf(StartsWith("stub.cfg:1: "), HasSubstr("the end of the file")));
-  EXPECT_THAT(errorOf(""), HasSubstr("no ObjectName"));
+  EXPECT_THAT(errorOf("ObjectName :"), AllOf(StartsWith("stub.cfg:1: "), HasSubstr("found nothing")));
+  EXPECT_THAT(errorOf(""), HasSubstr("no line ObjectName"));
   EXPECT_THAT(errorOf("ObjectName : A\nNumOfOSubject : 1\nService : \"A.B.C.S\", null, null\n"),
-              HasSubstr("no NumOfOObserver"));
+              HasSubstr("no line NumOfOObserver"));
 }
 
 TEST(StubConfigurationTest, RefusesANameTwice) {
@@ -113,8 +122,7 @@ TEST(StubWriterTest, EntryHasTheIndexesOfTheExtraFunctions) {
                            "const Selector Extra_Entry[] = {0, 1};\n"}) {
     EXPECT_THAT(entry, HasSubstr(line));
   }
-  const std::string none =
-      replaced(replaced(kSample, "Extra : UpdatePowerStatus ()\n", ""), "Extra : SendCont()\n", "");
+  const std::string none = replaced(replaced(kSample, "Extra : UpdatePowerStatus()\n", ""), "Extra : SendCont()\n", "");
   EXPECT_THAT(writeEntry(parse(none)), testing::Not(HasSubstr("Extra_Entry")));
 }
 

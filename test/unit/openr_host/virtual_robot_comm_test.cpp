@@ -41,7 +41,7 @@ class VirtualRobotCommTest : public testing::Test {
   RegionReference makeVector(const std::vector<Motion>& motions) {
     RegionReference made;
     test_.as(mover_, [&] {
-      MemoryRegionID id = memoryRegionID_UNDEF;
+      MemoryRegionID id = 0;
       OCommandVectorData* vector = nullptr;
       ASSERT_EQ(OPENR::NewCommandVectorData(motions.size(), &id, &vector), oSUCCESS);
       auto* region = new RCRegion(id, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
@@ -357,13 +357,13 @@ TEST_F(VirtualRobotCommTest, StoppingDropsTheCommandsThatWait) {
 
 TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAnIdOfItsOwn) {
   test_.as(mover_, [&] {
-    MemoryRegionID id = memoryRegionID_UNDEF;
-    MemoryRegionID other_id = memoryRegionID_UNDEF;
+    MemoryRegionID id = 0;
+    MemoryRegionID other_id = 0;
     OCommandVectorData* vector = nullptr;
     OCommandVectorData* other = nullptr;
     ASSERT_EQ(OPENR::NewCommandVectorData(3, &id, &vector), oSUCCESS);
     ASSERT_EQ(OPENR::NewCommandVectorData(1, &other_id, &other), oSUCCESS);
-    EXPECT_NE(id, memoryRegionID_UNDEF);
+    EXPECT_NE(id, 0U);
     EXPECT_NE(id, other_id);
     EXPECT_EQ(vector->vectorInfo.type, odataCOMMAND_VECTOR);
     EXPECT_EQ(vector->vectorInfo.memRegionID, id);

@@ -5,19 +5,35 @@
 #define OPENR_ODATAFORMATS_H
 
 #include <OPENR/OPENR.h>
+#include <OPENR/OUnits.h>
+
+typedef longword ODataType;  ///< kind of data in a vector, and its unit
 
 const ODataType odataUNDEF = 0;
 const ODataType odataNO_DIMENSION = 1;
-const ODataType odataLENGTH = 2;          ///< in millionths of a metre
-const ODataType odataFORCE = 8;           ///< in millionths of a newton
-const ODataType odataACCELERATION = 9;    ///< in millionths of a metre per second squared
-const ODataType odataTEMPERATURE = 11;    ///< in millionths of a degree Celsius
-const ODataType odataPRESSURE = 12;       ///< in millionths of a pascal
-const ODataType odataSWITCH = 14;         ///< oswitchON or oswitchOFF
+const ODataType odataLENGTH = 2;             ///< in millionths of a metre
+const ODataType odataMASS = 3;               ///< in millionths of a kilogram
+const ODataType odataTIME = 4;               ///< in millionths of a second
+const ODataType odataDATE = 5;               ///< time_t
+const ODataType odataANGULAR = 6;            ///< in millionths of a radian
+const ODataType odataVELOCITY = 7;           ///< in millionths of a metre per second
+const ODataType odataFORCE = 8;              ///< in millionths of a newton
+const ODataType odataACCELERATION = 9;       ///< in millionths of a metre per second squared
+const ODataType odataANGULAR_VELOCITY = 10;  ///< in millionths of a radian per second
+const ODataType odataTEMPERATURE = 11;       ///< in millionths of a degree Celsius
+const ODataType odataPRESSURE = 12;          ///< in millionths of a pascal
+const ODataType odataPERCENTAGE = 13;        ///< in millionths of a per cent
+const ODataType odataSWITCH = 14;            ///< oswitchON or oswitchOFF
+const ODataType odataLED = 15;               ///< oledON or oledOFF
+const ODataType odataSOUND = 16;
+const ODataType odataIMAGE = 17;
 const ODataType odataJOINT_VALUE = 18;    ///< what a joint reports, in millionths of a radian
 const ODataType odataFBK_YCrCb = 19;      ///< a picture of the three bands Y, Cr, Cb
 const ODataType odataFBK_CDT = 20;        ///< what the colour detection found
+const ODataType odataCDT = 21;            ///< a table for the colour detection
 const ODataType odataFBK_YCrCb_HPF = 24;  ///< the three bands and three of fine detail in Y; ERS-7
+const ODataType odataJOINT_COMMAND = 256;
+const ODataType odataLED_COMMAND = 258;
 const ODataType odataJOINT_COMMAND2 = 259;
 const ODataType odataLED_COMMAND2 = 260;
 const ODataType odataJOINT_COMMAND3 = 261;
@@ -25,7 +41,9 @@ const ODataType odataJOINT_COMMAND4 = 262;
 const ODataType odataLED_COMMAND3 = 263;
 const ODataType odataCOMMAND_VECTOR = 1024;
 const ODataType odataSENSOR_FRAME_VECTOR = 1025;
+const ODataType odataSOUND_VECTOR = 1026;
 const ODataType odataFBKIMAGE_VECTOR = 1027;
+const ODataType odataCDT_VECTOR = 1028;
 
 typedef longword OSwitchValue;
 const OSwitchValue oswitchOFF = 0;
@@ -37,18 +55,29 @@ const OLEDValue oledON = 1;
 
 /// Which of the two patterns of Sony's face LEDs is meant.
 typedef word OLED3Mode;
+const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 const OLED3Mode oled3_MODE_A = 0;
 const OLED3Mode oled3_MODE_B = 1;
 
-/// The two states of an ear: let go, and drawn by its magnet.
+/// The two states of an ear of the ERS-210: let go, and drawn by its magnet.
+typedef longword OJointValue3;
+const OJointValue3 ojoint3_STATE_UNDEF = 0xffffffffU;
+const OJointValue3 ojoint3_STATE0 = 0;
+const OJointValue3 ojoint3_STATE1 = 1;
+
+/// The same of an ear of the ERS-7.
 typedef longword OJointValue4;
+const OJointValue4 ojoint4_STATE_UNDEF = 0xffffffffU;
 const OJointValue4 ojoint4_STATE0 = 0;
 const OJointValue4 ojoint4_STATE1 = 1;
 
-/// Begins every vector.
+const size_t odataOPTIONAL_MAX = 128;
+
+/// Begins every vector (OPEN-R SDK Level2 Reference Guide, page 45). Sizes and offsets are size_t on the robot, where
+/// that has 32 bits as here.
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;
-  longword reserved1;
+  longword physAddr;   ///< address of the memory for the robot's devices; 0 on Linux
   longword offset;     ///< of this header in its memory region
   longword totalSize;  ///< bytes, from the first of this header to the last of the data
   ODataType type;
@@ -56,8 +85,12 @@ struct ODataVectorInfo {
   longword infoSize;    ///< bytes of one info
   longword maxNumData;  ///< entries there is room for
   longword numData;     ///< entries there are
-  longword reserved2[7];
-  byte optional[128];
+  OVRSyncKey syncKey;   ///< of a command vector: it begins together with those that have the same key
+  longword wait;        ///< of a command or sound vector: frames of 8 ms that it begins later
+  longword optOffset;   ///< where in optional the part begins that is passed on
+  longword optSize;     ///< bytes of that part
+  longword padding[3];
+  byte optional[odataOPTIONAL_MAX];  ///< comes back in the sensor vectors
 };
 
 // ---------------------------------------------------------------------------------------------------------- commands
@@ -69,30 +102,33 @@ struct OCommandInfo {
   OPrimitiveID primitiveID;
   longword frameNumber;
   longword numFrames;  ///< 1..ocommandMAX_FRAMES
-  longword frameSize;  ///< bytes of one value, 8
+  longword frameSize;  ///< bytes of one value, 8; set by NewCommandVectorData(), as are the next two
   longword dataOffset;
-  longword dataSize;
-  longword padding;
+  longword dataSize;  ///< 128
+  longword padding[1];
 
-  /// All but dataOffset, which belongs to the memory's maker.
+  /// What the object decides. The rest belongs to the memory's maker.
   void Set(ODataType dataType, OPrimitiveID id, size_t frames) {
     type = dataType;
     primitiveID = id;
-    frameNumber = 0;
     numFrames = static_cast<longword>(frames);
-    frameSize = 8;
-    dataSize = static_cast<longword>(8 * ocommandMAX_FRAMES);
   }
 };
 
 /// What one frame of a command is made of; one of the value types below is laid over it.
 struct OCommandValue {
-  longword words[2];
+  slongword value[2];
 };
 
 struct OJointCommandValue2 {
   slongword value;  ///< micro-radian
   longword padding;
+};
+
+struct OJointCommandValue3 {
+  OJointValue3 value;
+  word reserved;
+  word padding;
 };
 
 struct OJointCommandValue4 {
@@ -132,6 +168,9 @@ struct OCommandVectorData {
 
 // ----------------------------------------------------------------------------------------------------------- sensors
 
+const word osensorframeINVALID_SIGNAL = 0xffff;
+const slongword opsdINVALID_VALUE = 0;  ///< of a range finder that sees nothing
+
 const size_t osensorframeMAX_FRAMES = 16;  ///< room in an entry; one message carries 4 frames, 32 ms
 
 struct OSensorFrameInfo {
@@ -142,11 +181,34 @@ struct OSensorFrameInfo {
   longword frameSize;
   longword dataOffset;
   longword dataSize;
-  longword padding;
+  longword padding[1];
+
+  void Set(ODataType dataType, OPrimitiveID id, size_t frames) {
+    type = dataType;
+    primitiveID = id;
+    numFrames = static_cast<longword>(frames);
+  }
 };
 
 struct OSensorValue {
   slongword value;  ///< in the unit of its info's type; a touch sensor's as it is, 0..80 on the ERS-7
+  word signal;
+  word padding[5];
+};
+
+/// @name An OSensorValue by what it measures, laid over it
+/// @{
+typedef OSensorValue OAcceleration;
+typedef OSensorValue OAngularVelocity;
+typedef OSensorValue OTemperature;
+typedef OSensorValue OForce;
+typedef OSensorValue OPressure;
+typedef OSensorValue OLength;
+/// @}
+
+/// What a switch reports, laid over an OSensorValue.
+struct OSwitchStatus {
+  OSwitchValue value;
   word signal;
   word padding[5];
 };
@@ -158,7 +220,7 @@ struct OJointValue {
   sword pwmDuty;
   slongword refValue;  ///< micro-radian
   word refSignal;
-  word padding;
+  word padding[1];
 };
 
 struct OSensorFrameData {
@@ -169,6 +231,7 @@ struct OSensorFrameVectorData {
   ODataVectorInfo vectorInfo;
   OSensorFrameInfo info[1];  ///< the first of vectorInfo.maxNumData
 
+  void SetNumData(size_t count) { vectorInfo.numData = static_cast<longword>(count); }
   OSensorFrameInfo* GetInfo(int index) { return &info[0] + index; }
   OSensorFrameData* GetData(int index) {
     void* data = reinterpret_cast<byte*>(&vectorInfo) + GetInfo(index)->dataOffset;
@@ -178,21 +241,11 @@ struct OSensorFrameVectorData {
 
 // ------------------------------------------------------------------------------------------------------------ camera
 
-typedef longword OFbkImageLayer;
+typedef int OFbkImageLayer;
 const OFbkImageLayer ofbkimageLAYER_H = 0;  ///< high resolution: 208x160 on the ERS-7
 const OFbkImageLayer ofbkimageLAYER_M = 1;  ///< half of it each way
 const OFbkImageLayer ofbkimageLAYER_L = 2;  ///< a quarter of it each way
 const OFbkImageLayer ofbkimageLAYER_C = 3;  ///< colour detection
-const size_t ofbkimageNUM_LAYER = 4;
-
-typedef longword OFbkImageBand;
-const OFbkImageBand ofbkimageBAND_Y = 0;
-const OFbkImageBand ofbkimageBAND_Cr = 1;
-const OFbkImageBand ofbkimageBAND_Cb = 2;
-const OFbkImageBand ofbkimageBAND_CDT = 3;
-const OFbkImageBand ofbkimageBAND_Y_LH = 4;
-const OFbkImageBand ofbkimageBAND_Y_HL = 5;
-const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 
 /// Of one layer.
 struct OFbkImageInfo {
@@ -203,16 +256,119 @@ struct OFbkImageInfo {
   longword dataSize;
   longword width;   ///< pixels
   longword height;  ///< pixels
-  longword padding;
+  longword padding[1];
 };
 
 /// One camera image in all layers. OFbkImage reads it.
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
-  OFbkImageInfo info[ofbkimageNUM_LAYER];
+  OFbkImageInfo info[1];  ///< the first of vectorInfo.maxNumData, one for each layer
 
-  OFbkImageInfo* GetInfo(OFbkImageLayer layer) { return &info[layer]; }
-  byte* GetData(OFbkImageLayer layer) { return reinterpret_cast<byte*>(&vectorInfo) + info[layer].dataOffset; }
+  void SetPrimitiveID(OPrimitiveID id) {
+    for (longword i = 0; i < vectorInfo.numData; ++i) {
+      GetInfo(static_cast<int>(i))->primitiveID = id;
+    }
+  }
+  OFbkImageInfo* GetInfo(int layer) { return &info[0] + layer; }
+  byte* GetData(int layer) { return reinterpret_cast<byte*>(&vectorInfo) + GetInfo(layer)->dataOffset; }
+};
+
+// --------------------------------------------------------------------------------------------------- colour detection
+
+const int ocdtNUM_CHANNELS = 8;
+
+typedef longword OCdtChannel;  ///< one bit for each channel
+const OCdtChannel ocdtCHANNEL_UNDEF = 0x00;
+const OCdtChannel ocdtCHANNEL0 = 0x01;
+const OCdtChannel ocdtCHANNEL1 = 0x02;
+const OCdtChannel ocdtCHANNEL2 = 0x04;
+const OCdtChannel ocdtCHANNEL3 = 0x08;
+const OCdtChannel ocdtCHANNEL4 = 0x10;
+const OCdtChannel ocdtCHANNEL5 = 0x20;
+const OCdtChannel ocdtCHANNEL6 = 0x40;
+const OCdtChannel ocdtCHANNEL7 = 0x80;
+
+const int ocdtMAX_Y_SEGMENT = 32;
+const longword ocdtINIT = 0x80808080U;  ///< a segment that no colour is in
+const longword ocdtCr_MAX_MASK = 0x0000ff00U;
+const longword ocdtCr_MIN_MASK = 0x000000ffU;
+const longword ocdtCb_MAX_MASK = 0xff000000U;
+const longword ocdtCb_MIN_MASK = 0x00ff0000U;
+
+/// What colours one channel detects: for each of 32 steps of brightness a rectangle of Cr and Cb.
+struct OCdtInfo {
+  ODataType type;
+  OPrimitiveID primitiveID;  ///< the camera
+  OCdtChannel channel;
+  longword table[ocdtMAX_Y_SEGMENT];
+  longword padding;
+
+  /// No colour at all.
+  void Init(OPrimitiveID id, OCdtChannel cdt_channel) {
+    type = odataCDT;
+    primitiveID = id;
+    channel = cdt_channel;
+    for (int i = 0; i < ocdtMAX_Y_SEGMENT; ++i) {
+      table[i] = ocdtINIT;
+    }
+  }
+
+  /// @param y_segment 0..ocdtMAX_Y_SEGMENT-1, from dark to bright
+  /// @param cr_max, cr_min, cb_max, cb_min 0..255
+  void Set(int y_segment, byte cr_max, byte cr_min, byte cb_max, byte cb_min) {
+    table[y_segment] = static_cast<longword>(cb_max) << 24 | static_cast<longword>(cb_min) << 16 |
+                       static_cast<longword>(cr_max) << 8 | static_cast<longword>(cr_min);
+  }
+};
+
+struct OCdtVectorData {
+  ODataVectorInfo vectorInfo;
+  OCdtInfo info[ocdtNUM_CHANNELS];
+
+  void SetNumData(size_t count) { vectorInfo.numData = static_cast<longword>(count); }
+  OCdtInfo* GetInfo(int index) { return &info[index]; }
+};
+
+// ------------------------------------------------------------------------------------------------------------- sound
+
+typedef word OSoundFormat;
+const OSoundFormat osoundformatUNDEF = 0;
+const OSoundFormat osoundformatPCM = 1;
+
+typedef word OSoundChannel;
+const OSoundChannel osoundchannelUNDEF = 0;
+const OSoundChannel osoundchannelMONO = 1;
+const OSoundChannel osoundchannelSTEREO = 2;
+
+struct OSoundInfo {
+  ODataType type;
+  OPrimitiveID primitiveID;
+  longword frameNumber;
+  longword frameSize;
+  longword dataOffset;
+  longword maxDataSize;
+  longword dataSize;  ///< bytes
+  OSoundFormat format;
+  OSoundChannel channel;
+  word samplingRate;  ///< Hz
+  word bitsPerSample;
+  longword actualDataSize;
+  longword padding[6];
+
+  void Set(ODataType dataType, OPrimitiveID id, size_t bytes) {
+    type = dataType;
+    primitiveID = id;
+    dataSize = static_cast<longword>(bytes);
+  }
+};
+
+struct OSoundVectorData {
+  ODataVectorInfo vectorInfo;
+  OSoundInfo info[1];  ///< the first of vectorInfo.maxNumData
+
+  void SetNumData(size_t count) { vectorInfo.numData = static_cast<longword>(count); }
+  OSoundInfo* GetInfo(int index) { return &info[0] + index; }
+  byte* GetData(int index) { return reinterpret_cast<byte*>(&vectorInfo) + GetInfo(index)->dataOffset; }
 };
 
 #endif  // OPENR_ODATAFORMATS_H

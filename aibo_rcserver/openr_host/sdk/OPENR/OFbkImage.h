@@ -5,7 +5,14 @@
 
 #include <OPENR/ODataFormats.h>
 
-typedef longword OCdtChannel;  ///< of the colour detection, 0..7
+typedef longword OFbkImageBand;
+const OFbkImageBand ofbkimageBAND_Y = 0;
+const OFbkImageBand ofbkimageBAND_Cr = 1;
+const OFbkImageBand ofbkimageBAND_Cb = 2;
+const OFbkImageBand ofbkimageBAND_CDT = 3;
+const OFbkImageBand ofbkimageBAND_Y_LH = 4;
+const OFbkImageBand ofbkimageBAND_Y_HL = 5;
+const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 
 /// A view, without a copy, of one band. The bands of a layer are interleaved row by row: a row of Y, the same row of
 /// Cr, of Cb, and where the layer has them (odataFBK_YCrCb_HPF) of Y_LH, Y_HL and Y_HH; then the next row of Y.
@@ -33,9 +40,9 @@ class OFbkImage {
 
   /// Counts the camera's fields; from the tag bytes.
   word FieldCounter() const;
-  /// How many pixels the colour detection found in a channel; from the tag bytes.
-  /// @param channel 0..7
-  word ColorFrequency(OCdtChannel channel) const;
+  /// How many sixteenths of a pixel count the colour detection found in a channel; from the tag bytes.
+  /// @param channel one of ocdtCHANNEL0..ocdtCHANNEL7; any other finds 0
+  byte ColorFrequency(OCdtChannel channel) const;
 
  private:
   byte Tag(int index) const { return Pixel(index, height_ - 1); }

@@ -4,7 +4,7 @@
 #define OPENR_OOBJECT_H
 
 #include <OPENR/OPENR.h>
-#include <OPENR/ObjcommEvent.h>
+#include <OPENR/OPENREvent.h>
 
 namespace openr_host {
 class System;

@@ -9,9 +9,6 @@
 #include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
 
-/// Characters that GetRobotDesign() may write, the closing 0 included.
-const size_t orobotdesignNAME_MAX = 128;
-
 namespace OPENR {
 
 /// Opens the joint, sensor, LED or camera at a locator of the Model Information, such as
@@ -39,6 +36,18 @@ OStatus NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVector
 /// @return oINVALID_ARG if there is none with this number
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 
+/// Memory for tables of the colour detection. There is none in it yet (numData).
+/// @return oFAIL on Linux, where the camera detects no colours
+OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector);
+
+/// Gives it back.
+/// @return oFAIL if there is none with this number
+OStatus DeleteCdtVectorData(MemoryRegionID memID);
+
+/// Gives the tables to the camera.
+/// @return oFAIL if there are none with this number
+OStatus SetCdtVectorData(MemoryRegionID memID);
+
 /// @name Joints
 /// `primitiveID` may be oprimitiveID_UNDEF, which means all joints that are open, except with the two that read.
 /// @return oINVALID_PRIMITIVE_ID if it is not open or no joint
@@ -55,6 +64,15 @@ OStatus EnableJointGain(OPrimitiveID primitiveID);
 
 /// Makes the joint's gain 0 and ineffective (page 70): the joint can be moved by hand.
 OStatus DisableJointGain(OPrimitiveID primitiveID);
+
+/// Keeps gains for SetDefaultJointGain().
+OStatus RegisterDefaultJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds);
+
+/// SetJointGain() with the gains that RegisterDefaultJointGain() has kept.
+OStatus SetDefaultJointGain(OPrimitiveID primitiveID);
+
+/// The gains that count now; all 0 with any result but oSUCCESS.
+OStatus GetJointGain(OPrimitiveID primitiveID, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
 
 /// What the joint reports now.
 OStatus GetJointValue(OPrimitiveID primitiveID, OJointValue* value);
@@ -88,8 +106,16 @@ OStatus UnobservePowerStatus(const OServiceEntry& entry);
 /// @return oINVALID_ARG, and the robot stays on, if `condition` asks for another time on Linux
 OStatus Shutdown(const OBootCondition& condition);
 
+/// Reads a file of the memory stick into memory, by the key that DESIGNDB.CFG has for it.
+/// @param[out] data, size the file's content; it stays there until DeleteDesignData()
+/// @return oNOT_FOUND if DESIGNDB.CFG has no such key or there is no such file, oDESIGNDATA_SIZE_ZERO if it is empty
+OStatus FindDesignData(const char* keyword, ODesignDataID* dataID, byte** data, size_t* size);
+
+/// @return oINVALID_ARG if there is none with this number
+OStatus DeleteDesignData(ODesignDataID dataID);
+
 /// Name of the robot's model, "ERS-7" or "ERS-210".
-/// @param[out] design at least orobotdesignNAME_MAX characters
+/// @param[out] design at least orobotdesignNAME_MAX + 1 characters
 OStatus GetRobotDesign(char* design);
 
 }  // namespace OPENR

@@ -1,8 +1,9 @@
 /// @file OPrimitiveControl.h
-/// What OPENR::ControlPrimitive() can ask of the camera. Numbers: OPEN-R SDK Level2 Reference Guide.
+/// What OPENR::ControlPrimitive() can ask of a primitive. Numbers: OPEN-R SDK Level2 Reference Guide.
 #ifndef OPENR_OPRIMITIVECONTROL_H
 #define OPENR_OPRIMITIVECONTROL_H
 
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
 typedef longword OPrimitiveRequest;
@@ -33,5 +34,42 @@ struct OPrimitiveControl_CameraParam {
   longword camparam;
   explicit OPrimitiveControl_CameraParam(longword param) : camparam(param) {}
 };
+
+/// @name The speaker. The simulated robot has none yet.
+/// @{
+const OPrimitiveRequest oprmreqSPEAKER_MUTE_ON = 128;
+const OPrimitiveRequest oprmreqSPEAKER_MUTE_OFF = 129;
+const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME = 130;
+const OPrimitiveRequest oprmreqSPEAKER_SET_SOUND_TYPE = 131;
+const OPrimitiveRequest oprmreqSPEAKER_GET_SOUND_TYPE = 132;
+
+typedef longword OSpeakerVolume;
+const OSpeakerVolume ospkvolinfdB = 0x8000;
+const OSpeakerVolume ospkvol25dB = 0xe700;
+const OSpeakerVolume ospkvol18dB = 0xee00;
+const OSpeakerVolume ospkvol10dB = 0xf600;  ///< the loudest
+
+typedef longword OSpeakerSoundType;
+const OSpeakerSoundType ospksndMONO8K8B = 0;
+const OSpeakerSoundType ospksndMONO16K16B = 3;
+
+struct OPrimitiveControl_SpeakerVolume {
+  longword volume;
+  explicit OPrimitiveControl_SpeakerVolume(longword vol) : volume(vol) {}
+};
+
+struct OPrimitiveControl_SpeakerSoundType {
+  OSpeakerSoundType type;
+  explicit OPrimitiveControl_SpeakerSoundType(OSpeakerSoundType sound) : type(sound) {}
+};
+/// @}
+
+/// @name The microphone. The simulated robot has none yet.
+/// @{
+const OPrimitiveRequest oprmreqMIC_UNI = 256;
+const OPrimitiveRequest oprmreqMIC_OMNI = 257;
+const OPrimitiveRequest oprmreqMIC_ALC_ON = 258;
+const OPrimitiveRequest oprmreqMIC_ALC_OFF = 259;
+/// @}
 
 #endif  // OPENR_OPRIMITIVECONTROL_H

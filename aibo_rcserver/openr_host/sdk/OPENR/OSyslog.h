@@ -3,25 +3,52 @@
 #ifndef OPENR_OSYSLOG_H
 #define OPENR_OSYSLOG_H
 
-enum OSyslogPriority { osyslogERROR = 1, osyslogWARNING = 2, osyslogINFO = 3 };
+#include <OPENR/OPENR.h>
+
+/// Characters of one print, the closing 0 included; the rest is cut off (OPEN-R SDK Programmer's Guide, 5.1).
+const size_t osyslogMAX_SIZE = 243;
+
+typedef longword OSyslogPriority;
+const OSyslogPriority osyslogERROR = 1;
+const OSyslogPriority osyslogWARNING = 2;
+const OSyslogPriority osyslogINFO = 3;
 
 /// What OSYSPRINT stands for. Prints as printf does; never waits for a slow reader.
-void OSystemPrint(const char* format, ...) __attribute__((format(printf, 1, 2)));
+OStatus osysprint(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 /// What OSYSLOG1 stands for. Prints one line with the priority and the object's name in front.
-void OSystemLog(OSyslogPriority priority, const char* format, ...) __attribute__((format(printf, 2, 3)));
+OStatus osyslog(OSyslogPriority priority, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 /// OSYSPRINT(("format", ...)): note the double parentheses.
-#define OSYSPRINT(arguments) OSystemPrint arguments
+#define OSYSPRINT(arguments) (osysprint arguments)
 
 /// OSYSLOG1((osyslogERROR, "format", ...)): note the double parentheses.
-#define OSYSLOG1(arguments) OSystemLog arguments
+#define OSYSLOG1(arguments) (osyslog arguments)
+
+/// @name Lesser logs, which the SDK leaves out unless OSYSLOG_SHOW is 2 or more
+/// @{
+#if defined(OSYSLOG_SHOW) && OSYSLOG_SHOW > 1
+#define OSYSLOG2(arguments) (osyslog arguments)
+#else
+#define OSYSLOG2(arguments)
+#endif
+#if defined(OSYSLOG_SHOW) && OSYSLOG_SHOW > 2
+#define OSYSLOG3(arguments) (osyslog arguments)
+#else
+#define OSYSLOG3(arguments)
+#endif
+#if defined(OSYSLOG_SHOW) && OSYSLOG_SHOW > 3
+#define OSYSLOG4(arguments) (osyslog arguments)
+#else
+#define OSYSLOG4(arguments)
+#endif
+/// @}
 
 /// OSYSDEBUG(("format", ...)): as OSYSPRINT if OPENR_DEBUG is defined, else nothing.
 #ifdef OPENR_DEBUG
-#define OSYSDEBUG(arguments) OSystemPrint arguments
+#define OSYSDEBUG(arguments) (osysprint arguments)
 #else
-#define OSYSDEBUG(arguments) static_cast<void>(0)
+#define OSYSDEBUG(arguments)
 #endif
 
 #endif  // OPENR_OSYSLOG_H

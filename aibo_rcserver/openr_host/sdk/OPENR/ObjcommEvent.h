@@ -4,29 +4,9 @@
 #define OPENR_OBJCOMMEVENT_H
 
 #include <OPENR/OPENR.h>
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
-
-/// Names one subject in the whole system.
-struct SubjectID {
-  OID object;
-  int index;  ///< sbjNAME in its object
-};
-
-/// Names one observer in the whole system.
-struct ObserverID {
-  OID object;
-  int index;  ///< obsNAME in its object
-};
-
-inline bool operator==(const SubjectID& a, const SubjectID& b) {
-  return a.object == b.object && a.index == b.index;
-}
-inline bool operator==(const ObserverID& a, const ObserverID& b) {
-  return a.object == b.object && a.index == b.index;
-}
-
-/// Passed to DoInit, DoStart, DoStop and DoDestroy.
-class OSystemEvent {};
 
 /// Data has come to an observer. The data is valid until the entry point returns; to keep it longer, add a reference.
 class ONotifyEvent {

@@ -26,9 +26,9 @@ class RCRegion {
 
   int NumberOfReference() const { return references_; }
 
-  byte* Base() const { return base_; }
+  char* Base() const { return base_; }
   size_t Size() const { return size_; }
-  MemoryRegionID MemoryID() const { return memory_id_; }
+  MemoryRegionID MemID() const { return memory_id_; }
   size_t Offset() const { return offset_; }
 
  private:
@@ -38,7 +38,7 @@ class RCRegion {
 
   MemoryRegionID memory_id_;
   size_t offset_;
-  byte* base_;
+  char* base_;
   size_t size_;
   bool owns_memory_;
   int references_;

@@ -1,5 +1,6 @@
 #include "EchoServer.h"
 
+#include <EndpointTypes.h>
 #include <OPENR/OFbkImage.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
@@ -25,7 +26,7 @@ OStatus EchoServer::DoInit(const OSystemEvent&) {
   buffer.Map();
   data = static_cast<byte*>(buffer.GetAddress());
 
-  char design[orobotdesignNAME_MAX];
+  char design[orobotdesignNAME_MAX + 1];
   OPENR::GetRobotDesign(design);
   OSYSPRINT(("EchoServer on %s\n", design));
   return oSUCCESS;

@@ -1,0 +1,30 @@
+/// @file OID.h
+/// Names an object.
+#ifndef OPENR_OID_H
+#define OPENR_OID_H
+
+#include <Types.h>
+
+/// The identity of an object in the system. Only the system makes valid ones; an object compares and passes them on.
+class OID {
+ public:
+  /// Names no object.
+  OID() : address_(0) { MakeInvalid(); }
+  // NOLINTNEXTLINE(google-explicit-constructor): as in the SDK
+  OID(void* address) : address_(address) {}
+
+  void SetAddress(void* address) { address_ = address; }
+  void* GetAddress() const { return address_; }
+
+  bool IsValid() const { return address_ != OID().address_; }
+  void MakeInvalid() { address_ = reinterpret_cast<void*>(static_cast<size_t>(0xffffffffU)); }
+
+  bool operator==(const OID& other) const { return address_ == other.address_; }
+  bool operator!=(const OID& other) const { return address_ != other.address_; }
+  bool operator<(const OID& other) const { return address_ < other.address_; }
+
+ private:
+  void* address_;
+};
+
+#endif  // OPENR_OID_H

@@ -1,0 +1,99 @@
+/// @file OList.h
+/// A list with room for a fixed number of items.
+#ifndef OPENR_OLIST_H
+#define OPENR_OLIST_H
+
+#include <OPENR/ODebug.h>
+
+/// Result of a change to a list.
+typedef int OTLStatus;
+const OTLStatus otlSUCCESS = 0;
+const OTLStatus otlFAIL = 3;
+const OTLStatus otlOVERFLOW = 1;   ///< there is no room
+const OTLStatus otlUNDERFLOW = 2;  ///< there is no item
+
+/// @tparam MaxSize items it has room for, at least 1
+template <class T, int MaxSize>
+class OList {
+ public:
+  OList() : first_(0), size_(0) {}
+
+  /// @return otlOVERFLOW if the list is full
+  OTLStatus PushBack(const T& item) {
+    if (size_ == MaxSize) {
+      return otlOVERFLOW;
+    }
+    At(size_++) = item;
+    return otlSUCCESS;
+  }
+  /// @return otlOVERFLOW if the list is full
+  OTLStatus PushFront(const T& item) {
+    if (size_ == MaxSize) {
+      return otlOVERFLOW;
+    }
+    first_ = (first_ + MaxSize - 1) % MaxSize;
+    ++size_;
+    Front() = item;
+    return otlSUCCESS;
+  }
+  /// @return otlUNDERFLOW if the list is empty
+  OTLStatus PopBack() {
+    if (size_ == 0) {
+      return otlUNDERFLOW;
+    }
+    --size_;
+    return otlSUCCESS;
+  }
+  /// @return otlUNDERFLOW if the list is empty
+  OTLStatus PopFront() {
+    if (size_ == 0) {
+      return otlUNDERFLOW;
+    }
+    first_ = (first_ + 1) % MaxSize;
+    --size_;
+    return otlSUCCESS;
+  }
+
+  /// Neither may be asked of an empty list.
+  T& Front() { return At(0); }
+  T& Back() { return At(size_ - 1); }
+
+  void Clear() { size_ = 0; }
+  int GetSize() const { return size_; }
+  int GetMaxSize() const { return MaxSize; }
+
+  /// Goes over the items from the first to the last. A change to the list makes it worthless.
+  class Iterator {
+   public:
+    Iterator() : list_(0), index_(0) {}
+    Iterator(OList* list, int index) : list_(list), index_(index) {}
+
+    T& operator*() const { return list_->At(index_); }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    Iterator& operator--() {
+      --index_;
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return list_ == other.list_ && index_ == other.index_; }
+    bool operator!=(const Iterator& other) const { return !(*this == other); }
+
+   private:
+    OList* list_;
+    int index_;
+  };
+  Iterator Begin() { return Iterator(this, 0); }
+  /// Behind the last item.
+  Iterator End() { return Iterator(this, size_); }
+
+ private:
+  T& At(int index) { return items_[(first_ + index) % MaxSize]; }
+
+  T items_[MaxSize];
+  int first_;
+  int size_;
+};
+
+#endif  // OPENR_OLIST_H

@@ -1,0 +1,45 @@
+/// @file OTime.h
+/// A time of the robot's clock.
+#ifndef OPENR_OTIME_H
+#define OPENR_OTIME_H
+
+#include <OPENR/OStatus.h>
+#include <Types.h>
+#include <time.h>
+
+const sbyte otimeTIME_DIF_UNDEF = 0x7F;
+
+/// Universal time, and the difference to it where the robot lives.
+class OTime {
+ public:
+  OTime() : clock_(0), timeDif_(0) {}
+  /// @param clock universal time
+  /// @param timeDif hours that local time is ahead of it, -12..12
+  OTime(time_t clock, sbyte timeDif) : clock_(clock), timeDif_(timeDif) {}
+
+  time_t GetClock() const { return clock_; }
+  sbyte GetTimeDif() const { return timeDif_; }
+  time_t GetLocalTime() const { return clock_ + timeDif_ * 3600; }
+
+  OStatus SetClock(time_t clock) {
+    clock_ = clock;
+    return oSUCCESS;
+  }
+  /// @return oINVALID_ARG, and nothing changes, outside of -12..12
+  OStatus SetTimeDif(sbyte timeDif) {
+    if (timeDif < -12 || timeDif > 12) {
+      return oINVALID_ARG;
+    }
+    timeDif_ = timeDif;
+    return oSUCCESS;
+  }
+
+  bool operator<(const OTime& other) const { return clock_ < other.clock_; }
+  bool operator==(const OTime& other) const { return clock_ == other.clock_; }
+
+ private:
+  time_t clock_;
+  sbyte timeDif_;
+};
+
+#endif  // OPENR_OTIME_H

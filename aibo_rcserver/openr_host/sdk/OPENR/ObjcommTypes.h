@@ -1,0 +1,16 @@
+/// @file ObjcommTypes.h
+/// The two ends of a connection between objects.
+#ifndef OPENR_OBJCOMMTYPES_H
+#define OPENR_OBJCOMMTYPES_H
+
+#include <OPENR/OPENR.h>
+
+#include <list>
+
+/// Names one subject in the whole system. On Linux its selector is sbjNAME in its object.
+typedef OServiceEntry SubjectID;
+
+/// Names one observer in the whole system. On Linux its selector is obsNAME in its object.
+typedef OServiceEntry ObserverID;
+
+#endif  // OPENR_OBJCOMMTYPES_H

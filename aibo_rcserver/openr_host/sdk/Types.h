@@ -1,0 +1,22 @@
+/// @file Types.h
+/// The elementary types of the robot's operating system.
+#ifndef OPENR_TYPES_H
+#define OPENR_TYPES_H
+
+#include <stddef.h>
+
+typedef unsigned char byte;
+typedef signed char sbyte;
+typedef unsigned short word;
+typedef signed short sword;
+/// 32 bits in every data layout. On the robot it is an unsigned long; that has 64 bits on most Linux computers, so that
+/// here it is an unsigned int. Print it with a cast.
+typedef unsigned int longword;
+typedef signed int slongword;
+
+typedef longword Selector;            ///< number of an entry point of an object
+typedef unsigned int MemoryRegionID;  ///< number of a piece of memory shared with the system
+
+const Selector UNDEF = 0xffffffffU;
+
+#endif  // OPENR_TYPES_H

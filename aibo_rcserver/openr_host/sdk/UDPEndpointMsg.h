@@ -1,0 +1,108 @@
+/// @file UDPEndpointMsg.h
+/// What can be asked of a UDP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 3 and 8).
+///
+/// An endpoint is bound first. At one time, one send and one receive may be under way.
+#ifndef OPENR_UDPENDPOINTMSG_H
+#define OPENR_UDPENDPOINTMSG_H
+
+#include <IPAddress.h>
+#include <ant.h>
+
+enum UDPEndpointError {
+  UDP_SUCCESS = 0,
+  UDP_FAIL = 1,
+  UDP_CONNECTION_CLOSED = 2,  ///< a UDPEndpointCloseMsg has closed the endpoint
+  UDP_CONNECTION_BUSY = 3,    ///< a send (for a send) or a receive (for a receive) is under way
+  UDP_ADDRESSINUSE = 4,       ///< another program has the port
+  UDP_ADDRESSERROR = 5,       ///< this cannot be an address
+  UDP_PORT_UNREACHABLE = 6,   ///< an earlier packet found nobody there
+  UDP_PROTOCOL_UNREACHABLE = 7,
+  UDP_HOST_UNREACHABLE = 8,
+  UDP_NETWORK_UNREACHABLE = 9,
+  UDP_MESSAGE_TOO_LONG = 10,  ///< more than one packet can carry
+  UDP_TTL_EXCEEDED = 11,
+  UDP_TIME_EXCEEDED = 12,
+  UDP_BUFFER_INVALID = 13,     ///< the data does not lie in a shared buffer, or a size makes no sense
+  UDP_OPERATION_INVALID = 14,  ///< no such endpoint, or in its state this cannot be asked
+  UDP_OPERATION_UNKNOWN = 15,
+  UDP_WOULDBLOCK = 16
+};
+
+/// Base of the messages to a UDP endpoint.
+class UDPEndpointBaseMsg : public antEnvMsg {
+ public:
+  antModuleRef module;
+  UDPEndpointError error;
+
+ protected:
+  UDPEndpointBaseMsg(antOperation asked, const antModuleRef& endpoint)
+      : antEnvMsg(asked), module(endpoint), error(UDP_FAIL) {}
+};
+
+/// Takes a port. The answer has the address and port that were taken.
+class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
+ public:
+  /// @param local IP_ADDR_ANY; on Linux the machine's bind address decides
+  /// @param local_port IP_PORT_ANY is any free one from 1024 on
+  UDPEndpointBindMsg(const antModuleRef& endpoint, const IPAddress& local, Port local_port)
+      : UDPEndpointBaseMsg(antOperation_UDPBind, endpoint), address(local), port(local_port) {}
+
+  IPAddress address;
+  Port port;
+};
+
+/// Says where every packet goes from now on.
+class UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
+ public:
+  UDPEndpointConnectMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port)
+      : UDPEndpointBaseMsg(antOperation_UDPConnect, endpoint), address(foreign), port(foreign_port) {}
+
+  IPAddress address;
+  Port port;
+};
+
+/// Sends one packet. Answered when it is in the stack's own memory, or with an error.
+class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
+ public:
+  /// To where the endpoint is connected.
+  /// @param data in a shared buffer; must stay as it is until the answer comes
+  /// @param bytes at least 1
+  UDPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
+      : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint), port(0), buffer(data), size(bytes) {}
+
+  /// @param foreign, foreign_port where to; without effect if the endpoint is connected
+  UDPEndpointSendMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port, byte* data, int bytes)
+      : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint),
+        address(foreign),
+        port(foreign_port),
+        buffer(data),
+        size(bytes) {}
+
+  IPAddress address;
+  Port port;
+  byte* buffer;
+  int size;
+};
+
+/// Receives one packet. What of it is larger than the buffer is lost.
+class UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
+ public:
+  /// @param data in a shared buffer with room for `bytes`
+  /// @param bytes at least 1
+  UDPEndpointReceiveMsg(const antModuleRef& endpoint, byte* data, int bytes)
+      : UDPEndpointBaseMsg(antOperation_UDPReceive, endpoint), port(0), buffer(data), size(bytes) {}
+
+  IPAddress address;  ///< answer: where it comes from
+  Port port;          ///< answer: where it comes from
+  byte* buffer;
+  int size;  ///< answer: bytes received
+};
+
+/// Closes. A send or receive under way is answered with UDP_CONNECTION_CLOSED first. The endpoint is no more after the
+/// answer.
+class UDPEndpointCloseMsg : public UDPEndpointBaseMsg {
+ public:
+  explicit UDPEndpointCloseMsg(const antModuleRef& endpoint) : UDPEndpointBaseMsg(antOperation_UDPClose, endpoint) {}
+};
+
+#endif  // OPENR_UDPENDPOINTMSG_H
