@@ -27,8 +27,9 @@ def build(sdk, libjpeg, build_dir):
         if re.search(r"\s", str(path)):
             raise Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
                           "Use a path without spaces; a symbolic link will do.")
-    make = ["make", "--no-print-directory", "-C", str(ON_ROBOT), f"OPENRSDK_ROOT={sdk}", f"LIBJPEG={libjpeg}",
-            f"BUILD={build_dir}"]
+    make = ["make", "--silent", "--no-print-directory", "-C", str(ON_ROBOT), f"OPENRSDK_ROOT={sdk}",
+            f"LIBJPEG={libjpeg}", f"BUILD={build_dir}"]
+    print(f"Building in {build_dir}", flush=True)
     try:
         subprocess.run(make + ["clean"], check=True)
         subprocess.run(make + [f"-j{os.cpu_count() or 1}"], check=True)

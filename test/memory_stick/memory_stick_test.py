@@ -2,6 +2,7 @@
 something is wrong. Works on a copy of the project, in which tests may break things."""
 import gzip
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -27,7 +28,6 @@ OPEN-R/MW/CONF/RCSERVER.CFG
 OPEN-R/MW/DATA/P/NOD.MTN
 OPEN-R/MW/DATA/P/SIT.MTN
 OPEN-R/MW/DATA/P/WAG.MTN
-OPEN-R/MW/OBJS/RCSERVER.BIN
 OPEN-R/SYSTEM/CONF/CARDDRV.CFG
 OPEN-R/SYSTEM/CONF/OBJECT.CFG
 OPEN-R/SYSTEM/CONF/WLANCONF.TXT
@@ -36,6 +36,8 @@ OPEN-R/SYSTEM/OBJS/IPSTACK.BIN
 OPEN-R/SYSTEM/OBJS/POWERMGR.BIN
 OPEN-R/VERSION.txt
 """.split()
+WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/on_robot/objects.txt").read_text(),
+                              re.MULTILINE)
 
 
 class Workshop(unittest.TestCase):
@@ -81,7 +83,8 @@ class AStick(Workshop):
     def test_has_system_programs_motions_and_settings(self):
         self.expect_stick("--essid", "AIBO")
         files = sorted(str(path.relative_to(self.stick)) for path in self.stick.rglob("*") if path.is_file())
-        self.assertEqual(files, WRITTEN_FILES)
+        self.assertIn("RCSERVER.BIN", WRITTEN_PROGRAMS)
+        self.assertEqual(files, sorted(WRITTEN_FILES + ["OPEN-R/MW/OBJS/" + name for name in WRITTEN_PROGRAMS]))
         self.assertEqual((self.stick / "OPEN-R/APERIOS.GZ").read_text(), "ERS-7")
         self.assertIn("/MS/OPEN-R/MW/OBJS/RCSERVER.BIN", (self.stick / "OPEN-R/MW/CONF/OBJECT.CFG").read_text())
         with gzip.open(str(self.stick / "OPEN-R/MW/OBJS/RCSERVER.BIN")) as program:
@@ -94,12 +97,30 @@ class AStick(Workshop):
     def test_has_programs_linked_with_memory_and_priority_and_then_stripped(self):
         self.expect_stick()
         log = [line.split() for line in (self.sdk / "log").read_text().splitlines()]
-        link = next(line for line in log if line[0] == "mkbin" and "-o" in line)
+        link = next(line for line in log if line[0] == "mkbin" and "RCServer.bin" in line)
         self.assertIn(str(self.project / "aibo_rcserver/on_robot/RCServer.ocf"), link)
         self.assertIn(str(self.project / ".build/robot/libjpeg.a"), link)
         self.assertIn("-lObjectComm", link)
         stripped = [Path(line[-1]).name for line in log if line[0] == "mipsel-linux-strip"]
-        self.assertEqual(stripped[-1], "RCServer.bin")
+        self.assertIn("RCServer.bin", stripped)
+
+    def test_has_a_further_program_for_a_few_lines(self):
+        sources = self.project / "aibo_rcserver"
+        for name, line in (("on_robot/objects.txt", "Echo  ECHO.BIN  echo\n"),
+                           ("memory_stick/OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/ECHO.BIN\n"),
+                           ("memory_stick/OPEN-R/MW/CONF/CONNECT.CFG", "Echo.Out.byte.S Echo.In.byte.O\n")):
+            with (sources / name).open("a") as file:
+                file.write(line)
+        (sources / "on_robot/Echo.ocf").write_text("object Echo 3072 16384 128 cache tlb user\n")
+        (sources / "echo").mkdir()
+        (sources / "echo/Echo.cc").write_text("")
+        (sources / "echo/stub.cfg").write_text(
+            "// Any comment.\nObjectName : Echo\nService : \"Echo.Out.byte.S\", null, null\n"
+            "Service : \"Echo.In.byte.O\", null, null\n")
+        self.expect_stick()
+        self.assertTrue((self.stick / "OPEN-R/MW/OBJS/ECHO.BIN").is_file())
+        self.assertTrue((self.project / ".build/robot/Echo/EchoStub.cc").is_file())
+        self.assertTrue((self.project / ".build/robot/RCServer/RCServerStub.cc").is_file())
 
     def test_keeps_its_owners_settings_and_motions(self):
         self.expect_stick("--essid", "FIRST")
