@@ -48,7 +48,7 @@ def check_for_build(sdk, model):
     _check_folder(sdk)
     missing = [problem for part in (COMPILER, LIBRARIES, HEADERS, STUB_GENERATOR, LINKER)
                for problem in _missing(sdk, part)]
-    raise_any(missing + _missing_perl() + _missing_system(system_folder(sdk, model)))
+    raise_any(missing + _missing_system(system_folder(sdk, model)) + _missing_programs("perl", "make", "gzip"))
     _check_compiler_runs(sdk)
 
 
@@ -56,7 +56,7 @@ def check_for_headers(sdk):
     """Raises Problems with all that is missing for a look at the headers alone."""
     _check_folder(sdk)
     raise_any([problem for part in (HEADERS, STUB_GENERATOR, C_HEADERS) for problem in _missing(sdk, part)] +
-              _missing_perl())
+              _missing_programs("perl", "g++"))
 
 
 def system_folder(sdk, model):
@@ -92,9 +92,10 @@ def _some(names):
     return ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
 
 
-def _missing_perl():
-    return [] if shutil.which("perl") else [Problem("there is no perl, which stubgen2 and mkbin are written in.",
-                                                    "apt-get install perl")]
+def _missing_programs(*names):
+    """Sony's own are written in Perl."""
+    return [Problem(f"there is no {name} on this computer.", f"apt-get install {name}")
+            for name in names if shutil.which(name) is None]
 
 
 def _missing_system(open_r):

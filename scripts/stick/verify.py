@@ -52,7 +52,7 @@ def _system_problems(open_r):
 
 def _name_problems(open_r):
     """The robot knows names of 8 characters and 3 after a dot; Sony's own are left alone."""
-    for path in sorted((open_r / "MW").rglob("*")) + sorted((open_r / "SYSTEM" / "CONF").iterdir()):
+    for path in sorted((open_r / "MW").rglob("*")) + sorted((open_r / "SYSTEM" / "CONF").glob("*")):
         if not re.fullmatch(r"[A-Z0-9_-]{1,8}(\.[A-Z0-9_-]{1,3})?", path.name):
             yield Problem(f"{path}: the robot does not know such names.",
                           "Rename it: up to 8 capital letters, digits, - and _, then up to 3 after a dot.")

@@ -29,7 +29,7 @@ def parse_wlan_conf(text):
     """The settings in a WLANCONF.TXT. Raises Problem if they cannot be meant so."""
     lines = dict(re.findall(r"^[ \t]*(\w+)[ \t]*=[ \t]*(.*?)[ \t\r]*$", text, re.MULTILINE))
     if "ESSID" not in lines:
-        raise Problem("WLANCONF.TXT has no line ESSID=NAME.", "Add the name of the robot's network.")
+        raise Problem("there is no line ESSID=NAME.", "Add the name of the robot's network.")
     with_dhcp = lines.get("USE_DHCP", "0") == "1"
     return Wlan(
         essid=lines["ESSID"],

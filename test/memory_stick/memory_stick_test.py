@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import fake_sdk
@@ -214,6 +215,16 @@ class AnIncompleteSdk(Workshop):
                 (self.folder / "taken_away").rename(self.sdk / path)
         self.expect_stick()
 
+    def test_on_a_computer_without_the_programs_that_it_needs(self):
+        path = self.folder / "path"
+        path.mkdir()
+        for name in ("sh", "gzip"):
+            (path / name).symlink_to(shutil.which(name))
+        with unittest.mock.patch.dict(os.environ, PATH=str(path)):
+            said = self.make_stick()
+        self.expect_failure(said, "there is no perl on this computer", "apt-get install perl")
+        self.expect_failure(said, "there is no make on this computer", "apt-get install make")
+
     def test_names_everything_at_once(self):
         for path in ("bin/mipsel-linux-nm", "OPEN_R/lib/libOPENR.a", "OPEN_R/bin/gensnap"):
             (self.sdk / path).unlink()
@@ -307,6 +318,13 @@ class Verification(Workshop):
     def test_of_a_folder_that_is_no_stick(self):
         self.expect_failure(self.run_script("--verify", self.folder), "there is no folder OPEN-R", "is mounted")
 
+    def test_of_an_empty_one_names_all_that_it_lacks(self):
+        shutil.rmtree(str(self.open_r))
+        self.open_r.mkdir()
+        said = self.verify()
+        for what in ("the robot's system is not on the stick", "OBJECT.CFG names no program", "CONNECT.CFG is missing"):
+            self.expect_failure(said, what, "write the stick again")
+
     def test_of_the_system(self):
         self.expect_problem("APERIOS.GZ", None, "the robot's system is not on the stick", "write the stick again")
         self.expect_problem("SYSTEM/OBJS/IPSTACK.BIN", None,
@@ -353,7 +371,7 @@ class Verification(Workshop):
 
     def test_of_the_network(self):
         path = "SYSTEM/CONF/WLANCONF.TXT"
-        self.expect_problem(path, b"HOSTNAME=AIBO\n", "has no line ESSID=NAME", "Add the name")
+        self.expect_problem(path, b"HOSTNAME=AIBO\n", "there is no line ESSID=NAME", "Add the name")
         self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nWEPENABLE=1\nWEPKEY=short1\n", "a WEP key of 6", "5 or 13")
         self.expect_problem(path, b"ESSID=AIBO\nETHER_IP = 192.168.7\n",
                             "WLANCONF.TXT: the robot's address '192.168.7'", "four numbers")
