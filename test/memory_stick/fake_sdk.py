@@ -49,6 +49,9 @@ touch def.h entry.h "${name}Stub.h" "${name}Stub.cc"
 TOOLS = {"gcc": COMPILER, "g++": COMPILER, "ar": ARCHIVER, "strip": "", "readelf": "",
          "nm": '[ "$1" = --version ] || cat "${0%/*}/../undefined"\n'}
 
+# What nm -u says of a program that is whole: one symbol is weak and may be absent, the other is the linker's own.
+UNDEFINED = "         w __deregister_frame_info\n         U _gp_disp\n"
+
 SYSTEM_CONF = {
     "OBJECT.CFG": "#\n# OBJECT.CFG\n#\nOPowerManager /MS/OPEN-R/SYSTEM/OBJS/POWERMGR.BIN\n",
     "CARDDRV.CFG": "/MS/OPEN-R/SYSTEM/OBJS/IPSTACK.BIN  -1\n",
@@ -61,7 +64,7 @@ def make_sdk(sdk):
         _script(sdk / "bin" / ("mipsel-linux-" + name), LOG.format(up="..") + text)
     for name in ("cc1", "cc1plus"):
         _script(sdk / "bin" / name, "")
-    (sdk / "undefined").write_text("         w __deregister_frame_info\n")  # weak: it may be absent
+    (sdk / "undefined").write_text(UNDEFINED)
     openr = sdk / "OPEN_R"
     for name, text in (("mkbin", MKBIN), ("stubgen2", STUBGEN), ("gensnap", "")):
         _script(openr / "bin" / name, LOG.format(up="../..") + text)
