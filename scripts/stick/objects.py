@@ -10,7 +10,7 @@ STICK_FILES = SOURCES / "memory_stick" / "OPEN-R"
 
 
 class RobotObject(NamedTuple):
-    """One program: an OPEN-R object. `shared` is none of its own; its file is "-"."""
+    """One program, an OPEN-R object. `shared`, whose file is "-", is a part of all of them instead."""
     name: str
     file: str
     folders: list

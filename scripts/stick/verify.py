@@ -81,7 +81,7 @@ def _program_problems(path):
         yield Problem(f"{path} is not whole, or not packed by gzip: {error}", build_again)
         return
     if not _is_mips_program(program):
-        yield Problem(f"{path} is no program for the robot: a 32-bit little-endian MIPS ELF file.", build_again)
+        yield Problem(f"{path} is not a program for the robot, a 32-bit little-endian MIPS ELF file.", build_again)
     elif not MIN_PROGRAM_SIZE <= len(program) <= MAX_PROGRAM_SIZE:
         yield Problem(f"{path} has {len(program)} bytes unpacked (or more); {MIN_PROGRAM_SIZE} to {MAX_PROGRAM_SIZE} "
                       "are to be expected.",

@@ -68,7 +68,7 @@ def _address(text, what):
     try:
         address = ipaddress.IPv4Address(text)
     except ValueError:
-        raise Problem(f"{what} '{text}' is no address.", "It has four numbers, such as 192.168.7.2.") from None
+        raise Problem(f"{what} '{text}' is not an address.", "It has four numbers, such as 192.168.7.2.") from None
     if address.is_loopback or address.is_multicast or address.is_unspecified or address.is_reserved:
         raise Problem(f"{what} {address} cannot be a robot's or a computer's.", "Take one such as 192.168.7.2.")
     return address
@@ -79,7 +79,7 @@ def _network(address, netmask):
     octets = re.fullmatch(r"(\d+)\.(\d+)\.(\d+)\.(\d+)", netmask)
     bits = "".join(f"{int(octet):08b}" for octet in octets.groups()) if octets else ""
     if not re.fullmatch(r"(?=.{32}$)1+0{2,}", bits):
-        raise Problem(f"'{netmask}' is no netmask.", "For most networks it is 255.255.255.0.")
+        raise Problem(f"'{netmask}' is not a netmask.", "For most networks it is 255.255.255.0.")
     network = ipaddress.IPv4Network((address, bits.count("1")), strict=False)
     if address in (network.network_address, network.broadcast_address):
         raise Problem(f"{address} is the first or last address of {network}, which no robot may have.",
@@ -95,8 +95,8 @@ def _wep_lines(key):
         return {"WEPENABLE": "1", "WEPKEY": "0x" + digits.group(1)}
     if re.fullmatch(r"[0-9A-Za-z]{5}|[0-9A-Za-z]{13}", key):
         return {"WEPENABLE": "1", "WEPKEY": key}
-    raise Problem(f"a WEP key of {len(key)} characters, or of these, is none.",
-                  "It has 5 or 13 letters and digits, or 10 or 26 hexadecimal digits.")
+    raise Problem(f"the WEP key has {len(key)} characters, or some that are not allowed.",
+                  "It takes 5 or 13 letters and digits, or 10 or 26 hexadecimal digits.")
 
 
 def _channel_lines(channel):

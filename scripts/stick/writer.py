@@ -36,7 +36,7 @@ def build(sdk, libjpeg, build_dir):
     except subprocess.CalledProcessError as error:
         raise Problem("the build failed; the first message above says where.",
                       "If the compiler does not know a name or a header of OPEN-R: scripts/memory_stick --check.",
-                      "'Stop' for want of a rule: a file that make names is missing.") from error
+                      "'No rule to make target': the file that it names is missing.") from error
     return [build_dir / robot_object.file for robot_object in robot_objects()]
 
 

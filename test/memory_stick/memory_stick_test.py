@@ -183,15 +183,15 @@ class TheNetwork(Workshop):
                 (("--essid", ""), "the network's name '' cannot be", "1 to 32 letters"),
                 (("--essid", "x" * 33), "cannot be the robot's", "1 to 32 letters"),
                 (("--essid", "my home"), "'my home' cannot be", "without spaces"),
-                (("--essid", "AIBO", "--wep-key", "AIBO"), "a WEP key of 4 characters", "5 or 13 letters"),
-                (("--essid", "AIBO", "--wep-key", "AIB-2"), "a WEP key of 5 characters, or", "5 or 13 letters"),
-                (("--essid", "AIBO", "--wep-key", "012345678g"), "a WEP key of 10", "10 or 26 hexadecimal"),
+                (("--essid", "AIBO", "--wep-key", "AIBO"), "the WEP key has 4 characters", "5 or 13 letters"),
+                (("--essid", "AIBO", "--wep-key", "AIB-2"), "the WEP key has 5 characters, or", "5 or 13 letters"),
+                (("--essid", "AIBO", "--wep-key", "012345678g"), "the WEP key has 10 characters", "10 or 26"),
                 (("--essid", "AIBO", "--channel", "12"), "no channel '12'", "1 to 11"),
                 (("--essid", "AIBO", "--netmask", "255.255.255.0"), "say nothing without --ip", "DHCP"),
-                (("--essid", "AIBO", "--ip", "192.168.7"), "address '192.168.7' is no address", "four numbers"),
+                (("--essid", "AIBO", "--ip", "192.168.7"), "address '192.168.7' is not an address", "four numbers"),
                 (("--essid", "AIBO", "--ip", "127.0.0.1"), "127.0.0.1 cannot be", "192.168.7.2"),
                 (("--essid", "AIBO", "--ip", "192.168.7.255"), "first or last address of 192.168.7.0/24", "in between"),
-                (address + ("--netmask", "255.0.255.0"), "'255.0.255.0' is no netmask", "255.255.255.0"),
+                (address + ("--netmask", "255.0.255.0"), "'255.0.255.0' is not a netmask", "255.255.255.0"),
                 (address + ("--gateway", "192.168.8.1"), "not in the robot's network", "access point's computer")):
             with self.subTest(options=options):
                 self.expect_failure(self.make_stick(*options), what, advice)
@@ -243,7 +243,7 @@ class AnIncompleteSdk(Workshop):
         tool.write_text('#!/bin/sh\necho "${1#*=}"\n')
         self.expect_failure(self.make_stick(), "mipsel-linux-g++ does not find cc1plus", "toolchain")
 
-    def test_that_is_none(self):
+    def test_that_is_not_there(self):
         for arguments in ((), ("--check",), ("--sdk", self.folder, "--libjpeg", self.libjpeg, "--output", self.stick)):
             self.expect_failure(self.run_script(*arguments), "OPEN-R SDK", "has withdrawn it")
 
@@ -315,7 +315,7 @@ class Verification(Workshop):
         file.unlink() if before is None else file.write_bytes(before)
         self.assertEqual(self.verify().returncode, 0)
 
-    def test_of_a_folder_that_is_no_stick(self):
+    def test_of_a_folder_that_is_not_a_stick(self):
         self.expect_failure(self.run_script("--verify", self.folder), "there is no folder OPEN-R", "is mounted")
 
     def test_of_an_empty_one_names_all_that_it_lacks(self):
@@ -342,7 +342,8 @@ class Verification(Workshop):
         self.expect_problem(program, gzip.compress(elf)[:-100], "is not whole", "Build it again")
         for position, value in ((0, b"M"), (4, b"\2"), (5, b"\2"), (18, b"\3")):  # magic, 64 bits, big endian, x86
             wrong = elf[:position] + value + elf[position + 1:]
-            self.expect_problem(program, gzip.compress(wrong), "is no program for the robot", "the SDK's own compiler")
+            self.expect_problem(program, gzip.compress(wrong), "is not a program for the robot",
+                                "the SDK's own compiler")
         self.expect_problem(program, gzip.compress(elf[:99_000]), "has 99000 bytes unpacked", "linked with OPEN-R's")
         self.expect_problem(program, gzip.compress(elf + bytes(4_000_000)), "bytes unpacked", "stripped")
 
@@ -372,7 +373,8 @@ class Verification(Workshop):
     def test_of_the_network(self):
         path = "SYSTEM/CONF/WLANCONF.TXT"
         self.expect_problem(path, b"HOSTNAME=AIBO\n", "there is no line ESSID=NAME", "Add the name")
-        self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nWEPENABLE=1\nWEPKEY=short1\n", "a WEP key of 6", "5 or 13")
+        self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nWEPENABLE=1\nWEPKEY=short1\n",
+                            "the WEP key has 6 characters", "5 or 13")
         self.expect_problem(path, b"ESSID=AIBO\nETHER_IP = 192.168.7\n",
                             "WLANCONF.TXT: the robot's address '192.168.7'", "four numbers")
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 CONFIG = PROJECT / "config" / "wlan"
-PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"  # an ordinary user's has them not
+PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"  # an ordinary user's lacks them
 
 sys.path.insert(0, str(PROJECT / "scripts"))
 from stick.wlan import Wlan, wlan_conf  # noqa: E402
@@ -59,7 +59,7 @@ def check_hostapd(configuration):
 
 
 class EachProgram(unittest.TestCase):
-    """A check that takes everything would be none: each has to refuse a word it does not know, too."""
+    """Each takes its file, and refuses a word that it does not know: a check that takes everything proves nothing."""
 
     def expect_valid(self, check, name, nonsense):
         done = check(CONFIG / name)

@@ -26,7 +26,7 @@ OFFICE, COMPUTER_IN_OFFICE = "192.168.1.9", "192.168.1.5"
 
 def run(*command):
     """Returns what it prints."""
-    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}  # an ordinary user's has them not
+    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}  # an ordinary user's lacks them
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True, env=environment).stdout
 
 
