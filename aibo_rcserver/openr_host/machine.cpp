@@ -101,8 +101,8 @@ void Machine::Implementation::boot() {
 }
 
 void Machine::Implementation::load() {
-  system_ = std::make_unique<System>(options_.bind_address, options_.console, options_.on_console_line, robot_,
-                                     options_.on_send);
+  system_ = std::make_unique<System>(options_.bind_address, options_.memory_stick, options_.console,
+                                     options_.on_console_line, robot_, options_.on_send);
   system_->modelTime(options_.handler_time, [this] { return clock_.now(); });
   createObjects();
   const auto connections = readConnections();
@@ -159,7 +159,12 @@ void Machine::Implementation::takePorts() {
 }
 
 std::vector<ServiceConnection> Machine::Implementation::readConnections() const {
-  const std::string path = findOnMemoryStick(options_.memory_stick, "OPEN-R/MW/CONF/CONNECT.CFG");
+  const std::string name = "OPEN-R/MW/CONF/CONNECT.CFG";
+  if (!isOnMemoryStick(options_.memory_stick, name)) {
+    system_->console().print("There is no " + name + ": no object is connected to another\n");
+    return {};
+  }
+  const std::string path = findOnMemoryStick(options_.memory_stick, name);
   std::ifstream file = openConfiguration(path);
   return readConnectionConfiguration(file, path, system_->serviceNames());
 }

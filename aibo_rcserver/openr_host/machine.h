@@ -38,8 +38,8 @@ struct MachineOptions {
   /// an object listens on it.
   std::map<std::uint16_t, std::uint16_t> ports = {{kConsolePort, kConsolePort}};
 
-  /// Folder that holds what the robot has on its memory stick: OPEN-R/MW/CONF/OBJECT.CFG and CONNECT.CFG, whatever
-  /// the case of these names.
+  /// Folder that holds what the robot has on its memory stick: OPEN-R/MW/CONF/OBJECT.CFG, whatever the case of
+  /// these names; CONNECT.CFG beside it, if objects are connected; DESIGNDB.CFG, if one calls FindDesignData().
   std::string memory_stick;
 
   /// What each file named in OBJECT.CFG is on Linux, by its name in capitals: {"RCSERVER.BIN", describeRCServer()}.

@@ -66,13 +66,14 @@ class System::Running {
   const LoadedObject* previous_object_;
 };
 
-System::System(const std::string& bind_address, std::ostream* console_output, Console::OnLine on_console_line,
-               VirtualRobot& robot, IpStack::OnSend on_send)
+System::System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
+               Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send)
     : robot_(robot),
       console_(console_output, std::move(on_console_line)),
       ip_stack_(
           bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); },
-          std::move(on_send)) {}
+          std::move(on_send)),
+      design_data_(memory_stick, robot.design()) {}
 
 System::~System() {
   shutdown();

@@ -15,10 +15,11 @@
 #include "openr_host/console/console.h"
 #include "openr_host/ip_stack/ip_stack.h"
 #include "openr_host/object_description.h"
-#include "openr_host/objects/command_vector_memory.h"
+#include "openr_host/objects/design_data.h"
 #include "openr_host/objects/observer_service.h"
 #include "openr_host/objects/power_watch.h"
 #include "openr_host/objects/subject_service.h"
+#include "openr_host/objects/vector_memory.h"
 #include "openr_host/processor.h"
 #include "openr_host/virtual_robot.h"
 
@@ -29,10 +30,11 @@ enum class ShutdownRequest { kNone, kStayOff, kBootAgain };
 /// Internal to openr_host; Machine is its outside.
 class System {
  public:
+  /// @param memory_stick as DesignData
   /// @param console_output, on_console_line as Console
   /// @param on_send as IpStack
-  System(const std::string& bind_address, std::ostream* console_output, Console::OnLine on_console_line,
-         VirtualRobot& robot, IpStack::OnSend on_send);
+  System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
+         Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send);
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;
@@ -45,7 +47,8 @@ class System {
   Console& console() { return console_; }
   IpStack& ipStack() { return ip_stack_; }
   VirtualRobot& robot() { return robot_; }
-  CommandVectorMemory& commandVectorMemory() { return command_vector_memory_; }
+  VectorMemory& vectorMemory() { return vector_memory_; }
+  DesignData& designData() { return design_data_; }
 
   /// From now on messages keep objects busy.
   /// @param now time since the machine's clock was made
@@ -131,7 +134,8 @@ class System {
   VirtualRobot& robot_;
   Console console_;
   IpStack ip_stack_;
-  CommandVectorMemory command_vector_memory_;
+  VectorMemory vector_memory_;
+  DesignData design_data_;
   std::deque<LoadedObject> objects_;  ///< in the order of their making
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;

@@ -28,4 +28,13 @@ std::filesystem::path findOnMemoryStick(const std::filesystem::path& folder, con
   return found;
 }
 
+bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& name) {
+  try {
+    findOnMemoryStick(folder, name);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 }  // namespace openr_host

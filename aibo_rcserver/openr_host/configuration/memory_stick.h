@@ -13,6 +13,9 @@ namespace openr_host {
 /// @throw std::runtime_error if there is none; the text names the folder that was searched
 std::filesystem::path findOnMemoryStick(const std::filesystem::path& folder, const std::string& name);
 
+/// Whether findOnMemoryStick() would find it.
+bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& name);
+
 }  // namespace openr_host
 
 #endif  // OPENR_HOST_CONFIGURATION_MEMORY_STICK_H

@@ -5,32 +5,15 @@
 #include <optional>
 
 #include "openr_host/configuration/configuration_error.h"
+#include "openr_host/configuration/model_lines.h"
 
 namespace openr_host {
 namespace {
-
-std::string withoutSpaceAround(const std::string& text) {
-  const char space[] = " \t\r";
-  const auto begin = text.find_first_not_of(space);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(space) - begin + 1);
-}
-
-std::string withoutCommentAndSpace(const std::string& line) {
-  return withoutSpaceAround(line.substr(0, line.find('#')));
-}
 
 std::string inCapitals(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text;
-}
-
-/// The model that "[MODEL]" names.
-std::optional<std::string> parseSection(const std::string& content) {
-  if (content.size() < 2 || content.front() != '[' || content.find(']') != content.size() - 1) {
-    return std::nullopt;
-  }
-  return withoutSpaceAround(content.substr(1, content.size() - 2));
 }
 
 /// The name, in capitals, of an object's file. Names on the stick have at most eight characters and three more.
@@ -55,33 +38,22 @@ std::optional<std::string> parseObject(const std::string& content) {
 std::vector<ObjectFile> readObjectConfiguration(std::istream& text, const std::string& file,
                                                 const std::string& design) {
   std::vector<ObjectFile> objects;
-  bool is_for_design = true;
-  int line = 0;
-  for (std::string raw; std::getline(text, raw);) {
-    ++line;
-    const std::string content = withoutCommentAndSpace(raw);
-    if (content.empty()) {
-      continue;
-    }
-    if (const auto section = parseSection(content)) {
-      is_for_design = *section == design;
-      continue;
-    }
-    const auto name = parseObject(content);
+  for (const auto& line : readModelLines(text, design)) {
+    const auto name = parseObject(line.text);
     if (!name) {
       throw ConfigurationError(
-          file, line,
+          file, line.number,
           "expected an object such as /MS/OPEN-R/MW/OBJS/RCSERVER.BIN (a name of at most 8 characters and "
           ".BIN), or a model such as [ERS-7], found '" +
-              content + "'");
+              line.text + "'");
     }
-    if (!is_for_design) {
+    if (!line.is_for_design) {
       continue;
     }
     if (std::any_of(objects.begin(), objects.end(), [&](const ObjectFile& other) { return other.name == *name; })) {
-      throw ConfigurationError(file, line, *name + " stands here a second time");
+      throw ConfigurationError(file, line.number, *name + " stands here a second time");
     }
-    objects.push_back({*name, line});
+    objects.push_back({*name, line.number});
   }
   return objects;
 }

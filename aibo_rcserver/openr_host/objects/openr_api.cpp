@@ -1,4 +1,7 @@
 #include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+
+#include <stdexcept>
 
 #include "openr_host/system.h"
 
@@ -18,9 +21,9 @@ OStatus OPENR::ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest requ
 }
 
 OStatus OPENR::NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector) {
-  OCommandVectorData* created = System::current().commandVectorMemory().create(count);
+  OCommandVectorData* created = System::current().vectorMemory().createCommands(count);
   if (created == nullptr) {
-    return oINVALID_ARG;
+    return oNO_MEMORY;
   }
   *memID = created->vectorInfo.memRegionID;
   *vector = created;
@@ -28,7 +31,52 @@ OStatus OPENR::NewCommandVectorData(size_t count, MemoryRegionID* memID, OComman
 }
 
 OStatus OPENR::DeleteCommandVectorData(MemoryRegionID memID) {
-  return System::current().commandVectorMemory().destroy(memID) ? oSUCCESS : oINVALID_ARG;
+  return System::current().vectorMemory().destroy(memID, odataCOMMAND_VECTOR) ? oSUCCESS : oFAIL;
+}
+
+OStatus OPENR::NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector) {
+  *vector = System::current().vectorMemory().createCdt();
+  *memID = (*vector)->vectorInfo.memRegionID;
+  return oSUCCESS;
+}
+
+OStatus OPENR::DeleteCdtVectorData(MemoryRegionID memID) {
+  return System::current().vectorMemory().destroy(memID, odataCDT_VECTOR) ? oSUCCESS : oFAIL;
+}
+
+OStatus OPENR::SetCdtVectorData(MemoryRegionID memID) {
+  if (System::current().vectorMemory().findCdt(memID) != nullptr) {
+    OSYSLOG1((osyslogWARNING, "SetCdtVectorData: the camera detects no colours on Linux"));
+  }
+  return oFAIL;
+}
+
+OStatus OPENR::NewSyncKey(OVRSyncKey* key) {
+  *key = ovrsynckeyUNDEF;
+  return oNO_SYNC_KEY;
+}
+
+OStatus OPENR::CancelSyncKey(OVRSyncKey /*key*/) {
+  return oINVALID_SYNC_KEY;
+}
+
+OStatus OPENR::DivideSyncKey(OVRSyncKey /*key*/, OVRSyncKey* key1, OVRSyncKey* key2) {
+  *key1 = ovrsynckeyUNDEF;
+  *key2 = ovrsynckeyUNDEF;
+  return oINVALID_SYNC_KEY;
+}
+
+OStatus OPENR::FindDesignData(const char* keyword, ODesignDataID* dataID, byte** data, size_t* size) {
+  try {
+    return System::current().designData().find(keyword, dataID, data, size);
+  } catch (const std::runtime_error& error) {
+    OSYSLOG1((osyslogERROR, "FindDesignData: %s", error.what()));
+    return oFAIL;
+  }
+}
+
+OStatus OPENR::DeleteDesignData(ODesignDataID dataID) {
+  return System::current().designData().release(dataID) ? oSUCCESS : oINVALID_ARG;
 }
 
 OStatus OPENR::SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds) {

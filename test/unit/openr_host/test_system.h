@@ -123,7 +123,8 @@ class TestSystem {
   FakeRobot robot;
   std::ostringstream output;
   std::function<std::string(const std::string&)> on_console_line;  ///< answers what is typed
-  System system{"127.0.0.1", &output, [this](const std::string& line) { return onConsoleLine(line); }, robot, nullptr};
+  System system{"127.0.0.1", "",     &output, [this](const std::string& line) { return onConsoleLine(line); },
+                robot,       nullptr};
 
  private:
   std::string onConsoleLine(const std::string& line) const { return on_console_line ? on_console_line(line) : ""; }

@@ -378,9 +378,9 @@ TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAnIdOfItsOwn) 
     EXPECT_EQ(vector->vectorInfo.totalSize, 192U + 3 * (32 + 128));
 
     EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oSUCCESS);
-    EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oINVALID_ARG);
-    EXPECT_EQ(OPENR::NewCommandVectorData(0, &id, &vector), oINVALID_ARG);
-    EXPECT_EQ(OPENR::NewCommandVectorData(static_cast<size_t>(-1), &id, &vector), oINVALID_ARG);
+    EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oFAIL);
+    EXPECT_EQ(OPENR::NewCommandVectorData(0, &id, &vector), oNO_MEMORY);
+    EXPECT_EQ(OPENR::NewCommandVectorData(static_cast<size_t>(-1), &id, &vector), oNO_MEMORY);
   });
 }
 

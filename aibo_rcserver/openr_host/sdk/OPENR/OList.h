@@ -3,6 +3,7 @@
 #ifndef OPENR_OLIST_H
 #define OPENR_OLIST_H
 
+#include <MCOOP.h>  // an object may use it without including it
 #include <OPENR/ODebug.h>
 
 /// Result of a change to a list.

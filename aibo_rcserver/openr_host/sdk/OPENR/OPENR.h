@@ -17,13 +17,17 @@
 #include <OPENR/OStatus.h>
 #include <Types.h>
 
-typedef longword OPrimitiveID;   ///< number of an opened joint, sensor, LED, camera...
-typedef longword ODesignDataID;  ///< number of a file of the design database that is in memory
-typedef longword OVRSyncKey;     ///< number of a key by which effectors begin together
-typedef byte OVolumeSwitch;      ///< position of the volume switch
+typedef longword OPrimitiveID;       ///< number of an opened joint, sensor, LED, camera...
+typedef longword ODesignDataID;      ///< number of a file of the design database that is in memory
+typedef longword OVRSyncKey;         ///< number of a key by which effectors begin together
+typedef longword OPrimitiveRequest;  ///< what a primitive is asked for (OPrimitiveControl.h)
+typedef byte OVolumeSwitch;          ///< position of the volume switch
 
 const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in a call that takes it: all opened primitives
 const ODesignDataID odesigndataID_UNDEF = 0xffffffffU;
+
+const longword oframeMAX_NUMBER = 0x0ffffff0U;  ///< the last frame number; 0 follows
+const longword oframeINVALID_NUMBER = 0xffffffffU;
 
 const OVRSyncKey ovrsynckeyUNDEF = 0xffffffffU;
 const size_t ovrsynckeyMAX_NUM_KEY = 8;

@@ -29,15 +29,14 @@ OStatus ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest request, vo
 /// Memory for a command vector with room for this many entries (maxNumData), all of them with a dataOffset of their
 /// own. It has none yet (numData).
 /// @param[out] memID to make an RCRegion of: RCRegion(memID, vectorInfo.offset, vector, vectorInfo.totalSize)
-/// @return oINVALID_ARG if that is no entry, or more than any robot has effectors
+/// @return oNO_MEMORY if that is no entry, or more than any robot has effectors
 OStatus NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector);
 
 /// Gives it back; not before its RCRegion is free.
-/// @return oINVALID_ARG if there is none with this number
+/// @return oFAIL if there is none with this number
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 
 /// Memory for tables of the colour detection. There is none in it yet (numData).
-/// @return oFAIL on Linux, where the camera detects no colours
 OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector);
 
 /// Gives it back.
@@ -45,8 +44,21 @@ OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector);
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
 
 /// Gives the tables to the camera.
-/// @return oFAIL if there are none with this number
+/// @return oFAIL on Linux, where the camera detects no colours
 OStatus SetCdtVectorData(MemoryRegionID memID);
+
+/// @name Keys by which motions, lights and sounds begin together (ODataVectorInfo::syncKey)
+/// On Linux there are none, and a vector begins as it comes.
+/// @{
+
+/// @return oNO_SYNC_KEY if there is none left
+OStatus NewSyncKey(OVRSyncKey* key);
+/// @return oINVALID_SYNC_KEY if this is none
+OStatus CancelSyncKey(OVRSyncKey key);
+/// Makes two keys of one.
+/// @return oINVALID_SYNC_KEY if this is none
+OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
+/// @}
 
 /// @name Joints
 /// `primitiveID` may be oprimitiveID_UNDEF, which means all joints that are open, except with the two that read.
@@ -64,15 +76,6 @@ OStatus EnableJointGain(OPrimitiveID primitiveID);
 
 /// Makes the joint's gain 0 and ineffective (page 70): the joint can be moved by hand.
 OStatus DisableJointGain(OPrimitiveID primitiveID);
-
-/// Keeps gains for SetDefaultJointGain().
-OStatus RegisterDefaultJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds);
-
-/// SetJointGain() with the gains that RegisterDefaultJointGain() has kept.
-OStatus SetDefaultJointGain(OPrimitiveID primitiveID);
-
-/// The gains that count now; all 0 with any result but oSUCCESS.
-OStatus GetJointGain(OPrimitiveID primitiveID, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
 
 /// What the joint reports now.
 OStatus GetJointValue(OPrimitiveID primitiveID, OJointValue* value);

@@ -6,8 +6,6 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
-typedef longword OPrimitiveRequest;
-
 const OPrimitiveRequest oprmreqCAM_BASE = 384;
 const OPrimitiveRequest oprmreqCAM_SET_WHITE_BALANCE = 384;
 const OPrimitiveRequest oprmreqCAM_SET_GAIN = 385;

@@ -8,6 +8,7 @@
 #include <time.h>
 
 const sbyte otimeTIME_DIF_UNDEF = 0x7F;
+const int otimeSTART_YEAR = 2000;
 
 /// Universal time, and the difference to it where the robot lives.
 class OTime {

@@ -1,0 +1,48 @@
+/// @file vector_memory.h
+#ifndef OPENR_HOST_OBJECTS_VECTOR_MEMORY_H
+#define OPENR_HOST_OBJECTS_VECTOR_MEMORY_H
+
+#include <OPENR/ODataFormats.h>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+
+namespace openr_host {
+
+/// The memory that objects get for vectors of their own: OPENR::NewCommandVectorData() and its like.
+class VectorMemory {
+ public:
+  /// The ERS-7 has some 40 effectors: more than this is a mistake in reckoning, not a wish.
+  static constexpr std::size_t kMostEntries = 65536;
+
+  /// A vector of no entry yet, laid out for `entries`: header, infos, data.
+  /// @return null if that is none or more than kMostEntries
+  OCommandVectorData* createCommands(std::size_t entries);
+
+  /// Tables of the colour detection, none yet.
+  OCdtVectorData* createCdt();
+
+  /// @return null if there is no memory of colour tables with this id
+  OCdtVectorData* findCdt(MemoryRegionID id) const;
+
+  /// @param type odataCOMMAND_VECTOR or odataCDT_VECTOR
+  /// @return false if there is no memory of this type with this id
+  bool destroy(MemoryRegionID id, ODataType type);
+
+ private:
+  struct Block {
+    ODataType type;
+    std::unique_ptr<byte[]> memory;
+  };
+
+  template <typename Vector>
+  Vector* create(ODataType type, std::size_t entries, std::size_t info_size, std::size_t total_size);
+
+  std::map<MemoryRegionID, Block> blocks_;
+  MemoryRegionID last_id_ = 0;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_OBJECTS_VECTOR_MEMORY_H
