@@ -199,7 +199,10 @@ class JpegEncoderSizes : public ::testing::TestWithParam<Size> {};
 
 TEST_P(JpegEncoderSizes, AreEncodedWholeWithoutReadingBeyondTheImage) {
   const auto [width, height] = GetParam();
-  const CameraImageFixture scene = CameraImageFixture::scene(width, height);
+  CameraImageFixture scene = CameraImageFixture::scene(width, height);
+  if (width >= CameraImage::TAG_SIZE) {
+    scene.setTag(255, 0xffff);
+  }
   std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(width, height));
   JpegEncoder encoder;
   jpeg.resize(encoder.Encode(scene.image(), 95, jpeg.data(), jpeg.size()));
@@ -212,7 +215,8 @@ TEST_P(JpegEncoderSizes, AreEncodedWholeWithoutReadingBeyondTheImage) {
 // The layers of the ERS-7, double resolution, the layers of the ERS-210, and sizes that no macroblock divides.
 INSTANTIATE_TEST_SUITE_P(Cameras, JpegEncoderSizes,
                          ::testing::Values(Size{208, 160}, Size{104, 80}, Size{52, 40}, Size{416, 320}, Size{176, 144},
-                                           Size{88, 72}, Size{44, 36}, Size{33, 17}, Size{15, 3}, Size{1, 2}),
+                                           Size{88, 72}, Size{44, 36}, Size{33, 17}, Size{32, 19}, Size{15, 3},
+                                           Size{1, 2}),
                          [](const auto& size) {
                            return std::to_string(size.param.width) + "x" + std::to_string(size.param.height);
                          });
