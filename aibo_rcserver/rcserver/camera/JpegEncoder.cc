@@ -11,6 +11,10 @@ namespace {
 const size_t MACROBLOCK = 16;  // pixels, in both directions, at 4:2:0
 const int NO_QUALITY = -1;
 
+// Up to this quality, libjpeg's fast transform (JDCT_IFAST) makes pictures that are less than 0.1 dB worse than those
+// of its accurate one, for a sixth fewer instructions. Its errors grow with the quality: 0.2 dB at 95, 0.6 dB at 100.
+const int MAX_QUALITY_OF_FAST_DCT = 85;
+
 size_t RoundUp(size_t size) {
   return (size + MACROBLOCK - 1) / MACROBLOCK * MACROBLOCK;
 }
@@ -95,6 +99,7 @@ void JpegEncoder::Configure(size_t width, size_t height, int quality) {
   }
   if (quality_ != quality) {
     jpeg_set_quality(&compress_, quality, TRUE);
+    compress_.dct_method = quality <= MAX_QUALITY_OF_FAST_DCT ? JDCT_IFAST : JDCT_ISLOW;
     quality_ = quality;
   }
 }
