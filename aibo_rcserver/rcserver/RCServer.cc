@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "objects/HostSettings.h"
 #include "protocol/version1.h"
-#include "rcserver/memory_stick/HostSettings.h"
 #include "rcserver/memory_stick/SettingsFile.h"
 
 namespace {

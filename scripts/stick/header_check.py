@@ -32,8 +32,7 @@ def _jobs(sdk, folder):
         includes = [own, SOURCES, SOURCES / robot_object.folders[0]]
         if robot_object.file != "-":
             stub = _make_stub(sdk, robot_object, own)
-            # RCRegion.h declares operator new for an unsigned int, which size_t is on the robot, but not here.
-            yield _compile(sdk, stub, includes, "-fpermissive")
+            yield _compile(sdk, stub, includes)
         for source in robot_object.sources():
             yield _compile(sdk, source, includes)
         for path in robot_object.sources() + robot_object.headers():
@@ -49,9 +48,12 @@ def _make_stub(sdk, robot_object, folder):
     return folder / (robot_object.name + "Stub.cc")
 
 
-def _compile(sdk, source, includes, *options):
-    """Warnings are left to the builds for Linux: here, many would be about longword, which has 64 bits on this one."""
-    arguments = ["g++", "-std=gnu++98", "-fsyntax-only", "-w", *options]
+def _compile(sdk, source, includes):
+    """Warnings are left to the builds for Linux: here, many would be about longword, which has 64 bits on this one.
+
+    -fpermissive: RCRegion.h declares operator new for an unsigned int, which size_t is on the robot, but not here.
+    """
+    arguments = ["g++", "-std=gnu++98", "-fsyntax-only", "-w", "-fpermissive"]
     arguments += [f"-I{folder}" for folder in includes]
     for folder in OPENR_FOLDERS:
         arguments += ["-isystem", str(sdk / folder)]

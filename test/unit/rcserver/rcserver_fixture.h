@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "object_catalog.h"
+#include "objects/HostSettings.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "openr_host/virtual_robot.h"
 #include "protocol/version1.h"
-#include "rcserver/memory_stick/HostSettings.h"
 #include "slow_object.h"
 #include "test_client.h"
 

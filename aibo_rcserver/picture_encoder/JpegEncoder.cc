@@ -1,4 +1,4 @@
-#include "rcserver/camera/JpegEncoder.h"
+#include "picture_encoder/JpegEncoder.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /// @file JpegEncoder.h
 /// From a camera image to a JPEG file in memory.
-#ifndef RCSERVER_CAMERA_JPEG_ENCODER_H
-#define RCSERVER_CAMERA_JPEG_ENCODER_H
+#ifndef PICTURE_ENCODER_JPEG_ENCODER_H
+#define PICTURE_ENCODER_JPEG_ENCODER_H
 
 #include <setjmp.h>
 #include <stddef.h>
@@ -90,4 +90,4 @@ class JpegEncoder {
   HalfStrip cr_;
 };
 
-#endif  // RCSERVER_CAMERA_JPEG_ENCODER_H
+#endif  // PICTURE_ENCODER_JPEG_ENCODER_H
