@@ -42,7 +42,7 @@ head -c 200000 /dev/zero >> "$output"
 # As Sony's does, it writes into the folder that it is started in.
 STUBGEN = r"""
 name=$(sed -n 's/^ObjectName *: *//p' "$1")
-"${STUB_GENERATOR:-true}" "$1" .
+"${STUB_GENERATOR:-true}" "$1" 128 . .
 touch def.h entry.h "${name}Stub.h" "${name}Stub.cc"
 """
 
