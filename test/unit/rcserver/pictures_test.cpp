@@ -278,6 +278,35 @@ TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
   EXPECT_EQ(sends_.size(), (picture->payload.size() + 8 + 8191) / 8192);
 }
 
+// The picture log and the radio campaign know pictures by what is given to the IPStack.
+TEST_F(PicturesTest, SentPicturesArePutTogetherOfTheirParts) {
+  robot_.showNoise();
+  for (const int quality : {100, 1}) {
+    begun_pictures_ = 0;
+    answerTo('H', 0);
+    EXPECT_FALSE(sent_pictures_.isComplete());
+    send(frame('F', quality, 7, kLayerHigh));
+    takeImage();
+    const std::optional<Frame> picture = nextFrame();
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(begun_pictures_, 1);
+    ASSERT_TRUE(sent_pictures_.isComplete());
+    EXPECT_EQ(sent_pictures_.jpeg(), std::string(picture->payload.begin() + 16, picture->payload.end()));
+  }
+}
+
+TEST_F(PicturesTest, SentPicturesOfVersion1AreFound) {
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  ask(*client_, request('F', 85));
+  takeImage();
+  const std::optional<Reply> reply = await(*client_);
+  ASSERT_TRUE(reply);
+  ASSERT_TRUE(sent_pictures_.isComplete());
+  EXPECT_EQ(sent_pictures_.jpeg(), std::string(reply->jpeg.begin(), reply->jpeg.end()));
+}
+
 TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {
   sends_.clear();
   send(frame('F', 85, 7, kLayerHigh));
