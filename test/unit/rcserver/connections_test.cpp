@@ -81,6 +81,16 @@ TEST_F(ConnectionsTest, ThoseWhoAreTurnedAwayAndStayDoNotKeepOthersOut) {
   EXPECT_TRUE(isServed(*next));
 }
 
+TEST_F(ConnectionsTest, PlaceOfOneWhoIsTurnedAwayAndStaysIsFreeAtOnce) {
+  auto silent = connectServed();
+  passFrames(1250 - 20);
+  auto too_early = connect();
+  EXPECT_TRUE(awaitEnd(*too_early));
+  passFrames(40);
+  auto next = connect();
+  EXPECT_TRUE(isServed(*next));
+}
+
 // ------------------------------------------------------------------------------------------------- those who vanish
 
 class PlayingClientTest : public ConnectionsTest {
