@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "rcserver/camera/JpegEncoder.h"
+#include "picture_encoder/JpegEncoder.h"
 #include "simulated_ers7/camera/camera.h"
 #include "simulated_ers7/camera/scene_view.h"
 
