@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fake_robot.h"
+#include "object_catalog.h"
 #include "picture_checks.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
@@ -85,6 +86,16 @@ class PicturesTest : public Version2Fixture {
 
   FakeRobot robot_;
 };
+
+// Programmer's Guide, 3.1: the upper four bits are the class, and an object never runs while one of a higher class
+// does.
+TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {
+  const auto catalog = objectCatalog();
+  EXPECT_EQ(catalog.size(), 3U);
+  EXPECT_EQ(catalog.at("RCSERVER.BIN").priority / 16, 8);
+  EXPECT_EQ(catalog.at("ENCODER.BIN").priority / 16, 7);
+  EXPECT_EQ(catalog.at("FILES.BIN").priority / 16, 7);
+}
 
 // ------------------------------------------------------------------------------------------------ a slow encoder
 
