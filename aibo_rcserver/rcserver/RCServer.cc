@@ -452,7 +452,7 @@ void RCServer::ServeClient() {
   }
 }
 
-// Sends what waits, the picture first: it is the fresher the sooner it goes.
+// Sends what waits. The picture goes first, while it is fresh.
 bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;

@@ -238,7 +238,7 @@ class StalledClientTest : public PicturesTest {
     ASSERT_TRUE(await(*client_));
   }
 
-  // Sends a request, and behind it so many others that the answers to them do not all go out.
+  // Sends a request, and behind it more others than there is room for the answers to.
   void stallBehind(const std::string& request) {
     std::string bytes = request;
     for (int i = 0; i < 4096; ++i) {
