@@ -34,7 +34,7 @@ struct ObjectDescription {
   int priority = 128;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
-  std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME
+  std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; empty: none
   std::function<std::unique_ptr<OObject>()> create;
 };
 

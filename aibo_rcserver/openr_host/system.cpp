@@ -213,7 +213,11 @@ void System::postAnswer(const Envelope& answer) {
 
 bool System::hasEntry(const OID& object, Selector entry) const {
   const std::size_t number = numberOf(object);
-  return number >= 1 && number <= objects_.size() && entry < objects_[number - 1].description.extra_entries.size();
+  if (number < 1 || number > objects_.size()) {
+    return false;
+  }
+  const auto& entries = objects_[number - 1].description.extra_entries;
+  return entry < entries.size() && entries[entry] != nullptr;
 }
 
 bool System::isDue(const Message& message, Processor::Time now) const {

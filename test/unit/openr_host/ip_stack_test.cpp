@@ -406,15 +406,17 @@ TEST_F(IpStackTest, ANewcomerIsTurnedAwayAtOnceWhileNobodyListens) {
   EXPECT_TRUE(test_.runUntil([&] { return client->received() == "still here"; }));
 }
 
-TEST_F(IpStackTest, AClientForWhomThereIsNoDescriptorLeftIsTurnedAwayAndTheNextOneIsServed) {
+TEST_F(IpStackTest, ClientsForWhomThereIsNoDescriptorLeftAreTurnedAwayAndTheNextOneIsServed) {
   listen(createEndpoint());
   TestClient client(host_port_);
+  TestClient second_client(host_port_);
   rlimit usual{};
   getrlimit(RLIMIT_NOFILE, &usual);
   rlimit exhausted = usual;
   exhausted.rlim_cur = static_cast<rlim_t>(FileDescriptor(dup(STDERR_FILENO)).get());  // the lowest that is free
   setrlimit(RLIMIT_NOFILE, &exhausted);
   EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd() || client.wasReset(); }));
+  EXPECT_TRUE(test_.runUntil([&] { return second_client.isAtEnd() || second_client.wasReset(); }));
   setrlimit(RLIMIT_NOFILE, &usual);
   EXPECT_THAT(answers_, IsEmpty());
   const TestClient next(host_port_);

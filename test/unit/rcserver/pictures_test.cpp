@@ -263,6 +263,22 @@ TEST_F(StalledClientTest, OwedPictureThatHasWaitedShowsTheNewestImage) {
   EXPECT_TRUE(pictures().empty());
 }
 
+TEST_F(StalledClientTest, PictureThatHasWaitedGoesWithItsClient) {
+  stallBehind(frame('F', 85, 1001, kLayerHigh));
+  takeImage();
+  client_->reset();
+  machine_->runPending();
+  connectVersion2();
+  passFrames(2);
+  EXPECT_TRUE(pictures().empty());
+  send(frame('F', 20, 8, kLayerHigh));
+  takeImage();
+  const std::vector<Frame> own = pictures();
+  ASSERT_EQ(own.size(), 1U);
+  EXPECT_EQ(own[0].header.request_number, 8);
+  expectPictureOfImage(own[0], robot_.lastImage());
+}
+
 TEST_F(StalledClientTest, PictureOfTheStreamThatHasWaitedShowsTheNewestImage) {
   stallBehind(frame('W', 85, 5, kStreamOn));
   for (int i = 0; i < 10; ++i) {

@@ -42,6 +42,9 @@ class RCServerFixture : public ::testing::Test {
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
+    if (refused_entry_) {
+      options.catalog.at("RCSERVER.BIN").extra_entries.at(*refused_entry_) = nullptr;
+    }
     encoder_.standBefore(options.catalog.at("ENCODER.BIN"));
     file_keeper_.standBefore(options.catalog.at("FILES.BIN"));
     options.on_camera_image = [this] {
@@ -103,6 +106,7 @@ class RCServerFixture : public ::testing::Test {
 
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
+  std::optional<size_t> refused_entry_;  ///< of stub.cfg: the IPStack refuses what it is to be answered by
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes that the server has given to the IPStack each time
