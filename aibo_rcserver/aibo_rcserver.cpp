@@ -16,12 +16,12 @@
 #include <vector>
 
 #include "object_catalog.h"
+#include "objects/HostSettings.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "picture_log.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/memory_stick/HostSettings.h"
 #include "simulated_ers7/console_commands.h"
 #include "simulated_ers7/simulated_ers7.h"
 

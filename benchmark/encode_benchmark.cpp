@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "camera_image_fixture.h"
-#include "rcserver/camera/JpegEncoder.h"
+#include "picture_encoder/JpegEncoder.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
-#include "rcserver/memory_stick/HostSettings.h"
+#include "objects/HostSettings.h"
 
 FileKeeper::FileKeeper() : files_(hostSettings()) {}
 

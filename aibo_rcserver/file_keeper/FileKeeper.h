@@ -10,7 +10,7 @@
 
 #include "file_keeper/FileJob.h"
 #include "file_keeper/MotionFiles.h"
-#include "jobs/RegionSender.h"
+#include "objects/RegionSender.h"
 
 /// Does one job at a time.
 ///

@@ -6,9 +6,9 @@
 #include <stddef.h>
 
 #include "file_keeper/FileJob.h"
+#include "objects/HostSettings.h"
 #include "protocol/motion_name.h"
 #include "protocol/motion_requests.h"
-#include "rcserver/memory_stick/HostSettings.h"
 
 /// Reads, stores, deletes and lists motion files. Does not look into them.
 ///

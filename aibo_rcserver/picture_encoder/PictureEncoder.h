@@ -8,9 +8,9 @@
 #include <OPENR/OSubject.h>
 #include <def.h>
 
-#include "jobs/RegionSender.h"
+#include "objects/RegionSender.h"
+#include "picture_encoder/JpegEncoder.h"
 #include "picture_encoder/PictureJob.h"
-#include "rcserver/camera/JpegEncoder.h"
 
 /// Encodes one picture at a time.
 ///

@@ -43,9 +43,11 @@ bool Connection::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
   antEnvCreateSharedBufferMsg create(MESSAGE_CAPACITY + PICTURE_SIZE + RECEIVE_SIZE);
-  create.Call(stack_, sizeof(create));
+  if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
+    return false;
+  }
   shared_buffer_ = create.buffer;
-  if (create.error != ANT_SUCCESS || shared_buffer_.Map() != ANT_SUCCESS) {
+  if (shared_buffer_.Map() != ANT_SUCCESS) {
     return false;
   }
   buffer_ = static_cast<byte*>(shared_buffer_.GetAddress());
@@ -56,10 +58,11 @@ void Connection::Destroy() {
   if (buffer_ == NULL) {
     return;
   }
+  buffer_ = NULL;
+  // Where a client is still connected the IPStack refuses. That is no harm: the robot goes off, and its memory with it.
   shared_buffer_.UnMap();
   antEnvDestroySharedBufferMsg destroy(shared_buffer_);
   destroy.Call(stack_, sizeof(destroy));
-  buffer_ = NULL;
 }
 
 bool Connection::Owns(const void* continuation) const {
@@ -68,8 +71,7 @@ bool Connection::Owns(const void* continuation) const {
 
 bool Connection::Listen(Port port, size_t endpoint_number) {
   antEnvCreateEndpointMsg create(EndpointType_TCP, ENDPOINT_POOL_SIZE);
-  create.Call(stack_, sizeof(create));
-  if (create.error != ANT_SUCCESS) {
+  if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
     return false;
   }
   endpoint_ = create.moduleRef;

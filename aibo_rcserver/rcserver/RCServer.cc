@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "objects/HostSettings.h"
 #include "protocol/version1.h"
-#include "rcserver/memory_stick/HostSettings.h"
 #include "rcserver/memory_stick/SettingsFile.h"
 
 namespace {
@@ -452,7 +452,7 @@ void RCServer::ServeClient() {
   }
 }
 
-// Sends what waits, the picture first: it is the fresher the sooner it goes.
+// Sends what waits. The picture goes first, while it is fresh.
 bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;

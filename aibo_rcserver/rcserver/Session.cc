@@ -113,7 +113,7 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 
 void Session::HandleVersion1() {
   // The end of an upload, and what the memory stick has done, are answered in the room that was there at the beginning.
-  while (version_ == 1 && !IsOver() && !motions_.IsPending() && has_requests_) {
+  while (version_ == 1 && !IsOver() && has_requests_) {
     has_requests_ = version1_.TakeContent(request_reader_);
     outbox_.Reserve(motions_.IsPending());
     if (!has_requests_ || motions_.IsPending() || !outbox_.HasRoom() || !HandleRequestOfVersion1()) {

@@ -20,8 +20,8 @@ bool PollSet::wait(const std::optional<std::chrono::steady_clock::time_point>& d
     const auto left =
         std::max(std::chrono::steady_clock::duration::zero(), *deadline - std::chrono::steady_clock::now());
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
-    timeout.tv_sec = seconds.count();
-    timeout.tv_nsec = std::chrono::nanoseconds(left - seconds).count();
+    timeout.tv_sec = static_cast<time_t>(seconds.count());
+    timeout.tv_nsec = static_cast<long>(std::chrono::nanoseconds(left - seconds).count());
   }
   const int ready = ppoll(descriptors_.data(), descriptors_.size(), deadline ? &timeout : nullptr, nullptr);
   if (ready < 0 && errno == ENOMEM) {

@@ -46,8 +46,8 @@ OCommandInfo readInfo(const RCRegion& region, std::size_t entry, std::size_t ent
   require(info.frameSize == sizeof(OCommandValue),
           name + ": frameSize is " + text(info.frameSize) + " instead of " + text(sizeof(OCommandValue)));
   const std::size_t begin = info.dataOffset;
-  const std::size_t end = begin + info.numFrames * sizeof(OCommandValue);
-  require(begin >= kInfoOffset + entries * sizeof(info) && end <= region.Size(),
+  require(begin >= kInfoOffset + entries * sizeof(info) && begin <= region.Size() &&
+              info.numFrames * sizeof(OCommandValue) <= region.Size() - begin,
           name + ": dataOffset " + text(begin) + " leads out of the data of its region of " + text(region.Size()) +
               " bytes");
   return info;

@@ -5,7 +5,7 @@
 
 #include <OPENR/OSubject.h>
 
-#include "jobs/RegionSender.h"
+#include "objects/RegionSender.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/CameraImage.h"

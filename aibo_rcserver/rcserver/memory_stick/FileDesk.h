@@ -5,7 +5,7 @@
 
 #include <OPENR/OSubject.h>
 
-#include "jobs/RegionSender.h"
+#include "objects/RegionSender.h"
 #include "rcserver/commands/FileJobs.h"
 
 /// Sends jobs to FileKeeper.

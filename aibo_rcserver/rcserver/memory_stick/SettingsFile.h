@@ -3,7 +3,7 @@
 #ifndef RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
 #define RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
 
-#include "rcserver/memory_stick/HostSettings.h"
+#include "objects/HostSettings.h"
 #include "rcserver/memory_stick/Settings.h"
 
 /// Reads the settings from the memory stick, and names on the console each line that is wrong. Without the file all is

@@ -10,9 +10,6 @@
 namespace fault_bench {
 namespace {
 
-constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
-constexpr std::size_t kLongestHeader = 24;  // of a picture, in version 2
-
 std::size_t hash(std::string_view bytes) {
   return std::hash<std::string_view>()(bytes);
 }
@@ -65,13 +62,13 @@ void RobotOnRadio::cameraImageTaken() {
 }
 
 void RobotOnRadio::aboutToSend(const void* data, std::size_t size) {
-  const std::string_view bytes(static_cast<const char*>(data), size);
-  const std::size_t begin = bytes.find(kJpegStart);
-  if (begin > kLongestHeader) {
-    return;  // no picture
-  }
   const std::lock_guard<std::mutex> lock(mutex_);
-  sent_[hash(bytes.substr(begin))] = {sent_.size() + 1, image_at_};
+  if (pictures_.add(data, size)) {
+    picture_at_ = image_at_;
+  }
+  if (pictures_.isComplete()) {
+    sent_[hash(pictures_.jpeg())] = {sent_.size() + 1, picture_at_};
+  }
 }
 
 std::optional<RobotOnRadio::Sent> RobotOnRadio::find(const std::vector<std::uint8_t>& jpeg) const {

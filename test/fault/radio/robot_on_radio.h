@@ -13,6 +13,7 @@
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "radio/network_host.h"
+#include "sent_pictures.h"
 #include "simulated_ers7/simulated_ers7.h"
 
 namespace fault_bench {
@@ -44,9 +45,11 @@ class RobotOnRadio {
   void cameraImageTaken();
   void aboutToSend(const void* data, std::size_t size);
 
-  mutable std::mutex mutex_;          // guards what follows, until the machine
-  std::map<std::size_t, Sent> sent_;  // by the hash of their bytes
-  std::chrono::steady_clock::time_point image_at_;
+  mutable std::mutex mutex_;                          // guards what follows, until the machine
+  std::map<std::size_t, Sent> sent_;                  // by the hash of their bytes
+  std::chrono::steady_clock::time_point image_at_;    // the camera's last one
+  std::chrono::steady_clock::time_point picture_at_;  // that of the picture that is being sent
+  SentPictures pictures_;
   std::uint64_t images_ = 0;
 
   openr_host::WallClock clock_;

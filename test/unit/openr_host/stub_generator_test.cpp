@@ -126,5 +126,9 @@ TEST(StubWriterTest, EntryHasTheIndexesOfTheExtraFunctions) {
   EXPECT_THAT(writeEntry(parse(none)), testing::Not(HasSubstr("Extra_Entry")));
 }
 
+TEST(StubWriterTest, DescriptionHasThePriorityOfTheOcf) {
+  EXPECT_THAT(writeDescription(parse(kSample), 112), HasSubstr("description.priority = 112;\n"));
+}
+
 }  // namespace
 }  // namespace openr_host

@@ -1,6 +1,8 @@
 // Sensors, LEDs, ears and power, in both versions of the protocol.
 #include <gmock/gmock.h>
 
+#include <OPENR/OPENRAPI.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -15,6 +17,22 @@
 #include "rcserver/memory_stick/Settings.h"
 #include "temporary_memory_stick.h"
 #include "version2_fixture.h"
+
+namespace {
+
+int failing_shutdowns = 0;  // calls of OPENR::Shutdown() that are to fail
+
+}  // namespace
+
+// The linker puts this in the place of OPENR::Shutdown(), and the original into the place of the other.
+extern "C" OStatus __real__ZN5OPENR8ShutdownERK14OBootCondition(const OBootCondition& condition);
+extern "C" OStatus __wrap__ZN5OPENR8ShutdownERK14OBootCondition(const OBootCondition& condition) {
+  if (failing_shutdowns > 0) {
+    --failing_shutdowns;
+    return oFAIL;
+  }
+  return __real__ZN5OPENR8ShutdownERK14OBootCondition(condition);
+}
 
 namespace {
 
@@ -388,6 +406,22 @@ TEST_F(BodyTest, RebootAnswersAndServesTheNextClient) {
   passFrames(kUntilMeasured);
   client_ = connectServed();
   expectAnswer(request('S', kBattery), 's', kBattery, 87);
+}
+
+TEST_F(BodyTest, OrderThatTheRobotDoesNotCarryOutIsForgotten) {
+  startWith("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes");
+  for (const char letter : {'Q', 'R'}) {
+    failing_shutdowns = 1;
+    client_->send(request(letter, 0, 0));
+    EXPECT_TRUE(awaitEnd(*client_));
+    EXPECT_EQ(failing_shutdowns, 0);
+    EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot does not "));
+    client_ = connectServed();
+    client_->close();
+    machine_->runPending();
+    EXPECT_TRUE(machine_->isOn()) << "the next client's end carries the order out";
+    client_ = connectServed();
+  }
 }
 
 TEST_F(BodyTest, WhatFollowsAShutDownIsNotCarriedOut) {

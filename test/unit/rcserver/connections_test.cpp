@@ -81,6 +81,16 @@ TEST_F(ConnectionsTest, ThoseWhoAreTurnedAwayAndStayDoNotKeepOthersOut) {
   EXPECT_TRUE(isServed(*next));
 }
 
+TEST_F(ConnectionsTest, PlaceOfOneWhoIsTurnedAwayAndStaysIsFreeAtOnce) {
+  auto silent = connectServed();
+  passFrames(1250 - 20);
+  auto too_early = connect();
+  EXPECT_TRUE(awaitEnd(*too_early));
+  passFrames(40);
+  auto next = connect();
+  EXPECT_TRUE(isServed(*next));
+}
+
 // ------------------------------------------------------------------------------------------------- those who vanish
 
 class PlayingClientTest : public ConnectionsTest {
@@ -123,7 +133,7 @@ TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsAndItI
   passFrames(20 + 250);
   EXPECT_FALSE(tailMoves());
   passFrames(3000);
-  EXPECT_EQ(timesSaid("silent for 10 s: its motions end"), 1U);
+  EXPECT_EQ(timesSaid("silent for 10 s: its motions are not repeated any more"), 1U);
   EXPECT_TRUE(isServed(*client));
   startPlaying(*client);
   EXPECT_TRUE(tailMoves());

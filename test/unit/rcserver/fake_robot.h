@@ -177,7 +177,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   RCRegion* captureSensors(longword frame) override {
-    auto* vector = reinterpret_cast<OSensorFrameVectorData*>(sensors_->Base());
+    void* base = sensors_->Base();
+    auto* vector = static_cast<OSensorFrameVectorData*>(base);
     vector->vectorInfo.numData = 0;
     for (size_t i = 0; i < joints.size(); ++i) {
       const OJointValue value = read(joints[i]);
@@ -225,7 +226,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   RCRegion* captureImage(longword frame) override {
-    auto* vector = reinterpret_cast<OFbkImageVectorData*>(region_->Base());
+    void* base = region_->Base();
+    auto* vector = static_cast<OFbkImageVectorData*>(base);
     longword offset = sizeof(OFbkImageVectorData);
     for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L}) {
       drawLayer(frame, offset, *vector, layer);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fake_robot.h"
+#include "object_catalog.h"
 #include "picture_checks.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
@@ -86,9 +87,19 @@ class PicturesTest : public Version2Fixture {
   FakeRobot robot_;
 };
 
+// Programmer's Guide, 3.1: the upper four bits are the class, and an object never runs while one of a higher class
+// does.
+TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {
+  const auto catalog = objectCatalog();
+  EXPECT_EQ(catalog.size(), 3U);
+  EXPECT_EQ(catalog.at("RCSERVER.BIN").priority / 16, 8);
+  EXPECT_EQ(catalog.at("ENCODER.BIN").priority / 16, 7);
+  EXPECT_EQ(catalog.at("FILES.BIN").priority / 16, 7);
+}
+
 // ------------------------------------------------------------------------------------------------ a slow encoder
 
-TEST_F(PicturesTest, ImagesThatComeWhileTheEncoderWorksAreLeftOut) {
+TEST_F(PicturesTest, OfTheImagesThatComeWhileTheEncoderWorksTheNewestIsTheNextPicture) {
   encoder_.slowDown();
   answerTo('W', 85, kStreamOn);
   takeImage();
@@ -96,12 +107,14 @@ TEST_F(PicturesTest, ImagesThatComeWhileTheEncoderWorksAreLeftOut) {
   const unsigned first = robot_.lastImage();
   takeImage();
   takeImage();
+  takeImage();
   EXPECT_TRUE(pictures().empty());
   encoder_.speedUp();
-  takeImage();
+  passFrames(FakeRobot::kFramesPerImage);
   const std::vector<Frame> made = pictures();
-  ASSERT_EQ(made.size(), 1U);
+  ASSERT_EQ(made.size(), 2U);
   expectPictureOfImage(made[0], first);
+  expectPictureOfImage(made[1], robot_.lastImage());
   takeImage();
   const std::vector<Frame> next = pictures();
   ASSERT_EQ(next.size(), 1U);
@@ -130,12 +143,11 @@ TEST_F(PicturesTest, PictureInTheMakingGoesWithItsClient) {
   send(frame('F', 85, 8, kLayerHigh));
   encoder_.speedUp();
   takeImage();
-  EXPECT_TRUE(pictures().empty()) << "of the client that has gone";
   takeImage();
   const std::vector<Frame> own = pictures();
   ASSERT_EQ(own.size(), 1U);
   EXPECT_EQ(own[0].header.request_number, 8);
-  expectPictureOfImage(own[0], robot_.lastImage());
+  expectPictureOfImage(own[0], robot_.lastImage() - 1);
 }
 
 TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
@@ -160,8 +172,9 @@ TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatItIsChanged) {
   takeImage();
   takeImage();
   const std::vector<Frame> made = pictures();
-  ASSERT_EQ(made.size(), 1U);
+  ASSERT_EQ(made.size(), 2U);
   EXPECT_EQ(made[0].header.id, 20);
+  EXPECT_EQ(made[1].header.id, 20);
 }
 
 TEST_F(PicturesTest, PictureInTheMakingIsStillOwedWhenTheStreamIsOff) {
@@ -206,9 +219,9 @@ TEST_F(PicturesTest, StreamCountsTheImagesThatTheEncoderMissed) {
   encoder_.speedUp();
   takeImage();
   takeImage();
-  EXPECT_EQ(pictures().size(), 3U);
+  EXPECT_EQ(pictures().size(), 4U);
   answerTo('W', 85, kStreamOff);
-  EXPECT_THAT(console_.str(), HasSubstr("stream off after 3 pictures, 2 camera images left out\n"));
+  EXPECT_THAT(console_.str(), HasSubstr("stream off after 4 pictures, 1 camera images left out\n"));
 }
 
 // --------------------------------------------------------------------------------------------- a busy connection
@@ -225,7 +238,7 @@ class StalledClientTest : public PicturesTest {
     ASSERT_TRUE(await(*client_));
   }
 
-  // Sends a request, and behind it so many others that the answers to them do not all go out.
+  // Sends a request, and behind it more others than there is room for the answers to.
   void stallBehind(const std::string& request) {
     std::string bytes = request;
     for (int i = 0; i < 4096; ++i) {
@@ -274,6 +287,35 @@ TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
   EXPECT_EQ(brightnessOf({picture->payload.begin() + 16, picture->payload.end()}).width, 208);
   EXPECT_THAT(sends_, Each(Le(8192U)));
   EXPECT_EQ(sends_.size(), (picture->payload.size() + 8 + 8191) / 8192);
+}
+
+// The picture log and the radio campaign know pictures by what is given to the IPStack.
+TEST_F(PicturesTest, SentPicturesArePutTogetherOfTheirParts) {
+  robot_.showNoise();
+  for (const int quality : {100, 1}) {
+    begun_pictures_ = 0;
+    answerTo('H', 0);
+    EXPECT_FALSE(sent_pictures_.isComplete());
+    send(frame('F', quality, 7, kLayerHigh));
+    takeImage();
+    const std::optional<Frame> picture = nextFrame();
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(begun_pictures_, 1);
+    ASSERT_TRUE(sent_pictures_.isComplete());
+    EXPECT_EQ(sent_pictures_.jpeg(), std::string(picture->payload.begin() + 16, picture->payload.end()));
+  }
+}
+
+TEST_F(PicturesTest, SentPicturesOfVersion1AreFound) {
+  client_->close();
+  machine_->runPending();
+  client_ = connectServed();
+  ask(*client_, request('F', 85));
+  takeImage();
+  const std::optional<Reply> reply = await(*client_);
+  ASSERT_TRUE(reply);
+  ASSERT_TRUE(sent_pictures_.isComplete());
+  EXPECT_EQ(sent_pictures_.jpeg(), std::string(reply->jpeg.begin(), reply->jpeg.end()));
 }
 
 TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {

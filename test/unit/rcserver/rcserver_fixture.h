@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "object_catalog.h"
+#include "objects/HostSettings.h"
 #include "openr_host/clock.h"
 #include "openr_host/machine.h"
 #include "openr_host/virtual_robot.h"
 #include "protocol/version1.h"
-#include "rcserver/memory_stick/HostSettings.h"
+#include "sent_pictures.h"
 #include "slow_object.h"
 #include "test_client.h"
 
@@ -47,7 +48,10 @@ class RCServerFixture : public ::testing::Test {
       encoder_.obey();
       file_keeper_.obey();
     };
-    options.on_send = [this](const void*, size_t size) { sends_.push_back(size); };
+    options.on_send = [this](const void* data, size_t size) {
+      sends_.push_back(size);
+      begun_pictures_ += sent_pictures_.add(data, size) ? 1 : 0;
+    };
     options.console = &console_;
     options.handler_time = handler_time_;
     setHostSettings(host_);
@@ -102,6 +106,8 @@ class RCServerFixture : public ::testing::Test {
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes that the server has given to the IPStack each time
+  SentPictures sent_pictures_;
+  int begun_pictures_ = 0;
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;

@@ -1,4 +1,4 @@
-#include "rcserver/camera/JpegEncoder.h"
+#include "picture_encoder/JpegEncoder.h"
 
 #include <string.h>
 
@@ -11,8 +11,22 @@ namespace {
 const size_t MACROBLOCK = 16;  // pixels, in both directions, at 4:2:0
 const int NO_QUALITY = -1;
 
+// Up to this quality, libjpeg's fast transform (JDCT_IFAST) makes pictures that are less than 0.1 dB worse than those
+// of its accurate one, for a sixth fewer instructions. Its errors grow with the quality: 0.2 dB at 95, 0.6 dB at 100.
+const int MAX_QUALITY_OF_FAST_DCT = 85;
+
 size_t RoundUp(size_t size) {
   return (size + MACROBLOCK - 1) / MACROBLOCK * MACROBLOCK;
+}
+
+// Each sample of the half row is the mean of four. Pointers that step cost the robot's old compiler less than indices.
+void HalveRows(const unsigned char* upper, const unsigned char* lower, size_t half_width, unsigned char* half) {
+  unsigned char* const end = half + half_width;
+  for (; half != end; ++half) {
+    *half = static_cast<unsigned char>((upper[0] + upper[1] + lower[0] + lower[1] + 2U) >> 2);
+    upper += 2;
+    lower += 2;
+  }
 }
 
 }  // namespace
@@ -85,62 +99,67 @@ void JpegEncoder::Configure(size_t width, size_t height, int quality) {
   }
   if (quality_ != quality) {
     jpeg_set_quality(&compress_, quality, TRUE);
+    compress_.dct_method = quality <= MAX_QUALITY_OF_FAST_DCT ? JDCT_IFAST : JDCT_ISLOW;
     quality_ = quality;
   }
 }
 
 void JpegEncoder::WriteStrips(const CameraImage& image) {
   JSAMPROW y_rows[STRIP_HEIGHT];
+  JSAMPROW chroma_rows[STRIP_HEIGHT];
   JSAMPROW cb_rows[STRIP_HEIGHT / 2];
   JSAMPROW cr_rows[STRIP_HEIGHT / 2];
-  for (size_t row = 0; row < STRIP_HEIGHT; ++row) {
-    y_rows[row] = y_[row];
-  }
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
     cb_rows[row] = cb_[row];
     cr_rows[row] = cr_[row];
   }
   JSAMPARRAY planes[] = {y_rows, cb_rows, cr_rows};
   for (size_t top = 0; top < image.height; top += STRIP_HEIGHT) {
-    CopyStrip(image, image.y, top, y_);
-    CopyStrip(image, image.cb, top, chroma_);
-    Halve(chroma_, RoundUp(image.width), cb_);
-    CopyStrip(image, image.cr, top, chroma_);
-    Halve(chroma_, RoundUp(image.width), cr_);
+    FindRows(image, image.y, top, y_copies_, y_rows);
+    FindRows(image, image.cb, top, chroma_copies_, chroma_rows);
+    Halve(chroma_rows, RoundUp(image.width), cb_rows);
+    FindRows(image, image.cr, top, chroma_copies_, chroma_rows);
+    Halve(chroma_rows, RoundUp(image.width), cr_rows);
     jpeg_write_raw_data(&compress_, planes, STRIP_HEIGHT);
   }
 }
 
-// Copies 16 rows of a plane, without the camera's tag, and goes on with its last row and column where it ends: libjpeg
-// wants whole macroblocks.
-void JpegEncoder::CopyStrip(const CameraImage& image, const unsigned char* plane, size_t top, Strip strip) {
+// Points to 16 rows of a plane. They are the camera's own where libjpeg can read those. Copies take the place of the
+// last row, because of the tag, and of all rows if 16 does not divide the width, because libjpeg wants whole
+// macroblocks. Below the image, the last row is repeated.
+void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane, size_t top, Strip copies,
+                           JSAMPROW rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;
-  const size_t tag_size = image.width < CameraImage::TAG_SIZE ? image.width : CameraImage::TAG_SIZE;
+  const bool has_whole_macroblocks = image.width % MACROBLOCK == 0;
   for (size_t row = 0; row < STRIP_HEIGHT; ++row) {
     const size_t source_row = top + row < last ? top + row : last;
     const unsigned char* source = plane + source_row * image.stride;
-    memcpy(strip[row], source, image.width);
-    if (source_row == last) {
-      memcpy(strip[row], source - image.stride, tag_size);
+    if (source_row < last && has_whole_macroblocks) {
+      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg knows no const, and does not write there
+    } else {
+      CopyRow(source, source_row == last ? source - image.stride : source, image.width, copies[row]);
+      rows[row] = copies[row];
     }
-    memset(strip[row] + image.width, strip[row][image.width - 1], RoundUp(image.width) - image.width);
   }
 }
 
-// Each sample of the half strip is the mean of four.
-void JpegEncoder::Halve(const Strip strip, size_t width, HalfStrip half) {
+// Copies a row, with the pixels in place of the tag from another one, and repeats its last pixel up to whole
+// macroblocks.
+void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* source_of_tag, size_t width,
+                          JSAMPROW copy) {
+  memcpy(copy, source, width);
+  memcpy(copy, source_of_tag, width < CameraImage::TAG_SIZE ? width : CameraImage::TAG_SIZE);
+  memset(copy + width, copy[width - 1], RoundUp(width) - width);
+}
+
+void JpegEncoder::Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, const JSAMPROW half[STRIP_HEIGHT / 2]) {
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
-    const unsigned char* upper = strip[2 * row];
-    const unsigned char* lower = strip[2 * row + 1];
-    for (size_t column = 0; column < width / 2; ++column) {
-      const int sum = upper[2 * column] + upper[2 * column + 1] + lower[2 * column] + lower[2 * column + 1];
-      half[row][column] = static_cast<unsigned char>((sum + 2) / 4);
-    }
+    HalveRows(rows[2 * row], rows[2 * row + 1], width / 2, half[row]);
   }
 }
 
 void JpegEncoder::Fail(j_common_ptr compress) {
-  Errors* errors = reinterpret_cast<Errors*>(compress->err);
+  Errors* errors = static_cast<Errors*>(static_cast<void*>(compress->err));
   errors->manager.format_message(compress, errors->message);
   longjmp(errors->escape, 1);
 }
@@ -148,7 +167,7 @@ void JpegEncoder::Fail(j_common_ptr compress) {
 void JpegEncoder::Ignore(j_common_ptr) {}
 
 void JpegEncoder::BeginBuffer(j_compress_ptr compress) {
-  Destination* destination = reinterpret_cast<Destination*>(compress->dest);
+  Destination* destination = static_cast<Destination*>(static_cast<void*>(compress->dest));
   destination->manager.next_output_byte = destination->buffer;
   destination->manager.free_in_buffer = destination->capacity;
 }

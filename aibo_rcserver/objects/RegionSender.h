@@ -1,7 +1,7 @@
 /// @file RegionSender.h
 /// How one object of ours hands another one a job, or its result.
-#ifndef JOBS_REGION_SENDER_H
-#define JOBS_REGION_SENDER_H
+#ifndef OBJECTS_REGION_SENDER_H
+#define OBJECTS_REGION_SENDER_H
 
 #include <OPENR/OSubject.h>
 #include <OPENR/RCRegion.h>
@@ -85,4 +85,4 @@ class RegionSender {
   unsigned last_ticket_;
 };
 
-#endif  // JOBS_REGION_SENDER_H
+#endif  // OBJECTS_REGION_SENDER_H

@@ -1,7 +1,7 @@
 /// @file HostSettings.h
 /// What a computer that stands in for the robot may have otherwise than the robot.
-#ifndef RCSERVER_MEMORY_STICK_HOST_SETTINGS_H
-#define RCSERVER_MEMORY_STICK_HOST_SETTINGS_H
+#ifndef OBJECTS_HOST_SETTINGS_H
+#define OBJECTS_HOST_SETTINGS_H
 
 #include <stddef.h>
 
@@ -29,4 +29,4 @@ const size_t MAX_PATH_SIZE = 1024;
 /// @return false if it does not fit
 bool pathOnMemoryStick(const HostSettings& host, const char* name, char (&path)[MAX_PATH_SIZE]);
 
-#endif  // RCSERVER_MEMORY_STICK_HOST_SETTINGS_H
+#endif  // OBJECTS_HOST_SETTINGS_H

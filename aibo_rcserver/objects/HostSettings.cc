@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/HostSettings.h"
+#include "objects/HostSettings.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /// @file JpegEncoder.h
 /// From a camera image to a JPEG file in memory.
-#ifndef RCSERVER_CAMERA_JPEG_ENCODER_H
-#define RCSERVER_CAMERA_JPEG_ENCODER_H
+#ifndef PICTURE_ENCODER_JPEG_ENCODER_H
+#define PICTURE_ENCODER_JPEG_ENCODER_H
 
 #include <setjmp.h>
 #include <stddef.h>
@@ -16,9 +16,9 @@ extern "C" {
 
 /// Encodes camera images as baseline JPEG, YCbCr 4:2:0, with the calls that libjpeg 6b and libjpeg-turbo share.
 ///
-/// The planes go into the encoder as they are: no RGB in between. The camera's tag bytes are painted over with the row
-/// above, in the encoder's own copy of the row. Memory is allocated when the size of the images changes, not per
-/// picture. No libjpeg error ends the process: each makes Encode() fail. Not thread-safe.
+/// The planes go into the encoder as they are: no RGB in between, and no copy if 16 divides the width. The camera's tag
+/// bytes are painted over with the row above, in the encoder's own copy of the row. libjpeg takes its working memory
+/// for each picture and gives it back. No libjpeg error ends the process: each makes Encode() fail. Not thread-safe.
 class JpegEncoder {
  public:
   /// Largest width and height, in pixels: twice the camera's, for pictures of double resolution.
@@ -74,18 +74,20 @@ class JpegEncoder {
 
   void Configure(size_t width, size_t height, int quality);
   void WriteStrips(const CameraImage& image);
-  static void CopyStrip(const CameraImage& image, const unsigned char* plane, size_t top, Strip strip);
-  static void Halve(const Strip strip, size_t width, HalfStrip half);
+  static void FindRows(const CameraImage& image, const unsigned char* plane, size_t top, Strip copies,
+                       JSAMPROW rows[STRIP_HEIGHT]);
+  static void CopyRow(const unsigned char* source, const unsigned char* source_of_tag, size_t width, JSAMPROW copy);
+  static void Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, const JSAMPROW half[STRIP_HEIGHT / 2]);
 
   jpeg_compress_struct compress_;
   Errors errors_;
   Destination destination_;
   bool created_;
   int quality_;
-  Strip y_;
-  Strip chroma_;  // Cb, then Cr, before it is halved
+  Strip y_copies_;
+  Strip chroma_copies_;  // Cb, then Cr, before it is halved
   HalfStrip cb_;
   HalfStrip cr_;
 };
 
-#endif  // RCSERVER_CAMERA_JPEG_ENCODER_H
+#endif  // PICTURE_ENCODER_JPEG_ENCODER_H

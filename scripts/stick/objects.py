@@ -1,0 +1,47 @@
+"""The project's own programs for the robot, as on_robot/objects.txt and each stub.cfg describe them."""
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+PROJECT = Path(__file__).resolve().parents[2]
+SOURCES = PROJECT / "aibo_rcserver"
+ON_ROBOT = SOURCES / "on_robot"
+STICK_FILES = SOURCES / "memory_stick" / "OPEN-R"
+
+
+class RobotObject(NamedTuple):
+    """One program, an OPEN-R object. `shared`, whose file is "-", is a part of all of them instead."""
+    name: str
+    file: str
+    folders: list
+
+    @property
+    def stub_cfg(self):
+        return SOURCES / self.folders[0] / "stub.cfg"
+
+    def sources(self):
+        return sorted(source for folder in self.folders for source in (SOURCES / folder).rglob("*.cc"))
+
+    def headers(self):
+        return sorted(header for folder in self.folders for header in (SOURCES / folder).rglob("*.h"))
+
+
+def _table():
+    lines = (line.split("#")[0].split() for line in (ON_ROBOT / "objects.txt").read_text().splitlines())
+    return [RobotObject(line[0], line[1], line[2:]) for line in lines if line]
+
+
+def robot_objects():
+    return [row for row in _table() if row.file != "-"]
+
+
+def shared_sources():
+    return next(row for row in _table() if row.name == "shared")
+
+
+def services(stub_cfg):
+    """The services that a stub.cfg declares, such as RCServer.Image.OFbkImageVectorData.O.
+
+    As for Sony's stubgen2, a line that does not begin with a keyword says nothing: comments of any kind may stay.
+    """
+    return re.findall(r'^\s*Service\s*:\s*"([^"]+)"', stub_cfg.read_text(), re.MULTILINE)

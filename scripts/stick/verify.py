@@ -1,0 +1,135 @@
+"""Looks at a memory stick as the robot will: is everything there that it is told to start?"""
+import gzip
+import re
+import struct
+import zlib
+
+from . import sdk as sony
+from .objects import robot_objects, services
+from .problem import Problem
+from .wlan import parse_wlan_conf, wlan_conf
+
+# What OPEN-R itself offers: Programmer's Guide, Level2 Reference Guide.
+SYSTEM_SERVICES = {
+    "OVirtualRobotComm.Effector.OCommandVectorData.O",
+    "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S",
+    "OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S",
+    "OVirtualRobotAudioComm.Mic.OSoundVectorData.S",
+    "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
+}
+
+# Sony's smallest sample has 665 KB with OPEN-R's libraries in it, the RCServer 920 KB.
+MIN_PROGRAM_SIZE = 100_000
+MAX_PROGRAM_SIZE = 4_000_000
+MAX_STICK_SIZE = 8_000_000  # the smaller of Sony's programmable sticks
+
+WRITE_AGAIN = "Let scripts/memory_stick write the stick again."
+
+
+def problems_of(stick):
+    """Yields a Problem for everything that is wrong with a stick."""
+    open_r = stick / "OPEN-R"
+    if not open_r.is_dir():
+        yield Problem(f"there is no folder OPEN-R in {stick}.", "Give the folder in which the stick is mounted.")
+        return
+    yield from _system_problems(open_r)
+    yield from _name_problems(open_r)
+    yield from _object_problems(open_r)
+    yield from _connection_problems(open_r)
+    yield from _wlan_problems(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT")
+    size = sum(path.stat().st_size for path in open_r.rglob("*") if path.is_file())
+    if size > MAX_STICK_SIZE:
+        yield Problem(f"{open_r} has {size} bytes; a stick of Sony's holds as little as 8 MB.",
+                      "Remove motions and programs that are not needed.")
+
+
+def _system_problems(open_r):
+    if not (open_r / "APERIOS.GZ").is_file():
+        yield Problem(f"the robot's system is not on the stick: {open_r}/APERIOS.GZ.", WRITE_AGAIN)
+    for name in sony.missing_system_files(open_r):
+        yield Problem(f"a file in OPEN-R/SYSTEM/CONF names /MS/{name}, which is not there.", WRITE_AGAIN)
+
+
+def _name_problems(open_r):
+    """The robot knows names of 8 characters and 3 after a dot; Sony's own are left alone."""
+    for path in sorted((open_r / "MW").rglob("*")) + sorted((open_r / "SYSTEM" / "CONF").glob("*")):
+        if not re.fullmatch(r"[A-Z0-9_-]{1,8}(\.[A-Z0-9_-]{1,3})?", path.name):
+            yield Problem(f"{path}: the robot does not know such names.",
+                          "Rename it: up to 8 capital letters, digits, - and _, then up to 3 after a dot.")
+
+
+def _object_problems(open_r):
+    configuration = open_r / "MW" / "CONF" / "OBJECT.CFG"
+    names = sony.files_named_in(configuration) if configuration.is_file() else []
+    if not names:
+        yield Problem(f"{configuration} names no program.", WRITE_AGAIN)
+    for name in names:
+        path = open_r.parent / name
+        if path.is_file():
+            yield from _program_problems(path)
+        else:
+            yield Problem(f"OBJECT.CFG names /MS/{name}, which is not there.",
+                          "Build and copy it, or take the line out of OBJECT.CFG.")
+
+
+def _program_problems(path):
+    build_again = "Build it again, with the SDK's own compiler."
+    try:
+        with gzip.open(str(path)) as packed:
+            program = packed.read(MAX_PROGRAM_SIZE + 1)
+    except (OSError, EOFError, zlib.error) as error:
+        yield Problem(f"{path} is not whole, or not packed by gzip: {error}", build_again)
+        return
+    if not _is_mips_program(program):
+        yield Problem(f"{path} is not a program for the robot, a 32-bit little-endian MIPS ELF file.", build_again)
+    elif not MIN_PROGRAM_SIZE <= len(program) <= MAX_PROGRAM_SIZE:
+        yield Problem(f"{path} has {len(program)} bytes unpacked (or more); {MIN_PROGRAM_SIZE} to {MAX_PROGRAM_SIZE} "
+                      "are to be expected.",
+                      "Is it linked with OPEN-R's libraries, and stripped?")
+
+
+def _is_mips_program(program):
+    machine_mips, class_32, little_endian = 8, 1, 1
+    return (len(program) >= 20 and program[:4] == b"\x7fELF" and program[4] == class_32 and
+            program[5] == little_endian and struct.unpack_from("<H", program, 18)[0] == machine_mips)
+
+
+def _connection_problems(open_r):
+    configuration = open_r / "MW" / "CONF" / "CONNECT.CFG"
+    if not configuration.is_file():
+        yield Problem(f"{configuration} is missing.", WRITE_AGAIN)
+        return
+    known = SYSTEM_SERVICES.union(*(services(robot_object.stub_cfg) for robot_object in robot_objects()))
+    for number, line in enumerate(configuration.read_text(errors="replace").splitlines(), 1):
+        words = line.split("#")[0].split()
+        if words and not words[0].startswith("["):
+            yield from _line_problems(f"CONNECT.CFG, line {number}", words, known, _has_foreign_programs(open_r))
+
+
+def _line_problems(where, words, known, has_foreign_programs):
+    if len(words) != 2 or not words[0].endswith(".S") or not words[1].endswith(".O"):
+        yield Problem(f"{where}: a line has two services, of a subject (.S) and of an observer (.O).", WRITE_AGAIN)
+        return
+    if words[0].split(".")[-2] != words[1].split(".")[-2]:
+        yield Problem(f"{where}: {words[0]} and {words[1]} are about different data.",
+                      "The part before .S and .O has to be the same.")
+    for service in words:
+        if service not in known and not has_foreign_programs:
+            yield Problem(f"{where}: there is no service {service}; no stub.cfg declares it.",
+                          "Is it misspelt? Services are in aibo_rcserver/*/stub.cfg and in Sony's documents.")
+
+
+def _has_foreign_programs(open_r):
+    """Sony's POWERMON.BIN, for instance: what services such have is not known here."""
+    ours = {robot_object.file for robot_object in robot_objects()}
+    configuration = open_r / "MW" / "CONF" / "OBJECT.CFG"
+    names = sony.files_named_in(configuration) if configuration.is_file() else []
+    return any(name.split("/")[-1] not in ours for name in names)
+
+
+def _wlan_problems(path):
+    if path.is_file():
+        try:
+            wlan_conf(parse_wlan_conf(path.read_text(errors="replace")))
+        except Problem as problem:
+            yield Problem(f"{path}: {problem.args[0]}", *problem.advice)

@@ -1,0 +1,79 @@
+"""Builds the programs and puts the whole memory stick together."""
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from . import sdk as sony
+from .objects import ON_ROBOT, STICK_FILES, robot_objects
+from .problem import Problem
+
+
+def check_libjpeg(libjpeg):
+    """Raises Problem unless the folder has the sources of libjpeg 6b."""
+    advice = ("Unpack jpegsrc.v6b.tar.gz (https://www.ijg.org/files/) and give its folder, jpeg-6b.",
+              "Newer ones are left out: only 6b has been tried with the robot's compiler.")
+    header = libjpeg / "jpeglib.h"
+    if not header.is_file() or not (libjpeg / "jmemnobs.c").is_file():
+        raise Problem(f"there are no sources of libjpeg in {libjpeg}: jpeglib.h and jmemnobs.c.", *advice)
+    if not re.search(r"define\s+JPEG_LIB_VERSION\s+62\b", header.read_text(errors="replace")):
+        raise Problem(f"{header} is not that of libjpeg 6b.", *advice)
+
+
+def build(sdk, libjpeg, build_dir):
+    """Builds all programs, from scratch: which SDK an older one was built with is not known. Returns their files."""
+    for path in (sdk, libjpeg, build_dir, ON_ROBOT):
+        if re.search(r"\s", str(path)):
+            raise Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
+                          "Use a path without spaces; a symbolic link will do.")
+    make = ["make", "--silent", "--no-print-directory", "-C", str(ON_ROBOT), f"OPENRSDK_ROOT={sdk}",
+            f"LIBJPEG={libjpeg}", f"BUILD={build_dir}"]
+    print(f"Building in {build_dir}", flush=True)
+    try:
+        subprocess.run(make + ["clean"], check=True)
+        subprocess.run(make + [f"-j{os.cpu_count() or 1}"], check=True)
+    except subprocess.CalledProcessError as error:
+        raise Problem("the build failed; the first message above says where.",
+                      "If the compiler does not know a name or a header of OPEN-R: scripts/memory_stick --check.",
+                      "'No rule to make target': the file that it names is missing.") from error
+    return [build_dir / robot_object.file for robot_object in robot_objects()]
+
+
+def write(sdk, model, programs, wlan_conf, output):
+    """Writes the stick. What its owner has on it, RCSERVER.CFG, WLANCONF.TXT and motions, stays as it is.
+
+    Returns what its owner should know, a line each.
+    """
+    open_r = output / "OPEN-R"
+    try:
+        _copy_folder(sony.system_folder(sdk, model), open_r)
+        _copy_folder(STICK_FILES / "MW", open_r / "MW", keep=("RCSERVER.CFG",))
+        (open_r / "MW" / "OBJS").mkdir(exist_ok=True)
+        for program in programs:
+            shutil.copyfile(str(program), str(open_r / "MW" / "OBJS" / program.name))
+        notes = _write_wlan_conf(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT", wlan_conf)
+        os.sync()
+    except OSError as error:
+        raise Problem(f"the memory stick cannot be written: {error}",
+                      "Is it in the reader, mounted, not write-protected (its small switch), not full?") from error
+    return notes
+
+
+def _copy_folder(source, target, keep=()):
+    for path in sorted(source.rglob("*")):
+        copy = target / path.relative_to(source)
+        if path.is_dir():
+            copy.mkdir(parents=True, exist_ok=True)
+        elif path.name not in keep or not copy.exists():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(str(path), str(copy))
+
+
+def _write_wlan_conf(path, text):
+    if text is not None:
+        path.write_bytes(text.encode("ascii"))
+        return []
+    if path.exists():
+        return [f"{path} is as it was."]
+    return ["There is no WLANCONF.TXT: the robot takes Sony's settings, WLANDFLT.TXT beside it. --essid writes one."]

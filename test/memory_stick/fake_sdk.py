@@ -1,0 +1,117 @@
+"""A folder that looks like Sony's SDK to scripts/memory_stick. Its tools are small shell scripts: they leave files of
+the right kind, and write down in `log` what they were told."""
+import shutil
+from pathlib import Path
+
+LOG = 'echo "${{0##*/}} $*" >> "${{0%/*}}/{up}/log"\n'
+
+COMPILER = r"""
+case $1 in
+  --version) exit 0 ;;
+  -print-prog-name=*) echo "${0%/*}/${1#*=}"; exit 0 ;;
+esac
+while [ $# -gt 1 ]; do
+  if [ "$1" = -o ]; then output=$2; fi
+  shift
+done
+[ -f "$1" ] || { echo "$1: No such file" >&2; exit 1; }
+echo object > "$output"
+"""
+
+ARCHIVER = """
+case $1 in --version) exit 0 ;; esac
+echo archive > "$2"
+"""
+
+# mkbin ... -o NAME.bin ...: a 32-bit little-endian MIPS program of 200 KB. Everything else it is told has to be there.
+MKBIN = r"""
+case $1 in --help) exit 0 ;; esac
+while [ $# -gt 0 ]; do
+  case $1 in
+    -o) output=$2; shift ;;
+    -p) [ -d "$2" ] || exit 1; shift ;;
+    -l* | -L*) ;;
+    *) [ -f "$1" ] || { echo "mkbin: $1 is not there" >&2; exit 1; } ;;
+  esac
+  shift
+done
+printf '\177ELF\001\001\001\000\000\000\000\000\000\000\000\000\002\000\010\000' > "$output"
+head -c 200000 /dev/zero >> "$output"
+"""
+
+# As Sony's does, it writes into the folder that it is started in.
+STUBGEN = r"""
+name=$(sed -n 's/^ObjectName *: *//p' "$1")
+"${STUB_GENERATOR:-true}" "$1" 128 . .
+touch def.h entry.h "${name}Stub.h" "${name}Stub.cc"
+"""
+
+TOOLS = {"gcc": COMPILER, "g++": COMPILER, "ar": ARCHIVER, "strip": "", "readelf": "",
+         "nm": '[ "$1" = --version ] || cat "${0%/*}/../undefined"\n'}
+
+# What nm -u says of a program that is whole: one symbol is weak and may be absent, the other is the linker's own.
+UNDEFINED = "         w __deregister_frame_info\n         U _gp_disp\n"
+
+SYSTEM_CONF = {
+    "OBJECT.CFG": "#\n# OBJECT.CFG\n#\nOPowerManager /MS/OPEN-R/SYSTEM/OBJS/POWERMGR.BIN\n",
+    "CARDDRV.CFG": "/MS/OPEN-R/SYSTEM/OBJS/IPSTACK.BIN  -1\n",
+    "WLANDFLT.TXT": "ESSID=FACTORY\r\n",
+}
+
+
+def make_sdk(sdk):
+    for name, text in TOOLS.items():
+        _script(sdk / "bin" / ("mipsel-linux-" + name), LOG.format(up="..") + text)
+    for name in ("cc1", "cc1plus"):
+        _script(sdk / "bin" / name, "")
+    (sdk / "undefined").write_text(UNDEFINED)
+    openr = sdk / "OPEN_R"
+    for name, text in (("mkbin", MKBIN), ("stubgen2", STUBGEN), ("gensnap", "")):
+        _script(openr / "bin" / name, LOG.format(up="../..") + text)
+    for name in ("ObjectComm", "OPENR", "Internet", "antMCOOP", "apsys", "mcoopstub"):
+        _write(openr / "lib" / f"lib{name}.a", "")
+    for name in ("OPENR/OObject.h", "MCOOP/ant.h", "MCOOP.h", "TCPEndpointMsg.h"):
+        _write(openr / "include" / name, "")
+    _write(sdk / "mipsel-linux" / "include" / "string.h", "")
+    for folder, model in (("MS_ERS7", "ERS-7"), ("MS_ERS200", "ERS-210")):
+        _make_system(openr / folder / "WCONSOLE" / "memprot" / "OPEN-R", model)
+
+
+def make_libjpeg(folder):
+    _write(folder / "jpeglib.h", "#define JPEG_LIB_VERSION  62\n")
+    for name in ("jcapimin jcapistd jccoefct jccolor jcdctmgr jchuff jcinit jcmainct jcmarker jcmaster jcomapi jcparam "
+                 "jcphuff jcprepct jcsample jfdctflt jfdctfst jfdctint jerror jmemmgr jmemnobs jutils").split():
+        _write(folder / f"{name}.c", "")
+
+
+def use_headers(sdk, openr_headers, c_headers):
+    """Headers that the project's sources compile with: its own OPEN-R ones, and names of C headers."""
+    include = sdk / "OPEN_R" / "include"
+    shutil.rmtree(str(include))
+    shutil.copytree(str(openr_headers), str(include))
+    (include / "MCOOP").mkdir()
+    (include / "ant.h").rename(include / "MCOOP" / "ant.h")
+    _write(include / "MCOOP.h", "")
+    for name in c_headers:
+        _write(sdk / "mipsel-linux" / "include" / name, "#error only looked for\n")
+
+
+def _make_system(open_r, model):
+    _write(open_r / "APERIOS.GZ", model)
+    _write(open_r / "VERSION.txt", model)
+    _write(open_r / "MW" / "CONF" / "DESIGNDB.CFG", "[ERS-7]\n")
+    _write(open_r / "MW" / "CONF" / "OBJECT.CFG", "# Sony's\n")
+    for name, text in SYSTEM_CONF.items():
+        _write(open_r / "SYSTEM" / "CONF" / name, text)
+    for name in ("POWERMGR.BIN", "IPSTACK.BIN"):
+        _write(open_r / "SYSTEM" / "OBJS" / name, "encrypted")
+
+
+def _write(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(text.encode())
+
+
+def _script(path, text):
+    _write(path, "#!/bin/sh\n" + text)
+    path.chmod(0o755)

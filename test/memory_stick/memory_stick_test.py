@@ -1,0 +1,424 @@
+"""scripts/memory_stick from its command line to the stick, with a made-up SDK: what it writes, and what it says when
+something is wrong. Works on a copy of the project, in which tests may break things."""
+import gzip
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import unittest.mock
+from pathlib import Path
+
+import fake_sdk
+
+PROJECT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "scripts"))
+from stick.wlan import Wlan, wlan_conf  # noqa: E402
+
+C_HEADERS = ("algorithm ctype.h dirent.h errno.h limits.h math.h setjmp.h stdarg.h stddef.h stdio.h stdlib.h string.h "
+             "sys/stat.h sys/types.h time.h unistd.h").split()
+
+WRITTEN_FILES = """
+OPEN-R/APERIOS.GZ
+OPEN-R/MW/CONF/CONNECT.CFG
+OPEN-R/MW/CONF/DESIGNDB.CFG
+OPEN-R/MW/CONF/OBJECT.CFG
+OPEN-R/MW/CONF/RCSERVER.CFG
+OPEN-R/MW/DATA/P/LIE.MTN
+OPEN-R/MW/DATA/P/NOD.MTN
+OPEN-R/MW/DATA/P/SIT.MTN
+OPEN-R/MW/DATA/P/WAG.MTN
+OPEN-R/SYSTEM/CONF/CARDDRV.CFG
+OPEN-R/SYSTEM/CONF/OBJECT.CFG
+OPEN-R/SYSTEM/CONF/WLANCONF.TXT
+OPEN-R/SYSTEM/CONF/WLANDFLT.TXT
+OPEN-R/SYSTEM/OBJS/IPSTACK.BIN
+OPEN-R/SYSTEM/OBJS/POWERMGR.BIN
+OPEN-R/VERSION.txt
+""".split()
+WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/on_robot/objects.txt").read_text(),
+                              re.MULTILINE)
+
+
+class Workshop(unittest.TestCase):
+    """A copy of the project, a made-up SDK, libjpeg, and an empty folder for the stick."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name).resolve()
+        self.project = self.folder / "project"
+        for name in ("scripts", "aibo_rcserver"):
+            shutil.copytree(str(PROJECT / name), str(self.project / name), ignore=shutil.ignore_patterns("__pycache__"))
+        self.sdk = self.folder / "sdk"
+        self.libjpeg = self.folder / "jpeg-6b"
+        self.stick = self.folder / "stick"
+        fake_sdk.make_sdk(self.sdk)
+        fake_sdk.make_libjpeg(self.libjpeg)
+
+    def run_script(self, *arguments):
+        command = [sys.executable, "-B", str(self.project / "scripts" / "memory_stick"), *map(str, arguments)]
+        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                              check=False)
+
+    def make_stick(self, *options):
+        return self.run_script("--sdk", self.sdk, "--libjpeg", self.libjpeg, "--output", self.stick, *options)
+
+    def expect_stick(self, *options):
+        done = self.make_stick(*options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def expect_failure(self, done, what, advice):
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn(what, done.stderr)
+        self.assertIn(advice, done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+
+    def wlan_conf(self):
+        return (self.stick / "OPEN-R/SYSTEM/CONF/WLANCONF.TXT").read_bytes().decode()
+
+
+class AStick(Workshop):
+    def test_has_system_programs_motions_and_settings(self):
+        self.expect_stick("--essid", "AIBO")
+        files = sorted(str(path.relative_to(self.stick)) for path in self.stick.rglob("*") if path.is_file())
+        self.assertIn("RCSERVER.BIN", WRITTEN_PROGRAMS)
+        self.assertEqual(files, sorted(WRITTEN_FILES + ["OPEN-R/MW/OBJS/" + name for name in WRITTEN_PROGRAMS]))
+        self.assertEqual((self.stick / "OPEN-R/APERIOS.GZ").read_text(), "ERS-7")
+        self.assertIn("/MS/OPEN-R/MW/OBJS/RCSERVER.BIN", (self.stick / "OPEN-R/MW/CONF/OBJECT.CFG").read_text())
+        with gzip.open(str(self.stick / "OPEN-R/MW/OBJS/RCSERVER.BIN")) as program:
+            self.assertEqual(program.read(4), b"\x7fELF")
+
+    def test_for_the_ers210_has_its_system(self):
+        self.expect_stick("--model", "ERS-210")
+        self.assertEqual((self.stick / "OPEN-R/APERIOS.GZ").read_text(), "ERS-210")
+
+    def test_has_programs_linked_with_memory_and_priority_and_then_stripped(self):
+        self.expect_stick()
+        log = [line.split() for line in (self.sdk / "log").read_text().splitlines()]
+        link = next(line for line in log if line[0] == "mkbin" and "RCServer.bin" in line)
+        self.assertIn(str(self.project / "aibo_rcserver/on_robot/RCServer.ocf"), link)
+        self.assertIn(str(self.project / ".build/robot/libjpeg.a"), link)
+        self.assertIn("-lObjectComm", link)
+        stripped = [Path(line[-1]).name for line in log if line[0] == "mipsel-linux-strip"]
+        self.assertIn("RCServer.bin", stripped)
+
+    def test_has_a_further_program_for_a_few_lines(self):
+        sources = self.project / "aibo_rcserver"
+        for name, line in (("on_robot/objects.txt", "Echo  ECHO.BIN  echo\n"),
+                           ("memory_stick/OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/ECHO.BIN\n"),
+                           ("memory_stick/OPEN-R/MW/CONF/CONNECT.CFG", "Echo.Out.byte.S Echo.In.byte.O\n")):
+            with (sources / name).open("a") as file:
+                file.write(line)
+        (sources / "on_robot/Echo.ocf").write_text("object Echo 3072 16384 128 cache tlb user\n")
+        (sources / "echo").mkdir()
+        (sources / "echo/Echo.cc").write_text("")
+        (sources / "echo/stub.cfg").write_text(
+            "// Any comment.\nObjectName : Echo\nService : \"Echo.Out.byte.S\", null, null\n"
+            "Service : \"Echo.In.byte.O\", null, null\n")
+        self.expect_stick()
+        self.assertTrue((self.stick / "OPEN-R/MW/OBJS/ECHO.BIN").is_file())
+        self.assertTrue((self.project / ".build/robot/Echo/EchoStub.cc").is_file())
+        self.assertTrue((self.project / ".build/robot/RCServer/RCServerStub.cc").is_file())
+
+    def test_keeps_its_owners_settings_and_motions(self):
+        self.expect_stick("--essid", "FIRST")
+        mine = {"MW/CONF/RCSERVER.CFG": "ALLOW_UPLOAD=yes\n", "MW/DATA/P/MINE.MTN": "mine"}
+        for name, text in mine.items():
+            (self.stick / "OPEN-R" / name).write_text(text)
+        said = self.expect_stick()
+        for name, text in mine.items():
+            self.assertEqual((self.stick / "OPEN-R" / name).read_text(), text)
+        self.assertIn("ESSID=FIRST\r\n", self.wlan_conf())
+        self.assertIn("WLANCONF.TXT is as it was", said)
+
+    def test_without_a_network_takes_sonys_and_says_so(self):
+        said = self.expect_stick()
+        self.assertFalse((self.stick / "OPEN-R/SYSTEM/CONF/WLANCONF.TXT").exists())
+        self.assertIn("There is no WLANCONF.TXT: the robot takes Sony's settings", said)
+
+    def test_is_built_in_a_folder_that_make_clean_removes(self):
+        self.expect_stick()
+        on_robot = self.project / "aibo_rcserver/on_robot"
+        before = sorted(path.name for path in (PROJECT / "aibo_rcserver/on_robot").iterdir() if path.name != "build")
+        subprocess.run(["make", "-s", "-C", str(on_robot), f"OPENRSDK_ROOT={self.sdk}", f"LIBJPEG={self.libjpeg}"],
+                       check=True, stdout=subprocess.DEVNULL)
+        self.assertTrue((on_robot / "build/RCSERVER.BIN").is_file())
+        subprocess.run(["make", "-s", "-C", str(on_robot), "clean"], check=True)
+        self.assertEqual(sorted(path.name for path in on_robot.iterdir()), before)
+
+
+class TheNetwork(Workshop):
+    def test_with_a_fixed_address(self):
+        self.expect_stick("--essid", "AIBO", "--ip", "192.168.7.2", "--gateway", "192.168.7.1",
+                          "--wep-key", "Example4Robot")
+        self.assertEqual(self.wlan_conf(),
+                         "HOSTNAME=AIBO\r\nUSE_DHCP=0\r\nETHER_IP=192.168.7.2\r\nETHER_NETMASK=255.255.255.0\r\n"
+                         "IP_GATEWAY=192.168.7.1\r\nDNS_SERVER_1=192.168.7.1\r\nESSID=AIBO\r\nWEPENABLE=1\r\n"
+                         "WEPKEY=Example4Robot\r\nAPMODE=1\r\nCHANNEL=3\r\n")
+
+    def test_with_dhcp_and_no_encryption(self):
+        self.assertEqual(wlan_conf(Wlan("home!")), "HOSTNAME=AIBO\r\nUSE_DHCP=1\r\nESSID=home!\r\nWEPENABLE=0\r\n"
+                                                   "WEPKEY=\r\nAPMODE=1\r\nCHANNEL=3\r\n")
+
+    def test_without_an_access_point_and_without_a_gateway(self):
+        conf = wlan_conf(Wlan("AIBO", ip="10.0.1.100", channel="11"))
+        for line in ("APMODE=0", "CHANNEL=11", "IP_GATEWAY=10.0.1.100"):
+            self.assertIn(line + "\r\n", conf)
+
+    def test_takes_keys_of_every_length_that_the_robot_knows(self):
+        for key, line in (("AIBO2", "WEPKEY=AIBO2"), ("0123456789", "WEPKEY=0x0123456789"),
+                          ("0xfedcba9876", "WEPKEY=0xfedcba9876"),
+                          ("0123456789abcdef0123456789", "WEPKEY=0x0123456789abcdef0123456789")):
+            conf = wlan_conf(Wlan("AIBO", wep_key=key))
+            self.assertIn(line + "\r\n", conf)
+            self.assertIn("WEPENABLE=1\r\n", conf)
+
+    def test_that_cannot_be_is_refused_with_what_to_do(self):
+        address = ("--essid", "AIBO", "--ip", "192.168.7.2")
+        for options, what, advice in (
+                (("--ip", "192.168.7.2"), "WLAN options need --essid", "Add it"),
+                (("--essid", ""), "the network's name '' cannot be", "1 to 32 letters"),
+                (("--essid", "x" * 33), "cannot be the robot's", "1 to 32 letters"),
+                (("--essid", "my home"), "'my home' cannot be", "without spaces"),
+                (("--essid", "AIBO", "--wep-key", "AIBO"), "the WEP key has 4 characters", "5 or 13 letters"),
+                (("--essid", "AIBO", "--wep-key", "AIB-2"), "the WEP key has 5 characters, or", "5 or 13 letters"),
+                (("--essid", "AIBO", "--wep-key", "012345678g"), "the WEP key has 10 characters", "10 or 26"),
+                (("--essid", "AIBO", "--channel", "12"), "no channel '12'", "1 to 11"),
+                (("--essid", "AIBO", "--netmask", "255.255.255.0"), "say nothing without --ip", "DHCP"),
+                (("--essid", "AIBO", "--ip", "192.168.7"), "address '192.168.7' is not an address", "four numbers"),
+                (("--essid", "AIBO", "--ip", "127.0.0.1"), "127.0.0.1 cannot be", "192.168.7.2"),
+                (("--essid", "AIBO", "--ip", "192.168.7.255"), "first or last address of 192.168.7.0/24", "in between"),
+                (address + ("--netmask", "255.0.255.0"), "'255.0.255.0' is not a netmask", "255.255.255.0"),
+                (address + ("--gateway", "192.168.8.1"), "not in the robot's network", "access point's computer")):
+            with self.subTest(options=options):
+                self.expect_failure(self.make_stick(*options), what, advice)
+                self.assertFalse(self.stick.exists(), "nothing is written")
+
+
+class AnIncompleteSdk(Workshop):
+    def test_is_told_what_it_lacks(self):
+        system = "OPEN_R/MS_ERS7/WCONSOLE/memprot/OPEN-R/"
+        for path, what, advice in (
+                ("bin/mipsel-linux-strip", "lacks the cross compiler: bin/mipsel-linux-strip", "GCC 3.3.6"),
+                ("bin/cc1plus", "bin/cc1plus does not run on this computer", "build the toolchain"),
+                ("OPEN_R/lib/libOPENR.a", "lacks OPEN-R's libraries: OPEN_R/lib/libOPENR.a", "OPEN_R_SDK-1.1.5"),
+                ("OPEN_R/include/MCOOP/ant.h", "lacks OPEN-R's headers: OPEN_R/include/MCOOP/ant.h", "Unpack"),
+                ("OPEN_R/bin/mkbin", "lacks OPEN-R's Perl programs: OPEN_R/bin/mkbin", "Unpack"),
+                (system + "APERIOS.GZ", "the robot's system in", "OBJS"),
+                (system + "SYSTEM/OBJS/IPSTACK.BIN", "lacks OPEN-R/SYSTEM/OBJS/IPSTACK.BIN", "OBJS")):
+            with self.subTest(path=path):
+                (self.sdk / path).rename(self.folder / "taken_away")
+                self.expect_failure(self.make_stick(), what, advice)
+                (self.folder / "taken_away").rename(self.sdk / path)
+        self.expect_stick()
+
+    def test_on_a_computer_without_the_programs_that_it_needs(self):
+        path = self.folder / "path"
+        path.mkdir()
+        for name in ("sh", "gzip"):
+            (path / name).symlink_to(shutil.which(name))
+        with unittest.mock.patch.dict(os.environ, PATH=str(path)):
+            said = self.make_stick()
+        self.expect_failure(said, "there is no perl on this computer", "apt-get install perl")
+        self.expect_failure(said, "there is no make on this computer", "apt-get install make")
+
+    def test_names_everything_at_once(self):
+        for path in ("bin/mipsel-linux-nm", "OPEN_R/lib/libOPENR.a", "OPEN_R/bin/gensnap"):
+            (self.sdk / path).unlink()
+        said = self.make_stick().stderr
+        for name in ("mipsel-linux-nm", "libOPENR.a", "gensnap"):
+            self.assertIn(name, said)
+
+    def test_whose_tools_do_not_run_here(self):
+        tool = self.sdk / "bin/mipsel-linux-gcc"
+        tool.write_text("#!/bin/sh\necho 'GLIBC_2.38 not found' >&2\nexit 1\n")
+        self.expect_failure(self.make_stick(), "mipsel-linux-gcc does not run on this computer: GLIBC_2.38 not found",
+                            "libc6:i386")
+
+    def test_whose_driver_does_not_find_the_compiler(self):
+        tool = self.sdk / "bin/mipsel-linux-g++"
+        tool.write_text('#!/bin/sh\necho "${1#*=}"\n')
+        self.expect_failure(self.make_stick(), "mipsel-linux-g++ does not find cc1plus", "toolchain")
+
+    def test_that_is_not_there(self):
+        for arguments in ((), ("--check",), ("--sdk", self.folder, "--libjpeg", self.libjpeg, "--output", self.stick)):
+            self.expect_failure(self.run_script(*arguments), "OPEN-R SDK", "has withdrawn it")
+
+
+class ABuild(Workshop):
+    def test_needs_libjpeg_6b(self):
+        (self.libjpeg / "jpeglib.h").write_text("#define JPEG_LIB_VERSION  80\n")
+        self.expect_failure(self.make_stick(), "is not that of libjpeg 6b", "jpegsrc.v6b.tar.gz")
+        (self.libjpeg / "jpeglib.h").unlink()
+        self.expect_failure(self.make_stick(), "no sources of libjpeg", "jpegsrc.v6b.tar.gz")
+
+    def test_that_fails_says_so_and_writes_no_stick(self):
+        (self.libjpeg / "jutils.c").unlink()
+        self.expect_failure(self.make_stick(), "the build failed", "--check")
+        self.assertFalse(self.stick.exists())
+
+    def test_with_an_undefined_symbol_writes_no_stick(self):
+        (self.sdk / "undefined").write_text("         U jpeg_read_header\n")
+        self.expect_failure(self.make_stick(), "RCServer: the symbols above are defined nowhere", "the build failed")
+        self.assertFalse(self.stick.exists())
+
+    def test_starts_from_scratch(self):
+        self.expect_stick()
+        (self.sdk / "log").unlink()
+        self.expect_stick()
+        self.assertIn("RCServer.cc", (self.sdk / "log").read_text())
+
+    def test_refuses_spaces_in_paths(self):
+        spaced = self.folder / "my sdk"
+        self.sdk.rename(spaced)
+        self.sdk = spaced
+        self.expect_failure(self.make_stick(), "there is a space in", "symbolic link")
+
+    def test_needs_a_place_to_write_to(self):
+        self.stick = self.folder / "not_mounted" / "stick"
+        self.expect_failure(self.make_stick(), "there is no folder", "Is the stick mounted?")
+        self.expect_failure(self.run_script("--sdk", self.sdk), "a stick needs --sdk, --libjpeg and --output", "--help")
+
+    def test_on_a_stick_that_cannot_be_written_says_why(self):
+        self.stick.write_text("a file, no folder")
+        self.expect_failure(self.make_stick(), "the memory stick cannot be written", "write-protected")
+
+
+class Verification(Workshop):
+    """Of a stick that one thing is wrong with."""
+
+    def setUp(self):
+        super().setUp()
+        if Verification.whole_stick is None:  # built once
+            self.expect_stick("--essid", "AIBO", "--ip", "192.168.7.2")
+            Verification.whole_stick = tempfile.TemporaryDirectory()
+            self.addClassCleanup(Verification.whole_stick.cleanup)
+            shutil.copytree(str(self.stick), Verification.whole_stick.name + "/stick")
+        else:
+            shutil.copytree(Verification.whole_stick.name + "/stick", str(self.stick))
+        self.open_r = self.stick / "OPEN-R"
+
+    whole_stick = None
+
+    def verify(self):
+        return self.run_script("--verify", self.stick)
+
+    def expect_problem(self, path, content, what, advice):
+        """With other content, None for no file at all, the file is found wrong; as it was, it is right again."""
+        file = self.open_r / path
+        before = file.read_bytes() if file.exists() else None
+        file.unlink() if content is None else file.write_bytes(content)
+        self.expect_failure(self.verify(), what, advice)
+        file.unlink() if before is None else file.write_bytes(before)
+        self.assertEqual(self.verify().returncode, 0)
+
+    def test_of_a_folder_that_is_not_a_stick(self):
+        self.expect_failure(self.run_script("--verify", self.folder), "there is no folder OPEN-R", "is mounted")
+
+    def test_of_an_empty_one_names_all_that_it_lacks(self):
+        shutil.rmtree(str(self.open_r))
+        self.open_r.mkdir()
+        said = self.verify()
+        for what in ("the robot's system is not on the stick", "OBJECT.CFG names no program", "CONNECT.CFG is missing"):
+            self.expect_failure(said, what, "write the stick again")
+
+    def test_of_the_system(self):
+        self.expect_problem("APERIOS.GZ", None, "the robot's system is not on the stick", "write the stick again")
+        self.expect_problem("SYSTEM/OBJS/IPSTACK.BIN", None,
+                            "names /MS/OPEN-R/SYSTEM/OBJS/IPSTACK.BIN, which is not there", "write the stick again")
+
+    def test_of_names(self):
+        for name in ("mine.mtn", "NINELETTR.MTN", "A.MTN2", "A.B.C", "OH NO.MTN"):
+            self.expect_problem("MW/DATA/P/" + name, b"", name + ": the robot does not know such names", "Rename it")
+
+    def test_of_programs(self):
+        program = "MW/OBJS/RCSERVER.BIN"
+        elf = gzip.decompress((self.open_r / program).read_bytes())
+        self.expect_problem(program, None, "OBJECT.CFG names /MS/OPEN-R/MW/OBJS/RCSERVER.BIN", "take the line out")
+        self.expect_problem(program, elf, "not packed by gzip", "Build it again")
+        self.expect_problem(program, gzip.compress(elf)[:-100], "is not whole", "Build it again")
+        for position, value in ((0, b"M"), (4, b"\2"), (5, b"\2"), (18, b"\3")):  # magic, 64 bits, big endian, x86
+            wrong = elf[:position] + value + elf[position + 1:]
+            self.expect_problem(program, gzip.compress(wrong), "is not a program for the robot",
+                                "the SDK's own compiler")
+        self.expect_problem(program, gzip.compress(elf[:99_000]), "has 99000 bytes unpacked", "linked with OPEN-R's")
+        self.expect_problem(program, gzip.compress(elf + bytes(4_000_000)), "bytes unpacked", "stripped")
+
+    def test_of_object_cfg(self):
+        self.expect_problem("MW/CONF/OBJECT.CFG", b"# nothing\n", "names no program", "write the stick again")
+        self.expect_problem("MW/CONF/OBJECT.CFG", None, "names no program", "write the stick again")
+
+    def test_of_connect_cfg(self):
+        path = "MW/CONF/CONNECT.CFG"
+        effector = b"OVirtualRobotComm.Effector.OCommandVectorData.O"
+        self.expect_problem(path, None, "CONNECT.CFG is missing", "write the stick again")
+        self.expect_problem(path, b"# first\nRCServer.Efector.OCommandVectorData.S " + effector,
+                            "line 2: there is no service RCServer.Efector.OCommandVectorData.S", "misspelt")
+        self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line has two services",
+                            "write the stick again")
+        self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,
+                            "are about different data", "the same")
+
+    def test_leaves_programs_of_others_and_their_services_alone(self):
+        shutil.copyfile(str(self.open_r / "MW/OBJS/RCSERVER.BIN"), str(self.open_r / "MW/OBJS/POWERMON.BIN"))
+        for name, line in (("OBJECT", "/MS/OPEN-R/MW/OBJS/POWERMON.BIN"),
+                           ("CONNECT", "Other.Out.Data.S Another.In.Data.O")):
+            with (self.open_r / f"MW/CONF/{name}.CFG").open("a") as file:
+                file.write(f"\n[ERS-7]\n{line}\n")
+        self.assertEqual(self.verify().returncode, 0)
+
+    def test_of_the_network(self):
+        path = "SYSTEM/CONF/WLANCONF.TXT"
+        self.expect_problem(path, b"HOSTNAME=AIBO\n", "there is no line ESSID=NAME", "Add the name")
+        self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nWEPENABLE=1\nWEPKEY=short1\n",
+                            "the WEP key has 6 characters", "5 or 13")
+        self.expect_problem(path, b"ESSID=AIBO\nETHER_IP = 192.168.7\n",
+                            "WLANCONF.TXT: the robot's address '192.168.7'", "four numbers")
+
+    def test_of_the_size(self):
+        self.expect_problem("MW/DATA/P/BIG.MTN", bytes(8_000_000), "holds as little as 8 MB", "Remove motions")
+
+
+class TheSourcesWithSonysHeaders(Workshop):
+    """Here, the project's own headers take the place of Sony's."""
+
+    def setUp(self):
+        super().setUp()
+        fake_sdk.use_headers(self.sdk, PROJECT / "aibo_rcserver/openr_host/sdk", C_HEADERS)
+
+    def check(self):
+        return self.run_script("--check", "--sdk", self.sdk)
+
+    def test_compile(self):
+        done = self.check()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("All sources compile with Sony's headers", done.stdout)
+
+    def test_that_use_what_the_sdk_has_not_are_named(self):
+        with (self.project / "aibo_rcserver/rcserver/Session.cc").open("a") as source:
+            source.write("\n#include <strings.h>\nint none = oidNONE;\n")
+        done = self.check()
+        self.expect_failure(done, "Session.cc includes <strings.h>, which the SDK does not", "another header")
+        self.expect_failure(done, "Session.cc does not compile with Sony's headers", "oidNONE")
+
+    def test_without_headers_say_so(self):
+        shutil.rmtree(str(self.sdk / "mipsel-linux"))
+        self.expect_failure(self.check(), "lacks the C library's headers: mipsel-linux/include/string.h", "toolchain")
+
+
+class TheListOfSources(unittest.TestCase):
+    def test_is_the_same_for_the_robot_and_for_linux(self):
+        """ROBOT_SOURCES: what CMake builds as the robot's, a file in which it has written one source a line."""
+        robot = subprocess.run(["make", "-s", "-C", str(PROJECT / "aibo_rcserver/on_robot"), "sources"], check=True,
+                               stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
+        linux = Path(os.environ["ROBOT_SOURCES"]).read_text().split()
+        self.assertGreater(len(robot), 50)
+        self.assertEqual(sorted(robot), sorted(linux))
+
+
+if __name__ == "__main__":
+    unittest.main()
