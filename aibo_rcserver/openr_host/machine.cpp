@@ -166,7 +166,7 @@ std::vector<ServiceConnection> Machine::Implementation::readConnections() const 
   }
   const std::string path = findOnMemoryStick(options_.memory_stick, name);
   std::ifstream file = openConfiguration(path);
-  return readConnectionConfiguration(file, path, system_->serviceNames());
+  return readConnectionConfiguration(file, path, robot_.design(), system_->serviceNames());
 }
 
 void Machine::Implementation::run() {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "openr_host/configuration/configuration_error.h"
+#include "openr_host/configuration/model_lines.h"
 
 namespace openr_host {
 namespace {
@@ -14,14 +15,12 @@ struct Word {
   int line;
 };
 
-std::vector<Word> readWords(std::istream& text) {
+std::vector<Word> readWords(std::istream& text, const std::string& design) {
   std::vector<Word> words;
-  int line = 0;
-  for (std::string raw; std::getline(text, raw);) {
-    ++line;
-    std::istringstream content(raw.substr(0, raw.find('#')));
+  for (const auto& line : readModelLines(text, design)) {
+    std::istringstream content(line.is_for_design ? line.text : "");
     for (std::string word; content >> word;) {
-      words.push_back({word, line});
+      words.push_back({word, line.number});
     }
   }
   return words;
@@ -46,10 +45,11 @@ ServiceName parseService(const Word& word, const std::string& file, const std::v
 }  // namespace
 
 std::vector<ServiceConnection> readConnectionConfiguration(std::istream& text, const std::string& file,
+                                                           const std::string& design,
                                                            const std::vector<std::string>& services) {
   std::vector<ServiceConnection> connections;
   std::optional<ServiceConnection> open;  // its subject has been read
-  for (const auto& word : readWords(text)) {
+  for (const auto& word : readWords(text, design)) {
     const ServiceName name = parseService(word, file, services);
     if (open.has_value() == name.is_subject) {
       throw ConfigurationError(file, open ? open->line : word.line,

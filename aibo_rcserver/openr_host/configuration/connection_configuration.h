@@ -18,12 +18,14 @@ struct ServiceConnection {
   int line;  ///< of the subject
 };
 
-/// Reads the text of a CONNECT.CFG: subject, white space, observer; `#` begins a comment.
+/// Reads the text of a CONNECT.CFG: subject, white space, observer; with comments and models as in OBJECT.CFG.
 /// @param file its name, for errors
+/// @param design the robot's model
 /// @param services all services that the objects of this stick have
 /// @throw ConfigurationError if something else stands there, if no object has the service, if the data types differ,
 /// or if a connection stands there twice
 std::vector<ServiceConnection> readConnectionConfiguration(std::istream& text, const std::string& file,
+                                                           const std::string& design,
                                                            const std::vector<std::string>& services);
 
 }  // namespace openr_host

@@ -43,7 +43,7 @@ class UDPEndpointBaseMsg : public antEnvMsg {
 class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
  public:
   /// @param local IP_ADDR_ANY; on Linux the machine's bind address decides
-  /// @param local_port IP_PORT_ANY is any free one from 1024 on
+  /// @param local_port IP_PORT_ANY is any free one from 1024 on; on Linux it is the same port of this computer
   UDPEndpointBindMsg(const antModuleRef& endpoint, const IPAddress& local, Port local_port)
       : UDPEndpointBaseMsg(antOperation_UDPBind, endpoint), address(local), port(local_port) {}
 

@@ -4,22 +4,26 @@
 #include "fuzz_input.h"
 #include "openr_host/configuration/configuration_error.h"
 #include "openr_host/configuration/connection_configuration.h"
+#include "openr_host/configuration/design_database.h"
 #include "openr_host/configuration/object_configuration.h"
 #include "openr_host/configuration/stub_configuration.h"
 
 namespace {
 
 void read(unsigned kind, std::istream& text) {
-  switch (kind % 3) {
+  switch (kind % 4) {
     case 0:
       openr_host::StubConfiguration::parse(text, "stub.cfg");
       break;
     case 1:
       openr_host::readObjectConfiguration(text, "OBJECT.CFG", "ERS-7");
       break;
-    default:
-      openr_host::readConnectionConfiguration(text, "CONNECT.CFG",
+    case 2:
+      openr_host::readConnectionConfiguration(text, "CONNECT.CFG", "ERS-7",
                                               {"Camera.Image.Picture.S", "Server.Image.Picture.O", "Server.Other.T.O"});
+      break;
+    default:
+      openr_host::readDesignDatabase(text, "DESIGNDB.CFG", "ERS-7");
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "openr_host/configuration/configuration_error.h"
 #include "openr_host/configuration/connection_configuration.h"
+#include "openr_host/configuration/design_database.h"
 #include "openr_host/configuration/memory_stick.h"
 #include "openr_host/configuration/object_configuration.h"
 #include "temporary_folder.h"
@@ -83,7 +84,7 @@ const std::vector<std::string> kServices = {"Robot.Image.Picture.S", "Robot.Sens
 std::vector<std::string> connections(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> pairs;
-  for (const auto& connection : readConnectionConfiguration(stream, "CONNECT.CFG", kServices)) {
+  for (const auto& connection : readConnectionConfiguration(stream, "CONNECT.CFG", "ERS-7", kServices)) {
     pairs.push_back(connection.subject.text() + " " + connection.observer.text());
   }
   return pairs;
@@ -99,6 +100,12 @@ TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnySpaceBetween) {
                   "Robot.Image.Picture.S\n   Viewer.Image.Picture.O"),
       ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O", "Robot.Image.Picture.S Viewer.Image.Picture.O"));
   EXPECT_TRUE(connections("").empty());
+}
+
+TEST(ConnectionConfigurationTest, LinesAfterAModelAreForThatModelAlone) {
+  EXPECT_THAT(connections("[ERS-210]\nRobot.Old.Picture.S Server.Image.Picture.O\n[ERS-7]\n"
+                          "Robot.Image.Picture.S Server.Image.Picture.O\n"),
+              ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O"));
 }
 
 TEST(ConnectionConfigurationTest, NamesFileAndLineOfAServiceThatNoObjectHas) {
@@ -129,6 +136,26 @@ TEST(ConnectionConfigurationTest, RefusesTheSameConnectionTwice) {
   EXPECT_THAT(connectionError("Robot.Image.Picture.S Server.Image.Picture.O\n"
                               "Robot.Image.Picture.S Server.Image.Picture.O\n"),
               AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("second time")));
+}
+
+std::map<std::string, std::string> designFiles(const std::string& text) {
+  std::istringstream stream(text);
+  return readDesignDatabase(stream, "DESIGNDB.CFG", "ERS-7");
+}
+
+// Programmer's Guide, 4.2.3.
+TEST(DesignDatabaseTest, FindsTheFileOfAKeywordForTheModel) {
+  EXPECT_THAT(designFiles("#\n# files\n#\nALL /MS/OPEN-R/MW/CONF/ALL.TXT\r\n[ERS-210]\nSOUND /MS/OLD.WAV\n"
+                          "[ERS-7]\nSOUND \t /ms/OPEN-R/MW/DATA/P/SEVEN.WAV # loud\n"),
+              ElementsAre(std::make_pair("ALL", "OPEN-R/MW/CONF/ALL.TXT"),
+                          std::make_pair("SOUND", "OPEN-R/MW/DATA/P/SEVEN.WAV")));
+}
+
+TEST(DesignDatabaseTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+  for (const char* broken : {"SOUND", "SOUND OPEN-R/X.WAV", "SOUND /MS/", "SOUND /MS/X.WAV /MS/Y.WAV"}) {
+    EXPECT_THAT(errorOf([&] { designFiles("\n" + std::string(broken)); }), StartsWith("DESIGNDB.CFG:2: ")) << broken;
+  }
+  EXPECT_THAT(errorOf([&] { designFiles("A /MS/X\nA /MS/Y\n"); }), StartsWith("DESIGNDB.CFG:2: a second A"));
 }
 
 TEST(MemoryStickTest, FindsAFileWhateverTheCaseOfItsFolders) {

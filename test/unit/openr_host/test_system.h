@@ -78,6 +78,9 @@ class TestObject : public OObject {
 /// A system of test objects, run by the test itself.
 class TestSystem {
  public:
+  /// @param stick_folder the memory stick; empty is none
+  explicit TestSystem(std::string stick_folder = "") : memory_stick(std::move(stick_folder)) {}
+
   TestObject& add(const std::string& name) {
     return static_cast<TestObject&>(system.create(TestObject::describe(name)));
   }
@@ -123,7 +126,8 @@ class TestSystem {
   FakeRobot robot;
   std::ostringstream output;
   std::function<std::string(const std::string&)> on_console_line;  ///< answers what is typed
-  System system{"127.0.0.1", "",     &output, [this](const std::string& line) { return onConsoleLine(line); },
+  const std::string memory_stick;
+  System system{"127.0.0.1", memory_stick, &output, [this](const std::string& line) { return onConsoleLine(line); },
                 robot,       nullptr};
 
  private:

@@ -1,0 +1,161 @@
+// The calls of OPENRAPI.h that need no robot.
+#include <OPENR/OCalendarTime.h>
+#include <OPENR/OList.h>
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OUnits.h>
+#include <gmock/gmock.h>
+
+#include "temporary_folder.h"
+#include "test_system.h"
+
+namespace openr_host {
+namespace {
+
+using testing::HasSubstr;
+
+class OpenrApiTest : public testing::Test {
+ protected:
+  OpenrApiTest() { test_.boot(); }
+
+  template <typename Function>
+  void asObject(const Function& function) {
+    test_.as(object_, function);
+  }
+
+  TemporaryFolder stick_;
+  TestSystem test_{stick_.path().string()};
+  TestObject& object_ = test_.add("Object");
+};
+
+// Level2 Reference Guide, pages 80 and 81.
+TEST_F(OpenrApiTest, DesignDataStaysUntilItIsDeleted) {
+  stick_.write("OPEN-R/MW/CONF/DESIGNDB.CFG", "TEXT /MS/OPEN-R/MW/DATA/P/A.TXT\nEMPTY /MS/E.TXT\nGONE /MS/G.TXT\n");
+  stick_.write("OPEN-R/MW/DATA/P/A.TXT", "first");
+  stick_.write("E.TXT", "");
+  asObject([&] {
+    ODesignDataID id = 0;
+    ODesignDataID other_id = 0;
+    byte* data = nullptr;
+    byte* other = nullptr;
+    size_t size = 0;
+    ASSERT_EQ(OPENR::FindDesignData("TEXT", &id, &data, &size), oSUCCESS);
+    stick_.write("OPEN-R/MW/DATA/P/A.TXT", "second");
+    ASSERT_EQ(OPENR::FindDesignData("TEXT", &other_id, &other, &size), oSUCCESS);
+    EXPECT_NE(id, other_id);
+    EXPECT_EQ(std::string(other, other + size), "second");
+    EXPECT_EQ(std::string(data, data + 5), "first");
+    EXPECT_EQ(OPENR::DeleteDesignData(id), oSUCCESS);
+    EXPECT_EQ(OPENR::DeleteDesignData(id), oINVALID_ARG);
+    EXPECT_EQ(OPENR::FindDesignData("EMPTY", &id, &data, &size), oDESIGNDATA_SIZE_ZERO);
+    EXPECT_EQ(OPENR::FindDesignData("GONE", &id, &data, &size), oNOT_FOUND);
+    EXPECT_EQ(OPENR::FindDesignData("text", &id, &data, &size), oNOT_FOUND);
+  });
+}
+
+TEST_F(OpenrApiTest, WithoutADesignDatabaseTheConsoleSaysSo) {
+  asObject([] {
+    ODesignDataID id = 0;
+    byte* data = nullptr;
+    size_t size = 0;
+    EXPECT_EQ(OPENR::FindDesignData("TEXT", &id, &data, &size), oFAIL);
+  });
+  EXPECT_THAT(test_.output.str(), HasSubstr("OPEN-R/MW/CONF/DESIGNDB.CFG"));
+}
+
+// Level2 Reference Guide, page 48: frames of 8 bytes, 128 bytes of data for each entry.
+TEST_F(OpenrApiTest, ANewCommandVectorHasItsSizesBeforeTheObjectSetsAnything) {
+  asObject([] {
+    MemoryRegionID id = 0;
+    OCommandVectorData* vector = nullptr;
+    ASSERT_EQ(OPENR::NewCommandVectorData(2, &id, &vector), oSUCCESS);
+    EXPECT_EQ(vector->vectorInfo.numData, 0U);
+    EXPECT_EQ(vector->vectorInfo.infoOffset, 192U);
+    EXPECT_EQ(vector->vectorInfo.wait, 0U);
+    OCommandInfo* info = vector->GetInfo(1);
+    info->Set(odataJOINT_COMMAND2, 5, 16);
+    EXPECT_EQ(info->frameSize, 8U);
+    EXPECT_EQ(info->dataSize, 128U);
+    EXPECT_EQ(info->dataOffset, 192U + 2 * 32 + 128);
+    EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oFAIL) << "it is of another kind";
+    EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oSUCCESS);
+  });
+}
+
+// Level2 Reference Guide, pages 64, 69 and 70.
+TEST_F(OpenrApiTest, ColourTablesCanBeFilledButTheCameraRefusesThem) {
+  asObject([] {
+    MemoryRegionID id = 0;
+    OCdtVectorData* tables = nullptr;
+    ASSERT_EQ(OPENR::NewCdtVectorData(&id, &tables), oSUCCESS);
+    tables->SetNumData(1);
+    tables->GetInfo(0)->Init(7, ocdtCHANNEL3);
+    tables->GetInfo(0)->Set(31, 0x44, 0x11, 0x99, 0x66);
+    EXPECT_EQ(tables->GetInfo(0)->table[0], 0x80808080U);
+    EXPECT_EQ(tables->GetInfo(0)->table[31], 0x99664411U);
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
+    EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oSUCCESS);
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
+  });
+  EXPECT_EQ(test_.output.str(), "WARNING Object: SetCdtVectorData: the camera detects no colours on Linux\n");
+}
+
+TEST_F(OpenrApiTest, ThereAreNoKeysForBeginningTogether) {
+  asObject([] {
+    OVRSyncKey key = 0;
+    EXPECT_EQ(OPENR::NewSyncKey(&key), oNO_SYNC_KEY);
+    EXPECT_EQ(key, ovrsynckeyUNDEF);
+  });
+}
+
+TEST(UnitsTest, AnglesAreCutOffToMillionthsOfARadian) {
+  EXPECT_EQ(oradians(180), 3141592);
+  EXPECT_EQ(oradians(-90), -1570796);
+  EXPECT_EQ(micro(1.5), 1500000);
+  EXPECT_DOUBLE_EQ(degrees(radians(30)), 30);
+}
+
+TEST(OIDTest, ByDefaultItNamesNoObject) {
+  EXPECT_FALSE(OID().IsValid());
+  EXPECT_EQ(OID(), OID());
+  int object = 0;
+  OID oid(&object);
+  EXPECT_TRUE(oid.IsValid());
+  EXPECT_TRUE(OServiceEntry(oid, 0).IsValid());
+  EXPECT_FALSE(OServiceEntry().IsValid());
+  oid.MakeInvalid();
+  EXPECT_EQ(oid, OID());
+}
+
+TEST(OListTest, HasRoomForItsItemsAtBothEnds) {
+  OList<int, 3> list;
+  EXPECT_EQ(list.PopFront(), otlUNDERFLOW);
+  EXPECT_EQ(list.PushBack(2), otlSUCCESS);
+  EXPECT_EQ(list.PushFront(1), otlSUCCESS);
+  EXPECT_EQ(list.PushBack(3), otlSUCCESS);
+  EXPECT_EQ(list.PushBack(4), otlOVERFLOW);
+  std::vector<int> items;
+  for (OList<int, 3>::Iterator item = list.Begin(); item != list.End(); ++item) {
+    items.push_back(*item);
+  }
+  EXPECT_THAT(items, testing::ElementsAre(1, 2, 3));
+  EXPECT_EQ(list.PopFront(), otlSUCCESS);
+  EXPECT_EQ(list.PopBack(), otlSUCCESS);
+  EXPECT_EQ(list.Front(), 2);
+  EXPECT_EQ(list.Back(), 2);
+  EXPECT_EQ(list.GetSize(), 1);
+}
+
+TEST(OTimeTest, CalendarTimeIsLocal) {
+  const OCalendarTime time(OTime(1078012800, 9));  // 29 February 2004, 00:00 in Greenwich
+  EXPECT_EQ(time.year_, 4);
+  EXPECT_EQ(time.month_, 2);
+  EXPECT_EQ(time.day_, 29);
+  EXPECT_EQ(time.hour_, 9);
+  EXPECT_EQ(time.dow_, 0);
+  OTime other;
+  EXPECT_EQ(other.SetTimeDif(13), oINVALID_ARG);
+  EXPECT_EQ(other.GetTimeDif(), 0);
+}
+
+}  // namespace
+}  // namespace openr_host

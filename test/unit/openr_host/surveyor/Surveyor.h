@@ -1,0 +1,37 @@
+/// @file Surveyor.h
+/// An object in the manner of old code for the robot: all of namespace std, and what the SDK's headers bring in by the
+/// way.
+#ifndef SURVEYOR_H
+#define SURVEYOR_H
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+
+#include <list>
+
+#include "def.h"
+
+using namespace std;  // NOLINT(google-build-using-namespace,google-global-names-in-headers): as old code does
+
+class Surveyor : public OObject {
+ public:
+  Surveyor() : height(0) {}
+
+  virtual OStatus DoInit(const OSystemEvent& event);
+  virtual OStatus DoStart(const OSystemEvent& event);
+  virtual OStatus DoStop(const OSystemEvent& event);
+  virtual OStatus DoDestroy(const OSystemEvent& event);
+
+  void Ready(const OReadyEvent& event);
+  void Notify(const ONotifyEvent& event);
+
+  OSubject* subject[numOfSubject];
+  OObserver* observer[numOfObserver];
+
+ private:
+  byte height;
+  list<byte> heights;
+};
+
+#endif  // SURVEYOR_H
