@@ -217,7 +217,8 @@ bool Machine::Implementation::handle(const Deadline& latest) {
   poll_set.add(wake_.get(), POLLIN, [this] { clearWake(); });
   system.console().addTo(poll_set);
   system.ipStack().addTo(poll_set);
-  const bool may_wait = !began_frame && !system.hasMessages() && system.shutdownRequest() == ShutdownRequest::kNone;
+  // After messages the caller looks first whether that was what it has waited for.
+  const bool may_wait = !began_frame && !had_messages && !system.hasMessages();
   const bool had_sockets = poll_set.wait(may_wait ? latest : std::chrono::steady_clock::time_point());
   obeyShutdownRequest();
   return began_frame || had_messages || had_sockets;
