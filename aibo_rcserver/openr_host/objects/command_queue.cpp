@@ -35,14 +35,19 @@ ODataVectorInfo readHeader(const RCRegion& region) {
   return header;
 }
 
-OCommandInfo readInfo(const RCRegion& region, std::size_t entry, std::size_t entries, const VirtualRobot& robot) {
+OCommandInfo readInfo(const RCRegion& region, std::size_t entry) {
   OCommandInfo info{};
   std::memcpy(&info, region.Base() + kInfoOffset + entry * sizeof(info), sizeof(info));
+  return info;
+}
+
+void check(const OCommandInfo& info, const RCRegion& region, std::size_t entry, std::size_t entries,
+           const VirtualRobot& robot) {
   const std::string name = "its entry " + text(entry) + " for primitive " + text(info.primitiveID);
   require(robot.takesCommand(info.primitiveID, info.type),
           name + ": that is not open, or takes no commands of type " + text(info.type));
-  require(info.numFrames > 0 && info.numFrames <= ocommandMAX_FRAMES,
-          name + ": numFrames is " + text(info.numFrames) + " instead of 1 to " + text(ocommandMAX_FRAMES));
+  require(info.numFrames <= ocommandMAX_FRAMES,
+          name + ": numFrames is " + text(info.numFrames) + ", the most is " + text(ocommandMAX_FRAMES));
   require(info.frameSize == sizeof(OCommandValue),
           name + ": frameSize is " + text(info.frameSize) + " instead of " + text(sizeof(OCommandValue)));
   const std::size_t begin = info.dataOffset;
@@ -50,23 +55,43 @@ OCommandInfo readInfo(const RCRegion& region, std::size_t entry, std::size_t ent
               info.numFrames * sizeof(OCommandValue) <= region.Size() - begin,
           name + ": dataOffset " + text(begin) + " leads out of the data of its region of " + text(region.Size()) +
               " bytes");
-  return info;
 }
 
+// Only numFrames frames are processed (page 48): an entry without any says nothing, whatever else is in it.
 std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot& robot) {
   const std::size_t count = readHeader(region).numData;
   std::vector<OCommandInfo> entries;
   entries.reserve(count);
   for (std::size_t entry = 0; entry < count; ++entry) {
-    entries.push_back(readInfo(region, entry, count, robot));
+    const OCommandInfo info = readInfo(region, entry);
+    if (info.numFrames > 0) {
+      check(info, region, entry, count, robot);
+      entries.push_back(info);
+    }
   }
   return entries;
+}
+
+/// How many frames a value lasts: those of LEDs and of an ERS-7's ears say so themselves (page 50), all at one place.
+longword framesOf(const EffectorCommand& command) {
+  static_assert(offsetof(OLEDCommandValue2, period) == 4 && offsetof(OLEDCommandValue3, period) == 4 &&
+                    offsetof(OJointCommandValue4, period) == 4,
+                "one of them is laid over the others");
+  const bool has_period =
+      command.type == odataLED_COMMAND2 || command.type == odataLED_COMMAND3 || command.type == odataJOINT_COMMAND4;
+  OLEDCommandValue2 value;
+  std::memcpy(&value, &command.value, sizeof(value));
+  return has_period ? std::max<longword>(value.period, 1) : 1;
 }
 
 }  // namespace
 
 void CommandQueue::add(RCRegion& region, const VirtualRobot& robot) {
-  vectors_.push_back({reference(&region), readEntries(region, robot)});
+  Vector vector{reference(&region), {}, readHeader(region).wait};
+  for (const OCommandInfo& info : readEntries(region, robot)) {
+    vector.entries.push_back({info, 0, 0});
+  }
+  vectors_.push_back(std::move(vector));
 }
 
 bool CommandQueue::next(EffectorCommands* commands) {
@@ -74,21 +99,32 @@ bool CommandQueue::next(EffectorCommands* commands) {
     return false;
   }
   Vector& vector = vectors_.front();
-  bool is_last = true;
-  for (const OCommandInfo& entry : vector.entries) {
-    if (vector.frame < entry.numFrames) {
-      EffectorCommand command{entry.primitiveID, entry.type, {}};
-      std::memcpy(&command.value, vector.region->Base() + entry.dataOffset + vector.frame * sizeof(command.value),
-                  sizeof(command.value));
-      commands->push_back(command);
-    }
-    is_last = is_last && vector.frame + 1 >= entry.numFrames;
+  if (vector.frames_to_wait > 0) {
+    --vector.frames_to_wait;
+    return false;
   }
-  ++vector.frame;
+  bool is_last = true;
+  for (Entry& entry : vector.entries) {
+    const bool has_more = output(*vector.region, &entry, commands);
+    is_last = is_last && !has_more;
+  }
   if (is_last) {
     vectors_.pop_front();
   }
   return is_last;
+}
+
+bool CommandQueue::output(const RCRegion& region, Entry* entry, EffectorCommands* commands) {
+  if (entry->frames_left == 0 && entry->next_value < entry->info.numFrames) {
+    EffectorCommand command{entry->info.primitiveID, entry->info.type, {}};
+    std::memcpy(&command.value, region.Base() + entry->info.dataOffset + entry->next_value * sizeof(command.value),
+                sizeof(command.value));
+    commands->push_back(command);
+    ++entry->next_value;
+    entry->frames_left = framesOf(command);
+  }
+  entry->frames_left -= std::min<longword>(entry->frames_left, 1);
+  return entry->frames_left > 0 || entry->next_value < entry->info.numFrames;
 }
 
 }  // namespace openr_host

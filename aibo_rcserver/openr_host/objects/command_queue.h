@@ -22,16 +22,26 @@ class CommandQueue {
   void add(RCRegion& region, const VirtualRobot& robot);
 
   /// Adds the next frame's commands to those of other objects. An entry with fewer frames than others of its vector
-  /// commands nothing in the rest of them.
+  /// commands nothing in the rest of them. A value that lasts several frames is commanded in the first of them. A
+  /// vector whose header says so waits for some frames first (Level2 Reference Guide, pages 45 to 50).
   /// @return true if this was the last frame of a vector: its region is free now
   bool next(EffectorCommands* commands);
 
  private:
+  struct Entry {
+    OCommandInfo info;
+    std::size_t next_value;
+    longword frames_left;  ///< of the value that is being output
+  };
+
   struct Vector {
     RegionReference region;
-    std::vector<OCommandInfo> entries;
-    std::size_t frame = 0;  ///< that is output next
+    std::vector<Entry> entries;
+    longword frames_to_wait;
   };
+
+  /// @return true if the entry has something to say in a later frame
+  static bool output(const RCRegion& region, Entry* entry, EffectorCommands* commands);
 
   std::deque<Vector> vectors_;
 };

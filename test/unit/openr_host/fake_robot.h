@@ -35,6 +35,7 @@ class FakeRobot : public VirtualRobot {
   OStatus joint_status = oSUCCESS;                                  ///< what all calls for joints and sensors return
 
   OPowerStatus power_status;
+  OPrimitiveID led = 0;  ///< one of the joints that is an LED instead
 
   RCRegion* image() const { return image_; }
   RCRegion* sensors() const { return sensors_; }
@@ -84,7 +85,7 @@ class FakeRobot : public VirtualRobot {
   }
 
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
-    return id >= 1 && id <= 20 && type == odataJOINT_COMMAND2;
+    return id >= 1 && id <= 20 && type == (id == led ? odataLED_COMMAND2 : odataJOINT_COMMAND2);
   }
 
   void passFrame(longword frame, const EffectorCommands& commands) override {

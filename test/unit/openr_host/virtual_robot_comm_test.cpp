@@ -185,6 +185,44 @@ TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainWhenItsReadyComes) {
   EXPECT_EQ(vectors[1]->NumberOfReference(), 1);
 }
 
+// Level2 Reference Guide, page 48: only numFrames frames are processed.
+TEST_F(VirtualRobotCommTest, AnEntryWithoutFramesSaysNothingWhateverElseIsInIt) {
+  const RegionReference vector = makeVector({{1, {10}}, {2, {20}}});
+  vectorIn(vector).GetInfo(1)->numFrames = 0;
+  vectorIn(vector).GetInfo(1)->primitiveID = 4711;
+  send({vector});
+  pass(1);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10)))));
+  EXPECT_THAT(test_.output.str(), IsEmpty());
+}
+
+// Page 45: "wait" delays the commands by frames of 8 ms.
+TEST_F(VirtualRobotCommTest, AVectorWaitsForTheFramesThatItsHeaderNames) {
+  const RegionReference vector = makeVector({{1, {10}}});
+  vectorIn(vector).vectorInfo.wait = 2;
+  send({vector});
+  pass(3);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(102, ElementsAre(Pair(1, 10)))));
+  EXPECT_EQ(readies_, 2);
+}
+
+// Page 50: the period of a value for an LED is in frames of 8 ms.
+TEST_F(VirtualRobotCommTest, AValueForAnLedLastsItsPeriod) {
+  robot_.led = 5;
+  const RegionReference vector = makeVector({{5, {0, 0}}});
+  vectorIn(vector).GetInfo(0)->type = odataLED_COMMAND2;
+  for (const int frame : {0, 1}) {
+    const OLEDCommandValue2 value{frame == 0 ? oledON : oledOFF, 3, 0};
+    std::memcpy(&vectorIn(vector).GetData(0)->value[frame], &value, sizeof(value));
+  }
+  send({vector});
+  pass(5);
+  EXPECT_EQ(readies_, 1);
+  pass(1);
+  EXPECT_EQ(readies_, 2);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(5, 1))), Pair(103, ElementsAre(Pair(5, 0)))));
+}
+
 TEST_F(VirtualRobotCommTest, AVectorThatIsWrittenToWhileItIsOutputChangesWhatTheJointsDo) {
   const RegionReference vector = makeVector({{1, {10, 20, 30}}});
   send({vector});
@@ -212,8 +250,7 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNext
        [](OCommandVectorData& vector) { vector.GetInfo(1)->primitiveID = 77; }},
       {"takes no commands of type 260",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->type = odataLED_COMMAND2; }},
-      {"numFrames is 0 instead of 1 to 16", [](OCommandVectorData& vector) { vector.GetInfo(1)->numFrames = 0; }},
-      {"numFrames is 17 instead of 1 to 16", [](OCommandVectorData& vector) { vector.GetInfo(1)->numFrames = 17; }},
+      {"numFrames is 17, the most is 16", [](OCommandVectorData& vector) { vector.GetInfo(1)->numFrames = 17; }},
       {"frameSize is 0 instead of 8", [](OCommandVectorData& vector) { vector.GetInfo(1)->frameSize = 0; }},
       {"dataOffset 0 leads out of the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
       {"dataOffset 511 leads out of the data",
