@@ -15,7 +15,7 @@
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
-  RegionSender() : subject_(NULL), last_ticket_(0) {
+  RegionSender() : subject_(NULL), filling_(NULL), last_ticket_(0) {
     for (int i = 0; i < REGIONS; ++i) {
       regions_[i] = NULL;
     }
@@ -42,16 +42,22 @@ class RegionSender {
         regions_[i] = NULL;
       }
     }
+    filling_ = NULL;
   }
 
   /// True if the receiver is ready, and there is Memory(): what is written there may be sent.
-  bool IsFree() const { return subject_->IsReady() && FindFree() != NULL; }
+  bool IsFree() const { return subject_->IsReady() && HasMemory(); }
+
+  /// True if there is Memory().
+  bool HasMemory() const { return filling_ != NULL || FindFree() != NULL; }
 
   /// Where the next Content goes: the same place until Send().
   /// @return NULL if all of it is the receiver's
-  Content* Memory() const {
-    RCRegion* const region = FindFree();
-    return region == NULL ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
+  Content* Memory() {
+    if (filling_ == NULL) {
+      filling_ = FindFree();
+    }
+    return filling_ == NULL ? NULL : static_cast<Content*>(static_cast<void*>(filling_->Base()));
   }
 
   /// A number for a job by which its result is known. No job of late has had it; not 0.
@@ -61,10 +67,11 @@ class RegionSender {
     return last_ticket_;
   }
 
-  /// Sends what has been written to Memory(). Only if IsFree().
+  /// Sends what has been written to Memory(). Only if IsFree(), and after Memory().
   void Send() {
-    subject_->SetData(FindFree());
+    subject_->SetData(filling_);
     subject_->NotifyObservers();
+    filling_ = NULL;
   }
 
  private:
@@ -82,6 +89,7 @@ class RegionSender {
 
   OSubject* subject_;
   RCRegion* regions_[REGIONS];
+  RCRegion* filling_;  ///< since Memory() was asked for; NULL: it was not
   unsigned last_ticket_;
 };
 

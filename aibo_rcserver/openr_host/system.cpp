@@ -161,6 +161,7 @@ void System::shutdown() noexcept {
     }
   }
   messages_.clear();
+  unfinished_.clear();
   for (auto& object : objects_) {
     if (std::exchange(object.initialized, false)) {
       const Running running(*this, object);
@@ -240,10 +241,14 @@ void System::handleMessages() {
       message.held_by.MakeInvalid();
     }
   }
+  unfinished_.erase(
+      std::remove_if(unfinished_.begin(), unfinished_.end(),
+                     [&](const Message& message) { return processor_.busyUntil(message.receiver) <= now; }),
+      unfinished_.end());
   std::deque<Message> left;
   for (auto& message : queued) {
     if (isDue(message, now)) {
-      handle(message);
+      handle(std::move(message));
     } else {
       left.push_back(std::move(message));
     }
@@ -251,8 +256,8 @@ void System::handleMessages() {
   messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
 }
 
-// What the object posts leaves it when it has finished.
-void System::handle(const Message& message) {
+// What the object posts leaves it when it has finished. Until then it refers to the data that it was notified of.
+void System::handle(Message message) {
   LoadedObject& receiver = loaded(message.receiver);
   const std::size_t first_posted = messages_.size();
   const auto begin = std::chrono::steady_clock::now();
@@ -272,6 +277,7 @@ void System::handle(const Message& message) {
   for (std::size_t i = first_posted; i < messages_.size(); ++i) {
     messages_[i].held_by = message.receiver;
   }
+  unfinished_.push_back(std::move(message));
 }
 
 void System::modelTime(HandlerTime handler_time, std::function<Processor::Time()> now) {

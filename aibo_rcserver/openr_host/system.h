@@ -127,7 +127,7 @@ class System {
 
   LoadedObject& loaded(const OID& oid);
   bool isDue(const Message& message, Processor::Time now) const;
-  void handle(const Message& message);
+  void handle(Message message);
   SubjectService& subject(const SubjectID& id);
   ObserverService& observer(const ObserverID& id);
 
@@ -141,6 +141,7 @@ class System {
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;
   std::deque<Message> messages_;
+  std::vector<Message> unfinished_;  ///< whose objects are busy with them
   PowerWatch power_watch_;
   Processor processor_;
   HandlerTime handler_time_;  ///< empty: handlers take no time

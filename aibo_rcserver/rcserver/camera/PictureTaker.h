@@ -26,7 +26,7 @@ class PictureTaker {
   void Destroy() { jobs_.Destroy(); }
 
   /// True if there is room for an image that waits.
-  bool HasRoom() const { return jobs_.Memory() != NULL; }
+  bool HasRoom() const { return jobs_.HasMemory(); }
 
   /// An image is to become the next picture, in the place of one that waits. Only if HasRoom().
   /// @param image is copied

@@ -67,6 +67,22 @@ TEST_F(HandlerTimeTest, WhatAHandlerSendsLeavesWhenItHasFinished) {
   EXPECT_THAT(received_, ElementsAre(milliseconds(28)));
 }
 
+TEST_F(HandlerTimeTest, AnObjectRefersToItsDataUntilItHasFinished) {
+  auto* region = new RCRegion(4);
+  test_.as(camera_, [&] {
+    camera_.subject().SetData(region);
+    camera_.subject().NotifyObservers();
+  });
+  test_.run();
+  passTo(milliseconds(19));
+  test_.system.handleMessages();
+  EXPECT_EQ(region->NumberOfReference(), 2);
+  passTo(milliseconds(20));
+  test_.system.handleMessages();
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  region->RemoveReference();
+}
+
 TEST_F(HandlerTimeTest, AnObjectThatIsBusyGetsItsNextMessageAfterwards) {
   takeImageAt(milliseconds(0));
   takeImageAt(milliseconds(8));

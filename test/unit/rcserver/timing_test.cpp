@@ -8,6 +8,7 @@
 #include <set>
 
 #include "fake_robot.h"
+#include "picture_checks.h"
 #include "version2_fixture.h"
 
 namespace {
@@ -47,9 +48,21 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
     machine_->runPending();
     while (const auto frame = client_->nextFrame()) {
       counts.pictures += frame->header.kind == 'f' ? 1 : 0;
+      if (frame->header.kind == 'f') {
+        expectPictureOfItsImage(*frame);
+      }
       counts.telemetry += frame->header.kind == 't' ? 1 : 0;
     }
     return counts;
+  }
+
+  // Each image of the fake robot has a brightness of its own.
+  static void expectPictureOfItsImage(const Frame& picture) {
+    protocol::version2::ImageHeader image{};
+    size_t size = 0;
+    ASSERT_EQ(decodePicture(picture.payload.data(), picture.payload.size(), &image, &size), nullptr);
+    const auto jpeg = picture.payload.begin() + protocol::version2::IMAGE_HEADER_SIZE;
+    EXPECT_NEAR(brightnessOf({jpeg, picture.payload.end()}).level, FakeRobot::brightness(image.image_count), 3);
   }
 
   /// Passes this many seconds, with a heartbeat in each.
