@@ -10,12 +10,12 @@
 ///
 /// What has been sent belongs to the receiver until it has said that it is ready for more. Nothing is ever queued.
 ///
-/// @tparam REGIONS pieces of memory. With 1, the next Content can be written when the receiver is ready for it; with 2,
-/// while it is still at work on the last one
+/// @tparam REGIONS pieces of memory, which take turns. With 1, the next Content can be written when the receiver is
+/// ready for it; with 2, while it is still at work on the last one
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
-  RegionSender() : subject_(NULL), last_ticket_(0) {
+  RegionSender() : subject_(NULL), next_(0), last_ticket_(0) {
     for (int i = 0; i < REGIONS; ++i) {
       regions_[i] = NULL;
     }
@@ -45,13 +45,13 @@ class RegionSender {
   }
 
   /// True if the receiver is ready, and there is Memory(): what is written there may be sent.
-  bool IsFree() const { return subject_->IsReady() && FindFree() != NULL; }
+  bool IsFree() const { return subject_->IsReady() && Memory() != NULL; }
 
-  /// Where the next Content goes: the same place until Send().
-  /// @return NULL if all of it is the receiver's
+  /// Where the next Content goes: the same place until Send(), even if the receiver gives another one back meanwhile.
+  /// @return NULL if the receiver still has it
   Content* Memory() const {
-    RCRegion* const region = FindFree();
-    return region == NULL ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
+    RCRegion* const region = regions_[next_];
+    return region->NumberOfReference() > 1 ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
   }
 
   /// A number for a job by which its result is known. No job of late has had it; not 0.
@@ -63,25 +63,18 @@ class RegionSender {
 
   /// Sends what has been written to Memory(). Only if IsFree().
   void Send() {
-    subject_->SetData(FindFree());
+    subject_->SetData(regions_[next_]);
     subject_->NotifyObservers();
+    next_ = (next_ + 1) % REGIONS;
   }
 
  private:
   RegionSender(const RegionSender&);
   RegionSender& operator=(const RegionSender&);
 
-  RCRegion* FindFree() const {
-    for (int i = 0; i < REGIONS; ++i) {
-      if (regions_[i]->NumberOfReference() == 1) {
-        return regions_[i];
-      }
-    }
-    return NULL;
-  }
-
   OSubject* subject_;
   RCRegion* regions_[REGIONS];
+  int next_;  ///< the region that is written and sent next
   unsigned last_ticket_;
 };
 
