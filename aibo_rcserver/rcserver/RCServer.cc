@@ -320,11 +320,13 @@ void RCServer::GoOff(PowerOrder order, const char* reason) {
 }
 
 void RCServer::CarryOutPowerOrder() {
-  if (body_.GetPowerOrder() == POWER_LIE_DOWN) {
+  PowerOrder& order = body_.GetPowerOrder();
+  if (order == POWER_LIE_DOWN && body_.GetMotors().AreOn()) {
     lie_down_.Begin(now_);
-  } else {
-    body_.CarryOutPowerOrder();
+    return;
   }
+  order = order == POWER_LIE_DOWN ? POWER_SHUT_DOWN : order;
+  body_.CarryOutPowerOrder();
 }
 
 void RCServer::LieDownFurther() {

@@ -114,6 +114,18 @@ TEST_F(PowerTest, PauseEndsTheConnectionOfAClientOfVersion1WithoutAWord) {
   EXPECT_FALSE(client_->next());
 }
 
+// The press that has booted the robot is not one that switches it off.
+TEST_F(PowerTest, PauseThatIsPressedWhenTheRobotBootsCountsWhenItIsPressedAgain) {
+  robot_.power_status.robotStatus = orsbPAUSE;
+  start();
+  passFrames(kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  robot_.power_status.robotStatus = 0;
+  passFrames(1);
+  raise(orsbPAUSE);
+  EXPECT_FALSE(machine_->isOn());
+}
+
 TEST_F(PowerTest, PauseShutsDownWithoutAClient) {
   raise(orsbPAUSE);
   EXPECT_TRUE(isLimp());
@@ -201,6 +213,25 @@ TEST_F(PowerTest, ARobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) 
   machine_.reset();
   boot(robot_);
   passUntilOff(10 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(PowerTest, ARobotThatIsTakenFromItsStationWithALowBatteryLiesDown) {
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING;
+  start();
+  passFrames(kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  passUntilOff(10 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_EQ(degreesOf("left_front_rotator"), 65);
+}
+
+TEST_F(PowerTest, ARobotWhoseMotorsAreOffShutsDownAtOnceWhenItsBatteryIsLow) {
+  connectVersion2();
+  EXPECT_EQ(answerTo('O', 0, std::string(1, '\0')).header.kind, 'o');
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
 }
 
