@@ -15,7 +15,7 @@
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
-  RegionSender() : subject_(NULL), next_(0), last_ticket_(0) {
+  RegionSender() : subject_(NULL), next_(0), has_sent_(false), last_ticket_(0) {
     for (int i = 0; i < REGIONS; ++i) {
       regions_[i] = NULL;
     }
@@ -44,6 +44,9 @@ class RegionSender {
     }
   }
 
+  /// False if the receiver has never been ready: OBJECT.CFG or CONNECT.CFG does not name it.
+  bool HasReceiver() const { return has_sent_ || subject_->IsReady(); }
+
   /// True if the receiver is ready, and there is Memory(): what is written there may be sent.
   bool IsFree() const { return subject_->IsReady() && Memory() != NULL; }
 
@@ -66,6 +69,7 @@ class RegionSender {
     subject_->SetData(regions_[next_]);
     subject_->NotifyObservers();
     next_ = (next_ + 1) % REGIONS;
+    has_sent_ = true;
   }
 
  private:
@@ -75,6 +79,7 @@ class RegionSender {
   OSubject* subject_;
   RCRegion* regions_[REGIONS];
   int next_;  ///< the region that is written and sent next
+  bool has_sent_;
   unsigned last_ticket_;
 };
 

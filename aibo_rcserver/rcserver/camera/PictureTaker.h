@@ -25,6 +25,9 @@ class PictureTaker {
   /// To be called in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
+  /// False if there is no encoder: no picture will ever be made.
+  bool HasEncoder() const { return jobs_.HasReceiver(); }
+
   /// True if there is room for an image that waits.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 

@@ -187,6 +187,16 @@ TEST_F(PowerTest, WithoutTheMotionItShutsDownAllTheSame) {
   EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: LIE.MTN cannot be read"));
 }
 
+TEST_F(PowerTest, AMemoryStickThatDoesNotAnswerDoesNotKeepItOn) {
+  file_keeper_.slowDown();
+  raise(orsbBATTERY_CAPACITY_LOW);
+  EXPECT_FALSE(isLimp());
+  passUntilOff(11 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(isLimp());
+  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: FileKeeper has not read LIE.MTN within 10 s"));
+}
+
 TEST_F(PowerTest, AJointThatIsHeldFastDoesNotKeepItOn) {
   robot_.joint("left_front_rotator").jammed = true;
   raise(orsbBATTERY_CAPACITY_LOW);
