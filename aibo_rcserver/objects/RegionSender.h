@@ -10,12 +10,12 @@
 ///
 /// What has been sent belongs to the receiver until it has said that it is ready for more. Nothing is ever queued.
 ///
-/// @tparam REGIONS pieces of memory. With 1, the next Content can be written when the receiver is ready for it; with 2,
-/// while it is still at work on the last one
+/// @tparam REGIONS pieces of memory, which take turns. With 1, the next Content can be written when the receiver is
+/// ready for it; with 2, while it is still at work on the last one
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
-  RegionSender() : subject_(NULL), filling_(NULL), last_ticket_(0) {
+  RegionSender() : subject_(NULL), next_(0), has_sent_(false), last_ticket_(0) {
     for (int i = 0; i < REGIONS; ++i) {
       regions_[i] = NULL;
     }
@@ -42,22 +42,19 @@ class RegionSender {
         regions_[i] = NULL;
       }
     }
-    filling_ = NULL;
   }
 
+  /// False if the receiver has never been ready: OBJECT.CFG or CONNECT.CFG does not name it.
+  bool HasReceiver() const { return has_sent_ || subject_->IsReady(); }
+
   /// True if the receiver is ready, and there is Memory(): what is written there may be sent.
-  bool IsFree() const { return subject_->IsReady() && HasMemory(); }
+  bool IsFree() const { return subject_->IsReady() && Memory() != NULL; }
 
-  /// True if there is Memory().
-  bool HasMemory() const { return filling_ != NULL || FindFree() != NULL; }
-
-  /// Where the next Content goes: the same place until Send().
-  /// @return NULL if all of it is the receiver's
-  Content* Memory() {
-    if (filling_ == NULL) {
-      filling_ = FindFree();
-    }
-    return filling_ == NULL ? NULL : static_cast<Content*>(static_cast<void*>(filling_->Base()));
+  /// Where the next Content goes: the same place until Send(), even if the receiver gives another one back meanwhile.
+  /// @return NULL if the receiver still has it
+  Content* Memory() const {
+    RCRegion* const region = regions_[next_];
+    return region->NumberOfReference() > 1 ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
   }
 
   /// A number for a job by which its result is known. No job of late has had it; not 0.
@@ -67,29 +64,22 @@ class RegionSender {
     return last_ticket_;
   }
 
-  /// Sends what has been written to Memory(). Only if IsFree(), and after Memory().
+  /// Sends what has been written to Memory(). Only if IsFree().
   void Send() {
-    subject_->SetData(filling_);
+    subject_->SetData(regions_[next_]);
     subject_->NotifyObservers();
-    filling_ = NULL;
+    next_ = (next_ + 1) % REGIONS;
+    has_sent_ = true;
   }
 
  private:
   RegionSender(const RegionSender&);
   RegionSender& operator=(const RegionSender&);
 
-  RCRegion* FindFree() const {
-    for (int i = 0; i < REGIONS; ++i) {
-      if (regions_[i]->NumberOfReference() == 1) {
-        return regions_[i];
-      }
-    }
-    return NULL;
-  }
-
   OSubject* subject_;
   RCRegion* regions_[REGIONS];
-  RCRegion* filling_;  ///< since Memory() was asked for; NULL: it was not
+  int next_;  ///< the region that is written and sent next
+  bool has_sent_;
   unsigned last_ticket_;
 };
 

@@ -41,6 +41,13 @@ Vector* VectorOf(const ONotifyEvent& event) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
+// Tells the console why the robot does not lie down. NULL: it does.
+void Tell(const char* problem) {
+  if (problem != NULL) {
+    OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
+  }
+}
+
 const char* ReasonOf(TCPEndpointError error) {
   switch (error) {
     case TCP_CONNECTION_CLOSED:
@@ -153,9 +160,7 @@ void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   const FileResult& result = *static_cast<const FileResult*>(event.Data(0));
   session_->FileDone(result);
   if (lie_down_.Awaits(result)) {
-    if (const char* problem = lie_down_.Play(result, body_.Joints())) {
-      OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
-    }
+    Tell(lie_down_.Play(result, body_.Joints()));
   }
   if (client_ != NULL) {
     ServeClient();
@@ -320,15 +325,17 @@ void RCServer::GoOff(PowerOrder order, const char* reason) {
 }
 
 void RCServer::CarryOutPowerOrder() {
-  if (body_.GetPowerOrder() == POWER_LIE_DOWN) {
+  PowerOrder& order = body_.GetPowerOrder();
+  if (order == POWER_LIE_DOWN && body_.GetMotors().AreOn()) {
     lie_down_.Begin(now_);
-  } else {
-    body_.CarryOutPowerOrder();
+    return;
   }
+  order = order == POWER_LIE_DOWN ? POWER_SHUT_DOWN : order;
+  body_.CarryOutPowerOrder();
 }
 
 void RCServer::LieDownFurther() {
-  lie_down_.Continue(now_, file_desk_, body_.IsAtRest());
+  Tell(lie_down_.Continue(now_, file_desk_, body_.IsAtRest()));
   if (!lie_down_.IsUnderWay()) {
     body_.GetPowerOrder() = POWER_SHUT_DOWN;
     body_.CarryOutPowerOrder();
@@ -361,7 +368,9 @@ void RCServer::JudgeClient() {
     return;
   }
   if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
-    DropClient("it has been silent for 5 s", true);
+    DropClient(
+        session_->AwaitsFiles() ? "FileKeeper has not answered its request for 5 s" : "it has been silent for 5 s",
+        true);
     return;
   }
   const bool was_silent = was_silent_;
@@ -474,6 +483,13 @@ void RCServer::CountImage(OFbkImageVectorData* image_vector) {
 void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   PictureOrder order;
   if (!FindOrder(&order)) {
+    return;
+  }
+  if (!pictures_.HasEncoder()) {
+    OSYSLOG1((osyslogERROR,
+              "RCServer: no picture: the object PictureEncoder does not run: ENCODER.BIN is missing on the "
+              "memory stick, or in its OBJECT.CFG or CONNECT.CFG"));
+    DropClient("there is no picture for it", true);
     return;
   }
   CameraImage image;

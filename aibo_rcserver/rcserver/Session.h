@@ -44,6 +44,9 @@ class Session {
   /// True if bytes may be added: there is no request left to be handled.
   bool WantsInput() const;
 
+  /// True if a request has to wait for the memory stick, so that nothing is received.
+  bool AwaitsFiles() const { return has_request_ || has_frame_; }
+
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 

@@ -59,10 +59,14 @@ def _name_problems(open_r):
 
 
 def _object_problems(open_r):
-    configuration = open_r / "MW" / "CONF" / "OBJECT.CFG"
-    names = sony.files_named_in(configuration) if configuration.is_file() else []
+    names = _programs_to_start(open_r)
     if not names:
-        yield Problem(f"{configuration} names no program.", WRITE_AGAIN)
+        yield Problem(f"{open_r}/MW/CONF/OBJECT.CFG names no program.", WRITE_AGAIN)
+        return
+    for robot_object in robot_objects():
+        if f"OPEN-R/MW/OBJS/{robot_object.file}" not in names:
+            yield Problem(f"OBJECT.CFG does not name {robot_object.file}: {robot_object.name} would not run.",
+                          f"Add the line /MS/OPEN-R/MW/OBJS/{robot_object.file}.")
     for name in names:
         path = open_r.parent / name
         if path.is_file():
@@ -70,6 +74,11 @@ def _object_problems(open_r):
         else:
             yield Problem(f"OBJECT.CFG names /MS/{name}, which is not there.",
                           "Build and copy it, or take the line out of OBJECT.CFG.")
+
+
+def _programs_to_start(open_r):
+    configuration = open_r / "MW" / "CONF" / "OBJECT.CFG"
+    return sony.files_named_in(configuration) if configuration.is_file() else []
 
 
 def _program_problems(path):
@@ -99,11 +108,17 @@ def _connection_problems(open_r):
     if not configuration.is_file():
         yield Problem(f"{configuration} is missing.", WRITE_AGAIN)
         return
-    known = SYSTEM_SERVICES.union(*(services(robot_object.stub_cfg) for robot_object in robot_objects()))
+    ours = [service for robot_object in robot_objects() for service in services(robot_object.stub_cfg)]
+    known = SYSTEM_SERVICES.union(ours)
+    connected = set()
     for number, line in enumerate(configuration.read_text(errors="replace").splitlines(), 1):
         words = line.split("#")[0].split()
         if words and not words[0].startswith("["):
+            connected.update(words)
             yield from _line_problems(f"CONNECT.CFG, line {number}", words, known, _has_foreign_programs(open_r))
+    for service in ours:
+        if service not in connected:
+            yield Problem(f"CONNECT.CFG does not connect {service}.", WRITE_AGAIN)
 
 
 def _line_problems(where, words, known, has_foreign_programs):
@@ -122,9 +137,7 @@ def _line_problems(where, words, known, has_foreign_programs):
 def _has_foreign_programs(open_r):
     """Sony's POWERMON.BIN, for instance: what services such have is not known here."""
     ours = {robot_object.file for robot_object in robot_objects()}
-    configuration = open_r / "MW" / "CONF" / "OBJECT.CFG"
-    names = sony.files_named_in(configuration) if configuration.is_file() else []
-    return any(name.split("/")[-1] not in ours for name in names)
+    return any(name.split("/")[-1] not in ours for name in _programs_to_start(open_r))
 
 
 def _wlan_problems(path):

@@ -351,6 +351,9 @@ class Verification(Workshop):
     def test_of_object_cfg(self):
         self.expect_problem("MW/CONF/OBJECT.CFG", b"# nothing\n", "names no program", "write the stick again")
         self.expect_problem("MW/CONF/OBJECT.CFG", None, "names no program", "write the stick again")
+        self.expect_problem("MW/CONF/OBJECT.CFG", b"/MS/OPEN-R/MW/OBJS/RCSERVER.BIN\n/MS/OPEN-R/MW/OBJS/FILES.BIN\n",
+                            "does not name ENCODER.BIN: PictureEncoder would not run",
+                            "Add the line /MS/OPEN-R/MW/OBJS/ENCODER.BIN")
 
     def test_of_connect_cfg(self):
         path = "MW/CONF/CONNECT.CFG"
@@ -358,6 +361,9 @@ class Verification(Workshop):
         self.expect_problem(path, None, "CONNECT.CFG is missing", "write the stick again")
         self.expect_problem(path, b"# first\nRCServer.Efector.OCommandVectorData.S " + effector,
                             "line 2: there is no service RCServer.Efector.OCommandVectorData.S", "misspelt")
+        whole = (self.open_r / path).read_text()
+        self.expect_problem(path, "".join(line for line in whole.splitlines(True) if "PictureJob" not in line).encode(),
+                            "does not connect PictureEncoder.Job.PictureJob.O", "write the stick again")
         self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line has two services",
                             "write the stick again")
         self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,

@@ -88,7 +88,6 @@ void Body::CutMotors() {
 
 void Body::CarryOutPowerOrder() {
   const PowerOrder order = power_order_;
-  power_order_ = POWER_STAYS_ON;
   if (order == POWER_STAYS_ON) {
     return;
   }
@@ -98,6 +97,7 @@ void Body::CarryOutPowerOrder() {
       order == POWER_REBOOT ? OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE) : OBootCondition(obcbPAUSE_SW);
   const OStatus status = OPENR::Shutdown(condition);
   if (status != oSUCCESS) {
+    power_order_ = POWER_STAYS_ON;
     OSYSLOG1((osyslogERROR, "RCServer: the robot does not %s (status %u)",
               order == POWER_REBOOT ? "reboot" : "shut down", static_cast<unsigned>(status)));
   }

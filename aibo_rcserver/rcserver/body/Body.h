@@ -60,8 +60,8 @@ class Body {
   /// Motors off at once, whatever they do.
   void CutMotors();
 
-  /// Motors off, then what the order says, unless the power stays on. The order is carried out then, whether the robot
-  /// has done so or not; if not, the log says so.
+  /// Motors off, then what the order says, unless the power stays on. The order stays until the robot is off. If the
+  /// robot refuses, the order is forgotten, and the log says so.
   void CarryOutPowerOrder();
 
  private:

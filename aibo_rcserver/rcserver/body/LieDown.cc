@@ -17,13 +17,19 @@ void LieDown::Begin(unsigned now) {
   }
 }
 
-void LieDown::Continue(unsigned now, FileJobs& files, bool body_is_at_rest) {
-  if (now - begin_ >= MOST_FRAMES || (state_ == LYING_DOWN && body_is_at_rest)) {
+const char* LieDown::Continue(unsigned now, FileJobs& files, bool body_is_at_rest) {
+  if (now - begin_ >= MOST_FRAMES) {
+    const bool moves = state_ == LYING_DOWN;
+    state_ = OVER;
+    return moves ? "it takes longer than 10 s" : "FileKeeper has not read LIE.MTN within 10 s";
+  }
+  if (state_ == LYING_DOWN && body_is_at_rest) {
     state_ = OVER;
   } else if (state_ == WAITING && files.IsFree()) {
     ticket_ = files.Post(FileJob::READ, MOTION, NULL, 0);
     state_ = READING;
   }
+  return NULL;
 }
 
 const char* LieDown::Play(const FileResult& result, JointControl& joints) {

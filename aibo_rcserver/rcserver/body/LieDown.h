@@ -10,7 +10,8 @@
 /// Plays LIE.MTN from the memory stick. Pure logic: no OPEN-R.
 class LieDown {
  public:
-  /// After so many frames it counts as over, whatever has come of it: 10 s, five times what it takes from any posture.
+  /// After this many frames it counts as over, whatever has come of it: 10 s, five times what it takes from any
+  /// posture.
   static const unsigned MOST_FRAMES = 1250;
 
   LieDown() : state_(OVER), begin_(0), ticket_(0) {}
@@ -22,7 +23,8 @@ class LieDown {
 
   /// To be called in every frame or so while it is under way.
   /// @param body_is_at_rest nothing moves, and no command is on its way
-  void Continue(unsigned now, FileJobs& files, bool body_is_at_rest);
+  /// @return NULL, or why the robot does not lie down, which is over then
+  const char* Continue(unsigned now, FileJobs& files, bool body_is_at_rest);
 
   /// True if this is the motion that is waited for.
   bool Awaits(const FileResult& result) const { return state_ == READING && result.ticket == ticket_; }

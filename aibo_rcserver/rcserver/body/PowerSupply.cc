@@ -5,8 +5,8 @@
 
 void PowerSupply::Observe(const OServiceEntry& entry) {
   OPowerStatus wanted;
-  wanted.Set(orsbPAUSE | orsbBATTERY_CAPACITY_LOW, 0, opsoREMAINING_CAPACITY_NOT_NOTIFY, opsoTEMPERATURE_NOT_NOTIFY,
-             opsoTIME_DIF_NOT_NOTIFY, opsoVOLUME_NOT_NOTIFY);
+  wanted.Set(orsbPAUSE | orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING, 0, opsoREMAINING_CAPACITY_NOT_NOTIFY,
+             opsoTEMPERATURE_NOT_NOTIFY, opsoTIME_DIF_NOT_NOTIFY, opsoVOLUME_NOT_NOTIFY);
   const OStatus status = OPENR::ObservePowerStatus(wanted, entry);
   is_observing_ = status == oSUCCESS;
   entry_ = entry;
@@ -25,23 +25,23 @@ void PowerSupply::Unobserve() {
 
 PowerSupply::Alarm PowerSupply::LookNow() {
   OPowerStatus status;
-  // A robot that is put on its station with an empty battery may stay on.
-  if (OPENR::GetPowerStatus(&status) != oSUCCESS || (status.robotStatus & orsbBATTERY_CHARGING) != 0) {
+  if (OPENR::GetPowerStatus(&status) != oSUCCESS) {
     return NO_ALARM;
   }
+  was_pressed_ = (status.robotStatus & orsbPAUSE) != 0;
   return Look(status);
 }
 
 PowerSupply::Alarm PowerSupply::Look(const OPowerStatus& status) {
-  Alarm alarm = NO_ALARM;
-  if ((status.robotStatus & orsbPAUSE) != 0) {
-    alarm = PAUSE_PRESSED;
-  } else if ((status.robotStatus & orsbBATTERY_CAPACITY_LOW) != 0 && last_ != PAUSE_PRESSED) {
-    alarm = BATTERY_LOW;
+  const bool is_pressed = (status.robotStatus & orsbPAUSE) != 0;
+  const bool is_low =
+      (status.robotStatus & (orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING)) == orsbBATTERY_CAPACITY_LOW;
+  const bool begins_to_be_pressed = is_pressed && !was_pressed_;
+  const bool begins_to_be_low = is_low && !was_low_;
+  was_pressed_ = is_pressed;
+  was_low_ = is_low;
+  if (begins_to_be_pressed) {
+    return PAUSE_PRESSED;
   }
-  if (alarm == last_ || alarm == NO_ALARM) {
-    return NO_ALARM;
-  }
-  last_ = alarm;
-  return alarm;
+  return begins_to_be_low ? BATTERY_LOW : NO_ALARM;
 }

@@ -25,8 +25,11 @@ class PictureTaker {
   /// To be called in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
+  /// False if there is no encoder: no picture will ever be made.
+  bool HasEncoder() const { return jobs_.HasReceiver(); }
+
   /// True if there is room for an image that waits.
-  bool HasRoom() const { return jobs_.HasMemory(); }
+  bool HasRoom() const { return jobs_.Memory() != NULL; }
 
   /// An image is to become the next picture, in the place of one that waits. Only if HasRoom().
   /// @param image is copied

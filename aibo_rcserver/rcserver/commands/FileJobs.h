@@ -12,6 +12,9 @@ class FileJobs {
  public:
   virtual ~FileJobs() {}
 
+  /// False if there is nobody who does jobs.
+  virtual bool IsThere() const = 0;
+
   /// False while a job is being done.
   virtual bool IsFree() const = 0;
 

@@ -97,6 +97,11 @@ MotionCommands::Outcome MotionCommands::Finish(const FileResult& result) {
 
 MotionCommands::Outcome MotionCommands::Post(FileJob::Operation operation, const protocol::MotionName& name,
                                              const unsigned char* content, size_t size) {
+  if (!robot_.files.IsThere()) {
+    return Fail(REFUSED,
+                "the object FileKeeper does not run on the robot: FILES.BIN is missing on the memory stick, or "
+                "in its OBJECT.CFG or CONNECT.CFG");
+  }
   operation_ = operation;
   strcpy(name_, name);
   ticket_ = robot_.files.Post(operation, name, content, size);

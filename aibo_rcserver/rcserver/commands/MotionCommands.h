@@ -39,7 +39,7 @@ class MotionCommands {
 
   /// True while Play(), Upload(), Delete() and List() must not be called: a request is PENDING, or what another client
   /// has begun is not finished yet.
-  bool IsBusy() const { return IsPending() || !robot_.files.IsFree(); }
+  bool IsBusy() const { return IsPending() || (robot_.files.IsThere() && !robot_.files.IsFree()); }
 
   /// Begins to play a motion: PENDING until its file has been read.
   /// @param repetitions not below 1

@@ -21,6 +21,7 @@ class FileDesk : public FileJobs {
   /// To be called in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
+  virtual bool IsThere() const { return jobs_.HasReceiver(); }
   virtual bool IsFree() const { return jobs_.IsFree(); }
   virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
                         size_t size);

@@ -76,6 +76,7 @@ class SlowFiles final : public FileJobs {
  public:
   explicit SlowFiles(const HostSettings& host) : files_(host) {}
 
+  bool IsThere() const override { return true; }
   bool IsFree() const override { return !has_job_; }
   unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
                 std::size_t size) override {

@@ -222,6 +222,13 @@ TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
   }
 }
 
+TEST_F(FileJobsTest, ConsoleNamesTheMemoryStickWhenARequestWaitsTooLong) {
+  send(frame('P', 0, 1, play("WAG.MTN", 1)) + frame('P', 0, 2, play("NOD.MTN", 1)));
+  passFrames(640);
+  EXPECT_TRUE(awaitEnd(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("is gone: FileKeeper has not answered its request for 5 s"));
+}
+
 TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLastOnesJob) {
   send(frame('P', 0, 1, play("WAG.MTN", 1000)));
   client_->close();
@@ -232,6 +239,37 @@ TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLas
   finishJobs();
   EXPECT_TRUE(await(*client_));
   EXPECT_FALSE(moves("tail_pan"));
+}
+
+// ---------------------------------------------------------------------------------------------- missing objects
+
+// A memory stick whose owner has forgotten the two helpers.
+class LonelyServerTest : public FileJobsTest {
+ protected:
+  void SetUp() override {
+    stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/RCSERVER.BIN\n");
+    stick_.write("OPEN-R/MW/CONF/CONNECT.CFG",
+                 "OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S RCServer.Image.OFbkImageVectorData.O\n"
+                 "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S RCServer.Sensor.OSensorFrameVectorData.O\n"
+                 "RCServer.Effector.OCommandVectorData.S OVirtualRobotComm.Effector.OCommandVectorData.O\n");
+    FileJobsTest::SetUp();
+  }
+};
+
+TEST_F(LonelyServerTest, WithoutFileKeeperItsRequestsAreRefusedAndOthersAreServed) {
+  send(frame('P', 0, 1, play("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
+  const std::vector<std::string> got = answers();
+  ASSERT_EQ(got.size(), 3U);
+  EXPECT_THAT(got[0], HasSubstr("e1 the object FileKeeper does not run on the robot: FILES.BIN is missing"));
+  EXPECT_THAT(got[1], HasSubstr("e2 the object FileKeeper does not run"));
+  EXPECT_EQ(got[2], "h3");
+}
+
+TEST_F(LonelyServerTest, WithoutPictureEncoderTheConsoleNamesIt) {
+  send(frame('F', 85, 1, std::string(1, '\0')));
+  passFrames(FakeRobot::kFramesPerImage);
+  EXPECT_TRUE(awaitEnd(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("the object PictureEncoder does not run: ENCODER.BIN is missing"));
 }
 
 }  // namespace

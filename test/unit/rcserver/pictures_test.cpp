@@ -121,6 +121,21 @@ TEST_F(PicturesTest, OfTheImagesThatComeWhileTheEncoderWorksTheNewestIsTheNextPi
   expectPictureOfImage(next[0], robot_.lastImage());
 }
 
+TEST_F(PicturesTest, ImageThatWaitedIsTheNextPictureThoughNoOtherImageComes) {
+  encoder_.slowDown();
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  const unsigned first = robot_.lastImage();
+  takeImage();
+  encoder_.speedUp();
+  encoder_.obey();
+  const std::vector<Frame> made = pictures();
+  ASSERT_EQ(made.size(), 2U);
+  expectPictureOfImage(made[0], first);
+  expectPictureOfImage(made[1], first + 1);
+}
+
 // Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the encoder.
 TEST_F(PicturesTest, JointsMoveAndRequestsAreAnsweredWhileTheEncoderWorks) {
   encoder_.slowDown();

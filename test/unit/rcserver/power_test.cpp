@@ -114,6 +114,18 @@ TEST_F(PowerTest, PauseEndsTheConnectionOfAClientOfVersion1WithoutAWord) {
   EXPECT_FALSE(client_->next());
 }
 
+// The press that has booted the robot is not one that switches it off.
+TEST_F(PowerTest, PauseThatIsPressedWhenTheRobotBootsCountsWhenItIsPressedAgain) {
+  robot_.power_status.robotStatus = orsbPAUSE;
+  start();
+  passFrames(kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  robot_.power_status.robotStatus = 0;
+  passFrames(1);
+  raise(orsbPAUSE);
+  EXPECT_FALSE(machine_->isOn());
+}
+
 TEST_F(PowerTest, PauseShutsDownWithoutAClient) {
   raise(orsbPAUSE);
   EXPECT_TRUE(isLimp());
@@ -175,6 +187,16 @@ TEST_F(PowerTest, WithoutTheMotionItShutsDownAllTheSame) {
   EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: LIE.MTN cannot be read"));
 }
 
+TEST_F(PowerTest, AMemoryStickThatDoesNotAnswerDoesNotKeepItOn) {
+  file_keeper_.slowDown();
+  raise(orsbBATTERY_CAPACITY_LOW);
+  EXPECT_FALSE(isLimp());
+  passUntilOff(11 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(isLimp());
+  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: FileKeeper has not read LIE.MTN within 10 s"));
+}
+
 TEST_F(PowerTest, AJointThatIsHeldFastDoesNotKeepItOn) {
   robot_.joint("left_front_rotator").jammed = true;
   raise(orsbBATTERY_CAPACITY_LOW);
@@ -201,6 +223,25 @@ TEST_F(PowerTest, ARobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) 
   machine_.reset();
   boot(robot_);
   passUntilOff(10 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(PowerTest, ARobotThatIsTakenFromItsStationWithALowBatteryLiesDown) {
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING;
+  start();
+  passFrames(kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  passUntilOff(10 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_EQ(degreesOf("left_front_rotator"), 65);
+}
+
+TEST_F(PowerTest, ARobotWhoseMotorsAreOffShutsDownAtOnceWhenItsBatteryIsLow) {
+  connectVersion2();
+  EXPECT_EQ(answerTo('O', 0, std::string(1, '\0')).header.kind, 'o');
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
 }
 

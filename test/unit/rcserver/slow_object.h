@@ -20,7 +20,8 @@ class SlowObject {
   /// To be called before the machine is made.
   void standBefore(openr_host::ObjectDescription& description) {
     notify_ = std::exchange(description.observers.at(0).notify, [this](OObject& object, const ONotifyEvent& event) {
-      job_ = Job{&object, event.ObsIndex(), event.SenderID(), openr_host::reference(event.RCData(0))};
+      job_ = Job{&openr_host::System::current(), &object, event.ObsIndex(), event.SenderID(),
+                 openr_host::reference(event.RCData(0))};
       is_done_ = !is_slow_;
       obey();
     });
@@ -47,7 +48,7 @@ class SlowObject {
     finish();
   }
 
-  /// To be called by the machine, again and again.
+  /// Carries out the job if it is done. To be called again and again, or when a job is to be done now.
   void obey() {
     if (!job_ || !is_done_) {
       return;
@@ -55,11 +56,12 @@ class SlowObject {
     const Job job = *std::exchange(job_, std::nullopt);
     RCRegion* const region = job.region.get();
     const ONotifyEvent event(job.observer, job.sender, &region, 1);
-    openr_host::System::current().runAs(*job.object, [&] { notify_(*job.object, event); });
+    job.system->runAs(*job.object, [&] { notify_(*job.object, event); });
   }
 
  private:
   struct Job {
+    openr_host::System* system;
     OObject* object;
     int observer;
     SubjectID sender;
