@@ -95,8 +95,8 @@ const std::string& System::runningObject() const {
 }
 
 OObject& System::create(const ObjectDescription& description) {
-  objects_.push_back({description, nullptr});
-  LoadedObject& object = objects_.back();
+  LoadedObject& object = objects_.emplace_back();
+  object.description = description;
   const Running running(*this, object);
   object.object = description.create();
   object.object->myOID_ = oidOf(objects_.size());
@@ -232,8 +232,17 @@ bool System::hasMessages() const {
   });
 }
 
+void System::letGoOfHandledData(Processor::Time now) {
+  for (auto& object : objects_) {
+    if (object.in_hand && processor_.busyUntil(object.object->myOID_) <= now) {
+      object.in_hand = nullptr;
+    }
+  }
+}
+
 void System::handleMessages() {
   const Processor::Time now = now_();
+  letGoOfHandledData(now);
   std::deque<Message> queued = std::exchange(messages_, {});
   for (auto& message : queued) {
     if (message.held_by.IsValid() && processor_.busyUntil(message.held_by) <= now) {
@@ -251,7 +260,7 @@ void System::handleMessages() {
   messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
 }
 
-// What the object posts leaves it when it has finished.
+// What the object posts leaves it when it has finished. Until then, the data that it was sent is its own.
 void System::handle(const Message& message) {
   LoadedObject& receiver = loaded(message.receiver);
   const std::size_t first_posted = messages_.size();
@@ -269,6 +278,7 @@ void System::handle(const Message& message) {
     return;
   }
   processor_.run(message.receiver, now_(), duration);
+  receiver.in_hand = message.handle;
   for (std::size_t i = first_posted; i < messages_.size(); ++i) {
     messages_[i].held_by = message.receiver;
   }

@@ -113,6 +113,7 @@ class System {
     std::unique_ptr<OObject> object;
     bool initialized = false;
     bool started = false;
+    std::function<void(LoadedObject&)> in_hand;  ///< while it is busy: its message, which keeps the data that came
   };
 
   struct Message {
@@ -126,6 +127,7 @@ class System {
   class Running;
 
   LoadedObject& loaded(const OID& oid);
+  void letGoOfHandledData(Processor::Time now);
   bool isDue(const Message& message, Processor::Time now) const;
   void handle(const Message& message);
   SubjectService& subject(const SubjectID& id);

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "fake_robot.h"
+#include "picture_checks.h"
+#include "protocol/version2.h"
 #include "version2_fixture.h"
 
 namespace {
@@ -112,6 +114,23 @@ TEST_P(TimingTest, TelemetryKeepsItsRateAndTheStreamHasWhatTheEncoderCanDo) {
   // The fake robot's camera has an image every 4 frames of 8 ms. The newest waits for an encoder that is busy.
   const int frames_a_picture = std::max(4, (GetParam() + 7) / 8);
   EXPECT_NEAR(counts.pictures, 500 / frames_a_picture, 2);
+}
+
+TEST_P(TimingTest, EachPictureShowsTheImageThatItsHeaderNames) {
+  for (int i = 0; i < 125; ++i) {
+    passFrames(1);
+    while (const auto frame = client_->nextFrame()) {
+      if (frame->header.kind != 'f') {
+        continue;
+      }
+      protocol::version2::ImageHeader image{};
+      size_t size = 0;
+      ASSERT_EQ(decodePicture(frame->payload.data(), frame->payload.size(), &image, &size), nullptr);
+      const std::vector<uint8_t> jpeg(frame->payload.begin() + protocol::version2::IMAGE_HEADER_SIZE,
+                                      frame->payload.end());
+      ASSERT_NEAR(brightnessOf(jpeg).level, FakeRobot::brightness(image.image_count), 3);
+    }
+  }
 }
 
 TEST_P(TimingTest, AMotionFileIsPlayedAsWithoutTheStream) {
