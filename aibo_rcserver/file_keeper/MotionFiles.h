@@ -38,7 +38,7 @@ class MotionFiles {
 
   FileResult::Outcome Delete(const protocol::MotionName& name) const;
 
-  /// @param[out] list the motions there are, in the order of their names; so many as find room
+  /// @param[out] list the motions there are, in the order of their names, as many as there is room for
   void List(protocol::version2::MotionList* list) const;
 
  private:

@@ -81,9 +81,9 @@ class Machine {
   void boot();
 
   /// Handles what comes until stop() is called or an object shuts the robot down (OPENR::Shutdown()). The machine is
-  /// off then, as after shutdown(), and its console has said so. If the object asked for it, the machine boots anew
+  /// off then, as after shutdown(), and its console has said so. If the object asked for it, the machine boots again
   /// instead: on the same ports, with new objects. The same holds for the two functions for tests below.
-  /// @throw BootError if it cannot boot anew; it is off then
+  /// @throw BootError if it cannot boot again; it is off then
   void run();
 
   /// From boot() on, until whatever ends it.

@@ -35,7 +35,7 @@
 /// The pause button cuts the motors and shuts the robot down; a low battery makes it lie down first (PowerSupply.h).
 class RCServer : public OObject {
  public:
-  /// A client of version 2 that has sent nothing for so many frames is dropped: 5 s.
+  /// A client of version 2 that has sent nothing for this many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
 
   RCServer();

@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-/// What one wait waits for. Filled anew for every wait: there are only a handful of sockets, and what each waits for
+/// What one wait waits for. Filled again for every wait: there are only a handful of sockets, and what each waits for
 /// changes all the time.
 class PollSet {
  public:

@@ -23,7 +23,7 @@ class TcpListener {
   /// @param address IPv4 address of this computer, "0.0.0.0" for all
   /// @param port 0 for any free one
   /// @throw std::system_error if the port is in use or cannot be had
-  /// @throw std::invalid_argument if the address is none
+  /// @throw std::invalid_argument if it is not an address
   TcpListener(const std::string& address, std::uint16_t port);
 
   int fd() const { return socket_.get(); }

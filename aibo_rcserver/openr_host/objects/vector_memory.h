@@ -17,7 +17,7 @@ class VectorMemory {
   static constexpr std::size_t kMostEntries = 65536;
 
   /// A vector of no entry yet, laid out for `entries`: header, infos, data.
-  /// @return null if that is none or more than kMostEntries
+  /// @return null if that is 0 or more than kMostEntries
   OCommandVectorData* createCommands(std::size_t entries);
 
   /// Tables of the colour detection, none yet.

@@ -32,7 +32,7 @@ class JointWatch {
 
   JointWatch() : position_(0), since_(0) {}
 
-  /// Begins anew: the joint is here, and nothing is known of what was before.
+  /// Starts over: the joint is here, and nothing is known of what was before.
   void Reset(int position, unsigned frame);
 
   /// To be called for each reading.

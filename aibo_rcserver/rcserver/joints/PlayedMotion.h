@@ -15,7 +15,7 @@
 /// @return NULL, or the locator of one that the robot does not have
 const char* FindJoints(const mtn::Motion& motion, const robot_model::RobotModel& robot, int* joints);
 
-/// Plays one motion file so many times: gives its joints their targets, frame by frame. Pure logic.
+/// Plays one motion file as often as it is told: gives its joints their targets, frame by frame. Pure logic.
 ///
 /// First the joints go from where they are to the first key frame, all together, none faster than APPROACH_SPEED. Then,
 /// in each frame of 8 ms, their targets are where the straight line between two key frames is at that time. As the

@@ -7,7 +7,7 @@
 #include "rcserver/joints/Motors.h"
 #include "rcserver/version2/Version2Replies.h"
 
-/// Carries out `J`, `V` and `O`, and tells of joints that do not follow. Pure logic: no OPEN-R. Each function answers
+/// Carries out `J`, `V` and `O`, and reports joints that do not follow. Pure logic: no OPEN-R. Each function answers
 /// its request; `payload` is as many bytes as the request's header says.
 class Version2Joints {
  public:

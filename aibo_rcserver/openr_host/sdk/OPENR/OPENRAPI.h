@@ -53,10 +53,10 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 
 /// @return oNO_SYNC_KEY if there is none left
 OStatus NewSyncKey(OVRSyncKey* key);
-/// @return oINVALID_SYNC_KEY if this is none
+/// @return oINVALID_SYNC_KEY if this is not a key
 OStatus CancelSyncKey(OVRSyncKey key);
 /// Makes two keys of one.
-/// @return oINVALID_SYNC_KEY if this is none
+/// @return oINVALID_SYNC_KEY if this is not a key
 OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 /// @}
 

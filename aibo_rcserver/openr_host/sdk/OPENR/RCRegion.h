@@ -7,7 +7,7 @@
 
 /// A reference-counted piece of memory. It begins with one reference, its maker's, and is deleted with the last one.
 ///
-/// A maker who keeps a reference may fill the region anew as soon as NumberOfReference() is 1 again: by then every
+/// A maker who keeps a reference may fill the region again as soon as NumberOfReference() is 1 again: by then every
 /// observer is done with it.
 class RCRegion {
  public:
