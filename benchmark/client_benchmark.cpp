@@ -107,7 +107,7 @@ void BM_Decode(benchmark::State& state) {
   const std::vector<Bytes> pictures = makePictures();
   while (state.KeepRunningBatch(kPictures)) {
     for (const Bytes& picture : pictures) {
-      benchmark::DoNotOptimize(aibo_driver::decodeJpeg(picture.data(), picture.size()).pixels.data());
+      benchmark::DoNotOptimize(aibo_driver::node::decodeJpeg(picture.data(), picture.size()).pixels.data());
     }
   }
   reportSize(state);

@@ -25,7 +25,7 @@
 #include "picture_log_reader.h"
 #include "stream_meter.h"
 
-namespace aibo_driver {
+namespace aibo_driver::monitor {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -100,7 +100,7 @@ class Monitor {
       meter_.add(arrival.picture->data.size(), steady_clock::now() - picture_latency.value_or(nanoseconds(0)));
     }
     arrivals_.clear();
-    const StreamMeter::Reading reading = meter_.read();
+    const node::StreamMeter::Reading reading = meter_.read();
     const std::string driver_load = driverLoad(elapsed);
     if (reading.pictures == 0) {
       std::printf("no pictures: %s\n", connection_text_.c_str());
@@ -127,7 +127,7 @@ class Monitor {
     return arrival.time - camera_time->time_since_epoch();
   }
 
-  static std::string latencyText(const StreamMeter::Reading& reading) {
+  static std::string latencyText(const node::StreamMeter::Reading& reading) {
     char text[64];
     std::snprintf(text, sizeof text, "%.1f ms (worst %.1f)", 1e3 * reading.mean_latency, 1e3 * reading.max_latency);
     return text;
@@ -163,7 +163,7 @@ class Monitor {
   steady_clock::time_point last_report_ = start_;
   std::optional<steady_clock::time_point> first_picture_time_;
   std::vector<Arrival> arrivals_;
-  StreamMeter meter_;
+  node::StreamMeter meter_;
   std::string connection_text_ = "no driver in namespace " + ros::this_node::getNamespace() + " yet";
 
   std::string publisher_;
@@ -173,12 +173,12 @@ class Monitor {
 };
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::monitor
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
   try {
-    aibo_driver::Monitor monitor(ros::NodeHandle("~"));
+    aibo_driver::monitor::Monitor monitor(ros::NodeHandle("~"));
     ros::spin();
     return monitor.sawPictures() ? 0 : 1;
   } catch (const std::exception& error) {

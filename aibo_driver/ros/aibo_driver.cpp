@@ -4,7 +4,7 @@
 
 #include "ros_log_sink.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 constexpr const char* kDefaultNamespace = "aibo";
@@ -99,4 +99,4 @@ bool AiboDriver::cameraHasSubscribers() const {
   return camera_.hasSubscribers() || raw_images_.hasSubscribers();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ std::string saveFile(const std::string& path, const std::vector<std::uint8_t>& b
   return target.string();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -8,7 +8,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// A file could not be saved; the message says why and what to do.
 class SaveException : public Exception {
@@ -23,6 +23,6 @@ class SaveException : public Exception {
 ///   that is no regular file, ...
 std::string saveFile(const std::string& path, const std::vector<std::uint8_t>& bytes);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_FILE_SAVER_H

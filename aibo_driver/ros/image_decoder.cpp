@@ -3,7 +3,7 @@
 #include <ros/console.h>
 #include <ros/transport_hints.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(handle) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -35,4 +35,4 @@ void ImageDecoder::updateSubscription() {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

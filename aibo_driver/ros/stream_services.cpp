@@ -10,7 +10,7 @@
 #include "connection_publisher.h"
 #include "file_saver.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // So many callers may wait for a picture at the same time; the next one waits for one of them.
@@ -109,4 +109,4 @@ bool StreamServices::describeStream(bool wanted, std::string* message) const {
   return true;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

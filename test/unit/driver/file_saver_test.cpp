@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ TEST_F(FileSaverTest, SaysThatPermissionIsMissing) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -15,7 +15,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-namespace aibo_driver {
+namespace aibo_driver::monitor {
 namespace {
 
 using Clock = std::chrono::system_clock;
@@ -110,4 +110,4 @@ TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyEmpties) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::monitor
