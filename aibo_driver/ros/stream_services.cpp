@@ -69,7 +69,7 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
     response.image = to_message_(*picture);
     response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {
-      response.message += " Saved to " + saveFile(request.save_to, picture->jpeg) + ".";
+      response.message += " Saved to " + saveJpeg(request.save_to, picture->jpeg) + ".";
     }
     response.success = true;
   } catch (const SaveException& error) {
