@@ -1,6 +1,7 @@
 // Prints once a second how the stream of pictures is doing, as a subscriber sees it.
 //
-// Topics are those of the driver, relative to this node's namespace, which has to be the driver's.
+// Topics are those of the driver, relative to this node's namespace, which has to be the driver's; the root namespace
+// means /aibo.
 // Parameters:
 //   ~seconds                run for so long after the first picture; 0, the default: until stopped
 //   ~first_picture_timeout  seconds to wait for the first picture, then give up and return 1; 0, the default: for ever
@@ -21,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver_namespace.h"
 #include "node_process.h"
 #include "picture_log_reader.h"
 #include "stream_meter.h"
@@ -153,7 +155,7 @@ class Monitor {
 
   const double seconds_;
   const double first_picture_timeout_;
-  ros::NodeHandle node_;
+  ros::NodeHandle node_ = node::inDriverNamespace(ros::NodeHandle(), "aibo");
   std::unique_ptr<PictureLogReader> picture_log_;
   ros::Subscriber pictures_;
   ros::Subscriber connection_;
@@ -164,7 +166,7 @@ class Monitor {
   std::optional<steady_clock::time_point> first_picture_time_;
   std::vector<Arrival> arrivals_;
   node::StreamMeter meter_;
-  std::string connection_text_ = "no driver in namespace " + ros::this_node::getNamespace() + " yet";
+  std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
 
   std::string publisher_;
   std::string driver_name_;

@@ -16,7 +16,7 @@ namespace aibo_driver::node {
 /// while the other has a subscriber. Headers are kept.
 class ImageDecoder {
  public:
-  /// @param handle the camera's namespace
+  /// @param handle the camera's namespace; the root namespace means /aibo/camera
   explicit ImageDecoder(const ros::NodeHandle& handle);
   ~ImageDecoder();
 
