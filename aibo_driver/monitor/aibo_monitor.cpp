@@ -4,7 +4,8 @@
 // means /aibo.
 // Parameters:
 //   ~seconds                run for so long after the first picture; 0, the default: until stopped
-//   ~first_picture_timeout  seconds to wait for the first picture, then give up and return 1; 0, the default: for ever
+//   ~first_picture_timeout  seconds to wait for the first picture, then give up, say so and return 1; 0: for ever.
+//                           The default is ~seconds
 //   ~picture_log            log of the simulated robot's pictures (aibo_rcserver --picture-log); empty, the default:
 //   none.
 //                           With it the latency counts from the camera's image, otherwise from the moment that the
@@ -41,7 +42,7 @@ class Monitor {
  public:
   explicit Monitor(const ros::NodeHandle& private_handle)
       : seconds_(private_handle.param("seconds", 0.0)),
-        first_picture_timeout_(private_handle.param("first_picture_timeout", 0.0)) {
+        first_picture_timeout_(private_handle.param("first_picture_timeout", seconds_)) {
     const auto picture_log = private_handle.param<std::string>("picture_log", "");
     if (!picture_log.empty()) {
       picture_log_ = std::make_unique<PictureLogReader>(picture_log);
@@ -79,6 +80,9 @@ class Monitor {
     }
     last_report_ = now;
     if (isOver(now)) {
+      if (!first_picture_time_) {
+        std::fprintf(stderr, "aibo_monitor: no picture came within %g s\n", first_picture_timeout_);
+      }
       ros::shutdown();
     }
   }

@@ -68,6 +68,13 @@ TEST(Monitor, StartedBareWatchesTheDriverUnderAibo) {
   monitor.waitForOutput("pictures/s", kSafetyNet);
 }
 
+TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
+  Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_seconds:=1"});
+  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
+  monitor.waitForOutput("no driver in namespace /nobody", kSafetyNet);
+  monitor.waitForOutput("no picture came within 1 s", kSafetyNet);
+}
+
 TEST(Node, EndsWithAnErrorThatNamesABadParameterAndItsRange) {
   DriverProcess driver("/bad", 54321, {"_jpeg_quality:=101"});
   const auto status = driver.waitForExit(kSafetyNet);
