@@ -54,7 +54,7 @@ void reportSize(benchmark::State& state) {
 class Discard final : public aibo_driver::ReplyHandler {
  public:
   void onPicture(Bytes jpeg, TimePoint) override { benchmark::DoNotOptimize(jpeg.data()); }
-  void onValueReply(const protocol::ValueReply&) override {}
+  void onValueReply(const protocol::ValueReply&, TimePoint) override {}
 };
 
 void BM_Parse(benchmark::State& state) {
