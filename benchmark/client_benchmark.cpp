@@ -54,7 +54,7 @@ void reportSize(benchmark::State& state) {
 class Discard final : public aibo_driver::ReplyHandler {
  public:
   void onPicture(Bytes jpeg, TimePoint) override { benchmark::DoNotOptimize(jpeg.data()); }
-  void onValueReply(const protocol::ValueReply&) override {}
+  void onValueReply(const protocol::ValueReply&, TimePoint) override {}
 };
 
 void BM_Parse(benchmark::State& state) {
@@ -107,7 +107,7 @@ void BM_Decode(benchmark::State& state) {
   const std::vector<Bytes> pictures = makePictures();
   while (state.KeepRunningBatch(kPictures)) {
     for (const Bytes& picture : pictures) {
-      benchmark::DoNotOptimize(aibo_driver::decodeJpeg(picture.data(), picture.size()).pixels.data());
+      benchmark::DoNotOptimize(aibo_driver::node::decodeJpeg(picture.data(), picture.size()).pixels.data());
     }
   }
   reportSize(state);

@@ -128,7 +128,7 @@ class WatchedErs7 : public simulated_ers7::SimulatedErs7 {
     step_ = 0;
     for (const openr_host::EffectorCommand& command : commands) {
       if (command.primitive == primitive_) {
-        const auto position = static_cast<slongword>(command.value.words[0]);
+        const slongword position = command.value.value[0];
         step_ = position - position_;
         position_ = position;
       }

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "driver_namespace.h"
+
 namespace {
 
 // Where the head is to rest at a time. Left and up are positive.
@@ -21,8 +23,7 @@ const std::vector<Glance> kRound{{2.5, 0.7, 0.1},  {3.5, 0.7, 0.1},  {7.0, -0.7,
 
 class LookAround {
  public:
-  LookAround() {
-    ros::NodeHandle handle;
+  explicit LookAround(ros::NodeHandle handle) {
     publisher_ = handle.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 1);
     subscriber_ = handle.subscribe("joint_states", 1, &LookAround::receive, this);
   }
@@ -59,6 +60,6 @@ class LookAround {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_look_around");
-  const LookAround look_around;
+  const LookAround look_around(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"));
   ros::spin();
 }

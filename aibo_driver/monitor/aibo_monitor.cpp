@@ -1,9 +1,11 @@
 // Prints once a second how the stream of pictures is doing, as a subscriber sees it.
 //
-// Topics are those of the driver, relative to this node's namespace, which has to be the driver's.
+// Topics are those of the driver, relative to this node's namespace, which has to be the driver's; the root namespace
+// means /aibo.
 // Parameters:
 //   ~seconds                run for so long after the first picture; 0, the default: until stopped
-//   ~first_picture_timeout  seconds to wait for the first picture, then give up and return 1; 0, the default: for ever
+//   ~first_picture_timeout  seconds to wait for the first picture, then give up, say so and return 1; 0: for ever.
+//                           The default is ~seconds
 //   ~picture_log            log of the simulated robot's pictures (aibo_rcserver --picture-log); empty, the default:
 //   none.
 //                           With it the latency counts from the camera's image, otherwise from the moment that the
@@ -21,11 +23,12 @@
 #include <utility>
 #include <vector>
 
+#include "driver_namespace.h"
 #include "node_process.h"
 #include "picture_log_reader.h"
 #include "stream_meter.h"
 
-namespace aibo_driver {
+namespace aibo_driver::monitor {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -39,7 +42,7 @@ class Monitor {
  public:
   explicit Monitor(const ros::NodeHandle& private_handle)
       : seconds_(private_handle.param("seconds", 0.0)),
-        first_picture_timeout_(private_handle.param("first_picture_timeout", 0.0)) {
+        first_picture_timeout_(private_handle.param("first_picture_timeout", seconds_)) {
     const auto picture_log = private_handle.param<std::string>("picture_log", "");
     if (!picture_log.empty()) {
       picture_log_ = std::make_unique<PictureLogReader>(picture_log);
@@ -77,6 +80,9 @@ class Monitor {
     }
     last_report_ = now;
     if (isOver(now)) {
+      if (!first_picture_time_) {
+        std::fprintf(stderr, "aibo_monitor: no picture came within %g s\n", first_picture_timeout_);
+      }
       ros::shutdown();
     }
   }
@@ -100,7 +106,7 @@ class Monitor {
       meter_.add(arrival.picture->data.size(), steady_clock::now() - picture_latency.value_or(nanoseconds(0)));
     }
     arrivals_.clear();
-    const StreamMeter::Reading reading = meter_.read();
+    const node::StreamMeter::Reading reading = meter_.read();
     const std::string driver_load = driverLoad(elapsed);
     if (reading.pictures == 0) {
       std::printf("no pictures: %s\n", connection_text_.c_str());
@@ -127,7 +133,7 @@ class Monitor {
     return arrival.time - camera_time->time_since_epoch();
   }
 
-  static std::string latencyText(const StreamMeter::Reading& reading) {
+  static std::string latencyText(const node::StreamMeter::Reading& reading) {
     char text[64];
     std::snprintf(text, sizeof text, "%.1f ms (worst %.1f)", 1e3 * reading.mean_latency, 1e3 * reading.max_latency);
     return text;
@@ -153,7 +159,7 @@ class Monitor {
 
   const double seconds_;
   const double first_picture_timeout_;
-  ros::NodeHandle node_;
+  ros::NodeHandle node_ = node::inDriverNamespace(ros::NodeHandle(), "aibo");
   std::unique_ptr<PictureLogReader> picture_log_;
   ros::Subscriber pictures_;
   ros::Subscriber connection_;
@@ -163,8 +169,8 @@ class Monitor {
   steady_clock::time_point last_report_ = start_;
   std::optional<steady_clock::time_point> first_picture_time_;
   std::vector<Arrival> arrivals_;
-  StreamMeter meter_;
-  std::string connection_text_ = "no driver in namespace " + ros::this_node::getNamespace() + " yet";
+  node::StreamMeter meter_;
+  std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
 
   std::string publisher_;
   std::string driver_name_;
@@ -173,12 +179,12 @@ class Monitor {
 };
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::monitor
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
   try {
-    aibo_driver::Monitor monitor(ros::NodeHandle("~"));
+    aibo_driver::monitor::Monitor monitor(ros::NodeHandle("~"));
     ros::spin();
     return monitor.sawPictures() ? 0 : 1;
   } catch (const std::exception& error) {

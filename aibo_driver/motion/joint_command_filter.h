@@ -12,7 +12,7 @@
 #include "motion/joint_table.h"
 #include "motion/measured_joints.h"
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 
 /// What a user asks of some joints, unchecked. Arrays as in sensor_msgs/JointState.
 struct JointCommand {
@@ -70,6 +70,6 @@ class JointCommandFilter {
   std::vector<std::optional<Approach>> approaches_;  ///< by index
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion
 
 #endif  // AIBO_DRIVER_MOTION_JOINT_COMMAND_FILTER_H

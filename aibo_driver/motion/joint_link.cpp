@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 
 JointLink::JointLink(Robot robot) : robot_(std::move(robot)) {}
 
@@ -42,4 +42,4 @@ void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

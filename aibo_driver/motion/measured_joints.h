@@ -12,7 +12,7 @@
 #include "aibo_driver/telemetry.h"
 #include "motion/joint_table.h"
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 
 /// Where a joint was last measured.
 struct MeasuredJoint {
@@ -50,6 +50,6 @@ class MeasuredJoints {
   std::vector<std::optional<Entry>> entries_;  ///< by index
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion
 
 #endif  // AIBO_DRIVER_MOTION_MEASURED_JOINTS_H

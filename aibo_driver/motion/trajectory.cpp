@@ -7,7 +7,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 namespace {
 
 using Point = TrajectoryRequest::Point;
@@ -263,4 +263,4 @@ std::vector<double> Trajectory::Cubic::turningPoints(double length) const {
   return times;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::robot_time {
 
 void DelayFloor::add(double sent, double lateness) {
   const auto second = static_cast<std::int64_t>(std::floor(sent));
@@ -55,4 +55,4 @@ double DelayFloor::driftThrough(double middle) const {
   return drift_;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::robot_time

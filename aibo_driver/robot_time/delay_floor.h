@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <map>
 
-namespace aibo_driver {
+namespace aibo_driver::robot_time {
 
 /// The straight line below what was measured of two clocks by messages from one to the other.
 ///
@@ -50,6 +50,6 @@ class DelayFloor {
   double drift_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::robot_time
 
 #endif  // AIBO_DRIVER_ROBOT_TIME_DELAY_FLOOR_H

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace aibo_driver {
+namespace aibo_driver::robot_time {
 namespace {
 
 constexpr double kFramePeriod = 0.008;  // s
@@ -97,4 +97,4 @@ RobotClock::Reading RobotClock::read() {
   return reading;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::robot_time

@@ -8,7 +8,7 @@
 
 #include "robot_time/delay_floor.h"
 
-namespace aibo_driver {
+namespace aibo_driver::robot_time {
 
 /// Tells by the steady clock of this computer when the robot took a picture or measured something, from the number of
 /// the OPEN-R frame in which it did: 8 ms each (OPEN-R Level 2 Reference Guide, OVirtualRobotComm). A radio delays
@@ -63,6 +63,6 @@ class RobotClock {
   double delay_sum_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::robot_time
 
 #endif  // AIBO_DRIVER_ROBOT_TIME_ROBOT_CLOCK_H

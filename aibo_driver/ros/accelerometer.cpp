@@ -4,7 +4,7 @@
 
 #include "sensor_reading.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 std::optional<sensor_msgs::Imu> Accelerometer::read(const Telemetry& telemetry) {
   if (connection_ != telemetry.connection_number) {
@@ -30,4 +30,4 @@ std::optional<sensor_msgs::Imu> Accelerometer::read(const Telemetry& telemetry) 
   return message;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

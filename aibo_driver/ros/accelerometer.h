@@ -11,7 +11,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Makes messages of what the three accelerometers measured, in the axes of the body (REP 103: x forward, y left, z
 /// up).
@@ -40,6 +40,6 @@ class Accelerometer {
   std::uint64_t connection_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_ACCELEROMETER_H

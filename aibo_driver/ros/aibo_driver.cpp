@@ -2,21 +2,11 @@
 
 #include <ros/console.h>
 
+#include "driver_namespace.h"
 #include "ros_log_sink.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
-
-constexpr const char* kDefaultNamespace = "aibo";
-
-// Started bare, by rosrun, the driver is found under the same names as when launched.
-ros::NodeHandle driverHandle(const ros::NodeHandle& handle) {
-  if (handle.getNamespace() != "/") {
-    return handle;
-  }
-  ROS_INFO_STREAM("Started in the root namespace: topics and services are under /" << kDefaultNamespace << ".");
-  return ros::NodeHandle(handle, kDefaultNamespace);
-}
 
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   for (const std::string& name : parameters.unknown) {
@@ -30,7 +20,7 @@ void warnOfUnknown(const DriverParameters& parameters, const std::string& name_p
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
     : parameters_(readDriverParameters(private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
-      handle_(driverHandle(handle)),
+      handle_(inDriverNamespace(handle, "aibo")),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
       power_(model_),
       policy_(
@@ -99,4 +89,4 @@ bool AiboDriver::cameraHasSubscribers() const {
   return camera_.hasSubscribers() || raw_images_.hasSubscribers();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

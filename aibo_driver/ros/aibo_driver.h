@@ -23,7 +23,7 @@
 #include "stream_policy.h"
 #include "stream_services.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The whole driver: what node and nodelet wrap. docs/ros_interface.md tells what it looks like from outside.
 class AiboDriver {
@@ -50,14 +50,14 @@ class AiboDriver {
   bool cameraHasSubscribers() const;
 
   /// Null if its time is not to be used.
-  RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
+  robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
 
   // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
   // policy_ is started, and once it is stopped, it does nothing about them.
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
   ros::NodeHandle handle_;
-  RobotClock robot_clock_;
+  robot_time::RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;
   PowerStatus power_;
   StreamMeter meter_;
@@ -73,6 +73,6 @@ class AiboDriver {
   DriverDiagnostics diagnostics_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_AIBO_DRIVER_H

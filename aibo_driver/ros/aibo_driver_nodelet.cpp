@@ -7,7 +7,7 @@
 #include "aibo_driver.h"
 #include "master_watch.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The driver inside of a nodelet manager, where messages reach other nodelets without being copied.
 class AiboDriverNodelet : public nodelet::Nodelet {
@@ -26,6 +26,6 @@ class AiboDriverNodelet : public nodelet::Nodelet {
   std::unique_ptr<MasterWatch> master_watch_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
-PLUGINLIB_EXPORT_CLASS(aibo_driver::AiboDriverNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(aibo_driver::node::AiboDriverNodelet, nodelet::Nodelet)

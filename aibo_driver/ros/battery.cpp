@@ -2,7 +2,7 @@
 
 #include "sensor_reading.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 std::optional<sensor_msgs::BatteryState> Battery::read(const Telemetry& telemetry) {
   if (connection_ != telemetry.connection_number) {
@@ -30,4 +30,4 @@ std::optional<sensor_msgs::BatteryState> Battery::read(const Telemetry& telemetr
   return message;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -12,7 +12,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Makes messages of how full and how warm the battery is. What the robot does not tell is NaN or unknown.
 class Battery {
@@ -40,6 +40,6 @@ class Battery {
   std::optional<std::chrono::steady_clock::time_point> last_;  ///< arrival of what the last message was made of
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_BATTERY_H

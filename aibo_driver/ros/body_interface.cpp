@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 BodyInterface::BodyInterface(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
                              RcServerClient& client, TelemetryStamper stamp_of)
@@ -18,4 +18,4 @@ BodyInterface::~BodyInterface() {
   thread_.stop();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

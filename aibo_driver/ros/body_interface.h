@@ -13,7 +13,7 @@
 #include "sensor_publishers.h"
 #include "telemetry_stamper.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// All that the driver has to do with the robot's body except its joints: sensors, LEDs, ears, the motions on its
 /// memory stick, and its power. Commands and services are served by one thread of their own, so that a service that
@@ -41,6 +41,6 @@ class BodyInterface {
   PowerServices power_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_BODY_INTERFACE_H

@@ -13,7 +13,7 @@
 #include "aibo_driver/exceptions.h"
 #include "aibo_driver/jpeg_inspector.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 constexpr const char* kService = "set_camera_info";
@@ -95,4 +95,4 @@ bool Calibration::set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs:
   return true;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

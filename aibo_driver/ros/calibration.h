@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The camera's calibration, with the service set_camera_info.
 ///
@@ -45,6 +45,6 @@ class Calibration {
 /// @return for a message to the user; empty if nothing does
 std::string problemOf(const sensor_msgs::CameraInfo& info);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_CALIBRATION_H

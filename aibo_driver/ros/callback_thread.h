@@ -6,7 +6,7 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// A thread with a callback queue of its own: what is subscribed to and advertised with its handle is served one after
 /// the other, and waits for nobody else. Nothing is served before start(), or once stop() has returned.
@@ -28,6 +28,6 @@ class CallbackThread {
   ros::AsyncSpinner spinner_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_CALLBACK_THREAD_H

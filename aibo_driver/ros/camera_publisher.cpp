@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // Of each subscriber. At 30 pictures a second one that cannot keep up is at most 170 ms behind.
@@ -19,7 +19,7 @@ constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
 }  // namespace
 
 CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
-                                 RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
+                                 robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
     : frame_id_(parameters.frame_id),
       stamper_(robot_clock, parameters.time_offset),
       calibration_(camera_handle, parameters.camera_name, parameters.camera_info_url) {
@@ -72,4 +72,4 @@ void CameraPublisher::publishCameraInfo(const std_msgs::Header& header, const Pi
   camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -13,7 +13,7 @@
 #include "driver_parameters.h"
 #include "robot_stamper.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Publishes each picture as the robot sent it (image_raw/compressed), and its camera_info with the same header.
 ///
@@ -25,8 +25,8 @@ class CameraPublisher {
   /// @param robot_clock must outlive the publisher; null: pictures are stamped with their arrival
   /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
   /// @throw InvalidArgumentException camera_info_url is none that camera_info_manager understands
-  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters, RobotClock* robot_clock,
-                  const std::function<void()>& subscribers_changed);
+  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+                  robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
 
   /// Never blocks. From one thread at a time.
   /// @return the message that was published
@@ -47,6 +47,6 @@ class CameraPublisher {
   ros::Publisher camera_info_publisher_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_CAMERA_PUBLISHER_H

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 std::uint8_t stateConstant(ConnectionState state) {
@@ -65,4 +65,4 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   publisher_.publish(message);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

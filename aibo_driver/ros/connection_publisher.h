@@ -8,7 +8,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The robot's address as people write it: host:port.
 std::string robotAddress(const ClientOptions& options);
@@ -30,6 +30,6 @@ class ConnectionPublisher {
   ros::Publisher publisher_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_CONNECTION_PUBLISHER_H

@@ -6,7 +6,7 @@
 
 #include "connection_publisher.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -23,7 +23,7 @@ std::string oneDecimal(double value) {
 // A robot that is driven by hand cannot be steered well by what is older.
 constexpr double kLate = 0.25;  // seconds
 
-void reportDelay(const RobotClock::Reading& reading, DiagnosticStatusWrapper& status) {
+void reportDelay(const robot_time::RobotClock::Reading& reading, DiagnosticStatusWrapper& status) {
   if (reading.mean_delay > kLate) {
     status.mergeSummary(DiagnosticStatus::WARN, "what the robot sends is " + oneDecimal(1000 * reading.mean_delay) +
                                                     " ms late on average: is the radio link weak, or this computer "
@@ -151,4 +151,4 @@ void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {
   sources_.power.report(connected && sources_.settings.telemetryPeriod() != 0, status);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -19,7 +19,7 @@
 #include "stream_meter.h"
 #include "stream_policy.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Publishes /diagnostics once a second, by the wall's clock and whether or not pictures come: one status each for
 /// the connection, the stream, the joints and the power. A stream that is off, or that nobody has demanded, is no
@@ -34,7 +34,7 @@ class DriverDiagnostics {
     StreamMeter& meter;
     const RawImagePublisher& raw_images;
     const LiveSettings& settings;
-    RobotClock& robot_clock;
+    robot_time::RobotClock& robot_clock;
     const PowerStatus& power;
   };
 
@@ -58,6 +58,6 @@ class DriverDiagnostics {
   ros::SteadyTimer timer_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_DRIVER_DIAGNOSTICS_H

@@ -9,7 +9,7 @@
 #include "aibo_driver/exceptions.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -220,4 +220,4 @@ DriverParameters readDriverParameters(const ros::NodeHandle& private_handle) {
   return parseDriverParameters(values, private_handle.getNamespace() + "/");
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -11,7 +11,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The driver's private parameters, read once at start; some of them can be changed later, see LiveSettings.
 /// docs/ros_interface.md tells what each one means to a user.
@@ -54,6 +54,6 @@ DriverParameters parseDriverParameters(const XmlRpc::XmlRpcValue& values, const 
 /// @throw InvalidArgumentException as parseDriverParameters()
 DriverParameters readDriverParameters(const ros::NodeHandle& private_handle);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_DRIVER_PARAMETERS_H

@@ -5,7 +5,7 @@
 #include "aibo_driver/exceptions.h"
 #include "led_command.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // Several programs may each command some of the LEDs.
@@ -51,4 +51,4 @@ void ExpressionCommander::send(const std::string& what, const std::function<void
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

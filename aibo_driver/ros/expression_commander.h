@@ -14,7 +14,7 @@
 #include "robot_model/robot_model.h"
 #include "throttled_warnings.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Takes commands from leds and ears, and sends them on. Nothing is kept while there is no connection. Everything runs
 /// on the callback queue of the handle, which must be served by one thread.
@@ -35,6 +35,6 @@ class ExpressionCommander {
   ros::Subscriber ears_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_EXPRESSION_COMMANDER_H

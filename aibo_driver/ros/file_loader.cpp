@@ -6,7 +6,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   return bytes;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -9,7 +9,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// A file could not be read; the message says why and what to do.
 class LoadException : public Exception {
@@ -23,6 +23,6 @@ class LoadException : public Exception {
 /// @throw LoadException it does not exist, may not be read, is no regular file, is longer, ...
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_FILE_LOADER_H

@@ -1,6 +1,7 @@
 #include "file_saver.h"
 
 #include <fcntl.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -8,13 +9,18 @@
 #include <cstring>
 #include <filesystem>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 namespace fs = std::filesystem;
 
 std::string errorText(int error) {
   return std::strerror(error);
+}
+
+bool isJpegName(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  return ::strcasecmp(extension.c_str(), ".jpg") == 0 || ::strcasecmp(extension.c_str(), ".jpeg") == 0;
 }
 
 /// A file under a name of its own, which vanishes unless it is renamed.
@@ -76,7 +82,7 @@ class TemporaryFile {
 
 }  // namespace
 
-std::string saveFile(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+std::string saveJpeg(const std::string& path, const std::vector<std::uint8_t>& jpeg) {
   if (!path.empty() && path.front() == '~') {
     throw SaveException("cannot write " + path + ": '~' is not expanded here; give the whole path");
   }
@@ -87,6 +93,10 @@ std::string saveFile(const std::string& path, const std::vector<std::uint8_t>& b
     throw SaveException("cannot write '" + path + "': that names no file" +
                         (error ? " (" + error.message() + ")" : ""));
   }
+  if (!isJpegName(path)) {
+    throw SaveException("cannot write '" + path + "': the picture is a JPEG; name it " +
+                        fs::path(path).replace_extension(".jpg").string());
+  }
   if (!fs::is_directory(target.parent_path(), error)) {
     throw SaveException("cannot write " + target.string() + ": the folder " + target.parent_path().string() +
                         " does not exist on the driver's machine or may not be entered; make it first");
@@ -95,9 +105,9 @@ std::string saveFile(const std::string& path, const std::vector<std::uint8_t>& b
     throw SaveException("cannot write " + target.string() + ": it exists and is no regular file");
   }
   TemporaryFile file(target);
-  file.write(bytes);
+  file.write(jpeg);
   file.renameTo(target);
   return target.string();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

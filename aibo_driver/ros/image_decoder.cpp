@@ -3,9 +3,11 @@
 #include <ros/console.h>
 #include <ros/transport_hints.h>
 
-namespace aibo_driver {
+#include "driver_namespace.h"
 
-ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(handle) {
+namespace aibo_driver::node {
+
+ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(inDriverNamespace(handle, "aibo/camera")) {
   const std::lock_guard<std::mutex> lock(mutex_);
   raw_images_ = std::make_unique<RawImagePublisher>(handle_, "image_raw", [this] { updateSubscription(); });
   const std::string topic = handle_.resolveName("image_raw");
@@ -35,4 +37,4 @@ void ImageDecoder::updateSubscription() {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

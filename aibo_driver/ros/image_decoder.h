@@ -10,13 +10,13 @@
 
 #include "raw_image_publisher.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Decodes image_raw/compressed to image_raw, for bags that hold only the robot's JPEGs. Subscribes to the one only
 /// while the other has a subscriber. Headers are kept.
 class ImageDecoder {
  public:
-  /// @param handle the camera's namespace
+  /// @param handle the camera's namespace; the root namespace means /aibo/camera
   explicit ImageDecoder(const ros::NodeHandle& handle);
   ~ImageDecoder();
 
@@ -33,6 +33,6 @@ class ImageDecoder {
   std::unique_ptr<RawImagePublisher> raw_images_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_IMAGE_DECODER_H

@@ -5,7 +5,7 @@
 
 #include "image_decoder.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The decoder inside of a nodelet manager.
 class ImageDecoderNodelet : public nodelet::Nodelet {
@@ -15,6 +15,6 @@ class ImageDecoderNodelet : public nodelet::Nodelet {
   std::unique_ptr<ImageDecoder> decoder_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
-PLUGINLIB_EXPORT_CLASS(aibo_driver::ImageDecoderNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(aibo_driver::node::ImageDecoderNodelet, nodelet::Nodelet)

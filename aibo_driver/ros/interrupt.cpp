@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 constexpr unsigned kTimeToSignOff = 10;  // s; a master that answers takes less than 1; roslaunch kills after 15
@@ -37,4 +37,4 @@ void endOnInterrupt() {
   ::sigaction(SIGINT, &action, nullptr);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -2,7 +2,7 @@
 #ifndef AIBO_DRIVER_INTERRUPT_H
 #define AIBO_DRIVER_INTERRUPT_H
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// From now on, Ctrl-C (SIGINT) ends this process as ROS' own handler does. If that takes longer than 10 s, it ends at
 /// once, says so on stderr, and its exit status is EXIT_FAILURE: roscpp tells the ROS master of each topic and service,
@@ -11,6 +11,6 @@ namespace aibo_driver {
 /// To be called once, when there is a ros::NodeHandle, whose making sets ROS' handler. Takes SIGALRM.
 void endOnInterrupt();
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_INTERRUPT_H

@@ -19,7 +19,7 @@
 #include "motion/measured_joints.h"
 #include "throttled_warnings.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Takes commands from joint_command and from the JOINT_position_controller/command topics, and sends what
 /// JointCommandFilter leaves of them.
@@ -37,8 +37,9 @@ class JointCommander {
   /// @param table, measured, link must outlive the commander
   /// @param approach_speed rad/s, see JointCommandFilter
   /// @param commanded called with what is going to be sent
-  JointCommander(const ros::NodeHandle& handle, const JointTable& table, const MeasuredJoints& measured,
-                 JointLink& link, double approach_speed, std::function<void(const std::vector<JointOrder>&)> commanded);
+  JointCommander(const ros::NodeHandle& handle, const motion::JointTable& table, const motion::MeasuredJoints& measured,
+                 motion::JointLink& link, double approach_speed,
+                 std::function<void(const std::vector<motion::JointOrder>&)> commanded);
 
   /// The posture may be any from now on: see JointCommandFilter. From the thread of the callback queue.
   void startApproach() { filter_.startApproach(); }
@@ -46,19 +47,19 @@ class JointCommander {
  private:
   void receiveJointState(const sensor_msgs::JointState& message);
   void receivePosition(const std::string& name, double position);
-  void collect(const JointCommand& command);
+  void collect(const motion::JointCommand& command);
   void send();
 
-  JointLink& link_;
-  const std::function<void(const std::vector<JointOrder>&)> commanded_;
-  JointCommandFilter filter_;
+  motion::JointLink& link_;
+  const std::function<void(const std::vector<motion::JointOrder>&)> commanded_;
+  motion::JointCommandFilter filter_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
-  std::uint64_t connection_ = 0;       ///< over which what follows is to be sent
-  std::map<int, JointOrder> waiting_;  ///< by id
+  std::uint64_t connection_ = 0;               ///< over which what follows is to be sent
+  std::map<int, motion::JointOrder> waiting_;  ///< by id
   ros::SteadyTimer collecting_;
   std::vector<ros::Subscriber> subscribers_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_JOINT_COMMANDER_H

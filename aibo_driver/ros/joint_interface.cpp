@@ -4,11 +4,11 @@
 
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
-JointLink::Robot robotOf(RcServerClient& client) {
-  JointLink::Robot robot;
+motion::JointLink::Robot robotOf(RcServerClient& client) {
+  motion::JointLink::Robot robot;
   robot.connections = [&client] { return client.statistics().connections; };
   robot.set_speed_limits = [&client](const std::vector<JointSpeedLimit>& limits) {
     client.setJointSpeedLimits(limits);
@@ -30,7 +30,7 @@ JointInterface::JointInterface(const ros::NodeHandle& handle, const DriverParame
       thread_(handle),
       trajectories_(thread_.handle(), table_, measured_, link_, parameters.slow_down),
       commander_(thread_.handle(), table_, measured_, link_, parameters.approach_speed,
-                 [this](const std::vector<JointOrder>& orders) { trajectories_.yieldTo(orders); }),
+                 [this](const std::vector<motion::JointOrder>& orders) { trajectories_.yieldTo(orders); }),
       motors_(thread_.handle(), client,
               [this] {
                 trajectories_.end("the motors are switched");
@@ -57,4 +57,4 @@ void JointInterface::updateConnection(const ConnectionStatus& status) {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

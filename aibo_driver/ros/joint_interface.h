@@ -17,7 +17,7 @@
 #include "telemetry_stamper.h"
 #include "trajectory_executor.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// All that the driver has to do with joints. Commands, trajectories and the services motors and play_motion are served
 /// by one thread of their own: they never wait for a picture, and none of them overtakes another.
@@ -43,10 +43,10 @@ class JointInterface {
   void updateConnection(const ConnectionStatus& status);
 
  private:
-  JointTable table_;
-  MeasuredJoints measured_;
+  motion::JointTable table_;
+  motion::MeasuredJoints measured_;
   JointTelemetryPublisher telemetry_publisher_;
-  JointLink link_;
+  motion::JointLink link_;
   CallbackThread thread_;
   TrajectoryExecutor trajectories_;
   JointCommander commander_;
@@ -54,6 +54,6 @@ class JointInterface {
   PlayMotionService motions_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_JOINT_INTERFACE_H

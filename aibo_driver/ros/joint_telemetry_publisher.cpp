@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // Of each subscriber. At 31 messages a second one that cannot keep up is at most 160 ms behind.
@@ -13,8 +13,8 @@ constexpr std::uint32_t kQueueSize = 5;
 
 }  // namespace
 
-JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, const JointTable& table,
-                                                 MeasuredJoints& measured, TelemetryStamper stamp_of)
+JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, const motion::JointTable& table,
+                                                 motion::MeasuredJoints& measured, TelemetryStamper stamp_of)
     : table_(table),
       measured_(measured),
       stamp_of_(std::move(stamp_of)),
@@ -22,7 +22,7 @@ JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, 
 
 void JointTelemetryPublisher::publish(const Telemetry& telemetry) {
   const auto message = boost::make_shared<sensor_msgs::JointState>();
-  for (const MeasuredJoint& joint : measured_.update(telemetry)) {
+  for (const motion::MeasuredJoint& joint : measured_.update(telemetry)) {
     message->name.push_back(table_[joint.index].name);
     message->position.push_back(joint.position);
     message->velocity.push_back(joint.velocity);
@@ -34,4 +34,4 @@ void JointTelemetryPublisher::publish(const Telemetry& telemetry) {
   publisher_.publish(sensor_msgs::JointStateConstPtr(message));
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

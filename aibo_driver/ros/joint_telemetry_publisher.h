@@ -9,25 +9,25 @@
 #include "motion/measured_joints.h"
 #include "telemetry_stamper.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Publishes joint_states: where each telemetry found the joints, and how fast they move.
 class JointTelemetryPublisher {
  public:
   /// @param table, measured must outlive the publisher
-  JointTelemetryPublisher(const ros::NodeHandle& handle, const JointTable& table, MeasuredJoints& measured,
-                          TelemetryStamper stamp_of);
+  JointTelemetryPublisher(const ros::NodeHandle& handle, const motion::JointTable& table,
+                          motion::MeasuredJoints& measured, TelemetryStamper stamp_of);
 
   /// Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);
 
  private:
-  const JointTable& table_;
-  MeasuredJoints& measured_;
+  const motion::JointTable& table_;
+  motion::MeasuredJoints& measured_;
   const TelemetryStamper stamp_of_;
   ros::Publisher publisher_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_JOINT_TELEMETRY_PUBLISHER_H

@@ -6,7 +6,7 @@
 
 #include "aibo_driver/jpeg_inspector.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 constexpr int kBytesPerPixel = 3;
@@ -57,4 +57,4 @@ BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size) {
   return image;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -9,7 +9,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The bytes are no whole, undamaged picture of the robot's camera; the message says what is wrong.
 class DecodeException : public Exception {
@@ -33,6 +33,6 @@ struct BgrImage {
 /// @throw DecodeException the picture is damaged, or none that the camera can make; or there is no memory
 BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_JPEG_DECODER_H

@@ -5,7 +5,7 @@
 #include <map>
 #include <sstream>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 struct Group {
@@ -89,4 +89,4 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
   return orders;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

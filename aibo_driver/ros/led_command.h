@@ -10,7 +10,7 @@
 #include "aibo_driver/leds.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// What a message asks of the LEDs, and what of it is refused.
 struct LedOrders {
@@ -23,6 +23,6 @@ struct LedOrders {
 /// together, or a mode that there is not, refuse the whole message.
 LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_LED_COMMAND_H

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, Targets targets)
     : targets_(std::move(targets)), in_force_(AiboDriverConfig::__getDefault__()), server_(private_handle) {
@@ -32,4 +32,4 @@ void LiveSettings::apply(AiboDriverConfig& config) {
                                             << config.speed_scale << " of 0.1..1.");
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -11,7 +11,7 @@
 
 #include "driver_parameters.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// What can be changed while the driver runs, by dynamic_reconfigure: see cfg/AiboDriver.cfg. It begins with what the
 /// parameters of these names say. What is out of range is set to the nearest value in it; the answer, the topic
@@ -40,6 +40,6 @@ class LiveSettings {
   dynamic_reconfigure::Server<AiboDriverConfig> server_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_LIVE_SETTINGS_H

@@ -14,7 +14,7 @@
 
 #include <chrono>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using XmlRpc::XmlRpcDispatch;
@@ -164,4 +164,4 @@ bool MasterWatch::isEnding() {
   return ending_ || ros::isShuttingDown();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Tells a restarted ROS master about this process.
 ///
@@ -58,6 +58,6 @@ class MasterWatch {
   std::thread thread_;  // last: it uses all of the above
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_MASTER_WATCH_H

@@ -10,7 +10,7 @@
 #include "mtn/layout.h"
 #include "service_answer.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
@@ -57,4 +57,4 @@ bool MotionFileServices::deleteMotion(DeleteMotion::Request& request, DeleteMoti
   });
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -11,7 +11,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The services list_motions, upload_motion and delete_motion: the files on the robot's memory stick.
 class MotionFileServices {
@@ -34,6 +34,6 @@ class MotionFileServices {
   ros::ServiceServer delete_server_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_MOTION_FILE_SERVICES_H

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 std::string motionFileName(const std::string& name) {
   std::string file = name;
@@ -14,4 +14,4 @@ std::string motionFileName(const std::string& name) {
   return file;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -6,7 +6,7 @@
 #include "aibo_driver/exceptions.h"
 #include "service_answer.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 MotorService::MotorService(const ros::NodeHandle& handle, RcServerClient& client, std::function<void()> switching)
     : client_(client),
@@ -25,4 +25,4 @@ bool MotorService::setMotors(std_srvs::SetBool::Request& request, std_srvs::SetB
   });
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -10,7 +10,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The service motors: the joints hold and move, or can be moved by hand.
 class MotorService {
@@ -30,6 +30,6 @@ class MotorService {
   ros::ServiceServer server_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_MOTOR_SERVICE_H

@@ -7,7 +7,7 @@
 #include "motion_name.h"
 #include "service_answer.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 PlayMotionService::PlayMotionService(const ros::NodeHandle& handle, RcServerClient& client,
                                      std::function<void()> beginning)
@@ -38,4 +38,4 @@ std::string PlayMotionService::stop(const std::string& name) {
   return (name.empty() ? "All motions" : name) + " stopped: the joints hold where they are.";
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -11,7 +11,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The service play_motion: plays what is on the robot's memory stick, or stops it.
 class PlayMotionService {
@@ -33,6 +33,6 @@ class PlayMotionService {
   ros::ServiceServer server_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_PLAY_MOTION_SERVICE_H

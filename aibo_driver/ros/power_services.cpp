@@ -2,7 +2,7 @@
 
 #include "service_answer.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 PowerServices::PowerServices(const ros::NodeHandle& handle, RcServerClient& client) : client_(client) {
   ros::NodeHandle services(handle);
@@ -24,4 +24,4 @@ bool PowerServices::reboot(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
   });
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -9,7 +9,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The services shut_down and reboot. The robot does it only if its RCSERVER.CFG allows it.
 class PowerServices {
@@ -28,6 +28,6 @@ class PowerServices {
   ros::ServiceServer reboot_server_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_POWER_SERVICES_H

@@ -7,7 +7,7 @@
 
 #include "sensor_reading.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -83,4 +83,4 @@ void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

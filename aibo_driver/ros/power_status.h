@@ -10,7 +10,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// What the robot last told of its battery, and what that means to who has to look after it. From any thread.
 class PowerStatus {
@@ -41,6 +41,6 @@ class PowerStatus {
   std::optional<double> temperature_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_POWER_STATUS_H

@@ -4,7 +4,7 @@
 
 #include "sensor_reading.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 std::optional<sensor_msgs::Range> RangeFinder::read(const Telemetry& telemetry) const {
   const std::optional<double> distance = readingOf(sensor_, telemetry);
@@ -24,4 +24,4 @@ std::optional<sensor_msgs::Range> RangeFinder::read(const Telemetry& telemetry) 
   return message;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -9,7 +9,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Makes messages of what an infrared range finder measured. Out of its range is told as REP 117 wants it: -inf when
 /// something is too near to be measured, inf when nothing is near enough.
@@ -30,6 +30,6 @@ class RangeFinder {
   const robot_model::Sensor& sensor_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_RANGE_FINDER_H

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 constexpr double kWarnPeriod = 10.0;  // seconds
@@ -107,4 +107,4 @@ void RawImagePublisher::decodeAndPublish(const sensor_msgs::CompressedImage& pic
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -15,7 +15,7 @@
 
 #include "jpeg_decoder.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Publishes JPEG pictures as bgr8 images, through image_transport, while somebody subscribes to them.
 ///
@@ -63,6 +63,6 @@ class RawImagePublisher {
   std::thread thread_;  // last: it uses all of the above
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // Reading two clocks takes less, unless the thread was interrupted in between.
@@ -21,7 +21,7 @@ ros::Time fromNanoseconds(std::int64_t nanoseconds) {
 
 }  // namespace
 
-RobotStamper::RobotStamper(RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
+RobotStamper::RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
                            std::function<ros::Time()> ros_now, std::function<SteadyTime()> steady_now)
     : robot_clock_(robot_clock),
       time_offset_(time_offset),
@@ -68,4 +68,4 @@ ros::Time RobotStamper::toRosTime(SteadyTime time) const {
   return fromNanoseconds(static_cast<std::int64_t>(now.toNSec()) - age.count() + time_offset_.count());
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

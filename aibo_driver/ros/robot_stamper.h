@@ -16,7 +16,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_time/robot_clock.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Stamps the messages of one stream, pictures or telemetry: when the robot took or measured it, on ROS' clock. What
 /// tells no frame number, as of a version 1 server, is stamped with its arrival.
@@ -36,7 +36,7 @@ class RobotStamper {
   /// @param robot_clock must outlive the stamper; null: every stamp is that of the arrival
   /// @param time_offset added to every stamp
   /// @param ros_now, steady_now the clocks
-  RobotStamper(RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
+  RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
                std::function<ros::Time()> ros_now = ros::Time::now,
                std::function<SteadyTime()> steady_now = std::chrono::steady_clock::now);
 
@@ -63,7 +63,7 @@ class RobotStamper {
   ros::Time stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
   ros::Time toRosTime(SteadyTime time) const;
 
-  RobotClock* const robot_clock_;
+  robot_time::RobotClock* const robot_clock_;
   const std::chrono::nanoseconds time_offset_;
   const std::function<ros::Time()> ros_now_;
   const std::function<SteadyTime()> steady_now_;
@@ -73,6 +73,6 @@ class RobotStamper {
   std::size_t count_ = 0;                    ///< of all stamps given
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_ROBOT_STAMPER_H

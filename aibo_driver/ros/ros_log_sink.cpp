@@ -2,7 +2,7 @@
 
 #include <ros/console.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 LogSink makeRosLogSink() {
   return [](LogLevel level, const std::string& message) {
@@ -23,4 +23,4 @@ LogSink makeRosLogSink() {
   };
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

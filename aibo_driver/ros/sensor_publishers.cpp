@@ -8,7 +8,7 @@
 #include "range_finder.h"
 #include "touch_sensors.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // Of each subscriber, as that of joint_states.
@@ -62,4 +62,4 @@ void SensorPublishers::add(const std::string& topic, const std::string& frame_id
   });
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -12,7 +12,7 @@
 #include "robot_model/robot_model.h"
 #include "telemetry_stamper.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Publishes what the robot measures beside its joints: range/NAME, imu/data_raw, touch and battery. Only topics of
 /// sensors that the robot has are advertised; a message is published when there is something new for it.
@@ -33,6 +33,6 @@ class SensorPublishers {
   std::vector<std::function<void(const Telemetry&)>> publishers_;  ///< one a topic
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_SENSOR_PUBLISHERS_H

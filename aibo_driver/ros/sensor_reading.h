@@ -8,7 +8,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// What a sensor measured; nothing if this telemetry does not tell.
 inline std::optional<double> readingOf(const robot_model::Sensor& sensor, const Telemetry& telemetry) {
@@ -20,6 +20,6 @@ inline std::optional<double> readingOf(const robot_model::Sensor& sensor, const 
   return found->value;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_SENSOR_READING_H

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Answers a service call with how it went. What cannot be done is an answer, too: the call itself never fails.
 /// @tparam Response has success and message
@@ -23,6 +23,6 @@ bool answerService(Response& response, const std::string& failure, const Work& w
   return true;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_SERVICE_ANSWER_H

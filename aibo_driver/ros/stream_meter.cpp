@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 double seconds(std::chrono::steady_clock::duration duration) {
@@ -35,4 +35,4 @@ StreamMeter::Reading StreamMeter::read() {
   return reading;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

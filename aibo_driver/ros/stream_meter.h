@@ -8,7 +8,7 @@
 #include <functional>
 #include <mutex>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Measures the published pictures between one reading and the next. Every function may be called from any thread.
 class StreamMeter {
@@ -41,6 +41,6 @@ class StreamMeter {
   double latency_sum_ = 0.0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_STREAM_METER_H

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 StreamPolicy::StreamPolicy(bool wanted, bool on_demand, std::function<bool()> has_subscriber,
                            std::function<void(bool)> set_streaming)
@@ -60,4 +60,4 @@ void StreamPolicy::decide() {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -5,7 +5,7 @@
 #include <functional>
 #include <mutex>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Decides whether the robot shall stream.
 ///
@@ -51,6 +51,6 @@ class StreamPolicy {
   bool wanted_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_STREAM_POLICY_H

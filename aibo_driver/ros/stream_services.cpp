@@ -10,7 +10,7 @@
 #include "connection_publisher.h"
 #include "file_saver.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // So many callers may wait for a picture at the same time; the next one waits for one of them.
@@ -69,7 +69,7 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
     response.image = to_message_(*picture);
     response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {
-      response.message += " Saved to " + saveFile(request.save_to, picture->jpeg) + ".";
+      response.message += " Saved to " + saveJpeg(request.save_to, picture->jpeg) + ".";
     }
     response.success = true;
   } catch (const SaveException& error) {
@@ -109,4 +109,4 @@ bool StreamServices::describeStream(bool wanted, std::string* message) const {
   return true;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -16,7 +16,7 @@
 #include "driver_parameters.h"
 #include "stream_policy.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// The services take_picture, set_streaming and toggle_streaming, and the latched topic streaming.
 ///
@@ -63,6 +63,6 @@ class StreamServices {
   ros::AsyncSpinner take_picture_threads_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_STREAM_SERVICES_H

@@ -8,12 +8,12 @@
 
 #include "aibo_driver/telemetry.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// When a telemetry was measured, on ROS' clock: the stamp of all messages that are made of it. Asked for the same
 /// telemetry again, it answers the same. From the client's thread.
 using TelemetryStamper = std::function<ros::Time(const Telemetry& telemetry)>;
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_TELEMETRY_STAMPER_H

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <sstream>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 constexpr std::chrono::seconds kPeriod{5};
@@ -38,4 +38,4 @@ void ThrottledWarnings::warn(const std::string& text) {
   log_(text);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Logs each different warning once in a while: a program that repeats its mistake many times a second is told of it,
 /// and hides no other. Numbers make no difference, as they do not in the mistake; those in names do. From one thread at
@@ -25,6 +25,6 @@ class ThrottledWarnings {
   std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged, without numbers
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_THROTTLED_WARNINGS_H

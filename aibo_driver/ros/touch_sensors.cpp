@@ -4,7 +4,7 @@
 
 #include "sensor_reading.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // Where a message tells of a sensor.
@@ -66,4 +66,4 @@ std::optional<Touch> TouchSensors::read(const Telemetry& telemetry) {
   return anything ? std::optional<Touch>(message_) : std::nullopt;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -10,7 +10,7 @@
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Makes messages of what the switches and touch sensors measured.
 class TouchSensors {
@@ -30,6 +30,6 @@ class TouchSensors {
   std::uint64_t connection_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_TOUCH_SENSORS_H

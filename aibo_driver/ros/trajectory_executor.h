@@ -20,7 +20,7 @@
 #include "motion/trajectory_clock.h"
 #include "throttled_warnings.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// Carries out joint_trajectory. Trajectory tells what is accepted and how it is interpolated.
 ///
@@ -39,12 +39,12 @@ class TrajectoryExecutor {
 
   /// @param table, measured, link must outlive the executor
   /// @param slow_down as for Trajectory
-  TrajectoryExecutor(const ros::NodeHandle& handle, const JointTable& table, const MeasuredJoints& measured,
-                     JointLink& link, bool slow_down);
+  TrajectoryExecutor(const ros::NodeHandle& handle, const motion::JointTable& table,
+                     const motion::MeasuredJoints& measured, motion::JointLink& link, bool slow_down);
 
   /// Ends the trajectory if it moves one of these joints, which are told something else now. From the thread of the
   /// callback queue.
-  void yieldTo(const std::vector<JointOrder>& orders);
+  void yieldTo(const std::vector<motion::JointOrder>& orders);
 
   /// Ends the trajectory, if there is one. From the thread of the callback queue.
   void end(const std::string& reason);
@@ -53,8 +53,8 @@ class TrajectoryExecutor {
   using SteadyTime = std::chrono::steady_clock::time_point;
 
   struct Running {
-    Trajectory trajectory;
-    TrajectoryClock clock;
+    motion::Trajectory trajectory;
+    motion::TrajectoryClock clock;
     std::uint64_t connection = 0;
     bool end_sent = false;
   };
@@ -63,13 +63,13 @@ class TrajectoryExecutor {
   void start(const trajectory_msgs::JointTrajectory& message);
   void hold();
   void goOn();
-  std::vector<Trajectory::Start> present(SteadyTime now) const;
+  std::vector<motion::Trajectory::Start> present(SteadyTime now) const;
   void send(const std::vector<std::size_t>& joints, const std::vector<double>& positions,
             std::chrono::milliseconds duration);
 
-  const JointTable& table_;
-  const MeasuredJoints& measured_;
-  JointLink& link_;
+  const motion::JointTable& table_;
+  const motion::MeasuredJoints& measured_;
+  motion::JointLink& link_;
   const bool slow_down_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   std::optional<Running> running_;
@@ -77,6 +77,6 @@ class TrajectoryExecutor {
   ros::Subscriber subscriber_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_TRAJECTORY_EXECUTOR_H

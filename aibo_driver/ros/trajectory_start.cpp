@@ -6,7 +6,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 // A message takes its time from the sender to here, and the clocks of two machines differ a little.
@@ -31,4 +31,4 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
   return std::chrono::nanoseconds(std::max<std::int64_t>(0, std::llround(wait * 1e9)));
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

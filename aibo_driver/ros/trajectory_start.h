@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 
 /// How long to wait before a trajectory begins. From any thread.
 /// @param stamp header.stamp of the message, whatever is in it; 0 means at once
@@ -15,6 +15,6 @@ namespace aibo_driver {
 /// @throw InvalidArgumentException the stamp is more than 1 s ago, or more than an hour ahead
 std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time& now);
 
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_TRAJECTORY_START_H

@@ -1,4 +1,4 @@
-// Node, nodelet and decoder as a user starts them.
+// The nodes and nodelets as a user starts them.
 
 #include <gmock/gmock.h>
 #include <nodelet/NodeletLoad.h>
@@ -7,6 +7,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <signal.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
 #include <chrono>
 #include <string>
@@ -48,6 +49,30 @@ TEST(Node, StartedInItsNamespaceDoesNotDoubleIt) {
   DriverProcess driver("/aibo", robot.port());
   EXPECT_FALSE(pictures.waitForCount(1).empty());
   EXPECT_FALSE(ros::service::exists("/aibo/aibo/take_picture", false));
+}
+
+TEST(LookAround, StartedBareCommandsTheDriverUnderAibo) {
+  SimulatedRobot robot;
+  TopicListener<trajectory_msgs::JointTrajectory> trajectories("/aibo/joint_trajectory");
+  DriverProcess driver("/", robot.port());
+  Process look_around({AIBO_LOOK_AROUND, "__ns:=/"});
+  EXPECT_FALSE(trajectories.waitForCount(1).empty());
+  look_around.waitForOutput("under /aibo", kSafetyNet);
+}
+
+TEST(Monitor, StartedBareWatchesTheDriverUnderAibo) {
+  SimulatedRobot robot;
+  DriverProcess driver("/", robot.port());
+  Process monitor({AIBO_MONITOR, "__ns:=/"});
+  monitor.waitForOutput("under /aibo", kSafetyNet);
+  monitor.waitForOutput("pictures/s", kSafetyNet);
+}
+
+TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
+  Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_seconds:=1"});
+  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
+  monitor.waitForOutput("no driver in namespace /nobody", kSafetyNet);
+  monitor.waitForOutput("no picture came within 1 s", kSafetyNet);
 }
 
 TEST(Node, EndsWithAnErrorThatNamesABadParameterAndItsRange) {
@@ -222,6 +247,14 @@ TEST_F(Decoder, NodeSubscribesOnlyWhileSomebodyListensAndKeepsTheHeader) {
 TEST_F(Decoder, NodeletDoesTheSame) {
   const Process decoder = startNodelet("aibo_driver/ImageDecoderNodelet", {"__ns:=/bag/camera"});
   decodesWhileSomebodyListens();
+}
+
+TEST_F(Decoder, NodeStartedBareDecodesTheCameraUnderAibo) {
+  Process decoder({AIBO_IMAGE_DECODER, "__ns:=/"});
+  publisher_ = ros::NodeHandle().advertise<sensor_msgs::CompressedImage>("/aibo/camera/image_raw/compressed", 10);
+  ImageListener images("/aibo/camera/image_raw");
+  EXPECT_TRUE(publishUntilDecoded(images));
+  decoder.waitForOutput("under /aibo/camera", kSafetyNet);
 }
 
 TEST_F(Decoder, NodeletIsUnloadedWhileItDecodesAndTheManagerGoesOn) {

@@ -173,9 +173,9 @@ class CorruptExperiment : public ClientExperiment {
 
   bool decode(const Bytes& jpeg) {
     try {
-      const aibo_driver::BgrImage image = aibo_driver::decodeJpeg(jpeg.data(), jpeg.size());
+      const aibo_driver::node::BgrImage image = aibo_driver::node::decodeJpeg(jpeg.data(), jpeg.size());
       return image.width > 0;
-    } catch (const aibo_driver::DecodeException&) {
+    } catch (const aibo_driver::node::DecodeException&) {
       return false;
     }
   }

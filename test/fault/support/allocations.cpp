@@ -18,8 +18,11 @@ std::size_t takeLargest(int mark) {
   return largest.at(static_cast<std::size_t>(mark)).exchange(0);
 }
 
+}  // namespace fault_bench::allocations
+
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
+namespace fault_bench::allocations {
 namespace {
 
 // The threads of one mark run one after the other, and only theirs is looked at.
@@ -31,7 +34,6 @@ void note(std::size_t size) {
 }
 
 }  // namespace
-
 }  // namespace fault_bench::allocations
 
 // All other forms of new and delete end in these.
@@ -50,9 +52,5 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
-
-#else
-
-}  // namespace fault_bench::allocations
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "good_calibration.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using sensor_msgs::CameraInfo;
@@ -60,4 +60,4 @@ TEST(Calibration, WithANumberThatIsNotFiniteIsRefused) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 TEST(DescribeConnection, SaysWhereReasonAndAdvice) {
@@ -22,4 +22,4 @@ TEST(DescribeConnection, SaysWhereReasonAndAdvice) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -6,7 +6,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using ::testing::ElementsAre;
@@ -158,4 +158,4 @@ TEST(DriverParameters, ThatNobodyReadsAreListed) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

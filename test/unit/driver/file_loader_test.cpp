@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ TEST_F(FileLoaderTest, SaysWhyItCannot) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ class FileSaverTest : public ::testing::Test {
 
   static std::string refusal(const std::string& path) {
     try {
-      saveFile(path, {'a'});
+      saveJpeg(path, {'a'});
     } catch (const SaveException& error) {
       return error.what();
     }
@@ -46,28 +46,28 @@ class FileSaverTest : public ::testing::Test {
 };
 
 TEST_F(FileSaverTest, SavesAndTellsWhere) {
-  EXPECT_EQ(saveFile((folder_ / "picture.jpg").string(), {'a', 'b'}), (folder_ / "picture.jpg").string());
+  EXPECT_EQ(saveJpeg((folder_ / "picture.jpg").string(), {'a', 'b'}), (folder_ / "picture.jpg").string());
   EXPECT_EQ(read(folder_ / "picture.jpg"), "ab");
 }
 
 TEST_F(FileSaverTest, ReplacesAnExistingFileAndLeavesNothingElse) {
-  saveFile((folder_ / "picture.jpg").string(), {'a', 'b', 'c'});
-  saveFile((folder_ / "picture.jpg").string(), {'d'});
+  saveJpeg((folder_ / "picture.jpg").string(), {'a', 'b', 'c'});
+  saveJpeg((folder_ / "picture.jpg").string(), {'d'});
   EXPECT_EQ(read(folder_ / "picture.jpg"), "d");
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
 TEST_F(FileSaverTest, GivesTheFileTheUsualPermissions) {
   const mode_t old_mask = ::umask(022);
-  saveFile((folder_ / "picture.jpg").string(), {'a'});
+  saveJpeg((folder_ / "picture.jpg").string(), {'a'});
   ::umask(old_mask);
   EXPECT_EQ(fs::status(folder_ / "picture.jpg").permissions(), fs::perms(0644));
 }
 
 TEST_F(FileSaverTest, FollowsALinkToAFile) {
-  saveFile((folder_ / "picture.jpg").string(), {'a'});
+  saveJpeg((folder_ / "picture.jpg").string(), {'a'});
   fs::create_symlink("picture.jpg", folder_ / "latest.jpg");
-  saveFile((folder_ / "latest.jpg").string(), {'b'});
+  saveJpeg((folder_ / "latest.jpg").string(), {'b'});
   EXPECT_TRUE(fs::is_symlink(folder_ / "latest.jpg"));
   EXPECT_EQ(read(folder_ / "picture.jpg"), "b");
 }
@@ -75,7 +75,7 @@ TEST_F(FileSaverTest, FollowsALinkToAFile) {
 TEST_F(FileSaverTest, TakesARelativePathFromTheWorkingDirectory) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
-  const std::string saved = saveFile("picture.jpg", {'a'});
+  const std::string saved = saveJpeg("picture.jpg", {'a'});
   fs::current_path(before);
   EXPECT_EQ(saved, (folder_ / "picture.jpg").string());
 }
@@ -91,14 +91,25 @@ TEST_F(FileSaverTest, RefusesWhatNamesNoFile) {
   EXPECT_THAT(refusal((folder_ / "picture.jpg").string() + "/"), HasSubstr("names no file"));
 }
 
+TEST_F(FileSaverTest, TakesBothNamesOfAJpegInAnyCase) {
+  EXPECT_EQ(saveJpeg((folder_ / "picture.jpeg").string(), {'a'}), (folder_ / "picture.jpeg").string());
+  EXPECT_EQ(saveJpeg((folder_ / "PICTURE.JPG").string(), {'a'}), (folder_ / "PICTURE.JPG").string());
+}
+
+TEST_F(FileSaverTest, RefusesANameThatIsNotThatOfAJpegAndSaysABetterOne) {
+  EXPECT_THAT(refusal((folder_ / "picture.png").string()), HasSubstr("name it " + (folder_ / "picture.jpg").string()));
+  EXPECT_THAT(refusal((folder_ / "picture").string()), HasSubstr("name it " + (folder_ / "picture.jpg").string()));
+  EXPECT_EQ(filesInFolder(), 0u);
+}
+
 TEST_F(FileSaverTest, SaysThatATildeIsNotExpanded) {
   EXPECT_THAT(refusal("~/picture.jpg"), HasSubstr("'~' is not expanded"));
 }
 
 TEST_F(FileSaverTest, DoesNotReplaceADevice) {
-  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-  EXPECT_THAT(refusal((folder_ / "pipe").string()), HasSubstr("no regular file"));
-  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.jpg").c_str(), 0600), 0);
+  EXPECT_THAT(refusal((folder_ / "pipe.jpg").string()), HasSubstr("no regular file"));
+  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe.jpg"));
 }
 
 TEST_F(FileSaverTest, SaysThatPermissionIsMissing) {
@@ -111,4 +122,4 @@ TEST_F(FileSaverTest, SaysThatPermissionIsMissing) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

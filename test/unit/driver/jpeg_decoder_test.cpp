@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using ::testing::HasSubstr;
@@ -103,4 +103,4 @@ TEST(DecodeJpeg, APictureThatLacksATableIsNotDecodedByThatOfThePictureBefore) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using ::testing::ElementsAre;
@@ -87,4 +87,4 @@ TEST(ParseLeds, RefusesAMessageThatDoesNotFitTogether) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

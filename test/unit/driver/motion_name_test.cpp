@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 TEST(MotionFileName, IsTheSameForAllWaysToWriteAName) {
@@ -14,4 +14,4 @@ TEST(MotionFileName, IsTheSameForAllWaysToWriteAName) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

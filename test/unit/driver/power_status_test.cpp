@@ -3,7 +3,7 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gmock/gmock.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -81,4 +81,4 @@ TEST(PowerStatus, IsForgottenWithTheConnection) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

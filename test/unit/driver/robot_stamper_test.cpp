@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using namespace std::chrono_literals;
@@ -25,7 +25,7 @@ Telemetry telemetryOf(std::uint32_t frame_number, RobotStamper::SteadyTime arriv
 
 class RobotStamperTest : public ::testing::Test {
  protected:
-  RobotStamper makeStamper(std::chrono::nanoseconds time_offset, RobotClock* robot_clock = nullptr) {
+  RobotStamper makeStamper(std::chrono::nanoseconds time_offset, robot_time::RobotClock* robot_clock = nullptr) {
     return RobotStamper(
         robot_clock, time_offset, [this] { return ros_now_; }, [this] { return steady_now_; });
   }
@@ -37,7 +37,7 @@ class RobotStamperTest : public ::testing::Test {
 
   ros::Time ros_now_{1000, 0};
   RobotStamper::SteadyTime steady_now_{500s};
-  RobotClock robot_clock_;
+  robot_time::RobotClock robot_clock_;
 };
 
 TEST_F(RobotStamperTest, TheStampOfAPictureWithoutAFrameNumberIsTheArrivalOfItsFirstByte) {
@@ -149,4 +149,4 @@ TEST_F(RobotStamperTest, TheClocksAreReadAgainIfTheThreadWasInterruptedInBetween
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -11,7 +11,7 @@
 #include "range_finder.h"
 #include "touch_sensors.h"
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using namespace std::chrono_literals;
@@ -209,4 +209,4 @@ TEST(BatteryTest, SpeaksOnceASecond) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 using namespace std::chrono_literals;
@@ -34,4 +34,4 @@ TEST(StreamMeter, DividesByNoTimeAtAll) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 class StreamPolicyTest : public ::testing::Test {
@@ -91,4 +91,4 @@ TEST_F(StreamPolicyTest, DecidesNothingAfterStop) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::node {
 namespace {
 
 TEST(ThrottledWarnings, TellsTheSameOnceInAWhileWhateverNumbersAreInIt) {
@@ -19,4 +19,4 @@ TEST(ThrottledWarnings, TellsTheSameOnceInAWhileWhateverNumbersAreInIt) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::node

@@ -15,7 +15,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-namespace aibo_driver {
+namespace aibo_driver::monitor {
 namespace {
 
 using Clock = std::chrono::system_clock;
@@ -40,8 +40,8 @@ class PictureLogTest : public LogFileFixture {
 };
 
 TEST_F(PictureLogTest, TellsWhenTheCameraSawThePictureThatIsSent) {
-  const Bytes first{1, 2, 3};
-  const Bytes second{4, 5, 6};
+  const Bytes first{0xFF, 0xD8, 0xFF, 1};
+  const Bytes second{0xFF, 0xD8, 0xFF, 2};
   const auto begin = Clock::now();
   log_.cameraImageTaken();
   const auto between = Clock::now();
@@ -59,7 +59,7 @@ TEST_F(PictureLogTest, TellsWhenTheCameraSawThePictureThatIsSent) {
 
 TEST_F(PictureLogTest, KnowsAPictureOfVersion2) {
   using namespace protocol::version2;
-  const Bytes jpeg{1, 2, 3};
+  const Bytes jpeg{0xFF, 0xD8, 0xFF};
   Bytes message(FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE);
   encodeFrameHeader({PICTURE, 85, 4711, static_cast<unsigned>(IMAGE_HEADER_SIZE + jpeg.size())}, message.data());
   encodeImageHeader({1, 2, 208, 160, 85, LAYER_HIGH}, message.data() + FRAME_HEADER_SIZE);
@@ -70,13 +70,13 @@ TEST_F(PictureLogTest, KnowsAPictureOfVersion2) {
 }
 
 TEST_F(PictureLogTest, PassesOverWhatIsNotAPicture) {
-  const Bytes jpeg{1, 2, 3};
+  const Bytes jpeg{0xFF, 0xD8, 0xFF};
   log_.cameraImageTaken();
   const Bytes error_reply{'e', 0, 0, 0};
   log_.aboutToSend(error_reply.data(), error_reply.size());
   const Bytes short_header{'f', 0, 0};
   log_.aboutToSend(short_header.data(), short_header.size());
-  const Bytes half_a_picture{'f', 0, 0, 0, 6, 1, 2, 3};
+  const Bytes half_a_picture{'f', 0, 0, 0, 6, 0xFF, 0xD8, 0xFF};
   log_.aboutToSend(half_a_picture.data(), half_a_picture.size());
   EXPECT_FALSE(loggedTime(jpeg));
   EXPECT_EQ(0u, sizeOfLog());
@@ -97,17 +97,17 @@ TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyEmpties) {
   makePipe();
   PictureLog log(path());
   PictureLogReader reader(path());
-  const Bytes message{'f', 0, 0, 0, 1, 42};
+  const Bytes message{'f', 0, 0, 0, 4, 0xFF, 0xD8, 0xFF, 42};
   for (int picture = 0; picture < 10000; ++picture) {
     log.aboutToSend(message.data(), message.size());
   }
   reader.readNewLines();
-  EXPECT_TRUE(reader.cameraTime({42}, Clock::now()));
+  EXPECT_TRUE(reader.cameraTime({0xFF, 0xD8, 0xFF, 42}, Clock::now()));
   log.cameraImageTaken();
   log.aboutToSend(message.data(), message.size());
   reader.readNewLines();
-  EXPECT_GT(reader.cameraTime({42}, Clock::now())->time_since_epoch().count(), 0);
+  EXPECT_GT(reader.cameraTime({0xFF, 0xD8, 0xFF, 42}, Clock::now())->time_since_epoch().count(), 0);
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::monitor

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 namespace {
 
 using std::chrono::milliseconds;
@@ -200,4 +200,4 @@ TEST_F(JointCommandFilterTest, ApproachesWithAVelocityThatIsLowerStill) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

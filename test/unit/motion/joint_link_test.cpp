@@ -7,7 +7,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 namespace {
 
 using std::chrono::milliseconds;
@@ -87,4 +87,4 @@ TEST_F(JointLinkTest, TellsWhenTheRobotCannotBeTold) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

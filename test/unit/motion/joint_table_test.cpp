@@ -4,7 +4,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 namespace {
 
 TEST(JointTable, ListsTheServosOfTheErs7InRadian) {
@@ -51,4 +51,4 @@ TEST(JointTable, KnowsOtherRobotsByTheirDesign) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

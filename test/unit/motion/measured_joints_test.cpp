@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 namespace {
 
 using std::chrono::milliseconds;
@@ -68,4 +68,4 @@ TEST_F(MeasuredJointsTest, LeaveOutJointsThatAreNotInTheTable) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

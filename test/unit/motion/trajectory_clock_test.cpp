@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace aibo_driver {
+namespace aibo_driver::motion {
 namespace {
 
 using std::chrono::milliseconds;
@@ -36,4 +36,4 @@ TEST_F(TrajectoryClockTest, BeginsLaterIfNobodyAttendsThen) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::motion

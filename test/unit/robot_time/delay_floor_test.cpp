@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace aibo_driver {
+namespace aibo_driver::robot_time {
 namespace {
 
 TEST(DelayFloor, OfOneMessageIsItsLateness) {
@@ -53,4 +53,4 @@ TEST(DelayFloor, ForgetsWhatIsOlderThanItsWindow) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::robot_time

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace aibo_driver {
+namespace aibo_driver::robot_time {
 namespace {
 
 using namespace std::chrono_literals;
@@ -254,4 +254,4 @@ TEST(RobotClock, TellsHowLongMessagesWereDelayed) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_driver::robot_time
