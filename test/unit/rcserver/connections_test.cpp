@@ -145,11 +145,10 @@ TEST_P(RefusedByTheIpStackTest, ItIsSaidAndNobodyWaitsForAnAnswer) {
   EXPECT_THAT(robot_.joint("head_pan").gains.proportional, ::testing::Ne(0)) << "the robot goes on";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Entries, RefusedByTheIpStackTest,
-    ::testing::Values(std::make_pair(0, "the IPStack has no endpoint to listen on port 54321"),
-                      std::make_pair(1, "is gone: the IPStack does not send"),
-                      std::make_pair(2, "is gone: the IPStack does not receive")));
+INSTANTIATE_TEST_SUITE_P(Entries, RefusedByTheIpStackTest,
+                         ::testing::Values(std::make_pair(0, "the IPStack has no endpoint to listen on port 54321"),
+                                           std::make_pair(1, "is gone: the IPStack does not send"),
+                                           std::make_pair(2, "is gone: the IPStack does not receive")));
 
 // WAG.MTN takes less than 2 s.
 TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsAndItIsServedOn) {
