@@ -18,7 +18,7 @@ class HandlerTimeTest : public testing::Test {
           return object == "Encoder" && entry == Entry::kNotify ? milliseconds(20) : milliseconds(0);
         },
         [this] { return now_; });
-    test_.boot({{"Camera", "Encoder"}, {"Encoder", "Server"}});
+    test_.boot({{"Camera", "Encoder"}, {"Encoder", "Server"}, {"Server", "Encoder"}});
     encoder_.on_notify = [this](const ONotifyEvent&) {
       encoded_.push_back(now_);
       encoder_.subject().SetData("jpeg", 4);
@@ -50,7 +50,7 @@ class HandlerTimeTest : public testing::Test {
 
   TestSystem test_;
   TestObject& camera_ = test_.add("Camera");
-  TestObject& encoder_ = test_.add("Encoder");
+  TestObject& encoder_ = test_.add("Encoder", 112);  // of a lower scheduling class
   TestObject& server_ = test_.add("Server");
   std::chrono::nanoseconds now_{0};
   std::vector<std::chrono::nanoseconds> encoded_;
@@ -93,6 +93,27 @@ TEST_F(HandlerTimeTest, AnObjectThatIsBusyGetsItsNextMessageAfterwards) {
   passTo(milliseconds(40));
   EXPECT_THAT(received_, ElementsAre(milliseconds(20), milliseconds(40)));
   EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "there was one image left, not two";
+}
+
+TEST_F(HandlerTimeTest, WhatWaitsForABusyObjectKeepsItsPlace) {
+  std::vector<OID> senders;
+  encoder_.on_notify = [&](const ONotifyEvent& event) { senders.push_back(event.SenderID().oid); };
+  takeImageAt(milliseconds(0));
+  test_.as(encoder_, [&] { encoder_.observer().AssertReady(camera_.subjectId()); });
+  test_.run();
+  takeImageAt(milliseconds(8));
+  server_.on_notify = [&](const ONotifyEvent&) {
+    server_.subject().SetData("settings", 8);
+    server_.subject().NotifyObservers();
+  };
+  test_.as(encoder_, [&] {
+    encoder_.subject().SetData("jpeg", 4);
+    encoder_.subject().NotifyObservers();
+  });
+  passTo(milliseconds(16));
+  passTo(milliseconds(20));
+  passTo(milliseconds(40));
+  EXPECT_THAT(senders, ElementsAre(camera_.id(), camera_.id(), server_.id()));
 }
 
 }  // namespace

@@ -397,6 +397,16 @@ TEST_F(IpStackTest, ClosingAListeningEndpointEndsTheListening) {
   EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd(); }));
 }
 
+TEST_F(IpStackTest, AListeningEndpointThatWasClosedByACallGetsNoClient) {
+  const auto endpoint = createEndpoint();
+  listen(endpoint);
+  TCPEndpointCloseMsg message(endpoint);
+  EXPECT_EQ(call(message), ANT_SUCCESS);
+  EXPECT_EQ(message.error, TCP_SUCCESS);
+  TestClient client(host_port_);
+  EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd(); }));
+}
+
 TEST_F(IpStackTest, ANewcomerIsTurnedAwayAtOnceWhileNobodyListens) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client);

@@ -71,6 +71,19 @@ class Shutter : public OObject {
 
 OStatus Shutter::status = oSUCCESS;
 
+/// A clock whose frame lasts 80 s, so that no frame begins in the course of a test.
+class SlowClock : public Clock {
+ public:
+  std::chrono::nanoseconds now() const override { return (std::chrono::steady_clock::now() - begin_) / kSlowness; }
+  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override {
+    return begin_ + since_begin * kSlowness;
+  }
+
+ private:
+  static constexpr int kSlowness = 10000;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 class MachineTest : public testing::Test {
  protected:
   MachineTest() {
@@ -142,6 +155,18 @@ TEST_F(MachineTest, BootsAnObjectOfTheStickAndServesItsClientsOneAfterTheOther) 
   }
   machine.shutdown();
   EXPECT_THAT(console_.str(), HasSubstr("EchoServer has gone\n"));
+}
+
+TEST_F(MachineTest, WhatWaitsForABusyObjectIsHandledWhenItHasFinishedThoughNoFrameBegins) {
+  options_.handler_time = [](const std::string&, Entry, std::chrono::nanoseconds) {
+    return std::chrono::microseconds(5);
+  };
+  SlowClock clock;
+  Machine machine(options_, clock, robot_);
+  machine.boot();
+  TestClient client(machine.hostPort(kEchoPort));
+  client.send("first");
+  EXPECT_TRUE(machine.runUntil([&] { return client.received() == "first"; }));
 }
 
 TEST_F(MachineTest, TheConsoleCanBeListenedTo) {

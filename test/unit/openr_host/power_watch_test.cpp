@@ -68,6 +68,33 @@ TEST_F(PowerWatchTest, AValueIsToldOnEveryChangeOrWhenItIsReached) {
   EXPECT_FALSE(tells(wanted, changed_, present_)) << "leaving the value is not told";
 }
 
+TEST_F(PowerWatchTest, TemperatureTimeAndVolumeAreLookedAt) {
+  OPowerStatus wanted = nothing();
+  wanted.temperature = opsoTEMPERATURE_NOTIFY_EVERY_CHANGE;
+  changed_.temperature = 3000;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+  wanted = nothing();
+  wanted.timeDif = opsoTIME_DIF_NOTIFY_EVERY_CHANGE;
+  changed_ = OPowerStatus();
+  changed_.timeDif = 1;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+  wanted = nothing();
+  wanted.volume = opsoVOLUME_NOTIFY_EVERY_CHANGE;
+  changed_ = OPowerStatus();
+  changed_.volume = 2;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+}
+
+TEST_F(PowerWatchTest, AValueThatIsReachedAgainIsToldAgain) {
+  OPowerStatus wanted = nothing();
+  wanted.remainingCapacity = 49;
+  changed_.remainingCapacity = 49;
+  watch_.observe(entry_, wanted, present_);
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
+  EXPECT_THAT(watch_.look(present_), IsEmpty());
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
+}
+
 TEST_F(PowerWatchTest, AnEntryObservesOnceAndUntilItNoLongerDoes) {
   OPowerStatus wanted = nothing();
   wanted.robotStatus = orsbALL;

@@ -281,6 +281,15 @@ TEST_F(ReadyNotifyTest, ClearedDataIsNotSent) {
   EXPECT_THAT(received_, ElementsAre("new"));
 }
 
+// Level2 Reference Guide, page 20: the buffers for all observers are cleared.
+TEST_F(ReadyNotifyTest, ClearedDataThatWaitedForAnObserverIsNotSent) {
+  boot();
+  notify("old");
+  test_.as(sender_, [&] { sender_.subject().ClearBuffer(); });
+  assertReady(receiver_);
+  EXPECT_THAT(received_, IsEmpty());
+}
+
 TEST_F(ReadyNotifyTest, ASubjectThatIsNotEnabledSendsNothing) {
   boot();
   assertReady(receiver_);

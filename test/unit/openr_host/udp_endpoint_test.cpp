@@ -175,6 +175,17 @@ TEST_F(UdpEndpointTest, APortIsTakenOnce) {
   EXPECT_EQ(bind(create(), port), port);
 }
 
+TEST_F(UdpEndpointTest, AClosedEndpointIsNotBoundAgain) {
+  const auto endpoint = create();
+  bind(endpoint);
+  UDPEndpointCloseMsg close(endpoint);
+  call(close);
+  EXPECT_EQ(close.error, UDP_SUCCESS);
+  UDPEndpointBindMsg again(endpoint, IP_ADDR_ANY, IP_PORT_ANY);
+  call(again);
+  EXPECT_EQ(again.error, UDP_OPERATION_INVALID);
+}
+
 TEST_F(UdpEndpointTest, DataOutsideASharedBufferOrTooLargeForAPacketIsRefused) {
   const auto endpoint = create();
   const Port port = bind(endpoint);

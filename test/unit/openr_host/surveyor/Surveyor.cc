@@ -15,7 +15,9 @@ OStatus Surveyor::DoStart(const OSystemEvent&) {
   byte* data = NULL;
   size_t size = 0;
   if (OPENR::FindDesignData("PLACE", &id, &data, &size) == oSUCCESS) {
-    height = static_cast<byte>(atoi(reinterpret_cast<char*>(data)));
+    char text[4] = "";  // the data has no 0 at its end
+    memcpy(text, data, size < sizeof(text) ? size : sizeof(text) - 1);
+    height = static_cast<byte>(atoi(text));
     OPENR::DeleteDesignData(id);
   }
   OSYSPRINT(("Surveyor at %d\n", height));
