@@ -18,6 +18,7 @@ MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, i
   }
   repetitions_ = repetitions;
   cancelled_why_ = NULL;
+  robot_.joints.ForgetCommands();
   return Post(FileJob::READ, name, NULL, 0);
 }
 
@@ -124,7 +125,7 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   }
   MotionPlayer& player = robot_.joints.Motions();
   memcpy(player.FindRoom(), result.content, result.size);
-  const char* const problem = player.Play(name_, result.size, repetitions_);
+  const char* const problem = player.Play(name_, result.size, repetitions_, robot_.joints.CommandedSince());
   return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
 }
 

@@ -6,11 +6,19 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
     positions_[i] = 0;
     faults_[i] = JointWatch::FOLLOWS;
   }
+  ForgetCommands();
+}
+
+void JointControl::ForgetCommands() {
+  for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
+    commanded_[i] = false;
+  }
 }
 
 void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, int duration) {
   for (int i = 0; i < count; ++i) {
     motions_.JointIsCommanded(targets[i].joint);
+    commanded_[targets[i].joint] = true;
   }
   planner_.SetTargets(targets, count, duration);
 }

@@ -29,6 +29,13 @@ class JointControl {
   /// A client's command: as MotionPlanner::SetTargets(), and motions that move one of these joints are over.
   void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
 
+  /// @name Joints that clients have commanded since this was asked for last: for a motion that is begun, but not played
+  /// yet. One element a joint
+  /// @{
+  void ForgetCommands();
+  const bool* CommandedSince() const { return commanded_; }
+  /// @}
+
   /// One frame passes for motions and planner.
   void NextFrame();
 
@@ -63,6 +70,7 @@ class JointControl {
   int positions_[robot_model::MAX_JOINTS];
   JointWatch watches_[robot_model::MAX_JOINTS];
   JointWatch::Verdict faults_[robot_model::MAX_JOINTS];
+  bool commanded_[robot_model::MAX_JOINTS];
 };
 
 #endif  // RCSERVER_JOINTS_JOINT_CONTROL_H

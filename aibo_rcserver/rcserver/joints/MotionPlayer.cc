@@ -19,13 +19,13 @@ unsigned char* MotionPlayer::FindRoom() {
   return motion != NULL ? motion->Room() : NULL;
 }
 
-const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, int repetitions) {
+const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, int repetitions, const bool* commanded) {
   PlayedMotion& motion = *FindFree();
   if (!motion.Load(name, size, robot_)) {
     sprintf(problem_, "%s %s", name, motion.Problem());
     return problem_;
   }
-  if (!FindsJointsFree(motion)) {
+  if (!FindsJointsFree(motion) || (commanded != NULL && !FindsJointsUncommanded(motion, commanded))) {
     return problem_;
   }
   motion.Start(repetitions);
@@ -121,6 +121,17 @@ bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
     if (motions_[i].IsPlaying() && motions_[i].SharesJoint(motion, &joint)) {
       sprintf(problem_, "%s is being played and moves %s, too; stop it first", motions_[i].Name(),
               robot_.joints[joint].name);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded) {
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    if (commanded[i] && motion.Moves(i)) {
+      sprintf(problem_, "%s was commanded while the file of %s was being read, and that counts", robot_.joints[i].name,
+              motion.Name());
       return false;
     }
   }

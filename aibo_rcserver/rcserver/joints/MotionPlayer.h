@@ -32,8 +32,10 @@ class MotionPlayer {
   /// Begins to play what is in FindRoom().
   /// @param size of the file, 1..mtn::MAX_FILE_SIZE
   /// @param repetitions not below 1
+  /// @param commanded one element a joint: true if somebody has commanded it after the motion was asked for, whose
+  ///   command counts. NULL: nobody has
   /// @return NULL, or why not, in words that a user can act on
-  const char* Play(const protocol::MotionName& name, size_t size, int repetitions);
+  const char* Play(const protocol::MotionName& name, size_t size, int repetitions, const bool* commanded);
 
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
   void Stop(const protocol::MotionName& name);
@@ -72,6 +74,7 @@ class MotionPlayer {
 
   PlayedMotion* FindFree();
   bool FindsJointsFree(const PlayedMotion& motion);
+  bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
   PlayedMotion* FindMoving(int joint);
 
   MotionPlanner& planner_;

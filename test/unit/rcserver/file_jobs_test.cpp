@@ -97,6 +97,23 @@ TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
   EXPECT_TRUE(file_keeper_.hasJob());
 }
 
+TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
+  const std::string tail_pan_to_half_a_radian("\0\0\1\0\63\0\0\0\0\7\241\40", 12);
+  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  send(frame('J', 0, 2, tail_pan_to_half_a_radian));
+  EXPECT_THAT(answers(), ElementsAre("j2"));
+  finishJobs();
+  const std::vector<std::string> got = answers();
+  ASSERT_EQ(got.size(), 1U);
+  EXPECT_THAT(got[0], HasSubstr("e1 tail_pan was commanded while the file of WAG.MTN was being read"));
+  passFrames(300);
+  EXPECT_EQ(robot_.joint("tail_pan").position, 500000);
+  send(frame('P', 0, 3, play("WAG.MTN", 1000)));
+  finishJobs();
+  EXPECT_THAT(answers(), ElementsAre("p3")) << "a command of before it does not count";
+}
+
 TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
   send(frame('P', 0, 1, play("WAG.MTN", 1)));
   send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));

@@ -43,7 +43,7 @@ class MotionPlayerTest : public ::testing::Test {
     std::memcpy(room, bytes.data(), bytes.size());
     protocol::MotionName motion_name;
     EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
-    const char* problem = player_->Play(motion_name, bytes.size(), repetitions);
+    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, nullptr);
     return problem != nullptr ? problem : "";
   }
 
