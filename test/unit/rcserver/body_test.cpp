@@ -512,6 +512,32 @@ TEST_F(BodyVersion2Test, UnknownLedRefusesAllOfIt) {
   EXPECT_EQ(robot_.led("head_color").intensity, 0);
 }
 
+// Vectors for an ear that are under way are output before the one with the present positions.
+TEST_F(BodyVersion2Test, GainsGoOnAfterThePresentPositionsAlsoBehindVectorsForAnEar) {
+  answerTo('O', 0, std::string(1, '\0'));
+  FakeRobot::FakeJoint& tail = robot_.joint("tail_pan");
+  tail.reference = tail.position + 100000;
+  answerTo('K', 0, std::string("\1\0", 2));
+  answerTo('O', 0, "\1");
+  passFrames(kUntilMeasured);
+  EXPECT_TRUE(tail.gain);
+  EXPECT_EQ(tail.error_when_gain_went_on, 0);
+}
+
+// Somebody turns a limp joint.
+TEST_F(BodyVersion2Test, MotorsThatAreSwitchedOffAndOnWhileTheyGoOnHoldWhereTheJointsAreThen) {
+  answerTo('O', 0, std::string(1, '\0'));
+  passFrames(kUntilMeasured);
+  answerTo('O', 0, "\1");
+  answerTo('O', 0, std::string(1, '\0'));
+  FakeRobot::FakeJoint& tail = robot_.joint("tail_pan");
+  tail.position += 100000;
+  answerTo('O', 0, "\1");
+  passFrames(kUntilMeasured);
+  EXPECT_TRUE(tail.gain);
+  EXPECT_EQ(tail.error_when_gain_went_on, 0);
+}
+
 TEST_F(BodyVersion2Test, EarsAnswerWhatTheyDo) {
   Frame answer = answerTo('K', 0, std::string("\1\0", 2));
   EXPECT_EQ(answer.header.kind, 'k');

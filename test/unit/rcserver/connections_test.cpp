@@ -41,6 +41,14 @@ class ConnectionsTest : public Version2Fixture {
     return client.next().has_value();
   }
 
+  size_t timesSaid(const std::string& text) const {
+    size_t count = 0;
+    for (size_t at = console_.str().find(text); at != std::string::npos; at = console_.str().find(text, at + 1)) {
+      ++count;
+    }
+    return count;
+  }
+
   FakeRobot robot_;
   TemporaryMemoryStick stick_;
 };
@@ -65,6 +73,26 @@ TEST_F(ConnectionsTest, LastWordOfTheServerArrivesThoughItCloses) {
   ASSERT_TRUE(last_word);
   EXPECT_EQ(last_word->header.kind, 'e');
   EXPECT_TRUE(awaitEnd(*client));
+}
+
+TEST_F(ConnectionsTest, ClientThatIsSlowToCloseIsNotBrokenOffForTwoSeconds) {
+  const auto client = connectAndBreakTheProtocol();
+  passFrames(240);
+  EXPECT_TRUE(awaitEnd(*client));
+  EXPECT_FALSE(client->wasReset());
+  const auto another = connectAndBreakTheProtocol();
+  passFrames(260);
+  EXPECT_TRUE(another->wasReset());
+}
+
+// A camera that says later than the joints which frame it was.
+TEST_F(ConnectionsTest, ImageThatIsOlderThanTheLastReadingOfTheJointsDropsNobody) {
+  robot_.image_lag = 2;  // it comes a frame after the joints
+  connectVersion2();
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
+    passFrames(1);
+  }
 }
 
 TEST_F(ConnectionsTest, ThoseWhoAreTurnedAwayAndStayDoNotKeepOthersOut) {
@@ -113,14 +141,6 @@ class PlayingClientTest : public ConnectionsTest {
     passFrames(400);
     return std::any_of(path.begin(), path.end(), [&](int position) { return position != path.front(); });
   }
-
-  size_t timesSaid(const std::string& text) const {
-    size_t count = 0;
-    for (size_t at = console_.str().find(text); at != std::string::npos; at = console_.str().find(text, at + 1)) {
-      ++count;
-    }
-    return count;
-  }
 };
 
 // -------------------------------------------------------------------------------------------- the IPStack refuses
@@ -143,6 +163,7 @@ TEST_P(RefusedByTheIpStackTest, ItIsSaidAndNobodyWaitsForAnAnswer) {
   EXPECT_THAT(console_.str(), HasSubstr(GetParam().second));
   passFrames(300);
   EXPECT_THAT(robot_.joint("head_pan").gains.proportional, ::testing::Ne(0)) << "the robot goes on";
+  EXPECT_LE(timesSaid("no endpoint to listen"), 10U) << "it is tried once a second, with two connections";
 }
 
 INSTANTIATE_TEST_SUITE_P(Entries, RefusedByTheIpStackTest,

@@ -215,6 +215,9 @@ class FakeRobot : public openr_host::VirtualRobot {
   int open_primitives = 0;
   int times_switched_off = 0;
   bool powered = false;
+  longword image_lag = 0;  ///< frames that images say they are older
+  byte cr = 128;           ///< of images
+  byte cb = 128;
   bool counts_images = true;    ///< in the field counter; else it stands still
   std::string missing_locator;  ///< of what does not open
 
@@ -294,7 +297,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     const size_t height = kHeight >> layer;
     OFbkImageInfo* info = vector.GetInfo(layer);
     info->type = odataFBK_YCrCb;
-    info->frameNumber = frame;
+    info->frameNumber = frame - image_lag;
     info->dataOffset = offset;
     info->dataSize = static_cast<longword>(3 * width * height);
     info->width = static_cast<longword>(width);
@@ -302,7 +305,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     byte* pixels = vector.GetData(layer);
     for (size_t row = 0; row < height; ++row) {
       std::fill_n(pixels + 3 * width * row, width, static_cast<byte>(brightness(image_)));
-      std::fill_n(pixels + 3 * width * row + width, 2 * width, byte{128});
+      std::fill_n(pixels + 3 * width * row + width, width, cr);
+      std::fill_n(pixels + 3 * width * row + 2 * width, width, cb);
     }
     if (noise_) {
       std::generate_n(pixels, 3 * width * height, [this] { return static_cast<byte>(random_() & 0xff); });

@@ -20,6 +20,7 @@ namespace {
 using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Le;
+using ::testing::Not;
 
 constexpr unsigned kUntilMeasured = 12;
 
@@ -86,6 +87,20 @@ class PicturesTest : public Version2Fixture {
 
   FakeRobot robot_;
 };
+
+TEST_F(PicturesTest, RedIsRedAndBlueIsBlue) {
+  for (const bool is_red : {true, false}) {
+    robot_.cr = is_red ? 200 : 128;
+    robot_.cb = is_red ? 128 : 200;
+    send(frame('F', 85, 7, kLayerHigh));
+    takeImage();
+    const std::vector<Frame> made = pictures();
+    ASSERT_EQ(made.size(), 1U);
+    const std::vector<uint8_t> color = colorOf({made[0].payload.begin() + 16, made[0].payload.end()});
+    EXPECT_EQ(color[0] > color[2] + 50, is_red);
+    EXPECT_EQ(color[2] > color[0] + 50, !is_red);
+  }
+}
 
 // Programmer's Guide, 3.1: the upper four bits are the class, and an object never runs while one of a higher class
 // does.
@@ -165,6 +180,37 @@ TEST_F(PicturesTest, PictureInTheMakingGoesWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage() - 1);
 }
 
+TEST_F(PicturesTest, ImageThatWaitsForTheEncoderGoesWithItsClient) {
+  encoder_.slowDown();
+  send(frame('F', 85, 7, kLayerHigh) + frame('F', 85, 8, kLayerHigh));
+  takeImage();
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
+  reconnect();
+  encoder_.speedUp();
+  takeImage();
+  takeImage();
+  EXPECT_TRUE(pictures().empty());
+}
+
+TEST_F(PicturesTest, EveryThirdImageIsCountedFromTheOneThatWasSent) {
+  encoder_.slowDown();
+  answerTo('W', 85, std::string("\1\0\0\3", 4));
+  for (int i = 0; i < 6; ++i) {
+    takeImage();
+  }
+  encoder_.speedUp();
+  takeImage();
+  std::vector<Frame> made = pictures();
+  ASSERT_EQ(made.size(), 2U);
+  EXPECT_EQ(imageCount(made[1]), robot_.lastImage());
+  takeImage();
+  takeImage();
+  EXPECT_TRUE(pictures().empty());
+  takeImage();
+  EXPECT_EQ(pictures().size(), 1U);
+}
+
 TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
   encoder_.slowDown();
   answerTo('W', 85, kStreamOn);
@@ -239,6 +285,35 @@ TEST_F(PicturesTest, StreamCountsTheImagesThatTheEncoderMissed) {
   EXPECT_THAT(console_.str(), HasSubstr("stream off after 4 pictures, 1 camera images left out\n"));
 }
 
+TEST_F(PicturesTest, EachStreamIsCountedByItself) {
+  for (int i = 0; i < 2; ++i) {
+    answerTo('W', 85, kStreamOn);
+    takeImage();
+    takeImage();
+    EXPECT_EQ(pictures().size(), 2U);
+    answerTo('W', 85, kStreamOff);
+    takeImage();
+  }
+  EXPECT_THAT(console_.str(), Not(HasSubstr("stream off after 4")));
+}
+
+// The camera counts its images in 16 bits.
+TEST_F(PicturesTest, TheCountOfImagesGoesOnWhenThatOfTheCameraBeginsAgain) {
+  client_->close();
+  machine_->runPending();
+  clock_.step(FakeRobot::kFramesPerImage * 65532);
+  machine_->runPending();
+  connectVersion2();
+  answerTo('W', 85, kStreamOn);
+  for (int i = 0; i < 6; ++i) {
+    takeImage();
+    const std::vector<Frame> made = pictures();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(imageCount(made[0]), robot_.lastImage());
+  }
+  EXPECT_GT(robot_.lastImage(), 65536U);
+}
+
 // --------------------------------------------------------------------------------------------- a busy connection
 
 // A client that asks for far more than it reads, so that a message is under way until it reads on.
@@ -292,6 +367,18 @@ TEST_F(StalledClientTest, PictureThatHasWaitedGoesWithItsClient) {
   ASSERT_EQ(own.size(), 1U);
   EXPECT_EQ(own[0].header.request_number, 8);
   expectPictureOfImage(own[0], robot_.lastImage());
+}
+
+// A robot has two places for clients, which take turns.
+TEST_F(StalledClientTest, PictureThatHasWaitedIsNotForTheNextClientInItsPlace) {
+  stallBehind(frame('F', 85, 1001, kLayerHigh));
+  takeImage();
+  client_->reset();
+  machine_->runPending();
+  connectVersion2();
+  reconnect();
+  takeImage();
+  EXPECT_TRUE(pictures().empty());
 }
 
 TEST_F(StalledClientTest, PictureOfTheStreamThatHasWaitedShowsTheNewestImage) {
@@ -358,13 +445,21 @@ TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {
   EXPECT_THAT(sends_, ::testing::ElementsAre(picture->payload.size() + 8));
 }
 
-TEST_F(PicturesTest, PictureUnderWayIsFinishedAndTheNextOneIsTheNewest) {
-  client_->close();
-  machine_->runPending();
-  robot_.showNoise();
-  client_ = connect(4096);
-  send(request('X', 2));
-  ASSERT_TRUE(await(*client_));
+class UnreadPictureTest : public PicturesTest {
+ protected:
+  // A client that takes long for the large pictures there are.
+  void SetUp() override {
+    PicturesTest::SetUp();
+    client_->close();
+    machine_->runPending();
+    robot_.showNoise();
+    client_ = connect(4096);
+    send(request('X', 2));
+    ASSERT_TRUE(await(*client_));
+  }
+};
+
+TEST_F(UnreadPictureTest, ItIsFinishedAndTheNextOneIsTheNewest) {
   send(frame('W', 100, 5, kStreamOn));
   takeImage();
   const unsigned first = robot_.lastImage();
@@ -378,6 +473,40 @@ TEST_F(PicturesTest, PictureUnderWayIsFinishedAndTheNextOneIsTheNewest) {
   const std::optional<Frame> next = nextPicture();
   ASSERT_TRUE(next);
   EXPECT_EQ(imageCount(*next), robot_.lastImage());
+}
+
+TEST_F(UnreadPictureTest, ImageThatWaitsForTheEncoderIsMadeWhenItIsFinished) {
+  encoder_.slowDown();
+  send(frame('W', 100, 5, kStreamOn));
+  takeImage();
+  const unsigned first = robot_.lastImage();
+  takeImage();
+  encoder_.speedUp();
+  for (int i = 0; i < 10; ++i) {
+    takeImage();
+  }
+  const std::optional<Frame> unread = nextPicture();
+  ASSERT_TRUE(unread);
+  EXPECT_EQ(imageCount(*unread), first);
+  const std::optional<Frame> next = nextPicture();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(imageCount(*next), robot_.lastImage());
+}
+
+TEST_F(UnreadPictureTest, NextClientInThePlaceOfOneThatLeftMeanwhileGetsItsOwn) {
+  send(frame('F', 100, 7, kLayerHigh));
+  takeImage();
+  client_->reset();
+  machine_->runPending();
+  client_ = connectServed();
+  client_->close();
+  machine_->runPending();
+  client_ = connect();
+  client_->send(request('F', 85));
+  takeImage();
+  const std::optional<Reply> picture = await(*client_);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->letter, 'f');
 }
 
 }  // namespace

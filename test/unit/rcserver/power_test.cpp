@@ -18,6 +18,7 @@ namespace {
 using ::testing::Each;
 using ::testing::Field;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr unsigned kUntilMeasured = 12;
 constexpr int kPowerCode = 4;
@@ -69,6 +70,14 @@ class PowerTest : public Version2Fixture {
     const std::string payload = std::string("\xff\xff", 2) + "SIT.MTN";
     EXPECT_EQ(answerTo('P', 0, payload).header.kind, 'p');
     passFrames(100);
+  }
+
+  void connectAndDoNotRead() {
+    robot_.showNoise();
+    connectVersion2();
+    send(frame('W', 100, 1, std::string("\1\0\0\1", 4)));
+    passFrames(600);  // its buffers are full
+    send(frame('H', 0, 2));
   }
 
   // The machine may be off already, and the end on its way.
@@ -133,15 +142,20 @@ TEST_F(PowerTest, PauseShutsDownWithoutAClient) {
 }
 
 TEST_F(PowerTest, AClientThatDoesNotReadDelaysTheShutdownByASecondAtMost) {
-  robot_.showNoise();
-  connectVersion2();
-  send(frame('W', 100, 1, std::string("\1\0\0\1", 4)));
-  passFrames(600);  // its buffers are full
-  send(frame('H', 0, 2));
+  connectAndDoNotRead();
   raise(orsbPAUSE);
   EXPECT_TRUE(isLimp());
   EXPECT_LE(passUntilOff(1000), kFramesASecond + 4);
   EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(PowerTest, ABatteryThatGetsLowAfterThePauseButtonChangesNothing) {
+  connectAndDoNotRead();
+  raise(orsbPAUSE);
+  ASSERT_TRUE(machine_->isOn());
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  EXPECT_LE(passUntilOff(1000), kFramesASecond + 4);
+  EXPECT_THAT(console_.str(), Not(HasSubstr("lies down")));
 }
 
 // ----------------------------------------------------------------------------------------------------------- battery
@@ -201,6 +215,42 @@ TEST_F(PowerTest, AJointThatIsHeldFastDoesNotKeepItOn) {
   robot_.joint("left_front_rotator").jammed = true;
   raise(orsbBATTERY_CAPACITY_LOW);
   passUntilOff(11 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(isLimp());
+}
+
+TEST_F(PowerTest, ABatteryThatIsLowNowAndThenIsToldOnce) {
+  raise(orsbBATTERY_CAPACITY_LOW);
+  const std::string told = console_.str();
+  EXPECT_THAT(told, HasSubstr("the battery is low"));
+  robot_.power_status.robotStatus = 0;
+  passFrames(2);
+  raise(orsbBATTERY_CAPACITY_LOW);
+  ASSERT_TRUE(machine_->isOn());
+  EXPECT_EQ(console_.str(), told);
+}
+
+TEST_F(PowerTest, TheMotionIsReadWhenTheMemoryStickHasDoneTheClientsJob) {
+  connectVersion2();
+  file_keeper_.slowDown();
+  send(frame('P', 0, 1, std::string("\0\1", 2) + "SIT.MTN"));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passFrames(kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  file_keeper_.speedUp();
+  passUntilOff(9 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_EQ(degreesOf("left_front_rotator"), 65);
+  EXPECT_EQ(degreesOf("right_hind_rotator"), -65);
+}
+
+TEST_F(PowerTest, AMemoryStickThatDoesNotAnswerKeepsItOnForTenSecondsAtMost) {
+  file_keeper_.slowDown();
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passUntilOff(9 * kFramesASecond);
+  EXPECT_TRUE(machine_->isOn());
+  passUntilOff(2 * kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_TRUE(isLimp());
 }

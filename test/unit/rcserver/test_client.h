@@ -132,6 +132,15 @@ class TestClient {
     return ended_;
   }
 
+  /// True if ended() because the server broke off, which loses what was on its way.
+  bool wasReset() {
+    receive();
+    int error = 0;  // of a reset behind an orderly end
+    socklen_t size = sizeof(error);
+    ::getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+    return was_reset_ || error != 0;
+  }
+
   void close() {
     if (socket_ >= 0) {
       ::close(socket_);
@@ -157,6 +166,7 @@ class TestClient {
         return;
       } else {
         ended_ = true;
+        was_reset_ = size < 0;
       }
     }
   }
@@ -168,6 +178,7 @@ class TestClient {
   int socket_;
   std::vector<uint8_t> received_;
   bool ended_ = false;
+  bool was_reset_ = false;
 };
 
 #endif  // TEST_TEST_CLIENT_H

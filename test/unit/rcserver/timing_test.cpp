@@ -24,7 +24,7 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
   void SetUp() override {
     handler_time_ = [this](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds) {
       if (entry != openr_host::Entry::kNotify) {
-        return milliseconds(0);
+        return milliseconds(entry == openr_host::Entry::kReady && object == "RCServer" ? ready_time_ : 0);
       }
       return object == "PictureEncoder" ? milliseconds(GetParam())
                                         : milliseconds(object == "FileKeeper" ? file_time_ : 0);
@@ -106,7 +106,8 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
   }
 
   FakeRobot robot_;
-  int file_time_ = 0;  ///< milliseconds that FileKeeper needs for a job
+  int ready_time_ = 0;  ///< milliseconds that RCServer needs to answer READY
+  int file_time_ = 0;   ///< milliseconds that FileKeeper needs for a job
 };
 
 TEST_P(TimingTest, AMotionOfTwoSecondsTakesTwoSecondsWithoutAStutterWhileItStreams) {
@@ -117,6 +118,13 @@ TEST_P(TimingTest, AMotionOfTwoSecondsTakesTwoSecondsWithoutAStutterWhileItStrea
     ASSERT_LE(path[i] - path[i - 1], fastest) << "frame " << i;
     ASSERT_TRUE(path[i] > path[i - 1] || path[i] == 0 || path[i] == 1000000) << "stands still in frame " << i;
   }
+}
+
+// Two vectors at first, so that an answer to READY may take as long as a vector lasts (Level2 Reference Guide, page
+// 44).
+TEST_P(TimingTest, AServerThatTakesTwoFramesToAnswerReadyLeavesNoGap) {
+  ready_time_ = 16;
+  EXPECT_NEAR(moveHead(1000000, 2000), 2000, 60);
 }
 
 TEST_P(TimingTest, TelemetryKeepsItsRateAndTheStreamHasWhatTheEncoderCanDo) {

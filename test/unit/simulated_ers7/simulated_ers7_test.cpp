@@ -457,6 +457,9 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheTimeThatIsSetAndWarmsUp) {
 TEST_F(SimulatedErs7Test, ARobotThatWasSwitchedOffHoldsNothingAndHasNothingOpen) {
   const OPrimitiveID pan = driveJoint("head_pan");
   robot_.switchOff();
+  OPowerStatus status;
+  EXPECT_EQ(robot_.getPowerStatus(&status), oSUCCESS);
+  EXPECT_EQ(status.robotStatus & orsbMOTOR_POWER, 0U);
   EXPECT_FALSE(robot_.takesCommand(pan, odataJOINT_COMMAND2));
   ASSERT_EQ(openJoint("head_pan"), pan);
   EXPECT_EQ(robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
