@@ -307,7 +307,9 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
       GoOff(POWER_SHUT_DOWN, "the pause button was pressed: motors off, the robot shuts down");
       break;
     case PowerSupply::BATTERY_LOW:
-      GoOff(POWER_LIE_DOWN, "the battery is low: the robot lies down and shuts down");
+      if (body_.GetPowerOrder() == POWER_STAYS_ON) {
+        GoOff(POWER_LIE_DOWN, "the battery is low: the robot lies down and shuts down");
+      }
       break;
   }
 }
