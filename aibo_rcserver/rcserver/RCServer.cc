@@ -320,7 +320,12 @@ void RCServer::GoOff(PowerOrder order, const char* reason) {
 }
 
 void RCServer::CarryOutPowerOrder() {
-  if (body_.GetPowerOrder() == POWER_LIE_DOWN) {
+  PowerOrder& order = body_.GetPowerOrder();
+  // No motion moves a limp robot.
+  if (order == POWER_LIE_DOWN && !body_.GetMotors().AreOn()) {
+    order = POWER_SHUT_DOWN;
+  }
+  if (order == POWER_LIE_DOWN) {
     lie_down_.Begin(now_);
   } else {
     body_.CarryOutPowerOrder();
