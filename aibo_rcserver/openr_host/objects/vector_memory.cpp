@@ -45,7 +45,8 @@ OCdtVectorData* VectorMemory::findCdt(MemoryRegionID id) const {
   if (found == blocks_.end() || found->second.type != odataCDT_VECTOR) {
     return nullptr;
   }
-  return std::launder(reinterpret_cast<OCdtVectorData*>(found->second.memory.get()));
+  void* base = found->second.memory.get();
+  return std::launder(static_cast<OCdtVectorData*>(base));
 }
 
 bool VectorMemory::destroy(MemoryRegionID id, ODataType type) {

@@ -230,6 +230,12 @@ TEST_F(PowerTest, ABatteryThatIsLowNowAndThenIsToldOnce) {
   EXPECT_EQ(console_.str(), told);
 }
 
+TEST_F(PowerTest, ALimpRobotWhoseBatteryIsLowShutsDownAtOnce) {
+  startWith("MOTORS_AT_BOOT=no");
+  raise(orsbBATTERY_CAPACITY_LOW);
+  EXPECT_FALSE(machine_->isOn());
+}
+
 TEST_F(PowerTest, TheMotionIsReadWhenTheMemoryStickHasDoneTheClientsJob) {
   connectVersion2();
   file_keeper_.slowDown();
