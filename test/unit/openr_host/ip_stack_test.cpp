@@ -498,6 +498,9 @@ TEST_F(IpStackTest, AnEndpointConnectsToAServerAndLearnsItsOwnAddress) {
 }
 
 TEST_F(IpStackTest, WhereNobodyListensNothingConnects) {
+#ifdef __mips__
+  GTEST_SKIP() << "QEMU 7.2 hands out SO_ERROR with the number of the host's error: 111 instead of MIPS's 146.";
+#endif
   std::uint16_t free_port = 0;
   {
     const TcpListener gone("127.0.0.1", 0);
