@@ -81,7 +81,7 @@ class Parser {
       }
     }
     if (stub_.object_name.empty()) {
-      throw ConfigurationError(file_, line, "there is no line ObjectName : NAME");
+      throw ConfigurationError(file_, line, "the line 'ObjectName : NAME' is missing");
     }
     check(number_of_subjects_, line, "NumOfOSubject", stub_.subjects.size(), ".S");
     check(number_of_observers_, line, "NumOfOObserver", stub_.observers.size(), ".O");
@@ -179,7 +179,7 @@ class Parser {
   void check(const std::optional<Count>& count, int last_line, const std::string& keyword, std::size_t services,
              const std::string& ending) const {
     if (!count) {
-      throw ConfigurationError(file_, last_line, "there is no line " + keyword + " : NUMBER");
+      throw ConfigurationError(file_, last_line, "the line '" + keyword + " : NUMBER' is missing");
     }
     if (count->value == 0) {
       throw ConfigurationError(file_, count->line,
