@@ -12,7 +12,7 @@
 /// Keeps replies in order, and of the telemetry only the latest. Memory of a fixed size; pure logic.
 class Outbox {
  public:
-  /// Bytes of the largest message: a list of motions in version 2. (MAX_REPLY_SIZE is a macro of the SDK.)
+  /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
   static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_MOTION_LIST_SIZE;
 
   /// Bytes of the largest telemetry message.
