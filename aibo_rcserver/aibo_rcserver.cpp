@@ -80,7 +80,7 @@ po::options_description describe(Options& options) {
     ("encode-time", po::value(&options.encode_time)->default_value(0),
      "milliseconds that the robot needs to compress a picture: 9 to 14 by count, 32 to 64 by the report of 2006")
     ("processor-slowdown", po::value(&options.processor_slowdown)->default_value(0),
-     "how many times longer than here everything takes on the robot; 0 is no time at all")
+     "everything takes this many times as long on the robot as here; 0: it takes no time")
     ("picture-log", po::value(&options.picture_log),
      "file or named pipe to write to when the camera saw each picture that is sent, for aibo_monitor")
     ("seed", po::value(&options.robot.seed)->default_value(1), "of the noise in the camera's images");

@@ -27,9 +27,9 @@ struct FileJob {
 struct FileResult {
   enum Outcome {
     DONE,
-    MISSING,    ///< of READ and DELETE: there is no such file
-    TOO_LARGE,  ///< of READ: the file has more than mtn::MAX_FILE_SIZE bytes
-    FAILED      ///< the memory stick did not do it; of STORE: nothing is left of the content
+    MISSING,    ///< for READ and DELETE: there is no such file
+    TOO_LARGE,  ///< for READ: the file has more than mtn::MAX_FILE_SIZE bytes
+    FAILED      ///< the memory stick refused; after STORE, nothing of the content is left on it
   };
 
   unsigned ticket;  ///< of the job

@@ -17,7 +17,7 @@
 /// It is an object of its own because the memory stick makes its caller wait, and an object handles one message at a
 /// time. Its scheduling class is below that of RCServer (FileKeeper.ocf), which interrupts it.
 ///
-/// It is ready for a job when RCServer is ready for the result: so there is always room for the result.
+/// It asks for a job only when RCServer is ready for the result, so there is always room for the result.
 class FileKeeper : public OObject {
  public:
   FileKeeper();
@@ -31,10 +31,10 @@ class FileKeeper : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// RCServer takes a result (gate Result).
+  /// RCServer is ready for a result (gate Result).
   void ReadyResult(const OReadyEvent& event);
 
-  /// A job is there (gate Job).
+  /// A job has come (gate Job).
   void NotifyJob(const ONotifyEvent& event);
 
  private:

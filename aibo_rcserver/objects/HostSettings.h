@@ -15,9 +15,11 @@ struct HostSettings {
   const char* memory_stick;  ///< folder that holds what is on the memory stick; has to outlive the server
 };
 
-/// What each object finds when it is made. For a computer that stands in for the robot: on the robot each object has a
-/// memory of its own, and nobody sets this.
+/// Sets what hostSettings() returns. Only a computer that stands in for the robot calls it, before it makes the
+/// objects. On the robot each object has memory of its own, and the defaults hold.
 void setHostSettings(const HostSettings& settings);
+
+/// The settings of the computer that all objects run on.
 const HostSettings& hostSettings();
 
 /// Longest path that pathOnMemoryStick() makes, in bytes with the closing 0. OPEN-R's own paths are far shorter.

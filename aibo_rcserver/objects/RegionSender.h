@@ -23,7 +23,7 @@ class RegionSender {
 
   /// To be called in DoInit, behind NEW_ALL_SUBJECT_AND_OBSERVER.
   /// @param subject a gate with one observer; must outlive this
-  /// @return false if there is no memory
+  /// @return false if the memory could not be allocated
   bool Create(OSubject* subject) {
     subject_ = subject;
     bool succeeds = true;

@@ -1,7 +1,7 @@
 /// @file jconfig.h
-/// What libjpeg 6b asks about the compiler and the C library of the robot: GCC 3.3.6 with newlib. It stands in for the
-/// file that libjpeg's configure would write, which cannot run: it wants to link programs, and the SDK's compiler links
-/// none by itself.
+/// Tells libjpeg 6b what the robot's compiler and C library have: GCC 3.3.6 with newlib. libjpeg's configure script
+/// would write this file, but it stops with the SDK's compiler: the script has to link programs, and that compiler
+/// links none by itself.
 #ifndef ON_ROBOT_JCONFIG_H
 #define ON_ROBOT_JCONFIG_H
 

@@ -19,7 +19,7 @@ class Clock {
   /// Time since the clock was made.
   virtual std::chrono::nanoseconds now() const = 0;
 
-  /// When it is so late; empty if only the caller of SteppedClock::step() knows.
+  /// The steady clock's time when this one shows `since_begin`; empty if only the caller of SteppedClock::step() knows.
   virtual std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const = 0;
 
   /// The present frame.

@@ -17,7 +17,7 @@
 /// It is an object of its own because encoding takes longer than a frame of the joints, and an object handles one
 /// message at a time. Its scheduling class is below that of RCServer (PictureEncoder.ocf), which interrupts it.
 ///
-/// It is ready for a job when RCServer is ready for the picture: so there is always room for the result.
+/// It asks for a job only when RCServer is ready for the picture, so there is always room for the picture.
 class PictureEncoder : public OObject {
  public:
   PictureEncoder() {}
@@ -31,10 +31,10 @@ class PictureEncoder : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// RCServer takes a picture (gate Picture).
+  /// RCServer is ready for a picture (gate Picture).
   void ReadyPicture(const OReadyEvent& event);
 
-  /// A job is there (gate Job).
+  /// A job has come (gate Job).
   void NotifyJob(const ONotifyEvent& event);
 
  private:

@@ -231,7 +231,7 @@ enum {
   CODE_FILE_MISSING = 1,   ///< file missing or unreadable, as in version 1
   CODE_NOT_SUPPORTED = 2,  ///< a kind of request that this server does not know or cannot do (yet)
   CODE_JOINT_FAULT = 3,    ///< pushed: a joint does not follow what it is told; the text names it
-  CODE_POWER = 4           ///< pushed: the robot goes off, by its pause button or for its battery; the text says which
+  CODE_POWER = 4           ///< pushed: the pause button or a low battery switches the robot off; the text says which
 };
 
 /// Payload of `e`: uint16 code, then a text without end mark, which may be empty.

@@ -49,19 +49,19 @@ class RCServer : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// A camera image is there (gate Image).
+  /// A camera image has come (gate Image).
   void NotifyImage(const ONotifyEvent& event);
 
   /// A picture has been made, or could not be made (gate Picture).
   void NotifyPicture(const ONotifyEvent& event);
 
-  /// PictureEncoder takes an image (gate EncodeJob).
+  /// PictureEncoder is ready for an image (gate EncodeJob).
   void ReadyEncodeJob(const OReadyEvent& event);
 
   /// The memory stick has done a job (gate FileResult).
   void NotifyFileResult(const ONotifyEvent& event);
 
-  /// FileKeeper takes a job (gate FileJob).
+  /// FileKeeper is ready for a job (gate FileJob).
   void ReadyFileJob(const OReadyEvent& event);
 
   /// Joints have been measured (gate Sensor).

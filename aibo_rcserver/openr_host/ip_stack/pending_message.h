@@ -32,7 +32,7 @@ class PendingMessage {
 
   void begin(const Envelope& message) { envelope_ = message; }
 
-  /// Nothing, if there is no message.
+  /// Answers the message. Does nothing if there is none.
   template <typename Error>
   void end(Error error) {
     if (envelope_) {

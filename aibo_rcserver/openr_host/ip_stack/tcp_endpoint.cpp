@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-/// Of a connection that there was.
+/// The error of a connection that was made and broke.
 TCPEndpointError errorOf(int error) {
   switch (error) {
     case EPIPE:
@@ -27,7 +27,7 @@ TCPEndpointError errorOf(int error) {
   }
 }
 
-/// Of a connection that did not come about.
+/// The error of a connection that could not be made.
 TCPEndpointError connectErrorOf(int error) {
   switch (error) {
     case ECONNREFUSED:

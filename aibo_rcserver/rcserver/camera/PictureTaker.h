@@ -19,7 +19,7 @@ class PictureTaker {
 
   /// To be called in DoInit.
   /// @param gate to the encoder; must outlive this
-  /// @return false if there is no memory
+  /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
   /// To be called in DoDestroy.

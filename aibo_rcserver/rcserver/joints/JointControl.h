@@ -29,8 +29,8 @@ class JointControl {
   /// A client's command: as MotionPlanner::SetTargets(), and motions that move one of these joints are over.
   void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
 
-  /// @name Joints that clients have commanded since this was asked for last: for a motion that is begun, but not played
-  /// yet. One element a joint
+  /// @name Joints that clients have commanded since ForgetCommands(). A motion whose file was being read meanwhile must
+  /// not move them. One element a joint
   /// @{
   void ForgetCommands();
   const bool* CommandedSince() const { return commanded_; }
@@ -50,7 +50,7 @@ class JointControl {
   /// @return what the watch says
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
-  /// Something else is wrong with a joint: it is told as what the watch finds.
+  /// Records a fault of a joint that the watch does not find itself. TakeFault() returns it.
   void Failed(int joint, JointWatch::Verdict fault) { faults_[joint] = fault; }
 
   /// Where the joint was when it last reported.

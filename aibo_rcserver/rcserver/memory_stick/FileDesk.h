@@ -15,7 +15,7 @@ class FileDesk : public FileJobs {
 
   /// To be called in DoInit.
   /// @param gate to FileKeeper; must outlive this
-  /// @return false if there is no memory
+  /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
   /// To be called in DoDestroy.
