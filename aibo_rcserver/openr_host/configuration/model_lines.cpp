@@ -2,14 +2,10 @@
 
 #include <optional>
 
+#include "openr_host/configuration/text.h"
+
 namespace openr_host {
 namespace {
-
-std::string withoutSpaceAround(const std::string& text) {
-  const char space[] = " \t\r";
-  const auto begin = text.find_first_not_of(space);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(space) - begin + 1);
-}
 
 /// The model that "[MODEL]" names.
 std::optional<std::string> parseSection(const std::string& content) {

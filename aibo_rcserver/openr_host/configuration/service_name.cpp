@@ -2,22 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <vector>
+
+#include "openr_host/configuration/text.h"
 
 namespace openr_host {
 namespace {
-
-std::vector<std::string> splitAtDots(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == '.') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
 
 bool isWord(const std::string& text) {
   return !text.empty() &&
@@ -27,7 +16,7 @@ bool isWord(const std::string& text) {
 }  // namespace
 
 std::optional<ServiceName> ServiceName::parse(const std::string& text) {
-  const auto parts = splitAtDots(text);
+  const auto parts = splitAt('.', text);
   if (parts.size() != 4 || !std::all_of(parts.begin(), parts.end(), isWord) || (parts[3] != "S" && parts[3] != "O")) {
     return std::nullopt;
   }

@@ -7,32 +7,13 @@
 #include <utility>
 
 #include "openr_host/configuration/configuration_error.h"
+#include "openr_host/configuration/text.h"
 
 namespace openr_host {
 namespace {
 
-const std::string kSpace = " \t\r";
-
-std::string withoutSpaceAround(const std::string& text) {
-  const auto begin = text.find_first_not_of(kSpace);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
-
 std::string firstWord(const std::string& text) {
   return text.substr(0, text.find_first_of(kSpace));
-}
-
-std::vector<std::string> splitAtCommas(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ',') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  std::transform(parts.begin(), parts.end(), parts.begin(), withoutSpaceAround);
-  return parts;
 }
 
 bool isIdentifier(const std::string& text) {
@@ -129,7 +110,8 @@ class Parser {
   }
 
   void takeService(const Setting& setting) {
-    const std::vector<std::string> parts = splitAtCommas(setting.value);
+    std::vector<std::string> parts = splitAt(',', setting.value);
+    std::transform(parts.begin(), parts.end(), parts.begin(), withoutSpaceAround);
     if (parts.size() != 3) {
       fail(setting,
            "expected \"Object.Service.DataType.S\" (or .O), a function or null, a function or null: all on this line");
