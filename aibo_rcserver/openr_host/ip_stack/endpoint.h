@@ -2,12 +2,23 @@
 #ifndef OPENR_HOST_IP_STACK_ENDPOINT_H
 #define OPENR_HOST_IP_STACK_ENDPOINT_H
 
+#include <cerrno>
 #include <cstddef>
 #include <functional>
 
 #include "openr_host/ip_stack/poll_set.h"
 
 namespace openr_host {
+
+/// True for the error of a call that is to be tried again when the socket is ready.
+inline bool isTransient(int error) {
+  return error == EAGAIN || error == EINTR;
+}
+
+/// A size as messages have it, which was checked to be 1 or more.
+inline std::size_t sizeOf(int size) {
+  return static_cast<std::size_t>(size);
+}
 
 /// An endpoint of the IPStack, of whatever kind.
 class Endpoint {

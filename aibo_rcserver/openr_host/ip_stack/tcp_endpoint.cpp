@@ -45,14 +45,6 @@ TCPEndpointError connectErrorOf(int error) {
   }
 }
 
-std::size_t sizeOf(int size) {
-  return static_cast<std::size_t>(size);
-}
-
-bool isTransient(int error) {
-  return error == EAGAIN || error == EINTR;
-}
-
 /// Throws away what has come.
 /// @return 0 if the other side has closed, else the error number that says what there is instead
 int drain(int socket) {
@@ -151,12 +143,7 @@ void TcpEndpoint::goOnSending() {
     const ssize_t count =
         ::send(socket_.get(), sending_->buffer + sent_, sizeOf(sending_->size) - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count < 0) {
-      if (errno == EINTR) {
-        continue;
-      }
-      if (errno != EAGAIN) {
-        breakOff(errno);
-      }
+      breakOffUnlessTransient(errno);
       return;
     }
     sent_ += static_cast<std::size_t>(count);
@@ -177,12 +164,7 @@ void TcpEndpoint::goOnReceiving() {
     const ssize_t count =
         ::recv(socket_.get(), receiving_->buffer + received_, sizeOf(receiving_->sizeMax) - received_, MSG_DONTWAIT);
     if (count < 0) {
-      if (errno == EINTR) {
-        continue;
-      }
-      if (errno != EAGAIN) {
-        breakOff(errno);
-      }
+      breakOffUnlessTransient(errno);
       return;
     }
     if (count == 0) {
@@ -199,6 +181,12 @@ void TcpEndpoint::endReceive(TCPEndpointError error) {
     receiving_->sizeMin = static_cast<int>(received_);
     receiving_->sizeMax = static_cast<int>(received_);
     receiving_.end(error);
+  }
+}
+
+void TcpEndpoint::breakOffUnlessTransient(int error) {
+  if (!isTransient(error)) {
+    breakOff(error);
   }
 }
 

@@ -59,6 +59,7 @@ class TcpEndpoint : public Endpoint {
   void goOnReceiving();
   void goOnClosing();
   void breakOff(int error);
+  void breakOffUnlessTransient(int error);
   void endReceive(TCPEndpointError error);
 
   const int pool_size_;

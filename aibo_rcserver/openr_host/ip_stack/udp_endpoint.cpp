@@ -33,14 +33,6 @@ UDPEndpointError errorOf(int error) {
   }
 }
 
-bool isTransient(int error) {
-  return error == EAGAIN || error == EINTR;
-}
-
-std::size_t sizeOf(int size) {
-  return static_cast<std::size_t>(size);
-}
-
 }  // namespace
 
 UdpEndpoint::UdpEndpoint(int pool_size, const Deliver& deliver)
