@@ -221,15 +221,14 @@ bool System::hasEntry(const OID& object, Selector entry) const {
   return entry < entries.size() && entries[entry] != nullptr;
 }
 
-bool System::isDue(const Message& message, Processor::Time now) const {
-  return !message.held_by.IsValid() && processor_.mayRun(message.receiver, now);
+bool System::isHeld(const Message& message, Processor::Time now) const {
+  return message.held_by.IsValid() && processor_.busyUntil(message.held_by) > now;
 }
 
 bool System::hasMessages() const {
   const Processor::Time now = now_();
   return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
-    const bool is_released = !message.held_by.IsValid() || processor_.busyUntil(message.held_by) <= now;
-    return is_released && processor_.mayRun(message.receiver, now);
+    return !isHeld(message, now) && processor_.mayRun(message.receiver, now);
   });
 }
 
@@ -237,7 +236,7 @@ void System::handleMessages() {
   const Processor::Time now = now_();
   std::deque<Message> queued = std::exchange(messages_, {});
   for (auto& message : queued) {
-    if (message.held_by.IsValid() && processor_.busyUntil(message.held_by) <= now) {
+    if (!isHeld(message, now)) {
       message.held_by.MakeInvalid();
     }
   }
@@ -247,7 +246,7 @@ void System::handleMessages() {
       unfinished_.end());
   std::deque<Message> left;
   for (auto& message : queued) {
-    if (isDue(message, now)) {
+    if (!message.held_by.IsValid() && processor_.mayRun(message.receiver, now)) {
       handle(std::move(message));
     } else {
       left.push_back(std::move(message));

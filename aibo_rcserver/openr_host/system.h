@@ -126,7 +126,8 @@ class System {
   class Running;
 
   LoadedObject& loaded(const OID& oid);
-  bool isDue(const Message& message, Processor::Time now) const;
+  /// True while the object that has posted the message is busy.
+  bool isHeld(const Message& message, Processor::Time now) const;
   void handle(Message message);
   SubjectService& subject(const SubjectID& id);
   ObserverService& observer(const ObserverID& id);
