@@ -46,6 +46,14 @@ class PicturesTest : public Version2Fixture {
 
   void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
 
+  // The first image is with the encoder then, which keeps it.
+  bool startsStreamWithSlowEncoder() {
+    encoder_.slowDown();
+    answerTo('W', 85, kStreamOn);
+    takeImage();
+    return encoder_.hasJob();
+  }
+
   // What has come of a kind; anything else that has come is passed over.
   std::vector<Frame> framesOf(char kind) {
     std::vector<Frame> frames;
@@ -115,10 +123,7 @@ TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {
 // ------------------------------------------------------------------------------------------------ a slow encoder
 
 TEST_F(PicturesTest, OfTheImagesThatComeWhileTheEncoderWorksTheNewestIsTheNextPicture) {
-  encoder_.slowDown();
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
+  ASSERT_TRUE(startsStreamWithSlowEncoder());
   const unsigned first = robot_.lastImage();
   takeImage();
   takeImage();
@@ -137,10 +142,7 @@ TEST_F(PicturesTest, OfTheImagesThatComeWhileTheEncoderWorksTheNewestIsTheNextPi
 }
 
 TEST_F(PicturesTest, ImageThatWaitedIsTheNextPictureThoughNoOtherImageComes) {
-  encoder_.slowDown();
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
+  ASSERT_TRUE(startsStreamWithSlowEncoder());
   const unsigned first = robot_.lastImage();
   takeImage();
   encoder_.speedUp();
@@ -153,10 +155,7 @@ TEST_F(PicturesTest, ImageThatWaitedIsTheNextPictureThoughNoOtherImageComes) {
 
 // Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the encoder.
 TEST_F(PicturesTest, JointsMoveAndRequestsAreAnsweredWhileTheEncoderWorks) {
-  encoder_.slowDown();
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
+  ASSERT_TRUE(startsStreamWithSlowEncoder());
   EXPECT_EQ(answerTo('J', 0, moveHeadPan(500000)).header.kind, 'j');
   passFrames(300);
   EXPECT_EQ(robot_.joint("head_pan").position, 500000);
@@ -212,10 +211,7 @@ TEST_F(PicturesTest, EveryThirdImageIsCountedFromTheOneThatWasSent) {
 }
 
 TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
-  encoder_.slowDown();
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
+  ASSERT_TRUE(startsStreamWithSlowEncoder());
   answerTo('W', 85, kStreamOff);
   encoder_.speedUp();
   takeImage();
@@ -224,10 +220,7 @@ TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
 }
 
 TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatItIsChanged) {
-  encoder_.slowDown();
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
+  ASSERT_TRUE(startsStreamWithSlowEncoder());
   answerTo('W', 20, kStreamOn);
   encoder_.speedUp();
   takeImage();
