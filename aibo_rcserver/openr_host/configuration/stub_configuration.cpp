@@ -62,7 +62,7 @@ class Parser {
       }
     }
     if (stub_.object_name.empty()) {
-      throw ConfigurationError(file_, line, "the line 'ObjectName : NAME' is missing");
+      throw ConfigurationError(file_, line, "the file has no line ObjectName : NAME");
     }
     check(number_of_subjects_, line, "NumOfOSubject", stub_.subjects.size(), ".S");
     check(number_of_observers_, line, "NumOfOObserver", stub_.observers.size(), ".O");
@@ -161,7 +161,7 @@ class Parser {
   void check(const std::optional<Count>& count, int last_line, const std::string& keyword, std::size_t services,
              const std::string& ending) const {
     if (!count) {
-      throw ConfigurationError(file_, last_line, "the line '" + keyword + " : NUMBER' is missing");
+      throw ConfigurationError(file_, last_line, "the file has no line " + keyword + " : NUMBER");
     }
     if (count->value == 0) {
       throw ConfigurationError(file_, count->line,
