@@ -143,34 +143,6 @@ class PlayingClientTest : public ConnectionsTest {
   }
 };
 
-// -------------------------------------------------------------------------------------------- the IPStack refuses
-
-// Parameter: the number of an `Extra` entry in stub.cfg, and what the console says when the IPStack takes no message
-// that is to be answered by it.
-class RefusedByTheIpStackTest : public ConnectionsTest,
-                                public ::testing::WithParamInterface<std::pair<size_t, const char*>> {
- protected:
-  void SetUp() override {
-    refused_entry_ = GetParam().first;
-    ConnectionsTest::SetUp();
-  }
-};
-
-TEST_P(RefusedByTheIpStackTest, ItIsSaidAndNobodyWaitsForAnAnswer) {
-  const auto client = connect();
-  client->send(request('S', 66) + request('?', 0));
-  passFrames(130);
-  EXPECT_THAT(console_.str(), HasSubstr(GetParam().second));
-  passFrames(300);
-  EXPECT_THAT(robot_.joint("head_pan").gains.proportional, ::testing::Ne(0)) << "the robot goes on";
-  EXPECT_LE(timesSaid("no endpoint to listen"), 10U) << "it is tried once a second, with two connections";
-}
-
-INSTANTIATE_TEST_SUITE_P(Entries, RefusedByTheIpStackTest,
-                         ::testing::Values(std::make_pair(0, "the IPStack has no endpoint to listen on port 54321"),
-                                           std::make_pair(1, "is gone: the IPStack does not send"),
-                                           std::make_pair(2, "is gone: the IPStack does not receive")));
-
 // WAG.MTN takes less than 2 s.
 TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsAndItIsServedOn) {
   auto client = connectServed();
@@ -226,5 +198,33 @@ TEST_F(PlayingClientTest, MotionThatTheMotorsEndedDoesNotGoOnWhenTheyAreOnAgain)
   EXPECT_FALSE(tailMoves());
   EXPECT_EQ(answerTo('P', 0, std::string("\0\1WAG.MTN", 9)).header.kind, 'p') << "its joints are free";
 }
+
+// -------------------------------------------------------------------------------------------- the IPStack refuses
+
+// Parameter: the number of an `Extra` entry in stub.cfg, and what the console says when the IPStack takes no message
+// that is to be answered by it.
+class RefusedByTheIpStackTest : public ConnectionsTest,
+                                public ::testing::WithParamInterface<std::pair<size_t, const char*>> {
+ protected:
+  void SetUp() override {
+    refused_entry_ = GetParam().first;
+    ConnectionsTest::SetUp();
+  }
+};
+
+TEST_P(RefusedByTheIpStackTest, ItIsSaidAndNobodyWaitsForAnAnswer) {
+  const auto client = connect();
+  client->send(request('S', 66) + request('?', 0));
+  passFrames(130);
+  EXPECT_THAT(console_.str(), HasSubstr(GetParam().second));
+  passFrames(300);
+  EXPECT_THAT(robot_.joint("head_pan").gains.proportional, ::testing::Ne(0)) << "the robot goes on";
+  EXPECT_LE(timesSaid("no endpoint to listen"), 10U) << "it is tried once a second, with two connections";
+}
+
+INSTANTIATE_TEST_SUITE_P(Entries, RefusedByTheIpStackTest,
+                         ::testing::Values(std::make_pair(0, "the IPStack has no endpoint to listen on port 54321"),
+                                           std::make_pair(1, "is gone: the IPStack does not send"),
+                                           std::make_pair(2, "is gone: the IPStack does not receive")));
 
 }  // namespace
