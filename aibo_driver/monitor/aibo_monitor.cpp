@@ -6,8 +6,7 @@
 //   ~seconds                run for so long after the first picture; 0, the default: until stopped
 //   ~first_picture_timeout  seconds to wait for the first picture, then give up, say so and return 1; 0: for ever.
 //                           The default is ~seconds
-//   ~picture_log            log of the simulated robot's pictures (aibo_rcserver --picture-log); empty, the default:
-//   none.
+//   ~picture_log            log that aibo_rcserver --picture-log writes; empty, the default: none.
 //                           With it the latency counts from the camera's image, otherwise from the moment that the
 //                           first byte of a picture reached the driver.
 

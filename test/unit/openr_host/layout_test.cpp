@@ -24,8 +24,7 @@ static_assert(std::is_unsigned<longword>::value && std::is_signed<slongword>::va
 static_assert(sizeof(OStatus) == 4 && sizeof(OPrimitiveID) == 4 && sizeof(ODataType) == 4 && sizeof(Selector) == 4);
 static_assert(sizeof(MemoryRegionID) == 4 && sizeof(OVRSyncKey) == 4 && sizeof(ODesignDataID) == 4);
 
-// ------------------------------------------------------------------------------- Level2 Reference Guide, page 45:
-// header
+// ---------------------------------------------------------------------- Level2 Reference Guide, page 45: header
 static_assert(sizeof(ODataVectorInfo) == 192);
 static_assert(offsetof(ODataVectorInfo, memRegionID) == 0 && offsetof(ODataVectorInfo, physAddr) == 4);
 static_assert(offsetof(ODataVectorInfo, offset) == 8 && offsetof(ODataVectorInfo, totalSize) == 12);
