@@ -15,9 +15,9 @@ constexpr std::uint32_t kQueueSize = 10;
 
 }  // namespace
 
-JointCommander::JointCommander(const ros::NodeHandle& handle, const motion::JointTable& table,
-                               const motion::MeasuredJoints& measured, motion::JointLink& link, double approach_speed,
-                               std::function<void(const std::vector<motion::JointOrder>&)> commanded)
+JointCommander::JointCommander(const ros::NodeHandle& handle, const joints::JointTable& table,
+                               const joints::MeasuredJoints& measured, joints::JointLink& link, double approach_speed,
+                               std::function<void(const std::vector<joints::JointOrder>&)> commanded)
     : link_(link), commanded_(std::move(commanded)), filter_(table, measured, approach_speed) {
   ros::NodeHandle topics(handle);
   constexpr bool kOneShot = true;
@@ -27,7 +27,7 @@ JointCommander::JointCommander(const ros::NodeHandle& handle, const motion::Join
       [this](const ros::SteadyTimerEvent&) { send(); }, kOneShot, kAutostart);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   using Position = std_msgs::Float64;
-  for (const motion::JointProperties& joint : table.joints()) {
+  for (const joints::JointProperties& joint : table.joints()) {
     const boost::function<void(const Position::ConstPtr&)> receive =
         [this, name = joint.name](const Position::ConstPtr& message) { receivePosition(name, message->data); };
     subscribers_.push_back(topics.subscribe<Position>(joint.name + "_position_controller/command", 1, receive,
@@ -52,23 +52,23 @@ void JointCommander::receivePosition(const std::string& name, double position) {
   collect({{name}, {position}, {}});
 }
 
-void JointCommander::collect(const motion::JointCommand& command) {
+void JointCommander::collect(const joints::JointCommand& command) {
   if (connection_ != link_.connection()) {
     connection_ = link_.connection();
     filter_.startApproach();
     waiting_.clear();
   }
-  const motion::FilteredCommand filtered = filter_.filter(command, std::chrono::steady_clock::now());
+  const joints::FilteredCommand filtered = filter_.filter(command, std::chrono::steady_clock::now());
   for (const std::string& refusal : filtered.refusals) {
     warnings_.warn(refusal);
   }
-  for (const motion::JointOrder& order : filtered.orders) {
+  for (const joints::JointOrder& order : filtered.orders) {
     waiting_[order.id] = order;
   }
 }
 
 void JointCommander::send() {
-  std::vector<motion::JointOrder> orders;
+  std::vector<joints::JointOrder> orders;
   if (connection_ == link_.connection()) {
     for (const auto& entry : waiting_) {
       orders.push_back(entry.second);

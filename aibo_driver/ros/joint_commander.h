@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "motion/joint_command_filter.h"
-#include "motion/joint_link.h"
-#include "motion/joint_table.h"
-#include "motion/measured_joints.h"
+#include "joints/joint_command_filter.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
 #include "throttled_warnings.h"
 
 namespace aibo_driver::node {
@@ -37,9 +37,9 @@ class JointCommander {
   /// @param table, measured, link must outlive the commander
   /// @param approach_speed rad/s, see JointCommandFilter
   /// @param commanded called with what is going to be sent
-  JointCommander(const ros::NodeHandle& handle, const motion::JointTable& table, const motion::MeasuredJoints& measured,
-                 motion::JointLink& link, double approach_speed,
-                 std::function<void(const std::vector<motion::JointOrder>&)> commanded);
+  JointCommander(const ros::NodeHandle& handle, const joints::JointTable& table, const joints::MeasuredJoints& measured,
+                 joints::JointLink& link, double approach_speed,
+                 std::function<void(const std::vector<joints::JointOrder>&)> commanded);
 
   /// The posture may be any from now on: see JointCommandFilter. From the thread of the callback queue.
   void startApproach() { filter_.startApproach(); }
@@ -47,15 +47,15 @@ class JointCommander {
  private:
   void receiveJointState(const sensor_msgs::JointState& message);
   void receivePosition(const std::string& name, double position);
-  void collect(const motion::JointCommand& command);
+  void collect(const joints::JointCommand& command);
   void send();
 
-  motion::JointLink& link_;
-  const std::function<void(const std::vector<motion::JointOrder>&)> commanded_;
-  motion::JointCommandFilter filter_;
+  joints::JointLink& link_;
+  const std::function<void(const std::vector<joints::JointOrder>&)> commanded_;
+  joints::JointCommandFilter filter_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   std::uint64_t connection_ = 0;               ///< over which what follows is to be sent
-  std::map<int, motion::JointOrder> waiting_;  ///< by id
+  std::map<int, joints::JointOrder> waiting_;  ///< by id
   ros::SteadyTimer collecting_;
   std::vector<ros::Subscriber> subscribers_;
 };

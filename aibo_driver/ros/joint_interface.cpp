@@ -7,8 +7,8 @@
 namespace aibo_driver::node {
 namespace {
 
-motion::JointLink::Robot robotOf(RcServerClient& client) {
-  motion::JointLink::Robot robot;
+joints::JointLink::Robot robotOf(RcServerClient& client) {
+  joints::JointLink::Robot robot;
   robot.connections = [&client] { return client.statistics().connections; };
   robot.set_speed_limits = [&client](const std::vector<JointSpeedLimit>& limits) {
     client.setJointSpeedLimits(limits);
@@ -30,7 +30,7 @@ JointInterface::JointInterface(const ros::NodeHandle& handle, const DriverParame
       thread_(handle),
       trajectories_(thread_.handle(), table_, measured_, link_, parameters.slow_down),
       commander_(thread_.handle(), table_, measured_, link_, parameters.approach_speed,
-                 [this](const std::vector<motion::JointOrder>& orders) { trajectories_.yieldTo(orders); }),
+                 [this](const std::vector<joints::JointOrder>& orders) { trajectories_.yieldTo(orders); }),
       motors_(thread_.handle(), client,
               [this] {
                 trajectories_.end("the motors are switched");

@@ -9,9 +9,9 @@
 #include "driver_parameters.h"
 #include "joint_commander.h"
 #include "joint_telemetry_publisher.h"
-#include "motion/joint_link.h"
-#include "motion/joint_table.h"
-#include "motion/measured_joints.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
 #include "motor_service.h"
 #include "play_motion_service.h"
 #include "telemetry_stamper.h"
@@ -43,10 +43,10 @@ class JointInterface {
   void updateConnection(const ConnectionStatus& status);
 
  private:
-  motion::JointTable table_;
-  motion::MeasuredJoints measured_;
+  joints::JointTable table_;
+  joints::MeasuredJoints measured_;
   JointTelemetryPublisher telemetry_publisher_;
-  motion::JointLink link_;
+  joints::JointLink link_;
   CallbackThread thread_;
   TrajectoryExecutor trajectories_;
   JointCommander commander_;

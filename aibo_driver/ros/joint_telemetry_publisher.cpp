@@ -13,8 +13,8 @@ constexpr std::uint32_t kQueueSize = 5;
 
 }  // namespace
 
-JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, const motion::JointTable& table,
-                                                 motion::MeasuredJoints& measured, TelemetryStamper stamp_of)
+JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, const joints::JointTable& table,
+                                                 joints::MeasuredJoints& measured, TelemetryStamper stamp_of)
     : table_(table),
       measured_(measured),
       stamp_of_(std::move(stamp_of)),
@@ -22,7 +22,7 @@ JointTelemetryPublisher::JointTelemetryPublisher(const ros::NodeHandle& handle, 
 
 void JointTelemetryPublisher::publish(const Telemetry& telemetry) {
   const auto message = boost::make_shared<sensor_msgs::JointState>();
-  for (const motion::MeasuredJoint& joint : measured_.update(telemetry)) {
+  for (const joints::MeasuredJoint& joint : measured_.update(telemetry)) {
     message->name.push_back(table_[joint.index].name);
     message->position.push_back(joint.position);
     message->velocity.push_back(joint.velocity);

@@ -5,8 +5,8 @@
 #include <ros/node_handle.h>
 
 #include "aibo_driver/telemetry.h"
-#include "motion/joint_table.h"
-#include "motion/measured_joints.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
 #include "telemetry_stamper.h"
 
 namespace aibo_driver::node {
@@ -15,15 +15,15 @@ namespace aibo_driver::node {
 class JointTelemetryPublisher {
  public:
   /// @param table, measured must outlive the publisher
-  JointTelemetryPublisher(const ros::NodeHandle& handle, const motion::JointTable& table,
-                          motion::MeasuredJoints& measured, TelemetryStamper stamp_of);
+  JointTelemetryPublisher(const ros::NodeHandle& handle, const joints::JointTable& table,
+                          joints::MeasuredJoints& measured, TelemetryStamper stamp_of);
 
   /// Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);
 
  private:
-  const motion::JointTable& table_;
-  motion::MeasuredJoints& measured_;
+  const joints::JointTable& table_;
+  joints::MeasuredJoints& measured_;
   const TelemetryStamper stamp_of_;
   ros::Publisher publisher_;
 };

@@ -19,8 +19,8 @@ double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-motion::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
-  motion::TrajectoryRequest request;
+joints::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
+  joints::TrajectoryRequest request;
   request.joints = message.joint_names;
   for (const trajectory_msgs::JointTrajectoryPoint& point : message.points) {
     request.points.push_back({point.time_from_start.toSec(), point.positions, point.velocities});
@@ -30,8 +30,8 @@ motion::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& mess
 
 }  // namespace
 
-TrajectoryExecutor::TrajectoryExecutor(const ros::NodeHandle& handle, const motion::JointTable& table,
-                                       const motion::MeasuredJoints& measured, motion::JointLink& link, bool slow_down)
+TrajectoryExecutor::TrajectoryExecutor(const ros::NodeHandle& handle, const joints::JointTable& table,
+                                       const joints::MeasuredJoints& measured, joints::JointLink& link, bool slow_down)
     : table_(table), measured_(measured), link_(link), slow_down_(slow_down) {
   ros::NodeHandle topics(handle);
   constexpr bool kOneShot = false;
@@ -46,13 +46,13 @@ TrajectoryExecutor::TrajectoryExecutor(const ros::NodeHandle& handle, const moti
                                           ros::TransportHints().tcpNoDelay());
 }
 
-void TrajectoryExecutor::yieldTo(const std::vector<motion::JointOrder>& orders) {
+void TrajectoryExecutor::yieldTo(const std::vector<joints::JointOrder>& orders) {
   if (!running_) {
     return;
   }
   for (const std::size_t index : running_->trajectory.joints()) {
     const int id = table_[index].id;
-    if (std::any_of(orders.begin(), orders.end(), [id](const motion::JointOrder& order) { return order.id == id; })) {
+    if (std::any_of(orders.begin(), orders.end(), [id](const joints::JointOrder& order) { return order.id == id; })) {
       end(table_[index].name + " was commanded to go elsewhere");
       return;
     }
@@ -86,12 +86,12 @@ void TrajectoryExecutor::receive(const trajectory_msgs::JointTrajectory& message
 void TrajectoryExecutor::start(const trajectory_msgs::JointTrajectory& message) {
   const SteadyTime now = std::chrono::steady_clock::now();
   const std::chrono::nanoseconds wait = waitBeforeStart(message.header.stamp, ros::Time::now());
-  motion::Trajectory trajectory(toRequest(message), table_, present(now), slow_down_);
+  joints::Trajectory trajectory(toRequest(message), table_, present(now), slow_down_);
   if (trajectory.stretch() > 1) {
     ROS_INFO_STREAM_NAMED("joints", "The trajectory is slowed down " << trajectory.stretch()
                                                                      << " times, to keep the joints' speed limits.");
   }
-  running_ = Running{std::move(trajectory), motion::TrajectoryClock(now + wait, kPeriod), link_.connection(), false};
+  running_ = Running{std::move(trajectory), joints::TrajectoryClock(now + wait, kPeriod), link_.connection(), false};
   timer_.start();
   goOn();
 }
@@ -100,10 +100,10 @@ void TrajectoryExecutor::hold() {
   const SteadyTime now = std::chrono::steady_clock::now();
   std::vector<std::size_t> joints;
   std::vector<double> positions;
-  for (const motion::Trajectory::Start& joint : present(now)) {
+  for (const joints::Trajectory::Start& joint : present(now)) {
     const bool in_trajectory = running_ && std::count(running_->trajectory.joints().begin(),
                                                       running_->trajectory.joints().end(), joint.joint) > 0;
-    const std::optional<motion::MeasuredJoint> measured = measured_.find(joint.joint);
+    const std::optional<joints::MeasuredJoint> measured = measured_.find(joint.joint);
     if (in_trajectory || (measured && std::abs(measured->velocity) > kStanding)) {
       joints.push_back(joint.joint);
       positions.push_back(joint.position);
@@ -122,7 +122,7 @@ void TrajectoryExecutor::goOn() {
     end("the connection to the robot was lost; it is not taken up again");
     return;
   }
-  const motion::Trajectory& trajectory = running_->trajectory;
+  const joints::Trajectory& trajectory = running_->trajectory;
   const double time = running_->clock.attend(std::chrono::steady_clock::now());
   if (time < 0) {
     return;
@@ -147,8 +147,8 @@ void TrajectoryExecutor::goOn() {
   }
 }
 
-std::vector<motion::Trajectory::Start> TrajectoryExecutor::present(SteadyTime now) const {
-  std::vector<motion::Trajectory::Start> joints;
+std::vector<joints::Trajectory::Start> TrajectoryExecutor::present(SteadyTime now) const {
+  std::vector<joints::Trajectory::Start> joints;
   if (running_) {
     const std::vector<double> positions = running_->trajectory.sample(running_->clock.at(now));
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -157,8 +157,8 @@ std::vector<motion::Trajectory::Start> TrajectoryExecutor::present(SteadyTime no
   }
   for (std::size_t i = 0; i < table_.size(); ++i) {
     const bool known = std::any_of(joints.begin(), joints.end(),
-                                   [i](const motion::Trajectory::Start& joint) { return joint.joint == i; });
-    const std::optional<motion::MeasuredJoint> measured = measured_.find(i);
+                                   [i](const joints::Trajectory::Start& joint) { return joint.joint == i; });
+    const std::optional<joints::MeasuredJoint> measured = measured_.find(i);
     if (!known && measured) {
       joints.push_back({i, measured->position});
     }
@@ -168,9 +168,9 @@ std::vector<motion::Trajectory::Start> TrajectoryExecutor::present(SteadyTime no
 
 void TrajectoryExecutor::send(const std::vector<std::size_t>& joints, const std::vector<double>& positions,
                               std::chrono::milliseconds duration) {
-  std::vector<motion::JointOrder> orders;
+  std::vector<joints::JointOrder> orders;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const motion::JointProperties& joint = table_[joints[i]];
+    const joints::JointProperties& joint = table_[joints[i]];
     orders.push_back({joint.id, std::clamp(positions[i], joint.lowest, joint.highest), table_.speedLimit(joints[i])});
   }
   link_.send(orders, duration);

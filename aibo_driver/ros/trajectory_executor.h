@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "motion/joint_link.h"
-#include "motion/joint_table.h"
-#include "motion/measured_joints.h"
-#include "motion/trajectory.h"
-#include "motion/trajectory_clock.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
+#include "joints/trajectory.h"
+#include "joints/trajectory_clock.h"
 #include "throttled_warnings.h"
 
 namespace aibo_driver::node {
@@ -39,12 +39,12 @@ class TrajectoryExecutor {
 
   /// @param table, measured, link must outlive the executor
   /// @param slow_down as for Trajectory
-  TrajectoryExecutor(const ros::NodeHandle& handle, const motion::JointTable& table,
-                     const motion::MeasuredJoints& measured, motion::JointLink& link, bool slow_down);
+  TrajectoryExecutor(const ros::NodeHandle& handle, const joints::JointTable& table,
+                     const joints::MeasuredJoints& measured, joints::JointLink& link, bool slow_down);
 
   /// Ends the trajectory if it moves one of these joints, which are told something else now. From the thread of the
   /// callback queue.
-  void yieldTo(const std::vector<motion::JointOrder>& orders);
+  void yieldTo(const std::vector<joints::JointOrder>& orders);
 
   /// Ends the trajectory, if there is one. From the thread of the callback queue.
   void end(const std::string& reason);
@@ -53,8 +53,8 @@ class TrajectoryExecutor {
   using SteadyTime = std::chrono::steady_clock::time_point;
 
   struct Running {
-    motion::Trajectory trajectory;
-    motion::TrajectoryClock clock;
+    joints::Trajectory trajectory;
+    joints::TrajectoryClock clock;
     std::uint64_t connection = 0;
     bool end_sent = false;
   };
@@ -63,13 +63,13 @@ class TrajectoryExecutor {
   void start(const trajectory_msgs::JointTrajectory& message);
   void hold();
   void goOn();
-  std::vector<motion::Trajectory::Start> present(SteadyTime now) const;
+  std::vector<joints::Trajectory::Start> present(SteadyTime now) const;
   void send(const std::vector<std::size_t>& joints, const std::vector<double>& positions,
             std::chrono::milliseconds duration);
 
-  const motion::JointTable& table_;
-  const motion::MeasuredJoints& measured_;
-  motion::JointLink& link_;
+  const joints::JointTable& table_;
+  const joints::MeasuredJoints& measured_;
+  joints::JointLink& link_;
   const bool slow_down_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   std::optional<Running> running_;

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "motion/joint_link.h"
-#include "motion/joint_table.h"
-#include "motion/measured_joints.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 /// What a user asks of some joints, unchecked. Arrays as in sensor_msgs/JointState.
 struct JointCommand {
@@ -70,6 +70,6 @@ class JointCommandFilter {
   std::vector<std::optional<Approach>> approaches_;  ///< by index
 };
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints
 
 #endif  // AIBO_DRIVER_MOTION_JOINT_COMMAND_FILTER_H

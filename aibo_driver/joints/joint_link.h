@@ -10,7 +10,7 @@
 
 #include "aibo_driver/joints.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 /// What a joint is told: where to go, and how fast at most.
 struct JointOrder {
@@ -54,6 +54,6 @@ class JointLink {
   std::map<int, double> speeds_;  ///< in force over that connection, by id
 };
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints
 
 #endif  // AIBO_DRIVER_MOTION_JOINT_LINK_H

@@ -1,8 +1,8 @@
-#include "motion/trajectory_clock.h"
+#include "joints/trajectory_clock.h"
 
 #include <algorithm>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 double TrajectoryClock::at(SteadyTime now) const {
   return std::chrono::duration<double>(now - start_ - excess(now)).count();
@@ -19,4 +19,4 @@ TrajectoryClock::SteadyTime::duration TrajectoryClock::excess(SteadyTime now) co
   return gap > kLongestGap ? gap - period_ : SteadyTime::duration(0);
 }
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

@@ -1,11 +1,11 @@
-#include "motion/joint_table.h"
+#include "joints/joint_table.h"
 
 #include <algorithm>
 
 #include "aibo_driver/exceptions.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 double radian(int microradian) {
@@ -51,4 +51,4 @@ std::optional<std::size_t> JointTable::findById(int id) const {
   return findIndex(joints_, [id](const JointProperties& joint) { return joint.id == id; });
 }
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

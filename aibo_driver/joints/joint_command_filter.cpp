@@ -1,9 +1,9 @@
-#include "motion/joint_command_filter.h"
+#include "joints/joint_command_filter.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 // Of an approach: for the way of the command to the robot, and for speeding up and braking.
@@ -115,4 +115,4 @@ bool JointCommandFilter::isNear(std::size_t index, double target) const {
   return measured && std::abs(target - measured->position) < kNear;
 }
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

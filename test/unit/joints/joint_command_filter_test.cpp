@@ -1,4 +1,4 @@
-#include "motion/joint_command_filter.h"
+#include "joints/joint_command_filter.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 using std::chrono::milliseconds;
@@ -200,4 +200,4 @@ TEST_F(JointCommandFilterTest, ApproachesWithAVelocityThatIsLowerStill) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 /// How far a trajectory has got. It does not go on while nobody attends to it for long: the joints have stopped
 /// meanwhile, and would have to jump to catch up.
@@ -34,6 +34,6 @@ class TrajectoryClock {
   std::chrono::milliseconds period_;
 };
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints
 
 #endif  // AIBO_DRIVER_MOTION_TRAJECTORY_CLOCK_H

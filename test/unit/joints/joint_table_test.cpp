@@ -1,10 +1,10 @@
-#include "motion/joint_table.h"
+#include "joints/joint_table.h"
 
 #include <gmock/gmock.h>
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 TEST(JointTable, ListsTheServosOfTheErs7InRadian) {
@@ -51,4 +51,4 @@ TEST(JointTable, KnowsOtherRobotsByTheirDesign) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "aibo_driver/telemetry.h"
-#include "motion/joint_table.h"
+#include "joints/joint_table.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 /// Where a joint was last measured.
 struct MeasuredJoint {
@@ -50,6 +50,6 @@ class MeasuredJoints {
   std::vector<std::optional<Entry>> entries_;  ///< by index
 };
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints
 
 #endif  // AIBO_DRIVER_MOTION_MEASURED_JOINTS_H

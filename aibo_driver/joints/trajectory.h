@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "aibo_driver/joints.h"
-#include "motion/joint_link.h"
-#include "motion/joint_table.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 /// What a user asks for, unchecked. As in trajectory_msgs/JointTrajectory.
 struct TrajectoryRequest {
@@ -90,6 +90,6 @@ class Trajectory {
   double stretch_ = 1;
 };
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints
 
 #endif  // AIBO_DRIVER_MOTION_TRAJECTORY_H

@@ -1,6 +1,6 @@
-#include "motion/measured_joints.h"
+#include "joints/measured_joints.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 constexpr double kFrame = 0.008;  // s, an OPEN-R frame
@@ -42,4 +42,4 @@ std::optional<MeasuredJoint> MeasuredJoints::find(std::size_t index) const {
   return entries_[index] ? std::optional<MeasuredJoint>(entries_[index]->joint) : std::nullopt;
 }
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

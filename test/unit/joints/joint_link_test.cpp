@@ -1,4 +1,4 @@
-#include "motion/joint_link.h"
+#include "joints/joint_link.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 using std::chrono::milliseconds;
@@ -87,4 +87,4 @@ TEST_F(JointLinkTest, TellsWhenTheRobotCannotBeTold) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

@@ -1,8 +1,8 @@
-#include "motion/joint_link.h"
+#include "joints/joint_link.h"
 
 #include <utility>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 JointLink::JointLink(Robot robot) : robot_(std::move(robot)) {}
 
@@ -42,4 +42,4 @@ void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
   }
 }
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

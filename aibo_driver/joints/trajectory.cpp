@@ -1,4 +1,4 @@
-#include "motion/trajectory.h"
+#include "joints/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 using Point = TrajectoryRequest::Point;
@@ -263,4 +263,4 @@ std::vector<double> Trajectory::Cubic::turningPoints(double length) const {
   return times;
 }
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

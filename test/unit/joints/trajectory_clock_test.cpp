@@ -1,8 +1,8 @@
-#include "motion/trajectory_clock.h"
+#include "joints/trajectory_clock.h"
 
 #include <gtest/gtest.h>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 using std::chrono::milliseconds;
@@ -36,4 +36,4 @@ TEST_F(TrajectoryClockTest, BeginsLaterIfNobodyAttendsThen) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

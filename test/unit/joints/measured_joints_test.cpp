@@ -1,8 +1,8 @@
-#include "motion/measured_joints.h"
+#include "joints/measured_joints.h"
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 namespace {
 
 using std::chrono::milliseconds;
@@ -68,4 +68,4 @@ TEST_F(MeasuredJointsTest, LeaveOutJointsThatAreNotInTheTable) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints

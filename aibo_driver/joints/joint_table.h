@@ -10,7 +10,7 @@
 
 #include "aibo_driver/joints.h"
 
-namespace aibo_driver::motion {
+namespace aibo_driver::joints {
 
 /// What the driver knows of a joint, in radian.
 struct JointProperties {
@@ -53,6 +53,6 @@ class JointTable {
   std::atomic<double> speed_scale_{1.0};
 };
 
-}  // namespace aibo_driver::motion
+}  // namespace aibo_driver::joints
 
 #endif  // AIBO_DRIVER_MOTION_JOINT_TABLE_H
