@@ -12,7 +12,7 @@
 #include "client/notifier.h"
 #include "client/reply_parser.h"
 #include "client/version1_session.h"
-#include "jpeg_decoder.h"
+#include "ros/camera/jpeg_decoder.h"
 #include "test_pictures.h"
 
 namespace {

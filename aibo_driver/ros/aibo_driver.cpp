@@ -1,9 +1,9 @@
-#include "aibo_driver.h"
+#include "ros/aibo_driver.h"
 
 #include <ros/console.h>
 
-#include "driver_namespace.h"
-#include "ros_log_sink.h"
+#include "ros/driver_namespace.h"
+#include "ros/ros_log_sink.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <exception>
 
-#include "aibo_driver.h"
-#include "interrupt.h"
-#include "master_watch.h"
+#include "ros/aibo_driver.h"
+#include "ros/interrupt.h"
+#include "ros/master_watch.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_driver");

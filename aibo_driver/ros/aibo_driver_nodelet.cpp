@@ -4,8 +4,8 @@
 #include <exception>
 #include <memory>
 
-#include "aibo_driver.h"
-#include "master_watch.h"
+#include "ros/aibo_driver.h"
+#include "ros/master_watch.h"
 
 namespace aibo_driver::node {
 

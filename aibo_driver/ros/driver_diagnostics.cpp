@@ -1,10 +1,10 @@
-#include "driver_diagnostics.h"
+#include "ros/driver_diagnostics.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <cstdio>
 
-#include "connection_publisher.h"
+#include "ros/connection_publisher.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -1,4 +1,4 @@
-#include "driver_namespace.h"
+#include "ros/driver_namespace.h"
 
 #include <ros/console.h>
 

@@ -1,4 +1,4 @@
-#include "driver_parameters.h"
+#include "ros/driver_parameters.h"
 
 #include <algorithm>
 #include <cctype>

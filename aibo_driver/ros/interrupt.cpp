@@ -1,4 +1,4 @@
-#include "interrupt.h"
+#include "ros/interrupt.h"
 
 #include <ros/init.h>
 #include <signal.h>

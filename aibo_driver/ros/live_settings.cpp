@@ -1,4 +1,4 @@
-#include "live_settings.h"
+#include "ros/live_settings.h"
 
 #include <ros/console.h>
 

@@ -9,7 +9,7 @@
 #include <atomic>
 #include <functional>
 
-#include "driver_parameters.h"
+#include "ros/driver_parameters.h"
 
 namespace aibo_driver::node {
 

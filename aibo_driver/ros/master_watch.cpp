@@ -1,4 +1,4 @@
-#include "master_watch.h"
+#include "ros/master_watch.h"
 
 #include <ros/connection_manager.h>
 #include <ros/console.h>

@@ -1,4 +1,4 @@
-#include "ros_log_sink.h"
+#include "ros/ros_log_sink.h"
 
 #include <ros/console.h>
 

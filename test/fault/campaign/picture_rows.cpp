@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "campaign/client_experiment.h"
-#include "jpeg_decoder.h"
+#include "ros/camera/jpeg_decoder.h"
 #include "test_pictures.h"
 
 namespace fault_bench {

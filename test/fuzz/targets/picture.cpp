@@ -3,7 +3,7 @@
 
 #include "aibo_driver/jpeg_inspector.h"
 #include "fuzz_input.h"
-#include "jpeg_decoder.h"
+#include "ros/camera/jpeg_decoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const aibo_driver::JpegInspection inspection = aibo_driver::inspectJpeg(data, size);

@@ -1,4 +1,4 @@
-#include "calibration.h"
+#include "ros/camera/calibration.h"
 
 #include <gmock/gmock.h>
 

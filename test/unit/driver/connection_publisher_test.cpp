@@ -1,4 +1,4 @@
-#include "connection_publisher.h"
+#include "ros/connection_publisher.h"
 
 #include <gmock/gmock.h>
 

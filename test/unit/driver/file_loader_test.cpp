@@ -1,4 +1,4 @@
-#include "file_loader.h"
+#include "ros/body/file_loader.h"
 
 #include <gmock/gmock.h>
 

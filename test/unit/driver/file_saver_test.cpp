@@ -1,4 +1,4 @@
-#include "file_saver.h"
+#include "ros/camera/file_saver.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "jpeg_decoder.h"
+#include "ros/camera/jpeg_decoder.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>

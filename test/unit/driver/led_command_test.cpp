@@ -1,4 +1,4 @@
-#include "led_command.h"
+#include "ros/body/led_command.h"
 
 #include <gmock/gmock.h>
 

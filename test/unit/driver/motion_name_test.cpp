@@ -1,4 +1,4 @@
-#include "motion_name.h"
+#include "ros/body/motion_name.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "power_status.h"
+#include "ros/body/power_status.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gmock/gmock.h>

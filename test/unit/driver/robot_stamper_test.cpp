@@ -1,4 +1,4 @@
-#include "robot_stamper.h"
+#include "ros/robot_stamper.h"
 
 #include <gmock/gmock.h>
 

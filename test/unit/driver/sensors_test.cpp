@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "accelerometer.h"
-#include "battery.h"
-#include "range_finder.h"
-#include "touch_sensors.h"
+#include "ros/body/accelerometer.h"
+#include "ros/body/battery.h"
+#include "ros/body/range_finder.h"
+#include "ros/body/touch_sensors.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -1,4 +1,4 @@
-#include "stream_meter.h"
+#include "ros/camera/stream_meter.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "stream_policy.h"
+#include "ros/camera/stream_policy.h"
 
 #include <gmock/gmock.h>
 

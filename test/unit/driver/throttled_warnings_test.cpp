@@ -1,4 +1,4 @@
-#include "throttled_warnings.h"
+#include "ros/throttled_warnings.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "trajectory_start.h"
+#include "ros/joints/trajectory_start.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "node_process.h"
+#include "tools/node_process.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "picture_log_reader.h"
+#include "tools/picture_log_reader.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

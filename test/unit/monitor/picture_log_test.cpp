@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "log_file_fixture.h"
-#include "picture_log_reader.h"
+#include "tools/picture_log_reader.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 

@@ -1,0 +1,75 @@
+#include "ros/camera/camera_publisher.h"
+
+#include <image_transport/camera_common.h>
+#include <ros/console.h>
+#include <sensor_msgs/CameraInfo.h>
+
+#include <cstdint>
+
+namespace aibo_driver::node {
+namespace {
+
+// Of each subscriber. At 30 pictures a second one that cannot keep up is at most 170 ms behind.
+constexpr std::uint32_t kQueueSize = 5;
+
+// Pins what image_transport's decoders deliver to the encoding of our own image_raw; plain "jpeg" means bgr8 to some
+// releases of compressed_image_transport and rgb8 to others.
+constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
+
+}  // namespace
+
+CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+                                 robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
+    : frame_id_(parameters.frame_id),
+      stamper_(robot_clock, parameters.time_offset),
+      calibration_(camera_handle, parameters.camera_name, parameters.camera_info_url) {
+  ros::NodeHandle handle(camera_handle);
+  const std::string image_topic = handle.resolveName("image_raw");
+  const ros::SubscriberStatusCallback on_change = [subscribers_changed](const ros::SingleSubscriberPublisher&) {
+    subscribers_changed();
+  };
+  // Built from the resolved base name, so that remapping image_raw carries these two along.
+  compressed_publisher_ =
+      handle.advertise<sensor_msgs::CompressedImage>(image_topic + "/compressed", kQueueSize, on_change, on_change);
+  camera_info_publisher_ = handle.advertise<sensor_msgs::CameraInfo>(image_transport::getCameraInfoTopic(image_topic),
+                                                                     kQueueSize, on_change, on_change);
+}
+
+sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture) {
+  const sensor_msgs::CompressedImageConstPtr message =
+      boost::make_shared<sensor_msgs::CompressedImage>(toMessage(picture));
+  compressed_publisher_.publish(message);
+  publishCameraInfo(message->header, picture);
+  return message;
+}
+
+sensor_msgs::CompressedImage CameraPublisher::toMessage(const Picture& picture) {
+  sensor_msgs::CompressedImage message;
+  message.header.stamp = stamper_.stamp(picture);
+  message.header.frame_id = frame_id_;
+  message.format = kFormat;
+  message.data = picture.jpeg;
+  return message;
+}
+
+bool CameraPublisher::hasSubscribers() const {
+  return compressed_publisher_.getNumSubscribers() > 0 || camera_info_publisher_.getNumSubscribers() > 0;
+}
+
+void CameraPublisher::publishCameraInfo(const std_msgs::Header& header, const Picture& picture) {
+  const auto message = boost::make_shared<sensor_msgs::CameraInfo>(calibration_.cameraInfo());
+  const auto width = static_cast<std::uint32_t>(picture.width);
+  const auto height = static_cast<std::uint32_t>(picture.height);
+  message->header = header;
+  if (!calibration_.isCalibrated()) {
+    message->width = width;
+    message->height = height;
+  } else if (message->width != width || message->height != height) {
+    ROS_WARN_STREAM_ONCE_NAMED("camera", "The camera is calibrated for pictures of "
+                                             << message->width << "x" << message->height << ", but they are " << width
+                                             << "x" << height << ": calibrate it again.");
+  }
+  camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
+}
+
+}  // namespace aibo_driver::node

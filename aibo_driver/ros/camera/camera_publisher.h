@@ -1,0 +1,52 @@
+/// @file camera_publisher.h
+#ifndef AIBO_DRIVER_CAMERA_PUBLISHER_H
+#define AIBO_DRIVER_CAMERA_PUBLISHER_H
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <functional>
+#include <string>
+
+#include "aibo_driver/picture.h"
+#include "ros/camera/calibration.h"
+#include "ros/driver_parameters.h"
+#include "ros/robot_stamper.h"
+
+namespace aibo_driver::node {
+
+/// Publishes each picture as the robot sent it (image_raw/compressed), and its camera_info with the same header.
+///
+/// Without a calibration camera_info holds the picture's width and height and zeros, which by CameraInfo.msg means
+/// uncalibrated.
+class CameraPublisher {
+ public:
+  /// @param camera_handle the camera's namespace
+  /// @param robot_clock must outlive the publisher; null: pictures are stamped with their arrival
+  /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
+  /// @throw InvalidArgumentException camera_info_url is none that camera_info_manager understands
+  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+                  robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
+
+  /// Never blocks. From one thread at a time.
+  /// @return the message that was published
+  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture);
+
+  /// The picture as a message, with the same header each time. From any thread.
+  sensor_msgs::CompressedImage toMessage(const Picture& picture);
+
+  bool hasSubscribers() const;
+
+ private:
+  void publishCameraInfo(const std_msgs::Header& header, const Picture& picture);
+
+  const std::string frame_id_;
+  RobotStamper stamper_;
+  Calibration calibration_;
+  ros::Publisher compressed_publisher_;
+  ros::Publisher camera_info_publisher_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_CAMERA_PUBLISHER_H

@@ -1,0 +1,38 @@
+/// @file image_decoder.h
+#ifndef AIBO_DRIVER_IMAGE_DECODER_H
+#define AIBO_DRIVER_IMAGE_DECODER_H
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <memory>
+#include <mutex>
+
+#include "ros/camera/raw_image_publisher.h"
+
+namespace aibo_driver::node {
+
+/// Decodes image_raw/compressed to image_raw, for bags that hold only the robot's JPEGs. Subscribes to the one only
+/// while the other has a subscriber. Headers are kept.
+class ImageDecoder {
+ public:
+  /// @param handle the camera's namespace; the root namespace means /aibo/camera
+  explicit ImageDecoder(const ros::NodeHandle& handle);
+  ~ImageDecoder();
+
+  ImageDecoder(const ImageDecoder&) = delete;
+  ImageDecoder& operator=(const ImageDecoder&) = delete;
+
+ private:
+  void updateSubscription();
+
+  ros::NodeHandle handle_;
+  std::mutex mutex_;  ///< callbacks may come before the constructor has ended, and while the destructor runs
+  bool stopping_ = false;
+  ros::Subscriber subscriber_;
+  std::unique_ptr<RawImagePublisher> raw_images_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_IMAGE_DECODER_H

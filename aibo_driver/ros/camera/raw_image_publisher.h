@@ -1,0 +1,68 @@
+/// @file raw_image_publisher.h
+#ifndef AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H
+#define AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H
+
+#include <image_transport/image_transport.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "ros/camera/jpeg_decoder.h"
+
+namespace aibo_driver::node {
+
+/// Publishes JPEG pictures as bgr8 images, through image_transport, while somebody subscribes to them.
+///
+/// Decodes in a thread of its own, so that whoever brings the pictures never waits. A picture that comes while another
+/// is being decoded waits in a slot for one, where a newer one replaces it.
+///
+/// Where compressed_image_transport is installed, it would advertise TOPIC/compressed beside every image topic: a
+/// second publisher on the topic that carries the robot's own JPEGs. Its plugins are kept off this topic.
+class RawImagePublisher {
+ public:
+  struct Statistics {
+    std::uint64_t published = 0;      ///< images decoded and published
+    std::uint64_t decode_errors = 0;  ///< pictures that could not be decoded
+    std::uint64_t skipped = 0;        ///< pictures replaced by a newer one before they were decoded
+  };
+
+  /// @param handle its namespace holds the topic
+  /// @param topic base name of the image topic, such as image_raw; may be remapped
+  /// @param subscribers_changed called from handle's callback queue when a subscriber comes or goes; may be empty
+  RawImagePublisher(const ros::NodeHandle& handle, const std::string& topic, std::function<void()> subscribers_changed);
+  ~RawImagePublisher();
+
+  RawImagePublisher(const RawImagePublisher&) = delete;
+  RawImagePublisher& operator=(const RawImagePublisher&) = delete;
+
+  /// Takes a picture to be decoded, if anybody listens. Never blocks; from any thread.
+  void publish(const sensor_msgs::CompressedImageConstPtr& picture);
+
+  bool hasSubscribers() const;
+
+  Statistics statistics() const;
+
+ private:
+  void run();
+  void decodeAndPublish(const sensor_msgs::CompressedImage& picture);
+
+  image_transport::Publisher publisher_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool stopping_ = false;
+  sensor_msgs::CompressedImageConstPtr waiting_;  ///< the slot
+  Statistics statistics_;
+
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H

@@ -1,0 +1,193 @@
+// Prints once a second how the stream of pictures is doing, as a subscriber sees it.
+//
+// Topics are those of the driver, relative to this node's namespace, which has to be the driver's; the root namespace
+// means /aibo.
+// Parameters:
+//   ~seconds                run for so long after the first picture; 0, the default: until stopped
+//   ~first_picture_timeout  seconds to wait for the first picture, then give up, say so and return 1; 0: for ever.
+//                           The default is ~seconds
+//   ~picture_log            log that aibo_rcserver --picture-log writes; empty, the default: none.
+//                           With it the latency counts from the camera's image, otherwise from the moment that the
+//                           first byte of a picture reached the driver.
+
+#include <aibo_driver/Connection.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ros/driver_namespace.h"
+#include "tools/node_process.h"
+#include "tools/picture_log_reader.h"
+#include "ros/camera/stream_meter.h"
+
+namespace aibo_driver::monitor {
+namespace {
+
+using std::chrono::nanoseconds;
+using std::chrono::steady_clock;
+
+nanoseconds sinceEpoch(const ros::Time& time) {
+  return nanoseconds(time.toNSec());
+}
+
+class Monitor {
+ public:
+  explicit Monitor(const ros::NodeHandle& private_handle)
+      : seconds_(private_handle.param("seconds", 0.0)),
+        first_picture_timeout_(private_handle.param("first_picture_timeout", seconds_)) {
+    const auto picture_log = private_handle.param<std::string>("picture_log", "");
+    if (!picture_log.empty()) {
+      picture_log_ = std::make_unique<PictureLogReader>(picture_log);
+    }
+    pictures_ = node_.subscribe("camera/image_raw/compressed", 100, &Monitor::onPicture, this,
+                                ros::TransportHints().tcpNoDelay());
+    connection_ = node_.subscribe("connection", 1, &Monitor::onConnection, this);
+    timer_ = node_.createSteadyTimer(ros::WallDuration(1.0), &Monitor::onTimer, this);
+  }
+
+  bool sawPictures() const { return first_picture_time_.has_value(); }
+
+ private:
+  struct Arrival {
+    sensor_msgs::CompressedImageConstPtr picture;
+    nanoseconds time;
+  };
+
+  void onPicture(const ros::MessageEvent<sensor_msgs::CompressedImage const>& event) {
+    arrivals_.push_back({event.getConstMessage(), sinceEpoch(event.getReceiptTime())});
+    publisher_ = event.getPublisherName();
+  }
+
+  void onConnection(const Connection& connection) { connection_text_ = connection.text; }
+
+  void onTimer(const ros::SteadyTimerEvent&) {
+    const auto now = steady_clock::now();
+    if (!first_picture_time_ && !arrivals_.empty()) {
+      first_picture_time_ = now;  // the second that it came in is not a whole one
+      arrivals_.clear();
+      meter_.read();
+      driverLoad(now - last_report_);
+    } else {
+      report(now - last_report_);
+    }
+    last_report_ = now;
+    if (isOver(now)) {
+      if (!first_picture_time_) {
+        std::fprintf(stderr, "aibo_monitor: no picture came within %g s\n", first_picture_timeout_);
+      }
+      ros::shutdown();
+    }
+  }
+
+  bool isOver(steady_clock::time_point now) const {
+    const auto longer_than = [now](steady_clock::time_point begin, double limit) {
+      return limit > 0 && std::chrono::duration<double>(now - begin).count() >= limit - 0.5;
+    };
+    return first_picture_time_ ? longer_than(*first_picture_time_, seconds_)
+                               : longer_than(start_, first_picture_timeout_);
+  }
+
+  void report(nanoseconds elapsed) {
+    if (picture_log_) {
+      picture_log_->readNewLines();
+    }
+    bool latency_known = true;
+    for (const Arrival& arrival : arrivals_) {
+      const auto picture_latency = latency(arrival);
+      latency_known = latency_known && picture_latency;
+      meter_.add(arrival.picture->data.size(), steady_clock::now() - picture_latency.value_or(nanoseconds(0)));
+    }
+    arrivals_.clear();
+    const node::StreamMeter::Reading reading = meter_.read();
+    const std::string driver_load = driverLoad(elapsed);
+    if (reading.pictures == 0) {
+      std::printf("no pictures: %s\n", connection_text_.c_str());
+    } else {
+      std::printf("%5.1f pictures/s %6.1f KB/s   %s to topic: %s   driver: %s of one processor\n",
+                  reading.picturesPerSecond(), reading.kilobytesPerSecond(),
+                  picture_log_ ? "camera image" : "robot's first byte",
+                  latency_known ? latencyText(reading).c_str() : "unknown", driver_load.c_str());
+    }
+    if (std::fflush(stdout) != 0) {
+      ros::shutdown();  // nobody reads on
+    }
+  }
+
+  // How old the picture was when it arrived here; none if its camera image is not in the log.
+  std::optional<nanoseconds> latency(const Arrival& arrival) const {
+    if (!picture_log_) {
+      return arrival.time - sinceEpoch(arrival.picture->header.stamp);
+    }
+    const auto camera_time = picture_log_->cameraTime(arrival.picture->data, PictureLogReader::Time(arrival.time));
+    if (!camera_time) {
+      return std::nullopt;
+    }
+    return arrival.time - camera_time->time_since_epoch();
+  }
+
+  static std::string latencyText(const node::StreamMeter::Reading& reading) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f ms (worst %.1f)", 1e3 * reading.mean_latency, 1e3 * reading.max_latency);
+    return text;
+  }
+
+  // The share of one processor that the driver used since the last call.
+  std::string driverLoad(nanoseconds elapsed) {
+    if (publisher_ != driver_name_) {
+      driver_name_ = publisher_;
+      driver_process_ = processOfNode(publisher_);
+      driver_time_.reset();
+    }
+    const auto used = driver_process_ ? processorTime(*driver_process_) : std::nullopt;
+    const auto used_before = std::exchange(driver_time_, used);
+    if (!used || !used_before) {
+      return "unknown part";
+    }
+    char text[32];
+    const double share = std::chrono::duration<double>(*used - *used_before) / std::chrono::duration<double>(elapsed);
+    std::snprintf(text, sizeof text, "%.1f %%", 100.0 * share);
+    return text;
+  }
+
+  const double seconds_;
+  const double first_picture_timeout_;
+  ros::NodeHandle node_ = node::inDriverNamespace(ros::NodeHandle(), "aibo");
+  std::unique_ptr<PictureLogReader> picture_log_;
+  ros::Subscriber pictures_;
+  ros::Subscriber connection_;
+  ros::SteadyTimer timer_;
+
+  const steady_clock::time_point start_ = steady_clock::now();
+  steady_clock::time_point last_report_ = start_;
+  std::optional<steady_clock::time_point> first_picture_time_;
+  std::vector<Arrival> arrivals_;
+  node::StreamMeter meter_;
+  std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
+
+  std::string publisher_;
+  std::string driver_name_;
+  std::optional<pid_t> driver_process_;
+  std::optional<nanoseconds> driver_time_;
+};
+
+}  // namespace
+}  // namespace aibo_driver::monitor
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
+  try {
+    aibo_driver::monitor::Monitor monitor(ros::NodeHandle("~"));
+    ros::spin();
+    return monitor.sawPictures() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "aibo_monitor: %s\n", error.what());
+    return 1;
+  }
+}
