@@ -10,7 +10,7 @@
 
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
-#include "rcserver/memory_stick/SettingsFile.h"
+#include "rcserver/settings/SettingsFile.h"
 
 namespace {
 

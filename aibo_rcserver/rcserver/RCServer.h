@@ -17,8 +17,8 @@
 #include "rcserver/camera/PictureTaker.h"
 #include "rcserver/camera/StreamReport.h"
 #include "rcserver/commands/Robot.h"
-#include "rcserver/memory_stick/FileDesk.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/FileDesk.h"
+#include "rcserver/settings/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///

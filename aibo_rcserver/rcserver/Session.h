@@ -12,7 +12,7 @@
 #include "rcserver/commands/MotionCommands.h"
 #include "rcserver/commands/Outbox.h"
 #include "rcserver/commands/Robot.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "rcserver/version1/Version1Commands.h"
 #include "rcserver/version2/Version2Commands.h"
 

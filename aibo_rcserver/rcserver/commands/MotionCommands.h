@@ -6,7 +6,7 @@
 #include "mtn/motion.h"
 #include "protocol/motion_name.h"
 #include "rcserver/commands/Robot.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. Each function does what is asked, or
 /// nothing and says why.

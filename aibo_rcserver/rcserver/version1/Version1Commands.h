@@ -8,7 +8,7 @@
 #include "rcserver/commands/MotionCommands.h"
 #include "rcserver/commands/Outbox.h"
 #include "rcserver/commands/Robot.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "rcserver/version1/Version1Joints.h"
 #include "rcserver/version1/Version1Lights.h"
 #include "rcserver/version1/Version1Motions.h"

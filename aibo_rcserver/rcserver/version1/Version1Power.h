@@ -5,7 +5,7 @@
 
 #include "protocol/request_reader.h"
 #include "rcserver/body/PowerOrder.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "rcserver/version1/Version1Replies.h"
 
 /// Carries out `Q` and `R`, as far as that means to answer and to give the order. Pure logic: no OPEN-R.

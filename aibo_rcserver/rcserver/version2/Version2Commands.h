@@ -8,7 +8,7 @@
 #include "rcserver/commands/MotionCommands.h"
 #include "rcserver/commands/Outbox.h"
 #include "rcserver/commands/Robot.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "rcserver/version2/Version2Camera.h"
 #include "rcserver/version2/Version2Joints.h"
 #include "rcserver/version2/Version2Lights.h"

@@ -4,7 +4,7 @@
 #define RCSERVER_VERSION2_VERSION2_POWER_H
 
 #include "rcserver/body/PowerOrder.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "rcserver/version2/Version2Replies.h"
 
 /// Carries out `Q` and `R`, as far as that means to answer and to give the order. Pure logic: no OPEN-R.

@@ -1,5 +1,5 @@
 // RCSERVER.CFG: any text.
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 
 #include <cstdio>
 

@@ -14,7 +14,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/body/Lights.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "temporary_memory_stick.h"
 #include "version2_fixture.h"
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "fake_robot.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 #include "temporary_memory_stick.h"
 #include "version2_fixture.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "rcserver/memory_stick/AllowedAddresses.h"
-#include "rcserver/memory_stick/LineReader.h"
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/AllowedAddresses.h"
+#include "rcserver/settings/LineReader.h"
+#include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
 #include "temporary_memory_stick.h"
 

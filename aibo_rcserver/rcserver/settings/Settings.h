@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "rcserver/memory_stick/AllowedAddresses.h"
+#include "rcserver/settings/AllowedAddresses.h"
 
 /// Where they are on the memory stick.
 const char SETTINGS_FOLDER[] = "OPEN-R/MW/CONF";

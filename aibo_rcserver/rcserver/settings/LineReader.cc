@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/LineReader.h"
+#include "rcserver/settings/LineReader.h"
 
 #include <ctype.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/SettingsFile.h"
+#include "rcserver/settings/SettingsFile.h"
 
 #include <OPENR/OSyslog.h>
 #include <dirent.h>

@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/FileDesk.h"
+#include "rcserver/settings/FileDesk.h"
 
 #include <string.h>
 

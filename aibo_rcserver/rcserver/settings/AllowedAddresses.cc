@@ -1,4 +1,4 @@
-#include "rcserver/memory_stick/AllowedAddresses.h"
+#include "rcserver/settings/AllowedAddresses.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
-#include "rcserver/memory_stick/Settings.h"
+#include "rcserver/settings/Settings.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "rcserver/memory_stick/LineReader.h"
+#include "rcserver/settings/LineReader.h"
 
 namespace {
 
