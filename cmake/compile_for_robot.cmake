@@ -4,7 +4,7 @@ function(aibo_compile_as_for_robot target)
   aibo_strict_warnings(${target})
 endfunction()
 
-# For targets that are also built for the robot. A test compares their sources with those of on_robot/Makefile.
+# For targets that are also built for the robot. A test compares their sources with those of memory_stick/programs/Makefile.
 function(aibo_compile_for_robot target)
   set_property(GLOBAL APPEND PROPERTY AIBO_ROBOT_TARGETS ${target})
   aibo_compile_as_for_robot(${target})

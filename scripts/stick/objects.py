@@ -1,11 +1,11 @@
-"""The project's own programs for the robot, as on_robot/objects.txt and each stub.cfg describe them."""
+"""The project's own programs for the robot, as memory_stick/programs/objects.txt and each stub.cfg describe them."""
 import re
 from pathlib import Path
 from typing import NamedTuple
 
 PROJECT = Path(__file__).resolve().parents[2]
 SOURCES = PROJECT / "aibo_rcserver"
-ON_ROBOT = SOURCES / "on_robot"
+PROGRAMS = SOURCES / "memory_stick" / "programs"
 STICK_FILES = SOURCES / "memory_stick" / "OPEN-R"
 
 
@@ -27,7 +27,7 @@ class RobotObject(NamedTuple):
 
 
 def _table():
-    lines = (line.split("#")[0].split() for line in (ON_ROBOT / "objects.txt").read_text().splitlines())
+    lines = (line.split("#")[0].split() for line in (PROGRAMS / "objects.txt").read_text().splitlines())
     return [RobotObject(line[0], line[1], line[2:]) for line in lines if line]
 
 

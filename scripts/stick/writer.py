@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 from . import sdk as sony
-from .objects import ON_ROBOT, STICK_FILES, robot_objects
+from .objects import PROGRAMS, STICK_FILES, robot_objects
 from .problem import Problem
 
 
@@ -23,11 +23,11 @@ def check_libjpeg(libjpeg):
 
 def build(sdk, libjpeg, build_dir):
     """Builds all programs, from scratch: which SDK an older one was built with is not known. Returns their files."""
-    for path in (sdk, libjpeg, build_dir, ON_ROBOT):
+    for path in (sdk, libjpeg, build_dir, PROGRAMS):
         if re.search(r"\s", str(path)):
             raise Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
                           "Use a path without spaces; a symbolic link will do.")
-    make = ["make", "--silent", "--no-print-directory", "-C", str(ON_ROBOT), f"OPENRSDK_ROOT={sdk}",
+    make = ["make", "--silent", "--no-print-directory", "-C", str(PROGRAMS), f"OPENRSDK_ROOT={sdk}",
             f"LIBJPEG={libjpeg}", f"BUILD={build_dir}"]
     print(f"Building in {build_dir}", flush=True)
     try:

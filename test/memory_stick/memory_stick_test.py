@@ -38,7 +38,7 @@ OPEN-R/SYSTEM/OBJS/IPSTACK.BIN
 OPEN-R/SYSTEM/OBJS/POWERMGR.BIN
 OPEN-R/VERSION.txt
 """.split()
-WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/on_robot/objects.txt").read_text(),
+WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/memory_stick/programs/objects.txt").read_text(),
                               re.MULTILINE)
 
 
@@ -100,7 +100,7 @@ class AStick(Workshop):
         self.expect_stick()
         log = [line.split() for line in (self.sdk / "log").read_text().splitlines()]
         link = next(line for line in log if line[0] == "mkbin" and "RCServer.bin" in line)
-        self.assertIn(str(self.project / "aibo_rcserver/on_robot/RCServer.ocf"), link)
+        self.assertIn(str(self.project / "aibo_rcserver/memory_stick/programs/RCServer.ocf"), link)
         self.assertIn(str(self.project / ".build/robot/libjpeg.a"), link)
         self.assertIn("-lObjectComm", link)
         stripped = [Path(line[-1]).name for line in log if line[0] == "mipsel-linux-strip"]
@@ -108,12 +108,12 @@ class AStick(Workshop):
 
     def test_has_a_further_program_for_a_few_lines(self):
         sources = self.project / "aibo_rcserver"
-        for name, line in (("on_robot/objects.txt", "Echo  ECHO.BIN  echo\n"),
+        for name, line in (("memory_stick/programs/objects.txt", "Echo  ECHO.BIN  echo\n"),
                            ("memory_stick/OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/ECHO.BIN\n"),
                            ("memory_stick/OPEN-R/MW/CONF/CONNECT.CFG", "Echo.Out.byte.S Echo.In.byte.O\n")):
             with (sources / name).open("a") as file:
                 file.write(line)
-        (sources / "on_robot/Echo.ocf").write_text("object Echo 3072 16384 128 cache tlb user\n")
+        (sources / "memory_stick/programs/Echo.ocf").write_text("object Echo 3072 16384 128 cache tlb user\n")
         (sources / "echo").mkdir()
         (sources / "echo/Echo.cc").write_text("")
         (sources / "echo/stub.cfg").write_text(
@@ -142,13 +142,13 @@ class AStick(Workshop):
 
     def test_is_built_in_a_folder_that_make_clean_removes(self):
         self.expect_stick()
-        on_robot = self.project / "aibo_rcserver/on_robot"
-        before = sorted(path.name for path in (PROJECT / "aibo_rcserver/on_robot").iterdir() if path.name != "build")
-        subprocess.run(["make", "-s", "-C", str(on_robot), f"OPENRSDK_ROOT={self.sdk}", f"LIBJPEG={self.libjpeg}"],
+        programs = self.project / "aibo_rcserver/memory_stick/programs"
+        before = sorted(path.name for path in (PROJECT / "aibo_rcserver/memory_stick/programs").iterdir() if path.name != "build")
+        subprocess.run(["make", "-s", "-C", str(programs), f"OPENRSDK_ROOT={self.sdk}", f"LIBJPEG={self.libjpeg}"],
                        check=True, stdout=subprocess.DEVNULL)
-        self.assertTrue((on_robot / "build/RCSERVER.BIN").is_file())
-        subprocess.run(["make", "-s", "-C", str(on_robot), "clean"], check=True)
-        self.assertEqual(sorted(path.name for path in on_robot.iterdir()), before)
+        self.assertTrue((programs / "build/RCSERVER.BIN").is_file())
+        subprocess.run(["make", "-s", "-C", str(programs), "clean"], check=True)
+        self.assertEqual(sorted(path.name for path in programs.iterdir()), before)
 
 
 class TheNetwork(Workshop):
@@ -419,7 +419,7 @@ class TheSourcesWithSonysHeaders(Workshop):
 class TheListOfSources(unittest.TestCase):
     def test_is_the_same_for_the_robot_and_for_linux(self):
         """ROBOT_SOURCES: what CMake builds as the robot's, a file in which it has written one source a line."""
-        robot = subprocess.run(["make", "-s", "-C", str(PROJECT / "aibo_rcserver/on_robot"), "sources"], check=True,
+        robot = subprocess.run(["make", "-s", "-C", str(PROJECT / "aibo_rcserver/memory_stick/programs"), "sources"], check=True,
                                stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
         linux = Path(os.environ["ROBOT_SOURCES"]).read_text().split()
         self.assertGreater(len(robot), 50)
