@@ -4,10 +4,10 @@
 
 #include "fuzz_input.h"
 #include "mtn/motion.h"
-#include "mtn_tool/motion_check.h"
-#include "mtn_tool/mtn_writer.h"
-#include "mtn_tool/robots.h"
-#include "mtn_tool/text_form.h"
+#include "motion_tool/motion_check.h"
+#include "motion_tool/mtn_writer.h"
+#include "motion_tool/robots.h"
+#include "motion_tool/text_form.h"
 
 namespace {
 
@@ -23,9 +23,9 @@ void readEverything(const mtn::Motion& motion) {
 
 // Texts in other character sets, with `#` or blanks in them, do not survive; all else does.
 void printAndReadAgain(const mtn::Motion& motion) {
-  std::istringstream text(mtn_tool::printTextForm(motion));
+  std::istringstream text(motion_tool::printTextForm(motion));
   try {
-    mtn_tool::encodeMtn(mtn_tool::parseTextForm(text));
+    motion_tool::encodeMtn(motion_tool::parseTextForm(text));
   } catch (const std::runtime_error&) {
   }
 }
@@ -40,8 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   readEverything(motion);
   printAndReadAgain(motion);
-  if (const robot_model::RobotModel* robot = mtn_tool::modelOf(motion.design())) {
-    mtn_tool::findObstacles(motion, *robot);
+  if (const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design())) {
+    motion_tool::findObstacles(motion, *robot);
   }
   return 0;
 }

@@ -4,14 +4,14 @@
 
 #include "fuzz_input.h"
 #include "mtn/motion.h"
-#include "mtn_tool/mtn_writer.h"
-#include "mtn_tool/text_form.h"
+#include "motion_tool/mtn_writer.h"
+#include "motion_tool/text_form.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream text(FuzzInput(data, size).takeText(size));
   std::string bytes;
   try {
-    bytes = mtn_tool::encodeMtn(mtn_tool::parseTextForm(text));
+    bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
   } catch (const std::runtime_error&) {
     return 0;
   }

@@ -1,4 +1,4 @@
-#include "mtn_tool/motion_check.h"
+#include "motion_tool/motion_check.h"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mtn_tool/mtn_writer.h"
-#include "mtn_tool/text_form.h"
+#include "motion_tool/mtn_writer.h"
+#include "motion_tool/text_form.h"
 
 namespace {
 
@@ -17,10 +17,10 @@ using ::testing::IsEmpty;
 
 std::vector<std::string> obstaclesOf(const std::string& key_frames, const std::string& on = "ERS-7") {
   std::istringstream text("robot ERS-7\n" + key_frames);
-  const std::string bytes = mtn_tool::encodeMtn(mtn_tool::parseTextForm(text));
+  const std::string bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
   mtn::Motion motion;
   EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
-  return mtn_tool::findObstacles(motion, *robot_model::findRobotModel(on.c_str()));
+  return motion_tool::findObstacles(motion, *robot_model::findRobotModel(on.c_str()));
 }
 
 TEST(MotionCheckTest, aMotionWithinAllLimitsHasNoObstacles) {

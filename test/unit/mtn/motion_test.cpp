@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mtn_tool/mtn_writer.h"
+#include "motion_tool/mtn_writer.h"
 #include "sample_motion.h"
 
 namespace {
@@ -60,7 +60,7 @@ class MotionTest : public ::testing::Test {
     return bytes.replace(place, size, little(value, size));
   }
 
-  const std::string sample_ = mtn_tool::encodeMtn(sampleMotion());
+  const std::string sample_ = motion_tool::encodeMtn(sampleMotion());
 };
 
 TEST_F(MotionTest, readsAllThatIsInAFile) {

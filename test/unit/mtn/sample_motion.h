@@ -3,11 +3,11 @@
 #ifndef TEST_SAMPLE_MOTION_H
 #define TEST_SAMPLE_MOTION_H
 
-#include "mtn_tool/key_frame_motion.h"
+#include "motion_tool/key_frame_motion.h"
 
 /// Two joints of an ERS-7's head, three key frames: at 0, 160 and 480 ms.
-inline mtn_tool::KeyFrameMotion sampleMotion() {
-  mtn_tool::KeyFrameMotion motion;
+inline motion_tool::KeyFrameMotion sampleMotion() {
+  motion_tool::KeyFrameMotion motion;
   motion.name = "SAMPLE";
   motion.creator = "test";
   motion.design = "DRX-1000";

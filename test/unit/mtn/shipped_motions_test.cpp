@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mtn/motion.h"
-#include "mtn_tool/motion_check.h"
-#include "mtn_tool/mtn_writer.h"
-#include "mtn_tool/text_form.h"
+#include "motion_tool/motion_check.h"
+#include "motion_tool/mtn_writer.h"
+#include "motion_tool/text_form.h"
 
 namespace {
 
@@ -24,14 +24,14 @@ class ShippedMotionsTest : public ::testing::TestWithParam<const char*> {
 
 TEST_P(ShippedMotionsTest, isMadeOfItsSource) {
   std::ifstream source(MOTION_SOURCES "/" + std::string(GetParam()) + ".txt");
-  EXPECT_EQ(file(), mtn_tool::encodeMtn(mtn_tool::parseTextForm(source))) << "make it anew: docs/motions.md";
+  EXPECT_EQ(file(), motion_tool::encodeMtn(motion_tool::parseTextForm(source))) << "make it anew: docs/motions.md";
 }
 
 TEST_P(ShippedMotionsTest, canBeDoneByAnErs7AsItIsWritten) {
   const std::string bytes = file();
   mtn::Motion motion;
   ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
-  EXPECT_THAT(mtn_tool::findObstacles(motion, *robot_model::findRobotModel("ERS-7")), IsEmpty());
+  EXPECT_THAT(motion_tool::findObstacles(motion, *robot_model::findRobotModel("ERS-7")), IsEmpty());
 }
 
 TEST_P(ShippedMotionsTest, endsWhereItBegan) {

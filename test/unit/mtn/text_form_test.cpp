@@ -1,4 +1,4 @@
-#include "mtn_tool/text_form.h"
+#include "motion_tool/text_form.h"
 
 #include <gmock/gmock.h>
 
@@ -6,23 +6,23 @@
 #include <stdexcept>
 #include <string>
 
-#include "mtn_tool/mtn_writer.h"
+#include "motion_tool/mtn_writer.h"
 #include "sample_motion.h"
 
 namespace {
 
-using mtn_tool::KeyFrameMotion;
+using motion_tool::KeyFrameMotion;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 KeyFrameMotion parse(const std::string& text) {
   std::istringstream stream(text);
-  return mtn_tool::parseTextForm(stream);
+  return motion_tool::parseTextForm(stream);
 }
 
 std::string problemOf(const std::string& text) {
   try {
-    mtn_tool::encodeMtn(parse(text));
+    motion_tool::encodeMtn(parse(text));
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -32,7 +32,7 @@ std::string problemOf(const std::string& text) {
 std::string print(const std::string& bytes) {
   mtn::Motion motion;
   EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
-  return mtn_tool::printTextForm(motion);
+  return motion_tool::printTextForm(motion);
 }
 
 TEST(TextFormTest, isReadAsItIsWritten) {
@@ -69,27 +69,27 @@ TEST(TextFormTest, knowsTheJointsOfAnErs210ByItsOwnNames) {
 TEST(TextFormTest, whatIsPrintedGivesTheSameBytes) {
   KeyFrameMotion motion = sampleMotion();
   motion.key_frames[1].positions = {1234567, -7654};
-  const std::string bytes = mtn_tool::encodeMtn(motion);
+  const std::string bytes = motion_tool::encodeMtn(motion);
   const std::string text = print(bytes);
   EXPECT_THAT(text, HasSubstr("robot ERS-7\n"));
   EXPECT_THAT(text, HasSubstr("head_pan 70.73548\n"));
-  EXPECT_EQ(mtn_tool::encodeMtn(parse(text)), bytes);
+  EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
 TEST(TextFormTest, aJointThatIsNotKnownGoesByItsLocator) {
   KeyFrameMotion motion = sampleMotion();
   motion.design = "DRX-900";
-  const std::string bytes = mtn_tool::encodeMtn(motion);
+  const std::string bytes = motion_tool::encodeMtn(motion);
   const std::string text = print(bytes);
   EXPECT_THAT(text, HasSubstr("robot DRX-900\n"));
   EXPECT_THAT(text, HasSubstr("PRM:/r1/c1/c2-Joint2:12 0\n"));
-  EXPECT_EQ(mtn_tool::encodeMtn(parse(text)), bytes);
+  EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
 TEST(TextFormTest, printsNothingThatATerminalWouldObey) {
   KeyFrameMotion motion = sampleMotion();
   motion.name = "\x1b[2J#\n";
-  EXPECT_THAT(print(mtn_tool::encodeMtn(motion)), HasSubstr("name ?[2J??\n"));
+  EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("name ?[2J??\n"));
 }
 
 TEST(TextFormTest, saysInWhichLineWhatIsWrong) {

@@ -8,13 +8,13 @@
 #include <sstream>
 #include <string>
 
-#include "mtn_tool/mtn_writer.h"
-#include "mtn_tool/text_form.h"
+#include "motion_tool/mtn_writer.h"
+#include "motion_tool/text_form.h"
 
 /// A motion file of its text form (docs/motions.md), for an ERS-7 unless it says something else.
 inline std::string motionBytes(const std::string& text) {
   std::istringstream stream("robot ERS-7\n" + text);
-  return mtn_tool::encodeMtn(mtn_tool::parseTextForm(stream));
+  return motion_tool::encodeMtn(motion_tool::parseTextForm(stream));
 }
 
 inline std::string fileContent(const std::string& path) {

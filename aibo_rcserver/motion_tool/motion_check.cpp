@@ -1,10 +1,10 @@
-#include "mtn_tool/motion_check.h"
+#include "motion_tool/motion_check.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
-namespace mtn_tool {
+namespace motion_tool {
 namespace {
 
 using robot_model::Coupling;
@@ -110,4 +110,4 @@ std::vector<std::string> findObstacles(const mtn::Motion& motion, const RobotMod
   return Check(motion, robot).run();
 }
 
-}  // namespace mtn_tool
+}  // namespace motion_tool

@@ -1,4 +1,4 @@
-#include "mtn_tool/text_form.h"
+#include "motion_tool/text_form.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "mtn_tool/robots.h"
+#include "motion_tool/robots.h"
 #include "robot_model/robot_model.h"
 
-namespace mtn_tool {
+namespace motion_tool {
 namespace {
 
 constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
@@ -195,4 +195,4 @@ std::string printTextForm(const mtn::Motion& motion) {
   return text.str();
 }
 
-}  // namespace mtn_tool
+}  // namespace motion_tool

@@ -1,12 +1,12 @@
 /// @file key_frame_motion.h
 /// A motion in the making.
-#ifndef MTN_TOOL_KEY_FRAME_MOTION_H
-#define MTN_TOOL_KEY_FRAME_MOTION_H
+#ifndef MOTION_TOOL_KEY_FRAME_MOTION_H
+#define MOTION_TOOL_KEY_FRAME_MOTION_H
 
 #include <string>
 #include <vector>
 
-namespace mtn_tool {
+namespace motion_tool {
 
 struct KeyFrame {
   int milliseconds = 0;        ///< from the beginning of the motion
@@ -23,6 +23,6 @@ struct KeyFrameMotion {
   std::vector<KeyFrame> key_frames;   ///< in the order of their times, the first at 0
 };
 
-}  // namespace mtn_tool
+}  // namespace motion_tool
 
-#endif  // MTN_TOOL_KEY_FRAME_MOTION_H
+#endif  // MOTION_TOOL_KEY_FRAME_MOTION_H

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "mtn/motion.h"
-#include "mtn_tool/motion_check.h"
-#include "mtn_tool/mtn_writer.h"
-#include "mtn_tool/robots.h"
-#include "mtn_tool/text_form.h"
+#include "motion_tool/motion_check.h"
+#include "motion_tool/mtn_writer.h"
+#include "motion_tool/robots.h"
+#include "motion_tool/text_form.h"
 
 namespace {
 
@@ -48,12 +48,12 @@ void read(const std::string& bytes, const std::string& file, mtn::Motion& motion
 
 // What the robot would do otherwise than it is written is said; it is for the author to decide.
 void warn(const mtn::Motion& motion) {
-  const robot_model::RobotModel* robot = mtn_tool::modelOf(motion.design());
+  const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
   if (robot == nullptr) {
     std::cerr << "aibo_mtn: not checked for any robot: the design \"" << motion.design() << "\" is not known\n";
     return;
   }
-  for (const std::string& obstacle : mtn_tool::findObstacles(motion, *robot)) {
+  for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
     std::cerr << "aibo_mtn: " << obstacle << '\n';
   }
 }
@@ -65,7 +65,7 @@ void make(const std::string& source, const std::string& target) {
   }
   std::string bytes;
   try {
-    bytes = mtn_tool::encodeMtn(mtn_tool::parseTextForm(text));
+    bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(source + ": " + error.what());
   }
@@ -79,7 +79,7 @@ void print(const std::string& source) {
   const std::string bytes = readFile(source);
   mtn::Motion motion;
   read(bytes, source, motion);
-  std::cout << mtn_tool::printTextForm(motion);
+  std::cout << motion_tool::printTextForm(motion);
   warn(motion);
 }
 

@@ -1,8 +1,8 @@
-#include "mtn_tool/robots.h"
+#include "motion_tool/robots.h"
 
 #include <utility>
 
-namespace mtn_tool {
+namespace motion_tool {
 namespace {
 
 // Robot, and what Sony's motion files call it.
@@ -32,4 +32,4 @@ const robot_model::RobotModel* modelOf(const std::string& design) {
   return robot_model::findRobotModel(robotOf(design).c_str());
 }
 
-}  // namespace mtn_tool
+}  // namespace motion_tool

@@ -9,16 +9,16 @@
 ///     at 640   neck_tilt 0
 ///
 /// A `#` begins a comment, and lines of joints and degrees may follow the `at` they belong to.
-#ifndef MTN_TOOL_TEXT_FORM_H
-#define MTN_TOOL_TEXT_FORM_H
+#ifndef MOTION_TOOL_TEXT_FORM_H
+#define MOTION_TOOL_TEXT_FORM_H
 
 #include <istream>
 #include <string>
 
 #include "mtn/motion.h"
-#include "mtn_tool/key_frame_motion.h"
+#include "motion_tool/key_frame_motion.h"
 
-namespace mtn_tool {
+namespace motion_tool {
 
 /// Reads the text form. The first key frame names all joints of the motion.
 /// @throws std::runtime_error "line 3: ..." with what is wrong
@@ -28,6 +28,6 @@ KeyFrameMotion parseTextForm(std::istream& text);
 /// one that the robot's table does not have goes by its locator.
 std::string printTextForm(const mtn::Motion& motion);
 
-}  // namespace mtn_tool
+}  // namespace motion_tool
 
-#endif  // MTN_TOOL_TEXT_FORM_H
+#endif  // MOTION_TOOL_TEXT_FORM_H

@@ -1,13 +1,13 @@
 /// @file mtn_writer.h
 /// Writes motion files.
-#ifndef MTN_TOOL_MTN_WRITER_H
-#define MTN_TOOL_MTN_WRITER_H
+#ifndef MOTION_TOOL_MTN_WRITER_H
+#define MOTION_TOOL_MTN_WRITER_H
 
 #include <string>
 
-#include "mtn_tool/key_frame_motion.h"
+#include "motion_tool/key_frame_motion.h"
 
-namespace mtn_tool {
+namespace motion_tool {
 
 /// The bytes of a motion file (layout.h), which mtn::Motion reads.
 /// @throws std::runtime_error if mtn::Motion would refuse them, or if a text is too long or times are not multiples of
@@ -15,6 +15,6 @@ namespace mtn_tool {
 ///   frame in ascending order; says why
 std::string encodeMtn(const KeyFrameMotion& motion);
 
-}  // namespace mtn_tool
+}  // namespace motion_tool
 
-#endif  // MTN_TOOL_MTN_WRITER_H
+#endif  // MOTION_TOOL_MTN_WRITER_H

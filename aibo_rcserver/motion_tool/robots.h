@@ -1,13 +1,13 @@
 /// @file robots.h
 /// What motion files call the robots.
-#ifndef MTN_TOOL_ROBOTS_H
-#define MTN_TOOL_ROBOTS_H
+#ifndef MOTION_TOOL_ROBOTS_H
+#define MOTION_TOOL_ROBOTS_H
 
 #include <string>
 
 #include "robot_model/robot_model.h"
 
-namespace mtn_tool {
+namespace motion_tool {
 
 /// What a motion file says for a robot such as "ERS-7"; any other name is passed on as it is.
 std::string designOf(const std::string& robot);
@@ -18,6 +18,6 @@ std::string robotOf(const std::string& design);
 /// The table of the robot that a motion file with this design is for; null if there is none.
 const robot_model::RobotModel* modelOf(const std::string& design);
 
-}  // namespace mtn_tool
+}  // namespace motion_tool
 
-#endif  // MTN_TOOL_ROBOTS_H
+#endif  // MOTION_TOOL_ROBOTS_H

@@ -1,7 +1,7 @@
 /// @file motion_check.h
 /// Whether a robot can do a motion as it is written.
-#ifndef MTN_TOOL_MOTION_CHECK_H
-#define MTN_TOOL_MOTION_CHECK_H
+#ifndef MOTION_TOOL_MOTION_CHECK_H
+#define MOTION_TOOL_MOTION_CHECK_H
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "mtn/motion.h"
 #include "robot_model/robot_model.h"
 
-namespace mtn_tool {
+namespace motion_tool {
 
 /// What the robot would not do as it is written: joints that it does not have, positions out of their limits or in the
 /// way of each other, and joints that would have to be faster than they can. Joints that are not in the motion are
@@ -17,6 +17,6 @@ namespace mtn_tool {
 /// @return one line each; empty if all is well
 std::vector<std::string> findObstacles(const mtn::Motion& motion, const robot_model::RobotModel& robot);
 
-}  // namespace mtn_tool
+}  // namespace motion_tool
 
-#endif  // MTN_TOOL_MOTION_CHECK_H
+#endif  // MOTION_TOOL_MOTION_CHECK_H

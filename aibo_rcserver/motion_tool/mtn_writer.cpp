@@ -1,4 +1,4 @@
-#include "mtn_tool/mtn_writer.h"
+#include "motion_tool/mtn_writer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include "mtn/layout.h"
 #include "mtn/motion.h"
 
-namespace mtn_tool {
+namespace motion_tool {
 namespace {
 
 void append(std::string& bytes, std::uint32_t value, int size) {
@@ -117,4 +117,4 @@ std::string encodeMtn(const KeyFrameMotion& motion) {
   return bytes;
 }
 
-}  // namespace mtn_tool
+}  // namespace motion_tool
