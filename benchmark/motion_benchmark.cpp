@@ -40,14 +40,14 @@
 #include <vector>
 
 #include "driver_process.h"
-#include "object_catalog.h"
-#include "openr_host/clock.h"
-#include "openr_host/machine.h"
+#include "simulator/object_catalog.h"
+#include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/machine.h"
 #include "protocol/version1.h"
 #include "robot_model/robot_model.h"
-#include "simulated_ers7/body/primitive_table.h"
-#include "simulated_ers7/camera_timing.h"
-#include "simulated_ers7/simulated_ers7.h"
+#include "simulator/ers7/body/primitive_table.h"
+#include "simulator/ers7/camera_timing.h"
+#include "simulator/ers7/simulated_ers7.h"
 
 namespace {
 

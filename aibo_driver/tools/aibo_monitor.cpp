@@ -27,7 +27,7 @@
 #include "tools/picture_log_reader.h"
 #include "ros/camera/stream_meter.h"
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -178,12 +178,12 @@ class Monitor {
 };
 
 }  // namespace
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
   try {
-    aibo_driver::monitor::Monitor monitor(ros::NodeHandle("~"));
+    aibo_driver::tools::Monitor monitor(ros::NodeHandle("~"));
     ros::spin();
     return monitor.sawPictures() ? 0 : 1;
   } catch (const std::exception& error) {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <ctime>
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 
 std::optional<pid_t> processOfNode(const std::string& node_name) {
   XmlRpc::XmlRpcValue lookup;
@@ -45,4 +45,4 @@ std::optional<std::chrono::nanoseconds> processorTime(pid_t process) {
   return std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
 }
 
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 
 /// Asks the ROS master and the node itself.
 /// @param node_name its full name, such as "/aibo/aibo_driver"
@@ -20,6 +20,6 @@ std::optional<pid_t> processOfNode(const std::string& node_name);
 /// @return none if there is no such process
 std::optional<std::chrono::nanoseconds> processorTime(pid_t process);
 
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools
 
 #endif  // AIBO_DRIVER_MONITOR_NODE_PROCESS_H

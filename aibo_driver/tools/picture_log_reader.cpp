@@ -10,7 +10,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 namespace {
 
 // About ten seconds of pictures: a picture that is older than that when it arrives is not looked for.
@@ -74,4 +74,4 @@ std::optional<PictureLogReader::Time> PictureLogReader::cameraTime(const std::ve
   return newest->camera_time;
 }
 
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 
 /// Reads what `aibo_rcserver --picture-log` writes: when the camera saw each picture that was sent.
 ///
@@ -49,6 +49,6 @@ class PictureLogReader {
   std::deque<Entry> entries_;  // the oldest first
 };
 
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools
 
 #endif  // AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H

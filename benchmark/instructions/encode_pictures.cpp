@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "picture_encoder/JpegEncoder.h"
-#include "simulated_ers7/camera/camera.h"
-#include "simulated_ers7/camera/scene_view.h"
+#include "simulator/ers7/camera/camera.h"
+#include "simulator/ers7/camera/scene_view.h"
 
 namespace {
 

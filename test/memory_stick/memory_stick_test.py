@@ -394,7 +394,7 @@ class TheSourcesWithSonysHeaders(Workshop):
 
     def setUp(self):
         super().setUp()
-        fake_sdk.use_headers(self.sdk, PROJECT / "aibo_rcserver/openr_host/sdk", C_HEADERS)
+        fake_sdk.use_headers(self.sdk, PROJECT / "aibo_rcserver/simulator/openr_host/sdk", C_HEADERS)
 
     def check(self):
         return self.run_script("--check", "--sdk", self.sdk)

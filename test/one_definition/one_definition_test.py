@@ -58,7 +58,7 @@ class OneDefinition(unittest.TestCase):
     def test_each_room_of_the_driver_has_a_namespace_of_its_own(self):
         rooms = collections.defaultdict(set)
         for source, namespace, _ in types_in("aibo_driver"):
-            rooms[namespace].add(source.parts[1].replace("include", "client"))
+            rooms[namespace].add(source.parts[1])
         self.assert_one_each(rooms)
 
 

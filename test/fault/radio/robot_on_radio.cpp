@@ -4,7 +4,7 @@
 #include <future>
 #include <string_view>
 
-#include "object_catalog.h"
+#include "simulator/object_catalog.h"
 #include "protocol/version1.h"
 
 namespace fault_bench {

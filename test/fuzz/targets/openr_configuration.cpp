@@ -2,11 +2,11 @@
 #include <sstream>
 
 #include "fuzz_input.h"
-#include "openr_host/configuration/configuration_error.h"
-#include "openr_host/configuration/connection_configuration.h"
-#include "openr_host/configuration/design_database.h"
-#include "openr_host/configuration/object_configuration.h"
-#include "openr_host/configuration/stub_configuration.h"
+#include "simulator/openr_host/configuration/configuration_error.h"
+#include "simulator/openr_host/configuration/connection_configuration.h"
+#include "simulator/openr_host/configuration/design_database.h"
+#include "simulator/openr_host/configuration/object_configuration.h"
+#include "simulator/openr_host/configuration/stub_configuration.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 
 /// A path for a log in a folder of its own, both gone after the test.
 class LogFileFixture : public testing::Test {
@@ -31,6 +31,6 @@ class LogFileFixture : public testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools
 
 #endif  // TEST_UNIT_MONITOR_LOG_FILE_FIXTURE_H

@@ -4,7 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 namespace {
 
 TEST(ProcessorTime, GrowsWhileTheProcessWorks) {
@@ -25,4 +25,4 @@ TEST(ProcessorTime, IsUnknownForAProcessThatHasEnded) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools

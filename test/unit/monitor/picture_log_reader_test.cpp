@@ -10,7 +10,7 @@
 
 #include "log_file_fixture.h"
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -82,4 +82,4 @@ TEST_F(PictureLogReaderTest, SaysWhichLogCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools

@@ -1,6 +1,6 @@
 // What aibo_rcserver writes is what aibo_monitor reads.
 
-#include "picture_log.h"
+#include "simulator/picture_log.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-namespace aibo_driver::monitor {
+namespace aibo_driver::tools {
 namespace {
 
 using Clock = std::chrono::system_clock;
@@ -110,4 +110,4 @@ TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyEmpties) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::monitor
+}  // namespace aibo_driver::tools

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "openr_host/virtual_robot.h"
+#include "simulator/openr_host/virtual_robot.h"
 #include "robot_model/robot_model.h"
 
 /// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each has one brightness all

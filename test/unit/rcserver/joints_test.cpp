@@ -13,7 +13,7 @@
 #include "protocol/version1.h"
 #include "rcserver_fixture.h"
 #include "robot_model/robot_model.h"
-#include "simulated_ers7/simulated_ers7.h"
+#include "simulator/ers7/simulated_ers7.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "object_catalog.h"
+#include "simulator/object_catalog.h"
 #include "picture_checks.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "object_catalog.h"
+#include "simulator/object_catalog.h"
 #include "objects/HostSettings.h"
-#include "openr_host/clock.h"
-#include "openr_host/machine.h"
-#include "openr_host/virtual_robot.h"
+#include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/machine.h"
+#include "simulator/openr_host/virtual_robot.h"
 #include "protocol/version1.h"
-#include "sent_pictures.h"
+#include "simulator/sent_pictures.h"
 #include "slow_object.h"
 #include "test_client.h"
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "openr_host/object_description.h"
-#include "openr_host/objects/regions.h"
-#include "openr_host/system.h"
+#include "simulator/openr_host/object_description.h"
+#include "simulator/openr_host/objects/regions.h"
+#include "simulator/openr_host/system.h"
 
 /// Stands between the machine and an object that gets jobs through its first observer. As long as it is slow, it keeps
 /// the job that comes; all other objects go on.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "robot_model/robot_model.h"
-#include "simulated_ers7/body/head_kinematics.h"
+#include "simulator/ers7/body/head_kinematics.h"
 #include "urdf_model.h"
 
 namespace {

@@ -1,0 +1,228 @@
+/// @file aibo_rcserver.cpp
+/// Boots a memory stick with the RCServer on a simulated ERS-7.
+
+#include <signal.h>
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulator/object_catalog.h"
+#include "objects/HostSettings.h"
+#include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/machine.h"
+#include "simulator/picture_log.h"
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "simulator/ers7/console_commands.h"
+#include "simulator/ers7/simulated_ers7.h"
+
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr int kWrongUsage = 2;
+constexpr double kMostEncodeTime = 10000;  // milliseconds
+constexpr double kMostSlowdown = 1000;
+
+constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
+
+struct Options {
+  bool help = false;
+  std::string bind_address;
+  int port = 0;
+  int console_port = 0;
+  bool no_console = false;
+  int protocol_version = 0;
+  std::string memory_stick;
+  std::string picture_log;
+  double encode_time = 0;         ///< milliseconds
+  double processor_slowdown = 0;  ///< 0: handlers take no time of the robot's
+  simulated_ers7::SimulatedErs7Options robot;
+};
+
+// The folder that is built, and installed, with the executable: share/aibo_driver/memory_stick beside lib/aibo_driver.
+std::string ownMemoryStick() {
+  const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
+  return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();
+}
+
+po::options_description describe(Options& options) {
+  po::options_description description("Options", 120);
+  // clang-format off
+  description.add_options()
+    ("help", "say this and exit")
+    ("bind", po::value(&options.bind_address)->default_value("127.0.0.1"),
+     "address of this computer that clients connect to; 0.0.0.0 is all of them")
+    ("port", po::value(&options.port)->default_value(protocol::RCSERVER_PORT),
+     "port for clients of the RCServer; 0 is any free one")
+    ("console-port", po::value(&options.console_port)->default_value(openr_host::kConsolePort),
+     "port of the wireless console, for telnet; 0 is any free one")
+    ("no-console", po::bool_switch(&options.no_console), "leave the wireless console out")
+    ("protocol-version", po::value(&options.protocol_version)->default_value(protocol::version2::VERSION),
+     "newest version of the protocol that the RCServer speaks; 1 makes it answer like a server of 2005 or 2006")
+    ("memory-stick", po::value(&options.memory_stick)->default_value(ownMemoryStick()),
+     "folder with what is on the robot's memory stick")
+    ("images", po::value(&options.robot.images_folder),
+     "folder with photographs (JPEG, PPM) that the camera shows in turn; without it, the camera sees a room")
+    ("seconds-per-image", po::value(&options.robot.seconds_per_image)->default_value(2),
+     "how long each photograph is shown")
+    ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
+     "how long a full battery lasts")
+    ("encode-time", po::value(&options.encode_time)->default_value(0),
+     "milliseconds that the robot needs to compress a picture: 9 to 14 by count, 32 to 64 by the report of 2006")
+    ("processor-slowdown", po::value(&options.processor_slowdown)->default_value(0),
+     "everything takes this many times as long on the robot as here; 0: it takes no time")
+    ("picture-log", po::value(&options.picture_log),
+     "file or named pipe to write to when the camera saw each picture that is sent, for aibo_monitor")
+    ("seed", po::value(&options.robot.seed)->default_value(1), "of the noise in the camera's images");
+  // clang-format on
+  return description;
+}
+
+// roslaunch adds name:=value arguments to every program's own ones.
+std::vector<std::string> withoutRosArguments(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto is_ros = [](const std::string& argument) { return argument.find(":=") != std::string::npos; };
+  arguments.erase(std::remove_if(arguments.begin(), arguments.end(), is_ros), arguments.end());
+  return arguments;
+}
+
+void checkPort(const std::string& option, int port) {
+  if (port < 0 || port > 65535) {
+    throw po::error("option '--" + option + "' must be 0 to 65535, not " + std::to_string(port));
+  }
+}
+
+void parse(const po::options_description& description, const std::vector<std::string>& arguments, Options& options) {
+  po::variables_map values;
+  po::store(po::command_line_parser(arguments).options(description).positional({}).run(), values);
+  po::notify(values);
+  options.help = values.count("help") > 0;
+  checkPort("port", options.port);
+  checkPort("console-port", options.console_port);
+  if (options.protocol_version != 1 && options.protocol_version != protocol::version2::VERSION) {
+    throw po::error("option '--protocol-version' must be 1 or 2");
+  }
+  if (!(options.robot.seconds_per_image > 0)) {
+    throw po::error("option '--seconds-per-image' must be above 0");
+  }
+  if (!(options.encode_time >= 0 && options.encode_time <= kMostEncodeTime)) {
+    throw po::error("option '--encode-time' must be 0 to 10000");
+  }
+  if (!(options.processor_slowdown >= 0 && options.processor_slowdown <= kMostSlowdown)) {
+    throw po::error("option '--processor-slowdown' must be 0 to 1000");
+  }
+  if (!(options.robot.battery_minutes > 0)) {
+    throw po::error("option '--battery-minutes' must be above 0");
+  }
+}
+
+// How long a message keeps its object busy; empty if nothing takes time. PictureEncoder is notified of pictures alone.
+openr_host::HandlerTime handlerTime(const Options& options) {
+  if (options.encode_time == 0 && options.processor_slowdown == 0) {
+    return nullptr;
+  }
+  const auto encode_time = std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::chrono::duration<double, std::milli>(options.encode_time));
+  const double slowdown = options.processor_slowdown;
+  return [=](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds taken) {
+    const bool is_picture = object == "PictureEncoder" && entry == openr_host::Entry::kNotify;
+    return is_picture && encode_time.count() > 0
+               ? encode_time
+               : std::chrono::nanoseconds(static_cast<std::int64_t>(slowdown * static_cast<double>(taken.count())));
+  };
+}
+
+openr_host::MachineOptions machineOptions(const Options& options) {
+  openr_host::MachineOptions machine;
+  machine.bind_address = options.bind_address;
+  machine.ports = {{kRobotPort, static_cast<std::uint16_t>(options.port)}};
+  if (!options.no_console) {
+    machine.ports[openr_host::kConsolePort] = static_cast<std::uint16_t>(options.console_port);
+  }
+  machine.memory_stick = options.memory_stick;
+  machine.catalog = objectCatalog();
+  machine.console = &std::cout;
+  machine.handler_time = handlerTime(options);
+  return machine;
+}
+
+// Scripts read these lines to learn the ports.
+void announce(const openr_host::Machine& machine, const Options& options) {
+  if (!options.no_console) {
+    std::cout << "Console on " << options.bind_address << ":" << machine.hostPort(openr_host::kConsolePort) << "\n";
+  }
+  std::cout << "RCServer listening on " << options.bind_address << ":" << machine.hostPort(kRobotPort) << std::endl;
+}
+
+openr_host::Machine* stoppable_machine = nullptr;
+
+void stopMachine(int) {
+  stoppable_machine->stop();
+}
+
+// Ctrl-C, and the end that roslaunch asks for. A second such signal ends the process the hard way.
+void stopOnSignal(openr_host::Machine& machine) {
+  stoppable_machine = &machine;
+  struct sigaction action = {};
+  action.sa_handler = stopMachine;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void run(const Options& options) {
+  openr_host::WallClock clock;
+  simulated_ers7::SimulatedErs7 robot(options.robot);
+  openr_host::MachineOptions machine_options = machineOptions(options);
+  machine_options.on_console_line = [&](const std::string& line) { return simulated_ers7::obeyConsole(robot, line); };
+  std::optional<PictureLog> picture_log;
+  if (!options.picture_log.empty()) {
+    picture_log.emplace(options.picture_log);
+    machine_options.on_camera_image = [&] { picture_log->cameraImageTaken(); };
+    machine_options.on_send = [&](const void* data, std::size_t size) { picture_log->aboutToSend(data, size); };
+  }
+  openr_host::Machine machine(machine_options, clock, robot);
+  HostSettings host;
+  host.newest_version = options.protocol_version;
+  host.memory_stick = options.memory_stick.c_str();
+  setHostSettings(host);
+  stopOnSignal(machine);
+  machine.boot();
+  announce(machine, options);
+  machine.run();
+  machine.shutdown();
+  std::cout << "Stopped" << std::endl;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  signal(SIGPIPE, SIG_IGN);  // a robot goes on when nobody reads its console any more
+  try {
+    Options options;
+    const po::options_description description = describe(options);
+    parse(description, withoutRosArguments(argc, argv), options);
+    if (options.help) {
+      std::cout << "An RCServer on a simulated ERS-7, to be reached by TCP as the one on the robot.\n\n" << description;
+      return EXIT_SUCCESS;
+    }
+    run(options);
+    return EXIT_SUCCESS;
+  } catch (const po::error& error) {
+    std::cerr << "aibo_rcserver: " << error.what() << " (--help tells all options)\n";
+    return kWrongUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "aibo_rcserver: " << error.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,89 @@
+#include "simulator/ers7/body/joint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/ers7/camera_timing.h"
+
+namespace simulated_ers7 {
+namespace {
+
+/// Duty of the motor for a joint that is one frame's way at highest speed from its command, with the standard gain.
+constexpr double kStiffness = 1.0 / 3;
+
+/// How much of the gap to the speed that goes with its duty the motor closes in a frame. With kStiffness this is the
+/// border of overshooting.
+constexpr double kResponse = 0.75;
+
+/// What counts as standing, in microradian and microradian a frame. Nobody can measure less, and a joint that really
+/// comes to rest keeps the camera's picture still.
+constexpr double kStandstill = 1;
+
+word encoderSteps(double position, const robot_model::Joint& model) {
+  const double steps = std::round((position - model.mechanical_lowest) / Joint::kEncoderStep);
+  return static_cast<word>(std::max(0.0, std::min(steps, 65535.0)));
+}
+
+}  // namespace
+
+Joint::Joint(const robot_model::Joint& model, int position)
+    : model_(model), highest_step_(model.highest_speed * kFrameSeconds), reference_(position), position_(position) {
+  readings_.fill(read(0));
+}
+
+OStatus Joint::setGains(const robot_model::PidGains& gains) {
+  if (!gain_enabled_) {
+    return oGAIN_DISABLED;
+  }
+  gains_ = gains;
+  return oSUCCESS;
+}
+
+void Joint::disableGain() {
+  gain_enabled_ = false;
+  gains_ = {};
+}
+
+void Joint::passFrame(int error_of_reading) {
+  drive();
+  move();
+  std::rotate(readings_.begin(), readings_.begin() + 1, readings_.end());
+  readings_.back() = read(error_of_reading);
+}
+
+void Joint::drive() {
+  const double stiffness = kStiffness * gains_.proportional / model_.gains.proportional;
+  const double duty = stiffness * (reference_ - position_) / highest_step_;
+  duty_ = isDriven() ? std::max(-1.0, std::min(duty, 1.0)) : 0;
+}
+
+void Joint::move() {
+  if (jammed_ || !isDriven()) {
+    step_ = 0;
+    return;
+  }
+  step_ += kResponse * (duty_ * highest_step_ - step_);
+  position_ += step_;
+  if (std::abs(reference_ - position_) < kStandstill && std::abs(step_) < kStandstill) {
+    position_ = reference_;
+    step_ = 0;
+  }
+  const double stop =
+      std::max<double>(model_.mechanical_lowest, std::min<double>(position_, model_.mechanical_highest));
+  if (stop != position_) {
+    position_ = stop;
+    step_ = 0;
+  }
+}
+
+OJointValue Joint::read(int error_of_reading) const {
+  OJointValue value = {};
+  value.value = static_cast<slongword>(std::lround(position_)) + error_of_reading;
+  value.signal = encoderSteps(value.value, model_);
+  value.pwmDuty = static_cast<sword>(std::lround(duty_ * kFullDuty));
+  value.refValue = reference_;
+  value.refSignal = encoderSteps(reference_, model_);
+  return value;
+}
+
+}  // namespace simulated_ers7

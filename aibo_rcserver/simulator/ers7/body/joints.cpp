@@ -1,0 +1,64 @@
+#include "simulator/ers7/body/joints.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "simulator/ers7/body/resting_posture.h"
+
+namespace simulated_ers7 {
+
+Joints::Joints(const robot_model::RobotModel& model, std::uint64_t seed) : model_(model), random_(seed) {
+  for (int i = 0; i < model_.number_of_joints; ++i) {
+    const robot_model::Joint& joint = model_.joints[i];
+    joints_.emplace_back(joint, restingPosition(joint.name));
+  }
+}
+
+const Joint& Joints::named(const std::string& name) const {
+  const int index = robot_model::findJointByName(model_, name.c_str());
+  if (index == robot_model::NO_JOINT) {
+    throw std::invalid_argument("the " + std::string(model_.design) + " has no joint \"" + name + "\"");
+  }
+  return joints_[static_cast<std::size_t>(index)];
+}
+
+Joint& Joints::named(const std::string& name) {
+  return const_cast<Joint&>(std::as_const(*this).named(name));
+}
+
+void Joints::setPower(bool on) {
+  for (Joint& joint : joints_) {
+    joint.setPower(on);
+  }
+}
+
+void Joints::passFrame() {
+  // Not std::uniform_int_distribution, whose numbers differ from library to library.
+  constexpr std::uint64_t kErrors = 2 * Joint::kEncoderStep + 1;
+  for (Joint& joint : joints_) {
+    joint.passFrame(static_cast<int>(random_() % kErrors) - Joint::kEncoderStep);
+  }
+}
+
+HeadAngles Joints::head() const {
+  HeadAngles angles;
+  angles.neck_tilt = named("neck_tilt").position() / 1e6;
+  angles.head_pan = named("head_pan").position() / 1e6;
+  angles.head_tilt = named("head_tilt").position() / 1e6;
+  return angles;
+}
+
+std::array<LegAngles, kLegs> Joints::legs() const {
+  // The three joints of a leg stand together in the table, in the order of the leg.
+  constexpr std::size_t kFirstJoints[kLegs] = {4, 7, 10, 13};
+  std::array<LegAngles, kLegs> legs;
+  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+    const std::size_t first = kFirstJoints[leg];
+    legs[leg].rotator = joints_[first].position() / 1e6;
+    legs[leg].elevator = joints_[first + 1].position() / 1e6;
+    legs[leg].knee = joints_[first + 2].position() / 1e6;
+  }
+  return legs;
+}
+
+}  // namespace simulated_ers7

@@ -1,0 +1,57 @@
+#include "simulator/ers7/body/sensor_frame_writer.h"
+
+#include <cstring>
+
+namespace simulated_ers7 {
+namespace {
+
+static_assert(sizeof(OJointValue) == sizeof(OSensorValue), "one is laid over the other");
+
+OSensorFrameVectorData* vectorIn(RCRegion* region) {
+  void* base = region->Base();
+  return static_cast<OSensorFrameVectorData*>(base);
+}
+
+/// The first frame's data, from the beginning of the header.
+std::size_t dataOffset(std::size_t entries) {
+  return offsetof(OSensorFrameVectorData, info) + entries * sizeof(OSensorFrameInfo);
+}
+
+}  // namespace
+
+std::size_t sensorFramesSize(std::size_t entries) {
+  return dataOffset(entries) + entries * sizeof(OSensorFrameData);
+}
+
+void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& entries) {
+  ODataVectorInfo& header = vectorIn(region)->vectorInfo;
+  header = ODataVectorInfo();
+  header.type = odataSENSOR_FRAME_VECTOR;
+  header.memRegionID = region->MemID();
+  header.offset = static_cast<longword>(region->Offset());
+  header.totalSize = static_cast<longword>(sensorFramesSize(entries.size()));
+  header.infoOffset = offsetof(OSensorFrameVectorData, info);
+  header.infoSize = sizeof(OSensorFrameInfo);
+  header.maxNumData = static_cast<longword>(entries.size());
+  header.numData = header.maxNumData;
+  std::size_t offset = dataOffset(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    OSensorFrameInfo* info = vectorIn(region)->GetInfo(static_cast<int>(i));
+    *info = OSensorFrameInfo();
+    info->type = entries[i].type;
+    info->primitiveID = entries[i].primitive;
+    info->numFrames = Joint::kReadings;
+    info->frameSize = sizeof(OSensorValue);
+    info->dataOffset = static_cast<longword>(offset);
+    info->dataSize = sizeof(OSensorFrameData);
+    offset += sizeof(OSensorFrameData);
+  }
+}
+
+void writeSensorFrames(RCRegion* region, std::size_t entry, longword frame, const void* readings) {
+  const int index = static_cast<int>(entry);
+  vectorIn(region)->GetInfo(index)->frameNumber = frame - (Joint::kReadings - 1);
+  std::memcpy(vectorIn(region)->GetData(index)->frame, readings, Joint::kReadings * sizeof(OSensorValue));
+}
+
+}  // namespace simulated_ers7

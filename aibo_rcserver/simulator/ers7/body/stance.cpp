@@ -1,0 +1,133 @@
+#include "simulator/ers7/body/stance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "simulator/ers7/body/head_kinematics.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Translation3d;
+using Eigen::Vector3d;
+
+// Lengths of the legs' links, in metres, of the left front leg (the kinematic table of the ERS-7 that came with
+// Tekkotsu). The others are mirrored, but for the feet of the hind legs.
+const Vector3d kRotator(0.065, 0.0625, 0);
+const Vector3d kKnee(0.009, 0, -0.0695);
+const Vector3d kFrontFoot(-0.00503, 0.0047, -0.06524);
+const Vector3d kHindFoot(0.013529, 0.0047, -0.06628);
+
+// The corner of the belly in front on the left, less the radius of a foot, so that all supports are balls alike. Our
+// choice, after the look of the body.
+const Vector3d kBelly(0.085, 0.035, -0.032);
+
+/// How far outside of its three supports the weight may be, in metres. Our choice: with less, a robot that lifts a paw
+/// would tip over onto it, which a real one prevents by leaning away.
+constexpr double kBalance = 0.02;
+
+constexpr double kTolerance = 1e-6;
+
+/// A plane in the body: z = slope_x * x + slope_y * y + height.
+struct Plane {
+  double slope_x;
+  double slope_y;
+  double height;
+
+  double slope() const { return std::hypot(slope_x, slope_y); }
+  double below(const Vector3d& point) const { return point.z() - (slope_x * point.x() + slope_y * point.y() + height); }
+};
+
+using Supports = std::array<Vector3d, 2 * kLegs>;  ///< the feet, then the belly's corners
+
+double cross(const Vector3d& a, const Vector3d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// How far the body's origin is to the left of the way from a to b, seen from above.
+double leftOf(const Vector3d& a, const Vector3d& b) {
+  return cross(a, b) / (b - a).head<2>().norm();
+}
+
+/// Whether the body's origin lies over the triangle, or beside it by no more than kBalance.
+bool carry(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const double lefts[] = {leftOf(a, b), leftOf(b, c), leftOf(c, a)};
+  return *std::min_element(std::begin(lefts), std::end(lefts)) >= -kBalance ||
+         *std::max_element(std::begin(lefts), std::end(lefts)) <= kBalance;
+}
+
+bool isSteep(const Vector3d& normal) {
+  return std::abs(normal.z()) < kTolerance;  // the three are in line, or one above the other
+}
+
+Plane planeThrough(const Vector3d& point, const Vector3d& normal) {
+  const double slope_x = -normal.x() / normal.z();
+  const double slope_y = -normal.y() / normal.z();
+  return {slope_x, slope_y, point.z() - slope_x * point.x() - slope_y * point.y()};
+}
+
+/// The most level plane through three of the supports that carry the body and have none under them. With the belly's
+/// corners there always is one.
+Plane supportingPlane(const Supports& supports) {
+  std::optional<Plane> best;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    for (std::size_t j = i + 1; j < supports.size(); ++j) {
+      for (std::size_t k = j + 1; k < supports.size(); ++k) {
+        const Vector3d normal = (supports[j] - supports[i]).cross(supports[k] - supports[i]);
+        if (isSteep(normal) || !carry(supports[i], supports[j], supports[k])) {
+          continue;
+        }
+        const Plane plane = planeThrough(supports[i], normal);
+        if (std::all_of(supports.begin(), supports.end(),
+                        [&](const Vector3d& support) { return plane.below(support) >= -kTolerance; })) {
+          best = !best || plane.slope() < best->slope() ? plane : *best;
+        }
+      }
+    }
+  }
+  return best.value_or(Plane{0, 0, kFootRadius - kStandingHeight});
+}
+
+/// The pose of a body whose supports' middles lie in this plane.
+Eigen::Isometry3d poseOver(const Plane& plane) {
+  const Vector3d up = Vector3d(-plane.slope_x, -plane.slope_y, 1).normalized();
+  const Vector3d ahead = (Vector3d::UnitX() - up.x() * up).normalized();
+  Eigen::Matrix3d turn;
+  turn << ahead.transpose(), up.cross(ahead).transpose(), up.transpose();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = turn;
+  pose.translation().z() = kFootRadius - plane.height * up.z();
+  return pose;
+}
+
+}  // namespace
+
+Vector3d footInBody(Leg leg, const LegAngles& angles) {
+  const bool left = leg == kLeftFrontLeg || leg == kLeftHindLeg;
+  const bool front = leg == kLeftFrontLeg || leg == kRightFrontLeg;
+  const double side = left ? 1 : -1;
+  const double end = front ? 1 : -1;
+  const Vector3d mirror_side(1, side, 1);
+  const Vector3d mirror_both(end, side, 1);
+  return Translation3d(kRotator.cwiseProduct(mirror_both)) * AngleAxisd(-angles.rotator, Vector3d::UnitY()) *
+         AngleAxisd(side * angles.elevator, Vector3d::UnitX()) * Translation3d(kKnee.cwiseProduct(mirror_both)) *
+         AngleAxisd(-end * angles.knee, Vector3d::UnitY()) * (front ? kFrontFoot : kHindFoot).cwiseProduct(mirror_side);
+}
+
+Stance standOn(const std::array<LegAngles, kLegs>& legs) {
+  Supports supports;
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    supports[i] = footInBody(static_cast<Leg>(i), legs[i]);
+    supports[kLegs + i] = kBelly.cwiseProduct(Vector3d(i % 2 == 0 ? 1 : -1, i < 2 ? 1 : -1, 1));
+  }
+  Stance stance;
+  stance.body = poseOver(supportingPlane(supports));
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    stance.paw_down[i] = (stance.body * supports[i]).z() - kFootRadius <= kPawTravel;
+  }
+  return stance;
+}
+
+}  // namespace simulated_ers7

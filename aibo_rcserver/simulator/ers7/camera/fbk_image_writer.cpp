@@ -1,0 +1,130 @@
+#include "simulator/ers7/camera/fbk_image_writer.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace simulated_ers7 {
+namespace {
+
+constexpr std::size_t kBands = 6;
+constexpr std::size_t kColorBands = 3;
+constexpr std::size_t kTagBytes = 16;
+constexpr std::size_t kWidth = kPictureWidth;
+constexpr std::size_t kHeight = kPictureHeight;
+
+/// Bands of fine detail count from the middle: this is "none".
+constexpr byte kNoDetail = 128;
+constexpr byte kGrey = 128;
+
+struct LayerFormat {
+  OFbkImageLayer layer;
+  ODataType type;
+  std::size_t width;
+  std::size_t height;
+  std::size_t bands;
+
+  std::size_t size() const { return width * height * bands; }
+};
+
+constexpr LayerFormat kLayers[] = {
+    {ofbkimageLAYER_H, odataFBK_YCrCb_HPF, kWidth, kHeight, kBands},
+    {ofbkimageLAYER_M, odataFBK_YCrCb_HPF, kWidth / 2, kHeight / 2, kBands},
+    {ofbkimageLAYER_L, odataFBK_YCrCb_HPF, kWidth / 4, kHeight / 4, kBands},
+    {ofbkimageLAYER_C, odataFBK_CDT, kWidth / 2, kHeight / 2, 1},
+};
+
+constexpr std::size_t kNumberOfLayers = std::size(kLayers);
+constexpr std::size_t kDataOffset = offsetof(OFbkImageVectorData, info) + kNumberOfLayers * sizeof(OFbkImageInfo);
+
+OFbkImageVectorData* vectorIn(RCRegion* region) {
+  void* base = region->Base();
+  return static_cast<OFbkImageVectorData*>(base);
+}
+
+/// Copies a plane into one of a layer's bands.
+void writeBand(const YCrCbImage::Plane& plane, byte* first_row) {
+  for (std::size_t y = 0; y < kHeight; ++y) {
+    std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(y * kWidth), kWidth, first_row + y * kBands * kWidth);
+  }
+}
+
+/// Fills Y, Cr and Cb of a layer with means of 2x2 pixels of the next larger layer.
+void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
+  const std::size_t from_stride = kBands * 2 * width;
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t band = 0; band < kColorBands; ++band) {
+      const byte* upper = from + 2 * y * from_stride + band * 2 * width;
+      const byte* lower = upper + from_stride;
+      byte* row = to + (y * kBands + band) * width;
+      for (std::size_t x = 0; x < width; ++x) {
+        row[x] = static_cast<byte>((upper[2 * x] + upper[2 * x + 1] + lower[2 * x] + lower[2 * x + 1] + 2) / 4);
+      }
+    }
+  }
+}
+
+void writeTag(byte* data, const LayerFormat& format, longword image_number) {
+  byte* tag = data + (format.height - 1) * format.bands * format.width;
+  std::fill_n(tag, kTagBytes, static_cast<byte>(0));
+  for (unsigned i = 0; i < sizeof(image_number); ++i) {
+    tag[i] = static_cast<byte>(image_number >> (8 * i));
+  }
+}
+
+}  // namespace
+
+std::size_t fbkImageSize() {
+  std::size_t size = kDataOffset;
+  for (const LayerFormat& format : kLayers) {
+    size += format.size();
+  }
+  return size;
+}
+
+void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
+  OFbkImageVectorData* vector = vectorIn(region);
+  *vector = OFbkImageVectorData();
+  vector->vectorInfo.type = odataFBKIMAGE_VECTOR;
+  vector->vectorInfo.memRegionID = region->MemID();
+  vector->vectorInfo.offset = static_cast<longword>(region->Offset());
+  vector->vectorInfo.totalSize = static_cast<longword>(fbkImageSize());
+  vector->vectorInfo.infoOffset = offsetof(OFbkImageVectorData, info);
+  vector->vectorInfo.infoSize = sizeof(OFbkImageInfo);
+  vector->vectorInfo.maxNumData = kNumberOfLayers;
+  vector->vectorInfo.numData = kNumberOfLayers;
+  std::size_t offset = kDataOffset;
+  for (const LayerFormat& format : kLayers) {
+    OFbkImageInfo* info = vector->GetInfo(format.layer);
+    info->type = format.type;
+    info->primitiveID = camera;
+    info->dataOffset = static_cast<longword>(offset);
+    info->dataSize = static_cast<longword>(format.size());
+    info->width = static_cast<longword>(format.width);
+    info->height = static_cast<longword>(format.height);
+    static_assert(kNoDetail == kGrey, "one fill serves both");
+    std::fill_n(vector->GetData(format.layer), format.size(), format.type == odataFBK_CDT ? byte{0} : kNoDetail);
+    offset += format.size();
+  }
+}
+
+void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, longword image_number) {
+  OFbkImageVectorData* vector = vectorIn(region);
+  for (const LayerFormat& format : kLayers) {
+    vector->GetInfo(format.layer)->frameNumber = frame;
+  }
+  byte* high = vector->GetData(ofbkimageLAYER_H);
+  writeBand(picture.y, high);
+  writeBand(picture.cr, high + kWidth);
+  writeBand(picture.cb, high + 2 * kWidth);
+  byte* medium = vector->GetData(ofbkimageLAYER_M);
+  halve(high, medium, kWidth / 2, kHeight / 2);
+  byte* low = vector->GetData(ofbkimageLAYER_L);
+  halve(medium, low, kWidth / 4, kHeight / 4);
+  for (const LayerFormat& format : kLayers) {
+    if (format.type != odataFBK_CDT) {
+      writeTag(vector->GetData(format.layer), format, image_number);
+    }
+  }
+}
+
+}  // namespace simulated_ers7

@@ -1,0 +1,33 @@
+/// @file fbk_image_writer.h
+/// Lays a picture out as the ERS-7's camera delivers it: an OFbkImageVectorData with its pixels behind it.
+///
+/// Four layers follow each other: H, M with half of its width and height, L with a quarter, and C, the colour
+/// detection, as large as M, one byte a pixel. In H, M and L each row of Y is followed by the same row of Cr, of Cb
+/// and of the three bands of fine detail, so that rows of one band are six widths apart. The first 16 bytes of Y's
+/// last row are tag bytes: 0-3 the image number, little-endian, 4-11 what the colour detection counted.
+#ifndef SIMULATED_ERS7_CAMERA_FBK_IMAGE_WRITER_H
+#define SIMULATED_ERS7_CAMERA_FBK_IMAGE_WRITER_H
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/RCRegion.h>
+
+#include "simulator/ers7/camera/ycrcb_image.h"
+
+namespace simulated_ers7 {
+
+/// Bytes of a region that holds one camera image in all layers.
+std::size_t fbkImageSize();
+
+/// Writes what is the same in all images: the vector's header, the infos, and an empty picture without fine detail.
+/// @param region fbkImageSize() bytes
+/// @param camera the camera's primitive, as the infos name it
+void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
+
+/// Writes a picture into a prepared region. The lower layers are means of 2x2 and 4x4 pixels of H.
+/// @param frame OPEN-R frame of the capture
+/// @param image_number the camera's own count, for the tag bytes
+void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, longword image_number);
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_CAMERA_FBK_IMAGE_WRITER_H

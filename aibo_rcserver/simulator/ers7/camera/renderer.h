@@ -1,0 +1,62 @@
+/// @file renderer.h
+/// Draws what an ideal camera sees of the scene.
+#ifndef SIMULATED_ERS7_CAMERA_RENDERER_H
+#define SIMULATED_ERS7_CAMERA_RENDERER_H
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "simulator/ers7/scene/scene.h"
+#include "simulator/ers7/scene/surface_colors.h"
+
+namespace simulated_ers7 {
+
+/// Linear light per pixel of the H layer, row by row from the upper left.
+using LightImage = std::vector<Color>;
+
+/// Casts a ray through every pixel, and four where surfaces meet, which makes their edges smooth.
+///
+/// Remembers the last picture: while the camera rests, only the surroundings of what moved are drawn again, which
+/// gives the same picture in a fraction of the time. Not thread-safe.
+class Renderer {
+ public:
+  /// @param scene what to draw; must outlive the renderer
+  explicit Renderer(const Scene& scene);
+
+  /// @param camera pose of the camera in the room, as in head_kinematics.h; inside the room
+  /// @return the picture, valid until the next call
+  const LightImage& render(const Eigen::Isometry3d& camera);
+
+ private:
+  /// What a pixel's middle shows, as far as it tells where edges are.
+  struct Seen {
+    Surface surface;
+    Eigen::Vector3d normal;
+  };
+
+  /// Pixels left..right-1 of the rows top..bottom-1.
+  struct Window {
+    int left;
+    int top;
+    int right;
+    int bottom;
+  };
+
+  void draw(const Eigen::Isometry3d& camera, const Window& window);
+  void smoothEdges(const Eigen::Isometry3d& camera, const Window& window);
+  bool isEdge(int x, int y) const;
+  static Window united(const Window& one, const Window& other);
+  static Window clipped(const Window& window);
+  static Window windowAround(const Eigen::Isometry3d& camera, const Eigen::Vector3d& center, double radius);
+
+  const Scene& scene_;
+  LightImage picture_;
+  std::vector<Seen> seen_;
+  std::optional<Eigen::Isometry3d> drawn_from_;   ///< the camera's pose in picture_
+  std::vector<Eigen::Vector3d> drawn_positions_;  ///< of the scene's bodies in picture_
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_CAMERA_RENDERER_H

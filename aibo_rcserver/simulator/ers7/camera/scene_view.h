@@ -1,0 +1,46 @@
+/// @file scene_view.h
+/// The scene as the camera in the robot's head sees it.
+#ifndef SIMULATED_ERS7_CAMERA_SCENE_VIEW_H
+#define SIMULATED_ERS7_CAMERA_SCENE_VIEW_H
+
+#include <cstdint>
+
+#include "simulator/ers7/body/head_kinematics.h"
+#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/camera/image_sensor.h"
+#include "simulator/ers7/camera/lens.h"
+#include "simulator/ers7/camera/picture_source.h"
+#include "simulator/ers7/camera/renderer.h"
+#include "simulator/ers7/scene/scene.h"
+
+namespace simulated_ers7 {
+
+class SceneView : public PictureSource {
+ public:
+  /// @param scene is moved on to the time of each picture; must outlive the view
+  SceneView(Scene& scene, std::uint64_t seed);
+
+  /// Until then the head is as restingHead() says.
+  void setHead(const HeadAngles& angles) override { head_ = angles; }
+
+  /// Until then the body is level, kStandingHeight over the floor.
+  void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
+
+  /// Pose of the camera in the room.
+  Eigen::Isometry3d camera() const;
+
+  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
+
+ private:
+  Scene& scene_;
+  HeadAngles head_ = restingHead();
+  Eigen::Isometry3d body_{Eigen::Translation3d(0, 0, kStandingHeight)};
+  Renderer renderer_;
+  Lens lens_;
+  ImageSensor sensor_;
+  YCrCbImage picture_;
+};
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_CAMERA_SCENE_VIEW_H

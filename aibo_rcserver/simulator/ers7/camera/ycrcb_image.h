@@ -1,0 +1,46 @@
+/// @file ycrcb_image.h
+/// A picture of the size of the H layer in the camera's colours.
+#ifndef SIMULATED_ERS7_CAMERA_YCRCB_IMAGE_H
+#define SIMULATED_ERS7_CAMERA_YCRCB_IMAGE_H
+
+#include <cstdint>
+#include <vector>
+
+#include "simulator/ers7/camera/camera_optics.h"
+
+namespace simulated_ers7 {
+
+/// Three planes of kPictureWidth x kPictureHeight bytes, row by row from the upper left, in the full-range colours of
+/// JPEG files (ITU-R BT.601): Y 0..255; Cr and Cb 128 for grey.
+struct YCrCbImage {
+  using Plane = std::vector<std::uint8_t>;
+
+  Plane y = Plane(kSize);
+  Plane cr = Plane(kSize);
+  Plane cb = Plane(kSize);
+
+ private:
+  static constexpr std::size_t kSize = static_cast<std::size_t>(kPictureWidth) * kPictureHeight;
+};
+
+/// The colour of one pixel, each 0..255 but not yet rounded.
+struct YCrCb {
+  float y;
+  float cr;
+  float cb;
+};
+
+/// @param red, green, blue 0..255, as in files and on screens (not linear)
+inline YCrCb toYCrCb(float red, float green, float blue) {
+  const float y = 0.299f * red + 0.587f * green + 0.114f * blue;
+  return {y, 128 + 0.713267f * (red - y), 128 + 0.564334f * (blue - y)};
+}
+
+/// The nearest byte.
+inline std::uint8_t toByte(float value) {
+  return static_cast<std::uint8_t>(value <= 0 ? 0 : value >= 255 ? 255 : value + 0.5f);
+}
+
+}  // namespace simulated_ers7
+
+#endif  // SIMULATED_ERS7_CAMERA_YCRCB_IMAGE_H

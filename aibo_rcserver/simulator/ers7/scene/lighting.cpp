@@ -1,0 +1,112 @@
+#include "simulator/ers7/scene/lighting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/ers7/scene/scene_layout.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using Eigen::Vector3d;
+
+// The room's lamp, seen from the middle of the carpet: above, to the left and behind the robot.
+const Vector3d kToLamp = Vector3d(-0.42, 0.50, 0.76).normalized();
+const Color kLampLight(0.96, 0.91, 0.82);
+// Light from everywhere: cool from above, warm and weak from the floor.
+const Color kLightFromAbove(0.56, 0.58, 0.62);
+const Color kLightFromBelow(0.34, 0.35, 0.30);
+
+/// Tangent of half the angle under which the lamp is seen: how fast shadows lose their edge.
+constexpr double kLampSize = 0.16;
+
+/// Share of the lamp that `body` leaves for `point`: the ray's closest approach to it, measured in penumbra widths.
+double lampBeside(const Body& body, const Vector3d& point) {
+  constexpr double kShortestStep = 0.006;
+  const Vector3d to_body = body.position() - point;
+  const double along = to_body.dot(kToLamp);
+  const double reach = body.reach() + kLampSize * std::max(along, 0.0);
+  if ((to_body - along * kToLamp).squaredNorm() > reach * reach) {
+    return 1;
+  }
+  const double end = std::min(along + reach, (body.top() - point.z()) / kToLamp.z() + kLampSize * body.reach());
+  double clearance = 1;
+  double travelled = std::max(kShortestStep, along - reach);
+  while (travelled < end && clearance > -1) {
+    const double distance = body.signedDistance(point + travelled * kToLamp);
+    clearance = std::min(clearance, distance / (kLampSize * travelled));
+    travelled += std::max(distance, kShortestStep);
+  }
+  const double share = std::clamp((clearance + 1) / 2, 0.0, 1.0);
+  return share * share * (3 - 2 * share);
+}
+
+/// Share of the light from everywhere that `body` leaves for `point`: the darkness around where things touch. Feels
+/// its way along the normal and looks how much nearer the body is there than it would be if it were not in the way.
+double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& normal) {
+  constexpr double kSteps[] = {0.010, 0.022, 0.045};
+  constexpr double kFarthest = 2 * 0.045;
+  const double outer = body.reach() + kFarthest;
+  if ((body.position() - point).squaredNorm() > outer * outer || body.signedDistance(point) > kFarthest) {
+    return 1;
+  }
+  double hidden = 0;
+  for (const double step : kSteps) {
+    const double distance = body.signedDistance(point + step * normal);
+    hidden += std::clamp((step - distance) / step, 0.0, 1.0) / 3;
+  }
+  return 1 - 0.85 * hidden;
+}
+
+/// Share of the light from everywhere that the floor and the walls leave: corners of a room are darker.
+double opennessOfRoom(const Vector3d& point, const Vector3d& normal) {
+  constexpr double kDepth = 0.45;
+  constexpr double kFalloff = 0.08;
+  double openness = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double below = point[axis] - kLowestCorner[axis];
+    const double above = kHighestCorner[axis] - point[axis];
+    const double nearness = kDepth * kFalloff / (kFalloff + std::min(below, above));
+    openness *= 1 - nearness * (1 - std::abs(normal[axis]));
+  }
+  return openness;
+}
+
+double highlight(const Vector3d& normal, const Vector3d& direction) {
+  const Vector3d mirrored = direction - 2 * direction.dot(normal) * normal;
+  const double shine = std::max(0.0, mirrored.dot(kToLamp));
+  const double shine_4 = shine * shine * shine * shine;
+  const double shine_16 = shine_4 * shine_4 * shine_4 * shine_4;
+  return shine_16 * shine_16;
+}
+
+}  // namespace
+
+double lightReach(const Body& body) {
+  constexpr double kLengthOfShadow = 2.6;  // in reaches; beyond it the shadow is too soft to see
+  return kLengthOfShadow * body.reach();
+}
+
+Color lightFrom(const Scene& scene, const SceneHit& hit, const Appearance& appearance, const Vector3d& direction) {
+  double lamp = std::max(0.0, hit.normal.dot(kToLamp));
+  double openness = opennessOfRoom(hit.point, hit.normal);
+  for (const Body& body : scene.bodies()) {
+    const double far = lightReach(body);
+    if ((body.position() - hit.point).squaredNorm() > far * far) {
+      continue;
+    }
+    if (lamp > 0) {
+      lamp *= lampBeside(body, hit.point + 0.002 * hit.normal);
+    }
+    openness *= opennessBeside(body, hit.point, hit.normal);
+  }
+  const double upwards = 0.5 + 0.5 * hit.normal.z();
+  const Color ambient = openness * (upwards * kLightFromAbove + (1 - upwards) * kLightFromBelow);
+  Color light = appearance.albedo * (ambient + lamp * kLampLight);
+  if (appearance.gloss > 0) {
+    light += appearance.gloss * lamp * highlight(hit.normal, direction) * kLampLight;
+  }
+  return light;
+}
+
+}  // namespace simulated_ers7

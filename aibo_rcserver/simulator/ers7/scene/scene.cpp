@@ -1,0 +1,178 @@
+#include "simulator/ers7/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "simulator/ers7/scene/scene_layout.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using Eigen::Vector3d;
+
+const double kPi = std::acos(-1.0);
+
+double reachOf(const Capsule& capsule) {
+  return std::max(capsule.start.norm(), capsule.end.norm()) + capsule.radius;
+}
+
+double reachOf(const Box& box) {
+  return (box.center.cwiseAbs() + box.half_size).norm();
+}
+
+double topOf(const Capsule& capsule) {
+  return std::max(capsule.start.z(), capsule.end.z()) + capsule.radius;
+}
+
+double topOf(const Box& box) {
+  return box.center.z() + box.half_size.z();
+}
+
+Capsule sphere(const Vector3d& center, double radius) {
+  return {center, center, radius};
+}
+
+Body makeBall() {
+  return Body({kBallX, 0, kBallRadius}, 0, {{sphere(Vector3d::Zero(), kBallRadius), Surface::kBall}});
+}
+
+Body makeBone() {
+  const double knob = 0.021;
+  const double shaft = 0.012;
+  const double half_length = 0.052;
+  const double spread = 0.016;
+  std::vector<Part> parts = {{Capsule{{-half_length, 0, 0}, {half_length, 0, 0}, shaft}, Surface::kBone}};
+  for (const double end : {-half_length, half_length}) {
+    for (const double side : {-spread, spread}) {
+      parts.push_back({sphere({end, side, 0}, knob), Surface::kBone});
+    }
+  }
+  return Body({0.64, -0.13, knob}, 1.0, std::move(parts));
+}
+
+/// Where the charging station stands and how it is turned.
+const Vector3d kStation(1.42, 0.42, 0);
+constexpr double kStationYaw = 0.45;
+
+/// A plate to lie down on, with the dock that holds the robot's belly.
+Body makeStation() {
+  return Body(kStation, kStationYaw,
+              {{Box{{0, 0, 0.012}, {0.15, 0.13, 0.012}}, Surface::kStation},
+               {Box{{0.02, 0, 0.040}, {0.09, 0.055, 0.016}}, Surface::kStationDock},
+               {Box{{0.12, 0, 0.060}, {0.028, 0.085, 0.036}}, Surface::kStation}});
+}
+
+/// The pole at the back of the station, by which the robot finds its way home.
+Body makeStationPole() {
+  const double half_length = 0.105;
+  const double foot = 0.09;
+  const Vector3d position =
+      kStation + Vector3d(0.12 * std::cos(kStationYaw), 0.12 * std::sin(kStationYaw), foot + half_length);
+  return Body(position, kStationYaw,
+              {{Capsule{{0, 0, -half_length}, {0, 0, half_length}, 0.018}, Surface::kStationPole}});
+}
+
+Body makeCube(double x, double y, double yaw, double size, Surface surface) {
+  return Body({x, y, size / 2}, yaw, {{Box{Vector3d::Zero(), Vector3d::Constant(size / 2)}, surface}});
+}
+
+/// The ball's place in bodies_.
+constexpr size_t kBall = 0;
+
+SceneHit castRayAtRoom(const Ray& ray) {
+  double distance = std::numeric_limits<double>::infinity();
+  int hit_axis = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double speed = ray.direction[axis];
+    if (speed == 0) {
+      continue;
+    }
+    const double end = speed > 0 ? kHighestCorner[axis] : kLowestCorner[axis];
+    const double there = (end - ray.origin[axis]) / speed;
+    if (there < distance) {
+      distance = there;
+      hit_axis = axis;
+    }
+  }
+  const bool ahead = ray.direction[hit_axis] > 0;
+  Vector3d normal = Vector3d::Zero();
+  normal[hit_axis] = ahead ? -1 : 1;
+  const Surface surface = hit_axis != 2 ? Surface::kWall : ahead ? Surface::kCeiling : Surface::kFloor;
+  const Vector3d point = ray.at(distance);
+  return {distance, point, normal, point, surface};
+}
+
+}  // namespace
+
+Body::Body(const Vector3d& position, double yaw, std::vector<Part> parts)
+    : position_(position),
+      cos_yaw_(std::cos(yaw)),
+      sin_yaw_(std::sin(yaw)),
+      parts_(std::move(parts)),
+      reach_(0),
+      top_(-std::numeric_limits<double>::infinity()) {
+  for (const Part& part : parts_) {
+    reach_ = std::max(reach_, std::visit([](const auto& shape) { return reachOf(shape); }, part.shape));
+    top_ = std::max(top_, std::visit([](const auto& shape) { return topOf(shape); }, part.shape));
+  }
+}
+
+Vector3d Body::turnToBody(const Vector3d& vector) const {
+  return {cos_yaw_ * vector.x() + sin_yaw_ * vector.y(), cos_yaw_ * vector.y() - sin_yaw_ * vector.x(), vector.z()};
+}
+
+Vector3d Body::turnToRoom(const Vector3d& vector) const {
+  return {cos_yaw_ * vector.x() - sin_yaw_ * vector.y(), cos_yaw_ * vector.y() + sin_yaw_ * vector.x(), vector.z()};
+}
+
+double Body::signedDistance(const Vector3d& point) const {
+  const Vector3d local = pointToBody(point);
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Part& part : parts_) {
+    distance = std::min(distance, simulated_ers7::signedDistance(local, part.shape));
+  }
+  return distance;
+}
+
+Scene::Scene()
+    : bodies_{makeBall(),
+              makeBone(),
+              makeStation(),
+              makeStationPole(),
+              makeCube(2.05, -0.62, 0.5, 0.14, Surface::kBlueCube),
+              makeCube(2.20, -0.40, -0.2, 0.11, Surface::kYellowCube)} {
+  setTime(0);
+}
+
+void Scene::setTime(double seconds) {
+  const double y = kBallSwing * std::sin(2 * kPi * seconds / kBallPeriod);
+  bodies_[kBall].setPosition({kBallX, y, kBallRadius});
+}
+
+const Vector3d& Scene::ballCenter() const {
+  return bodies_[kBall].position();
+}
+
+SceneHit Scene::castRay(const Ray& ray) const {
+  SceneHit nearest = castRayAtRoom(ray);
+  for (const Body& body : bodies_) {
+    const Vector3d to_body = body.position() - ray.origin;
+    const double along = to_body.dot(ray.direction);
+    if (to_body.squaredNorm() - along * along > body.reach() * body.reach()) {
+      continue;  // passes by
+    }
+    const Ray local{-body.turnToBody(to_body), body.turnToBody(ray.direction)};
+    for (const Part& part : body.parts()) {
+      const auto hit = intersect(local, part.shape);
+      if (hit && hit->distance < nearest.distance) {
+        nearest = {hit->distance, ray.at(hit->distance), body.turnToRoom(hit->normal), local.at(hit->distance),
+                   part.surface};
+      }
+    }
+  }
+  return nearest;
+}
+
+}  // namespace simulated_ers7

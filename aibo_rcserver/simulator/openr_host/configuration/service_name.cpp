@@ -1,0 +1,30 @@
+#include "simulator/openr_host/configuration/service_name.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "simulator/openr_host/configuration/text.h"
+
+namespace openr_host {
+namespace {
+
+bool isWord(const std::string& text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+}  // namespace
+
+std::optional<ServiceName> ServiceName::parse(const std::string& text) {
+  const auto parts = splitAt('.', text);
+  if (parts.size() != 4 || !std::all_of(parts.begin(), parts.end(), isWord) || (parts[3] != "S" && parts[3] != "O")) {
+    return std::nullopt;
+  }
+  return ServiceName{parts[0], parts[1], parts[2], parts[3] == "S"};
+}
+
+std::string ServiceName::text() const {
+  return object + "." + service + "." + data_type + (is_subject ? ".S" : ".O");
+}
+
+}  // namespace openr_host

@@ -1,0 +1,90 @@
+/// @file ip_stack.h
+#ifndef OPENR_HOST_IP_STACK_IP_STACK_H
+#define OPENR_HOST_IP_STACK_IP_STACK_H
+
+#include <TCPEndpointMsg.h>
+#include <UDPEndpointMsg.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "simulator/openr_host/ip_stack/endpoint.h"
+#include "simulator/openr_host/ip_stack/envelope.h"
+#include "simulator/openr_host/ip_stack/pending_message.h"
+#include "simulator/openr_host/ip_stack/poll_set.h"
+#include "simulator/openr_host/ip_stack/shared_buffers.h"
+#include "simulator/openr_host/ip_stack/tcp_endpoint.h"
+#include "simulator/openr_host/ip_stack/tcp_listener.h"
+#include "simulator/openr_host/ip_stack/udp_endpoint.h"
+
+namespace openr_host {
+
+/// The system object IPStack: answers the messages of ant.h, TCPEndpointMsg.h and UDPEndpointMsg.h with this computer's
+/// sockets.
+class IpStack {
+ public:
+  using OnSend = std::function<void(const void* data, std::size_t size)>;
+
+  /// @param bind_address IPv4 address of this computer that all ports are on
+  /// @param deliver takes answered messages to the object that sent them
+  /// @param objects_are_busy whether messages wait for objects. While they do, a client whom nobody listens for is not
+  /// turned away yet: one of them may be about to listen.
+  /// @param on_send told of bytes that are about to be sent; may be empty
+  IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
+
+  /// Takes a port of this computer for a port of the robot.
+  /// @return the port taken
+  /// @throw as TcpListener
+  std::uint16_t takePort(std::uint16_t robot_port, std::uint16_t host_port);
+
+  /// What antEnvMsg::Call() does.
+  antError call(antEnvMsg& message, std::size_t size);
+
+  /// What antEnvMsg::Send() does.
+  /// @param object, entry where the answer goes
+  antError send(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry);
+
+  void addTo(PollSet& poll_set);
+
+ private:
+  struct TcpPort {
+    TcpListener listener;
+    std::deque<longword> waiting;  ///< endpoints that listen, the first come first
+  };
+
+  antError answerAtOnce(antEnvMsg& message);
+  void createSharedBuffer(antEnvCreateSharedBufferMsg& message);
+  void destroySharedBuffer(antEnvDestroySharedBufferMsg& message);
+  void createEndpoint(antEnvCreateEndpointMsg& message);
+  antError closeAtOnce(TCPEndpointCloseMsg& message);
+  antError answerUdp(UDPEndpointBaseMsg& message);
+
+  void listen(const Envelope& message);
+  void forgetListeners();
+  void announceSend(const TCPEndpointSendMsg& message);
+  template <typename Message, typename Kind>
+  void pass(const Envelope& message, void (Kind::*operation)(const Envelope&));
+  template <typename Message, typename Kind>
+  void passData(const Envelope& message, void (Kind::*operation)(const Envelope&));
+
+  template <typename Kind>
+  Kind* find(const antModuleRef& module);
+  void acceptOn(TcpPort& port);
+
+  const std::string bind_address_;
+  const Deliver deliver_;
+  const std::function<bool()> objects_are_busy_;
+  const OnSend on_send_;
+  SharedBuffers buffers_;
+  std::map<longword, std::unique_ptr<Endpoint>> endpoints_;
+  longword last_endpoint_ = 0;
+  std::map<std::uint16_t, TcpPort> ports_;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_IP_STACK_IP_STACK_H

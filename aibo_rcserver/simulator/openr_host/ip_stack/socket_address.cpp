@@ -1,0 +1,47 @@
+#include "simulator/openr_host/ip_stack/socket_address.h"
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+
+#include <stdexcept>
+
+IPAddress::IPAddress(const char* text) : address_(0) {
+  in_addr parsed{};
+  if (inet_pton(AF_INET, text, &parsed) == 1) {
+    address_ = ntohl(parsed.s_addr);
+  }
+}
+
+char* IPAddress::GetAsString(char* text) const {
+  const in_addr system{htonl(address_)};
+  inet_ntop(AF_INET, &system, text, INET_ADDRSTRLEN);
+  return text;
+}
+
+namespace openr_host {
+
+sockaddr_in SocketAddress::system() const {
+  sockaddr_in system{};
+  system.sin_family = AF_INET;
+  system.sin_port = htons(port);
+  system.sin_addr.s_addr = htonl(address.Address());
+  return system;
+}
+
+SocketAddress SocketAddress::ofSocket(int socket) {
+  sockaddr_in system{};
+  socklen_t size = sizeof(system);
+  getsockname(socket, reinterpret_cast<sockaddr*>(&system), &size);
+  return SocketAddress(system);
+}
+
+SocketAddress SocketAddress::parse(const std::string& address, Port port) {
+  in_addr parsed{};
+  if (inet_pton(AF_INET, address.c_str(), &parsed) != 1) {
+    throw std::invalid_argument("'" + address +
+                                "' is no IPv4 address of this computer, such as 127.0.0.1, or 0.0.0.0 for all of them");
+  }
+  return {IPAddress(ntohl(parsed.s_addr)), port};
+}
+
+}  // namespace openr_host

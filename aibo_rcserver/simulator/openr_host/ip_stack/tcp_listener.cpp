@@ -1,0 +1,74 @@
+#include "simulator/openr_host/ip_stack/tcp_listener.h"
+
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include "simulator/openr_host/ip_stack/tcp_connection.h"
+
+namespace openr_host {
+namespace {
+
+/// The waiting client wakes the server again at once; nothing but time may bring memory. Shorter than a joint's frame.
+constexpr std::chrono::milliseconds kMemoryPause{5};
+
+FileDescriptor openSpare() {
+  return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC));
+}
+
+}  // namespace
+
+TcpListener::TcpListener(const std::string& address, std::uint16_t port)
+    : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)), spare_(openSpare()) {
+  const sockaddr_in bound = SocketAddress::parse(address, port).system();
+  // Else a restarted server would have to wait until the kernel forgets the last one's connections.
+  const int reuse = 1;
+  if (!socket_.isOpen() || setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &reuse, sizeof(reuse)) != 0 ||
+      bind(socket_.get(), reinterpret_cast<const sockaddr*>(&bound), sizeof(bound)) != 0 ||
+      listen(socket_.get(), SOMAXCONN) != 0) {
+    throw std::system_error(errno, std::generic_category(), "listen on port " + std::to_string(port));
+  }
+  port_ = SocketAddress::ofSocket(socket_.get()).port;
+}
+
+std::optional<TcpConnection> TcpListener::accept() {
+  for (;;) {
+    sockaddr_in client{};
+    socklen_t size = sizeof(client);
+    FileDescriptor socket(
+        accept4(socket_.get(), reinterpret_cast<sockaddr*>(&client), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (socket.isOpen()) {
+      if (!configureTcpConnection(socket.get())) {
+        continue;  // a client that cannot be told from one that has vanished is let go
+      }
+      return TcpConnection{std::move(socket), SocketAddress(client)};
+    }
+    switch (errno) {
+      case EAGAIN:
+        return std::nullopt;
+      case EMFILE:
+      case ENFILE:
+        turnOneAway();
+        return std::nullopt;
+      case ENOBUFS:
+      case ENOMEM:
+        std::this_thread::sleep_for(kMemoryPause);
+        return std::nullopt;
+      default:  // this client has gone already; perhaps there is another one
+        break;
+    }
+  }
+}
+
+void TcpListener::turnOneAway() {
+  spare_.close();
+  FileDescriptor(accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC)).close();
+  spare_ = openSpare();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,45 @@
+/// @file tcp_listener.h
+#ifndef OPENR_HOST_IP_STACK_TCP_LISTENER_H
+#define OPENR_HOST_IP_STACK_TCP_LISTENER_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "simulator/openr_host/ip_stack/file_descriptor.h"
+#include "simulator/openr_host/ip_stack/socket_address.h"
+
+namespace openr_host {
+
+/// A client that has just connected.
+struct TcpConnection {
+  FileDescriptor socket;  ///< non-blocking, sends at once, and notices within about 2 s that the client has vanished
+  SocketAddress client;
+};
+
+/// A listening socket of this computer.
+class TcpListener {
+ public:
+  /// @param address IPv4 address of this computer, "0.0.0.0" for all
+  /// @param port 0 for any free one
+  /// @throw std::system_error if the port is in use or cannot be had
+  /// @throw std::invalid_argument if it is not an address
+  TcpListener(const std::string& address, std::uint16_t port);
+
+  int fd() const { return socket_.get(); }
+  std::uint16_t port() const { return port_; }
+
+  /// The next waiting client, if there is one. A client for whom the process has no descriptor left is turned away.
+  std::optional<TcpConnection> accept();
+
+ private:
+  void turnOneAway();
+
+  FileDescriptor socket_;
+  FileDescriptor spare_;  ///< given up for a moment to turn a client away when there are no descriptors left
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_IP_STACK_TCP_LISTENER_H

@@ -1,0 +1,60 @@
+/// @file udp_endpoint.h
+#ifndef OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
+#define OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
+
+#include <UDPEndpointMsg.h>
+
+#include <string>
+
+#include "simulator/openr_host/ip_stack/endpoint.h"
+#include "simulator/openr_host/ip_stack/file_descriptor.h"
+#include "simulator/openr_host/ip_stack/pending_message.h"
+
+namespace openr_host {
+
+/// A UDP endpoint: new, then bound, perhaps connected, then closed (OPEN-R SDK Internet Protocol Version4, figure 5).
+class UdpEndpoint : public Endpoint {
+ public:
+  static constexpr UDPEndpointError kOperationInvalid = UDP_OPERATION_INVALID;
+  static constexpr UDPEndpointError kBufferInvalid = UDP_BUFFER_INVALID;
+
+  /// @param pool_size bytes for the socket's send buffer
+  /// @param deliver must outlive this
+  UdpEndpoint(int pool_size, const Deliver& deliver);
+
+  /// @name Answered at once
+  /// @{
+  /// @param bind_address of this computer
+  void bind(UDPEndpointBindMsg& message, const std::string& bind_address);
+  void connect(UDPEndpointConnectMsg& message);
+  void close(UDPEndpointCloseMsg& message);
+  /// @}
+
+  /// @name Begin what a message asks for. Each is answered later, or at once with an error.
+  /// @{
+  void send(const Envelope& message);
+  void receive(const Envelope& message);
+  /// @}
+
+  bool isClosed() const override { return is_closed_; }
+  bool uses(const std::function<bool(const void*, std::size_t)>& is_concerned) const override;
+  void addTo(PollSet& poll_set) override;
+
+ private:
+  template <typename Message>
+  bool mayBegin(const PendingMessage<Message>& under_way, const Envelope& message) const;
+  void goOnSending();
+  void goOnReceiving();
+
+  const int pool_size_;
+  const Deliver& deliver_;
+  FileDescriptor socket_;  ///< from bind() to close()
+  bool is_connected_ = false;
+  bool is_closed_ = false;
+  PendingMessage<UDPEndpointSendMsg> sending_;
+  PendingMessage<UDPEndpointReceiveMsg> receiving_;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_IP_STACK_UDP_ENDPOINT_H

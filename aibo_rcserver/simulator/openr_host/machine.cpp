@@ -1,0 +1,296 @@
+#include "simulator/openr_host/machine.h"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <fstream>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "simulator/openr_host/configuration/configuration_error.h"
+#include "simulator/openr_host/configuration/connection_configuration.h"
+#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/configuration/object_configuration.h"
+#include "simulator/openr_host/objects/virtual_robot_comm.h"
+#include "simulator/openr_host/system.h"
+
+namespace openr_host {
+namespace {
+
+using Deadline = std::optional<std::chrono::steady_clock::time_point>;
+
+std::ifstream openConfiguration(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) {
+    throw BootError(path + ": cannot be read");
+  }
+  return file;
+}
+
+std::string portProblem(const std::string& bind_address, std::uint16_t robot_port, std::uint16_t host_port, int error) {
+  const std::string where = "port " + std::to_string(host_port) + " on " + bind_address;
+  const std::string option = robot_port == kConsolePort ? "--console-port" : "--port";
+  if (error == EADDRINUSE) {
+    return where +
+           " is in use by another program, perhaps a second aibo_rcserver: stop that, or choose another port (" +
+           option + " NUMBER; 0 = any free one)";
+  }
+  return where + " cannot be had: " + std::generic_category().message(error) + " (" + option + ", --bind)";
+}
+
+}  // namespace
+
+class Machine::Implementation {
+ public:
+  Implementation(MachineOptions options, Clock& clock, VirtualRobot& robot)
+      : options_(std::move(options)), clock_(clock), robot_(robot), wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+    if (!wake_.isOpen()) {
+      throw std::system_error(errno, std::generic_category(), "eventfd");
+    }
+  }
+
+  void boot();
+  void run();
+  void stop() noexcept;
+  void runPending();
+  bool runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit);
+  void shutdown() noexcept { system_.reset(); }
+  bool isOn() const { return system_ != nullptr; }
+  std::uint16_t hostPort(std::uint16_t robot_port) const { return options_.ports.at(robot_port); }
+
+ private:
+  void load();
+  void createObjects();
+  std::vector<ServiceConnection> readConnections() const;
+  void takePorts();
+  System& running() const;
+  void clearWake();
+  bool beginFrame();
+  bool handle(const Deadline& latest);
+  void obeyShutdownRequest();
+  Deadline nextEvent() const;
+
+  MachineOptions options_;  ///< with the ports that were taken in place of any free ones
+  Clock& clock_;
+  VirtualRobot& robot_;
+  std::unique_ptr<System> system_;
+  VirtualRobotComm* robot_comm_ = nullptr;
+  std::optional<longword> last_frame_;
+  FileDescriptor wake_;  ///< readable once stop() has been called
+  std::atomic<bool> stop_requested_{false};
+};
+
+void Machine::Implementation::boot() {
+  if (system_) {
+    throw std::logic_error("this machine has been booted already");
+  }
+  try {
+    load();
+  } catch (const std::runtime_error& error) {
+    shutdown();
+    throw BootError(error.what());
+  } catch (...) {
+    shutdown();
+    throw;
+  }
+}
+
+void Machine::Implementation::load() {
+  system_ = std::make_unique<System>(options_.bind_address, options_.memory_stick, options_.console,
+                                     options_.on_console_line, robot_, options_.on_send);
+  system_->modelTime(options_.handler_time, [this] { return clock_.now(); });
+  createObjects();
+  const auto connections = readConnections();
+  takePorts();
+  system_->initialize();
+  for (const auto& connection : connections) {
+    system_->connect(connection.subject.text(), connection.observer.text());
+  }
+  system_->start();
+}
+
+System& Machine::Implementation::running() const {
+  if (!system_) {
+    throw std::logic_error("this machine has not been booted");
+  }
+  return *system_;
+}
+
+void Machine::Implementation::createObjects() {
+  robot_comm_ =
+      static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_, options_.on_camera_image)));
+
+  const std::string path = findOnMemoryStick(options_.memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG");
+  std::ifstream file = openConfiguration(path);
+  const auto object_files = readObjectConfiguration(file, path, robot_.design());
+  if (object_files.empty()) {
+    throw BootError(path + ": there is no object for " + robot_.design());
+  }
+  for (const auto& object_file : object_files) {
+    const auto found = options_.catalog.find(object_file.name);
+    if (found == options_.catalog.end()) {
+      std::string known;
+      for (const auto& entry : options_.catalog) {
+        known += (known.empty() ? "" : ", ") + entry.first;
+      }
+      throw ConfigurationError(path, object_file.line,
+                               object_file.name + " is no object of this program; it has " + known);
+    }
+    system_->create(found->second);
+  }
+}
+
+void Machine::Implementation::takePorts() {
+  for (auto& [robot_port, host_port] : options_.ports) {
+    try {
+      host_port = robot_port == kConsolePort ? system_->console().takePort(options_.bind_address, host_port)
+                                             : system_->ipStack().takePort(robot_port, host_port);
+    } catch (const std::system_error& error) {
+      throw BootError(portProblem(options_.bind_address, robot_port, host_port, error.code().value()));
+    } catch (const std::invalid_argument& error) {
+      throw BootError(std::string(error.what()) + " (--bind)");
+    }
+  }
+}
+
+std::vector<ServiceConnection> Machine::Implementation::readConnections() const {
+  const std::string name = "OPEN-R/MW/CONF/CONNECT.CFG";
+  if (!isOnMemoryStick(options_.memory_stick, name)) {
+    system_->console().print("There is no " + name + ": no object is connected to another\n");
+    return {};
+  }
+  const std::string path = findOnMemoryStick(options_.memory_stick, name);
+  std::ifstream file = openConfiguration(path);
+  return readConnectionConfiguration(file, path, robot_.design(), system_->serviceNames());
+}
+
+void Machine::Implementation::run() {
+  while (!stop_requested_ && isOn()) {
+    handle(nextEvent());
+  }
+}
+
+void Machine::Implementation::stop() noexcept {
+  stop_requested_ = true;
+  const int saved_errno = errno;  // the signal may have come in the middle of anything
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(wake_.get(), &one, sizeof(one));
+  errno = saved_errno;
+}
+
+void Machine::Implementation::clearWake() {
+  std::uint64_t count = 0;
+  [[maybe_unused]] const auto size = read(wake_.get(), &count, sizeof(count));
+}
+
+void Machine::Implementation::runPending() {
+  while (handle(std::chrono::steady_clock::now()) && isOn()) {
+  }
+}
+
+bool Machine::Implementation::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (!done()) {
+    if (std::chrono::steady_clock::now() >= end || !isOn()) {
+      return false;
+    }
+    handle(std::min(end, nextEvent().value_or(end)));
+  }
+  return true;
+}
+
+/// One round: the frame, the messages, then the sockets, waiting for these until `latest` if nothing else is to be
+/// done.
+/// @return false if there was nothing at all
+bool Machine::Implementation::handle(const Deadline& latest) {
+  System& system = running();
+  const bool began_frame = beginFrame();
+  const bool had_messages = system.hasMessages();
+  system.handleMessages();
+
+  PollSet poll_set;
+  poll_set.add(wake_.get(), POLLIN, [this] { clearWake(); });
+  system.console().addTo(poll_set);
+  system.ipStack().addTo(poll_set);
+  // After messages the caller looks first whether that was what it has waited for.
+  const bool may_wait = !began_frame && !had_messages && !system.hasMessages();
+  const bool had_sockets = poll_set.wait(may_wait ? latest : std::chrono::steady_clock::time_point());
+  obeyShutdownRequest();
+  return began_frame || had_messages || had_sockets;
+}
+
+void Machine::Implementation::obeyShutdownRequest() {
+  const ShutdownRequest request = system_->shutdownRequest();
+  if (request == ShutdownRequest::kNone) {
+    return;
+  }
+  const bool boots_again = request == ShutdownRequest::kBootAgain;
+  system_->console().print(boots_again ? "The robot boots again\n" : "The robot shuts down\n");
+  shutdown();
+  if (boots_again) {
+    boot();
+  }
+}
+
+bool Machine::Implementation::beginFrame() {
+  const longword frame = clock_.frame();
+  if (last_frame_ == frame) {
+    return false;
+  }
+  last_frame_ = frame;
+  system_->runAs(*robot_comm_, [&] { robot_comm_->beginFrame(frame); });
+  system_->watchPower();
+  return true;
+}
+
+/// When there is something to be done even if no socket has anything.
+Deadline Machine::Implementation::nextEvent() const {
+  const Deadline next_frame = clock_.beginOf(last_frame_ ? *last_frame_ + 1 : 0);
+  const auto next_finish = system_->nextFinish();
+  const Deadline end = next_finish ? clock_.timeOf(*next_finish) : next_frame;
+  return end && next_frame ? std::min(end, next_frame) : next_frame;
+}
+
+Machine::Machine(MachineOptions options, Clock& clock, VirtualRobot& robot)
+    : implementation_(std::make_unique<Implementation>(std::move(options), clock, robot)) {}
+
+Machine::~Machine() = default;
+
+void Machine::boot() {
+  implementation_->boot();
+}
+
+void Machine::run() {
+  implementation_->run();
+}
+
+void Machine::stop() noexcept {
+  implementation_->stop();
+}
+
+void Machine::runPending() {
+  implementation_->runPending();
+}
+
+bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
+  return implementation_->runUntil(done, limit);
+}
+
+bool Machine::isOn() const {
+  return implementation_->isOn();
+}
+
+void Machine::shutdown() noexcept {
+  implementation_->shutdown();
+}
+
+std::uint16_t Machine::hostPort(std::uint16_t robot_port) const {
+  return implementation_->hostPort(robot_port);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,140 @@
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+
+#include <stdexcept>
+
+#include "simulator/openr_host/system.h"
+
+using openr_host::System;
+
+OStatus OPENR::OpenPrimitive(const char* locator, OPrimitiveID* primitiveID) {
+  return System::current().robot().openPrimitive(locator, primitiveID);
+}
+
+OStatus OPENR::ClosePrimitive(OPrimitiveID primitiveID) {
+  return System::current().robot().closePrimitive(primitiveID);
+}
+
+OStatus OPENR::ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest request, void* param, size_t paramSize,
+                                void* result, size_t resultSize) {
+  return System::current().robot().controlPrimitive(primitiveID, request, param, paramSize, result, resultSize);
+}
+
+OStatus OPENR::NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector) {
+  OCommandVectorData* created = System::current().vectorMemory().createCommands(count);
+  if (created == nullptr) {
+    return oNO_MEMORY;
+  }
+  *memID = created->vectorInfo.memRegionID;
+  *vector = created;
+  return oSUCCESS;
+}
+
+OStatus OPENR::DeleteCommandVectorData(MemoryRegionID memID) {
+  return System::current().vectorMemory().destroy(memID, odataCOMMAND_VECTOR) ? oSUCCESS : oFAIL;
+}
+
+OStatus OPENR::NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector) {
+  *vector = System::current().vectorMemory().createCdt();
+  *memID = (*vector)->vectorInfo.memRegionID;
+  return oSUCCESS;
+}
+
+OStatus OPENR::DeleteCdtVectorData(MemoryRegionID memID) {
+  return System::current().vectorMemory().destroy(memID, odataCDT_VECTOR) ? oSUCCESS : oFAIL;
+}
+
+OStatus OPENR::SetCdtVectorData(MemoryRegionID memID) {
+  if (System::current().vectorMemory().findCdt(memID) != nullptr) {
+    OSYSLOG1((osyslogWARNING, "SetCdtVectorData: the camera detects no colours on Linux"));
+  }
+  return oFAIL;
+}
+
+OStatus OPENR::NewSyncKey(OVRSyncKey* key) {
+  *key = ovrsynckeyUNDEF;
+  return oNO_SYNC_KEY;
+}
+
+OStatus OPENR::CancelSyncKey(OVRSyncKey /*key*/) {
+  return oINVALID_SYNC_KEY;
+}
+
+OStatus OPENR::DivideSyncKey(OVRSyncKey /*key*/, OVRSyncKey* key1, OVRSyncKey* key2) {
+  *key1 = ovrsynckeyUNDEF;
+  *key2 = ovrsynckeyUNDEF;
+  return oINVALID_SYNC_KEY;
+}
+
+OStatus OPENR::FindDesignData(const char* keyword, ODesignDataID* dataID, byte** data, size_t* size) {
+  try {
+    return System::current().designData().find(keyword, dataID, data, size);
+  } catch (const std::runtime_error& error) {
+    OSYSLOG1((osyslogERROR, "FindDesignData: %s", error.what()));
+    return oFAIL;
+  }
+}
+
+OStatus OPENR::DeleteDesignData(ODesignDataID dataID) {
+  return System::current().designData().release(dataID) ? oSUCCESS : oINVALID_ARG;
+}
+
+OStatus OPENR::SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds) {
+  return System::current().robot().setJointGain(primitiveID, pg, ig, dg, ps, is, ds);
+}
+
+OStatus OPENR::EnableJointGain(OPrimitiveID primitiveID) {
+  return System::current().robot().enableJointGain(primitiveID);
+}
+
+OStatus OPENR::DisableJointGain(OPrimitiveID primitiveID) {
+  return System::current().robot().disableJointGain(primitiveID);
+}
+
+OStatus OPENR::GetJointValue(OPrimitiveID primitiveID, OJointValue* value) {
+  return System::current().robot().getJointValue(primitiveID, value);
+}
+
+OStatus OPENR::GetSensorValue(OPrimitiveID primitiveID, OSensorValue* value) {
+  return System::current().robot().getSensorValue(primitiveID, value);
+}
+
+OStatus OPENR::SetMotorPower(OPower power) {
+  return System::current().robot().setMotorPower(power);
+}
+
+OStatus OPENR::GetPowerStatus(OPowerStatus* status) {
+  return System::current().robot().getPowerStatus(status);
+}
+
+OStatus OPENR::ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry) {
+  System& system = System::current();
+  OPowerStatus present;
+  if (!system.hasEntry(entry.GetOID(), entry.GetSelector())) {
+    return oINVALID_ARG;
+  }
+  const OStatus status = system.robot().getPowerStatus(&present);
+  if (status == oSUCCESS) {
+    system.powerWatch().observe(entry, notifyStatus, present);
+  }
+  return status;
+}
+
+OStatus OPENR::UnobservePowerStatus(const OServiceEntry& entry) {
+  return System::current().powerWatch().unobserve(entry) ? oSUCCESS : oINVALID_ARG;
+}
+
+OStatus OPENR::Shutdown(const OBootCondition& condition) {
+  const bool boots_again = (condition.bitmap & obcbBOOT_TIMER) != 0;
+  if (boots_again && (condition.bootTimeType != obcbttRELATIVE || condition.bootTime != 0)) {
+    return oINVALID_ARG;
+  }
+  System::current().requestShutdown(boots_again);
+  return oSUCCESS;
+}
+
+OStatus OPENR::GetRobotDesign(char* design) {
+  const std::string name = System::current().robot().design();
+  design[name.copy(design, orobotdesignNAME_MAX)] = '\0';
+  return oSUCCESS;
+}

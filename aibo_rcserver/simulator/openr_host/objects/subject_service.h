@@ -1,0 +1,90 @@
+/// @file subject_service.h
+#ifndef OPENR_HOST_OBJECTS_SUBJECT_SERVICE_H
+#define OPENR_HOST_OBJECTS_SUBJECT_SERVICE_H
+
+#include <OPENR/ObjcommEvent.h>
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "simulator/openr_host/objects/buffer_control.h"
+#include "simulator/openr_host/objects/regions.h"
+
+namespace openr_host {
+
+class System;
+
+/// What an observer has last said to a subject. An observer that was sent something has said nothing since.
+enum class Readiness { kUnknown, kAssertReady, kDeassertReady };
+
+/// The inside of an OSubject: its observers, their readiness, and the data that waits for them
+/// (Level2 Reference Guide, pages 13 to 23).
+class SubjectService {
+ public:
+  SubjectService(System& system, const SubjectID& id) : system_(system), id_(id) {}
+  ~SubjectService();
+  SubjectService(const SubjectService&) = delete;
+  SubjectService& operator=(const SubjectService&) = delete;
+
+  const SubjectID& id() const { return id_; }
+  void enable(bool enabled) { enabled_ = enabled; }
+
+  /// @param size notifications kept for an observer that has said nothing, unless it asks for more itself; not 0
+  void setBufferSize(std::size_t size) { buffer_size_ = size; }
+  std::size_t bufferSize() const { return buffer_size_; }
+
+  /// @param control what the observer has asked for in its DoInit()
+  void connect(const ObserverID& observer, const BufferControl& control);
+
+  /// The observer is ready: data that was kept for it is sent.
+  void assertReady(const ObserverID& observer);
+
+  /// The observer wants nothing: data that was kept for it is deleted.
+  void deassertReady(const ObserverID& observer);
+
+  /// kUnknown, too, if there is no such observer.
+  Readiness readiness(const ObserverID& observer) const;
+  bool isAnyReady() const;
+
+  /// At least one is ready, and every other one is ready or wants nothing.
+  bool isAllReady() const;
+
+  /// At least one might get what is sent now, at once or when it is ready.
+  bool isWanted() const;
+
+  /// How many more notifications the buffer of this observer holds before the oldest one is lost.
+  std::size_t roomFor(const ObserverID& observer) const;
+
+  void setData(RCRegion* region);
+  void setData(const ObserverID& observer, RCRegion* region);
+  void clear();
+  void notifyAll();
+  void notify(const ObserverID& observer);
+
+ private:
+  struct Connection {
+    ObserverID observer;
+    BufferControl control;
+    Readiness readiness = Readiness::kUnknown;
+    std::size_t skipped = 0;   ///< notifications since one was last kept or sent
+    Regions set;               ///< since the last notification
+    std::deque<Regions> kept;  ///< notifications that wait until the observer is ready
+  };
+
+  Connection* find(const ObserverID& observer);
+  const Connection* find(const ObserverID& observer) const;
+  std::size_t capacity(const Connection& connection) const;
+  void notify(Connection& connection);
+  void sendKept(Connection& connection);
+
+  System& system_;
+  const SubjectID id_;
+  bool enabled_ = false;
+  std::size_t buffer_size_ = 1;
+  std::vector<Connection> connections_;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_OBJECTS_SUBJECT_SERVICE_H

@@ -1,0 +1,133 @@
+#include "simulator/openr_host/objects/virtual_robot_comm.h"
+
+#include <OPENR/OSyslog.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "simulator/openr_host/system.h"
+
+namespace openr_host {
+namespace {
+
+/// 32 ms (OPEN-R SDK Level2 Reference Guide). The vectors begin with the frames 0, 4, 8...
+constexpr longword kFramesPerSensorVector = 4;
+
+}  // namespace
+
+ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot, const std::function<void()>& on_image) {
+  ObjectDescription description;
+  description.name = "OVirtualRobotComm";
+  description.subjects.push_back({"OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S", nullptr, nullptr});
+  description.subjects.push_back({"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", nullptr, nullptr});
+  description.observers.push_back(
+      {"OVirtualRobotComm.Effector.OCommandVectorData.O", nullptr,
+       [](OObject& object, const ONotifyEvent& event) { static_cast<VirtualRobotComm&>(object).takeCommands(event); }});
+  description.create = [&robot, on_image] { return std::make_unique<VirtualRobotComm>(robot, on_image); };
+  return description;
+}
+
+OStatus VirtualRobotComm::DoInit(const OSystemEvent& /*event*/) {
+  System& system = System::current();
+  image_sensor_ = std::make_unique<SubjectService>(system, SubjectID{myOID_, 0});
+  system.add(*image_sensor_);
+  sensor_ = std::make_unique<SubjectService>(system, SubjectID{myOID_, 1});
+  system.add(*sensor_);
+  effector_ = std::make_unique<OObserver>();
+  effector_->Register(myOID_, 0);
+  return oSUCCESS;
+}
+
+OStatus VirtualRobotComm::DoStart(const OSystemEvent& /*event*/) {
+  image_sensor_->enable(true);
+  sensor_->enable(true);
+  effector_->AssertReady();
+  return oSUCCESS;
+}
+
+OStatus VirtualRobotComm::DoStop(const OSystemEvent& /*event*/) {
+  image_sensor_->enable(false);
+  sensor_->enable(false);
+  effector_->DeassertReady();
+  commanders_.clear();
+  return oSUCCESS;
+}
+
+OStatus VirtualRobotComm::DoDestroy(const OSystemEvent& /*event*/) {
+  image_sensor_.reset();
+  sensor_.reset();
+  effector_.reset();
+  return oSUCCESS;
+}
+
+void VirtualRobotComm::beginFrame(longword frame) {
+  const longword passed = last_frame_ ? std::min(frame - *last_frame_, kMostFramesCaughtUp) : 1;
+  last_frame_ = frame;
+  const longword since_sensors = (frame + 1) % kFramesPerSensorVector;
+  for (longword left = passed; left > 0; --left) {
+    passFrame(frame - (left - 1));
+    if (left - 1 == since_sensors) {
+      sense(frame - since_sensors);
+    }
+  }
+  look(frame);
+}
+
+void VirtualRobotComm::passFrame(longword frame) {
+  EffectorCommands commands;
+  std::vector<SubjectID> ready;
+  for (auto& commander : commanders_) {
+    const bool has_completed_a_vector = commander.commands.next(&commands);
+    if (has_completed_a_vector || std::exchange(commander.was_refused, false)) {
+      ready.push_back(commander.subject);
+    }
+  }
+  robot_.passFrame(frame, commands);
+  for (const auto& subject : ready) {
+    effector_->AssertReady(subject);
+  }
+}
+
+// What nobody is ready for is kept for those who are busy: the newest counts (Level2 Reference Guide, page 18).
+void VirtualRobotComm::sense(longword frame) {
+  if (sensor_->isWanted()) {
+    sensor_->setData(robot_.captureSensors(frame));
+    sensor_->notifyAll();
+  }
+}
+
+void VirtualRobotComm::look(longword frame) {
+  if (robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
+    image_sensor_->setData(robot_.captureImage(frame));
+    if (on_image_) {
+      on_image_();
+    }
+    image_sensor_->notifyAll();
+  }
+}
+
+VirtualRobotComm::Commander& VirtualRobotComm::commander(const SubjectID& subject) {
+  const auto found = std::find_if(commanders_.begin(), commanders_.end(),
+                                  [&](const Commander& candidate) { return candidate.subject == subject; });
+  if (found != commanders_.end()) {
+    return *found;
+  }
+  commanders_.push_back({subject, {}, false});
+  return commanders_.back();
+}
+
+void VirtualRobotComm::takeCommands(const ONotifyEvent& event) {
+  Commander& sender = commander(event.SenderID());
+  try {
+    for (int i = 0; i < event.NumOfData(); ++i) {
+      sender.commands.add(*event.RCData(i), robot_);
+    }
+  } catch (const std::invalid_argument& error) {
+    // READY follows in the next frame only, so that an object cannot send malformed vectors without end.
+    sender.was_refused = true;
+    OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
+  }
+}
+
+}  // namespace openr_host

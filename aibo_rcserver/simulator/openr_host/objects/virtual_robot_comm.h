@@ -1,0 +1,68 @@
+/// @file virtual_robot_comm.h
+#ifndef OPENR_HOST_OBJECTS_VIRTUAL_ROBOT_COMM_H
+#define OPENR_HOST_OBJECTS_VIRTUAL_ROBOT_COMM_H
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "simulator/openr_host/object_description.h"
+#include "simulator/openr_host/objects/command_queue.h"
+#include "simulator/openr_host/objects/subject_service.h"
+#include "simulator/openr_host/virtual_robot.h"
+
+namespace openr_host {
+
+/// The system object OVirtualRobotComm: the gates between the robot's body and the objects
+/// (Level2 Reference Guide, page 44).
+///
+/// Any number of objects may command the body side by side, each of them its own primitives. An object is told READY
+/// when the output of a vector that it sent is complete, once for each vector. So an object that wants no gap sends
+/// two vectors first, and one more for each READY.
+class VirtualRobotComm : public OObject {
+ public:
+  /// @param on_image called when an image is handed to the observers; may be empty
+  static ObjectDescription describe(VirtualRobot& robot, const std::function<void()>& on_image);
+
+  VirtualRobotComm(VirtualRobot& robot, std::function<void()> on_image)
+      : robot_(robot), on_image_(std::move(on_image)) {}
+
+  OStatus DoInit(const OSystemEvent& event) override;
+  OStatus DoStart(const OSystemEvent& event) override;
+  OStatus DoStop(const OSystemEvent& event) override;
+  OStatus DoDestroy(const OSystemEvent& event) override;
+
+  /// A frame of 8 ms has begun, and so have all since the last one that this was called for.
+  void beginFrame(longword frame);
+
+ private:
+  /// One object that commands the body.
+  struct Commander {
+    SubjectID subject;
+    CommandQueue commands;
+    bool was_refused = false;  ///< what it sent last; it is told READY in the next frame
+  };
+
+  Commander& commander(const SubjectID& subject);
+  void takeCommands(const ONotifyEvent& event);
+  void passFrame(longword frame);
+  void sense(longword frame);
+  void look(longword frame);
+
+  VirtualRobot& robot_;
+  const std::function<void()> on_image_;
+  std::unique_ptr<SubjectService> image_sensor_;
+  std::unique_ptr<SubjectService> sensor_;
+  std::unique_ptr<OObserver> effector_;
+  std::vector<Commander> commanders_;
+  std::optional<longword> last_frame_;
+};
+
+}  // namespace openr_host
+
+#endif  // OPENR_HOST_OBJECTS_VIRTUAL_ROBOT_COMM_H

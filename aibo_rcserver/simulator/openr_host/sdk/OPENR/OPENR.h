@@ -1,0 +1,76 @@
+/// @file OPENR.h
+/// The elementary types and limits of OPEN-R.
+///
+/// This folder holds headers with the names and data layouts of Sony's OPEN-R SDK 1.1.5, written from its
+/// documentation, so that one source compiles for the robot with the SDK and for Linux with these. They keep to C++98.
+/// Everything declared here belongs to the one thread that runs the machine (simulator/openr_host/machine.h).
+#ifndef OPENR_OPENR_H
+#define OPENR_OPENR_H
+
+// What an object may use without including it: the SDK's headers bring these in too.
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <OID.h>
+#include <OPENR/OStatus.h>
+#include <Types.h>
+
+typedef longword OPrimitiveID;       ///< number of an opened joint, sensor, LED, camera...
+typedef longword ODesignDataID;      ///< number of a file of the design database that is in memory
+typedef longword OVRSyncKey;         ///< number of a key by which effectors begin together
+typedef longword OPrimitiveRequest;  ///< what a primitive is asked for (OPrimitiveControl.h)
+typedef byte OVolumeSwitch;          ///< position of the volume switch
+
+const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in a call that takes it: all opened primitives
+const ODesignDataID odesigndataID_UNDEF = 0xffffffffU;
+
+const longword oframeMAX_NUMBER = 0x0ffffff0U;  ///< the last frame number; 0 follows
+const longword oframeINVALID_NUMBER = 0xffffffffU;
+
+const OVRSyncKey ovrsynckeyUNDEF = 0xffffffffU;
+const size_t ovrsynckeyMAX_NUM_KEY = 8;
+const size_t ovrsynckeyMAX_NUM_DIVISION = 16;
+
+const OVolumeSwitch ovolumeSW0 = 0;
+const OVolumeSwitch ovolumeSW1 = 1;
+const OVolumeSwitch ovolumeSW2 = 2;
+const OVolumeSwitch ovolumeSW3 = 3;
+
+const int orobotdesignNAME_MAX = 31;     ///< characters of a robot design's name, without the closing 0
+const int odesignkeywordNAME_MAX = 127;  ///< the same of a key in the design database
+const int oserviceNAME_MAX = 127;        ///< the same of a service
+const int ovrPATH_MAX = 127;             ///< the same of a primitive's locator
+
+/// An entry point of an object.
+struct OServiceEntry {
+  OID oid;
+  Selector selector;
+
+  /// No entry.
+  OServiceEntry() : selector(UNDEF) {}
+  OServiceEntry(const OID& object, Selector entry) : oid(object), selector(entry) {}
+
+  void Set(const OID& object, Selector entry) {
+    oid = object;
+    selector = entry;
+  }
+  OID GetOID() const { return oid; }
+  Selector GetSelector() const { return selector; }
+
+  bool IsValid() const { return oid.IsValid() && selector != UNDEF; }
+  void MakeInvalid() { *this = OServiceEntry(); }
+};
+
+inline bool operator==(const OServiceEntry& a, const OServiceEntry& b) {
+  return a.oid == b.oid && a.selector == b.selector;
+}
+inline bool operator!=(const OServiceEntry& a, const OServiceEntry& b) {
+  return !(a == b);
+}
+inline bool operator<(const OServiceEntry& a, const OServiceEntry& b) {
+  return a.oid < b.oid || (a.oid == b.oid && a.selector < b.selector);
+}
+
+#endif  // OPENR_OPENR_H

@@ -1,0 +1,323 @@
+#include "simulator/openr_host/system.h"
+
+#include <OPENR/OPENRMessages.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "simulator/openr_host/objects/object_number.h"
+
+namespace openr_host {
+namespace {
+
+thread_local System* current_system = nullptr;
+
+void requireSuccess(OStatus status, const std::string& object, const char* function) {
+  if (status != oSUCCESS) {
+    throw std::runtime_error("object " + object + ": " + function + "() returned " + std::to_string(status) +
+                             " instead of oSUCCESS");
+  }
+}
+
+template <typename Service, typename Id>
+Service& findService(const std::vector<Service*>& services, const Id& id, const std::string& object) {
+  const auto found =
+      std::find_if(services.begin(), services.end(), [&](const Service* service) { return service->id() == id; });
+  if (found == services.end()) {
+    throw std::runtime_error("object " + object +
+                             " has not made its services known: its DoInit() needs NEW_ALL_SUBJECT_AND_OBSERVER and "
+                             "REGISTER_ALL_ENTRY");
+  }
+  return **found;
+}
+
+int indexOf(const OServiceEntry& service) {
+  return static_cast<int>(service.selector);
+}
+
+template <typename Description>
+int indexOf(const std::vector<Description>& services, const std::string& name) {
+  const auto found = std::find_if(services.begin(), services.end(),
+                                  [&](const Description& description) { return description.service == name; });
+  return found == services.end() ? -1 : static_cast<int>(found - services.begin());
+}
+
+}  // namespace
+
+class System::Running {
+ public:
+  Running(System& system, const LoadedObject& object)
+      : system_(system),
+        previous_system_(std::exchange(current_system, &system)),
+        previous_object_(std::exchange(system.running_, &object)) {}
+  ~Running() {
+    system_.running_ = previous_object_;
+    current_system = previous_system_;
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  System& system_;
+  System* previous_system_;
+  const LoadedObject* previous_object_;
+};
+
+System::System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
+               Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send)
+    : robot_(robot),
+      console_(console_output, std::move(on_console_line)),
+      ip_stack_(
+          bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); },
+          std::move(on_send)),
+      design_data_(memory_stick, robot.design()) {}
+
+System::~System() {
+  shutdown();
+}
+
+System& System::current() {
+  if (current_system == nullptr) {
+    throw std::logic_error("this OPEN-R call needs a machine: call it from a function that a machine calls");
+  }
+  return *current_system;
+}
+
+System* System::currentOrNull() {
+  return current_system;
+}
+
+const std::string& System::runningObject() const {
+  return running_->description.name;
+}
+
+OObject& System::create(const ObjectDescription& description) {
+  objects_.push_back({description, nullptr});
+  LoadedObject& object = objects_.back();
+  const Running running(*this, object);
+  object.object = description.create();
+  object.object->myOID_ = oidOf(objects_.size());
+  processor_.add(object.object->myOID_, description.priority);
+  for (const auto& subject : description.subjects) {
+    service_names_.push_back(subject.service);
+  }
+  for (const auto& observer : description.observers) {
+    service_names_.push_back(observer.service);
+  }
+  return *object.object;
+}
+
+void System::initialize() {
+  for (auto& object : objects_) {
+    const Running running(*this, object);
+    requireSuccess(object.object->DoInit(OSystemEvent()), object.description.name, "DoInit");
+    object.initialized = true;
+  }
+}
+
+void System::connect(const std::string& subject_name, const std::string& observer_name) {
+  SubjectID subject_id;
+  ObserverID observer_id;
+  for (std::size_t number = 1; number <= objects_.size(); ++number) {
+    const ObjectDescription& description = loaded(oidOf(number)).description;
+    const int subject_index = indexOf(description.subjects, subject_name);
+    const int observer_index = indexOf(description.observers, observer_name);
+    subject_id = subject_index < 0 ? subject_id : SubjectID(oidOf(number), static_cast<Selector>(subject_index));
+    observer_id = observer_index < 0 ? observer_id : ObserverID(oidOf(number), static_cast<Selector>(observer_index));
+  }
+  subject(subject_id).connect(observer_id, observer(observer_id).bufferControl());
+  observer(observer_id).connect(subject_id);
+
+  LoadedObject& sender = loaded(subject_id.oid);
+  const auto& control = sender.description.subjects[subject_id.selector].control;
+  if (control) {
+    const Running running(*this, sender);
+    control(*sender.object, OControlEvent(indexOf(subject_id), observer_id));
+  }
+  LoadedObject& receiver = loaded(observer_id.oid);
+  const auto& connected = receiver.description.observers[observer_id.selector].connect;
+  if (connected) {
+    const Running running(*this, receiver);
+    connected(*receiver.object, OConnectEvent(indexOf(observer_id), subject_id));
+  }
+}
+
+void System::start() {
+  for (auto& object : objects_) {
+    const Running running(*this, object);
+    requireSuccess(object.object->DoStart(OSystemEvent()), object.description.name, "DoStart");
+    object.started = true;
+  }
+}
+
+void System::shutdown() noexcept {
+  for (auto& object : objects_) {
+    if (std::exchange(object.started, false)) {
+      const Running running(*this, object);
+      object.object->DoStop(OSystemEvent());
+    }
+  }
+  messages_.clear();
+  unfinished_.clear();
+  for (auto& object : objects_) {
+    if (std::exchange(object.initialized, false)) {
+      const Running running(*this, object);
+      object.object->DoDestroy(OSystemEvent());
+    }
+  }
+  messages_.clear();
+  objects_.clear();
+  robot_.switchOff();
+}
+
+void System::runAs(OObject& object, const std::function<void()>& function) {
+  const Running running(*this, loaded(object.myOID_));
+  function();
+}
+
+void System::postReady(const ObserverID& observer_id, const SubjectID& subject_id, bool ready) {
+  messages_.push_back({subject_id.oid, Entry::kReady, [=](LoadedObject& receiver) {
+                         if (ready) {
+                           subject(subject_id).assertReady(observer_id);
+                         } else {
+                           subject(subject_id).deassertReady(observer_id);
+                         }
+                         const auto index = subject_id.selector;
+                         if (const auto& function = receiver.description.subjects[index].ready) {
+                           function(*receiver.object, OReadyEvent(indexOf(subject_id), observer_id, ready));
+                         }
+                       }});
+}
+
+void System::postNotification(const SubjectID& subject_id, const ObserverID& observer_id, const Regions& data) {
+  messages_.push_back({observer_id.oid, Entry::kNotify, [=](LoadedObject& receiver) {
+                         const auto index = observer_id.selector;
+                         if (const auto& function = receiver.description.observers[index].notify) {
+                           std::vector<RCRegion*> regions;
+                           for (const auto& region : data) {
+                             regions.push_back(region.get());
+                           }
+                           function(*receiver.object, ONotifyEvent(indexOf(observer_id), subject_id, regions.data(),
+                                                                   static_cast<int>(regions.size())));
+                         }
+                       }});
+}
+
+void System::postAnswer(const Envelope& answer) {
+  messages_.push_back({answer.object(), Entry::kExtra, [=](LoadedObject& receiver) {
+                         receiver.description.extra_entries[answer.entry()](*receiver.object, answer.content());
+                       }});
+}
+
+bool System::hasEntry(const OID& object, Selector entry) const {
+  const std::size_t number = numberOf(object);
+  if (number < 1 || number > objects_.size()) {
+    return false;
+  }
+  const auto& entries = objects_[number - 1].description.extra_entries;
+  return entry < entries.size() && entries[entry] != nullptr;
+}
+
+bool System::isHeld(const Message& message, Processor::Time now) const {
+  return message.held_by.IsValid() && processor_.busyUntil(message.held_by) > now;
+}
+
+bool System::hasMessages() const {
+  const Processor::Time now = now_();
+  return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
+    return !isHeld(message, now) && processor_.mayRun(message.receiver, now);
+  });
+}
+
+void System::handleMessages() {
+  const Processor::Time now = now_();
+  std::deque<Message> queued = std::exchange(messages_, {});
+  for (auto& message : queued) {
+    if (!isHeld(message, now)) {
+      message.held_by.MakeInvalid();
+    }
+  }
+  unfinished_.erase(
+      std::remove_if(unfinished_.begin(), unfinished_.end(),
+                     [&](const Message& message) { return processor_.busyUntil(message.receiver) <= now; }),
+      unfinished_.end());
+  std::deque<Message> left;
+  for (auto& message : queued) {
+    if (!message.held_by.IsValid() && processor_.mayRun(message.receiver, now)) {
+      handle(std::move(message));
+    } else {
+      left.push_back(std::move(message));
+    }
+  }
+  messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
+}
+
+// What the object posts leaves it when it has finished. Until then it refers to the data that it was notified of.
+void System::handle(Message message) {
+  LoadedObject& receiver = loaded(message.receiver);
+  const std::size_t first_posted = messages_.size();
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const Running running(*this, receiver);
+    message.handle(receiver);
+  }
+  if (!handler_time_) {
+    return;
+  }
+  const Processor::Time duration =
+      handler_time_(receiver.description.name, message.entry, std::chrono::steady_clock::now() - begin);
+  if (duration <= Processor::Time(0)) {
+    return;
+  }
+  processor_.run(message.receiver, now_(), duration);
+  for (std::size_t i = first_posted; i < messages_.size(); ++i) {
+    messages_[i].held_by = message.receiver;
+  }
+  unfinished_.push_back(std::move(message));
+}
+
+void System::modelTime(HandlerTime handler_time, std::function<Processor::Time()> now) {
+  handler_time_ = std::move(handler_time);
+  now_ = std::move(now);
+}
+
+void System::watchPower() {
+  if (!power_watch_.isWatching()) {
+    return;
+  }
+  OPowerStatus status;
+  if (robot_.getPowerStatus(&status) != oSUCCESS) {
+    return;
+  }
+  for (const OServiceEntry& entry : power_watch_.look(status)) {
+    const auto message = std::make_shared<OPowerStatusMessage>(status);
+    messages_.push_back({entry.GetOID(), Entry::kExtra, [=](LoadedObject& receiver) {
+                           receiver.description.extra_entries[entry.GetSelector()](*receiver.object, message.get());
+                         }});
+  }
+}
+
+System::LoadedObject& System::loaded(const OID& oid) {
+  return objects_[numberOf(oid) - 1];
+}
+
+void System::forget(const SubjectService& subject) {
+  subjects_.erase(std::remove(subjects_.begin(), subjects_.end(), &subject), subjects_.end());
+}
+
+void System::forget(const ObserverService& observer) {
+  observers_.erase(std::remove(observers_.begin(), observers_.end(), &observer), observers_.end());
+}
+
+SubjectService& System::subject(const SubjectID& id) {
+  return findService(subjects_, id, loaded(id.oid).description.name);
+}
+
+ObserverService& System::observer(const ObserverID& id) {
+  return findService(observers_, id, loaded(id.oid).description.name);
+}
+
+}  // namespace openr_host

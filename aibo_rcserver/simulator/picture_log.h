@@ -1,0 +1,40 @@
+/// @file picture_log.h
+#ifndef PICTURE_LOG_H
+#define PICTURE_LOG_H
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include "simulator/sent_pictures.h"
+
+/// Writes down when the camera saw each picture that is sent, because version 1 of the protocol has no place for it.
+///
+/// A line a picture: the time when the camera's image was handed to the objects, in nanoseconds since 1970; the size of
+/// the JPEG in bytes; its CRC-32, decimal. aibo_monitor reads it. A line is written before the last bytes of the
+/// picture leave, so who has the picture finds its line. Into a pipe that nobody empties, nothing is written any more;
+/// the robot never waits.
+class PictureLog {
+ public:
+  /// @param path of a file, which is emptied, or of a named pipe
+  /// @throw std::system_error if it cannot be opened
+  explicit PictureLog(const std::string& path);
+  ~PictureLog();
+
+  PictureLog(const PictureLog&) = delete;
+  PictureLog& operator=(const PictureLog&) = delete;
+
+  /// The camera has handed over an image: pictures that begin to be sent from now on show it.
+  void cameraImageTaken();
+
+  /// Bytes are about to be sent. What is not a picture is passed over.
+  void aboutToSend(const void* data, std::size_t size);
+
+ private:
+  int descriptor_;
+  std::chrono::system_clock::time_point image_time_;    ///< of the camera's last image
+  std::chrono::system_clock::time_point picture_time_;  ///< of the picture that is being sent
+  SentPictures pictures_;
+};
+
+#endif  // PICTURE_LOG_H

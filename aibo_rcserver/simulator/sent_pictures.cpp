@@ -1,0 +1,64 @@
+#include "simulator/sent_pictures.h"
+
+#include <algorithm>
+
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+
+namespace {
+
+struct Header {
+  std::size_t size;  ///< 0: it is no picture's
+  std::size_t jpeg_size;
+};
+
+Header readVersion1(const unsigned char* bytes, std::size_t size) {
+  Header header = {protocol::PICTURE_HEADER_SIZE, 0};
+  if (size < header.size || !protocol::decodePictureHeader(bytes, &header.jpeg_size)) {
+    return {};
+  }
+  return header;
+}
+
+Header readVersion2(const unsigned char* bytes, std::size_t size) {
+  using namespace protocol::version2;
+  if (size < FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE) {
+    return {};
+  }
+  const FrameHeader frame = decodeFrameHeader(bytes);
+  if (frame.kind != PICTURE || frame.payload_size <= IMAGE_HEADER_SIZE) {
+    return {};
+  }
+  return {FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE, frame.payload_size - IMAGE_HEADER_SIZE};
+}
+
+bool isJpegBehind(const Header& header, const unsigned char* bytes, std::size_t size) {
+  const unsigned char start[] = {0xFF, 0xD8, 0xFF};
+  return header.size > 0 && size >= header.size + sizeof(start) &&
+         std::equal(std::begin(start), std::end(start), bytes + header.size);
+}
+
+}  // namespace
+
+bool SentPictures::add(const void* data, std::size_t size) {
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  const bool goes_on = jpeg_.size() < jpeg_size_ && bytes == next_;
+  const bool begins = !goes_on && begin(bytes, size);
+  if (goes_on) {
+    jpeg_.append(bytes, bytes + std::min(size, jpeg_size_ - jpeg_.size()));
+  }
+  next_ = bytes + size;
+  return begins;
+}
+
+bool SentPictures::begin(const unsigned char* bytes, std::size_t size) {
+  for (const Header& header : {readVersion1(bytes, size), readVersion2(bytes, size)}) {
+    if (isJpegBehind(header, bytes, size)) {
+      jpeg_size_ = header.jpeg_size;
+      jpeg_.assign(bytes + header.size, bytes + std::min(size, header.size + jpeg_size_));
+      return true;
+    }
+  }
+  jpeg_size_ = 0;
+  return false;
+}

@@ -1,0 +1,166 @@
+#include "simulator/ers7/camera/camera.h"
+
+#include <OPENR/OFbkImage.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "simulator/ers7/camera_timing.h"
+
+namespace simulated_ers7 {
+namespace {
+
+constexpr OPrimitiveID kId = 42;
+
+/// A picture whose every byte tells where it belongs.
+class TestPicture : public PictureSource {
+ public:
+  TestPicture() {
+    for (std::size_t i = 0; i < image_.y.size(); ++i) {
+      const std::size_t x = i % kPictureWidth;
+      const std::size_t y = i / kPictureWidth;
+      image_.y[i] = static_cast<std::uint8_t>(x + y);
+      image_.cr[i] = static_cast<std::uint8_t>(2 * y);
+      image_.cb[i] = static_cast<std::uint8_t>(x);
+    }
+  }
+
+  void setHead(const HeadAngles& /*angles*/) override {}
+  void setBody(const Eigen::Isometry3d& /*in_room*/) override {}
+  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& /*settings*/) override {
+    last_seconds = seconds;
+    last_image_number = image_number;
+    return image_;
+  }
+
+  double last_seconds = -1;
+  longword last_image_number = 0;
+
+ private:
+  YCrCbImage image_;
+};
+
+OFbkImageVectorData* vectorIn(RCRegion* region) {
+  void* base = region->Base();
+  return static_cast<OFbkImageVectorData*>(base);
+}
+
+OFbkImage bandOf(RCRegion* region, OFbkImageLayer layer, OFbkImageBand band) {
+  return OFbkImage(vectorIn(region)->GetInfo(layer), vectorIn(region)->GetData(layer), band);
+}
+
+class CameraTest : public testing::Test {
+ protected:
+  TestPicture source_;
+  Camera camera_{source_, kId};
+};
+
+TEST_F(CameraTest, EveryImageIsDueOnceInItsFrame) {
+  for (longword frame = 0; frame < 1000; ++frame) {
+    const bool expected = frame == 0 || imagesUpTo(frame) != imagesUpTo(frame - 1);
+    EXPECT_EQ(camera_.imageDue(frame), expected) << "frame " << frame;
+    EXPECT_FALSE(camera_.imageDue(frame));
+  }
+}
+
+TEST_F(CameraTest, AnImageThatWasDueInALeftOutFrameIsDueNow) {
+  EXPECT_TRUE(camera_.imageDue(0));
+  EXPECT_TRUE(camera_.imageDue(7));
+  EXPECT_FALSE(camera_.imageDue(7));
+}
+
+TEST_F(CameraTest, TheLayersHaveTheSizesOfTheErs7) {
+  RCRegion* region = camera_.capture(0);
+  const int sizes[][2] = {{208, 160}, {104, 80}, {52, 40}};
+  for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L}) {
+    for (const OFbkImageBand band : {ofbkimageBAND_Y, ofbkimageBAND_Cr, ofbkimageBAND_Cb}) {
+      const OFbkImage image = bandOf(region, layer, band);
+      ASSERT_TRUE(image.IsValid());
+      EXPECT_EQ(image.Width(), sizes[layer][0]);
+      EXPECT_EQ(image.Height(), sizes[layer][1]);
+      EXPECT_EQ(image.Skip(), 5 * image.Width());
+    }
+  }
+  EXPECT_TRUE(bandOf(region, ofbkimageLAYER_C, ofbkimageBAND_CDT).IsValid());
+}
+
+TEST_F(CameraTest, TheBandsOfHAreThePictureCrBeforeCb) {
+  RCRegion* region = camera_.capture(0);
+  const OFbkImage luminance = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y);
+  const OFbkImage red = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Cr);
+  const OFbkImage blue = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Cb);
+  EXPECT_EQ(red.Pointer(), luminance.Pointer() + 208);
+  EXPECT_EQ(blue.Pointer(), luminance.Pointer() + 2 * 208);
+  for (int y = 0; y < 160; ++y) {
+    for (int x = 0; x < 208; ++x) {
+      if (y < 159 || x >= 16) {
+        ASSERT_EQ(luminance.Pixel(x, y), (x + y) % 256);
+      }
+      ASSERT_EQ(red.Pixel(x, y), (2 * y) % 256);
+      ASSERT_EQ(blue.Pixel(x, y), x);
+    }
+  }
+}
+
+TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
+  RCRegion* region = camera_.capture(0);
+  const OFbkImage medium = bandOf(region, ofbkimageLAYER_M, ofbkimageBAND_Cr);
+  const OFbkImage low = bandOf(region, ofbkimageLAYER_L, ofbkimageBAND_Cb);
+  EXPECT_EQ(medium.Pixel(50, 10), 2 * 20 + 1);
+  EXPECT_EQ(low.Pixel(10, 20), 4 * 10 + 2);
+  const OFbkImage luminance = bandOf(region, ofbkimageLAYER_M, ofbkimageBAND_Y);
+  EXPECT_EQ(luminance.Pixel(30, 20), 2 * (30 + 20) + 1);
+}
+
+TEST_F(CameraTest, TheFineDetailIsNone) {
+  RCRegion* region = camera_.capture(0);
+  for (const OFbkImageBand band : {ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH}) {
+    const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, band);
+    EXPECT_EQ(detail.Pixel(0, 0), 128);
+    EXPECT_EQ(detail.Pixel(207, 159), 128);
+  }
+}
+
+TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
+  const longword frame = 300000;
+  RCRegion* region = camera_.capture(frame);
+  const longword number = imagesUpTo(frame);
+  ASSERT_GT(number, 65536u);
+  const OFbkImage luminance = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y);
+  EXPECT_EQ(luminance.FieldCounter(), number % 65536);
+  EXPECT_EQ(luminance.Pixel(2, 159), number / 65536);
+  for (int x = 3; x < 16; ++x) {
+    EXPECT_EQ(luminance.Pixel(x, 159), 0);
+  }
+  EXPECT_EQ(luminance.Pixel(16, 159), 16 + 159);
+  EXPECT_EQ(source_.last_image_number, number);
+  EXPECT_DOUBLE_EQ(source_.last_seconds, 300000 * 0.008);
+}
+
+TEST_F(CameraTest, TheInfosNameCameraAndFrame) {
+  OFbkImageVectorData* vector = vectorIn(camera_.capture(1234));
+  EXPECT_EQ(vector->vectorInfo.type, odataFBKIMAGE_VECTOR);
+  EXPECT_EQ(vector->vectorInfo.numData, 4u);
+  for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L, ofbkimageLAYER_C}) {
+    EXPECT_EQ(vector->GetInfo(layer)->primitiveID, kId);
+    EXPECT_EQ(vector->GetInfo(layer)->frameNumber, 1234u);
+  }
+  EXPECT_EQ(vector->GetInfo(ofbkimageLAYER_H)->dataSize, 6u * 208 * 160);
+}
+
+TEST_F(CameraTest, ARegionIsUsedAgainOnlyWhenNobodyElseRefersToIt) {
+  RCRegion* kept = camera_.capture(0);
+  kept->AddReference();
+  RCRegion* other = camera_.capture(4);
+  EXPECT_NE(other, kept);
+  EXPECT_EQ(vectorIn(kept)->GetInfo(ofbkimageLAYER_H)->frameNumber, 0u);
+  kept->RemoveReference();
+  std::set<RCRegion*> used;
+  for (longword frame = 8; frame < 40; frame += 4) {
+    used.insert(camera_.capture(frame));
+  }
+  EXPECT_EQ(used.size(), 1u);
+}
+
+}  // namespace
+}  // namespace simulated_ers7

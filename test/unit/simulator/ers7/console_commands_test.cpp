@@ -1,0 +1,95 @@
+// What can be typed at the simulated robot's console.
+#include "simulator/ers7/console_commands.h"
+
+#include <gmock/gmock.h>
+
+namespace simulated_ers7 {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ConsoleCommandsTest : public testing::Test {
+ protected:
+  std::string say(const std::string& line) { return obeyConsole(robot_, line); }
+
+  int chin() {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    robot_.openPrimitive("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5", &id);
+    robot_.passFrame(frame_++, {});
+    OSensorValue value = {};
+    robot_.getSensorValue(id, &value);
+    return value.value;
+  }
+
+  SimulatedErs7 robot_;
+  longword frame_ = 0;
+};
+
+TEST_F(ConsoleCommandsTest, AButtonIsPressedUntilItIsReleased) {
+  EXPECT_EQ(say("press chin"), "ok: press chin\n");
+  EXPECT_EQ(chin(), 1);
+  EXPECT_EQ(chin(), 1);
+  EXPECT_EQ(say("  release   chin "), "ok: release chin\n");
+  EXPECT_EQ(chin(), 0);
+}
+
+TEST_F(ConsoleCommandsTest, ThePauseButtonShowsInThePowerStatusUntilItIsReleased) {
+  const auto is_paused = [&] {
+    OPowerStatus status;
+    robot_.getPowerStatus(&status);
+    return (status.robotStatus & orsbPAUSE) != 0;
+  };
+  EXPECT_FALSE(is_paused());
+  EXPECT_EQ(say("press pause"), "ok: press pause\n");
+  EXPECT_TRUE(is_paused());
+  EXPECT_EQ(say("release pause"), "ok: release pause\n");
+  EXPECT_FALSE(is_paused());
+}
+
+TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
+  EXPECT_EQ(say("battery 12"), "ok: battery 12\n");
+  OPowerStatus status;
+  robot_.getPowerStatus(&status);
+  EXPECT_EQ(status.remainingCapacity, 12);
+  for (const char* wrong : {"battery 101", "battery -1", "battery nan", "battery full", "battery 5%"}) {
+    EXPECT_THAT(say(wrong), StartsWith("error: battery PERCENT: a number from 0 to 100")) << wrong;
+  }
+  robot_.getPowerStatus(&status);
+  EXPECT_EQ(status.remainingCapacity, 12);
+}
+
+TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFree) {
+  const char* locator = "PRM:/r1/c1/c2-Joint2:12";
+  OPrimitiveID pan = oprimitiveID_UNDEF;
+  robot_.openPrimitive(locator, &pan);
+  robot_.setMotorPower(opowerON);
+  robot_.enableJointGain(pan);
+  robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F);
+  openr_host::EffectorCommand command = {pan, odataJOINT_COMMAND2, {{100000, 0}}};
+  EXPECT_EQ(say("jam head_pan"), "ok: jam head_pan\n");
+  for (int i = 0; i < 60; ++i) {
+    robot_.passFrame(frame_++, {command});
+  }
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
+  EXPECT_EQ(say("free head_pan"), "ok: free head_pan\n");
+  for (int i = 0; i < 60; ++i) {
+    robot_.passFrame(frame_++, {command});
+  }
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
+}
+
+TEST_F(ConsoleCommandsTest, WhatIsNotUnderstoodIsAnsweredWithWhatThereIs) {
+  EXPECT_THAT(say("press nose"), AllOf(StartsWith("error: "), HasSubstr("\"nose\""), HasSubstr("paw_left_front")));
+  EXPECT_THAT(say("press range_near"), StartsWith("error: "));
+  EXPECT_THAT(say("jam nose"), AllOf(StartsWith("error: "), HasSubstr("\"nose\"")));
+  for (const char* wrong : {"sit", "press", "press chin head_touch", "PRESS chin"}) {
+    EXPECT_THAT(say(wrong), AllOf(StartsWith("error: not understood: \"" + std::string(wrong)), HasSubstr("release")))
+        << wrong;
+  }
+  EXPECT_EQ(say(""), "");
+  EXPECT_THAT(say("help"), HasSubstr("battery PERCENT"));
+}
+
+}  // namespace
+}  // namespace simulated_ers7

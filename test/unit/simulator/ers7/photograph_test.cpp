@@ -1,0 +1,186 @@
+#include "simulator/ers7/camera/photograph.h"
+
+#include <gmock/gmock.h>
+#include <turbojpeg.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "simulator/ers7/camera/photo_show.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+using Paint = std::function<std::string(int x, int y)>;  ///< three characters: red, green, blue
+
+const std::string kRed("\xFF\0\0", 3);
+const std::string kGreen("\0\xFF\0", 3);
+const std::string kBlue("\0\0\xFF", 3);
+const std::string kGrey("\x80\x80\x80", 3);
+
+std::string pixels(int width, int height, const Paint& paint) {
+  std::string all;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      all += paint(x, y);
+    }
+  }
+  return all;
+}
+
+std::string ppm(int width, int height, const Paint& paint) {
+  return "P6\n# a comment\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n" +
+         pixels(width, height, paint);
+}
+
+std::string jpeg(int width, int height, const Paint& paint) {
+  const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
+  const std::string raw = pixels(width, height, paint);
+  const auto* source = reinterpret_cast<const unsigned char*>(raw.data());
+  unsigned char* out = nullptr;
+  unsigned long size = 0;
+  tjCompress2(encoder.get(), source, width, 0, height, TJPF_RGB, &out, &size, TJSAMP_444, 95, 0);
+  std::string encoded(out, out + size);
+  tjFree(out);
+  return encoded;
+}
+
+/// A folder that is gone after the test.
+class PhotographTest : public testing::Test {
+ protected:
+  PhotographTest() {
+    std::string name = (std::filesystem::temp_directory_path() / "photograph_test_XXXXXX").string();
+    EXPECT_NE(mkdtemp(&name[0]), nullptr);
+    folder_ = name;
+  }
+
+  ~PhotographTest() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& content) {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+    return folder_ / name;
+  }
+
+  std::string errorOf(const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const PhotographError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::filesystem::path folder_;
+};
+
+std::size_t at(int x, int y) {
+  return static_cast<std::size_t>(y * kPictureWidth + x);
+}
+
+TEST_F(PhotographTest, APictureOfTheCamerasSizeIsShownAsItIs) {
+  const auto image = readPhotograph(
+      write("a.ppm", ppm(208, 160, [](int x, int y) { return std::string(3, static_cast<char>((x + y) % 256)); })));
+  EXPECT_EQ(image.y[at(5, 7)], 12);
+  EXPECT_EQ(image.y[at(200, 150)], (200 + 150) % 256);
+  EXPECT_EQ(image.cr[at(5, 7)], 128);
+  EXPECT_EQ(image.cb[at(5, 7)], 128);
+}
+
+TEST_F(PhotographTest, RedBecomesCrAndBlueBecomesCb) {
+  const auto red = readPhotograph(write("red.ppm", ppm(208, 160, [](int, int) { return kRed; })));
+  EXPECT_EQ(red.y[0], 76);
+  EXPECT_EQ(red.cr[0], 255);
+  EXPECT_EQ(red.cb[0], 85);
+  const auto blue = readPhotograph(write("blue.ppm", ppm(208, 160, [](int, int) { return kBlue; })));
+  EXPECT_EQ(blue.cb[0], 255);
+}
+
+TEST_F(PhotographTest, AWidePictureLosesItsSidesEvenly) {
+  // Twice as wide as the camera's picture, green at both sides where it must be cut off.
+  const auto image = readPhotograph(write("wide.ppm", ppm(416, 160, [](int x, int) {
+                                            return x < 104 || x >= 312 ? kGreen : x < 208 ? kRed : kBlue;
+                                          })));
+  EXPECT_EQ(image.cr[at(0, 80)], 255);
+  EXPECT_EQ(image.cr[at(103, 80)], 255);
+  EXPECT_EQ(image.cb[at(104, 80)], 255);
+  EXPECT_EQ(image.cb[at(207, 80)], 255);
+}
+
+TEST_F(PhotographTest, AHighPictureLosesTopAndBottomEvenly) {
+  const auto image =
+      readPhotograph(write("high.ppm", ppm(208, 320, [](int, int y) { return y < 80 || y >= 240 ? kGreen : kRed; })));
+  EXPECT_EQ(image.cr[at(100, 0)], 255);
+  EXPECT_EQ(image.cr[at(100, 159)], 255);
+}
+
+TEST_F(PhotographTest, ALargePictureIsAveraged) {
+  // Black and white, pixel by pixel, is grey at a third of its size... and so is it at any other.
+  const auto image = readPhotograph(write("large.ppm", ppm(624, 480, [](int x, int y) {
+                                            return std::string(3, (x / 3 + y / 3) % 2 == 0 ? '\xFF' : '\0');
+                                          })));
+  EXPECT_EQ(image.y[at(0, 0)], 255);
+  EXPECT_EQ(image.y[at(1, 0)], 0);
+  const auto grey = readPhotograph(
+      write("grey.ppm", ppm(416, 320, [](int x, int y) { return std::string(3, (x + y) % 2 == 0 ? '\xFF' : '\0'); })));
+  EXPECT_EQ(grey.y[at(10, 10)], 128);
+}
+
+TEST_F(PhotographTest, AJpegOfAnySizeFillsThePicture) {
+  for (const int scale : {1, 3, 20}) {
+    const auto image = readPhotograph(
+        write("a.JPG", jpeg(104 * scale, 80 * scale, [scale](int x, int) { return x < 52 * scale ? kRed : kBlue; })));
+    EXPECT_GT(image.cr[at(50, 80)], 245) << scale;
+    EXPECT_GT(image.cb[at(150, 80)], 245) << scale;
+  }
+}
+
+TEST_F(PhotographTest, ABrokenPictureIsNamedWithWhatIsWrongWithIt) {
+  const std::string whole_jpeg = jpeg(208, 160, [](int x, int y) { return std::string(3, static_cast<char>(x * y)); });
+  const std::string whole_ppm = ppm(208, 160, [](int, int) { return kGrey; });
+  const std::pair<std::string, std::string> broken[] = {
+      {"text.jpg", "this is no picture"},
+      {"cut.jpg", whole_jpeg.substr(0, whole_jpeg.size() / 2)},
+      {"empty.jpeg", ""},
+      {"cut.ppm", whole_ppm.substr(0, whole_ppm.size() - 1)},
+      {"ascii.ppm", "P3\n1 1\n255\n0 0 0\n"},
+      {"deep.ppm", "P6\n1 1\n65535\n000000"},
+      {"huge.ppm", "P6\n999999999 999999999\n255\n"},
+      {"nothing.ppm", "P6\n0 0\n255\n"},
+      {"header.ppm", "P6\n208"},
+  };
+  for (const auto& [name, content] : broken) {
+    const auto file = write(name, content);
+    EXPECT_THAT(errorOf([&file] { readPhotograph(file); }), AllOf(HasSubstr(file.string()), HasSubstr("folder")));
+  }
+}
+
+TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndBeginsAgain) {
+  write("b.ppm", ppm(208, 160, [](int, int) { return kBlue; }));
+  write("a.jpg", jpeg(208, 160, [](int, int) { return kRed; }));
+  write("notes.txt", "left alone");
+  PhotoShow show(folder_.string(), 2);
+  const auto is_red = [&show](double seconds) { return show.picture(seconds, 1, CameraSettings()).cr[0] > 200; };
+  EXPECT_TRUE(is_red(0));
+  EXPECT_TRUE(is_red(1.9));
+  EXPECT_FALSE(is_red(2.1));
+  EXPECT_TRUE(is_red(4));
+}
+
+TEST_F(PhotographTest, AShowWithoutPicturesSaysWhatIsMissing) {
+  EXPECT_THAT(errorOf([this] { PhotoShow((folder_ / "absent").string(), 2); }),
+              AllOf(HasSubstr("absent"), HasSubstr("No such file")));
+  EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 2); }),
+              AllOf(HasSubstr(folder_.string()), HasSubstr(".jpg")));
+  write("a.ppm", "rubbish");
+  EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 2); }), HasSubstr("a.ppm"));
+  EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 0); }), HasSubstr("more than 0 seconds"));
+}
+
+}  // namespace
+}  // namespace simulated_ers7

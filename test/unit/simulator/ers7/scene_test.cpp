@@ -1,0 +1,65 @@
+#include "simulator/ers7/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "simulator/ers7/scene/scene_layout.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(Scene, ARayStraightDownEndsOnTheFloor) {
+  const SceneHit hit = Scene().castRay({{0, 0, 0.2}, {0, 0, -1}});
+  EXPECT_DOUBLE_EQ(hit.distance, 0.2);
+  EXPECT_EQ(hit.surface, Surface::kFloor);
+  EXPECT_EQ(hit.normal, Vector3d(0, 0, 1));
+}
+
+TEST(Scene, RaysEndAtTheWallsAndTheCeiling) {
+  const Scene scene;
+  const Vector3d high(0, 0, 1);
+  const SceneHit ahead = scene.castRay({high, {1, 0, 0}});
+  EXPECT_DOUBLE_EQ(ahead.distance, kHighestCorner[0]);
+  EXPECT_EQ(ahead.surface, Surface::kWall);
+  EXPECT_EQ(ahead.normal, Vector3d(-1, 0, 0));
+  EXPECT_DOUBLE_EQ(scene.castRay({high, {-1, 0, 0}}).distance, -kLowestCorner[0]);
+  EXPECT_DOUBLE_EQ(scene.castRay({high, {0, 1, 0}}).distance, kHighestCorner[1]);
+  EXPECT_EQ(scene.castRay({high, {0, 0, 1}}).surface, Surface::kCeiling);
+}
+
+TEST(Scene, ARayAtTheBallEndsOneRadiusBeforeItsCenter) {
+  Scene scene;
+  scene.setTime(0);
+  const SceneHit hit = scene.castRay({{0, 0, kBallRadius}, {1, 0, 0}});
+  EXPECT_EQ(hit.surface, Surface::kBall);
+  EXPECT_NEAR(hit.distance, kBallX - kBallRadius, 1e-9);
+}
+
+TEST(Scene, ATurnedCubeIsMetWhereItsFaceIs) {
+  // The blue cube's edges are 0.14 long, its middle is at (2.05, -0.62), it is turned by 0.5: look along its own x.
+  const Vector3d middle(2.05, -0.62, 0.07);
+  const Vector3d direction(std::cos(0.5), std::sin(0.5), 0);
+  const SceneHit hit = Scene().castRay({middle - 0.5 * direction, direction});
+  EXPECT_EQ(hit.surface, Surface::kBlueCube);
+  EXPECT_NEAR(hit.distance, 0.5 - 0.07, 1e-9);
+  EXPECT_TRUE(hit.normal.isApprox(-direction, 1e-9));
+}
+
+TEST(Scene, TheBallRollsToAndFroAndComesBack) {
+  Scene scene;
+  scene.setTime(0);
+  const Vector3d start = scene.ballCenter();
+  scene.setTime(kBallPeriod / 4);
+  const Vector3d left = scene.ballCenter();
+  EXPECT_NEAR(left.y() - start.y(), kBallSwing, 1e-9);
+  scene.setTime(kBallPeriod * 3 / 4);
+  EXPECT_NEAR(scene.ballCenter().y() - start.y(), -kBallSwing, 1e-9);
+  scene.setTime(kBallPeriod * 100);
+  EXPECT_TRUE(scene.ballCenter().isApprox(start, 1e-9));
+}
+
+}  // namespace
+}  // namespace simulated_ers7

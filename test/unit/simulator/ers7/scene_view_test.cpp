@@ -1,0 +1,184 @@
+#include "simulator/ers7/camera/scene_view.h"
+
+#include <gtest/gtest.h>
+#include <turbojpeg.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "simulator/ers7/camera/camera_optics.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const double kDegree = std::acos(-1.0) / 180;
+
+HeadAngles angles(double neck_tilt, double head_pan, double head_tilt) {
+  HeadAngles head;
+  head.neck_tilt = neck_tilt * kDegree;
+  head.head_pan = head_pan * kDegree;
+  head.head_tilt = head_tilt * kDegree;
+  return head;
+}
+
+/// What the robot sees when it looks around from where it stands.
+const HeadAngles kViews[] = {angles(-25, 0, 10), angles(-10, 40, 0), angles(-30, -25, 0), angles(0, 0, 0)};
+
+/// Half of the chroma each way, as in a 4:2:0 JPEG.
+YCrCbImage::Plane quartered(const YCrCbImage::Plane& plane) {
+  YCrCbImage::Plane half;
+  for (std::size_t y = 0; y < kPictureHeight; y += 2) {
+    for (std::size_t x = 0; x < kPictureWidth; x += 2) {
+      const std::size_t i = y * kPictureWidth + x;
+      const int sum = plane[i] + plane[i + 1] + plane[i + kPictureWidth] + plane[i + kPictureWidth + 1];
+      half.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+    }
+  }
+  return half;
+}
+
+unsigned long jpegSize(const YCrCbImage& picture) {
+  const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
+  const auto cb = quartered(picture.cb);
+  const auto cr = quartered(picture.cr);
+  const unsigned char* planes[] = {picture.y.data(), cb.data(), cr.data()};
+  unsigned char* jpeg = nullptr;
+  unsigned long size = 0;
+  EXPECT_EQ(tjCompressFromYUVPlanes(encoder.get(), planes, kPictureWidth, nullptr, kPictureHeight, TJSAMP_420, &jpeg,
+                                    &size, 85, 0),
+            0);
+  tjFree(jpeg);
+  return size;
+}
+
+/// Middle of all pixels that are pink in a part of the picture around a place.
+Vector2d middleOfPink(const YCrCbImage& picture, const Vector2d& around) {
+  Vector2d sum = Vector2d::Zero();
+  int count = 0;
+  for (int y = 0; y < kPictureHeight; ++y) {
+    for (int x = 0; x < kPictureWidth; ++x) {
+      const Vector2d place(x + 0.5, y + 0.5);
+      const auto i = static_cast<std::size_t>(y * kPictureWidth + x);
+      if (picture.cr[i] > 165 && (place - around).norm() < 17) {
+        sum += place;
+        ++count;
+      }
+    }
+  }
+  return sum / count;
+}
+
+TEST(SceneView, AtQuality85APictureHasTheReports3To6Kilobytes) {
+  Scene scene;
+  SceneView view(scene, 1);
+  for (const HeadAngles& head : kViews) {
+    view.setHead(head);
+    const unsigned long size = jpegSize(view.picture(1, 30, CameraSettings()));
+    EXPECT_GE(size, 3000u) << "with the head panned by " << head.head_pan;
+    EXPECT_LE(size, 6 * 1024u) << "with the head panned by " << head.head_pan;
+  }
+}
+
+TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
+  Scene scene;
+  SceneView view(scene, 1);
+  for (const HeadAngles& head : {angles(-25, 0, 10), angles(-35, 12, 10), angles(-20, -10, 0)}) {
+    view.setHead(head);
+    const YCrCbImage& picture = view.picture(0.3, 1, CameraSettings());
+    const Vector3d seen = view.camera().inverse() * scene.ballCenter();
+    // By hand: 208 pixels over 56.9 degrees, 160 over 45.2.
+    const Vector2d expected(104 - 104 / std::tan(28.45 * kDegree) * seen.y() / seen.x(),
+                            80 - 80 / std::tan(22.6 * kDegree) * seen.z() / seen.x());
+    EXPECT_LT((middleOfPink(picture, expected) - expected).norm(), 1.0) << expected.transpose();
+  }
+}
+
+TEST(SceneView, AtFirstTheBallAndTheStationAreInThePicture) {
+  Scene scene;
+  const SceneView view(scene, 1);
+  const Eigen::Isometry3d camera = view.camera();
+  bool station_seen = false;
+  for (double y = 0.5; y < kPictureHeight; ++y) {
+    for (double x = 0.5; x < kPictureWidth; ++x) {
+      const Ray ray{camera.translation(), camera.linear() * directionOf({x, y})};
+      station_seen = station_seen || scene.castRay(ray).surface == Surface::kStationPole;
+    }
+  }
+  EXPECT_TRUE(station_seen);
+  const Vector2d ball = placeOf(camera.inverse() * scene.ballCenter());
+  EXPECT_TRUE((ball.array() > 20).all() && ball.x() < kPictureWidth - 20 && ball.y() < kPictureHeight - 20);
+}
+
+TEST(SceneView, TheSameSeedAndImageGiveTheSamePictureAndOthersDiffer) {
+  Scene scene;
+  SceneView view(scene, 7);
+  const YCrCbImage first = view.picture(1, 30, CameraSettings());
+  Scene other_scene;
+  SceneView same(other_scene, 7);
+  EXPECT_EQ(same.picture(1, 30, CameraSettings()).y, first.y);
+  EXPECT_NE(same.picture(1, 31, CameraSettings()).y, first.y);
+  SceneView other_seed(other_scene, 8);
+  EXPECT_NE(other_seed.picture(1, 30, CameraSettings()).y, first.y);
+}
+
+TEST(SceneView, WhatIsDrawnAgainForAMovingBallEqualsAWholeNewPicture) {
+  Scene scene;
+  SceneView view(scene, 7);
+  view.picture(0, 1, CameraSettings());
+  for (longword image = 2; image < 40; ++image) {
+    const YCrCbImage& continued = view.picture(0.1 * image, image, CameraSettings());
+    Scene fresh_scene;
+    SceneView fresh(fresh_scene, 7);
+    const YCrCbImage& whole = fresh.picture(0.1 * image, image, CameraSettings());
+    ASSERT_EQ(continued.y, whole.y) << "image " << image;
+    ASSERT_EQ(continued.cr, whole.cr) << "image " << image;
+  }
+}
+
+TEST(SceneView, MoreGainIsBrighterAndNoisierAndAFastShutterDarker) {
+  Scene scene;
+  SceneView view(scene, 1);
+  const auto brightness = [&view](const CameraSettings& settings) {
+    double sum = 0;
+    for (const std::uint8_t y : view.picture(1, 30, settings).y) {
+      sum += y;
+    }
+    return sum;
+  };
+  CameraSettings settings;
+  const double usual = brightness(settings);
+  settings.gain = ocamparamGAIN_HIGH;
+  EXPECT_GT(brightness(settings), 1.1 * usual);
+  settings.gain = ocamparamGAIN_MID;
+  settings.shutter = ocamparamSHUTTER_FAST;
+  EXPECT_LT(brightness(settings), 0.9 * usual);
+  settings.auto_exposure = true;
+  EXPECT_EQ(brightness(settings), usual);
+}
+
+TEST(SceneView, WhiteBalanceForLampsMakesTheRoomBlue) {
+  Scene scene;
+  SceneView view(scene, 1);
+  const auto blueness = [&view](const CameraSettings& settings) {
+    double sum = 0;
+    for (const std::uint8_t cb : view.picture(1, 30, settings).cb) {
+      sum += cb;
+    }
+    return sum / (kPictureWidth * kPictureHeight);
+  };
+  CameraSettings settings;
+  const double usual = blueness(settings);
+  settings.white_balance = ocamparamWB_INDOOR_MODE;
+  EXPECT_GT(blueness(settings), usual + 5);
+  settings.white_balance = ocamparamWB_OUTDOOR_MODE;
+  EXPECT_LT(blueness(settings), usual - 1);
+  settings.auto_white_balance = true;
+  EXPECT_EQ(blueness(settings), usual);
+}
+
+}  // namespace
+}  // namespace simulated_ers7

@@ -1,0 +1,155 @@
+// Distances, acceleration and the like, as they follow from where the body is.
+#include "simulator/ers7/body/sensors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/scene/scene_layout.h"
+
+namespace simulated_ers7 {
+namespace {
+
+class SensorsTest : public testing::Test {
+ protected:
+  SensorsTest() {
+    situation_.head = restingHead();
+    situation_.stance.body = Eigen::Isometry3d(Eigen::Translation3d(0, 0, kStandingHeight));
+  }
+
+  static std::size_t indexOf(const char* name) {
+    return static_cast<std::size_t>(robot_model::findSensorByName(model(), name));
+  }
+
+  static const robot_model::RobotModel& model() { return *robot_model::findRobotModel("ERS-7"); }
+
+  int value(const char* name) const { return sensors_.readings(indexOf(name)).back().value; }
+
+  void passFrames(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      sensors_.passFrame(situation_);
+      ++situation_.frame;
+    }
+  }
+
+  /// Turns the whole robot by an angle about one of its axes, where it stands.
+  void turn(double angle, const Eigen::Vector3d& axis) {
+    situation_.stance.body = Eigen::Translation3d(0, 0, kStandingHeight) * Eigen::AngleAxisd(angle, axis);
+  }
+
+  Scene scene_;
+  Sensors sensors_{model(), scene_, 1};
+  Situation situation_ = {};
+};
+
+TEST_F(SensorsTest, TheChestMeasuresTheFloorInFrontOfIt) {
+  passFrames();
+  // By hand: the sensor is 143 - 3.4 mm over the floor and looks down by 30 degrees.
+  EXPECT_NEAR(value("range_chest"), 1e6 * (kStandingHeight - 0.003384) / std::sin(std::acos(-1.0) / 6), 3000);
+}
+
+TEST_F(SensorsTest, NearAndFarMeasureTheBallWhereTheHeadLooks) {
+  // From straight behind the ball, 0.4 m away from it, looking level: the sensors are as high as the ball's middle is.
+  const HeadAngles level = {};
+  situation_.head = level;
+  const Eigen::Vector3d nose = headInBody(level) * Eigen::Vector3d(0.0769, 0, -0.0146);
+  situation_.frame = 750;  // the ball's sixth second: it is on the axis
+  situation_.stance.body =
+      Eigen::Isometry3d(Eigen::Translation3d(kBallX - kBallRadius - 0.4 - nose.x(), 0, kBallRadius - nose.z()));
+  passFrames(7);
+  EXPECT_NEAR(value("range_near"), 400000, 4000 + 500);
+  EXPECT_NEAR(value("range_far"), 400000, 4000 + 1000);
+}
+
+TEST_F(SensorsTest, WhatIsOutOfRangeIsMeasuredAsTheRangesEnd) {
+  situation_.head.neck_tilt = 0;
+  situation_.head.head_tilt = 0.5;  // the ceiling
+  for (int measurement = 0; measurement < 10; ++measurement) {
+    passFrames(7);
+    EXPECT_EQ(value("range_near"), 500000) << "no error brings it back into the range";
+    EXPECT_EQ(value("range_far"), 1500000);
+  }
+  situation_.stance.body = Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.02));  // the chest on the floor
+  passFrames(5);
+  EXPECT_EQ(value("range_chest"), 100000);
+}
+
+TEST_F(SensorsTest, EachDistanceIsMeasuredAtItsTimeAndNearAndFarInTurn) {
+  // The errors differ from measurement to measurement, so each shows.
+  const auto framesOfChange = [this](const char* name, int frames) {
+    std::set<longword> changes;
+    int last = value(name);
+    for (int i = 0; i < frames; ++i) {
+      const longword frame = situation_.frame;
+      passFrames();
+      if (value(name) != last) {
+        changes.insert(frame);
+      }
+      last = value(name);
+    }
+    return changes;
+  };
+  situation_.head.head_tilt = -0.3;  // the floor, within the range of both
+  passFrames(12);
+  EXPECT_EQ(framesOfChange("range_near", 12), (std::set<longword>{12, 18}));
+  EXPECT_EQ(framesOfChange("range_far", 12), (std::set<longword>{27, 33}));
+  EXPECT_EQ(framesOfChange("range_chest", 10), (std::set<longword>{40, 45}));
+}
+
+TEST_F(SensorsTest, AccelerationIsGravityAlongTheBodysAxes) {
+  const auto expect = [this](double forward, double right, double up) {
+    passFrames();
+    EXPECT_NEAR(value("acceleration_front_back"), forward * 1e6, Sensors::kAccelerationError);
+    EXPECT_NEAR(value("acceleration_right_left"), right * 1e6, Sensors::kAccelerationError);
+    EXPECT_NEAR(value("acceleration_up_down"), up * 1e6, Sensors::kAccelerationError);
+  };
+  expect(0, 0, -9.80665);
+  const double angle = std::acos(-1.0) / 6;
+  turn(angle, Eigen::Vector3d::UnitY());  // the nose down by 30 degrees
+  expect(9.80665 / 2, 0, -9.80665 * std::cos(angle));
+  turn(angle, Eigen::Vector3d::UnitX());  // on the right side by 30 degrees
+  expect(0, 9.80665 / 2, -9.80665 * std::cos(angle));
+}
+
+TEST_F(SensorsTest, TheWlanSwitchIsOnAtFirstAndTouchSensorsFeelNextToNothing) {
+  passFrames();
+  EXPECT_EQ(value("wlan_switch"), 1);
+  EXPECT_EQ(value("chin"), 0);
+  for (const char* name : {"head_touch", "back_rear", "back_middle", "back_front"}) {
+    EXPECT_GE(value(name), 0) << name;
+    EXPECT_LT(value(name), 3) << name;
+  }
+}
+
+TEST_F(SensorsTest, TheLastFourReadingsAreKept) {
+  passFrames(4);
+  sensors_.press("chin", true);
+  passFrames(2);
+  const auto& readings = sensors_.readings(indexOf("chin"));
+  EXPECT_EQ(readings[0].value, 0);
+  EXPECT_EQ(readings[1].value, 0);
+  EXPECT_EQ(readings[2].value, 1);
+  EXPECT_EQ(readings[3].value, 1);
+}
+
+TEST_F(SensorsTest, TheSameSeedGivesTheSameReadings) {
+  Scene other_scene;
+  Sensors same(model(), other_scene, 1);
+  Sensors other(model(), other_scene, 2);
+  bool differs = false;
+  for (; situation_.frame < 20; ++situation_.frame) {
+    sensors_.passFrame(situation_);
+    same.passFrame(situation_);
+    other.passFrame(situation_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(model().number_of_sensors); ++i) {
+      ASSERT_EQ(same.readings(i).back().value, sensors_.readings(i).back().value);
+      differs = differs || other.readings(i).back().value != sensors_.readings(i).back().value;
+    }
+  }
+  EXPECT_TRUE(differs);
+}
+
+}  // namespace
+}  // namespace simulated_ers7

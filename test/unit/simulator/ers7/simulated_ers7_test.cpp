@@ -1,0 +1,555 @@
+#include "simulator/ers7/simulated_ers7.h"
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OFbkImage.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cstring>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "robot_model/robot_model.h"
+#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/body/stance.h"
+#include "simulator/ers7/camera/camera_optics.h"
+#include "simulator/ers7/camera/photograph.h"
+
+namespace simulated_ers7 {
+namespace {
+
+constexpr char kCameraLocator[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
+
+/// Middle of all pixels that are pink in a part of the picture around a place.
+Eigen::Vector2d middleOfPink(RCRegion* region, const Eigen::Vector2d& around) {
+  void* base = region->Base();
+  auto* vector = static_cast<OFbkImageVectorData*>(base);
+  OFbkImage cr(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), ofbkimageBAND_Cr);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  int count = 0;
+  for (int y = 0; y < kPictureHeight; ++y) {
+    for (int x = 0; x < kPictureWidth; ++x) {
+      const Eigen::Vector2d place(x + 0.5, y + 0.5);
+      if (cr.Pixel(x, y) > 165 && (place - around).norm() < 17) {
+        sum += place;
+        ++count;
+      }
+    }
+  }
+  return sum / count;
+}
+
+const char* const kSensorsWithLocator[] = {"head_touch",
+                                           "back_rear",
+                                           "back_middle",
+                                           "back_front",
+                                           "chin",
+                                           "paw_left_front",
+                                           "paw_left_hind",
+                                           "paw_right_front",
+                                           "paw_right_hind",
+                                           "range_near",
+                                           "range_far",
+                                           "range_chest",
+                                           "wlan_switch",
+                                           "acceleration_front_back",
+                                           "acceleration_right_left",
+                                           "acceleration_up_down"};
+
+class SimulatedErs7Test : public testing::Test {
+ protected:
+  OStatus control(OPrimitiveRequest request, longword value) {
+    OPrimitiveControl_CameraParam param(value);
+    return robot_.controlPrimitive(camera_, request, &param, sizeof(param), nullptr, 0);
+  }
+
+  OStatus control(OPrimitiveRequest request) {
+    return robot_.controlPrimitive(camera_, request, nullptr, 0, nullptr, 0);
+  }
+
+  static const robot_model::RobotModel& model() { return *robot_model::findRobotModel("ERS-7"); }
+
+  OPrimitiveID openJoint(const char* name) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    const robot_model::Joint& joint = model().joints[robot_model::findJointByName(model(), name)];
+    EXPECT_EQ(robot_.openPrimitive(joint.locator, &id), oSUCCESS);
+    return id;
+  }
+
+  OPrimitiveID openSensor(const std::string& name) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name.c_str())];
+    EXPECT_EQ(robot_.openPrimitive(sensor.locator, &id), oSUCCESS) << name;
+    return id;
+  }
+
+  int sensorValue(const std::string& name) {
+    OSensorValue value = {};
+    EXPECT_EQ(robot_.getSensorValue(openSensor(name), &value), oSUCCESS) << name;
+    return value.value;
+  }
+
+  OPrimitiveID openLocator(const char* locator) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    EXPECT_EQ(robot_.openPrimitive(locator, &id), oSUCCESS) << locator;
+    return id;
+  }
+
+  template <typename Value>
+  static openr_host::EffectorCommand effectorCommand(OPrimitiveID id, ODataType type, const Value& value) {
+    openr_host::EffectorCommand command = {id, type, {}};
+    std::memcpy(&command.value, &value, sizeof(value));
+    return command;
+  }
+
+  openr_host::EffectorCommand earCommand(OPrimitiveID id, OJointValue4 state) {
+    return effectorCommand(id, odataJOINT_COMMAND4, OJointCommandValue4{state, 1, 0});
+  }
+
+  /// Opens a joint and switches everything on that it needs.
+  OPrimitiveID driveJoint(const char* name) {
+    const OPrimitiveID id = openJoint(name);
+    EXPECT_EQ(robot_.setMotorPower(opowerON), oSUCCESS);
+    EXPECT_EQ(robot_.enableJointGain(id), oSUCCESS);
+    EXPECT_EQ(robot_.setJointGain(id, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
+    return id;
+  }
+
+  static openr_host::EffectorCommand jointCommand(OPrimitiveID id, slongword position) {
+    openr_host::EffectorCommand command = {id, odataJOINT_COMMAND2, {}};
+    const OJointCommandValue2 value = {position, 0};
+    std::memcpy(&command.value, &value, sizeof(value));
+    return command;
+  }
+
+  void passFrames(longword count) {
+    for (longword i = 0; i < count; ++i) {
+      robot_.passFrame(frame_++, {});
+    }
+  }
+
+  SimulatedErs7 robot_;
+  longword frame_ = 0;
+  OPrimitiveID camera_ = oprimitiveID_UNDEF;
+};
+
+TEST_F(SimulatedErs7Test, ItIsAnErs7) {
+  EXPECT_EQ(robot_.design(), "ERS-7");
+}
+
+TEST_F(SimulatedErs7Test, TheCameraIsFoundAtItsLocatorOnly) {
+  EXPECT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  OPrimitiveID other = 77;
+  EXPECT_EQ(robot_.openPrimitive("PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F2", &other), oNOT_FOUND);
+  EXPECT_EQ(robot_.openPrimitive("", &other), oNOT_FOUND);
+  EXPECT_EQ(robot_.openPrimitive(nullptr, &other), oINVALID_ARG);
+  EXPECT_EQ(other, 77u);
+}
+
+TEST_F(SimulatedErs7Test, APrimitiveStaysOpenUntilItIsClosedAsOftenAsOpened) {
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  OPrimitiveID again = 0;
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &again), oSUCCESS);
+  EXPECT_EQ(again, camera_);
+  EXPECT_EQ(robot_.closePrimitive(camera_), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_AE_ON), oSUCCESS);
+  EXPECT_EQ(robot_.closePrimitive(camera_), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_AE_ON), oINVALID_PRIMITIVE_ID);
+  EXPECT_EQ(robot_.closePrimitive(camera_), oINVALID_PRIMITIVE_ID);
+}
+
+TEST_F(SimulatedErs7Test, TheUndefinedPrimitiveClosesAll) {
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  EXPECT_EQ(robot_.closePrimitive(oprimitiveID_UNDEF), oSUCCESS);
+  EXPECT_EQ(robot_.closePrimitive(camera_), oINVALID_PRIMITIVE_ID);
+}
+
+TEST_F(SimulatedErs7Test, TheCameraTakesItsSettings) {
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_SET_WHITE_BALANCE, ocamparamWB_INDOOR_MODE), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_SET_GAIN, ocamparamGAIN_HIGH), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_SET_SHUTTER_SPEED, ocamparamSHUTTER_SLOW), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_AE_ON), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_AWB_ON), oSUCCESS);
+  EXPECT_EQ(robot_.cameraSettings().white_balance, ocamparamWB_INDOOR_MODE);
+  EXPECT_EQ(robot_.cameraSettings().gain, ocamparamGAIN_HIGH);
+  EXPECT_EQ(robot_.cameraSettings().shutter, ocamparamSHUTTER_SLOW);
+  EXPECT_TRUE(robot_.cameraSettings().auto_exposure);
+  EXPECT_TRUE(robot_.cameraSettings().auto_white_balance);
+  EXPECT_EQ(control(oprmreqCAM_AE_OFF), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_AWB_OFF), oSUCCESS);
+  EXPECT_FALSE(robot_.cameraSettings().auto_exposure);
+  EXPECT_FALSE(robot_.cameraSettings().auto_white_balance);
+}
+
+TEST_F(SimulatedErs7Test, TheCameraRefusesWhatItDoesNotKnow) {
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 0), oINVALID_ARG);
+  EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 4), oINVALID_ARG);
+  EXPECT_EQ(control(oprmreqCAM_SET_GAIN), oINVALID_ARG);
+  EXPECT_EQ(control(383), oINVALID_ARG);
+  EXPECT_EQ(control(392), oINVALID_ARG);
+  EXPECT_EQ(robot_.cameraSettings().gain, ocamparamGAIN_MID);
+}
+
+TEST_F(SimulatedErs7Test, All18JointsAreFoundAtTheirLocators) {
+  std::set<OPrimitiveID> ids;
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  ids.insert(camera_);
+  for (int i = 0; i < model().number_of_joints; ++i) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    ASSERT_EQ(robot_.openPrimitive(model().joints[i].locator, &id), oSUCCESS) << model().joints[i].name;
+    OJointValue value;
+    EXPECT_EQ(robot_.getJointValue(id, &value), oSUCCESS);
+    EXPECT_GE(value.value, model().joints[i].lowest) << model().joints[i].name;
+    EXPECT_LE(value.value, model().joints[i].highest) << model().joints[i].name;
+    ids.insert(id);
+  }
+  EXPECT_EQ(ids.size(), 19u);
+}
+
+TEST_F(SimulatedErs7Test, WhatIsNotOpenOrNoJointIsRefused) {
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  OPrimitiveID closed = openJoint("head_pan");
+  ASSERT_EQ(robot_.closePrimitive(closed), oSUCCESS);
+  for (const OPrimitiveID id : {camera_, closed, OPrimitiveID{0}, OPrimitiveID{20}, OPrimitiveID{4711}}) {
+    OJointValue value;
+    OSensorValue sensor_value;
+    EXPECT_EQ(robot_.setJointGain(id, 8, 2, 4, 0x0E, 0x02, 0x0F), oINVALID_PRIMITIVE_ID) << id;
+    EXPECT_EQ(robot_.enableJointGain(id), oINVALID_PRIMITIVE_ID) << id;
+    EXPECT_EQ(robot_.disableJointGain(id), oINVALID_PRIMITIVE_ID) << id;
+    EXPECT_EQ(robot_.getJointValue(id, &value), oINVALID_PRIMITIVE_ID) << id;
+    EXPECT_EQ(robot_.getSensorValue(id, &sensor_value), oINVALID_PRIMITIVE_ID) << id;
+  }
+  OJointValue value;
+  EXPECT_EQ(robot_.getJointValue(oprimitiveID_UNDEF, &value), oINVALID_PRIMITIVE_ID) << "which one?";
+  EXPECT_EQ(robot_.getJointValue(openJoint("mouth"), nullptr), oINVALID_ARG);
+}
+
+TEST_F(SimulatedErs7Test, TheUndefinedPrimitiveMeansAllOpenJoints) {
+  const OPrimitiveID pan = openJoint("head_pan");
+  const OPrimitiveID tail = openJoint("tail_pan");
+  ASSERT_EQ(robot_.setMotorPower(opowerON), oSUCCESS);
+  EXPECT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
+  ASSERT_EQ(robot_.enableJointGain(oprimitiveID_UNDEF), oSUCCESS);
+  ASSERT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
+  robot_.passFrame(0, {jointCommand(pan, 100000), jointCommand(tail, 200000)});
+  passFrames(60);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
+  EXPECT_EQ(robot_.joints().named("tail_pan").position(), 200000);
+  ASSERT_EQ(robot_.disableJointGain(oprimitiveID_UNDEF), oSUCCESS);
+  robot_.passFrame(61, {jointCommand(pan, 0), jointCommand(tail, 0)});
+  passFrames(60);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
+  EXPECT_EQ(robot_.joints().named("tail_pan").position(), 200000);
+}
+
+TEST_F(SimulatedErs7Test, CommandsForWhatIsNotOpenOrOfAnotherKindChangeNothing) {
+  const OPrimitiveID pan = driveJoint("head_pan");
+  const OPrimitiveID closed = driveJoint("tail_pan");
+  ASSERT_EQ(robot_.closePrimitive(closed), oSUCCESS);
+  openr_host::EffectorCommand led = jointCommand(pan, 100000);
+  led.type = odataLED_COMMAND2;
+  EXPECT_TRUE(robot_.takesCommand(pan, odataJOINT_COMMAND2));
+  EXPECT_FALSE(robot_.takesCommand(pan, odataLED_COMMAND2));
+  EXPECT_FALSE(robot_.takesCommand(closed, odataJOINT_COMMAND2));
+  EXPECT_FALSE(robot_.takesCommand(4711, odataJOINT_COMMAND2));
+  robot_.passFrame(0, {led, jointCommand(closed, 100000), jointCommand(4711, 100000)});
+  passFrames(60);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
+  EXPECT_EQ(robot_.joints().named("tail_pan").position(), 0);
+}
+
+TEST_F(SimulatedErs7Test, EachFramesCommandCountsFromThatFrameOn) {
+  const OPrimitiveID pan = driveJoint("head_pan");
+  OJointValue value;
+  for (slongword i = 1; i <= 8; ++i) {
+    robot_.passFrame(frame_++, {jointCommand(pan, 10000 * i)});
+    ASSERT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
+    EXPECT_EQ(value.refValue, 10000 * i);
+  }
+  passFrames(60);
+  ASSERT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
+  EXPECT_NEAR(value.value, 80000, 873) << "the last one holds";
+}
+
+// GetJointValue knows no other failure than a wrong primitive (Level2 Reference Guide, page 72).
+TEST_F(SimulatedErs7Test, AJammedJointShowsByItsDutyThatItIs) {
+  const OPrimitiveID pan = driveJoint("head_pan");
+  robot_.jam("head_pan", true);
+  robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
+  passFrames(63);
+  OJointValue value;
+  EXPECT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
+  EXPECT_NEAR(value.value, 0, 873);
+  EXPECT_EQ(value.pwmDuty, 512);
+  robot_.jam("head_pan", false);
+  passFrames(60);
+  EXPECT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
+  EXPECT_NEAR(value.value, 500000, 873);
+}
+
+TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJointsAndSensors) {
+  std::map<OPrimitiveID, const char*> names;
+  for (int i = 0; i < model().number_of_joints; ++i) {
+    names[openJoint(model().joints[i].name)] = model().joints[i].name;
+  }
+  const std::size_t joints = names.size();
+  for (const char* name : kSensorsWithLocator) {
+    names[openSensor(name)] = name;
+  }
+  const OPrimitiveID pan = driveJoint("head_pan");
+  std::map<OPrimitiveID, std::vector<OSensorValue>> reported;
+  for (; frame_ < 8; ++frame_) {
+    robot_.passFrame(frame_, {jointCommand(pan, 10000 * static_cast<slongword>(frame_ + 1))});
+    for (const auto& [id, name] : names) {
+      OSensorValue value;
+      OJointValue joint_value;
+      if (robot_.getSensorValue(id, &value) != oSUCCESS) {
+        robot_.getJointValue(id, &joint_value);
+        std::memcpy(&value, &joint_value, sizeof(value));
+      }
+      reported[id].push_back(value);
+    }
+  }
+
+  RCRegion* region = robot_.captureSensors(7);
+  void* base = region->Base();
+  auto* vector = static_cast<OSensorFrameVectorData*>(base);
+  EXPECT_EQ(vector->vectorInfo.type, odataSENSOR_FRAME_VECTOR);
+  EXPECT_EQ(vector->vectorInfo.totalSize, region->Size());
+  EXPECT_EQ(vector->vectorInfo.infoOffset, 192u);
+  EXPECT_EQ(vector->vectorInfo.infoSize, 32u);
+  ASSERT_EQ(vector->vectorInfo.numData, 34u);
+  longword end_of_last = 192 + 34 * 32;
+  for (int i = 0; i < 34; ++i) {
+    const OSensorFrameInfo& info = *vector->GetInfo(i);
+    ASSERT_EQ(names.count(info.primitiveID), 1u);
+    SCOPED_TRACE(names[info.primitiveID]);
+    EXPECT_EQ(info.type == odataJOINT_VALUE, static_cast<std::size_t>(i) < joints);
+    EXPECT_EQ(info.frameNumber, 4u);
+    EXPECT_EQ(info.numFrames, 4u);
+    EXPECT_EQ(info.frameSize, 16u);
+    EXPECT_EQ(info.dataSize, 256u);
+    ASSERT_GE(info.dataOffset, end_of_last) << "entries overlap";
+    end_of_last = info.dataOffset + info.dataSize;
+    ASSERT_LE(end_of_last, region->Size());
+    for (std::size_t frame = 0; frame < 4; ++frame) {
+      const OSensorValue& expected = reported[info.primitiveID][4 + frame];
+      EXPECT_EQ(std::memcmp(&vector->GetData(i)->frame[frame], &expected, sizeof(expected)), 0) << frame;
+    }
+    names.erase(info.primitiveID);
+  }
+  EXPECT_TRUE(names.empty()) << "a joint or sensor is missing";
+}
+
+TEST_F(SimulatedErs7Test, ButtonsAreFeltWhileTheyArePressed) {
+  for (const char* name : {"chin", "paw_left_hind", "wlan_switch", "head_touch", "back_middle"}) {
+    const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name)];
+    robot_.press(name, true);
+    passFrames(1);
+    EXPECT_TRUE(robot_model::isPressed(sensor, sensorValue(name), false)) << name;
+    robot_.press(name, false);
+  }
+  passFrames(1);
+  for (const char* name : {"chin", "wlan_switch", "head_touch", "back_middle"}) {
+    const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name)];
+    EXPECT_FALSE(robot_model::isPressed(sensor, sensorValue(name), true)) << name;
+  }
+}
+
+TEST_F(SimulatedErs7Test, ASensorThatIsNotOpenOrNoneIsRefused) {
+  OSensorValue value;
+  EXPECT_EQ(robot_.getSensorValue(openJoint("head_pan"), &value), oINVALID_PRIMITIVE_ID);
+  const OPrimitiveID chin = openSensor("chin");
+  EXPECT_EQ(robot_.getSensorValue(chin, nullptr), oINVALID_ARG);
+  ASSERT_EQ(robot_.closePrimitive(chin), oSUCCESS);
+  EXPECT_EQ(robot_.getSensorValue(chin, &value), oINVALID_PRIMITIVE_ID);
+  EXPECT_THROW(robot_.press("range_near", true), std::invalid_argument);
+}
+
+TEST_F(SimulatedErs7Test, ALiftedPawIsLetGo) {
+  const OPrimitiveID knee = driveJoint("left_front_knee");
+  passFrames(1);
+  EXPECT_EQ(sensorValue("paw_left_front"), 1);
+  robot_.passFrame(frame_++, {jointCommand(knee, 1900000)});
+  passFrames(100);
+  EXPECT_EQ(sensorValue("paw_left_front"), 0);
+  robot_.press("paw_left_front", true);
+  passFrames(1);
+  EXPECT_EQ(sensorValue("paw_left_front"), 1) << "by hand";
+}
+
+TEST_F(SimulatedErs7Test, LedsShowWhatTheyWereToldLastUntilTheRobotIsSwitchedOff) {
+  const OPrimitiveID white = openLocator("PRM:/r1/c1/c2/c3/l2-LED2:l2");
+  const OPrimitiveID face = openLocator("PRM:/r1/c1/c2/c3/la-LED3:la");
+  EXPECT_TRUE(robot_.takesCommand(white, odataLED_COMMAND2));
+  EXPECT_FALSE(robot_.takesCommand(white, odataLED_COMMAND3));
+  EXPECT_FALSE(robot_.takesCommand(face, odataLED_COMMAND2));
+  robot_.passFrame(frame_++, {effectorCommand(white, odataLED_COMMAND2, OLEDCommandValue2{oledON, 1, 0}),
+                              effectorCommand(face, odataLED_COMMAND3, OLEDCommandValue3{100, oled3_MODE_B, 1, 0})});
+  passFrames(10);
+  EXPECT_EQ(robot_.led("head_white").intensity, 255);
+  EXPECT_EQ(robot_.led("face_1").intensity, 100);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
+  EXPECT_EQ(robot_.led("face_2").intensity, 0);
+  robot_.switchOff();
+  EXPECT_EQ(robot_.led("head_white").intensity, 0);
+  EXPECT_EQ(robot_.led("face_1").intensity, 0);
+  EXPECT_THROW(robot_.led("nose"), std::invalid_argument);
+}
+
+TEST_F(SimulatedErs7Test, AnEarIsDrawnByAPulseAndTooHotAfterASecond) {
+  const OPrimitiveID left = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE1)});
+  EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
+  EXPECT_FALSE(robot_.ear("right_ear").isDrawn());
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE0)});
+  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
+
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE1)});
+  passFrames(124);
+  EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
+  testing::internal::CaptureStdout();
+  passFrames(1);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("left_ear was energised for 1000 ms"), std::string::npos);
+  EXPECT_TRUE(robot_.ear("left_ear").isHot());
+  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
+  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE0)});
+  passFrames(625);
+  EXPECT_FALSE(robot_.ear("left_ear").isHot());
+}
+
+TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheTimeThatIsSetAndWarmsUp) {
+  SimulatedErs7::Options options;
+  options.battery_minutes = 1;
+  SimulatedErs7 robot(options);
+  OPowerStatus full;
+  ASSERT_EQ(robot.getPowerStatus(&full), oSUCCESS);
+  EXPECT_EQ(full.remainingCapacity, 100);
+  EXPECT_EQ(full.robotStatus, orsbBATTERY_CONNECTED);
+  robot.setMotorPower(opowerON);
+  longword frame = 0;
+  const auto passSeconds = [&](longword seconds) {
+    for (const longword end = frame + 125 * seconds; frame < end; ++frame) {
+      robot.passFrame(frame, {});
+    }
+  };
+  passSeconds(30);
+  OPowerStatus half;
+  ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
+  EXPECT_EQ(half.remainingCapacity, 50);
+  EXPECT_EQ(half.robotStatus, orsbBATTERY_CONNECTED | orsbMOTOR_POWER);
+  EXPECT_LT(half.voltage, full.voltage);
+  EXPECT_GT(half.temperature, full.temperature);
+  EXPECT_NEAR(full.temperature, 2982, 1) << "25 degrees Celsius, in tenths of a kelvin";
+  passSeconds(31);
+  OPowerStatus empty;
+  ASSERT_EQ(robot.getPowerStatus(&empty), oSUCCESS);
+  EXPECT_EQ(empty.remainingCapacity, 0);
+  EXPECT_NE(empty.robotStatus & orsbBATTERY_CAPACITY_LOW, 0u);
+  robot.setCharge(0.87);
+  ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
+  EXPECT_EQ(half.remainingCapacity, 87);
+}
+
+TEST_F(SimulatedErs7Test, ARobotThatWasSwitchedOffHoldsNothingAndHasNothingOpen) {
+  const OPrimitiveID pan = driveJoint("head_pan");
+  robot_.switchOff();
+  OPowerStatus status;
+  EXPECT_EQ(robot_.getPowerStatus(&status), oSUCCESS);
+  EXPECT_EQ(status.robotStatus & orsbMOTOR_POWER, 0U);
+  EXPECT_FALSE(robot_.takesCommand(pan, odataJOINT_COMMAND2));
+  ASSERT_EQ(openJoint("head_pan"), pan);
+  EXPECT_EQ(robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
+  robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
+  passFrames(60);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
+}
+
+TEST_F(SimulatedErs7Test, ASensorVectorThatIsStillReadIsNotWrittenAgain) {
+  passFrames(4);
+  RCRegion* kept = robot_.captureSensors(3);
+  kept->AddReference();
+  passFrames(4);
+  RCRegion* next = robot_.captureSensors(7);
+  EXPECT_NE(next, kept);
+  kept->RemoveReference();
+  passFrames(4);
+  EXPECT_EQ(robot_.captureSensors(11), kept);
+}
+
+TEST_F(SimulatedErs7Test, WhenTheHeadPansLeftTheBallMovesRightByAsManyPixelsAsTheLensSays) {
+  const longword kBallPeriodFrames = 750;  // 6 s: the ball is in the same place again
+  Scene scene;
+  scene.setTime(0);
+  const auto expectedPlace = [&scene](const HeadAngles& head) {
+    const Eigen::Isometry3d camera = Eigen::Translation3d(0, 0, kStandingHeight) * cameraInBody(head);
+    return placeOf(camera.inverse() * scene.ballCenter());
+  };
+  HeadAngles head = restingHead();
+  const Eigen::Vector2d expected_before = expectedPlace(head);
+  head.head_pan = 0.2;
+  const Eigen::Vector2d expected_after = expectedPlace(head);
+
+  robot_.passFrame(frame_++, {});
+  ASSERT_TRUE(robot_.cameraImageDue(0));
+  const Eigen::Vector2d before = middleOfPink(robot_.captureImage(0), expected_before);
+  const OPrimitiveID pan = driveJoint("head_pan");
+  robot_.passFrame(frame_++, {jointCommand(pan, 200000)});
+  passFrames(kBallPeriodFrames - 1);
+  ASSERT_TRUE(robot_.cameraImageDue(kBallPeriodFrames));
+  const Eigen::Vector2d after = middleOfPink(robot_.captureImage(kBallPeriodFrames), expected_after);
+
+  EXPECT_LT((before - expected_before).norm(), 1) << before.transpose();
+  EXPECT_LT((after - expected_after).norm(), 1) << after.transpose();
+  // By hand: 0.2 rad are 191.9 * tan(0.2) = 39 pixels on the axis of sight, and some more for a camera that is carried
+  // aside while it turns.
+  EXPECT_NEAR(after.x() - before.x(), 43, 4);
+}
+
+TEST_F(SimulatedErs7Test, WhenTheFrontLegsSpreadTheCameraLooksDownWithTheBody) {
+  const longword kBallPeriodFrames = 750;  // 6 s: the ball is where it began
+  std::vector<openr_host::EffectorCommand> commands;
+  for (const char* name : {"left_front_elevator", "right_front_elevator"}) {
+    commands.push_back(jointCommand(driveJoint(name), 350000));
+  }
+  robot_.passFrame(frame_++, commands);
+  passFrames(kBallPeriodFrames);
+  ASSERT_TRUE(robot_.cameraImageDue(kBallPeriodFrames));
+
+  Scene scene;
+  scene.setTime(0);
+  const Eigen::Isometry3d level(Eigen::Translation3d(0, 0, kStandingHeight));
+  const Eigen::Isometry3d body = standOn(robot_.joints().legs()).body;
+  const auto placeFrom = [&scene](const Eigen::Isometry3d& pose) {
+    return placeOf((pose * cameraInBody(restingHead())).inverse() * scene.ballCenter());
+  };
+  ASSERT_LT(placeFrom(body).y(), placeFrom(level).y() - 5) << "the ball is higher in the picture";
+  const Eigen::Vector2d seen = middleOfPink(robot_.captureImage(kBallPeriodFrames), placeFrom(body));
+  EXPECT_LT((seen - placeFrom(body)).norm(), 1) << seen.transpose();
+}
+
+TEST_F(SimulatedErs7Test, TwoRobotsWithTheSameSeedDeliverTheSameBytes) {
+  SimulatedErs7 twin;
+  for (longword frame = 0; frame < 50; ++frame) {
+    const bool due = robot_.cameraImageDue(frame);
+    ASSERT_EQ(due, twin.cameraImageDue(frame));
+    if (due) {
+      RCRegion* left = robot_.captureImage(frame);
+      RCRegion* right = twin.captureImage(frame);
+      ASSERT_EQ(left->Size(), right->Size());
+      ASSERT_EQ(std::memcmp(left->Base(), right->Base(), left->Size()), 0) << "frame " << frame;
+    }
+  }
+}
+
+TEST_F(SimulatedErs7Test, AMissingFolderOfPicturesIsAnError) {
+  SimulatedErs7::Options options;
+  options.images_folder = "/nonexistent/pictures";
+  EXPECT_THROW(SimulatedErs7{options}, PhotographError);
+}
+
+}  // namespace
+}  // namespace simulated_ers7

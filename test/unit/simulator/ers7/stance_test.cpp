@@ -1,0 +1,106 @@
+// How the robot stands on its legs.
+#include "simulator/ers7/body/stance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot_model/robot_model.h"
+#include "simulator/ers7/body/joints.h"
+
+namespace simulated_ers7 {
+namespace {
+
+const double kDegree = std::acos(-1.0) / 180;
+
+/// All legs straight down: the feet are then 0.1348 m under the shoulders in front, 0.1358 m behind.
+const std::array<LegAngles, kLegs> kStraight = {};
+
+/// How far the nose points up, in radian.
+double pitch(const Stance& stance) {
+  return std::asin(stance.body.linear()(2, 0));
+}
+
+TEST(StanceTest, AtRestTheRobotStandsLevelOnAllFourAtItsStandingHeight) {
+  const Joints joints(*robot_model::findRobotModel("ERS-7"), 1);
+  const Stance stance = standOn(joints.legs());
+  EXPECT_NEAR(stance.body.translation().z(), kStandingHeight, 0.001);
+  EXPECT_NEAR(pitch(stance), 0, 0.01);
+  EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{true, true, true, true}));
+}
+
+TEST(StanceTest, FeetAreWhereTheLegsLinksPutThem) {
+  // By hand: 0.065 + 0.009 - 0.00503, 0.0625 + 0.0047, -0.0695 - 0.06524; mirrored on the right.
+  EXPECT_TRUE(footInBody(kLeftFrontLeg, {}).isApprox(Eigen::Vector3d(0.06897, 0.0672, -0.13474), 1e-9));
+  EXPECT_TRUE(footInBody(kRightHindLeg, {}).isApprox(Eigen::Vector3d(-0.060471, -0.0672, -0.13578), 1e-9));
+  LegAngles forward;
+  forward.rotator = 90 * kDegree;
+  EXPECT_NEAR(footInBody(kLeftFrontLeg, forward).x(), 0.065 + 0.13474, 1e-9);
+  LegAngles aside;
+  aside.elevator = 90 * kDegree;
+  EXPECT_NEAR(footInBody(kRightFrontLeg, aside).y(), -(0.0625 + 0.13474), 1e-9);
+  LegAngles bent;
+  bent.knee = 90 * kDegree;
+  EXPECT_NEAR(footInBody(kLeftFrontLeg, bent).x(), 0.065 + 0.009 + 0.06524, 1e-9) << "front legs bend forward";
+  EXPECT_NEAR(footInBody(kLeftHindLeg, bent).x(), -0.065 - 0.009 - 0.06628, 1e-9) << "hind legs bend backward";
+}
+
+TEST(StanceTest, TheNoseGoesDownWithTheFrontLegs) {
+  auto legs = kStraight;
+  for (const Leg leg : {kLeftFrontLeg, kRightFrontLeg}) {
+    legs[leg].elevator = 45 * kDegree;
+  }
+  const Stance stance = standOn(legs);
+  // By hand: the front feet are 0.13474 cos 45 - 0.0047 sin 45 = 0.09195 m under the shoulders, the hind feet 0.13578
+  // m, 0.12944 m behind them.
+  EXPECT_NEAR(pitch(stance), -std::atan2(0.13578 - 0.09195, 0.12944), 1e-3);
+  EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{true, true, true, true}));
+}
+
+TEST(StanceTest, ALiftedFootIsOffTheFloorAndTheOtherThreeStay) {
+  for (const Leg leg : {kLeftFrontLeg, kLeftHindLeg, kRightFrontLeg, kRightHindLeg}) {
+    auto legs = kStraight;
+    legs[leg].knee = 90 * kDegree;
+    const Stance stance = standOn(legs);
+    for (std::size_t i = 0; i < kLegs; ++i) {
+      EXPECT_EQ(stance.paw_down[i], i != leg) << "leg " << leg << ", paw " << i;
+    }
+  }
+}
+
+TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
+  auto legs = kStraight;
+  for (LegAngles& leg : legs) {
+    leg.elevator = 88 * kDegree;
+  }
+  const Stance stance = standOn(legs);
+  EXPECT_NEAR(stance.body.translation().z(), 0.045, 0.001);
+  EXPECT_NEAR(pitch(stance), 0, 1e-6);
+  EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{false, false, false, false}));
+}
+
+TEST(StanceTest, NothingIsEverUnderTheFloor) {
+  std::uint64_t random = 1;
+  const auto angle = [&random](double lowest, double highest) {
+    random = random * 6364136223846793005u + 1442695040888963407u;
+    return (lowest + (highest - lowest) * static_cast<double>(random >> 40) / (1 << 24)) * kDegree;
+  };
+  for (int posture = 0; posture < 2000; ++posture) {
+    std::array<LegAngles, kLegs> legs;
+    for (LegAngles& leg : legs) {
+      leg = {angle(-115, 115), angle(-10, 88), angle(-25, 122)};
+    }
+    const Stance stance = standOn(legs);
+    int down = 0;
+    for (std::size_t i = 0; i < kLegs; ++i) {
+      const double height = (stance.body * footInBody(static_cast<Leg>(i), legs[i])).z() - kFootRadius;
+      ASSERT_GE(height, -1e-5) << "posture " << posture;
+      down += stance.paw_down[i] ? 1 : 0;
+    }
+    ASSERT_TRUE(stance.body.linear().isUnitary(1e-9));
+    ASSERT_GT(stance.body.translation().z(), 0.02) << "posture " << posture;
+  }
+}
+
+}  // namespace
+}  // namespace simulated_ers7

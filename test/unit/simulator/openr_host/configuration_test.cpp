@@ -1,0 +1,177 @@
+// OBJECT.CFG, CONNECT.CFG and the memory stick they lie on.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "simulator/openr_host/configuration/configuration_error.h"
+#include "simulator/openr_host/configuration/connection_configuration.h"
+#include "simulator/openr_host/configuration/design_database.h"
+#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/configuration/object_configuration.h"
+#include "temporary_folder.h"
+
+namespace openr_host {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+template <typename Function>
+std::string errorOf(const Function& function) {
+  try {
+    function();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::vector<std::string> objects(const std::string& text, const std::string& design = "ERS-7") {
+  std::istringstream stream(text);
+  std::vector<std::string> names;
+  for (const auto& object : readObjectConfiguration(stream, "OBJECT.CFG", design)) {
+    names.push_back(object.name);
+  }
+  return names;
+}
+
+std::string objectError(const std::string& text) {
+  return errorOf([&] { objects(text); });
+}
+
+TEST(ObjectConfigurationTest, ReadsOneObjectALine) {
+  EXPECT_THAT(objects("/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/RCSERVER.BIN\n"),
+              ElementsAre("A.BIN", "RCSERVER.BIN"));
+}
+
+TEST(ObjectConfigurationTest, SkipsCommentsEmptyLinesSpaceAndWindowsLineEnds) {
+  EXPECT_THAT(objects("# all\r\n\r\n  /MS/OPEN-R/MW/OBJS/A.BIN  # this one\r\n#/MS/OPEN-R/MW/OBJS/B.BIN\r\n"),
+              ElementsAre("A.BIN"));
+}
+
+TEST(ObjectConfigurationTest, KnowsNoCaseAsTheStickDoesNot) {
+  EXPECT_THAT(objects("/ms/open-r/mw/objs/rcserver.bin"), ElementsAre("RCSERVER.BIN"));
+}
+
+TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelAlone) {
+  const std::string text =
+      "/MS/OPEN-R/MW/OBJS/ALL.BIN\n[ERS-7]\n/MS/OPEN-R/MW/OBJS/SEVEN.BIN\n[ ERS-210 ]\n/MS/OPEN-R/MW/OBJS/OLD.BIN\n";
+  EXPECT_THAT(objects(text, "ERS-7"), ElementsAre("ALL.BIN", "SEVEN.BIN"));
+  EXPECT_THAT(objects(text, "ERS-210"), ElementsAre("ALL.BIN", "OLD.BIN"));
+}
+
+TEST(ObjectConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+  EXPECT_THAT(objectError("# one\n/MS/OPEN-R/MW/OBJS/A.BIN\nRCSERVER.BIN\n"),
+              AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("'RCSERVER.BIN'")));
+  EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/LONGERNAME.BIN"), StartsWith("OBJECT.CFG:1: "));
+  for (const char* broken : {"[ERS-7", "[ERS-7] x", "[", "]", "/MS/OPEN-R/MW/OBJS/.BIN", "/MS/OPEN-R/MW/OBJS/A.TXT",
+                             "/MS/OPEN-R/MW/OBJS/../A.BIN", "/MS/OPEN-R/MW/CONF/A.BIN", "/MS/OPEN-R/MW/OBJS/A B.BIN"}) {
+    EXPECT_THAT(objectError(broken), StartsWith("OBJECT.CFG:1: ")) << broken;
+  }
+}
+
+TEST(ObjectConfigurationTest, RefusesAnObjectThatStandsThereTwice) {
+  EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/A.BIN\n\n/MS/OPEN-R/MW/OBJS/a.bin\n"),
+              AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("A.BIN")));
+}
+
+const std::vector<std::string> kServices = {"Robot.Image.Picture.S", "Robot.Sensor.Value.S", "Server.Image.Picture.O",
+                                            "Viewer.Image.Picture.O"};
+
+std::vector<std::string> connections(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> pairs;
+  for (const auto& connection : readConnectionConfiguration(stream, "CONNECT.CFG", "ERS-7", kServices)) {
+    pairs.push_back(connection.subject.text() + " " + connection.observer.text());
+  }
+  return pairs;
+}
+
+std::string connectionError(const std::string& text) {
+  return errorOf([&] { connections(text); });
+}
+
+TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnySpaceBetween) {
+  EXPECT_THAT(
+      connections("# the camera\r\nRobot.Image.Picture.S\tServer.Image.Picture.O # here\r\n\r\n"
+                  "Robot.Image.Picture.S\n   Viewer.Image.Picture.O"),
+      ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O", "Robot.Image.Picture.S Viewer.Image.Picture.O"));
+  EXPECT_TRUE(connections("").empty());
+}
+
+TEST(ConnectionConfigurationTest, LinesAfterAModelAreForThatModelAlone) {
+  EXPECT_THAT(connections("[ERS-210]\nRobot.Old.Picture.S Server.Image.Picture.O\n[ERS-7]\n"
+                          "Robot.Image.Picture.S Server.Image.Picture.O\n"),
+              ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O"));
+}
+
+TEST(ConnectionConfigurationTest, NamesFileAndLineOfAServiceThatNoObjectHas) {
+  EXPECT_THAT(
+      connectionError("\nRobot.Image.Picture.S Server.Imago.Picture.O"),
+      AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("Server.Imago.Picture.O"), HasSubstr("Server.Image.Picture.O")));
+  for (const char* broken : {"Robot.Image", "Robot.Image.Picture.X", "Robot..Picture.S", "Robot.Image.Picture.S.",
+                             "Robot.I-mage.Picture.S"}) {
+    EXPECT_THAT(connectionError(broken), StartsWith("CONNECT.CFG:1: expected a service")) << broken;
+  }
+}
+
+TEST(ConnectionConfigurationTest, RefusesToConnectDifferentTypesOfData) {
+  EXPECT_THAT(connectionError("Robot.Sensor.Value.S Server.Image.Picture.O"),
+              AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("data types differ")));
+}
+
+TEST(ConnectionConfigurationTest, RefusesAConnectionWithOneEnd) {
+  EXPECT_THAT(connectionError("Robot.Image.Picture.S\nRobot.Image.Picture.S Server.Image.Picture.O"),
+              AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("no observer")));
+  EXPECT_THAT(connectionError("Server.Image.Picture.O Robot.Image.Picture.S"),
+              AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("no subject")));
+  EXPECT_THAT(connectionError("\n\nRobot.Image.Picture.S"),
+              AllOf(StartsWith("CONNECT.CFG:3: "), HasSubstr("no observer")));
+}
+
+TEST(ConnectionConfigurationTest, RefusesTheSameConnectionTwice) {
+  EXPECT_THAT(connectionError("Robot.Image.Picture.S Server.Image.Picture.O\n"
+                              "Robot.Image.Picture.S Server.Image.Picture.O\n"),
+              AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("second time")));
+}
+
+std::map<std::string, std::string> designFiles(const std::string& text) {
+  std::istringstream stream(text);
+  return readDesignDatabase(stream, "DESIGNDB.CFG", "ERS-7");
+}
+
+// Programmer's Guide, 4.2.3.
+TEST(DesignDatabaseTest, FindsTheFileOfAKeywordForTheModel) {
+  EXPECT_THAT(designFiles("#\n# files\n#\nALL /MS/OPEN-R/MW/CONF/ALL.TXT\r\n[ERS-210]\nSOUND /MS/OLD.WAV\n"
+                          "[ERS-7]\nSOUND \t /ms/OPEN-R/MW/DATA/P/SEVEN.WAV # loud\n"),
+              ElementsAre(std::make_pair("ALL", "OPEN-R/MW/CONF/ALL.TXT"),
+                          std::make_pair("SOUND", "OPEN-R/MW/DATA/P/SEVEN.WAV")));
+}
+
+TEST(DesignDatabaseTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+  for (const char* broken : {"SOUND", "SOUND OPEN-R/X.WAV", "SOUND /MS/", "SOUND /MS/X.WAV /MS/Y.WAV"}) {
+    EXPECT_THAT(errorOf([&] { designFiles("\n" + std::string(broken)); }), StartsWith("DESIGNDB.CFG:2: ")) << broken;
+  }
+  EXPECT_THAT(errorOf([&] { designFiles("A /MS/X\nA /MS/Y\n"); }), StartsWith("DESIGNDB.CFG:2: a second A"));
+}
+
+TEST(MemoryStickTest, FindsAFileWhateverTheCaseOfItsFolders) {
+  const TemporaryFolder stick;
+  stick.write("Open-R/mw/CONF/object.cfg", "x");
+  EXPECT_TRUE(std::filesystem::equivalent(findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"),
+                                          stick.path() / "Open-R/mw/CONF/object.cfg"));
+}
+
+TEST(MemoryStickTest, SaysWhatIsMissingAndWhere) {
+  const TemporaryFolder stick;
+  stick.write("OPEN-R/MW/x", "");
+  EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),
+              AllOf(HasSubstr("OPEN-R/MW/CONF/OBJECT.CFG"), HasSubstr("no CONF in " + stick.path().string())));
+  EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path() / "nowhere", "OPEN-R"); }), HasSubstr("nowhere"));
+}
+
+}  // namespace
+}  // namespace openr_host

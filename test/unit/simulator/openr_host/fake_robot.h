@@ -1,0 +1,154 @@
+/// @file fake_robot.h
+#ifndef TEST_OPENR_HOST_FAKE_ROBOT_H
+#define TEST_OPENR_HOST_FAKE_ROBOT_H
+
+#include <OPENR/ODataFormats.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "simulator/openr_host/virtual_robot.h"
+
+namespace openr_host {
+
+/// A robot that writes down what is asked of it. Its camera has an image in the frames that a test names, 4x1 pixels
+/// with the frame number as field counter. Its sensors have one entry, whose value in each frame is the frame's number.
+/// Its joints take odataJOINT_COMMAND2 and are the primitives 1 to 20.
+class FakeRobot : public VirtualRobot {
+ public:
+  ~FakeRobot() override {
+    for (RCRegion* region : {image_, sensors_}) {
+      if (region != nullptr) {
+        region->RemoveReference();
+      }
+    }
+  }
+
+  std::set<longword> frames_with_image;
+  std::vector<longword> frames_seen;
+  std::vector<longword> frames_captured;
+  std::vector<std::string> calls;                                   ///< "passFrame 3", "setMotorPower 1" ...
+  std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
+  OStatus joint_status = oSUCCESS;                                  ///< what all calls for joints and sensors return
+
+  OPowerStatus power_status;
+  OPrimitiveID led = 0;  ///< one of the joints that is an LED instead
+
+  RCRegion* image() const { return image_; }
+  RCRegion* sensors() const { return sensors_; }
+
+  std::string design() const override { return "ERS-7"; }
+
+  OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
+    *id = 42;
+    return std::string(locator) == "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1" ? oSUCCESS : oNOT_FOUND;
+  }
+
+  OStatus closePrimitive(OPrimitiveID id) override { return id == 42 ? oSUCCESS : oINVALID_PRIMITIVE_ID; }
+
+  OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* /*result*/,
+                           size_t /*result_size*/) override {
+    if (id != 42) {
+      return oINVALID_PRIMITIVE_ID;
+    }
+    return request == oprmreqCAM_SET_GAIN && param_size == sizeof(OPrimitiveControl_CameraParam) &&
+                   static_cast<OPrimitiveControl_CameraParam*>(param)->camparam == ocamparamGAIN_HIGH
+               ? oSUCCESS
+               : oINVALID_ARG;
+  }
+
+  OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override {
+    return record("setJointGain", {id, pg, ig, dg, ps, is, ds});
+  }
+
+  OStatus enableJointGain(OPrimitiveID id) override { return record("enableJointGain", {id}); }
+  OStatus disableJointGain(OPrimitiveID id) override { return record("disableJointGain", {id}); }
+  OStatus setMotorPower(OPower power) override { return record("setMotorPower", {power}); }
+  void switchOff() override { record("switchOff", {}); }
+
+  OStatus getPowerStatus(OPowerStatus* status) override {
+    *status = power_status;
+    return record("getPowerStatus", {});
+  }
+
+  OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
+    value->value = 1000;
+    return record("getJointValue", {id});
+  }
+
+  OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override {
+    value->value = 2000;
+    return record("getSensorValue", {id});
+  }
+
+  bool takesCommand(OPrimitiveID id, ODataType type) const override {
+    return id >= 1 && id <= 20 && type == (id == led ? odataLED_COMMAND2 : odataJOINT_COMMAND2);
+  }
+
+  void passFrame(longword frame, const EffectorCommands& commands) override {
+    record("passFrame", {frame});
+    for (const auto& command : commands) {
+      OJointCommandValue2 value;
+      std::memcpy(&value, &command.value, sizeof(value));
+      commanded[frame][command.primitive] = value.value;
+    }
+  }
+
+  RCRegion* captureSensors(longword frame) override {
+    record("captureSensors", {frame});
+    if (sensors_ == nullptr) {
+      sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) + sizeof(OSensorFrameData));
+    }
+    void* base = sensors_->Base();
+    auto* vector = static_cast<OSensorFrameVectorData*>(base);
+    OSensorFrameInfo& info = *vector->GetInfo(0);
+    info.frameNumber = frame - 3;
+    info.numFrames = 4;
+    info.dataOffset = sizeof(OSensorFrameVectorData);
+    for (longword i = 0; i < info.numFrames; ++i) {
+      vector->GetData(0)->frame[i].value = static_cast<slongword>(info.frameNumber + i);
+    }
+    return sensors_;
+  }
+
+  bool cameraImageDue(longword frame) override {
+    record("cameraImageDue", {frame});
+    frames_seen.push_back(frame);
+    return frames_with_image.count(frame) != 0;
+  }
+
+  RCRegion* captureImage(longword frame) override {
+    frames_captured.push_back(frame);
+    if (image_ == nullptr) {
+      image_ = new RCRegion(sizeof(OFbkImageVectorData) + 3 * 4);
+    }
+    void* base = image_->Base();
+    auto* vector = static_cast<OFbkImageVectorData*>(base);
+    OFbkImageInfo& info = *vector->GetInfo(ofbkimageLAYER_H);
+    info.type = odataFBK_YCrCb;
+    info.dataOffset = sizeof(OFbkImageVectorData);
+    info.width = 4;
+    info.height = 1;
+    vector->GetData(ofbkimageLAYER_H)[0] = static_cast<byte>(frame);
+    return image_;
+  }
+
+ private:
+  OStatus record(std::string call, const std::vector<longword>& arguments) {
+    for (const longword argument : arguments) {
+      call += " " + std::to_string(argument);
+    }
+    calls.push_back(call);
+    return joint_status;
+  }
+
+  RCRegion* image_ = nullptr;
+  RCRegion* sensors_ = nullptr;
+};
+
+}  // namespace openr_host
+
+#endif  // TEST_OPENR_HOST_FAKE_ROBOT_H

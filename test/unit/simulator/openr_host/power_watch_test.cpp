@@ -1,0 +1,145 @@
+// OPENR::ObservePowerStatus: Level2 Reference Guide, pages 76 to 80.
+#include "simulator/openr_host/objects/power_watch.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <gmock/gmock.h>
+
+#include "simulator/openr_host/objects/object_number.h"
+#include "test_system.h"
+
+namespace openr_host {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class PowerWatchTest : public testing::Test {
+ protected:
+  static OPowerStatus nothing() {
+    OPowerStatus wanted;
+    wanted.Set(0, 0, opsoREMAINING_CAPACITY_NOT_NOTIFY, opsoTEMPERATURE_NOT_NOTIFY, opsoTIME_DIF_NOT_NOTIFY,
+               opsoVOLUME_NOT_NOTIFY);
+    return wanted;
+  }
+
+  bool tells(const OPowerStatus& wanted, const OPowerStatus& before, const OPowerStatus& now) {
+    watch_.observe(entry_, wanted, before);
+    return !watch_.look(now).empty();
+  }
+
+  const OServiceEntry entry_{oidOf(1), 0};
+  PowerWatch watch_;
+  OPowerStatus present_;
+  OPowerStatus changed_;
+};
+
+TEST_F(PowerWatchTest, ABitIsToldWhenItRisesAndWhenItFalls) {
+  OPowerStatus wanted = nothing();
+  wanted.robotStatus = orsbPAUSE;
+  changed_.robotStatus = orsbPAUSE | orsbMOTOR_POWER;
+  watch_.observe(entry_, wanted, present_);
+  EXPECT_THAT(watch_.look(present_), IsEmpty());
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
+  EXPECT_THAT(watch_.look(changed_), IsEmpty()) << "nothing has changed";
+  EXPECT_THAT(watch_.look(present_), ElementsAre(entry_));
+}
+
+TEST_F(PowerWatchTest, OnlyTheChosenBitsAreLookedAt) {
+  OPowerStatus wanted = nothing();
+  wanted.robotStatus = orsbPAUSE;
+  wanted.batteryStatus = obsbFULLY_DISCHARGED;
+  changed_.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  changed_.batteryStatus = obsbOVER_TEMP_ALARM;
+  EXPECT_FALSE(tells(wanted, present_, changed_));
+  changed_.batteryStatus |= obsbFULLY_DISCHARGED;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+}
+
+TEST_F(PowerWatchTest, AValueIsToldOnEveryChangeOrWhenItIsReached) {
+  present_.remainingCapacity = 50;
+  changed_.remainingCapacity = 49;
+  OPowerStatus wanted = nothing();
+  EXPECT_FALSE(tells(wanted, present_, changed_));
+  wanted.remainingCapacity = opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+  EXPECT_FALSE(tells(wanted, changed_, changed_));
+  wanted.remainingCapacity = 49;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+  EXPECT_FALSE(tells(wanted, changed_, present_)) << "leaving the value is not told";
+}
+
+TEST_F(PowerWatchTest, TemperatureTimeAndVolumeAreLookedAt) {
+  OPowerStatus wanted = nothing();
+  wanted.temperature = opsoTEMPERATURE_NOTIFY_EVERY_CHANGE;
+  changed_.temperature = 3000;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+  wanted = nothing();
+  wanted.timeDif = opsoTIME_DIF_NOTIFY_EVERY_CHANGE;
+  changed_ = OPowerStatus();
+  changed_.timeDif = 1;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+  wanted = nothing();
+  wanted.volume = opsoVOLUME_NOTIFY_EVERY_CHANGE;
+  changed_ = OPowerStatus();
+  changed_.volume = 2;
+  EXPECT_TRUE(tells(wanted, present_, changed_));
+}
+
+TEST_F(PowerWatchTest, AValueThatIsReachedAgainIsToldAgain) {
+  OPowerStatus wanted = nothing();
+  wanted.remainingCapacity = 49;
+  changed_.remainingCapacity = 49;
+  watch_.observe(entry_, wanted, present_);
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
+  EXPECT_THAT(watch_.look(present_), IsEmpty());
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
+}
+
+TEST_F(PowerWatchTest, AnEntryObservesOnceAndUntilItNoLongerDoes) {
+  OPowerStatus wanted = nothing();
+  wanted.robotStatus = orsbALL;
+  watch_.observe(entry_, wanted, present_);
+  watch_.observe(entry_, wanted, present_);
+  changed_.robotStatus = orsbPAUSE;
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
+  EXPECT_TRUE(watch_.unobserve(entry_));
+  EXPECT_FALSE(watch_.unobserve(entry_));
+  EXPECT_FALSE(watch_.isWatching());
+}
+
+TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
+  TestSystem test;
+  TestObject& object = test.add("Monitor");
+  test.boot();
+  std::vector<longword> seen;
+  object.on_answer = [&](ANTENVMSG message) {
+    const auto* told = static_cast<const OPowerStatusMessage*>(message);
+    EXPECT_EQ(told->msgType, 1030U);
+    seen.push_back(told->powerStatus.robotStatus);
+  };
+  OPowerStatus wanted;
+  wanted.robotStatus = orsbPAUSE;
+  const OServiceEntry entry(object.id(), 0);
+  test.as(object, [&] {
+    EXPECT_EQ(OPENR::ObservePowerStatus(wanted, OServiceEntry(object.id(), 7)), oINVALID_ARG) << "no such entry";
+    EXPECT_EQ(OPENR::ObservePowerStatus(wanted, entry), oSUCCESS);
+  });
+  test.system.watchPower();
+  test.run();
+  EXPECT_THAT(seen, IsEmpty());
+  test.robot.power_status.robotStatus = orsbPAUSE;
+  test.system.watchPower();
+  test.run();
+  EXPECT_THAT(seen, ElementsAre(orsbPAUSE));
+  test.as(object, [&] {
+    EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oSUCCESS);
+    EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oINVALID_ARG);
+  });
+  test.robot.power_status.robotStatus = 0;
+  test.system.watchPower();
+  test.run();
+  EXPECT_THAT(seen, ElementsAre(orsbPAUSE));
+}
+
+}  // namespace
+}  // namespace openr_host

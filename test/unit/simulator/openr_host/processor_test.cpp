@@ -1,0 +1,60 @@
+// Who may run on the robot's one processor.
+#include "simulator/openr_host/processor.h"
+
+#include <gtest/gtest.h>
+
+#include "simulator/openr_host/objects/object_number.h"
+
+namespace openr_host {
+namespace {
+
+using std::chrono::milliseconds;
+
+const OID kServer = oidOf(1);
+const OID kWorker = oidOf(2);
+const OID kNeighbour = oidOf(3);
+
+class ProcessorTest : public testing::Test {
+ protected:
+  ProcessorTest() {
+    processor_.add(kServer, 128);
+    processor_.add(kNeighbour, 140);
+    processor_.add(kWorker, 112);
+  }
+
+  Processor processor_;
+};
+
+// Level2 Reference Guide, chapter 1.
+TEST_F(ProcessorTest, AnObjectHandlesOneMessageAtATime) {
+  processor_.run(kServer, milliseconds(10), milliseconds(5));
+  EXPECT_FALSE(processor_.mayRun(kServer, milliseconds(14)));
+  EXPECT_TRUE(processor_.mayRun(kServer, milliseconds(15)));
+}
+
+// Programmer's Guide, section 3.1, SCHED_PRIORITY: the upper four bits are the scheduling class.
+TEST_F(ProcessorTest, ALowerClassWaitsForAHigherOneAndNotTheOtherWayRound) {
+  processor_.run(kWorker, milliseconds(0), milliseconds(60));
+  EXPECT_TRUE(processor_.mayRun(kServer, milliseconds(10)));
+  processor_.run(kServer, milliseconds(10), milliseconds(5));
+  EXPECT_FALSE(processor_.mayRun(kWorker, milliseconds(12)));
+  EXPECT_EQ(processor_.busyUntil(kWorker), milliseconds(65)) << "it goes on when the higher class has finished";
+  EXPECT_EQ(processor_.nextFinish(milliseconds(12)), milliseconds(15));
+  EXPECT_EQ(processor_.nextFinish(milliseconds(15)), milliseconds(65));
+  EXPECT_FALSE(processor_.nextFinish(milliseconds(65)));
+}
+
+TEST_F(ProcessorTest, ALowerClassDoesNotBeginWhileAHigherOneRuns) {
+  processor_.run(kServer, milliseconds(0), milliseconds(5));
+  EXPECT_FALSE(processor_.mayRun(kWorker, milliseconds(4)));
+  EXPECT_TRUE(processor_.mayRun(kWorker, milliseconds(5)));
+}
+
+TEST_F(ProcessorTest, ObjectsOfOneClassShareTheProcessor) {
+  processor_.run(kServer, milliseconds(0), milliseconds(8));
+  EXPECT_FALSE(processor_.mayRun(kNeighbour, milliseconds(4)));
+  EXPECT_TRUE(processor_.mayRun(kNeighbour, milliseconds(8)));
+}
+
+}  // namespace
+}  // namespace openr_host

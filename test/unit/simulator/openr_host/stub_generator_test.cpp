@@ -1,0 +1,134 @@
+// From stub.cfg to def.h, entry.h and the object's description. That the description compiles and works is shown by
+// machine_test.cpp, whose object has a generated one.
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "simulator/openr_host/configuration/configuration_error.h"
+#include "simulator/openr_host/stub_generator/stub_writer.h"
+
+namespace openr_host {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Every setting once, in the form of the OPEN-R SDK Programmer's Guide, 2.3.
+const char kSample[] =
+    "ObjectName : SampleObject\n"
+    "NumOfOSubject : 1\n"
+    "NumOfOObserver : 2\n"
+    "\n"
+    "Service : \"SampleObject.Func1.char.S\", null , Ready ()\n"
+    "Service : \"SampleObject.Func2.int.O\", Connect (), Notify ()\n"
+    "Service : \"SampleObject.Func3.Data.O\", null , Control ()\n"
+    "Extra : UpdatePowerStatus()\n"
+    "Extra : SendCont()\n";
+
+StubConfiguration parse(const std::string& text) {
+  std::istringstream stream(text);
+  return StubConfiguration::parse(stream, "stub.cfg");
+}
+
+std::string errorOf(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+TEST(StubConfigurationTest, ReadsEverySetting) {
+  const StubConfiguration stub = parse(kSample);
+  EXPECT_EQ(stub.object_name, "SampleObject");
+  ASSERT_EQ(stub.subjects.size(), 1U);
+  EXPECT_EQ(stub.subjects[0].name.service, "Func1");
+  EXPECT_EQ(stub.subjects[0].connection_function, "");
+  EXPECT_EQ(stub.subjects[0].data_function, "Ready");
+  ASSERT_EQ(stub.observers.size(), 2U);
+  EXPECT_EQ(stub.observers[0].name.data_type, "int");
+  EXPECT_EQ(stub.observers[0].connection_function, "Connect");
+  EXPECT_EQ(stub.observers[0].data_function, "Notify");
+  EXPECT_THAT(stub.extra_functions, testing::ElementsAre("UpdatePowerStatus", "SendCont"));
+}
+
+TEST(StubConfigurationTest, SkipsLinesThatSetNothing) {
+  const StubConfiguration stub = parse(
+      "//\r\n// An object: with a remark\r\n//\r\n\r\n  ObjectName : Walker // its class\r\n"
+      "NumOfSubject : 1\r\nNumOfObserver : 1\r\n# Service : \"Walker.Old.Data.O\", null, null\r\nanything goes\r\n"
+      "Service : \"Walker.Legs.OCommandVectorData.S\", null, Ready()\r\n"
+      "Service : \"Walker.Dummy.DoNotConnect.O\" , null , null \r\n");
+  EXPECT_EQ(stub.object_name, "Walker");
+  EXPECT_EQ(stub.subjects.at(0).data_function, "Ready");
+  EXPECT_EQ(stub.observers.at(0).name.text(), "Walker.Dummy.DoNotConnect.O");
+}
+
+// Programmer's Guide, 2.3: "usually the core class name", but any.
+TEST(StubConfigurationTest, AServiceMayBeginWithAnyName) {
+  const StubConfiguration stub = parse(replaced(kSample, "SampleObject.Func3", "OtherName.Func3"));
+  EXPECT_EQ(stub.observers.at(1).name.text(), "OtherName.Func3.Data.O");
+}
+
+TEST(StubConfigurationTest, AServiceStandsOnOneLineAsForTheRobotsGenerator) {
+  EXPECT_THAT(errorOf(replaced(kSample, "Connect (), Notify ()", "Connect ()\n, Notify ()")),
+              AllOf(StartsWith("stub.cfg:6: "), HasSubstr("on this line")));
+  EXPECT_THAT(errorOf(replaced(kSample, "SendCont()", "SendCont ()")), StartsWith("stub.cfg:9: expected a function"));
+}
+
+TEST(StubConfigurationTest, RefusesNumbersThatDoNotMatchTheServices) {
+  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOObserver : 2", "NumOfOObserver : 3")),
+              AllOf(StartsWith("stub.cfg:3: NumOfOObserver is 3"), HasSubstr("there are 2 services")));
+  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : 2")), StartsWith("stub.cfg:2: "));
+}
+
+TEST(StubConfigurationTest, ProposesADummyWhereThereIsNoSubject) {
+  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : 0")),
+              AllOf(StartsWith("stub.cfg:2: "), HasSubstr("\"SampleObject.Dummy.DoNotConnect.S\", null, null")));
+}
+
+TEST(StubConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+  EXPECT_THAT(errorOf(replaced(kSample, "Notify ()", "Notify")), StartsWith("stub.cfg:6: expected a function"));
+  EXPECT_THAT(errorOf(replaced(kSample, "Func2.int.O", "Func2.O")), StartsWith("stub.cfg:6: expected a service name"));
+  EXPECT_THAT(errorOf(replaced(kSample, "int.O\"", "int.O")), StartsWith("stub.cfg:6: expected a service name"));
+  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : one")), StartsWith("stub.cfg:2: "));
+  EXPECT_THAT(errorOf("ObjectName :"), AllOf(StartsWith("stub.cfg:1: "), HasSubstr("found nothing")));
+  EXPECT_THAT(errorOf(""), HasSubstr("no line ObjectName"));
+  EXPECT_THAT(errorOf("ObjectName : A\nNumOfOSubject : 1\nService : \"A.B.C.S\", null, null\n"),
+              HasSubstr("no line NumOfOObserver"));
+}
+
+TEST(StubConfigurationTest, RefusesANameTwice) {
+  EXPECT_THAT(errorOf(replaced(kSample, "Func3", "Func2")), AllOf(StartsWith("stub.cfg:7: "), HasSubstr("Func2")));
+  EXPECT_THAT(errorOf(replaced(kSample, "SendCont", "UpdatePowerStatus")), StartsWith("stub.cfg:9: "));
+  EXPECT_THAT(errorOf(std::string("ObjectName : A\n") + kSample), StartsWith("stub.cfg:2: a second ObjectName"));
+}
+
+TEST(StubWriterTest, DefHasNumbersAndIndexes) {
+  const std::string def = writeDef(parse(kSample));
+  for (const char* line : {"const int numOfSubject = 1;\n", "const int numOfObserver = 2;\n",
+                           "const int sbjFunc1 = 0;\n", "const int obsFunc2 = 0;\n", "const int obsFunc3 = 1;\n"}) {
+    EXPECT_THAT(def, HasSubstr(line));
+  }
+}
+
+TEST(StubWriterTest, EntryHasTheIndexesOfTheExtraFunctions) {
+  const std::string entry = writeEntry(parse(kSample));
+  for (const char* line : {"const int entryUpdatePowerStatus = 0;\n", "const int entrySendCont = 1;\n",
+                           "const Selector Extra_Entry[] = {0, 1};\n"}) {
+    EXPECT_THAT(entry, HasSubstr(line));
+  }
+  const std::string none = replaced(replaced(kSample, "Extra : UpdatePowerStatus()\n", ""), "Extra : SendCont()\n", "");
+  EXPECT_THAT(writeEntry(parse(none)), testing::Not(HasSubstr("Extra_Entry")));
+}
+
+TEST(StubWriterTest, DescriptionHasThePriorityOfTheOcf) {
+  EXPECT_THAT(writeDescription(parse(kSample), 112), HasSubstr("description.priority = 112;\n"));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,152 @@
+/// @file test_system.h
+#ifndef TEST_OPENR_HOST_TEST_SYSTEM_H
+#define TEST_OPENR_HOST_TEST_SYSTEM_H
+
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fake_robot.h"
+#include "simulator/openr_host/system.h"
+
+namespace openr_host {
+
+/// An object with one subject "NAME.Out.Data.S", one observer "NAME.In.Data.O" and one entry for answers, which does
+/// what a test tells it to.
+class TestObject : public OObject {
+ public:
+  static ObjectDescription describe(const std::string& name) {
+    ObjectDescription description;
+    description.name = name;
+    description.subjects.push_back(
+        {name + ".Out.Data.S",
+         [](OObject& object, const OControlEvent& event) { static_cast<TestObject&>(object).on_control(event); },
+         [](OObject& object, const OReadyEvent& event) { static_cast<TestObject&>(object).on_ready(event); }});
+    description.observers.push_back(
+        {name + ".In.Data.O",
+         [](OObject& object, const OConnectEvent& event) { static_cast<TestObject&>(object).on_connect(event); },
+         [](OObject& object, const ONotifyEvent& event) { static_cast<TestObject&>(object).on_notify(event); }});
+    description.extra_entries.push_back(
+        [](OObject& object, ANTENVMSG message) { static_cast<TestObject&>(object).on_answer(message); });
+    description.create = [] { return std::make_unique<TestObject>(); };
+    return description;
+  }
+
+  std::function<void(const OControlEvent&)> on_control = [](const OControlEvent&) {};
+  std::function<void(const OConnectEvent&)> on_connect = [](const OConnectEvent&) {};
+  std::function<void(const OReadyEvent&)> on_ready = [](const OReadyEvent&) {};
+  std::function<void(const ONotifyEvent&)> on_notify = [](const ONotifyEvent&) {};
+  std::function<void(ANTENVMSG)> on_answer = [](ANTENVMSG) {};
+
+  OSubject& subject() { return *subject_; }
+  OObserver& observer() { return *observer_; }
+  OID id() const { return myOID_; }
+  SubjectID subjectId() const { return {myOID_, 0}; }
+  ObserverID observerId() const { return {myOID_, 0}; }
+
+  OStatus DoInit(const OSystemEvent& /*event*/) override {
+    subject_ = std::make_unique<OSubject>();
+    subject_->Register(myOID_, 0);
+    observer_ = std::make_unique<OObserver>();
+    observer_->Register(myOID_, 0);
+    return oSUCCESS;
+  }
+
+  OStatus DoStart(const OSystemEvent& /*event*/) override {
+    subject_->Enable(true);
+    return oSUCCESS;
+  }
+
+  OStatus DoDestroy(const OSystemEvent& /*event*/) override {
+    subject_.reset();
+    observer_.reset();
+    return oSUCCESS;
+  }
+
+ private:
+  std::unique_ptr<OSubject> subject_;
+  std::unique_ptr<OObserver> observer_;
+};
+
+/// A system of test objects, run by the test itself.
+class TestSystem {
+ public:
+  /// @param stick_folder the memory stick; empty is none
+  explicit TestSystem(std::string stick_folder = "") : memory_stick(std::move(stick_folder)) {}
+
+  /// @param priority as in an .ocf file
+  TestObject& add(const std::string& name, int priority = 128) {
+    ObjectDescription description = TestObject::describe(name);
+    description.priority = priority;
+    return static_cast<TestObject&>(system.create(description));
+  }
+
+  void boot(const std::vector<std::pair<std::string, std::string>>& connections = {}) {
+    system.initialize();
+    for (const auto& connection : connections) {
+      system.connect(connection.first + ".Out.Data.S", connection.second + ".In.Data.O");
+    }
+    system.start();
+  }
+
+  /// Does something as an object, which only its own functions may do.
+  void as(OObject& object, const std::function<void()>& function) { system.runAs(object, function); }
+
+  /// Handles messages until there are none. No sockets.
+  void run() {
+    while (system.hasMessages()) {
+      system.handleMessages();
+    }
+  }
+
+  /// Handles messages and sockets until `done` says so.
+  /// @param limit safety net
+  /// @return false if that takes longer
+  bool runUntil(const std::function<bool()>& done, std::chrono::seconds limit = std::chrono::seconds(20)) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    while (!done()) {
+      if (std::chrono::steady_clock::now() > end) {
+        return false;
+      }
+      round(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+
+  /// Handles messages and sockets until there is nothing to be done.
+  void runPending() {
+    while (round(std::chrono::milliseconds(0))) {
+    }
+  }
+
+  FakeRobot robot;
+  std::ostringstream output;
+  std::function<std::string(const std::string&)> on_console_line;  ///< answers what is typed
+  const std::string memory_stick;
+  System system{"127.0.0.1", memory_stick, &output, [this](const std::string& line) { return onConsoleLine(line); },
+                robot,       nullptr};
+
+ private:
+  std::string onConsoleLine(const std::string& line) const { return on_console_line ? on_console_line(line) : ""; }
+
+  bool round(std::chrono::milliseconds patience) {
+    const bool had_messages = system.hasMessages();
+    system.handleMessages();
+    PollSet poll_set;
+    system.console().addTo(poll_set);
+    system.ipStack().addTo(poll_set);
+    const auto wait = system.hasMessages() ? std::chrono::milliseconds(0) : patience;
+    return poll_set.wait(std::chrono::steady_clock::now() + wait) || had_messages;
+  }
+};
+
+}  // namespace openr_host
+
+#endif  // TEST_OPENR_HOST_TEST_SYSTEM_H
