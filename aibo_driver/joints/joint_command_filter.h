@@ -1,6 +1,6 @@
 /// @file joint_command_filter.h
-#ifndef AIBO_DRIVER_MOTION_JOINT_COMMAND_FILTER_H
-#define AIBO_DRIVER_MOTION_JOINT_COMMAND_FILTER_H
+#ifndef AIBO_DRIVER_JOINTS_JOINT_COMMAND_FILTER_H
+#define AIBO_DRIVER_JOINTS_JOINT_COMMAND_FILTER_H
 
 #include <chrono>
 #include <cstddef>
@@ -72,4 +72,4 @@ class JointCommandFilter {
 
 }  // namespace aibo_driver::joints
 
-#endif  // AIBO_DRIVER_MOTION_JOINT_COMMAND_FILTER_H
+#endif  // AIBO_DRIVER_JOINTS_JOINT_COMMAND_FILTER_H

@@ -1,6 +1,6 @@
 /// @file joint_link.h
-#ifndef AIBO_DRIVER_MOTION_JOINT_LINK_H
-#define AIBO_DRIVER_MOTION_JOINT_LINK_H
+#ifndef AIBO_DRIVER_JOINTS_JOINT_LINK_H
+#define AIBO_DRIVER_JOINTS_JOINT_LINK_H
 
 #include <chrono>
 #include <cstdint>
@@ -56,4 +56,4 @@ class JointLink {
 
 }  // namespace aibo_driver::joints
 
-#endif  // AIBO_DRIVER_MOTION_JOINT_LINK_H
+#endif  // AIBO_DRIVER_JOINTS_JOINT_LINK_H

@@ -1,6 +1,6 @@
 /// @file joint_table.h
-#ifndef AIBO_DRIVER_MOTION_JOINT_TABLE_H
-#define AIBO_DRIVER_MOTION_JOINT_TABLE_H
+#ifndef AIBO_DRIVER_JOINTS_JOINT_TABLE_H
+#define AIBO_DRIVER_JOINTS_JOINT_TABLE_H
 
 #include <atomic>
 #include <cstddef>
@@ -55,4 +55,4 @@ class JointTable {
 
 }  // namespace aibo_driver::joints
 
-#endif  // AIBO_DRIVER_MOTION_JOINT_TABLE_H
+#endif  // AIBO_DRIVER_JOINTS_JOINT_TABLE_H

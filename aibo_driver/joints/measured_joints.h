@@ -1,6 +1,6 @@
 /// @file measured_joints.h
-#ifndef AIBO_DRIVER_MOTION_MEASURED_JOINTS_H
-#define AIBO_DRIVER_MOTION_MEASURED_JOINTS_H
+#ifndef AIBO_DRIVER_JOINTS_MEASURED_JOINTS_H
+#define AIBO_DRIVER_JOINTS_MEASURED_JOINTS_H
 
 #include <chrono>
 #include <cstddef>
@@ -52,4 +52,4 @@ class MeasuredJoints {
 
 }  // namespace aibo_driver::joints
 
-#endif  // AIBO_DRIVER_MOTION_MEASURED_JOINTS_H
+#endif  // AIBO_DRIVER_JOINTS_MEASURED_JOINTS_H

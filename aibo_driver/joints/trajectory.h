@@ -1,6 +1,6 @@
 /// @file trajectory.h
-#ifndef AIBO_DRIVER_MOTION_TRAJECTORY_H
-#define AIBO_DRIVER_MOTION_TRAJECTORY_H
+#ifndef AIBO_DRIVER_JOINTS_TRAJECTORY_H
+#define AIBO_DRIVER_JOINTS_TRAJECTORY_H
 
 #include <cstddef>
 #include <string>
@@ -92,4 +92,4 @@ class Trajectory {
 
 }  // namespace aibo_driver::joints
 
-#endif  // AIBO_DRIVER_MOTION_TRAJECTORY_H
+#endif  // AIBO_DRIVER_JOINTS_TRAJECTORY_H

@@ -1,6 +1,6 @@
 /// @file trajectory_clock.h
-#ifndef AIBO_DRIVER_MOTION_TRAJECTORY_CLOCK_H
-#define AIBO_DRIVER_MOTION_TRAJECTORY_CLOCK_H
+#ifndef AIBO_DRIVER_JOINTS_TRAJECTORY_CLOCK_H
+#define AIBO_DRIVER_JOINTS_TRAJECTORY_CLOCK_H
 
 #include <chrono>
 
@@ -36,4 +36,4 @@ class TrajectoryClock {
 
 }  // namespace aibo_driver::joints
 
-#endif  // AIBO_DRIVER_MOTION_TRAJECTORY_CLOCK_H
+#endif  // AIBO_DRIVER_JOINTS_TRAJECTORY_CLOCK_H

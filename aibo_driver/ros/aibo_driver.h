@@ -1,6 +1,6 @@
 /// @file aibo_driver.h
-#ifndef AIBO_DRIVER_AIBO_DRIVER_H
-#define AIBO_DRIVER_AIBO_DRIVER_H
+#ifndef AIBO_DRIVER_ROS_AIBO_DRIVER_H
+#define AIBO_DRIVER_ROS_AIBO_DRIVER_H
 
 #include <ros/node_handle.h>
 
@@ -75,4 +75,4 @@ class AiboDriver {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_AIBO_DRIVER_H
+#endif  // AIBO_DRIVER_ROS_AIBO_DRIVER_H

@@ -1,6 +1,6 @@
 /// @file callback_thread.h
-#ifndef AIBO_DRIVER_CALLBACK_THREAD_H
-#define AIBO_DRIVER_CALLBACK_THREAD_H
+#ifndef AIBO_DRIVER_ROS_CALLBACK_THREAD_H
+#define AIBO_DRIVER_ROS_CALLBACK_THREAD_H
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
@@ -30,4 +30,4 @@ class CallbackThread {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_CALLBACK_THREAD_H
+#endif  // AIBO_DRIVER_ROS_CALLBACK_THREAD_H

@@ -1,6 +1,6 @@
 /// @file connection_publisher.h
-#ifndef AIBO_DRIVER_CONNECTION_PUBLISHER_H
-#define AIBO_DRIVER_CONNECTION_PUBLISHER_H
+#ifndef AIBO_DRIVER_ROS_CONNECTION_PUBLISHER_H
+#define AIBO_DRIVER_ROS_CONNECTION_PUBLISHER_H
 
 #include <ros/node_handle.h>
 
@@ -32,4 +32,4 @@ class ConnectionPublisher {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_CONNECTION_PUBLISHER_H
+#endif  // AIBO_DRIVER_ROS_CONNECTION_PUBLISHER_H

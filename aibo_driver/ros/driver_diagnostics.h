@@ -1,6 +1,6 @@
 /// @file driver_diagnostics.h
-#ifndef AIBO_DRIVER_DRIVER_DIAGNOSTICS_H
-#define AIBO_DRIVER_DRIVER_DIAGNOSTICS_H
+#ifndef AIBO_DRIVER_ROS_DRIVER_DIAGNOSTICS_H
+#define AIBO_DRIVER_ROS_DRIVER_DIAGNOSTICS_H
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
@@ -60,4 +60,4 @@ class DriverDiagnostics {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_DRIVER_DIAGNOSTICS_H
+#endif  // AIBO_DRIVER_ROS_DRIVER_DIAGNOSTICS_H

@@ -1,6 +1,6 @@
 /// @file driver_namespace.h
-#ifndef AIBO_DRIVER_DRIVER_NAMESPACE_H
-#define AIBO_DRIVER_DRIVER_NAMESPACE_H
+#ifndef AIBO_DRIVER_ROS_DRIVER_NAMESPACE_H
+#define AIBO_DRIVER_ROS_DRIVER_NAMESPACE_H
 
 #include <ros/node_handle.h>
 
@@ -16,4 +16,4 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_DRIVER_NAMESPACE_H
+#endif  // AIBO_DRIVER_ROS_DRIVER_NAMESPACE_H

@@ -1,6 +1,6 @@
 /// @file driver_parameters.h
-#ifndef AIBO_DRIVER_DRIVER_PARAMETERS_H
-#define AIBO_DRIVER_DRIVER_PARAMETERS_H
+#ifndef AIBO_DRIVER_ROS_DRIVER_PARAMETERS_H
+#define AIBO_DRIVER_ROS_DRIVER_PARAMETERS_H
 
 #include <ros/node_handle.h>
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -56,4 +56,4 @@ DriverParameters readDriverParameters(const ros::NodeHandle& private_handle);
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_DRIVER_PARAMETERS_H
+#endif  // AIBO_DRIVER_ROS_DRIVER_PARAMETERS_H

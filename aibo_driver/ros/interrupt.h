@@ -1,6 +1,6 @@
 /// @file interrupt.h
-#ifndef AIBO_DRIVER_INTERRUPT_H
-#define AIBO_DRIVER_INTERRUPT_H
+#ifndef AIBO_DRIVER_ROS_INTERRUPT_H
+#define AIBO_DRIVER_ROS_INTERRUPT_H
 
 namespace aibo_driver::node {
 
@@ -13,4 +13,4 @@ void endOnInterrupt();
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_INTERRUPT_H
+#endif  // AIBO_DRIVER_ROS_INTERRUPT_H

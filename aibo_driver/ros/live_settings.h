@@ -1,6 +1,6 @@
 /// @file live_settings.h
-#ifndef AIBO_DRIVER_LIVE_SETTINGS_H
-#define AIBO_DRIVER_LIVE_SETTINGS_H
+#ifndef AIBO_DRIVER_ROS_LIVE_SETTINGS_H
+#define AIBO_DRIVER_ROS_LIVE_SETTINGS_H
 
 #include <aibo_driver/AiboDriverConfig.h>
 #include <dynamic_reconfigure/server.h>
@@ -42,4 +42,4 @@ class LiveSettings {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_LIVE_SETTINGS_H
+#endif  // AIBO_DRIVER_ROS_LIVE_SETTINGS_H

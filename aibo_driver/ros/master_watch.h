@@ -1,6 +1,6 @@
 /// @file master_watch.h
-#ifndef AIBO_DRIVER_MASTER_WATCH_H
-#define AIBO_DRIVER_MASTER_WATCH_H
+#ifndef AIBO_DRIVER_ROS_MASTER_WATCH_H
+#define AIBO_DRIVER_ROS_MASTER_WATCH_H
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
@@ -60,4 +60,4 @@ class MasterWatch {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_MASTER_WATCH_H
+#endif  // AIBO_DRIVER_ROS_MASTER_WATCH_H

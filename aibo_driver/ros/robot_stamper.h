@@ -1,6 +1,6 @@
 /// @file robot_stamper.h
-#ifndef AIBO_DRIVER_ROBOT_STAMPER_H
-#define AIBO_DRIVER_ROBOT_STAMPER_H
+#ifndef AIBO_DRIVER_ROS_ROBOT_STAMPER_H
+#define AIBO_DRIVER_ROS_ROBOT_STAMPER_H
 
 #include <ros/time.h>
 
@@ -75,4 +75,4 @@ class RobotStamper {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_ROBOT_STAMPER_H
+#endif  // AIBO_DRIVER_ROS_ROBOT_STAMPER_H

@@ -1,6 +1,6 @@
 /// @file ros_log_sink.h
-#ifndef AIBO_DRIVER_ROS_LOG_SINK_H
-#define AIBO_DRIVER_ROS_LOG_SINK_H
+#ifndef AIBO_DRIVER_ROS_ROS_LOG_SINK_H
+#define AIBO_DRIVER_ROS_ROS_LOG_SINK_H
 
 #include "aibo_driver/log.h"
 
@@ -11,4 +11,4 @@ LogSink makeRosLogSink();
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_ROS_LOG_SINK_H
+#endif  // AIBO_DRIVER_ROS_ROS_LOG_SINK_H

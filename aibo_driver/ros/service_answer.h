@@ -1,6 +1,6 @@
 /// @file service_answer.h
-#ifndef AIBO_DRIVER_SERVICE_ANSWER_H
-#define AIBO_DRIVER_SERVICE_ANSWER_H
+#ifndef AIBO_DRIVER_ROS_SERVICE_ANSWER_H
+#define AIBO_DRIVER_ROS_SERVICE_ANSWER_H
 
 #include <exception>
 #include <string>
@@ -25,4 +25,4 @@ bool answerService(Response& response, const std::string& failure, const Work& w
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_SERVICE_ANSWER_H
+#endif  // AIBO_DRIVER_ROS_SERVICE_ANSWER_H

@@ -1,6 +1,6 @@
 /// @file telemetry_stamper.h
-#ifndef AIBO_DRIVER_TELEMETRY_STAMPER_H
-#define AIBO_DRIVER_TELEMETRY_STAMPER_H
+#ifndef AIBO_DRIVER_ROS_TELEMETRY_STAMPER_H
+#define AIBO_DRIVER_ROS_TELEMETRY_STAMPER_H
 
 #include <ros/time.h>
 
@@ -16,4 +16,4 @@ using TelemetryStamper = std::function<ros::Time(const Telemetry& telemetry)>;
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_TELEMETRY_STAMPER_H
+#endif  // AIBO_DRIVER_ROS_TELEMETRY_STAMPER_H

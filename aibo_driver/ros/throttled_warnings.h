@@ -1,6 +1,6 @@
 /// @file throttled_warnings.h
-#ifndef AIBO_DRIVER_THROTTLED_WARNINGS_H
-#define AIBO_DRIVER_THROTTLED_WARNINGS_H
+#ifndef AIBO_DRIVER_ROS_THROTTLED_WARNINGS_H
+#define AIBO_DRIVER_ROS_THROTTLED_WARNINGS_H
 
 #include <chrono>
 #include <functional>
@@ -27,4 +27,4 @@ class ThrottledWarnings {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_THROTTLED_WARNINGS_H
+#endif  // AIBO_DRIVER_ROS_THROTTLED_WARNINGS_H

@@ -1,7 +1,7 @@
 /// @file node_process.h
 /// The process behind a ROS node on this machine.
-#ifndef AIBO_DRIVER_MONITOR_NODE_PROCESS_H
-#define AIBO_DRIVER_MONITOR_NODE_PROCESS_H
+#ifndef AIBO_DRIVER_TOOLS_NODE_PROCESS_H
+#define AIBO_DRIVER_TOOLS_NODE_PROCESS_H
 
 #include <sys/types.h>
 
@@ -22,4 +22,4 @@ std::optional<std::chrono::nanoseconds> processorTime(pid_t process);
 
 }  // namespace aibo_driver::tools
 
-#endif  // AIBO_DRIVER_MONITOR_NODE_PROCESS_H
+#endif  // AIBO_DRIVER_TOOLS_NODE_PROCESS_H

@@ -1,6 +1,6 @@
 /// @file picture_log_reader.h
-#ifndef AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H
-#define AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H
+#ifndef AIBO_DRIVER_TOOLS_PICTURE_LOG_READER_H
+#define AIBO_DRIVER_TOOLS_PICTURE_LOG_READER_H
 
 #include <chrono>
 #include <cstdint>
@@ -51,4 +51,4 @@ class PictureLogReader {
 
 }  // namespace aibo_driver::tools
 
-#endif  // AIBO_DRIVER_MONITOR_PICTURE_LOG_READER_H
+#endif  // AIBO_DRIVER_TOOLS_PICTURE_LOG_READER_H

@@ -1,7 +1,7 @@
 /// @file FileJob.h
 /// What RCServer and FileKeeper send each other.
-#ifndef FILE_KEEPER_FILE_JOB_H
-#define FILE_KEEPER_FILE_JOB_H
+#ifndef AIBO_RCSERVER_FILE_KEEPER_FILE_JOB_H
+#define AIBO_RCSERVER_FILE_KEEPER_FILE_JOB_H
 
 #include <stddef.h>
 
@@ -39,4 +39,4 @@ struct FileResult {
   protocol::version2::MotionList list;        ///< after LIST
 };
 
-#endif  // FILE_KEEPER_FILE_JOB_H
+#endif  // AIBO_RCSERVER_FILE_KEEPER_FILE_JOB_H

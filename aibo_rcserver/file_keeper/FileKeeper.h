@@ -1,7 +1,7 @@
 /// @file FileKeeper.h
 /// The OPEN-R object that reads and writes motion files on the memory stick for RCServer.
-#ifndef FILE_KEEPER_FILE_KEEPER_H
-#define FILE_KEEPER_FILE_KEEPER_H
+#ifndef AIBO_RCSERVER_FILE_KEEPER_FILE_KEEPER_H
+#define AIBO_RCSERVER_FILE_KEEPER_FILE_KEEPER_H
 
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
@@ -45,4 +45,4 @@ class FileKeeper : public OObject {
   RegionSender<FileResult> results_;
 };
 
-#endif  // FILE_KEEPER_FILE_KEEPER_H
+#endif  // AIBO_RCSERVER_FILE_KEEPER_FILE_KEEPER_H

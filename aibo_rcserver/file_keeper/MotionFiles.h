@@ -1,7 +1,7 @@
 /// @file MotionFiles.h
 /// The motions on the memory stick.
-#ifndef FILE_KEEPER_MOTION_FILES_H
-#define FILE_KEEPER_MOTION_FILES_H
+#ifndef AIBO_RCSERVER_FILE_KEEPER_MOTION_FILES_H
+#define AIBO_RCSERVER_FILE_KEEPER_MOTION_FILES_H
 
 #include <stddef.h>
 
@@ -50,4 +50,4 @@ class MotionFiles {
   const HostSettings& host_;
 };
 
-#endif  // FILE_KEEPER_MOTION_FILES_H
+#endif  // AIBO_RCSERVER_FILE_KEEPER_MOTION_FILES_H

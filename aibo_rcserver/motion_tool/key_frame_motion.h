@@ -1,7 +1,7 @@
 /// @file key_frame_motion.h
 /// A motion in the making.
-#ifndef MOTION_TOOL_KEY_FRAME_MOTION_H
-#define MOTION_TOOL_KEY_FRAME_MOTION_H
+#ifndef AIBO_RCSERVER_MOTION_TOOL_KEY_FRAME_MOTION_H
+#define AIBO_RCSERVER_MOTION_TOOL_KEY_FRAME_MOTION_H
 
 #include <string>
 #include <vector>
@@ -25,4 +25,4 @@ struct KeyFrameMotion {
 
 }  // namespace motion_tool
 
-#endif  // MOTION_TOOL_KEY_FRAME_MOTION_H
+#endif  // AIBO_RCSERVER_MOTION_TOOL_KEY_FRAME_MOTION_H

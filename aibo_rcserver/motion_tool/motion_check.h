@@ -1,7 +1,7 @@
 /// @file motion_check.h
 /// Whether a robot can do a motion as it is written.
-#ifndef MOTION_TOOL_MOTION_CHECK_H
-#define MOTION_TOOL_MOTION_CHECK_H
+#ifndef AIBO_RCSERVER_MOTION_TOOL_MOTION_CHECK_H
+#define AIBO_RCSERVER_MOTION_TOOL_MOTION_CHECK_H
 
 #include <string>
 #include <vector>
@@ -19,4 +19,4 @@ std::vector<std::string> findObstacles(const mtn::Motion& motion, const robot_mo
 
 }  // namespace motion_tool
 
-#endif  // MOTION_TOOL_MOTION_CHECK_H
+#endif  // AIBO_RCSERVER_MOTION_TOOL_MOTION_CHECK_H

@@ -1,7 +1,7 @@
 /// @file mtn_writer.h
 /// Writes motion files.
-#ifndef MOTION_TOOL_MTN_WRITER_H
-#define MOTION_TOOL_MTN_WRITER_H
+#ifndef AIBO_RCSERVER_MOTION_TOOL_MTN_WRITER_H
+#define AIBO_RCSERVER_MOTION_TOOL_MTN_WRITER_H
 
 #include <string>
 
@@ -17,4 +17,4 @@ std::string encodeMtn(const KeyFrameMotion& motion);
 
 }  // namespace motion_tool
 
-#endif  // MOTION_TOOL_MTN_WRITER_H
+#endif  // AIBO_RCSERVER_MOTION_TOOL_MTN_WRITER_H

@@ -1,7 +1,7 @@
 /// @file robots.h
 /// What motion files call the robots.
-#ifndef MOTION_TOOL_ROBOTS_H
-#define MOTION_TOOL_ROBOTS_H
+#ifndef AIBO_RCSERVER_MOTION_TOOL_ROBOTS_H
+#define AIBO_RCSERVER_MOTION_TOOL_ROBOTS_H
 
 #include <string>
 
@@ -20,4 +20,4 @@ const robot_model::RobotModel* modelOf(const std::string& design);
 
 }  // namespace motion_tool
 
-#endif  // MOTION_TOOL_ROBOTS_H
+#endif  // AIBO_RCSERVER_MOTION_TOOL_ROBOTS_H

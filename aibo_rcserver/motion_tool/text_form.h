@@ -9,8 +9,8 @@
 ///     at 640   neck_tilt 0
 ///
 /// A `#` begins a comment, and lines of joints and degrees may follow the `at` they belong to.
-#ifndef MOTION_TOOL_TEXT_FORM_H
-#define MOTION_TOOL_TEXT_FORM_H
+#ifndef AIBO_RCSERVER_MOTION_TOOL_TEXT_FORM_H
+#define AIBO_RCSERVER_MOTION_TOOL_TEXT_FORM_H
 
 #include <istream>
 #include <string>
@@ -30,4 +30,4 @@ std::string printTextForm(const mtn::Motion& motion);
 
 }  // namespace motion_tool
 
-#endif  // MOTION_TOOL_TEXT_FORM_H
+#endif  // AIBO_RCSERVER_MOTION_TOOL_TEXT_FORM_H

@@ -15,8 +15,8 @@
 /// four bytes. A key frame is roll, pitch and yaw of the body and then one position a joint, each an int32 in
 /// microradian. Before each of them but the first stands, as uint32, how many frames are to be interpolated between it
 /// and the one before: it is reached (that number + 1) * milliseconds a frame later.
-#ifndef MTN_LAYOUT_H
-#define MTN_LAYOUT_H
+#ifndef AIBO_RCSERVER_MTN_LAYOUT_H
+#define AIBO_RCSERVER_MTN_LAYOUT_H
 
 #include <stddef.h>
 
@@ -58,4 +58,4 @@ const int MAX_POSITION = 6283185;
 
 }  // namespace mtn
 
-#endif  // MTN_LAYOUT_H
+#endif  // AIBO_RCSERVER_MTN_LAYOUT_H

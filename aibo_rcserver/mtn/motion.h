@@ -1,7 +1,7 @@
 /// @file motion.h
 /// Reads motion files (MTN), the format of Sony's motion editors.
-#ifndef MTN_MOTION_H
-#define MTN_MOTION_H
+#ifndef AIBO_RCSERVER_MTN_MOTION_H
+#define AIBO_RCSERVER_MTN_MOTION_H
 
 #include <stddef.h>
 
@@ -89,4 +89,4 @@ class Motion {
 
 }  // namespace mtn
 
-#endif  // MTN_MOTION_H
+#endif  // AIBO_RCSERVER_MTN_MOTION_H

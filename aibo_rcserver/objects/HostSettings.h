@@ -1,7 +1,7 @@
 /// @file HostSettings.h
 /// What a computer that stands in for the robot may have otherwise than the robot.
-#ifndef OBJECTS_HOST_SETTINGS_H
-#define OBJECTS_HOST_SETTINGS_H
+#ifndef AIBO_RCSERVER_OBJECTS_HOST_SETTINGS_H
+#define AIBO_RCSERVER_OBJECTS_HOST_SETTINGS_H
 
 #include <stddef.h>
 
@@ -31,4 +31,4 @@ const size_t MAX_PATH_SIZE = 1024;
 /// @return false if it does not fit
 bool pathOnMemoryStick(const HostSettings& host, const char* name, char (&path)[MAX_PATH_SIZE]);
 
-#endif  // OBJECTS_HOST_SETTINGS_H
+#endif  // AIBO_RCSERVER_OBJECTS_HOST_SETTINGS_H

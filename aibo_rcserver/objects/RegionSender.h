@@ -1,7 +1,7 @@
 /// @file RegionSender.h
 /// How one object of ours hands another one a job, or its result.
-#ifndef OBJECTS_REGION_SENDER_H
-#define OBJECTS_REGION_SENDER_H
+#ifndef AIBO_RCSERVER_OBJECTS_REGION_SENDER_H
+#define AIBO_RCSERVER_OBJECTS_REGION_SENDER_H
 
 #include <OPENR/OSubject.h>
 #include <OPENR/RCRegion.h>
@@ -83,4 +83,4 @@ class RegionSender {
   unsigned last_ticket_;
 };
 
-#endif  // OBJECTS_REGION_SENDER_H
+#endif  // AIBO_RCSERVER_OBJECTS_REGION_SENDER_H

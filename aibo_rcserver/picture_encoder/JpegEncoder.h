@@ -1,7 +1,7 @@
 /// @file JpegEncoder.h
 /// From a camera image to a JPEG file in memory.
-#ifndef PICTURE_ENCODER_JPEG_ENCODER_H
-#define PICTURE_ENCODER_JPEG_ENCODER_H
+#ifndef AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H
+#define AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H
 
 #include <setjmp.h>
 #include <stddef.h>
@@ -90,4 +90,4 @@ class JpegEncoder {
   HalfStrip cr_;
 };
 
-#endif  // PICTURE_ENCODER_JPEG_ENCODER_H
+#endif  // AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H

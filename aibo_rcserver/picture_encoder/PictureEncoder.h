@@ -1,7 +1,7 @@
 /// @file PictureEncoder.h
 /// The OPEN-R object that makes JPEG files of camera images for RCServer.
-#ifndef PICTURE_ENCODER_PICTURE_ENCODER_H
-#define PICTURE_ENCODER_PICTURE_ENCODER_H
+#ifndef AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_ENCODER_H
+#define AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_ENCODER_H
 
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
@@ -47,4 +47,4 @@ class PictureEncoder : public OObject {
   RegionSender<EncodedPicture> pictures_;
 };
 
-#endif  // PICTURE_ENCODER_PICTURE_ENCODER_H
+#endif  // AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_ENCODER_H

@@ -1,7 +1,7 @@
 /// @file PictureJob.h
 /// What RCServer and PictureEncoder send each other.
-#ifndef PICTURE_ENCODER_PICTURE_JOB_H
-#define PICTURE_ENCODER_PICTURE_JOB_H
+#ifndef AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_JOB_H
+#define AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_JOB_H
 
 #include <stddef.h>
 
@@ -32,4 +32,4 @@ struct EncodedPicture {
   unsigned char jpeg[ENCODED_PICTURE_CAPACITY];
 };
 
-#endif  // PICTURE_ENCODER_PICTURE_JOB_H
+#endif  // AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_JOB_H

@@ -1,8 +1,8 @@
 /// @file angles.h
 /// The wire's two units of angle: version 1 counts in 0.01 degree, version 2 and OPEN-R in microradian. The same
 /// conversions hold for speeds (0.01 degree/s, microradian/s) and accelerations.
-#ifndef PROTOCOL_ANGLES_H
-#define PROTOCOL_ANGLES_H
+#ifndef AIBO_RCSERVER_PROTOCOL_ANGLES_H
+#define AIBO_RCSERVER_PROTOCOL_ANGLES_H
 
 namespace protocol {
 
@@ -19,4 +19,4 @@ short centidegreesFromMicroradians(int microradians);
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_ANGLES_H
+#endif  // AIBO_RCSERVER_PROTOCOL_ANGLES_H

@@ -1,7 +1,7 @@
 /// @file big_endian.h
 /// Integers of version 2 of the protocol: most significant byte first, whatever the machine's own order and alignment.
-#ifndef PROTOCOL_BIG_ENDIAN_H
-#define PROTOCOL_BIG_ENDIAN_H
+#ifndef AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
+#define AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
 
 namespace protocol {
 
@@ -42,4 +42,4 @@ inline int decodeBigEndianSigned32(const unsigned char* in) {
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_BIG_ENDIAN_H
+#endif  // AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H

@@ -1,7 +1,7 @@
 /// @file frame_reader.h
 /// Splits the bytes of a version 2 connection into frames. Used by both sides.
-#ifndef PROTOCOL_FRAME_READER_H
-#define PROTOCOL_FRAME_READER_H
+#ifndef AIBO_RCSERVER_PROTOCOL_FRAME_READER_H
+#define AIBO_RCSERVER_PROTOCOL_FRAME_READER_H
 
 #include <stddef.h>
 
@@ -75,4 +75,4 @@ class FrameReader {
 }  // namespace version2
 }  // namespace protocol
 
-#endif  // PROTOCOL_FRAME_READER_H
+#endif  // AIBO_RCSERVER_PROTOCOL_FRAME_READER_H

@@ -9,8 +9,8 @@
 ///     limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460
 ///
 /// All five have to be there, each once, in any order; what else is there is for newer clients and is passed over.
-#ifndef PROTOCOL_HELLO_H
-#define PROTOCOL_HELLO_H
+#ifndef AIBO_RCSERVER_PROTOCOL_HELLO_H
+#define AIBO_RCSERVER_PROTOCOL_HELLO_H
 
 #include <stddef.h>
 
@@ -59,4 +59,4 @@ bool hasCapability(const Hello& hello, const char* word);
 }  // namespace version2
 }  // namespace protocol
 
-#endif  // PROTOCOL_HELLO_H
+#endif  // AIBO_RCSERVER_PROTOCOL_HELLO_H

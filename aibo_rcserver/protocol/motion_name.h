@@ -1,8 +1,8 @@
 /// @file motion_name.h
 /// Names of motion files, as both versions of the protocol carry them: eight characters, a dot, three characters, as on
 /// every memory stick, and the three are MTN. Used by both sides.
-#ifndef PROTOCOL_MOTION_NAME_H
-#define PROTOCOL_MOTION_NAME_H
+#ifndef AIBO_RCSERVER_PROTOCOL_MOTION_NAME_H
+#define AIBO_RCSERVER_PROTOCOL_MOTION_NAME_H
 
 #include <stddef.h>
 
@@ -25,4 +25,4 @@ const char* readMotionName(const char* text, size_t size, MotionName& name);
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_MOTION_NAME_H
+#endif  // AIBO_RCSERVER_PROTOCOL_MOTION_NAME_H

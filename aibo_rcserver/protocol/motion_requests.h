@@ -4,8 +4,8 @@
 /// decoders would accept, and return the bytes written.
 ///
 /// Names are read by readMotionName(): in any case on the wire, in capital letters here.
-#ifndef PROTOCOL_MOTION_REQUESTS_H
-#define PROTOCOL_MOTION_REQUESTS_H
+#ifndef AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H
+#define AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H
 
 #include <stddef.h>
 
@@ -63,4 +63,4 @@ const char* decodeMotionList(const unsigned char* payload, size_t size, MotionLi
 }  // namespace version2
 }  // namespace protocol
 
-#endif  // PROTOCOL_MOTION_REQUESTS_H
+#endif  // AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H

@@ -1,7 +1,7 @@
 /// @file request_reader.h
 /// Splits the bytes a version 1 client sends into requests.
-#ifndef PROTOCOL_REQUEST_READER_H
-#define PROTOCOL_REQUEST_READER_H
+#ifndef AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H
+#define AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H
 
 #include <stddef.h>
 
@@ -95,4 +95,4 @@ class RequestReader {
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_REQUEST_READER_H
+#endif  // AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H

@@ -1,7 +1,7 @@
 /// @file rounding.h
 /// How values are rounded into the wire's units.
-#ifndef PROTOCOL_ROUNDING_H
-#define PROTOCOL_ROUNDING_H
+#ifndef AIBO_RCSERVER_PROTOCOL_ROUNDING_H
+#define AIBO_RCSERVER_PROTOCOL_ROUNDING_H
 
 #include <limits.h>
 
@@ -25,4 +25,4 @@ inline short roundIntoShort(double value) {
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_ROUNDING_H
+#endif  // AIBO_RCSERVER_PROTOCOL_ROUNDING_H

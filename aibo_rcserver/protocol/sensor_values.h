@@ -7,8 +7,8 @@
 /// | distance, acceleration, force, temperature, charge | millionths | hundredths | millionths |
 /// | strength of a touch | as it is | as it is | millionths |
 /// | switch | 0 or 1 | 0 or 1 | 0 or 1 |
-#ifndef PROTOCOL_SENSOR_VALUES_H
-#define PROTOCOL_SENSOR_VALUES_H
+#ifndef AIBO_RCSERVER_PROTOCOL_SENSOR_VALUES_H
+#define AIBO_RCSERVER_PROTOCOL_SENSOR_VALUES_H
 
 #include "robot_model/robot_model.h"
 
@@ -29,4 +29,4 @@ double sensorValueFromVersion2(robot_model::SensorKind kind, int sent);
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_SENSOR_VALUES_H
+#endif  // AIBO_RCSERVER_PROTOCOL_SENSOR_VALUES_H

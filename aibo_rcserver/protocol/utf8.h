@@ -1,7 +1,7 @@
 /// @file utf8.h
 /// Text on the wire: UTF-8 without control characters.
-#ifndef PROTOCOL_UTF8_H
-#define PROTOCOL_UTF8_H
+#ifndef AIBO_RCSERVER_PROTOCOL_UTF8_H
+#define AIBO_RCSERVER_PROTOCOL_UTF8_H
 
 #include <stddef.h>
 
@@ -17,4 +17,4 @@ size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit);
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_UTF8_H
+#endif  // AIBO_RCSERVER_PROTOCOL_UTF8_H

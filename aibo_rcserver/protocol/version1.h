@@ -4,8 +4,8 @@
 /// A request begins with two bytes, a capital letter and an identifier; a reply begins with a small letter.
 /// Integers are little-endian, except for the size of a picture, which is big-endian (report, section 3.4.1).
 /// docs/protocol.md tells the whole of it.
-#ifndef PROTOCOL_VERSION1_H
-#define PROTOCOL_VERSION1_H
+#ifndef AIBO_RCSERVER_PROTOCOL_VERSION1_H
+#define AIBO_RCSERVER_PROTOCOL_VERSION1_H
 
 #include <stddef.h>
 
@@ -143,4 +143,4 @@ unsigned char limitJpegQuality(unsigned char quality);
 
 }  // namespace protocol
 
-#endif  // PROTOCOL_VERSION1_H
+#endif  // AIBO_RCSERVER_PROTOCOL_VERSION1_H

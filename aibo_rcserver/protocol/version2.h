@@ -13,8 +13,8 @@
 ///
 /// Every encoder returns the bytes it has written, which is at most the constant named beside it. It expects what its
 /// decoder would accept.
-#ifndef PROTOCOL_VERSION2_H
-#define PROTOCOL_VERSION2_H
+#ifndef AIBO_RCSERVER_PROTOCOL_VERSION2_H
+#define AIBO_RCSERVER_PROTOCOL_VERSION2_H
 
 #include <stddef.h>
 
@@ -253,4 +253,4 @@ const char* decodeErrorMessage(const unsigned char* payload, size_t size, ErrorM
 }  // namespace version2
 }  // namespace protocol
 
-#endif  // PROTOCOL_VERSION2_H
+#endif  // AIBO_RCSERVER_PROTOCOL_VERSION2_H

@@ -1,7 +1,7 @@
 /// @file Connection.h
 /// One place for a client at the IPStack.
-#ifndef RCSERVER_CONNECTION_H
-#define RCSERVER_CONNECTION_H
+#ifndef AIBO_RCSERVER_RCSERVER_CONNECTION_H
+#define AIBO_RCSERVER_RCSERVER_CONNECTION_H
 
 #include <OPENR/OPENR.h>
 #include <TCPEndpointMsg.h>
@@ -158,4 +158,4 @@ class Connection {
   char client_name_[sizeof("255.255.255.255:65535")];
 };
 
-#endif  // RCSERVER_CONNECTION_H
+#endif  // AIBO_RCSERVER_RCSERVER_CONNECTION_H

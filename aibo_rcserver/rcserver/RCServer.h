@@ -1,7 +1,7 @@
 /// @file RCServer.h
 /// The OPEN-R object that lets one client at a time see what the robot sees.
-#ifndef RCSERVER_RCSERVER_H
-#define RCSERVER_RCSERVER_H
+#ifndef AIBO_RCSERVER_RCSERVER_RCSERVER_H
+#define AIBO_RCSERVER_RCSERVER_RCSERVER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OObject.h>
@@ -132,4 +132,4 @@ class RCServer : public OObject {
   unsigned image_count_;  ///< the camera's own count, which has 16 bits, carried on to 32
 };
 
-#endif  // RCSERVER_RCSERVER_H
+#endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

@@ -1,7 +1,7 @@
 /// @file Session.h
 /// What one client and the server say to each other.
-#ifndef RCSERVER_SESSION_H
-#define RCSERVER_SESSION_H
+#ifndef AIBO_RCSERVER_RCSERVER_SESSION_H
+#define AIBO_RCSERVER_RCSERVER_SESSION_H
 
 #include <stddef.h>
 
@@ -122,4 +122,4 @@ class Session {
   size_t input_end_;
 };
 
-#endif  // RCSERVER_SESSION_H
+#endif  // AIBO_RCSERVER_RCSERVER_SESSION_H

@@ -5,8 +5,8 @@
 /// Angles are whole microradians, as everywhere in OPEN-R; `int` has 32 bits on both sides. Signs are Sony's: all zero
 /// is the robot with its legs straight down; positive is up for head and tail, to the left for pan, forward for the
 /// rotators, away from the body for the elevators, bent for the knees (Model Information ERS-7, section 2.1).
-#ifndef ROBOT_MODEL_ROBOT_MODEL_H
-#define ROBOT_MODEL_ROBOT_MODEL_H
+#ifndef AIBO_RCSERVER_ROBOT_MODEL_ROBOT_MODEL_H
+#define AIBO_RCSERVER_ROBOT_MODEL_ROBOT_MODEL_H
 
 namespace robot_model {
 
@@ -203,4 +203,4 @@ void clampPosture(const RobotModel& model, int* posture);
 
 }  // namespace robot_model
 
-#endif  // ROBOT_MODEL_ROBOT_MODEL_H
+#endif  // AIBO_RCSERVER_ROBOT_MODEL_ROBOT_MODEL_H

@@ -1,7 +1,7 @@
 /// @file tables.h
 /// What the tables of the robots are written with, and where they are.
-#ifndef ROBOT_MODEL_TABLES_H
-#define ROBOT_MODEL_TABLES_H
+#ifndef AIBO_RCSERVER_ROBOT_MODEL_TABLES_H
+#define AIBO_RCSERVER_ROBOT_MODEL_TABLES_H
 
 #include "robot_model/robot_model.h"
 
@@ -46,4 +46,4 @@ extern const RobotModel ERS210;
 
 }  // namespace robot_model
 
-#endif  // ROBOT_MODEL_TABLES_H
+#endif  // AIBO_RCSERVER_ROBOT_MODEL_TABLES_H

@@ -1,7 +1,7 @@
 /// @file object_catalog.h
 /// The objects that the project's memory stick names.
-#ifndef OBJECT_CATALOG_H
-#define OBJECT_CATALOG_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H
+#define AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H
 
 #include <map>
 #include <string>
@@ -11,4 +11,4 @@
 /// For MachineOptions::catalog: RCSERVER.BIN and its helpers ENCODER.BIN and FILES.BIN. They find hostSettings().
 std::map<std::string, openr_host::ObjectDescription> objectCatalog();
 
-#endif  // OBJECT_CATALOG_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H

@@ -1,6 +1,6 @@
 /// @file picture_log.h
-#ifndef PICTURE_LOG_H
-#define PICTURE_LOG_H
+#ifndef AIBO_RCSERVER_SIMULATOR_PICTURE_LOG_H
+#define AIBO_RCSERVER_SIMULATOR_PICTURE_LOG_H
 
 #include <chrono>
 #include <cstddef>
@@ -37,4 +37,4 @@ class PictureLog {
   SentPictures pictures_;
 };
 
-#endif  // PICTURE_LOG_H
+#endif  // AIBO_RCSERVER_SIMULATOR_PICTURE_LOG_H

@@ -1,6 +1,6 @@
 /// @file sent_pictures.h
-#ifndef SENT_PICTURES_H
-#define SENT_PICTURES_H
+#ifndef AIBO_RCSERVER_SIMULATOR_SENT_PICTURES_H
+#define AIBO_RCSERVER_SIMULATOR_SENT_PICTURES_H
 
 #include <cstddef>
 #include <string>
@@ -27,4 +27,4 @@ class SentPictures {
   const unsigned char* next_ = nullptr;  ///< where its next part begins
 };
 
-#endif  // SENT_PICTURES_H
+#endif  // AIBO_RCSERVER_SIMULATOR_SENT_PICTURES_H

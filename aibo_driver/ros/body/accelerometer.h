@@ -1,6 +1,6 @@
 /// @file accelerometer.h
-#ifndef AIBO_DRIVER_ACCELEROMETER_H
-#define AIBO_DRIVER_ACCELEROMETER_H
+#ifndef AIBO_DRIVER_ROS_BODY_ACCELEROMETER_H
+#define AIBO_DRIVER_ROS_BODY_ACCELEROMETER_H
 
 #include <sensor_msgs/Imu.h>
 
@@ -42,4 +42,4 @@ class Accelerometer {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_ACCELEROMETER_H
+#endif  // AIBO_DRIVER_ROS_BODY_ACCELEROMETER_H

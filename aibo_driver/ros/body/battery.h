@@ -1,6 +1,6 @@
 /// @file battery.h
-#ifndef AIBO_DRIVER_BATTERY_H
-#define AIBO_DRIVER_BATTERY_H
+#ifndef AIBO_DRIVER_ROS_BODY_BATTERY_H
+#define AIBO_DRIVER_ROS_BODY_BATTERY_H
 
 #include <sensor_msgs/BatteryState.h>
 
@@ -42,4 +42,4 @@ class Battery {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_BATTERY_H
+#endif  // AIBO_DRIVER_ROS_BODY_BATTERY_H

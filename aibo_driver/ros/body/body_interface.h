@@ -1,6 +1,6 @@
 /// @file body_interface.h
-#ifndef AIBO_DRIVER_BODY_INTERFACE_H
-#define AIBO_DRIVER_BODY_INTERFACE_H
+#ifndef AIBO_DRIVER_ROS_BODY_BODY_INTERFACE_H
+#define AIBO_DRIVER_ROS_BODY_BODY_INTERFACE_H
 
 #include <ros/node_handle.h>
 
@@ -43,4 +43,4 @@ class BodyInterface {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_BODY_INTERFACE_H
+#endif  // AIBO_DRIVER_ROS_BODY_BODY_INTERFACE_H

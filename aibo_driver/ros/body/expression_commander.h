@@ -1,6 +1,6 @@
 /// @file expression_commander.h
-#ifndef AIBO_DRIVER_EXPRESSION_COMMANDER_H
-#define AIBO_DRIVER_EXPRESSION_COMMANDER_H
+#ifndef AIBO_DRIVER_ROS_BODY_EXPRESSION_COMMANDER_H
+#define AIBO_DRIVER_ROS_BODY_EXPRESSION_COMMANDER_H
 
 #include <aibo_driver/Ears.h>
 #include <aibo_driver/Leds.h>
@@ -37,4 +37,4 @@ class ExpressionCommander {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_EXPRESSION_COMMANDER_H
+#endif  // AIBO_DRIVER_ROS_BODY_EXPRESSION_COMMANDER_H

@@ -1,6 +1,6 @@
 /// @file file_loader.h
-#ifndef AIBO_DRIVER_FILE_LOADER_H
-#define AIBO_DRIVER_FILE_LOADER_H
+#ifndef AIBO_DRIVER_ROS_BODY_FILE_LOADER_H
+#define AIBO_DRIVER_ROS_BODY_FILE_LOADER_H
 
 #include <cstddef>
 #include <cstdint>
@@ -25,4 +25,4 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_FILE_LOADER_H
+#endif  // AIBO_DRIVER_ROS_BODY_FILE_LOADER_H

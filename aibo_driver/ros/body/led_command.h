@@ -1,6 +1,6 @@
 /// @file led_command.h
-#ifndef AIBO_DRIVER_LED_COMMAND_H
-#define AIBO_DRIVER_LED_COMMAND_H
+#ifndef AIBO_DRIVER_ROS_BODY_LED_COMMAND_H
+#define AIBO_DRIVER_ROS_BODY_LED_COMMAND_H
 
 #include <aibo_driver/Leds.h>
 
@@ -25,4 +25,4 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_LED_COMMAND_H
+#endif  // AIBO_DRIVER_ROS_BODY_LED_COMMAND_H

@@ -1,6 +1,6 @@
 /// @file motion_file_services.h
-#ifndef AIBO_DRIVER_MOTION_FILE_SERVICES_H
-#define AIBO_DRIVER_MOTION_FILE_SERVICES_H
+#ifndef AIBO_DRIVER_ROS_BODY_MOTION_FILE_SERVICES_H
+#define AIBO_DRIVER_ROS_BODY_MOTION_FILE_SERVICES_H
 
 #include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/ListMotions.h>
@@ -36,4 +36,4 @@ class MotionFileServices {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_MOTION_FILE_SERVICES_H
+#endif  // AIBO_DRIVER_ROS_BODY_MOTION_FILE_SERVICES_H

@@ -1,6 +1,6 @@
 /// @file motion_name.h
-#ifndef AIBO_DRIVER_MOTION_NAME_H
-#define AIBO_DRIVER_MOTION_NAME_H
+#ifndef AIBO_DRIVER_ROS_BODY_MOTION_NAME_H
+#define AIBO_DRIVER_ROS_BODY_MOTION_NAME_H
 
 #include <string>
 
@@ -12,4 +12,4 @@ std::string motionFileName(const std::string& name);
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_MOTION_NAME_H
+#endif  // AIBO_DRIVER_ROS_BODY_MOTION_NAME_H

@@ -1,6 +1,6 @@
 /// @file motor_service.h
-#ifndef AIBO_DRIVER_MOTOR_SERVICE_H
-#define AIBO_DRIVER_MOTOR_SERVICE_H
+#ifndef AIBO_DRIVER_ROS_BODY_MOTOR_SERVICE_H
+#define AIBO_DRIVER_ROS_BODY_MOTOR_SERVICE_H
 
 #include <ros/node_handle.h>
 #include <std_srvs/SetBool.h>
@@ -32,4 +32,4 @@ class MotorService {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_MOTOR_SERVICE_H
+#endif  // AIBO_DRIVER_ROS_BODY_MOTOR_SERVICE_H

@@ -1,6 +1,6 @@
 /// @file play_motion_service.h
-#ifndef AIBO_DRIVER_PLAY_MOTION_SERVICE_H
-#define AIBO_DRIVER_PLAY_MOTION_SERVICE_H
+#ifndef AIBO_DRIVER_ROS_BODY_PLAY_MOTION_SERVICE_H
+#define AIBO_DRIVER_ROS_BODY_PLAY_MOTION_SERVICE_H
 
 #include <aibo_driver/PlayMotion.h>
 #include <ros/node_handle.h>
@@ -35,4 +35,4 @@ class PlayMotionService {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_PLAY_MOTION_SERVICE_H
+#endif  // AIBO_DRIVER_ROS_BODY_PLAY_MOTION_SERVICE_H

@@ -1,6 +1,6 @@
 /// @file power_services.h
-#ifndef AIBO_DRIVER_POWER_SERVICES_H
-#define AIBO_DRIVER_POWER_SERVICES_H
+#ifndef AIBO_DRIVER_ROS_BODY_POWER_SERVICES_H
+#define AIBO_DRIVER_ROS_BODY_POWER_SERVICES_H
 
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
@@ -30,4 +30,4 @@ class PowerServices {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_POWER_SERVICES_H
+#endif  // AIBO_DRIVER_ROS_BODY_POWER_SERVICES_H

@@ -1,6 +1,6 @@
 /// @file power_status.h
-#ifndef AIBO_DRIVER_POWER_STATUS_H
-#define AIBO_DRIVER_POWER_STATUS_H
+#ifndef AIBO_DRIVER_ROS_BODY_POWER_STATUS_H
+#define AIBO_DRIVER_ROS_BODY_POWER_STATUS_H
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
@@ -43,4 +43,4 @@ class PowerStatus {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_POWER_STATUS_H
+#endif  // AIBO_DRIVER_ROS_BODY_POWER_STATUS_H

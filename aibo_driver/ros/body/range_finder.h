@@ -1,6 +1,6 @@
 /// @file range_finder.h
-#ifndef AIBO_DRIVER_RANGE_FINDER_H
-#define AIBO_DRIVER_RANGE_FINDER_H
+#ifndef AIBO_DRIVER_ROS_BODY_RANGE_FINDER_H
+#define AIBO_DRIVER_ROS_BODY_RANGE_FINDER_H
 
 #include <sensor_msgs/Range.h>
 
@@ -32,4 +32,4 @@ class RangeFinder {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_RANGE_FINDER_H
+#endif  // AIBO_DRIVER_ROS_BODY_RANGE_FINDER_H

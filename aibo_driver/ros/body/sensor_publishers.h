@@ -1,6 +1,6 @@
 /// @file sensor_publishers.h
-#ifndef AIBO_DRIVER_SENSOR_PUBLISHERS_H
-#define AIBO_DRIVER_SENSOR_PUBLISHERS_H
+#ifndef AIBO_DRIVER_ROS_BODY_SENSOR_PUBLISHERS_H
+#define AIBO_DRIVER_ROS_BODY_SENSOR_PUBLISHERS_H
 
 #include <ros/node_handle.h>
 
@@ -35,4 +35,4 @@ class SensorPublishers {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_SENSOR_PUBLISHERS_H
+#endif  // AIBO_DRIVER_ROS_BODY_SENSOR_PUBLISHERS_H

@@ -1,6 +1,6 @@
 /// @file sensor_reading.h
-#ifndef AIBO_DRIVER_SENSOR_READING_H
-#define AIBO_DRIVER_SENSOR_READING_H
+#ifndef AIBO_DRIVER_ROS_BODY_SENSOR_READING_H
+#define AIBO_DRIVER_ROS_BODY_SENSOR_READING_H
 
 #include <algorithm>
 #include <optional>
@@ -22,4 +22,4 @@ inline std::optional<double> readingOf(const robot_model::Sensor& sensor, const 
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_SENSOR_READING_H
+#endif  // AIBO_DRIVER_ROS_BODY_SENSOR_READING_H

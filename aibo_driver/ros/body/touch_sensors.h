@@ -1,6 +1,6 @@
 /// @file touch_sensors.h
-#ifndef AIBO_DRIVER_TOUCH_SENSORS_H
-#define AIBO_DRIVER_TOUCH_SENSORS_H
+#ifndef AIBO_DRIVER_ROS_BODY_TOUCH_SENSORS_H
+#define AIBO_DRIVER_ROS_BODY_TOUCH_SENSORS_H
 
 #include <aibo_driver/Touch.h>
 
@@ -32,4 +32,4 @@ class TouchSensors {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_TOUCH_SENSORS_H
+#endif  // AIBO_DRIVER_ROS_BODY_TOUCH_SENSORS_H

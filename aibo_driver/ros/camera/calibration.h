@@ -1,6 +1,6 @@
 /// @file calibration.h
-#ifndef AIBO_DRIVER_CALIBRATION_H
-#define AIBO_DRIVER_CALIBRATION_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H
+#define AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H
 
 #include <camera_info_manager/camera_info_manager.h>
 #include <ros/node_handle.h>
@@ -47,4 +47,4 @@ std::string problemOf(const sensor_msgs::CameraInfo& info);
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_CALIBRATION_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H

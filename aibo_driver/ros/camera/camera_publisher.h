@@ -1,6 +1,6 @@
 /// @file camera_publisher.h
-#ifndef AIBO_DRIVER_CAMERA_PUBLISHER_H
-#define AIBO_DRIVER_CAMERA_PUBLISHER_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_CAMERA_PUBLISHER_H
+#define AIBO_DRIVER_ROS_CAMERA_CAMERA_PUBLISHER_H
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -49,4 +49,4 @@ class CameraPublisher {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_CAMERA_PUBLISHER_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_CAMERA_PUBLISHER_H

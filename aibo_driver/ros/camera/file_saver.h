@@ -1,6 +1,6 @@
 /// @file file_saver.h
-#ifndef AIBO_DRIVER_FILE_SAVER_H
-#define AIBO_DRIVER_FILE_SAVER_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_FILE_SAVER_H
+#define AIBO_DRIVER_ROS_CAMERA_FILE_SAVER_H
 
 #include <cstdint>
 #include <string>
@@ -27,4 +27,4 @@ std::string saveJpeg(const std::string& path, const std::vector<std::uint8_t>& j
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_FILE_SAVER_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_FILE_SAVER_H

@@ -1,6 +1,6 @@
 /// @file image_decoder.h
-#ifndef AIBO_DRIVER_IMAGE_DECODER_H
-#define AIBO_DRIVER_IMAGE_DECODER_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_IMAGE_DECODER_H
+#define AIBO_DRIVER_ROS_CAMERA_IMAGE_DECODER_H
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -35,4 +35,4 @@ class ImageDecoder {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_IMAGE_DECODER_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_IMAGE_DECODER_H

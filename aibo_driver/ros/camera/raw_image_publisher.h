@@ -1,6 +1,6 @@
 /// @file raw_image_publisher.h
-#ifndef AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H
-#define AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_RAW_IMAGE_PUBLISHER_H
+#define AIBO_DRIVER_ROS_CAMERA_RAW_IMAGE_PUBLISHER_H
 
 #include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
@@ -65,4 +65,4 @@ class RawImagePublisher {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_RAW_IMAGE_PUBLISHER_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_RAW_IMAGE_PUBLISHER_H

@@ -1,6 +1,6 @@
 /// @file stream_meter.h
-#ifndef AIBO_DRIVER_STREAM_METER_H
-#define AIBO_DRIVER_STREAM_METER_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_STREAM_METER_H
+#define AIBO_DRIVER_ROS_CAMERA_STREAM_METER_H
 
 #include <chrono>
 #include <cstddef>
@@ -43,4 +43,4 @@ class StreamMeter {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_STREAM_METER_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_STREAM_METER_H

@@ -1,6 +1,6 @@
 /// @file stream_policy.h
-#ifndef AIBO_DRIVER_STREAM_POLICY_H
-#define AIBO_DRIVER_STREAM_POLICY_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_STREAM_POLICY_H
+#define AIBO_DRIVER_ROS_CAMERA_STREAM_POLICY_H
 
 #include <functional>
 #include <mutex>
@@ -53,4 +53,4 @@ class StreamPolicy {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_STREAM_POLICY_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_STREAM_POLICY_H

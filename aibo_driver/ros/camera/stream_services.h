@@ -1,6 +1,6 @@
 /// @file stream_services.h
-#ifndef AIBO_DRIVER_STREAM_SERVICES_H
-#define AIBO_DRIVER_STREAM_SERVICES_H
+#ifndef AIBO_DRIVER_ROS_CAMERA_STREAM_SERVICES_H
+#define AIBO_DRIVER_ROS_CAMERA_STREAM_SERVICES_H
 
 #include <aibo_driver/TakePicture.h>
 #include <ros/callback_queue.h>
@@ -65,4 +65,4 @@ class StreamServices {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_STREAM_SERVICES_H
+#endif  // AIBO_DRIVER_ROS_CAMERA_STREAM_SERVICES_H

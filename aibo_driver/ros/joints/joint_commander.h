@@ -1,6 +1,6 @@
 /// @file joint_commander.h
-#ifndef AIBO_DRIVER_JOINT_COMMANDER_H
-#define AIBO_DRIVER_JOINT_COMMANDER_H
+#ifndef AIBO_DRIVER_ROS_JOINTS_JOINT_COMMANDER_H
+#define AIBO_DRIVER_ROS_JOINTS_JOINT_COMMANDER_H
 
 #include <ros/console.h>
 #include <ros/node_handle.h>
@@ -62,4 +62,4 @@ class JointCommander {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_JOINT_COMMANDER_H
+#endif  // AIBO_DRIVER_ROS_JOINTS_JOINT_COMMANDER_H

@@ -1,6 +1,6 @@
 /// @file joint_interface.h
-#ifndef AIBO_DRIVER_JOINT_INTERFACE_H
-#define AIBO_DRIVER_JOINT_INTERFACE_H
+#ifndef AIBO_DRIVER_ROS_JOINTS_JOINT_INTERFACE_H
+#define AIBO_DRIVER_ROS_JOINTS_JOINT_INTERFACE_H
 
 #include <ros/node_handle.h>
 
@@ -56,4 +56,4 @@ class JointInterface {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_JOINT_INTERFACE_H
+#endif  // AIBO_DRIVER_ROS_JOINTS_JOINT_INTERFACE_H

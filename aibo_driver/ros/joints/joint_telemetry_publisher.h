@@ -1,6 +1,6 @@
 /// @file joint_telemetry_publisher.h
-#ifndef AIBO_DRIVER_JOINT_TELEMETRY_PUBLISHER_H
-#define AIBO_DRIVER_JOINT_TELEMETRY_PUBLISHER_H
+#ifndef AIBO_DRIVER_ROS_JOINTS_JOINT_TELEMETRY_PUBLISHER_H
+#define AIBO_DRIVER_ROS_JOINTS_JOINT_TELEMETRY_PUBLISHER_H
 
 #include <ros/node_handle.h>
 
@@ -30,4 +30,4 @@ class JointTelemetryPublisher {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_JOINT_TELEMETRY_PUBLISHER_H
+#endif  // AIBO_DRIVER_ROS_JOINTS_JOINT_TELEMETRY_PUBLISHER_H

@@ -1,6 +1,6 @@
 /// @file trajectory_executor.h
-#ifndef AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
-#define AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
+#ifndef AIBO_DRIVER_ROS_JOINTS_TRAJECTORY_EXECUTOR_H
+#define AIBO_DRIVER_ROS_JOINTS_TRAJECTORY_EXECUTOR_H
 
 #include <ros/console.h>
 #include <ros/node_handle.h>
@@ -79,4 +79,4 @@ class TrajectoryExecutor {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_TRAJECTORY_EXECUTOR_H
+#endif  // AIBO_DRIVER_ROS_JOINTS_TRAJECTORY_EXECUTOR_H

@@ -1,6 +1,6 @@
 /// @file trajectory_start.h
-#ifndef AIBO_DRIVER_TRAJECTORY_START_H
-#define AIBO_DRIVER_TRAJECTORY_START_H
+#ifndef AIBO_DRIVER_ROS_JOINTS_TRAJECTORY_START_H
+#define AIBO_DRIVER_ROS_JOINTS_TRAJECTORY_START_H
 
 #include <ros/time.h>
 
@@ -17,4 +17,4 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_TRAJECTORY_START_H
+#endif  // AIBO_DRIVER_ROS_JOINTS_TRAJECTORY_START_H

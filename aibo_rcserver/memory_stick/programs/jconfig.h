@@ -2,8 +2,8 @@
 /// Tells libjpeg 6b what the robot's compiler and C library have: GCC 3.3.6 with newlib. libjpeg's configure script
 /// would write this file, but it stops with the SDK's compiler: the script has to link programs, and that compiler
 /// links none by itself.
-#ifndef ON_ROBOT_JCONFIG_H
-#define ON_ROBOT_JCONFIG_H
+#ifndef AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
+#define AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 
 // ISO C: prototypes, types and headers. Macros that are not defined here say no.
 #define HAVE_PROTOTYPES
@@ -16,4 +16,4 @@
 #define INLINE __inline__
 #endif
 
-#endif  // ON_ROBOT_JCONFIG_H
+#endif  // AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H

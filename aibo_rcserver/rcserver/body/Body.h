@@ -1,7 +1,7 @@
 /// @file Body.h
 /// The robot's body, as OPEN-R has it.
-#ifndef RCSERVER_BODY_BODY_H
-#define RCSERVER_BODY_BODY_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_BODY_H
+#define AIBO_RCSERVER_RCSERVER_BODY_BODY_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENRAPI.h>
@@ -80,4 +80,4 @@ class Body {
   PowerSupply power_supply_;
 };
 
-#endif  // RCSERVER_BODY_BODY_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_BODY_H

@@ -1,7 +1,7 @@
 /// @file CommandVectors.h
 /// The memory in which commands go to the joints.
-#ifndef RCSERVER_BODY_COMMAND_VECTORS_H
-#define RCSERVER_BODY_COMMAND_VECTORS_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_COMMAND_VECTORS_H
+#define AIBO_RCSERVER_RCSERVER_BODY_COMMAND_VECTORS_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -44,4 +44,4 @@ class CommandVectors {
   RCRegion* regions_[NUMBER_OF_VECTORS];
 };
 
-#endif  // RCSERVER_BODY_COMMAND_VECTORS_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_COMMAND_VECTORS_H

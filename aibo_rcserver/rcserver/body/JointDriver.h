@@ -1,7 +1,7 @@
 /// @file JointDriver.h
 /// Between JointControl and the motors of the robot.
-#ifndef RCSERVER_BODY_JOINT_DRIVER_H
-#define RCSERVER_BODY_JOINT_DRIVER_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H
+#define AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -79,4 +79,4 @@ class JointDriver : public Motors {
   longword now_;
 };
 
-#endif  // RCSERVER_BODY_JOINT_DRIVER_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H

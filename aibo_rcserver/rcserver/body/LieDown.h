@@ -1,7 +1,7 @@
 /// @file LieDown.h
 /// A robot whose battery is low lies down before its motors go off.
-#ifndef RCSERVER_BODY_LIE_DOWN_H
-#define RCSERVER_BODY_LIE_DOWN_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_LIE_DOWN_H
+#define AIBO_RCSERVER_RCSERVER_BODY_LIE_DOWN_H
 
 #include "file_keeper/FileJob.h"
 #include "rcserver/commands/FileJobs.h"
@@ -41,4 +41,4 @@ class LieDown {
   unsigned ticket_;
 };
 
-#endif  // RCSERVER_BODY_LIE_DOWN_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_LIE_DOWN_H

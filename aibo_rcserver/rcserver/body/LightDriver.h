@@ -1,7 +1,7 @@
 /// @file LightDriver.h
 /// Between Lights and the LEDs and ears of the robot.
-#ifndef RCSERVER_BODY_LIGHT_DRIVER_H
-#define RCSERVER_BODY_LIGHT_DRIVER_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
+#define AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -45,4 +45,4 @@ class LightDriver {
   Lights::LedState commanded_[robot_model::MAX_LEDS];
 };
 
-#endif  // RCSERVER_BODY_LIGHT_DRIVER_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H

@@ -1,7 +1,7 @@
 /// @file Lights.h
 /// What the robot shows: LEDs and ears.
-#ifndef RCSERVER_BODY_LIGHTS_H
-#define RCSERVER_BODY_LIGHTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_LIGHTS_H
+#define AIBO_RCSERVER_RCSERVER_BODY_LIGHTS_H
 
 #include "robot_model/robot_model.h"
 
@@ -59,4 +59,4 @@ class Lights {
   int frames_to_rest_[robot_model::MAX_EARS];
 };
 
-#endif  // RCSERVER_BODY_LIGHTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_LIGHTS_H

@@ -1,7 +1,7 @@
 /// @file PowerOrder.h
 /// What is to become of the robot's power.
-#ifndef RCSERVER_BODY_POWER_ORDER_H
-#define RCSERVER_BODY_POWER_ORDER_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_POWER_ORDER_H
+#define AIBO_RCSERVER_RCSERVER_BODY_POWER_ORDER_H
 
 /// Waits to be carried out until the client has been told and has gone.
 enum PowerOrder {
@@ -11,4 +11,4 @@ enum PowerOrder {
   POWER_LIE_DOWN  ///< lie down, then shut down
 };
 
-#endif  // RCSERVER_BODY_POWER_ORDER_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_POWER_ORDER_H

@@ -1,7 +1,7 @@
 /// @file PowerSupply.h
 /// The pause button and the battery.
-#ifndef RCSERVER_BODY_POWER_SUPPLY_H
-#define RCSERVER_BODY_POWER_SUPPLY_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_POWER_SUPPLY_H
+#define AIBO_RCSERVER_RCSERVER_BODY_POWER_SUPPLY_H
 
 #include <OPENR/OPENR.h>
 #include <OPENR/OPower.h>
@@ -36,4 +36,4 @@ class PowerSupply {
   OServiceEntry entry_;
 };
 
-#endif  // RCSERVER_BODY_POWER_SUPPLY_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_POWER_SUPPLY_H

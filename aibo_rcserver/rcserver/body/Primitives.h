@@ -1,7 +1,7 @@
 /// @file Primitives.h
 /// Primitives of OPEN-R that have been opened.
-#ifndef RCSERVER_BODY_PRIMITIVES_H
-#define RCSERVER_BODY_PRIMITIVES_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H
+#define AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H
 
 #include <OPENR/OPENR.h>
 
@@ -34,4 +34,4 @@ class Primitives {
   OPrimitiveID ids_[MAX_ROWS];
 };
 
-#endif  // RCSERVER_BODY_PRIMITIVES_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H

@@ -1,7 +1,7 @@
 /// @file SensorDriver.h
 /// Between Sensors and what the robot measures.
-#ifndef RCSERVER_BODY_SENSOR_DRIVER_H
-#define RCSERVER_BODY_SENSOR_DRIVER_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
+#define AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -40,4 +40,4 @@ class SensorDriver {
   longword last_power_;  ///< frame in which the battery was asked
 };
 
-#endif  // RCSERVER_BODY_SENSOR_DRIVER_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H

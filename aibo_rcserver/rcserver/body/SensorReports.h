@@ -1,7 +1,7 @@
 /// @file SensorReports.h
 /// What a sensor vector of OPEN-R says.
-#ifndef RCSERVER_BODY_SENSOR_REPORTS_H
-#define RCSERVER_BODY_SENSOR_REPORTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_SENSOR_REPORTS_H
+#define AIBO_RCSERVER_RCSERVER_BODY_SENSOR_REPORTS_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -46,4 +46,4 @@ class SensorReports {
   int row_;
 };
 
-#endif  // RCSERVER_BODY_SENSOR_REPORTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_SENSOR_REPORTS_H

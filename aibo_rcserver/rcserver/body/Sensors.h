@@ -1,7 +1,7 @@
 /// @file Sensors.h
 /// What the robot's sensors have measured.
-#ifndef RCSERVER_BODY_SENSORS_H
-#define RCSERVER_BODY_SENSORS_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_SENSORS_H
+#define AIBO_RCSERVER_RCSERVER_BODY_SENSORS_H
 
 #include "robot_model/robot_model.h"
 
@@ -32,4 +32,4 @@ class Sensors {
   int values_[robot_model::MAX_SENSORS];
 };
 
-#endif  // RCSERVER_BODY_SENSORS_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_SENSORS_H

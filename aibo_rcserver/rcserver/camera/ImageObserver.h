@@ -1,7 +1,7 @@
 /// @file ImageObserver.h
 /// What the camera owes the client: the state machine behind `F` and `W`.
-#ifndef RCSERVER_CAMERA_IMAGE_OBSERVER_H
-#define RCSERVER_CAMERA_IMAGE_OBSERVER_H
+#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_IMAGE_OBSERVER_H
+#define AIBO_RCSERVER_RCSERVER_CAMERA_IMAGE_OBSERVER_H
 
 #include <stddef.h>
 
@@ -83,4 +83,4 @@ class ImageObserver {
   size_t number_of_owed_;
 };
 
-#endif  // RCSERVER_CAMERA_IMAGE_OBSERVER_H
+#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_IMAGE_OBSERVER_H

@@ -1,7 +1,7 @@
 /// @file PictureTaker.h
 /// RCServer's side of the object PictureEncoder.
-#ifndef RCSERVER_CAMERA_PICTURE_TAKER_H
-#define RCSERVER_CAMERA_PICTURE_TAKER_H
+#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
+#define AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
 
 #include <OPENR/OSubject.h>
 
@@ -78,4 +78,4 @@ class PictureTaker {
   protocol::version2::ImageHeader header_;
 };
 
-#endif  // RCSERVER_CAMERA_PICTURE_TAKER_H
+#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H

@@ -1,7 +1,7 @@
 /// @file StreamReport.h
 /// What the console is told of the stream.
-#ifndef RCSERVER_CAMERA_STREAM_REPORT_H
-#define RCSERVER_CAMERA_STREAM_REPORT_H
+#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_STREAM_REPORT_H
+#define AIBO_RCSERVER_RCSERVER_CAMERA_STREAM_REPORT_H
 
 #include "rcserver/camera/ImageObserver.h"
 
@@ -27,4 +27,4 @@ class StreamReport {
   unsigned long images_out_;  ///< of the camera, left out in the stream
 };
 
-#endif  // RCSERVER_CAMERA_STREAM_REPORT_H
+#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_STREAM_REPORT_H

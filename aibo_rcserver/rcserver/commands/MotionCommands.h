@@ -1,7 +1,7 @@
 /// @file MotionCommands.h
 /// Motions, for clients of both versions.
-#ifndef RCSERVER_COMMANDS_MOTION_COMMANDS_H
-#define RCSERVER_COMMANDS_MOTION_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
+#define AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
 
 #include "mtn/motion.h"
 #include "protocol/motion_name.h"
@@ -97,4 +97,4 @@ class MotionCommands {
   /// @}
 };
 
-#endif  // RCSERVER_COMMANDS_MOTION_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H

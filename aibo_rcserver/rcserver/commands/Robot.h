@@ -1,7 +1,7 @@
 /// @file Robot.h
 /// All of the robot that a client's commands work on.
-#ifndef RCSERVER_COMMANDS_ROBOT_H
-#define RCSERVER_COMMANDS_ROBOT_H
+#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_ROBOT_H
+#define AIBO_RCSERVER_RCSERVER_COMMANDS_ROBOT_H
 
 #include "rcserver/body/Lights.h"
 #include "rcserver/body/PowerOrder.h"
@@ -21,4 +21,4 @@ struct Robot {
   FileJobs& files;
 };
 
-#endif  // RCSERVER_COMMANDS_ROBOT_H
+#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_ROBOT_H

@@ -1,7 +1,7 @@
 /// @file JointControl.h
 /// The robot's joints: where they are to be, where they are, and what is wrong with them.
-#ifndef RCSERVER_JOINTS_JOINT_CONTROL_H
-#define RCSERVER_JOINTS_JOINT_CONTROL_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
 #include "rcserver/joints/JointWatch.h"
 #include "rcserver/joints/MotionPlanner.h"
@@ -73,4 +73,4 @@ class JointControl {
   bool commanded_[robot_model::MAX_JOINTS];
 };
 
-#endif  // RCSERVER_JOINTS_JOINT_CONTROL_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H

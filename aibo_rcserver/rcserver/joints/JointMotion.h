@@ -1,7 +1,7 @@
 /// @file JointMotion.h
 /// How one joint gets from where it is to its target.
-#ifndef RCSERVER_JOINTS_JOINT_MOTION_H
-#define RCSERVER_JOINTS_JOINT_MOTION_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H
 
 /// One joint on its way, frame by frame. Pure logic.
 ///
@@ -90,4 +90,4 @@ class JointMotion {
   double fraction_of_step_;  ///< how much of a step more the joint should have gone by now, 0 to 1
 };
 
-#endif  // RCSERVER_JOINTS_JOINT_MOTION_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H

@@ -1,7 +1,7 @@
 /// @file JointWatch.h
 /// Finds out when a joint does not follow what it is told.
-#ifndef RCSERVER_JOINTS_JOINT_WATCH_H
-#define RCSERVER_JOINTS_JOINT_WATCH_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H
 
 /// What a joint reports, 4 frames apart.
 struct JointReading {
@@ -45,4 +45,4 @@ class JointWatch {
   unsigned since_;  ///< frame of that
 };
 
-#endif  // RCSERVER_JOINTS_JOINT_WATCH_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H

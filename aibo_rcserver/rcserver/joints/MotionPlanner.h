@@ -1,7 +1,7 @@
 /// @file MotionPlanner.h
 /// Where every joint is to be in the next 8 ms, so that it follows its commands and nothing is hit or torn.
-#ifndef RCSERVER_JOINTS_MOTION_PLANNER_H
-#define RCSERVER_JOINTS_MOTION_PLANNER_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H
 
 #include "rcserver/joints/JointMotion.h"
 #include "robot_model/robot_model.h"
@@ -109,4 +109,4 @@ class MotionPlanner {
   unsigned last_command_;
 };
 
-#endif  // RCSERVER_JOINTS_MOTION_PLANNER_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H

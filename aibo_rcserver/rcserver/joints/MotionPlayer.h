@@ -1,7 +1,7 @@
 /// @file MotionPlayer.h
 /// The motions that are being played.
-#ifndef RCSERVER_JOINTS_MOTION_PLAYER_H
-#define RCSERVER_JOINTS_MOTION_PLAYER_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 
 #include "protocol/motion_name.h"
 #include "rcserver/joints/MotionPlanner.h"
@@ -84,4 +84,4 @@ class MotionPlayer {
   char problem_[MAX_PROBLEM_SIZE];
 };
 
-#endif  // RCSERVER_JOINTS_MOTION_PLAYER_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H

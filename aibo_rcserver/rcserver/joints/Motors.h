@@ -1,7 +1,7 @@
 /// @file Motors.h
 /// The switch of the motors, as a client's commands see it.
-#ifndef RCSERVER_JOINTS_MOTORS_H
-#define RCSERVER_JOINTS_MOTORS_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTORS_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_MOTORS_H
 
 /// Switches the motors of all joints at once.
 class Motors {
@@ -16,4 +16,4 @@ class Motors {
   virtual bool Switch(bool on) = 0;
 };
 
-#endif  // RCSERVER_JOINTS_MOTORS_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTORS_H

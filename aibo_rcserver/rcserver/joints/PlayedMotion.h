@@ -1,7 +1,7 @@
 /// @file PlayedMotion.h
 /// One motion on its way.
-#ifndef RCSERVER_JOINTS_PLAYED_MOTION_H
-#define RCSERVER_JOINTS_PLAYED_MOTION_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H
 
 #include <stddef.h>
 
@@ -93,4 +93,4 @@ class PlayedMotion {
   unsigned char file_[mtn::MAX_FILE_SIZE];
 };
 
-#endif  // RCSERVER_JOINTS_PLAYED_MOTION_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H

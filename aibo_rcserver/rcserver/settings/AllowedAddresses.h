@@ -1,7 +1,7 @@
 /// @file AllowedAddresses.h
 /// Who may connect.
-#ifndef RCSERVER_MEMORY_STICK_ALLOWED_ADDRESSES_H
-#define RCSERVER_MEMORY_STICK_ALLOWED_ADDRESSES_H
+#ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
+#define AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 
 /// Internet addresses of version 4, as numbers: 127.0.0.1 is 0x7f000001. Pure logic, memory of a fixed size.
 class AllowedAddresses {
@@ -36,4 +36,4 @@ class AllowedAddresses {
   int number_of_ranges_;
 };
 
-#endif  // RCSERVER_MEMORY_STICK_ALLOWED_ADDRESSES_H
+#endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H

@@ -1,7 +1,7 @@
 /// @file FileDesk.h
 /// RCServer's side of the object FileKeeper.
-#ifndef RCSERVER_MEMORY_STICK_FILE_DESK_H
-#define RCSERVER_MEMORY_STICK_FILE_DESK_H
+#ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_FILE_DESK_H
+#define AIBO_RCSERVER_RCSERVER_SETTINGS_FILE_DESK_H
 
 #include <OPENR/OSubject.h>
 
@@ -30,4 +30,4 @@ class FileDesk : public FileJobs {
   RegionSender<FileJob> jobs_;
 };
 
-#endif  // RCSERVER_MEMORY_STICK_FILE_DESK_H
+#endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_FILE_DESK_H

@@ -1,7 +1,7 @@
 /// @file LineReader.h
 /// Lines of a configuration file.
-#ifndef RCSERVER_MEMORY_STICK_LINE_READER_H
-#define RCSERVER_MEMORY_STICK_LINE_READER_H
+#ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_LINE_READER_H
+#define AIBO_RCSERVER_RCSERVER_SETTINGS_LINE_READER_H
 
 #include <stddef.h>
 #include <stdio.h>
@@ -42,4 +42,4 @@ class LineReader {
   char line_[MAX_LINE_SIZE + 1];
 };
 
-#endif  // RCSERVER_MEMORY_STICK_LINE_READER_H
+#endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_LINE_READER_H

@@ -1,7 +1,7 @@
 /// @file Settings.h
 /// What the owner of the robot has written into RCSERVER.CFG.
-#ifndef RCSERVER_MEMORY_STICK_SETTINGS_H
-#define RCSERVER_MEMORY_STICK_SETTINGS_H
+#ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H
+#define AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H
 
 #include <stdio.h>
 
@@ -49,4 +49,4 @@ class SettingsProblems {
 /// 127.0.0.1, too.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
-#endif  // RCSERVER_MEMORY_STICK_SETTINGS_H
+#endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

@@ -1,7 +1,7 @@
 /// @file SettingsFile.h
 /// RCSERVER.CFG on the memory stick.
-#ifndef RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
-#define RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
+#ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_FILE_H
+#define AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_FILE_H
 
 #include "objects/HostSettings.h"
 #include "rcserver/settings/Settings.h"
@@ -11,4 +11,4 @@
 /// so.
 Settings readSettingsFile(const HostSettings& host);
 
-#endif  // RCSERVER_MEMORY_STICK_SETTINGS_FILE_H
+#endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_FILE_H

@@ -1,7 +1,7 @@
 /// @file Version1Commands.h
 /// What the server does for a client of version 1.
-#ifndef RCSERVER_VERSION1_VERSION1_COMMANDS_H
-#define RCSERVER_VERSION1_VERSION1_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_COMMANDS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_COMMANDS_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/camera/ImageObserver.h"
@@ -56,4 +56,4 @@ class Version1Commands {
   Version1Sensors sensors_;
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_COMMANDS_H

@@ -1,7 +1,7 @@
 /// @file Version1Joints.h
 /// The joints, for a client of version 1.
-#ifndef RCSERVER_VERSION1_VERSION1_JOINTS_H
-#define RCSERVER_VERSION1_VERSION1_JOINTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_JOINTS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_JOINTS_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/joints/JointControl.h"
@@ -34,4 +34,4 @@ class Version1Joints {
   Version1Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_JOINTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_JOINTS_H

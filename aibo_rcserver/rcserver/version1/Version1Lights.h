@@ -1,7 +1,7 @@
 /// @file Version1Lights.h
 /// LEDs and ears, for a client of version 1.
-#ifndef RCSERVER_VERSION1_VERSION1_LIGHTS_H
-#define RCSERVER_VERSION1_VERSION1_LIGHTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_LIGHTS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_LIGHTS_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/body/Lights.h"
@@ -27,4 +27,4 @@ class Version1Lights {
   Version1Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_LIGHTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_LIGHTS_H

@@ -1,7 +1,7 @@
 /// @file Version1Motions.h
 /// Motions, for a client of version 1.
-#ifndef RCSERVER_VERSION1_VERSION1_MOTIONS_H
-#define RCSERVER_VERSION1_VERSION1_MOTIONS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_MOTIONS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_MOTIONS_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/commands/MotionCommands.h"
@@ -48,4 +48,4 @@ class Version1Motions {
   size_t uploaded_;  ///< bytes in the buffer
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_MOTIONS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_MOTIONS_H

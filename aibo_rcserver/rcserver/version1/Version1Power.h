@@ -1,7 +1,7 @@
 /// @file Version1Power.h
 /// Shutting down and rebooting, for a client of version 1.
-#ifndef RCSERVER_VERSION1_VERSION1_POWER_H
-#define RCSERVER_VERSION1_VERSION1_POWER_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_POWER_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_POWER_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/body/PowerOrder.h"
@@ -24,4 +24,4 @@ class Version1Power {
   Version1Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_POWER_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_POWER_H

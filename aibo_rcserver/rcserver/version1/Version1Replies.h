@@ -1,7 +1,7 @@
 /// @file Version1Replies.h
 /// How requests of version 1 are answered.
-#ifndef RCSERVER_VERSION1_VERSION1_REPLIES_H
-#define RCSERVER_VERSION1_VERSION1_REPLIES_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_REPLIES_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_REPLIES_H
 
 #include "protocol/version1.h"
 #include "rcserver/commands/Outbox.h"
@@ -26,4 +26,4 @@ class Version1Replies {
   Outbox& outbox_;
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_REPLIES_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_REPLIES_H

@@ -1,7 +1,7 @@
 /// @file Version1Sensors.h
 /// What the robot measures, for a client of version 1.
-#ifndef RCSERVER_VERSION1_VERSION1_SENSORS_H
-#define RCSERVER_VERSION1_VERSION1_SENSORS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_SENSORS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_SENSORS_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/body/Sensors.h"
@@ -45,4 +45,4 @@ class Version1Sensors {
   int number_of_sources_;
 };
 
-#endif  // RCSERVER_VERSION1_VERSION1_SENSORS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_SENSORS_H

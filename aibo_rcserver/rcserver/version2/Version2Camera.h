@@ -1,7 +1,7 @@
 /// @file Version2Camera.h
 /// The camera, for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_CAMERA_H
-#define RCSERVER_VERSION2_VERSION2_CAMERA_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_CAMERA_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_CAMERA_H
 
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/version2/Version2Replies.h"
@@ -25,4 +25,4 @@ class Version2Camera {
   Version2Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_CAMERA_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_CAMERA_H

@@ -1,7 +1,7 @@
 /// @file Version2Commands.h
 /// What the server does for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_COMMANDS_H
-#define RCSERVER_VERSION2_VERSION2_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_COMMANDS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_COMMANDS_H
 
 #include "protocol/hello.h"
 #include "rcserver/camera/ImageObserver.h"
@@ -72,4 +72,4 @@ class Version2Commands {
   Version2Telemetry telemetry_;
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_COMMANDS_H

@@ -1,7 +1,7 @@
 /// @file Version2Joints.h
 /// The joints, for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_JOINTS_H
-#define RCSERVER_VERSION2_VERSION2_JOINTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_JOINTS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_JOINTS_H
 
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/joints/Motors.h"
@@ -33,4 +33,4 @@ class Version2Joints {
   Version2Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_JOINTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_JOINTS_H

@@ -1,7 +1,7 @@
 /// @file Version2Lights.h
 /// LEDs and ears, for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_LIGHTS_H
-#define RCSERVER_VERSION2_VERSION2_LIGHTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_LIGHTS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_LIGHTS_H
 
 #include "rcserver/body/Lights.h"
 #include "rcserver/version2/Version2Replies.h"
@@ -25,4 +25,4 @@ class Version2Lights {
   Version2Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_LIGHTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_LIGHTS_H

@@ -1,7 +1,7 @@
 /// @file Version2Motions.h
 /// Motions, for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_MOTIONS_H
-#define RCSERVER_VERSION2_VERSION2_MOTIONS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_MOTIONS_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_MOTIONS_H
 
 #include "rcserver/commands/MotionCommands.h"
 #include "rcserver/joints/JointControl.h"
@@ -41,4 +41,4 @@ class Version2Motions {
   Request pending_;  ///< that waits for the memory stick
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_MOTIONS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_MOTIONS_H

@@ -1,7 +1,7 @@
 /// @file Version2Power.h
 /// Shutting down and rebooting, for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_POWER_H
-#define RCSERVER_VERSION2_VERSION2_POWER_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_POWER_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_POWER_H
 
 #include "rcserver/body/PowerOrder.h"
 #include "rcserver/settings/Settings.h"
@@ -27,4 +27,4 @@ class Version2Power {
   Version2Replies& replies_;
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_POWER_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_POWER_H

@@ -1,7 +1,7 @@
 /// @file Version2Replies.h
 /// How requests of version 2 are answered, and how the server speaks of its own accord.
-#ifndef RCSERVER_VERSION2_VERSION2_REPLIES_H
-#define RCSERVER_VERSION2_VERSION2_REPLIES_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_REPLIES_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_REPLIES_H
 
 #include "protocol/version2.h"
 #include "rcserver/commands/Outbox.h"
@@ -53,4 +53,4 @@ class Version2Replies {
   unsigned char message_[Outbox::MAX_REPLY_SIZE];  ///< in the making
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_REPLIES_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_REPLIES_H

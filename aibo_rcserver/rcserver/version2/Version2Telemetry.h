@@ -1,7 +1,7 @@
 /// @file Version2Telemetry.h
 /// What the robot measures, for a client of version 2.
-#ifndef RCSERVER_VERSION2_VERSION2_TELEMETRY_H
-#define RCSERVER_VERSION2_VERSION2_TELEMETRY_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_TELEMETRY_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_TELEMETRY_H
 
 #include "rcserver/body/Sensors.h"
 #include "rcserver/joints/JointControl.h"
@@ -36,4 +36,4 @@ class Version2Telemetry {
   unsigned last_;          ///< frame in which telemetry was pushed
 };
 
-#endif  // RCSERVER_VERSION2_VERSION2_TELEMETRY_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_TELEMETRY_H

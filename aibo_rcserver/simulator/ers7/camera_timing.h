@@ -1,7 +1,7 @@
 /// @file camera_timing.h
 /// When the camera has an image ready.
-#ifndef SIMULATED_ERS7_CAMERA_TIMING_H
-#define SIMULATED_ERS7_CAMERA_TIMING_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_TIMING_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_TIMING_H
 
 #include <OPENR/OPENR.h>
 
@@ -25,4 +25,4 @@ constexpr longword imagesUpTo(longword frame) {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_TIMING_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_TIMING_H

@@ -1,7 +1,7 @@
 /// @file console_commands.h
 /// What can be done to the simulated robot by typing at its console.
-#ifndef SIMULATED_ERS7_CONSOLE_COMMANDS_H
-#define SIMULATED_ERS7_CONSOLE_COMMANDS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H
 
 #include <string>
 
@@ -24,4 +24,4 @@ std::string obeyConsole(SimulatedErs7& robot, const std::string& line);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CONSOLE_COMMANDS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H

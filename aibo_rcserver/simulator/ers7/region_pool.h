@@ -1,7 +1,7 @@
 /// @file region_pool.h
 /// Regions for data that the robot hands to its observers again and again.
-#ifndef SIMULATED_ERS7_REGION_POOL_H
-#define SIMULATED_ERS7_REGION_POOL_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H
 
 #include <OPENR/RCRegion.h>
 
@@ -34,4 +34,4 @@ class RegionPool {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_REGION_POOL_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H

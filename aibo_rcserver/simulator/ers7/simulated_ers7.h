@@ -4,8 +4,8 @@
 /// It has its camera, its 18 joints (joint.h), its sensors (sensors.h), LEDs, ears and battery; no microphones and no
 /// loudspeaker. It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows photographs
 /// (photo_show.h). Its head moves the camera; its legs lift and tilt the body (stance.h), but do not carry it anywhere.
-#ifndef SIMULATED_ERS7_SIMULATED_ERS7_H
-#define SIMULATED_ERS7_SIMULATED_ERS7_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 
 #include <cstdint>
 #include <functional>
@@ -145,4 +145,4 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_SIMULATED_ERS7_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H

@@ -1,7 +1,7 @@
 /// @file clock.h
 /// The machine's time, in OPEN-R frames of 8 ms; frame 0 is when the clock was made (report, section 2.1.1).
-#ifndef OPENR_HOST_CLOCK_H
-#define OPENR_HOST_CLOCK_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CLOCK_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CLOCK_H
 
 #include <OPENR/OPENR.h>
 
@@ -58,4 +58,4 @@ class SteppedClock : public Clock {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CLOCK_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CLOCK_H

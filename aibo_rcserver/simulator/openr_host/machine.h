@@ -1,7 +1,7 @@
 /// @file machine.h
 /// OPEN-R on Linux: boots the objects of a memory stick and runs them.
-#ifndef OPENR_HOST_MACHINE_H
-#define OPENR_HOST_MACHINE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_MACHINE_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_MACHINE_H
 
 #include <chrono>
 #include <cstddef>
@@ -115,4 +115,4 @@ class Machine {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_MACHINE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_MACHINE_H

@@ -1,7 +1,7 @@
 /// @file object_description.h
 /// What the machine has to know of an object before it can make one. openr_stub_generator writes it from stub.cfg.
-#ifndef OPENR_HOST_OBJECT_DESCRIPTION_H
-#define OPENR_HOST_OBJECT_DESCRIPTION_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 
 #include <OPENR/OObject.h>
 #include <ant.h>
@@ -40,4 +40,4 @@ struct ObjectDescription {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_OBJECT_DESCRIPTION_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H

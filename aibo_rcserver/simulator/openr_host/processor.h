@@ -1,7 +1,7 @@
 /// @file processor.h
 /// The robot's one processor: who may run, and how long a handler keeps its object busy.
-#ifndef OPENR_HOST_PROCESSOR_H
-#define OPENR_HOST_PROCESSOR_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
 
 #include <OPENR/OPENR.h>
 
@@ -62,4 +62,4 @@ class Processor {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_PROCESSOR_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H

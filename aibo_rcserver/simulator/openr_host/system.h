@@ -1,7 +1,7 @@
 /// @file system.h
 /// What the SDK's classes and calls find behind them: one robot's objects and the messages between them.
-#ifndef OPENR_HOST_SYSTEM_H
-#define OPENR_HOST_SYSTEM_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
 
 #include <OPENR/OObject.h>
 
@@ -153,4 +153,4 @@ class System {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_SYSTEM_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H

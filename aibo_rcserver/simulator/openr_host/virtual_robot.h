@@ -1,7 +1,7 @@
 /// @file virtual_robot.h
 /// The body behind the system object OVirtualRobotComm.
-#ifndef OPENR_HOST_VIRTUAL_ROBOT_H
-#define OPENR_HOST_VIRTUAL_ROBOT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_VIRTUAL_ROBOT_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_VIRTUAL_ROBOT_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -83,4 +83,4 @@ class VirtualRobot {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_VIRTUAL_ROBOT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_VIRTUAL_ROBOT_H

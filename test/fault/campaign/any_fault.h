@@ -1,6 +1,6 @@
 /// @file any_fault.h
-#ifndef TEST_FAULT_ANY_FAULT_H
-#define TEST_FAULT_ANY_FAULT_H
+#ifndef TEST_FAULT_CAMPAIGN_ANY_FAULT_H
+#define TEST_FAULT_CAMPAIGN_ANY_FAULT_H
 
 #include "campaign/experiment.h"
 #include "proxy/fault.h"
@@ -15,4 +15,4 @@ bool isDamage(const Fault& fault);
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_ANY_FAULT_H
+#endif  // TEST_FAULT_CAMPAIGN_ANY_FAULT_H

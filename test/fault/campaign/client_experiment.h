@@ -1,6 +1,6 @@
 /// @file client_experiment.h
-#ifndef TEST_FAULT_CLIENT_EXPERIMENT_H
-#define TEST_FAULT_CLIENT_EXPERIMENT_H
+#ifndef TEST_FAULT_CAMPAIGN_CLIENT_EXPERIMENT_H
+#define TEST_FAULT_CAMPAIGN_CLIENT_EXPERIMENT_H
 
 #include <atomic>
 #include <chrono>
@@ -86,4 +86,4 @@ class InTurn : public Experiment {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_CLIENT_EXPERIMENT_H
+#endif  // TEST_FAULT_CAMPAIGN_CLIENT_EXPERIMENT_H

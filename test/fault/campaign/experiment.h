@@ -1,6 +1,6 @@
 /// @file experiment.h
-#ifndef TEST_FAULT_EXPERIMENT_H
-#define TEST_FAULT_EXPERIMENT_H
+#ifndef TEST_FAULT_CAMPAIGN_EXPERIMENT_H
+#define TEST_FAULT_CAMPAIGN_EXPERIMENT_H
 
 #include <chrono>
 #include <functional>
@@ -66,4 +66,4 @@ std::vector<Row> wayRows();
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_EXPERIMENT_H
+#endif  // TEST_FAULT_CAMPAIGN_EXPERIMENT_H

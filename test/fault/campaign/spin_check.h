@@ -1,6 +1,6 @@
 /// @file spin_check.h
-#ifndef TEST_FAULT_SPIN_CHECK_H
-#define TEST_FAULT_SPIN_CHECK_H
+#ifndef TEST_FAULT_CAMPAIGN_SPIN_CHECK_H
+#define TEST_FAULT_CAMPAIGN_SPIN_CHECK_H
 
 #include "campaign/experiment.h"
 #include "proxy/fault.h"
@@ -24,4 +24,4 @@ class SpinCheck {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_SPIN_CHECK_H
+#endif  // TEST_FAULT_CAMPAIGN_SPIN_CHECK_H

@@ -1,7 +1,7 @@
 /// @file fault.h
 /// What can go wrong on the way between a client and a server.
-#ifndef TEST_FAULT_FAULT_H
-#define TEST_FAULT_FAULT_H
+#ifndef TEST_FAULT_PROXY_FAULT_H
+#define TEST_FAULT_PROXY_FAULT_H
 
 #include <chrono>
 #include <cstddef>
@@ -70,4 +70,4 @@ enum class Welcome {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_FAULT_H
+#endif  // TEST_FAULT_PROXY_FAULT_H

@@ -1,6 +1,6 @@
 /// @file fault_proxy.h
-#ifndef TEST_FAULT_FAULT_PROXY_H
-#define TEST_FAULT_FAULT_PROXY_H
+#ifndef TEST_FAULT_PROXY_FAULT_PROXY_H
+#define TEST_FAULT_PROXY_FAULT_PROXY_H
 
 #include <chrono>
 #include <cstddef>
@@ -88,4 +88,4 @@ class FaultProxy {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_FAULT_PROXY_H
+#endif  // TEST_FAULT_PROXY_FAULT_PROXY_H

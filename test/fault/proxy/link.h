@@ -1,6 +1,6 @@
 /// @file link.h
-#ifndef TEST_FAULT_LINK_H
-#define TEST_FAULT_LINK_H
+#ifndef TEST_FAULT_PROXY_LINK_H
+#define TEST_FAULT_PROXY_LINK_H
 
 #include <poll.h>
 
@@ -65,4 +65,4 @@ class Link {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_LINK_H
+#endif  // TEST_FAULT_PROXY_LINK_H

@@ -1,6 +1,6 @@
 /// @file pipe.h
-#ifndef TEST_FAULT_PIPE_H
-#define TEST_FAULT_PIPE_H
+#ifndef TEST_FAULT_PROXY_PIPE_H
+#define TEST_FAULT_PROXY_PIPE_H
 
 #include <deque>
 #include <functional>
@@ -101,4 +101,4 @@ class Pipe {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_PIPE_H
+#endif  // TEST_FAULT_PROXY_PIPE_H

@@ -1,6 +1,6 @@
 /// @file reply_scanner.h
-#ifndef TEST_FAULT_REPLY_SCANNER_H
-#define TEST_FAULT_REPLY_SCANNER_H
+#ifndef TEST_FAULT_PROXY_REPLY_SCANNER_H
+#define TEST_FAULT_PROXY_REPLY_SCANNER_H
 
 #include <cstddef>
 #include <cstdint>
@@ -29,4 +29,4 @@ class ReplyScanner {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_REPLY_SCANNER_H
+#endif  // TEST_FAULT_PROXY_REPLY_SCANNER_H

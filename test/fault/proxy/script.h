@@ -1,7 +1,7 @@
 /// @file script.h
 /// What a user tells a proxy, in words.
-#ifndef TEST_FAULT_SCRIPT_H
-#define TEST_FAULT_SCRIPT_H
+#ifndef TEST_FAULT_PROXY_SCRIPT_H
+#define TEST_FAULT_PROXY_SCRIPT_H
 
 #include <stdexcept>
 #include <string>
@@ -38,4 +38,4 @@ class Script {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_SCRIPT_H
+#endif  // TEST_FAULT_PROXY_SCRIPT_H

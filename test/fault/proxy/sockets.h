@@ -1,7 +1,7 @@
 /// @file sockets.h
 /// TCP over IPv4, as far as the bench needs it.
-#ifndef TEST_FAULT_SOCKETS_H
-#define TEST_FAULT_SOCKETS_H
+#ifndef TEST_FAULT_PROXY_SOCKETS_H
+#define TEST_FAULT_PROXY_SOCKETS_H
 
 #include <string>
 
@@ -30,4 +30,4 @@ void check(bool good, const std::string& what);
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_SOCKETS_H
+#endif  // TEST_FAULT_PROXY_SOCKETS_H

@@ -1,7 +1,7 @@
 /// @file allocations.h
 /// Takes the place of operator new in the program that it is linked into, and remembers how much was asked for at once.
-#ifndef TEST_FAULT_ALLOCATIONS_H
-#define TEST_FAULT_ALLOCATIONS_H
+#ifndef TEST_FAULT_SUPPORT_ALLOCATIONS_H
+#define TEST_FAULT_SUPPORT_ALLOCATIONS_H
 
 #include <cstddef>
 
@@ -13,4 +13,4 @@ std::size_t takeLargest(int mark);
 
 }  // namespace fault_bench::allocations
 
-#endif  // TEST_FAULT_ALLOCATIONS_H
+#endif  // TEST_FAULT_SUPPORT_ALLOCATIONS_H

@@ -1,6 +1,6 @@
 /// @file numbered_pictures.h
-#ifndef TEST_FAULT_NUMBERED_PICTURES_H
-#define TEST_FAULT_NUMBERED_PICTURES_H
+#ifndef TEST_FAULT_SUPPORT_NUMBERED_PICTURES_H
+#define TEST_FAULT_SUPPORT_NUMBERED_PICTURES_H
 
 #include <cstdint>
 #include <optional>
@@ -24,4 +24,4 @@ std::optional<PictureName> nameOfPicture(const Bytes& jpeg);
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_NUMBERED_PICTURES_H
+#endif  // TEST_FAULT_SUPPORT_NUMBERED_PICTURES_H

@@ -1,6 +1,6 @@
 /// @file picture_server.h
-#ifndef TEST_FAULT_PICTURE_SERVER_H
-#define TEST_FAULT_PICTURE_SERVER_H
+#ifndef TEST_FAULT_SUPPORT_PICTURE_SERVER_H
+#define TEST_FAULT_SUPPORT_PICTURE_SERVER_H
 
 #include <chrono>
 #include <cstdint>
@@ -54,4 +54,4 @@ class PictureServer {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_PICTURE_SERVER_H
+#endif  // TEST_FAULT_SUPPORT_PICTURE_SERVER_H

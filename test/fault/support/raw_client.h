@@ -1,6 +1,6 @@
 /// @file raw_client.h
-#ifndef TEST_FAULT_RAW_CLIENT_H
-#define TEST_FAULT_RAW_CLIENT_H
+#ifndef TEST_FAULT_SUPPORT_RAW_CLIENT_H
+#define TEST_FAULT_SUPPORT_RAW_CLIENT_H
 
 #include <chrono>
 #include <optional>
@@ -43,4 +43,4 @@ class RawClient {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_RAW_CLIENT_H
+#endif  // TEST_FAULT_SUPPORT_RAW_CLIENT_H

@@ -1,6 +1,6 @@
 /// @file resources.h
-#ifndef TEST_FAULT_RESOURCES_H
-#define TEST_FAULT_RESOURCES_H
+#ifndef TEST_FAULT_SUPPORT_RESOURCES_H
+#define TEST_FAULT_SUPPORT_RESOURCES_H
 
 #include <cstddef>
 #include <string>
@@ -34,4 +34,4 @@ struct Resources {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_RESOURCES_H
+#endif  // TEST_FAULT_SUPPORT_RESOURCES_H

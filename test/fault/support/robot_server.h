@@ -1,6 +1,6 @@
 /// @file robot_server.h
-#ifndef TEST_FAULT_ROBOT_SERVER_H
-#define TEST_FAULT_ROBOT_SERVER_H
+#ifndef TEST_FAULT_SUPPORT_ROBOT_SERVER_H
+#define TEST_FAULT_SUPPORT_ROBOT_SERVER_H
 
 #include <chrono>
 #include <cstdint>
@@ -36,4 +36,4 @@ class RobotServer {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_ROBOT_SERVER_H
+#endif  // TEST_FAULT_SUPPORT_ROBOT_SERVER_H

@@ -1,8 +1,8 @@
 /// @file syscalls.h
 /// Takes the place of system calls in the program that it is linked into, and in its libraries, so that they fail when
 /// they are told to: without privileges, and at every place that calls them.
-#ifndef TEST_FAULT_SYSCALLS_H
-#define TEST_FAULT_SYSCALLS_H
+#ifndef TEST_FAULT_SUPPORT_SYSCALLS_H
+#define TEST_FAULT_SUPPORT_SYSCALLS_H
 
 #include <array>
 #include <chrono>
@@ -40,4 +40,4 @@ void shiftWallClock(std::chrono::seconds by);
 
 }  // namespace fault_bench::syscalls
 
-#endif  // TEST_FAULT_SYSCALLS_H
+#endif  // TEST_FAULT_SUPPORT_SYSCALLS_H

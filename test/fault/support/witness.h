@@ -1,6 +1,6 @@
 /// @file witness.h
-#ifndef TEST_FAULT_WITNESS_H
-#define TEST_FAULT_WITNESS_H
+#ifndef TEST_FAULT_SUPPORT_WITNESS_H
+#define TEST_FAULT_SUPPORT_WITNESS_H
 
 #include <chrono>
 #include <condition_variable>
@@ -82,4 +82,4 @@ class Witness {
 
 }  // namespace fault_bench
 
-#endif  // TEST_FAULT_WITNESS_H
+#endif  // TEST_FAULT_SUPPORT_WITNESS_H

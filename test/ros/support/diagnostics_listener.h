@@ -1,6 +1,6 @@
 /// @file diagnostics_listener.h
-#ifndef AIBO_DRIVER_TEST_DIAGNOSTICS_LISTENER_H
-#define AIBO_DRIVER_TEST_DIAGNOSTICS_LISTENER_H
+#ifndef TEST_ROS_SUPPORT_DIAGNOSTICS_LISTENER_H
+#define TEST_ROS_SUPPORT_DIAGNOSTICS_LISTENER_H
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
@@ -53,4 +53,4 @@ class DiagnosticsListener {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_DIAGNOSTICS_LISTENER_H
+#endif  // TEST_ROS_SUPPORT_DIAGNOSTICS_LISTENER_H

@@ -1,6 +1,6 @@
 /// @file driver_process.h
-#ifndef AIBO_DRIVER_TEST_DRIVER_PROCESS_H
-#define AIBO_DRIVER_TEST_DRIVER_PROCESS_H
+#ifndef TEST_ROS_SUPPORT_DRIVER_PROCESS_H
+#define TEST_ROS_SUPPORT_DRIVER_PROCESS_H
 
 #include <map>
 #include <string>
@@ -23,4 +23,4 @@ class DriverProcess : public Process {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_DRIVER_PROCESS_H
+#endif  // TEST_ROS_SUPPORT_DRIVER_PROCESS_H

@@ -1,6 +1,6 @@
 /// @file joint_listener.h
-#ifndef AIBO_DRIVER_TEST_JOINT_LISTENER_H
-#define AIBO_DRIVER_TEST_JOINT_LISTENER_H
+#ifndef TEST_ROS_SUPPORT_JOINT_LISTENER_H
+#define TEST_ROS_SUPPORT_JOINT_LISTENER_H
 
 #include <sensor_msgs/JointState.h>
 
@@ -52,4 +52,4 @@ class JointListener {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_JOINT_LISTENER_H
+#endif  // TEST_ROS_SUPPORT_JOINT_LISTENER_H

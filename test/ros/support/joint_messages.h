@@ -1,6 +1,6 @@
 /// @file joint_messages.h
-#ifndef AIBO_DRIVER_TEST_JOINT_MESSAGES_H
-#define AIBO_DRIVER_TEST_JOINT_MESSAGES_H
+#ifndef TEST_ROS_SUPPORT_JOINT_MESSAGES_H
+#define TEST_ROS_SUPPORT_JOINT_MESSAGES_H
 
 #include <sensor_msgs/JointState.h>
 #include <trajectory_msgs/JointTrajectory.h>
@@ -21,4 +21,4 @@ trajectory_msgs::JointTrajectory trajectory(const Posture& posture, double secon
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_JOINT_MESSAGES_H
+#endif  // TEST_ROS_SUPPORT_JOINT_MESSAGES_H

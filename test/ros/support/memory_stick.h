@@ -1,6 +1,6 @@
 /// @file memory_stick.h
-#ifndef AIBO_DRIVER_TEST_MEMORY_STICK_H
-#define AIBO_DRIVER_TEST_MEMORY_STICK_H
+#ifndef TEST_ROS_SUPPORT_MEMORY_STICK_H
+#define TEST_ROS_SUPPORT_MEMORY_STICK_H
 
 #include <string>
 
@@ -22,4 +22,4 @@ class MemoryStick {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_MEMORY_STICK_H
+#endif  // TEST_ROS_SUPPORT_MEMORY_STICK_H

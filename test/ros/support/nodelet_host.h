@@ -1,6 +1,6 @@
 /// @file nodelet_host.h
-#ifndef AIBO_DRIVER_TEST_NODELET_HOST_H
-#define AIBO_DRIVER_TEST_NODELET_HOST_H
+#ifndef TEST_ROS_SUPPORT_NODELET_HOST_H
+#define TEST_ROS_SUPPORT_NODELET_HOST_H
 
 #include <string>
 #include <vector>
@@ -14,4 +14,4 @@ std::vector<std::string> nodeletHost(const std::vector<std::string>& arguments);
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_NODELET_HOST_H
+#endif  // TEST_ROS_SUPPORT_NODELET_HOST_H

@@ -1,6 +1,6 @@
 /// @file process.h
-#ifndef AIBO_DRIVER_TEST_PROCESS_H
-#define AIBO_DRIVER_TEST_PROCESS_H
+#ifndef TEST_ROS_SUPPORT_PROCESS_H
+#define TEST_ROS_SUPPORT_PROCESS_H
 
 #include <sys/types.h>
 
@@ -59,4 +59,4 @@ class Process {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_PROCESS_H
+#endif  // TEST_ROS_SUPPORT_PROCESS_H

@@ -1,6 +1,6 @@
 /// @file recording_proxy.h
-#ifndef AIBO_DRIVER_TEST_RECORDING_PROXY_H
-#define AIBO_DRIVER_TEST_RECORDING_PROXY_H
+#ifndef TEST_ROS_SUPPORT_RECORDING_PROXY_H
+#define TEST_ROS_SUPPORT_RECORDING_PROXY_H
 
 #include <chrono>
 #include <condition_variable>
@@ -67,4 +67,4 @@ class RecordingProxy {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_RECORDING_PROXY_H
+#endif  // TEST_ROS_SUPPORT_RECORDING_PROXY_H

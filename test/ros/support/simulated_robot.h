@@ -1,6 +1,6 @@
 /// @file simulated_robot.h
-#ifndef AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
-#define AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
+#ifndef TEST_ROS_SUPPORT_SIMULATED_ROBOT_H
+#define TEST_ROS_SUPPORT_SIMULATED_ROBOT_H
 
 #include <memory>
 #include <string>
@@ -44,4 +44,4 @@ class SimulatedRobot {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_SIMULATED_ROBOT_H
+#endif  // TEST_ROS_SUPPORT_SIMULATED_ROBOT_H

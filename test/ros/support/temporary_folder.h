@@ -1,6 +1,6 @@
 /// @file temporary_folder.h
-#ifndef AIBO_DRIVER_TEST_TEMPORARY_FOLDER_H
-#define AIBO_DRIVER_TEST_TEMPORARY_FOLDER_H
+#ifndef TEST_ROS_SUPPORT_TEMPORARY_FOLDER_H
+#define TEST_ROS_SUPPORT_TEMPORARY_FOLDER_H
 
 #include <cstdlib>
 #include <filesystem>
@@ -33,4 +33,4 @@ class TemporaryFolder {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_TEMPORARY_FOLDER_H
+#endif  // TEST_ROS_SUPPORT_TEMPORARY_FOLDER_H

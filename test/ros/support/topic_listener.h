@@ -1,6 +1,6 @@
 /// @file topic_listener.h
-#ifndef AIBO_DRIVER_TEST_TOPIC_LISTENER_H
-#define AIBO_DRIVER_TEST_TOPIC_LISTENER_H
+#ifndef TEST_ROS_SUPPORT_TOPIC_LISTENER_H
+#define TEST_ROS_SUPPORT_TOPIC_LISTENER_H
 
 #include <ros/node_handle.h>
 
@@ -90,4 +90,4 @@ class TopicListener {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_TOPIC_LISTENER_H
+#endif  // TEST_ROS_SUPPORT_TOPIC_LISTENER_H

@@ -1,6 +1,6 @@
 /// @file topic_publishers.h
-#ifndef AIBO_DRIVER_TEST_TOPIC_PUBLISHERS_H
-#define AIBO_DRIVER_TEST_TOPIC_PUBLISHERS_H
+#ifndef TEST_ROS_SUPPORT_TOPIC_PUBLISHERS_H
+#define TEST_ROS_SUPPORT_TOPIC_PUBLISHERS_H
 
 #include <ros/node_handle.h>
 
@@ -44,4 +44,4 @@ class TopicPublishers {
 
 }  // namespace test_support
 
-#endif  // AIBO_DRIVER_TEST_TOPIC_PUBLISHERS_H
+#endif  // TEST_ROS_SUPPORT_TOPIC_PUBLISHERS_H

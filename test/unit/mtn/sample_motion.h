@@ -1,7 +1,7 @@
 /// @file sample_motion.h
 /// A small motion to play, to damage and to compare with.
-#ifndef TEST_SAMPLE_MOTION_H
-#define TEST_SAMPLE_MOTION_H
+#ifndef TEST_UNIT_MTN_SAMPLE_MOTION_H
+#define TEST_UNIT_MTN_SAMPLE_MOTION_H
 
 #include "motion_tool/key_frame_motion.h"
 
@@ -16,4 +16,4 @@ inline motion_tool::KeyFrameMotion sampleMotion() {
   return motion;
 }
 
-#endif  // TEST_SAMPLE_MOTION_H
+#endif  // TEST_UNIT_MTN_SAMPLE_MOTION_H

@@ -1,7 +1,7 @@
 /// @file camera_image_fixture.h
 /// Camera images for the encoder's tests and benchmarks, laid out as the robot lays them out.
-#ifndef TEST_CAMERA_IMAGE_FIXTURE_H
-#define TEST_CAMERA_IMAGE_FIXTURE_H
+#ifndef TEST_UNIT_RCSERVER_CAMERA_IMAGE_FIXTURE_H
+#define TEST_UNIT_RCSERVER_CAMERA_IMAGE_FIXTURE_H
 
 #include <algorithm>
 #include <cmath>
@@ -79,4 +79,4 @@ class CameraImageFixture {
   std::vector<uint8_t> bytes_;
 };
 
-#endif  // TEST_CAMERA_IMAGE_FIXTURE_H
+#endif  // TEST_UNIT_RCSERVER_CAMERA_IMAGE_FIXTURE_H

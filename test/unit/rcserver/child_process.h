@@ -1,7 +1,7 @@
 /// @file child_process.h
 /// A program that a test runs, with what it prints.
-#ifndef TEST_CHILD_PROCESS_H
-#define TEST_CHILD_PROCESS_H
+#ifndef TEST_UNIT_RCSERVER_CHILD_PROCESS_H
+#define TEST_UNIT_RCSERVER_CHILD_PROCESS_H
 
 #include <poll.h>
 #include <sys/types.h>
@@ -100,4 +100,4 @@ class ChildProcess {
   std::string printed_;
 };
 
-#endif  // TEST_CHILD_PROCESS_H
+#endif  // TEST_UNIT_RCSERVER_CHILD_PROCESS_H

@@ -1,7 +1,7 @@
 /// @file fake_robot.h
 /// A robot whose camera images tell which ones they are, and whose joints are always where they are to be.
-#ifndef TEST_FAKE_ROBOT_H
-#define TEST_FAKE_ROBOT_H
+#ifndef TEST_UNIT_RCSERVER_FAKE_ROBOT_H
+#define TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 
 #include <OPENR/ODataFormats.h>
 
@@ -326,4 +326,4 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::minstd_rand random_;
 };
 
-#endif  // TEST_FAKE_ROBOT_H
+#endif  // TEST_UNIT_RCSERVER_FAKE_ROBOT_H

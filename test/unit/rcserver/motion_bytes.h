@@ -1,7 +1,7 @@
 /// @file motion_bytes.h
 /// Motion files for tests.
-#ifndef TEST_MOTION_BYTES_H
-#define TEST_MOTION_BYTES_H
+#ifndef TEST_UNIT_RCSERVER_MOTION_BYTES_H
+#define TEST_UNIT_RCSERVER_MOTION_BYTES_H
 
 #include <fstream>
 #include <iterator>
@@ -22,4 +22,4 @@ inline std::string fileContent(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-#endif  // TEST_MOTION_BYTES_H
+#endif  // TEST_UNIT_RCSERVER_MOTION_BYTES_H

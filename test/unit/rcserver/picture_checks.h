@@ -1,7 +1,7 @@
 /// @file picture_checks.h
 /// What a JPEG shows and how it was made.
-#ifndef TEST_PICTURE_CHECKS_H
-#define TEST_PICTURE_CHECKS_H
+#ifndef TEST_UNIT_RCSERVER_PICTURE_CHECKS_H
+#define TEST_UNIT_RCSERVER_PICTURE_CHECKS_H
 
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -57,4 +57,4 @@ inline std::vector<uint8_t> colorOf(const std::vector<uint8_t>& jpeg) {
   return {middle, middle + 3};
 }
 
-#endif  // TEST_PICTURE_CHECKS_H
+#endif  // TEST_UNIT_RCSERVER_PICTURE_CHECKS_H

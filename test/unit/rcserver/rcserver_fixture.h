@@ -1,7 +1,7 @@
 /// @file rcserver_fixture.h
 /// A robot with an RCServer, the time of which a test passes itself.
-#ifndef TEST_RCSERVER_FIXTURE_H
-#define TEST_RCSERVER_FIXTURE_H
+#ifndef TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
+#define TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 
 #include <gmock/gmock.h>
 
@@ -117,4 +117,4 @@ class RCServerFixture : public ::testing::Test {
   std::unique_ptr<openr_host::Machine> machine_;
 };
 
-#endif  // TEST_RCSERVER_FIXTURE_H
+#endif  // TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H

@@ -1,7 +1,7 @@
 /// @file slow_object.h
 /// Makes a helper object of the RCServer as slow as a test likes.
-#ifndef TEST_SLOW_OBJECT_H
-#define TEST_SLOW_OBJECT_H
+#ifndef TEST_UNIT_RCSERVER_SLOW_OBJECT_H
+#define TEST_UNIT_RCSERVER_SLOW_OBJECT_H
 
 #include <OPENR/OObject.h>
 
@@ -74,4 +74,4 @@ class SlowObject {
   std::optional<Job> job_;
 };
 
-#endif  // TEST_SLOW_OBJECT_H
+#endif  // TEST_UNIT_RCSERVER_SLOW_OBJECT_H

@@ -1,7 +1,7 @@
 /// @file temporary_memory_stick.h
 /// A memory stick that a test may write on.
-#ifndef TEST_TEMPORARY_MEMORY_STICK_H
-#define TEST_TEMPORARY_MEMORY_STICK_H
+#ifndef TEST_UNIT_RCSERVER_TEMPORARY_MEMORY_STICK_H
+#define TEST_UNIT_RCSERVER_TEMPORARY_MEMORY_STICK_H
 
 #include <cstdlib>
 #include <filesystem>
@@ -37,4 +37,4 @@ class TemporaryMemoryStick {
   std::string folder_;
 };
 
-#endif  // TEST_TEMPORARY_MEMORY_STICK_H
+#endif  // TEST_UNIT_RCSERVER_TEMPORARY_MEMORY_STICK_H

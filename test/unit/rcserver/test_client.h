@@ -1,7 +1,7 @@
 /// @file test_client.h
 /// A TCP client that never waits: the test runs the machine until the client has what it waits for.
-#ifndef TEST_TEST_CLIENT_H
-#define TEST_TEST_CLIENT_H
+#ifndef TEST_UNIT_RCSERVER_TEST_CLIENT_H
+#define TEST_UNIT_RCSERVER_TEST_CLIENT_H
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -181,4 +181,4 @@ class TestClient {
   bool was_reset_ = false;
 };
 
-#endif  // TEST_TEST_CLIENT_H
+#endif  // TEST_UNIT_RCSERVER_TEST_CLIENT_H

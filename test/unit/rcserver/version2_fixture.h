@@ -1,7 +1,7 @@
 /// @file version2_fixture.h
 /// A robot with an RCServer, and a client of version 2.
-#ifndef TEST_VERSION2_FIXTURE_H
-#define TEST_VERSION2_FIXTURE_H
+#ifndef TEST_UNIT_RCSERVER_VERSION2_FIXTURE_H
+#define TEST_UNIT_RCSERVER_VERSION2_FIXTURE_H
 
 #include <gmock/gmock.h>
 
@@ -86,4 +86,4 @@ class Version2Fixture : public RCServerFixture {
   int last_number_ = 0;
 };
 
-#endif  // TEST_VERSION2_FIXTURE_H
+#endif  // TEST_UNIT_RCSERVER_VERSION2_FIXTURE_H

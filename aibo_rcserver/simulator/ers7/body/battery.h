@@ -1,7 +1,7 @@
 /// @file battery.h
 /// The simulated robot's battery.
-#ifndef SIMULATED_ERS7_BODY_BATTERY_H
-#define SIMULATED_ERS7_BODY_BATTERY_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_BATTERY_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_BATTERY_H
 
 #include <OPENR/OPower.h>
 
@@ -42,4 +42,4 @@ class Battery {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_BATTERY_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_BATTERY_H

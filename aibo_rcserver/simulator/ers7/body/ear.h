@@ -1,7 +1,7 @@
 /// @file ear.h
 /// One ear of the simulated robot.
-#ifndef SIMULATED_ERS7_BODY_EAR_H
-#define SIMULATED_ERS7_BODY_EAR_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_EAR_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_EAR_H
 
 #include <OPENR/OPENR.h>
 
@@ -47,4 +47,4 @@ class Ear {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_EAR_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_EAR_H

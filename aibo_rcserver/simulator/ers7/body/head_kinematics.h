@@ -1,7 +1,7 @@
 /// @file head_kinematics.h
 /// Where the ERS-7's camera is and where it looks.
-#ifndef SIMULATED_ERS7_BODY_HEAD_KINEMATICS_H
-#define SIMULATED_ERS7_BODY_HEAD_KINEMATICS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_HEAD_KINEMATICS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_HEAD_KINEMATICS_H
 
 #include <Eigen/Geometry>
 
@@ -28,4 +28,4 @@ Eigen::Isometry3d cameraInBody(const HeadAngles& angles);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_HEAD_KINEMATICS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_HEAD_KINEMATICS_H

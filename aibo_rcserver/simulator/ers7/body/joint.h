@@ -1,7 +1,7 @@
 /// @file joint.h
 /// One servo of the simulated robot.
-#ifndef SIMULATED_ERS7_BODY_JOINT_H
-#define SIMULATED_ERS7_BODY_JOINT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINT_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINT_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
@@ -96,4 +96,4 @@ class Joint {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_JOINT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINT_H

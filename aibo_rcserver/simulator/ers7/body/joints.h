@@ -1,7 +1,7 @@
 /// @file joints.h
 /// All servos of the simulated robot.
-#ifndef SIMULATED_ERS7_BODY_JOINTS_H
-#define SIMULATED_ERS7_BODY_JOINTS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 
 #include <array>
 #include <cstdint>
@@ -51,4 +51,4 @@ class Joints {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_JOINTS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H

@@ -1,7 +1,7 @@
 /// @file led.h
 /// One LED of the simulated robot.
-#ifndef SIMULATED_ERS7_BODY_LED_H
-#define SIMULATED_ERS7_BODY_LED_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LED_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LED_H
 
 #include <OPENR/ODataFormats.h>
 
@@ -16,4 +16,4 @@ struct Led {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_LED_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LED_H

@@ -1,7 +1,7 @@
 /// @file primitive_table.h
 /// The ERS-7's primitives: what OPENR::OpenPrimitive() finds at which locator, and what is open.
-#ifndef SIMULATED_ERS7_BODY_PRIMITIVE_TABLE_H
-#define SIMULATED_ERS7_BODY_PRIMITIVE_TABLE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 
 #include <OPENR/OPENR.h>
 
@@ -70,4 +70,4 @@ class PrimitiveTable {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_PRIMITIVE_TABLE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H

@@ -1,7 +1,7 @@
 /// @file resting_posture.h
 /// How the simulated robot stands when it is switched on.
-#ifndef SIMULATED_ERS7_BODY_RESTING_POSTURE_H
-#define SIMULATED_ERS7_BODY_RESTING_POSTURE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_RESTING_POSTURE_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_RESTING_POSTURE_H
 
 #include <string>
 
@@ -20,4 +20,4 @@ HeadAngles restingHead();
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_RESTING_POSTURE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_RESTING_POSTURE_H

@@ -1,8 +1,8 @@
 /// @file sensor_frame_writer.h
 /// Lays out what joints and sensors measured as the ERS-7 delivers it: an OSensorFrameVectorData with its frames behind
 /// it, one entry a joint or sensor. A joint's frames are OJointValues laid over OSensorValues.
-#ifndef SIMULATED_ERS7_BODY_SENSOR_FRAME_WRITER_H
-#define SIMULATED_ERS7_BODY_SENSOR_FRAME_WRITER_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSOR_FRAME_WRITER_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSOR_FRAME_WRITER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/RCRegion.h>
@@ -34,4 +34,4 @@ void writeSensorFrames(RCRegion* region, std::size_t entry, longword frame, cons
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_SENSOR_FRAME_WRITER_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSOR_FRAME_WRITER_H

@@ -1,7 +1,7 @@
 /// @file sensors.h
 /// What the simulated robot feels: all its sensors but joints, camera and battery.
-#ifndef SIMULATED_ERS7_BODY_SENSORS_H
-#define SIMULATED_ERS7_BODY_SENSORS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSORS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSORS_H
 
 #include <OPENR/ODataFormats.h>
 
@@ -88,4 +88,4 @@ class Sensors {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_SENSORS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSORS_H

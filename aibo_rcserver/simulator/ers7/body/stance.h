@@ -1,7 +1,7 @@
 /// @file stance.h
 /// How the simulated robot stands on its legs.
-#ifndef SIMULATED_ERS7_BODY_STANCE_H
-#define SIMULATED_ERS7_BODY_STANCE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_STANCE_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_STANCE_H
 
 #include <Eigen/Geometry>
 #include <array>
@@ -44,4 +44,4 @@ Stance standOn(const std::array<LegAngles, kLegs>& legs);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_BODY_STANCE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_STANCE_H

@@ -1,7 +1,7 @@
 /// @file camera.h
 /// The ERS-7's camera: when it has an image, and the image in the layout of OPEN-R.
-#ifndef SIMULATED_ERS7_CAMERA_CAMERA_H
-#define SIMULATED_ERS7_CAMERA_CAMERA_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H
 
 #include <OPENR/OPENR.h>
 #include <OPENR/OPrimitiveControl.h>
@@ -45,4 +45,4 @@ class Camera {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_CAMERA_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H

@@ -4,8 +4,8 @@
 /// Places in the picture are in pixels of the H layer: x to the right, y down, (0, 0) the upper left corner of the
 /// upper left pixel, so that the middle of pixel (0, 0) is at (0.5, 0.5).
 /// Points in front of the camera are in its frame as in head_kinematics.h: x ahead, y left, z up.
-#ifndef SIMULATED_ERS7_CAMERA_CAMERA_OPTICS_H
-#define SIMULATED_ERS7_CAMERA_CAMERA_OPTICS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_OPTICS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_OPTICS_H
 
 #include <Eigen/Core>
 
@@ -31,4 +31,4 @@ Eigen::Vector2d placeOf(const Eigen::Vector3d& point);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_CAMERA_OPTICS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_OPTICS_H

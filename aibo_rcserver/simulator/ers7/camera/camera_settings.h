@@ -1,7 +1,7 @@
 /// @file camera_settings.h
 /// What OPENR::ControlPrimitive() sets on the camera.
-#ifndef SIMULATED_ERS7_CAMERA_CAMERA_SETTINGS_H
-#define SIMULATED_ERS7_CAMERA_CAMERA_SETTINGS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_SETTINGS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_SETTINGS_H
 
 #include <OPENR/OPrimitiveControl.h>
 
@@ -25,4 +25,4 @@ OStatus controlCamera(OPrimitiveRequest request, const void* param, size_t param
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_CAMERA_SETTINGS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_SETTINGS_H

@@ -5,8 +5,8 @@
 /// detection, as large as M, one byte a pixel. In H, M and L each row of Y is followed by the same row of Cr, of Cb
 /// and of the three bands of fine detail, so that rows of one band are six widths apart. The first 16 bytes of Y's
 /// last row are tag bytes: 0-3 the image number, little-endian, 4-11 what the colour detection counted.
-#ifndef SIMULATED_ERS7_CAMERA_FBK_IMAGE_WRITER_H
-#define SIMULATED_ERS7_CAMERA_FBK_IMAGE_WRITER_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/RCRegion.h>
@@ -30,4 +30,4 @@ void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, 
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_FBK_IMAGE_WRITER_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H

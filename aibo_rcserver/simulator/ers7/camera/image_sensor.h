@@ -1,7 +1,7 @@
 /// @file image_sensor.h
 /// What sensor and electronics make of the light: colours of the right brightness and tint, with noise.
-#ifndef SIMULATED_ERS7_CAMERA_IMAGE_SENSOR_H
-#define SIMULATED_ERS7_CAMERA_IMAGE_SENSOR_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 
 #include <cstdint>
 #include <vector>
@@ -29,4 +29,4 @@ class ImageSensor {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_IMAGE_SENSOR_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H

@@ -1,7 +1,7 @@
 /// @file lens.h
 /// What a real lens does to the light that an ideal one would let through.
-#ifndef SIMULATED_ERS7_CAMERA_LENS_H
-#define SIMULATED_ERS7_CAMERA_LENS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_LENS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_LENS_H
 
 #include "simulator/ers7/camera/renderer.h"
 
@@ -24,4 +24,4 @@ class Lens {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_LENS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_LENS_H

@@ -1,7 +1,7 @@
 /// @file photo_show.h
 /// A folder of photographs instead of the scene.
-#ifndef SIMULATED_ERS7_CAMERA_PHOTO_SHOW_H
-#define SIMULATED_ERS7_CAMERA_PHOTO_SHOW_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PHOTO_SHOW_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PHOTO_SHOW_H
 
 #include <string>
 #include <vector>
@@ -30,4 +30,4 @@ class PhotoShow : public PictureSource {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_PHOTO_SHOW_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PHOTO_SHOW_H

@@ -1,7 +1,7 @@
 /// @file photograph.h
 /// Reads photographs from files, made to fit the camera.
-#ifndef SIMULATED_ERS7_CAMERA_PHOTOGRAPH_H
-#define SIMULATED_ERS7_CAMERA_PHOTOGRAPH_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PHOTOGRAPH_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PHOTOGRAPH_H
 
 #include <filesystem>
 #include <stdexcept>
@@ -26,4 +26,4 @@ YCrCbImage readPhotograph(const std::filesystem::path& file);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_PHOTOGRAPH_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PHOTOGRAPH_H

@@ -1,7 +1,7 @@
 /// @file picture_source.h
 /// Where the camera gets its pictures from.
-#ifndef SIMULATED_ERS7_CAMERA_PICTURE_SOURCE_H
-#define SIMULATED_ERS7_CAMERA_PICTURE_SOURCE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PICTURE_SOURCE_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PICTURE_SOURCE_H
 
 #include <OPENR/OPENR.h>
 
@@ -33,4 +33,4 @@ class PictureSource {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_PICTURE_SOURCE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_PICTURE_SOURCE_H

@@ -1,7 +1,7 @@
 /// @file renderer.h
 /// Draws what an ideal camera sees of the scene.
-#ifndef SIMULATED_ERS7_CAMERA_RENDERER_H
-#define SIMULATED_ERS7_CAMERA_RENDERER_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_RENDERER_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_RENDERER_H
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -59,4 +59,4 @@ class Renderer {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_RENDERER_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_RENDERER_H

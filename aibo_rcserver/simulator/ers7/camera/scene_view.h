@@ -1,7 +1,7 @@
 /// @file scene_view.h
 /// The scene as the camera in the robot's head sees it.
-#ifndef SIMULATED_ERS7_CAMERA_SCENE_VIEW_H
-#define SIMULATED_ERS7_CAMERA_SCENE_VIEW_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_SCENE_VIEW_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_SCENE_VIEW_H
 
 #include <cstdint>
 
@@ -43,4 +43,4 @@ class SceneView : public PictureSource {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_SCENE_VIEW_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_SCENE_VIEW_H

@@ -1,7 +1,7 @@
 /// @file ycrcb_image.h
 /// A picture of the size of the H layer in the camera's colours.
-#ifndef SIMULATED_ERS7_CAMERA_YCRCB_IMAGE_H
-#define SIMULATED_ERS7_CAMERA_YCRCB_IMAGE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H
 
 #include <cstdint>
 #include <vector>
@@ -43,4 +43,4 @@ inline std::uint8_t toByte(float value) {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_CAMERA_YCRCB_IMAGE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H

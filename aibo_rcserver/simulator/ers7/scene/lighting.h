@@ -1,7 +1,7 @@
 /// @file lighting.h
 /// How light falls in the scene: one large lamp with soft shadows, and the light that all walls throw back.
-#ifndef SIMULATED_ERS7_SCENE_LIGHTING_H
-#define SIMULATED_ERS7_SCENE_LIGHTING_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHTING_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHTING_H
 
 #include "simulator/ers7/scene/scene.h"
 #include "simulator/ers7/scene/surface_colors.h"
@@ -18,4 +18,4 @@ Color lightFrom(const Scene& scene, const SceneHit& hit, const Appearance& appea
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_SCENE_LIGHTING_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHTING_H

@@ -1,7 +1,7 @@
 /// @file scene.h
 /// The room that the simulated ERS-7 lives in: what its camera sees and what its distance sensors measure.
-#ifndef SIMULATED_ERS7_SCENE_SCENE_H
-#define SIMULATED_ERS7_SCENE_SCENE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
 
 #include <Eigen/Core>
 #include <vector>
@@ -101,4 +101,4 @@ class Scene {
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_SCENE_SCENE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H

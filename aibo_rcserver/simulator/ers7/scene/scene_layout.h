@@ -1,8 +1,8 @@
 /// @file scene_layout.h
 /// Where things are in the scene. Metres and seconds, in the frame of scene.h. A scene of our own: nothing here
 /// is measured, but the ball and the bone are about as large as those that came with the robot.
-#ifndef SIMULATED_ERS7_SCENE_SCENE_LAYOUT_H
-#define SIMULATED_ERS7_SCENE_SCENE_LAYOUT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_LAYOUT_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_LAYOUT_H
 
 namespace simulated_ers7 {
 
@@ -28,4 +28,4 @@ constexpr double kBallPeriod = 6.0;
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_SCENE_SCENE_LAYOUT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_LAYOUT_H

@@ -1,8 +1,8 @@
 /// @file shapes.h
 /// The solid shapes that things in the scene are made of, each with the three questions a ray caster asks.
 /// Lengths in metres. All functions are pure.
-#ifndef SIMULATED_ERS7_SCENE_SHAPES_H
-#define SIMULATED_ERS7_SCENE_SHAPES_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H
 
 #include <Eigen/Core>
 #include <optional>
@@ -47,4 +47,4 @@ double signedDistance(const Eigen::Vector3d& point, const Shape& shape);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_SCENE_SHAPES_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H

@@ -1,7 +1,7 @@
 /// @file surface_colors.h
 /// How the surfaces of the scene look before light falls on them.
-#ifndef SIMULATED_ERS7_SCENE_SURFACE_COLORS_H
-#define SIMULATED_ERS7_SCENE_SURFACE_COLORS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SURFACE_COLORS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SURFACE_COLORS_H
 
 #include <Eigen/Core>
 
@@ -25,4 +25,4 @@ Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 
 }  // namespace simulated_ers7
 
-#endif  // SIMULATED_ERS7_SCENE_SURFACE_COLORS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SURFACE_COLORS_H

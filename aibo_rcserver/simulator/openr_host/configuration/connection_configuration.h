@@ -1,7 +1,7 @@
 /// @file connection_configuration.h
 /// CONNECT.CFG: which gate of which object leads to which.
-#ifndef OPENR_HOST_CONFIGURATION_CONNECTION_CONFIGURATION_H
-#define OPENR_HOST_CONFIGURATION_CONNECTION_CONFIGURATION_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_CONNECTION_CONFIGURATION_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_CONNECTION_CONFIGURATION_H
 
 #include <istream>
 #include <string>
@@ -30,4 +30,4 @@ std::vector<ServiceConnection> readConnectionConfiguration(std::istream& text, c
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_CONNECTION_CONFIGURATION_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_CONNECTION_CONFIGURATION_H

@@ -1,7 +1,7 @@
 /// @file design_database.h
 /// DESIGNDB.CFG: files that objects find by a keyword (OPEN-R SDK Programmer's Guide, 4.2.3).
-#ifndef OPENR_HOST_CONFIGURATION_DESIGN_DATABASE_H
-#define OPENR_HOST_CONFIGURATION_DESIGN_DATABASE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_DESIGN_DATABASE_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_DESIGN_DATABASE_H
 
 #include <istream>
 #include <map>
@@ -20,4 +20,4 @@ std::map<std::string, std::string> readDesignDatabase(std::istream& text, const 
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_DESIGN_DATABASE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_DESIGN_DATABASE_H

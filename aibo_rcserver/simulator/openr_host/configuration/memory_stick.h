@@ -1,6 +1,6 @@
 /// @file memory_stick.h
-#ifndef OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
-#define OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
 
 #include <filesystem>
 #include <string>
@@ -18,4 +18,4 @@ bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& nam
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MEMORY_STICK_H

@@ -1,7 +1,7 @@
 /// @file model_lines.h
 /// What the configuration files with sections have in common.
-#ifndef OPENR_HOST_CONFIGURATION_MODEL_LINES_H
-#define OPENR_HOST_CONFIGURATION_MODEL_LINES_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MODEL_LINES_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MODEL_LINES_H
 
 #include <istream>
 #include <string>
@@ -23,4 +23,4 @@ std::vector<ModelLine> readModelLines(std::istream& text, const std::string& des
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_MODEL_LINES_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MODEL_LINES_H

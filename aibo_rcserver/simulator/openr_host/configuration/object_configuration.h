@@ -1,7 +1,7 @@
 /// @file object_configuration.h
 /// OBJECT.CFG: which objects the memory stick has.
-#ifndef OPENR_HOST_CONFIGURATION_OBJECT_CONFIGURATION_H
-#define OPENR_HOST_CONFIGURATION_OBJECT_CONFIGURATION_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_OBJECT_CONFIGURATION_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_OBJECT_CONFIGURATION_H
 
 #include <istream>
 #include <string>
@@ -24,4 +24,4 @@ std::vector<ObjectFile> readObjectConfiguration(std::istream& text, const std::s
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_OBJECT_CONFIGURATION_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_OBJECT_CONFIGURATION_H

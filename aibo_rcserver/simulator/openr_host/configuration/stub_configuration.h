@@ -1,7 +1,7 @@
 /// @file stub_configuration.h
 /// stub.cfg: what an object's gates and entry points are called.
-#ifndef OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
-#define OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
 
 #include <istream>
 #include <string>
@@ -34,4 +34,4 @@ struct StubConfiguration {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_STUB_CONFIGURATION_H

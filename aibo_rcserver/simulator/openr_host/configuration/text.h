@@ -1,7 +1,7 @@
 /// @file text.h
 /// Lines of configuration files, taken apart.
-#ifndef OPENR_HOST_CONFIGURATION_TEXT_H
-#define OPENR_HOST_CONFIGURATION_TEXT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_TEXT_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_TEXT_H
 
 #include <string>
 #include <vector>
@@ -19,4 +19,4 @@ std::vector<std::string> splitAt(char separator, const std::string& text);
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONFIGURATION_TEXT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_TEXT_H

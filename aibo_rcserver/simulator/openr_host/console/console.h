@@ -1,6 +1,6 @@
 /// @file console.h
-#ifndef OPENR_HOST_CONSOLE_CONSOLE_H
-#define OPENR_HOST_CONSOLE_CONSOLE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_CONSOLE_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_CONSOLE_H
 
 #include <functional>
 #include <iosfwd>
@@ -66,4 +66,4 @@ class Console {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_CONSOLE_CONSOLE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_CONSOLE_H

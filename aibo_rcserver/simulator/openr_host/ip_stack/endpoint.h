@@ -1,6 +1,6 @@
 /// @file endpoint.h
-#ifndef OPENR_HOST_IP_STACK_ENDPOINT_H
-#define OPENR_HOST_IP_STACK_ENDPOINT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H
 
 #include <cerrno>
 #include <cstddef>
@@ -39,4 +39,4 @@ class Endpoint {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_ENDPOINT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H

@@ -1,6 +1,6 @@
 /// @file ip_stack.h
-#ifndef OPENR_HOST_IP_STACK_IP_STACK_H
-#define OPENR_HOST_IP_STACK_IP_STACK_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_IP_STACK_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_IP_STACK_H
 
 #include <TCPEndpointMsg.h>
 #include <UDPEndpointMsg.h>
@@ -87,4 +87,4 @@ class IpStack {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_IP_STACK_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_IP_STACK_H

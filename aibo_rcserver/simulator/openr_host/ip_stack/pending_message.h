@@ -1,6 +1,6 @@
 /// @file pending_message.h
-#ifndef OPENR_HOST_IP_STACK_PENDING_MESSAGE_H
-#define OPENR_HOST_IP_STACK_PENDING_MESSAGE_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_PENDING_MESSAGE_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_PENDING_MESSAGE_H
 
 #include <functional>
 #include <optional>
@@ -47,4 +47,4 @@ class PendingMessage {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_PENDING_MESSAGE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_PENDING_MESSAGE_H

@@ -1,6 +1,6 @@
 /// @file poll_set.h
-#ifndef OPENR_HOST_IP_STACK_POLL_SET_H
-#define OPENR_HOST_IP_STACK_POLL_SET_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_POLL_SET_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_POLL_SET_H
 
 #include <poll.h>
 
@@ -34,4 +34,4 @@ class PollSet {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_POLL_SET_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_POLL_SET_H

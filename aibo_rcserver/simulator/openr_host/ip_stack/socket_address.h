@@ -1,6 +1,6 @@
 /// @file socket_address.h
-#ifndef OPENR_HOST_IP_STACK_SOCKET_ADDRESS_H
-#define OPENR_HOST_IP_STACK_SOCKET_ADDRESS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_SOCKET_ADDRESS_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_SOCKET_ADDRESS_H
 
 #include <IPAddress.h>
 #include <netinet/in.h>
@@ -32,4 +32,4 @@ struct SocketAddress {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_SOCKET_ADDRESS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_SOCKET_ADDRESS_H

@@ -1,6 +1,6 @@
 /// @file tcp_connection.h
-#ifndef OPENR_HOST_IP_STACK_TCP_CONNECTION_H
-#define OPENR_HOST_IP_STACK_TCP_CONNECTION_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_CONNECTION_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_CONNECTION_H
 
 namespace openr_host {
 
@@ -10,4 +10,4 @@ bool configureTcpConnection(int socket);
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_TCP_CONNECTION_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_CONNECTION_H

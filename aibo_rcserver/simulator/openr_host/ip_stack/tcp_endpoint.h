@@ -1,6 +1,6 @@
 /// @file tcp_endpoint.h
-#ifndef OPENR_HOST_IP_STACK_TCP_ENDPOINT_H
-#define OPENR_HOST_IP_STACK_TCP_ENDPOINT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_ENDPOINT_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_ENDPOINT_H
 
 #include <TCPEndpointMsg.h>
 
@@ -80,4 +80,4 @@ class TcpEndpoint : public Endpoint {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_TCP_ENDPOINT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_ENDPOINT_H

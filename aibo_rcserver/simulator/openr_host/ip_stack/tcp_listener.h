@@ -1,6 +1,6 @@
 /// @file tcp_listener.h
-#ifndef OPENR_HOST_IP_STACK_TCP_LISTENER_H
-#define OPENR_HOST_IP_STACK_TCP_LISTENER_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_LISTENER_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_LISTENER_H
 
 #include <cstdint>
 #include <optional>
@@ -42,4 +42,4 @@ class TcpListener {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_TCP_LISTENER_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_TCP_LISTENER_H

@@ -1,6 +1,6 @@
 /// @file udp_endpoint.h
-#ifndef OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
-#define OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
 
 #include <UDPEndpointMsg.h>
 
@@ -57,4 +57,4 @@ class UdpEndpoint : public Endpoint {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_IP_STACK_UDP_ENDPOINT_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_UDP_ENDPOINT_H

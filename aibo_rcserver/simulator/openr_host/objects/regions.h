@@ -1,6 +1,6 @@
 /// @file regions.h
-#ifndef OPENR_HOST_OBJECTS_REGIONS_H
-#define OPENR_HOST_OBJECTS_REGIONS_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_REGIONS_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_REGIONS_H
 
 #include <OPENR/RCRegion.h>
 
@@ -22,4 +22,4 @@ inline RegionReference reference(RCRegion* region) {
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_OBJECTS_REGIONS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_REGIONS_H

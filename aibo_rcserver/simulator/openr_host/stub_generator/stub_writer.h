@@ -1,7 +1,7 @@
 /// @file stub_writer.h
 /// The sources that are made from a stub.cfg.
-#ifndef OPENR_HOST_STUB_GENERATOR_STUB_WRITER_H
-#define OPENR_HOST_STUB_GENERATOR_STUB_WRITER_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_STUB_GENERATOR_STUB_WRITER_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_STUB_GENERATOR_STUB_WRITER_H
 
 #include <string>
 
@@ -24,4 +24,4 @@ std::string writeDescription(const StubConfiguration& stub, int priority);
 
 }  // namespace openr_host
 
-#endif  // OPENR_HOST_STUB_GENERATOR_STUB_WRITER_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_STUB_GENERATOR_STUB_WRITER_H

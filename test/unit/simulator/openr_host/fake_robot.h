@@ -1,6 +1,6 @@
 /// @file fake_robot.h
-#ifndef TEST_OPENR_HOST_FAKE_ROBOT_H
-#define TEST_OPENR_HOST_FAKE_ROBOT_H
+#ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_FAKE_ROBOT_H
+#define TEST_UNIT_SIMULATOR_OPENR_HOST_FAKE_ROBOT_H
 
 #include <OPENR/ODataFormats.h>
 
@@ -151,4 +151,4 @@ class FakeRobot : public VirtualRobot {
 
 }  // namespace openr_host
 
-#endif  // TEST_OPENR_HOST_FAKE_ROBOT_H
+#endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_FAKE_ROBOT_H

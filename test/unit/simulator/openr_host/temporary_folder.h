@@ -1,6 +1,6 @@
 /// @file temporary_folder.h
-#ifndef TEST_OPENR_HOST_TEMPORARY_FOLDER_H
-#define TEST_OPENR_HOST_TEMPORARY_FOLDER_H
+#ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_TEMPORARY_FOLDER_H
+#define TEST_UNIT_SIMULATOR_OPENR_HOST_TEMPORARY_FOLDER_H
 
 #include <cstdlib>
 #include <filesystem>
@@ -41,4 +41,4 @@ class TemporaryFolder {
 
 }  // namespace openr_host
 
-#endif  // TEST_OPENR_HOST_TEMPORARY_FOLDER_H
+#endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_TEMPORARY_FOLDER_H

@@ -1,6 +1,6 @@
 /// @file test_client.h
-#ifndef TEST_OPENR_HOST_TEST_CLIENT_H
-#define TEST_OPENR_HOST_TEST_CLIENT_H
+#ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_CLIENT_H
+#define TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_CLIENT_H
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -92,4 +92,4 @@ class TestClient {
 
 }  // namespace openr_host
 
-#endif  // TEST_OPENR_HOST_TEST_CLIENT_H
+#endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_CLIENT_H

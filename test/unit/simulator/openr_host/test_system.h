@@ -1,6 +1,6 @@
 /// @file test_system.h
-#ifndef TEST_OPENR_HOST_TEST_SYSTEM_H
-#define TEST_OPENR_HOST_TEST_SYSTEM_H
+#ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_SYSTEM_H
+#define TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_SYSTEM_H
 
 #include <OPENR/OObserver.h>
 #include <OPENR/OSubject.h>
@@ -149,4 +149,4 @@ class TestSystem {
 
 }  // namespace openr_host
 
-#endif  // TEST_OPENR_HOST_TEST_SYSTEM_H
+#endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_SYSTEM_H

@@ -1,8 +1,8 @@
 /// @file EchoServer.h
 /// An object as it is written for the robot, in C++98 with the SDK's names alone: prints a line for every camera image,
 /// and sends back whatever a client sends to its port.
-#ifndef ECHO_SERVER_H
-#define ECHO_SERVER_H
+#ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_ECHO_SERVER_ECHO_SERVER_H
+#define TEST_UNIT_SIMULATOR_OPENR_HOST_ECHO_SERVER_ECHO_SERVER_H
 
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
@@ -43,4 +43,4 @@ class EchoServer : public OObject {
   byte* data;
 };
 
-#endif  // ECHO_SERVER_H
+#endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_ECHO_SERVER_ECHO_SERVER_H

@@ -1,8 +1,8 @@
 /// @file Surveyor.h
 /// An object in the manner of old code for the robot: all of namespace std, and what the SDK's headers bring in by the
 /// way.
-#ifndef SURVEYOR_H
-#define SURVEYOR_H
+#ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_SURVEYOR_SURVEYOR_H
+#define TEST_UNIT_SIMULATOR_OPENR_HOST_SURVEYOR_SURVEYOR_H
 
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
@@ -34,4 +34,4 @@ class Surveyor : public OObject {
   list<byte> heights;
 };
 
-#endif  // SURVEYOR_H
+#endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_SURVEYOR_SURVEYOR_H
