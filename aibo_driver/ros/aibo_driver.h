@@ -7,21 +7,21 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
+#include "robot_model/robot_model.h"
+#include "robot_time/robot_clock.h"
 #include "ros/body/body_interface.h"
+#include "ros/body/power_status.h"
 #include "ros/camera/camera_publisher.h"
+#include "ros/camera/raw_image_publisher.h"
+#include "ros/camera/stream_meter.h"
+#include "ros/camera/stream_policy.h"
+#include "ros/camera/stream_services.h"
 #include "ros/connection_publisher.h"
 #include "ros/driver_diagnostics.h"
 #include "ros/driver_parameters.h"
 #include "ros/joints/joint_interface.h"
 #include "ros/live_settings.h"
-#include "ros/body/power_status.h"
-#include "ros/camera/raw_image_publisher.h"
-#include "robot_model/robot_model.h"
 #include "ros/robot_stamper.h"
-#include "robot_time/robot_clock.h"
-#include "ros/camera/stream_meter.h"
-#include "ros/camera/stream_policy.h"
-#include "ros/camera/stream_services.h"
 
 namespace aibo_driver::node {
 

@@ -11,13 +11,13 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/driver_parameters.h"
-#include "ros/live_settings.h"
+#include "robot_time/robot_clock.h"
 #include "ros/body/power_status.h"
 #include "ros/camera/raw_image_publisher.h"
-#include "robot_time/robot_clock.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
+#include "ros/driver_parameters.h"
+#include "ros/live_settings.h"
 
 namespace aibo_driver::node {
 

@@ -22,10 +22,10 @@
 #include <utility>
 #include <vector>
 
+#include "ros/camera/stream_meter.h"
 #include "ros/driver_namespace.h"
 #include "tools/node_process.h"
 #include "tools/picture_log_reader.h"
-#include "ros/camera/stream_meter.h"
 
 namespace aibo_driver::tools {
 namespace {

@@ -15,8 +15,8 @@
 #include <istream>
 #include <string>
 
-#include "mtn/motion.h"
 #include "motion_tool/key_frame_motion.h"
+#include "mtn/motion.h"
 
 namespace motion_tool {
 

@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "simulator/object_catalog.h"
 #include "objects/HostSettings.h"
-#include "simulator/openr_host/clock.h"
-#include "simulator/openr_host/machine.h"
-#include "simulator/picture_log.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "simulator/ers7/console_commands.h"
 #include "simulator/ers7/simulated_ers7.h"
+#include "simulator/object_catalog.h"
+#include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/machine.h"
+#include "simulator/picture_log.h"
 
 namespace {
 

@@ -5,12 +5,12 @@
 #include <ros/node_handle.h>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/callback_thread.h"
+#include "robot_model/robot_model.h"
 #include "ros/body/expression_commander.h"
 #include "ros/body/motion_file_services.h"
 #include "ros/body/power_services.h"
-#include "robot_model/robot_model.h"
 #include "ros/body/sensor_publishers.h"
+#include "ros/callback_thread.h"
 #include "ros/telemetry_stamper.h"
 
 namespace aibo_driver::node {

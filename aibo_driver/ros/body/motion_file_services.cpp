@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "mtn/layout.h"
 #include "ros/body/file_loader.h"
 #include "ros/body/motion_name.h"
-#include "mtn/layout.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {

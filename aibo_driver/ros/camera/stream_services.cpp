@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
-#include "ros/connection_publisher.h"
 #include "ros/camera/file_saver.h"
+#include "ros/connection_publisher.h"
 
 namespace aibo_driver::node {
 namespace {

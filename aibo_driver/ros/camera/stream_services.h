@@ -13,8 +13,8 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/driver_parameters.h"
 #include "ros/camera/stream_policy.h"
+#include "ros/driver_parameters.h"
 
 namespace aibo_driver::node {
 

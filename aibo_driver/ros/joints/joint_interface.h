@@ -5,17 +5,17 @@
 #include <ros/node_handle.h>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/callback_thread.h"
-#include "ros/driver_parameters.h"
-#include "ros/joints/joint_commander.h"
-#include "ros/joints/joint_telemetry_publisher.h"
 #include "joints/joint_link.h"
 #include "joints/joint_table.h"
 #include "joints/measured_joints.h"
 #include "ros/body/motor_service.h"
 #include "ros/body/play_motion_service.h"
-#include "ros/telemetry_stamper.h"
+#include "ros/callback_thread.h"
+#include "ros/driver_parameters.h"
+#include "ros/joints/joint_commander.h"
+#include "ros/joints/joint_telemetry_publisher.h"
 #include "ros/joints/trajectory_executor.h"
+#include "ros/telemetry_stamper.h"
 
 namespace aibo_driver::node {
 

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "simulator/openr_host/virtual_robot.h"
 #include "simulator/ers7/body/battery.h"
 #include "simulator/ers7/body/ear.h"
 #include "simulator/ers7/body/joints.h"
@@ -24,6 +23,7 @@
 #include "simulator/ers7/camera/picture_source.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/ers7/scene/scene.h"
+#include "simulator/openr_host/virtual_robot.h"
 
 namespace simulated_ers7 {
 

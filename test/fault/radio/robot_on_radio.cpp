@@ -4,8 +4,8 @@
 #include <future>
 #include <string_view>
 
-#include "simulator/object_catalog.h"
 #include "protocol/version1.h"
+#include "simulator/object_catalog.h"
 
 namespace fault_bench {
 namespace {

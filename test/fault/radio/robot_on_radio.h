@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
+#include "radio/network_host.h"
+#include "simulator/ers7/simulated_ers7.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
-#include "radio/network_host.h"
 #include "simulator/sent_pictures.h"
-#include "simulator/ers7/simulated_ers7.h"
 
 namespace fault_bench {
 

@@ -5,11 +5,11 @@
 #include <map>
 #include <thread>
 
+#include "protocol/version1.h"
+#include "simulator/ers7/simulated_ers7.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
-#include "protocol/version1.h"
-#include "simulator/ers7/simulated_ers7.h"
 #include "support/syscalls.h"
 
 using std::chrono::milliseconds;

@@ -3,11 +3,11 @@
 #include <stdexcept>
 
 #include "fuzz_input.h"
-#include "mtn/motion.h"
 #include "motion_tool/motion_check.h"
 #include "motion_tool/mtn_writer.h"
 #include "motion_tool/robots.h"
 #include "motion_tool/text_form.h"
+#include "mtn/motion.h"
 
 namespace {
 

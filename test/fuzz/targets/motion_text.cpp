@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "fuzz_input.h"
-#include "mtn/motion.h"
 #include "motion_tool/mtn_writer.h"
 #include "motion_tool/text_form.h"
+#include "mtn/motion.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream text(FuzzInput(data, size).takeText(size));

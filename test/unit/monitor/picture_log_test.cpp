@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "log_file_fixture.h"
-#include "tools/picture_log_reader.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "tools/picture_log_reader.h"
 
 namespace aibo_driver::tools {
 namespace {

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <string>
 
-#include "mtn/motion.h"
 #include "motion_tool/motion_check.h"
 #include "motion_tool/mtn_writer.h"
 #include "motion_tool/text_form.h"
+#include "mtn/motion.h"
 
 namespace {
 

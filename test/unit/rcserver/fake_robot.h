@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "simulator/openr_host/virtual_robot.h"
 #include "robot_model/robot_model.h"
+#include "simulator/openr_host/virtual_robot.h"
 
 /// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each has one brightness all
 /// over, which is another one than that of the ten images before and after.

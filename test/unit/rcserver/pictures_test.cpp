@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "simulator/object_catalog.h"
 #include "picture_checks.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/CameraImage.h"
+#include "simulator/object_catalog.h"
 #include "version2_fixture.h"
 
 namespace {

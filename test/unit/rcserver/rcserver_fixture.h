@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "simulator/object_catalog.h"
 #include "objects/HostSettings.h"
+#include "protocol/version1.h"
+#include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
 #include "simulator/openr_host/virtual_robot.h"
-#include "protocol/version1.h"
 #include "simulator/sent_pictures.h"
 #include "slow_object.h"
 #include "test_client.h"
