@@ -1,11 +1,11 @@
-# What the scripts share. Sourced by them, never run.
+# Functions that the scripts share. To be sourced, not run.
 # shellcheck shell=bash
 set -euo pipefail
 
 project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$project_dir/.build
 
-# The system's own tools first: a python3 or cmake from elsewhere (pyenv, conda, pip) knows nothing of its ROS packages.
+# The system's tools come first: a python3 or cmake from elsewhere (pyenv, conda, pip) does not find the ROS packages.
 export PATH=/usr/bin:/bin:$PATH
 export PYTHONNOUSERSITE=1
 export HOME=${HOME:-/root}
@@ -14,7 +14,7 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
-# From here on the build folder is that of a sanitizer: address, thread, or fuzz (cmake/sanitizers.cmake).
+# use_sanitizer NAME: switches to the build folder of address, thread or fuzz (cmake/sanitizers.cmake).
 use_sanitizer() {
   case $1 in
     address | thread | fuzz) build_dir=$project_dir/.build/$1 ;;
@@ -22,7 +22,8 @@ use_sanitizer() {
   esac
 }
 
-# From here on programs are built and run under a sanitizer. What is suppressed, and why, stands in these files.
+# watch_with NAME: builds and runs programs with the sanitizer address or thread. test/sanitizers gives reasons for
+# suppressions.
 watch_with() {
   [[ $1 =~ ^(address|thread)$ ]] || fail "there is no sanitizer '$1'." "There are address and thread."
   use_sanitizer "$1"
@@ -33,7 +34,7 @@ watch_with() {
   export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1:history_size=7
 }
 
-# Each argument is one line: what went wrong, then what to do about it.
+# fail PROBLEM [ADVICE...]: prints what went wrong and, a line each, what to do about it.
 fail() {
   printf '\n%s: %s\n' "${0##*/}" "$1" >&2
   shift
@@ -41,12 +42,12 @@ fail() {
   exit 1
 }
 
-# Prints the comment at the top of the running script: its --help.
+# Prints the comment at the top of the running script, which is its --help.
 print_help() {
   sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"
 }
 
-# setup.bash files are not written for `set -u`.
+# setup.bash files do not work with `set -u`.
 source_setup() {
   set +u
   # shellcheck disable=SC1090
@@ -59,15 +60,15 @@ if [ -f /opt/ros/noetic/setup.bash ]; then
   source_setup /opt/ros/noetic/setup.bash
 fi
 
-# Nodes started from here talk to each other on this machine alone, whatever the caller's environment and even where
-# the host's name cannot be resolved, and write their logs to the folder given.
+# use_private_ros FOLDER: nodes use only this machine and log to the folder, whatever the caller's environment. This
+# works even if the host's name cannot be resolved.
 use_private_ros() {
   unset ROS_HOSTNAME ROS_NAMESPACE ROS_MASTER_URI ROSCONSOLE_CONFIG_FILE
   export ROS_IP=127.0.0.1 ROS_HOME=$1 ROS_LOG_DIR=$1/log
   mkdir -p "$ROS_LOG_DIR"
 }
 
-# A TCP port that is free on this machine: the one given, if possible.
+# free_port PORT: prints a TCP port that is free on this machine, PORT itself if possible.
 free_port() {
   python3 - "$1" <<'PYTHON'
 import socket, sys

@@ -1,6 +1,6 @@
-"""Do the robot's sources compile against Sony's headers? Tried with this computer's compiler: the SDK's is not needed.
+"""Checks that the robot's sources compile with Sony's headers, using this computer's compiler instead of the SDK's.
 
-What it cannot say: whether GCC 3.3.6 accepts them, too, and whether they link.
+It cannot check whether GCC 3.3.6 accepts them, or whether they link.
 """
 import re
 import subprocess
@@ -17,7 +17,7 @@ FROM_ELSEWHERE = {"def.h", "entry.h", "jpeglib.h", "jerror.h"}  # stubgen2, libj
 
 
 def check(sdk):
-    """Raises Problems with all sources that do not compile."""
+    """Raises Problems for all sources that do not compile."""
     sony.check_for_headers(sdk)
     with tempfile.TemporaryDirectory() as folder:
         with ThreadPoolExecutor() as pool:
@@ -25,7 +25,7 @@ def check(sdk):
 
 
 def _jobs(sdk, folder):
-    """One for each file: yields its problems, when it is asked for them."""
+    """Yields a generator of Problems for each file."""
     for robot_object in robot_objects() + [shared_sources()]:
         own = folder / robot_object.name
         own.mkdir()
@@ -43,15 +43,15 @@ def _make_stub(sdk, robot_object, folder):
     done = subprocess.run([str(sdk / "OPEN_R/bin/stubgen2"), str(robot_object.stub_cfg)], cwd=str(folder),
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, universal_newlines=True, check=False)
     if done.returncode != 0:
-        raise Problem(f"stubgen2 does not take {robot_object.stub_cfg}: {done.stderr.strip()}",
-                      "Each service and extra entry has its form; the Programmer's Guide has it.")
+        raise Problem(f"stubgen2 does not accept {robot_object.stub_cfg}: {done.stderr.strip()}",
+                      "The Programmer's Guide describes the form of services and extra entries.")
     return folder / (robot_object.name + "Stub.cc")
 
 
 def _compile(sdk, source, includes):
-    """Warnings are left to the builds for Linux: here, many would be about longword, which has 64 bits on this one.
+    """Warnings are off: many would be about longword, which has 64 bits here. The builds for Linux have them.
 
-    -fpermissive: RCRegion.h declares operator new for an unsigned int, which size_t is on the robot, but not here.
+    -fpermissive is for RCRegion.h: its operator new takes an unsigned int, which is size_t on the robot but not here.
     """
     arguments = ["g++", "-std=gnu++98", "-fsyntax-only", "-w", "-fpermissive"]
     arguments += [f"-I{folder}" for folder in includes]
@@ -65,11 +65,11 @@ def _compile(sdk, source, includes):
 
 
 def _unknown_headers(sdk, path):
-    """This computer has headers that the robot's C library has not: <strings.h>, for instance."""
+    """Finds headers that exist here but not in the robot's C library, such as <strings.h>."""
     for name in re.findall(r"^\s*#\s*include\s*<([^>]+)>", path.read_text(), re.MULTILINE):
         folders = [sdk / "mipsel-linux/include", *(sdk / "include" / "c++").glob("*"),
                    *(sdk / "lib/gcc-lib").glob("*/*/include"), *(sdk / folder for folder in OPENR_FOLDERS)]
         if name not in FROM_ELSEWHERE and not any((folder / name).is_file() for folder in folders):
             yield Problem(f"{path} includes <{name}>, which the SDK does not have.",
-                          "Is the same name declared by another header? If the SDK lacks its C library's headers, "
-                          "they are in mipsel-linux/include.")
+                          "Does another header declare the same names? The SDK keeps its C library's headers in "
+                          "mipsel-linux/include; are they there?")

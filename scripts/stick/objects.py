@@ -1,4 +1,4 @@
-"""The project's own programs for the robot, as memory_stick/programs/objects.txt and each stub.cfg describe them."""
+"""This project's programs for the robot, as described by memory_stick/programs/objects.txt and each stub.cfg."""
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -10,7 +10,7 @@ STICK_FILES = SOURCES / "memory_stick" / "OPEN-R"
 
 
 class RobotObject(NamedTuple):
-    """One program, an OPEN-R object. `shared`, whose file is "-", is a part of all of them instead."""
+    """One program, an OPEN-R object. The entry `shared`, with the file "-", is code that is linked with all of them."""
     name: str
     file: str
     folders: list
@@ -42,6 +42,6 @@ def shared_sources():
 def services(stub_cfg):
     """The services that a stub.cfg declares, such as RCServer.Image.OFbkImageVectorData.O.
 
-    As for Sony's stubgen2, a line that does not begin with a keyword says nothing: comments of any kind may stay.
+    Like Sony's stubgen2, this ignores lines that do not begin with a keyword, so comments may have any form.
     """
     return re.findall(r'^\s*Service\s*:\s*"([^"]+)"', stub_cfg.read_text(), re.MULTILINE)

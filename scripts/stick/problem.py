@@ -1,8 +1,8 @@
-"""What the user can mend."""
+"""Errors that the user can correct."""
 
 
 class Problem(Exception):
-    """What is wrong, and what to do about it, a line each."""
+    """What is wrong, and then what to do about it, one line each."""
 
     def __init__(self, what, *advice):
         super().__init__(what)
@@ -13,7 +13,7 @@ class Problem(Exception):
 
 
 class Problems(Exception):
-    """Several at once, so that the user need not find them one by one."""
+    """Several problems, reported together."""
 
     def __init__(self, problems):
         super().__init__("\n".join(str(problem) for problem in problems))

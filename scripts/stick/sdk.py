@@ -1,4 +1,4 @@
-"""Sony's OPEN-R SDK, which the user brings: is all there that building a stick needs?"""
+"""Checks that Sony's OPEN-R SDK, which the user provides, has everything that building a stick needs."""
 import re
 import shutil
 import subprocess
@@ -7,17 +7,17 @@ from typing import NamedTuple
 from .problem import Problem, raise_any
 
 WHAT_IT_IS = (
-    "The OPEN-R SDK 1.1.5 is Sony's own, and programs for the robot cannot be built without it: it has the cross",
-    "compiler (GCC 3.3.6, binutils 2.15, newlib 1.15), the headers and libraries of OPEN-R, and the robot's system.",
+    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: it has the cross compiler (GCC 3.3.6,",
+    "binutils 2.15, newlib 1.15), the headers and libraries of OPEN-R, and the robot's system.",
     "Sony offered it to owners free of charge and has withdrawn it; Aibo owners keep it in archives of their own.",
-    "This project may not ship any of it. When you have it: --sdk /usr/local/OPEN_R_SDK, or wherever it is.",
+    "This project may not distribute any of it. When you have it, use --sdk /usr/local/OPEN_R_SDK, or wherever it is.",
 )
 
 MODELS = {"ERS-7": "MS_ERS7", "ERS-210": "MS_ERS200"}
 
 
 class Part(NamedTuple):
-    """What one of Sony's downloads brings."""
+    """A part of the SDK that comes from one of Sony's downloads."""
     name: str
     advice: str
     paths: tuple
@@ -44,7 +44,7 @@ C_HEADERS = Part("the C library's headers", COMPILER.advice, ("mipsel-linux/incl
 
 
 def check_for_build(sdk, model):
-    """Raises Problems with all that is missing in the folder `sdk` for building and for a stick of that model."""
+    """Raises Problems for everything that `sdk` lacks for building and for a stick of that model."""
     _check_folder(sdk)
     missing = [problem for part in (COMPILER, LIBRARIES, HEADERS, STUB_GENERATOR, LINKER)
                for problem in _missing(sdk, part)]
@@ -53,14 +53,14 @@ def check_for_build(sdk, model):
 
 
 def check_for_headers(sdk):
-    """Raises Problems with all that is missing for a look at the headers alone."""
+    """Raises Problems for everything that `sdk` lacks for a check of the headers alone."""
     _check_folder(sdk)
     raise_any([problem for part in (HEADERS, STUB_GENERATOR, C_HEADERS) for problem in _missing(sdk, part)] +
               _missing_programs("perl", "g++"))
 
 
 def system_folder(sdk, model):
-    """Sony's part of a stick: with memory protection, wireless LAN and its console."""
+    """Sony's part of a stick: the system with memory protection, wireless LAN and console."""
     return sdk / "OPEN_R" / MODELS[model] / "WCONSOLE" / "memprot" / "OPEN-R"
 
 
@@ -71,7 +71,7 @@ def files_named_in(configuration):
 
 
 def missing_system_files(open_r):
-    """What the system's own .CFG files name and is not there, as paths from the top of the stick."""
+    """Missing files that the system's own .CFG files name, as paths from the top of the stick."""
     named = [name for configuration in sorted((open_r / "SYSTEM" / "CONF").glob("*.CFG"))
              for name in files_named_in(configuration) if name.endswith(".BIN")]
     return [name for name in named if not (open_r.parent / name).is_file()]
@@ -79,7 +79,7 @@ def missing_system_files(open_r):
 
 def _check_folder(sdk):
     if not (sdk / "OPEN_R").is_dir():
-        raise Problem(f"there is no OPEN-R SDK in {sdk}: it has a folder OPEN_R.", *WHAT_IT_IS)
+        raise Problem(f"there is no OPEN-R SDK in {sdk}: the folder OPEN_R is missing.", *WHAT_IT_IS)
 
 
 def _missing(sdk, part):
@@ -93,7 +93,7 @@ def _some(names):
 
 
 def _missing_programs(*names):
-    """Sony's own are written in Perl."""
+    """Perl is needed for Sony's own programs."""
     return [Problem(f"there is no {name} on this computer.", f"apt-get install {name}")
             for name in names if shutil.which(name) is None]
 
@@ -103,7 +103,7 @@ def _missing_system(open_r):
     if not missing:
         return []
     return [Problem(f"the robot's system in {open_r.parent} lacks {_some(missing)}.",
-                    "Unpack the SDK's archives again: some copies of it have lost the folders called OBJS.")]
+                    "Unpack the SDK's archives again: some copies lack the folders called OBJS.")]
 
 
 def _check_compiler_runs(sdk):
@@ -111,7 +111,7 @@ def _check_compiler_runs(sdk):
         _run(sdk / tool, "--version")
     for driver, compiler in (("gcc", "cc1"), ("g++", "cc1plus")):
         path = _run(sdk / f"bin/mipsel-linux-{driver}", f"-print-prog-name={compiler}").strip()
-        if "/" not in path:  # the driver gives the name back if it does not find the program
+        if "/" not in path:  # the driver prints just the name if it does not find the program
             raise Problem(f"mipsel-linux-{driver} does not find {compiler}, the compiler itself.", COMPILER.advice)
         _run(path, "--version")
     _run(sdk / "OPEN_R/bin/mkbin", "--help")
@@ -132,4 +132,5 @@ def _cannot_run(program, why):
     return Problem(f"{program} does not run on this computer: {why}",
                    "A program for 32-bit Linux needs: dpkg --add-architecture i386; apt-get update; "
                    "apt-get install libc6:i386.",
-                   "If it wants a newer GLIBC, use a container of a newer Debian, or build the toolchain from source.")
+                   "If it needs a newer GLIBC, use a container with a newer Debian, or build the toolchain from "
+                   "source.")

@@ -1,4 +1,4 @@
-"""Looks at a memory stick as the robot will: is everything there that it is told to start?"""
+"""Checks that a memory stick has everything that the robot is configured to start."""
 import gzip
 import re
 import struct
@@ -9,7 +9,7 @@ from .objects import robot_objects, services
 from .problem import Problem
 from .wlan import parse_wlan_conf, wlan_conf
 
-# What OPEN-R itself offers: Programmer's Guide, Level2 Reference Guide.
+# The services of OPEN-R itself: Programmer's Guide, Level2 Reference Guide.
 SYSTEM_SERVICES = {
     "OVirtualRobotComm.Effector.OCommandVectorData.O",
     "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S",
@@ -18,7 +18,7 @@ SYSTEM_SERVICES = {
     "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
 }
 
-# Sony's smallest sample has 665 KB with OPEN-R's libraries in it, the RCServer 920 KB.
+# Linked with OPEN-R's libraries, Sony's smallest sample has 665 KB and the RCServer 920 KB.
 MIN_PROGRAM_SIZE = 100_000
 MAX_PROGRAM_SIZE = 4_000_000
 MAX_STICK_SIZE = 8_000_000  # the smaller of Sony's programmable sticks
@@ -51,10 +51,10 @@ def _system_problems(open_r):
 
 
 def _name_problems(open_r):
-    """The robot knows names of 8 characters and 3 after a dot; Sony's own are left alone."""
+    """The robot supports names of 8 characters and 3 after a dot. Sony's own files are not checked."""
     for path in sorted((open_r / "MW").rglob("*")) + sorted((open_r / "SYSTEM" / "CONF").glob("*")):
         if not re.fullmatch(r"[A-Z0-9_-]{1,8}(\.[A-Z0-9_-]{1,3})?", path.name):
-            yield Problem(f"{path}: the robot does not know such names.",
+            yield Problem(f"{path}: the robot does not support such names.",
                           "Rename it: up to 8 capital letters, digits, - and _, then up to 3 after a dot.")
 
 
@@ -82,7 +82,7 @@ def _programs_to_start(open_r):
 
 
 def _program_problems(path):
-    build_again = "Build it again, with the SDK's own compiler."
+    build_again = "Build it again with the SDK's own compiler."
     try:
         with gzip.open(str(path)) as packed:
             program = packed.read(MAX_PROGRAM_SIZE + 1)
@@ -93,7 +93,7 @@ def _program_problems(path):
         yield Problem(f"{path} is not a program for the robot, a 32-bit little-endian MIPS ELF file.", build_again)
     elif not MIN_PROGRAM_SIZE <= len(program) <= MAX_PROGRAM_SIZE:
         yield Problem(f"{path} has {len(program)} bytes unpacked (or more); {MIN_PROGRAM_SIZE} to {MAX_PROGRAM_SIZE} "
-                      "are to be expected.",
+                      "are expected.",
                       "Is it linked with OPEN-R's libraries, and stripped?")
 
 
@@ -126,16 +126,16 @@ def _line_problems(where, words, known, has_foreign_programs):
         yield Problem(f"{where}: a line has two services, of a subject (.S) and of an observer (.O).", WRITE_AGAIN)
         return
     if words[0].split(".")[-2] != words[1].split(".")[-2]:
-        yield Problem(f"{where}: {words[0]} and {words[1]} are about different data.",
-                      "The part before .S and .O has to be the same.")
+        yield Problem(f"{where}: {words[0]} and {words[1]} have different data types.",
+                      "The part before .S and .O must be the same.")
     for service in words:
         if service not in known and not has_foreign_programs:
             yield Problem(f"{where}: there is no service {service}; no stub.cfg declares it.",
-                          "Is it misspelt? Services are in aibo_rcserver/*/stub.cfg and in Sony's documents.")
+                          "Is it misspelt? aibo_rcserver/*/stub.cfg and Sony's documents list the services.")
 
 
 def _has_foreign_programs(open_r):
-    """Sony's POWERMON.BIN, for instance: what services such have is not known here."""
+    """True with programs of others, such as Sony's POWERMON.BIN, whose services are not known here."""
     ours = {robot_object.file for robot_object in robot_objects()}
     return any(name.split("/")[-1] not in ours for name in _programs_to_start(open_r))
 

@@ -1,4 +1,4 @@
-"""The robot's WLAN: WLANCONF.TXT. What each line may hold is in the SDK's Installation Guide, section 3.2.2."""
+"""The robot's WLAN settings: WLANCONF.TXT. The SDK's Installation Guide, section 3.2.2, describes each line."""
 import ipaddress
 import re
 from typing import NamedTuple
@@ -9,7 +9,7 @@ HOST_NAME = "AIBO"
 
 
 class Wlan(NamedTuple):
-    """None: not given."""
+    """Settings that were not given are None."""
     essid: str
     ip: str = None
     netmask: str = None
@@ -19,14 +19,14 @@ class Wlan(NamedTuple):
 
 
 def wlan_conf(wlan):
-    """The text of WLANCONF.TXT, with the line ends of Sony's own file. Raises Problem if the robot could not use it."""
+    """The text of WLANCONF.TXT, with Sony's line ends. Raises Problem if the robot could not use the settings."""
     lines = {"HOSTNAME": HOST_NAME, **_address_lines(wlan), "ESSID": _essid(wlan.essid), **_wep_lines(wlan.wep_key),
              **_channel_lines(wlan.channel)}
     return "".join(f"{name}={value}\r\n" for name, value in lines.items())
 
 
 def parse_wlan_conf(text):
-    """The settings in a WLANCONF.TXT. Raises Problem if they cannot be meant so."""
+    """The settings in a WLANCONF.TXT. Raises Problem if there is no ESSID."""
     lines = dict(re.findall(r"^[ \t]*(\w+)[ \t]*=[ \t]*(.*?)[ \t\r]*$", text, re.MULTILINE))
     if "ESSID" not in lines:
         raise Problem("there is no line ESSID=NAME.", "Add the name of the robot's network.")
@@ -43,23 +43,23 @@ def parse_wlan_conf(text):
 
 def _essid(essid):
     if not re.fullmatch(r"[!-~]{1,32}", essid):
-        raise Problem(f"the network's name '{essid}' cannot be the robot's.",
-                      "It takes 1 to 32 letters, digits and symbols of ASCII, without spaces.")
+        raise Problem(f"the network's name '{essid}' cannot be used by the robot.",
+                      "It must have 1 to 32 letters, digits and symbols of ASCII, without spaces.")
     return essid
 
 
 def _address_lines(wlan):
     if wlan.ip is None:
         if wlan.netmask is not None or wlan.gateway is not None:
-            raise Problem("--netmask and --gateway say nothing without --ip.",
-                          "Give the robot's address, too, or leave them out: then the robot asks for one by DHCP.")
+            raise Problem("--netmask and --gateway need --ip.",
+                          "Give the robot's address, too, or leave all of them out; then the robot uses DHCP.")
         return {"USE_DHCP": "1"}
     address = _address(wlan.ip, "the robot's address")
     network = _network(address, wlan.netmask or "255.255.255.0")
-    gateway = _address(wlan.gateway, "the gateway") if wlan.gateway is not None else address  # as the guide has it
+    gateway = _address(wlan.gateway, "the gateway") if wlan.gateway is not None else address  # as in the guide
     if gateway not in network:
         raise Problem(f"the gateway {gateway} is not in the robot's network, {network}.",
-                      "It is the address of the access point's computer, or leave it out if there is none.")
+                      "Use the address of the access point's computer, or leave it out if there is none.")
     return {"USE_DHCP": "0", "ETHER_IP": address, "ETHER_NETMASK": network.netmask, "IP_GATEWAY": gateway,
             "DNS_SERVER_1": gateway}
 
@@ -70,12 +70,12 @@ def _address(text, what):
     except ValueError:
         raise Problem(f"{what} '{text}' is not an address.", "It has four numbers, such as 192.168.7.2.") from None
     if address.is_loopback or address.is_multicast or address.is_unspecified or address.is_reserved:
-        raise Problem(f"{what} {address} cannot be a robot's or a computer's.", "Take one such as 192.168.7.2.")
+        raise Problem(f"{what} {address} cannot be used.", "Use one such as 192.168.7.2.")
     return address
 
 
 def _network(address, netmask):
-    """The network of this address. A netmask has its ones before its zeros."""
+    """The network of this address. In a netmask, all ones come before the zeros."""
     octets = re.fullmatch(r"(\d+)\.(\d+)\.(\d+)\.(\d+)", netmask)
     bits = "".join(f"{int(octet):08b}" for octet in octets.groups()) if octets else ""
     if not re.fullmatch(r"(?=.{32}$)1+0{2,}", bits):
@@ -83,7 +83,7 @@ def _network(address, netmask):
     network = ipaddress.IPv4Network((address, bits.count("1")), strict=False)
     if address in (network.network_address, network.broadcast_address):
         raise Problem(f"{address} is the first or last address of {network}, which no robot may have.",
-                      "Take one in between.")
+                      "Use one in between.")
     return network
 
 
@@ -96,12 +96,12 @@ def _wep_lines(key):
     if re.fullmatch(r"[0-9A-Za-z]{5}|[0-9A-Za-z]{13}", key):
         return {"WEPENABLE": "1", "WEPKEY": key}
     raise Problem(f"the WEP key has {len(key)} characters, or some that are not allowed.",
-                  "It takes 5 or 13 letters and digits, or 10 or 26 hexadecimal digits.")
+                  "It must have 5 or 13 letters and digits, or 10 or 26 hexadecimal digits.")
 
 
 def _channel_lines(channel):
     if channel is None:
-        return {"APMODE": "1", "CHANNEL": "3"}  # CHANNEL says nothing with an access point
+        return {"APMODE": "1", "CHANNEL": "3"}  # with an access point, CHANNEL is ignored
     if not re.fullmatch(r"[1-9]|1[01]", channel):
         raise Problem(f"the robot has no channel '{channel}'.", "Its channels are 1 to 11.")
     return {"APMODE": "0", "CHANNEL": channel}

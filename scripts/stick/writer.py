@@ -1,4 +1,4 @@
-"""Builds the programs and puts the whole memory stick together."""
+"""Builds the programs and writes the memory stick."""
 import os
 import re
 import shutil
@@ -13,16 +13,16 @@ from .problem import Problem
 def check_libjpeg(libjpeg):
     """Raises Problem unless the folder has the sources of libjpeg 6b."""
     advice = ("Unpack jpegsrc.v6b.tar.gz (https://www.ijg.org/files/) and give its folder, jpeg-6b.",
-              "Newer ones are left out: only 6b has been tried with the robot's compiler.")
+              "Newer versions are refused: only 6b has been tried with the robot's compiler.")
     header = libjpeg / "jpeglib.h"
     if not header.is_file() or not (libjpeg / "jmemnobs.c").is_file():
-        raise Problem(f"there are no sources of libjpeg in {libjpeg}: jpeglib.h and jmemnobs.c.", *advice)
+        raise Problem(f"there are no sources of libjpeg in {libjpeg}: jpeglib.h and jmemnobs.c are missing.", *advice)
     if not re.search(r"define\s+JPEG_LIB_VERSION\s+62\b", header.read_text(errors="replace")):
         raise Problem(f"{header} is not that of libjpeg 6b.", *advice)
 
 
 def build(sdk, libjpeg, build_dir):
-    """Builds all programs, from scratch: which SDK an older one was built with is not known. Returns their files."""
+    """Builds all programs from scratch, since old ones may be from another SDK. Returns their files."""
     for path in (sdk, libjpeg, build_dir, PROGRAMS):
         if re.search(r"\s", str(path)):
             raise Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
@@ -34,16 +34,16 @@ def build(sdk, libjpeg, build_dir):
         subprocess.run(make + ["clean"], check=True)
         subprocess.run(make + [f"-j{os.cpu_count() or 1}"], check=True)
     except subprocess.CalledProcessError as error:
-        raise Problem("the build failed; the first message above says where.",
-                      "If the compiler does not know a name or a header of OPEN-R: scripts/memory_stick --check.",
-                      "'No rule to make target': the file that it names is missing.") from error
+        raise Problem("the build failed; see the first message above.",
+                      "If the compiler does not find a name or a header of OPEN-R, try scripts/memory_stick --check.",
+                      "'No rule to make target' means that the file it names is missing.") from error
     return [build_dir / robot_object.file for robot_object in robot_objects()]
 
 
 def write(sdk, model, programs, wlan_conf, output):
-    """Writes the stick. What its owner has on it, RCSERVER.CFG, WLANCONF.TXT and motions, stays as it is.
+    """Writes the stick. The owner's RCSERVER.CFG, WLANCONF.TXT and motions are kept.
 
-    Returns what its owner should know, a line each.
+    Returns notes for the owner, one line each.
     """
     open_r = output / "OPEN-R"
     try:
@@ -56,7 +56,7 @@ def write(sdk, model, programs, wlan_conf, output):
         os.sync()
     except OSError as error:
         raise Problem(f"the memory stick cannot be written: {error}",
-                      "Is it in the reader, mounted, not write-protected (its small switch), not full?") from error
+                      "Is it in the reader and mounted? Is it full, or write-protected by its small switch?") from error
     return notes
 
 
@@ -76,4 +76,4 @@ def _write_wlan_conf(path, text):
         return []
     if path.exists():
         return [f"{path} is as it was."]
-    return ["There is no WLANCONF.TXT: the robot takes Sony's settings, WLANDFLT.TXT beside it. --essid writes one."]
+    return ["There is no WLANCONF.TXT: the robot takes Sony's settings from WLANDFLT.TXT. --essid writes one."]

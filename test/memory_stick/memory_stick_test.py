@@ -38,8 +38,8 @@ OPEN-R/SYSTEM/OBJS/IPSTACK.BIN
 OPEN-R/SYSTEM/OBJS/POWERMGR.BIN
 OPEN-R/VERSION.txt
 """.split()
-WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/memory_stick/programs/objects.txt").read_text(),
-                              re.MULTILINE)
+PROGRAMS = PROJECT / "aibo_rcserver/memory_stick/programs"
+WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROGRAMS / "objects.txt").read_text(), re.MULTILINE)
 
 
 class Workshop(unittest.TestCase):
@@ -143,7 +143,7 @@ class AStick(Workshop):
     def test_is_built_in_a_folder_that_make_clean_removes(self):
         self.expect_stick()
         programs = self.project / "aibo_rcserver/memory_stick/programs"
-        before = sorted(path.name for path in (PROJECT / "aibo_rcserver/memory_stick/programs").iterdir() if path.name != "build")
+        before = sorted(path.name for path in PROGRAMS.iterdir() if path.name != "build")
         subprocess.run(["make", "-s", "-C", str(programs), f"OPENRSDK_ROOT={self.sdk}", f"LIBJPEG={self.libjpeg}"],
                        check=True, stdout=subprocess.DEVNULL)
         self.assertTrue((programs / "build/RCSERVER.BIN").is_file())
@@ -182,13 +182,13 @@ class TheNetwork(Workshop):
         for options, what, advice in (
                 (("--ip", "192.168.7.2"), "WLAN options need --essid", "Add it"),
                 (("--essid", ""), "the network's name '' cannot be", "1 to 32 letters"),
-                (("--essid", "x" * 33), "cannot be the robot's", "1 to 32 letters"),
+                (("--essid", "x" * 33), "cannot be used by the robot", "1 to 32 letters"),
                 (("--essid", "my home"), "'my home' cannot be", "without spaces"),
                 (("--essid", "AIBO", "--wep-key", "AIBO"), "the WEP key has 4 characters", "5 or 13 letters"),
                 (("--essid", "AIBO", "--wep-key", "AIB-2"), "the WEP key has 5 characters, or", "5 or 13 letters"),
                 (("--essid", "AIBO", "--wep-key", "012345678g"), "the WEP key has 10 characters", "10 or 26"),
                 (("--essid", "AIBO", "--channel", "12"), "no channel '12'", "1 to 11"),
-                (("--essid", "AIBO", "--netmask", "255.255.255.0"), "say nothing without --ip", "DHCP"),
+                (("--essid", "AIBO", "--netmask", "255.255.255.0"), "--gateway need --ip", "DHCP"),
                 (("--essid", "AIBO", "--ip", "192.168.7"), "address '192.168.7' is not an address", "four numbers"),
                 (("--essid", "AIBO", "--ip", "127.0.0.1"), "127.0.0.1 cannot be", "192.168.7.2"),
                 (("--essid", "AIBO", "--ip", "192.168.7.255"), "first or last address of 192.168.7.0/24", "in between"),
@@ -333,7 +333,7 @@ class Verification(Workshop):
 
     def test_of_names(self):
         for name in ("mine.mtn", "NINELETTR.MTN", "A.MTN2", "A.B.C", "OH NO.MTN"):
-            self.expect_problem("MW/DATA/P/" + name, b"", name + ": the robot does not know such names", "Rename it")
+            self.expect_problem("MW/DATA/P/" + name, b"", name + ": the robot does not support such names", "Rename it")
 
     def test_of_programs(self):
         program = "MW/OBJS/RCSERVER.BIN"
@@ -367,7 +367,7 @@ class Verification(Workshop):
         self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line has two services",
                             "write the stick again")
         self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,
-                            "are about different data", "the same")
+                            "have different data types", "the same")
 
     def test_leaves_programs_of_others_and_their_services_alone(self):
         shutil.copyfile(str(self.open_r / "MW/OBJS/RCSERVER.BIN"), str(self.open_r / "MW/OBJS/POWERMON.BIN"))
@@ -419,8 +419,8 @@ class TheSourcesWithSonysHeaders(Workshop):
 class TheListOfSources(unittest.TestCase):
     def test_is_the_same_for_the_robot_and_for_linux(self):
         """ROBOT_SOURCES: what CMake builds as the robot's, a file in which it has written one source a line."""
-        robot = subprocess.run(["make", "-s", "-C", str(PROJECT / "aibo_rcserver/memory_stick/programs"), "sources"], check=True,
-                               stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
+        robot = subprocess.run(["make", "-s", "-C", str(PROGRAMS), "sources"], check=True, stdout=subprocess.PIPE,
+                               universal_newlines=True).stdout.split()
         linux = Path(os.environ["ROBOT_SOURCES"]).read_text().split()
         self.assertGreater(len(robot), 50)
         self.assertEqual(sorted(robot), sorted(linux))
