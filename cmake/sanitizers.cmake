@@ -1,5 +1,6 @@
-# What watches the code while it runs. A build folder of its own for each: scripts/test --sanitize, scripts/fuzz.
-set(AIBO_SANITIZE "" CACHE STRING "address (with undefined behaviour), thread, fuzz (clang, libFuzzer; with both), or nothing")
+# Builds with sanitizers. Each needs its own build folder: scripts/test --sanitize, scripts/fuzz.
+set(AIBO_SANITIZE "" CACHE STRING
+  "address (with undefined behaviour), thread, fuzz (libFuzzer with address, needs clang), or nothing")
 set_property(CACHE AIBO_SANITIZE PROPERTY STRINGS "" address thread fuzz)
 
 set(sanitizers_address address,undefined)
@@ -10,13 +11,13 @@ if(AIBO_SANITIZE)
   if(NOT DEFINED sanitizers_${AIBO_SANITIZE})
     message(FATAL_ERROR "AIBO_SANITIZE is '${AIBO_SANITIZE}'; there are address, thread and fuzz.")
   endif()
-  # The first finding ends the program, so that no test passes over one. Stacks are whole with frame pointers alone.
+  # The first finding ends the program, so that its test fails. Frame pointers make stack traces complete.
   set(options -fsanitize=${sanitizers_${AIBO_SANITIZE}} -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
   add_compile_options(${options})
   add_link_options(${options})
-  # GCC warns of uninitialized variables by mistake where a sanitizer has been at work (std::regex, for one).
+  # With a sanitizer, GCC warns about uninitialized variables by mistake, for example in std::regex.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  # A program that is not built so and loads a library of ours needs the sanitizer's own library before all others.
+  # A program without the sanitizer that loads one of our libraries has to load the sanitizer's library first.
   set(sanitizer_library_address libasan.so)
   set(sanitizer_library_thread libtsan.so)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${sanitizer_library_${AIBO_SANITIZE}}

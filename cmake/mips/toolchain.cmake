@@ -1,4 +1,4 @@
-# Debian's cross compiler for little-endian MIPS, as the ERS-7's processor is, and QEMU to run what it builds.
+# Debian's cross compiler for little-endian MIPS, the ERS-7's kind of processor, and QEMU to run the programs.
 #   AIBO_MIPS_SYSROOT   folder with the mipsel libraries that scripts/mips unpacks
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR mipsel)
@@ -6,11 +6,11 @@ set(CMAKE_C_COMPILER mipsel-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER mipsel-linux-gnu-g++)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-mipsel)
 
-# Debian's default is a newer instruction set than that of the ERS-7's processor. Without 64-bit file offsets, readdir()
-# fails on the file systems of a 64-bit host.
+# By default, Debian's compiler uses a newer instruction set than the ERS-7's processor has. Without 64-bit file offsets,
+# readdir() fails on the file systems of a 64-bit host.
 set(CMAKE_C_FLAGS_INIT "-march=mips2 -D_FILE_OFFSET_BITS=64")
 set(CMAKE_CXX_FLAGS_INIT "-march=mips2 -D_FILE_OFFSET_BITS=64")
-# A static program needs no libraries of another architecture when it runs.
+# Static programs run without MIPS libraries on the system.
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
 
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES AIBO_MIPS_SYSROOT)
