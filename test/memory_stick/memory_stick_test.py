@@ -1,4 +1,4 @@
-"""scripts/memory_stick from its command line to the stick, with a made-up SDK: what it writes, and what it says when
+"""Tests scripts/memory_stick from its command line to the stick, with a fake SDK: what it writes, and its messages when
 something is wrong. Works on a copy of the project, in which tests may break things."""
 import gzip
 import os
@@ -43,7 +43,7 @@ WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROGRAMS / "objects.txt").r
 
 
 class Workshop(unittest.TestCase):
-    """A copy of the project, a made-up SDK, libjpeg, and an empty folder for the stick."""
+    """A copy of the project, a fake SDK, libjpeg, and an empty folder for the stick."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -289,7 +289,7 @@ class ABuild(Workshop):
 
 
 class Verification(Workshop):
-    """Of a stick that one thing is wrong with."""
+    """Verification of sticks with a single fault."""
 
     def setUp(self):
         super().setUp()
@@ -308,7 +308,7 @@ class Verification(Workshop):
         return self.run_script("--verify", self.stick)
 
     def expect_problem(self, path, content, what, advice):
-        """With other content, None for no file at all, the file is found wrong; as it was, it is right again."""
+        """Expects a problem with this content, None for no file at all, and none when the file is restored."""
         file = self.open_r / path
         before = file.read_bytes() if file.exists() else None
         file.unlink() if content is None else file.write_bytes(content)
@@ -390,7 +390,7 @@ class Verification(Workshop):
 
 
 class TheSourcesWithSonysHeaders(Workshop):
-    """Here, the project's own headers take the place of Sony's."""
+    """Uses the project's own headers in the place of Sony's."""
 
     def setUp(self):
         super().setUp()
@@ -418,7 +418,7 @@ class TheSourcesWithSonysHeaders(Workshop):
 
 class TheListOfSources(unittest.TestCase):
     def test_is_the_same_for_the_robot_and_for_linux(self):
-        """ROBOT_SOURCES: what CMake builds as the robot's, a file in which it has written one source a line."""
+        """The file ROBOT_SOURCES lists what CMake builds for the robot, one source per line."""
         robot = subprocess.run(["make", "-s", "-C", str(PROGRAMS), "sources"], check=True, stdout=subprocess.PIPE,
                                universal_newlines=True).stdout.split()
         linux = Path(os.environ["ROBOT_SOURCES"]).read_text().split()
