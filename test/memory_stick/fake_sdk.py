@@ -1,5 +1,5 @@
-"""A folder that looks like Sony's SDK to scripts/memory_stick. Its tools are small shell scripts that write files of
-the right kind, and log their arguments in `log`."""
+"""A folder that looks like Sony's SDK to scripts/memory_stick. Its tools are small shell scripts: they leave files of
+the right kind, and write down in `log` what they were told."""
 import shutil
 from pathlib import Path
 
@@ -23,7 +23,7 @@ case $1 in --version) exit 0 ;; esac
 echo archive > "$2"
 """
 
-# mkbin ... -o NAME.bin ...: a 32-bit little-endian MIPS program of 200 KB. All other files named must exist.
+# mkbin ... -o NAME.bin ...: a 32-bit little-endian MIPS program of 200 KB. Everything else it is told has to be there.
 MKBIN = r"""
 case $1 in --help) exit 0 ;; esac
 while [ $# -gt 0 ]; do
@@ -39,7 +39,7 @@ printf '\177ELF\001\001\001\000\000\000\000\000\000\000\000\000\002\000\010\000'
 head -c 200000 /dev/zero >> "$output"
 """
 
-# Like Sony's, it writes into the folder in which it is started.
+# As Sony's does, it writes into the folder that it is started in.
 STUBGEN = r"""
 name=$(sed -n 's/^ObjectName *: *//p' "$1")
 "${STUB_GENERATOR:-true}" "$1" 128 . .
@@ -49,7 +49,7 @@ touch def.h entry.h "${name}Stub.h" "${name}Stub.cc"
 TOOLS = {"gcc": COMPILER, "g++": COMPILER, "ar": ARCHIVER, "strip": "", "readelf": "",
          "nm": '[ "$1" = --version ] || cat "${0%/*}/../undefined"\n'}
 
-# Output of nm -u for a complete program: one symbol is weak and may be missing, the other is the linker's own.
+# What nm -u says of a program that is whole: one symbol is weak and may be absent, the other is the linker's own.
 UNDEFINED = "         w __deregister_frame_info\n         U _gp_disp\n"
 
 SYSTEM_CONF = {

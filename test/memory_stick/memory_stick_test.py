@@ -1,4 +1,4 @@
-"""Tests scripts/memory_stick from its command line to the stick, with a fake SDK: what it writes, and its messages when
+"""scripts/memory_stick from its command line to the stick, with a made-up SDK: what it writes, and what it says when
 something is wrong. Works on a copy of the project, in which tests may break things."""
 import gzip
 import os
@@ -38,12 +38,12 @@ OPEN-R/SYSTEM/OBJS/IPSTACK.BIN
 OPEN-R/SYSTEM/OBJS/POWERMGR.BIN
 OPEN-R/VERSION.txt
 """.split()
-PROGRAMS = PROJECT / "aibo_rcserver/memory_stick/programs"
-WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROGRAMS / "objects.txt").read_text(), re.MULTILINE)
+WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/memory_stick/programs/objects.txt").read_text(),
+                              re.MULTILINE)
 
 
 class Workshop(unittest.TestCase):
-    """A copy of the project, a fake SDK, libjpeg, and an empty folder for the stick."""
+    """A copy of the project, a made-up SDK, libjpeg, and an empty folder for the stick."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -143,7 +143,7 @@ class AStick(Workshop):
     def test_is_built_in_a_folder_that_make_clean_removes(self):
         self.expect_stick()
         programs = self.project / "aibo_rcserver/memory_stick/programs"
-        before = sorted(path.name for path in PROGRAMS.iterdir() if path.name != "build")
+        before = sorted(path.name for path in (PROJECT / "aibo_rcserver/memory_stick/programs").iterdir() if path.name != "build")
         subprocess.run(["make", "-s", "-C", str(programs), f"OPENRSDK_ROOT={self.sdk}", f"LIBJPEG={self.libjpeg}"],
                        check=True, stdout=subprocess.DEVNULL)
         self.assertTrue((programs / "build/RCSERVER.BIN").is_file())
@@ -289,7 +289,7 @@ class ABuild(Workshop):
 
 
 class Verification(Workshop):
-    """Verification of sticks with a single fault."""
+    """Of a stick that one thing is wrong with."""
 
     def setUp(self):
         super().setUp()
@@ -308,7 +308,7 @@ class Verification(Workshop):
         return self.run_script("--verify", self.stick)
 
     def expect_problem(self, path, content, what, advice):
-        """Expects a problem with this content, None for no file at all, and none when the file is restored."""
+        """With other content, None for no file at all, the file is found wrong; as it was, it is right again."""
         file = self.open_r / path
         before = file.read_bytes() if file.exists() else None
         file.unlink() if content is None else file.write_bytes(content)
@@ -390,7 +390,7 @@ class Verification(Workshop):
 
 
 class TheSourcesWithSonysHeaders(Workshop):
-    """Uses the project's own headers in the place of Sony's."""
+    """Here, the project's own headers take the place of Sony's."""
 
     def setUp(self):
         super().setUp()
@@ -418,9 +418,9 @@ class TheSourcesWithSonysHeaders(Workshop):
 
 class TheListOfSources(unittest.TestCase):
     def test_is_the_same_for_the_robot_and_for_linux(self):
-        """The file ROBOT_SOURCES lists what CMake builds for the robot, one source per line."""
-        robot = subprocess.run(["make", "-s", "-C", str(PROGRAMS), "sources"], check=True, stdout=subprocess.PIPE,
-                               universal_newlines=True).stdout.split()
+        """ROBOT_SOURCES: what CMake builds as the robot's, a file in which it has written one source a line."""
+        robot = subprocess.run(["make", "-s", "-C", str(PROJECT / "aibo_rcserver/memory_stick/programs"), "sources"], check=True,
+                               stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
         linux = Path(os.environ["ROBOT_SOURCES"]).read_text().split()
         self.assertGreater(len(robot), 50)
         self.assertEqual(sorted(robot), sorted(linux))
