@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "protocol/utf8.h"
+#include "protocol/text.h"
 
 namespace protocol {
 namespace version2 {

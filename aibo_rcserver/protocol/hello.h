@@ -30,7 +30,7 @@ struct JointLimits {
 /// Most bytes in one text of a hello, without the end mark.
 const size_t MAX_HELLO_TEXT_SIZE = 127;
 
-/// Texts end in a zero byte and are plain (utf8.h).
+/// Texts end in a zero byte and are plain (text.h).
 struct Hello {
   char robot[MAX_HELLO_TEXT_SIZE + 1];         ///< the design, as OPEN-R names it: "ERS-7"
   char server[MAX_HELLO_TEXT_SIZE + 1];        ///< name and version of the server

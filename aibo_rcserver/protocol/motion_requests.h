@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#include "protocol/motion_name.h"
+#include "protocol/text.h"
 #include "protocol/version2.h"
 
 namespace protocol {

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "protocol/big_endian.h"
-#include "protocol/utf8.h"
+#include "protocol/text.h"
 
 namespace protocol {
 namespace version2 {

@@ -237,7 +237,7 @@ enum {
 /// Payload of `e`: uint16 code, then a text without end mark, which may be empty.
 struct ErrorMessage {
   unsigned short code;
-  const char* text;  ///< plain text (utf8.h) in words that a user can act on; decoded, it lies in the payload
+  const char* text;  ///< plain text (text.h) in words that a user can act on; decoded, it lies in the payload
   size_t text_size;
 };
 

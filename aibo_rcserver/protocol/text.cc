@@ -1,4 +1,6 @@
-#include "protocol/utf8.h"
+#include "protocol/text.h"
+
+#include <string.h>
 
 namespace protocol {
 
@@ -6,11 +8,15 @@ namespace {
 
 const unsigned LAST_CODE_POINT = 0x10ffff;
 
+const char MOTION_ENDING[] = ".MTN";
+const size_t MOTION_ENDING_SIZE = 4;
+const size_t MAX_MOTION_STEM_SIZE = MAX_MOTION_NAME_SIZE - MOTION_ENDING_SIZE;
+
 bool isContinuation(unsigned char byte) {
   return (byte & 0xc0) == 0x80;
 }
 
-// Bytes of the character that `first` begins; 0 if no character begins with it.
+// Bytes of the character that begins with `first`; 0 if none does.
 size_t characterSize(unsigned char first) {
   if (first < 0x80) {
     return 1;
@@ -30,7 +36,7 @@ bool isPlainCharacter(unsigned code_point, size_t size) {
   return code_point >= SMALLEST_OF_SIZE[size] && code_point != 0x7f && !is_surrogate && code_point <= LAST_CODE_POINT;
 }
 
-// Bytes of the plain character at the beginning; 0 if there is none.
+// Bytes of the first character; 0 if it is not well-formed or a control character.
 size_t plainCharacterAt(const char* bytes, size_t size) {
   static const unsigned char FIRST_BYTE_MASK[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
   const unsigned char first = static_cast<unsigned char>(bytes[0]);
@@ -47,6 +53,33 @@ size_t plainCharacterAt(const char* bytes, size_t size) {
     code_point = (code_point << 6) | (byte & 0x3fU);
   }
   return isPlainCharacter(code_point, character_size) ? character_size : 0;
+}
+
+// Unlike toupper(), the same in every locale.
+char capital(char character) {
+  return character >= 'a' && character <= 'z' ? static_cast<char>(character - 'a' + 'A') : character;
+}
+
+bool isAllowedInName(char character) {
+  return character != '\0' && strchr("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789!#$%&'()-@^_`{}~", character) != NULL;
+}
+
+bool isAllowedInName(const char* stem, size_t size) {
+  for (size_t i = 0; i < size; ++i) {
+    if (!isAllowedInName(capital(stem[i]))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool hasMotionEnding(const char* text, size_t size) {
+  for (size_t i = 0; size >= MOTION_ENDING_SIZE && i < MOTION_ENDING_SIZE; ++i) {
+    if (capital(text[size - MOTION_ENDING_SIZE + i]) != MOTION_ENDING[i]) {
+      return false;
+    }
+  }
+  return size >= MOTION_ENDING_SIZE;
 }
 
 }  // namespace
@@ -71,6 +104,27 @@ size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit) {
     --limit;
   }
   return limit;
+}
+
+const char* readMotionName(const char* text, size_t size, MotionName& name) {
+  if (!hasMotionEnding(text, size)) {
+    return "the name of the motion does not end in .MTN";
+  }
+  const size_t stem_size = size - MOTION_ENDING_SIZE;
+  if (stem_size == 0) {
+    return "the name of the motion has nothing before .MTN";
+  }
+  if (stem_size > MAX_MOTION_STEM_SIZE) {
+    return "the name of the motion has more than 8 characters before .MTN";
+  }
+  if (!isAllowedInName(text, stem_size)) {
+    return "the name of the motion has other characters before .MTN than A to Z, 0 to 9 and !#$%&'()-@^_`{}~";
+  }
+  for (size_t i = 0; i < size; ++i) {
+    name[i] = capital(text[i]);
+  }
+  name[size] = '\0';
+  return NULL;
 }
 
 }  // namespace protocol
