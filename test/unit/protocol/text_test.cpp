@@ -30,14 +30,14 @@ TEST(PlainText, HasNoControlCharacters) {
   EXPECT_FALSE(isPlain(std::string(1, '\0')));
 }
 
-TEST(PlainText, HasNoBytesThatAreNotUtf8) {
+TEST(PlainText, HasNoMalformedUtf8) {
   for (const char* text :
        {"\x80", "\xbf", "\xfe", "\xff", "\xf8\x88\x80\x80\x80", "\xc3(", "\xe2\x82(", "\xf0\x9f\x90("}) {
     EXPECT_FALSE(isPlain(text)) << text;
   }
 }
 
-TEST(PlainText, HasNoCharacterCutOff) {
+TEST(PlainText, HasNoIncompleteCharacter) {
   for (const std::string character : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x90\xb6"}) {
     for (size_t size = 1; size < character.size(); ++size) {
       EXPECT_FALSE(isPlain("a" + character.substr(0, size)));
@@ -62,7 +62,7 @@ TEST(PlainText, IsCutBetweenCharacters) {
   }
 }
 
-// The name as read, or what is wrong with it. The text lies in memory of just its size.
+// The name that was read, or what is wrong with it. The text lies in memory of exactly its size.
 std::string read(const std::string& text) {
   const Bytes bytes = bytesOf(text);
   MotionName name = "untouched";
@@ -74,7 +74,7 @@ std::string read(const std::string& text) {
   return problem;
 }
 
-TEST(MotionName, IsEightCharactersAndMtn) {
+TEST(MotionName, IsUpToEightCharactersAndMtn) {
   EXPECT_EQ(read("NOD.MTN"), "NOD.MTN");
   EXPECT_EQ(read("A.MTN"), "A.MTN");
   EXPECT_EQ(read("12345678.MTN"), "12345678.MTN");
@@ -84,25 +84,25 @@ TEST(MotionName, IsEightCharactersAndMtn) {
   EXPECT_EQ(read("-@^_`{}~.MTN"), "-@^_`{}~.MTN");
 }
 
-TEST(MotionName, IsTheSameInSmallLetters) {
+TEST(MotionName, MayHaveSmallLetters) {
   EXPECT_EQ(read("walk_fwd.mtn"), "WALK_FWD.MTN");
   EXPECT_EQ(read("wAg.mTn"), "WAG.MTN");
 }
 
-TEST(MotionName, HasItsEnding) {
+TEST(MotionName, MustEndInMtn) {
   for (const char* text : {"", "M", "MTN", "NOD", "NODMTN", "NOD.MT", "NOD.MTNX", "NOD.BIN", "NOD.MTN ", "NOD.MTN."}) {
     EXPECT_THAT(read(text), HasSubstr("does not end in .MTN")) << text;
   }
   EXPECT_THAT(read(std::string("NOD.MTN\0", 8)), HasSubstr("does not end in .MTN"));
 }
 
-TEST(MotionName, HasOneToEightCharactersBeforeIt) {
+TEST(MotionName, HasOneToEightCharactersBeforeItsEnding) {
   EXPECT_THAT(read(".MTN"), HasSubstr("nothing before .MTN"));
   EXPECT_THAT(read("123456789.MTN"), HasSubstr("more than 8 characters"));
   EXPECT_THAT(read(std::string(100000, 'A') + ".MTN"), HasSubstr("more than 8 characters"));
 }
 
-TEST(MotionName, LeadsOutOfNoFolder) {
+TEST(MotionName, CannotLeadOutOfAFolder) {
   for (const char* text :
        {"../A.MTN", "..\\A.MTN", "A/B.MTN", "/A.MTN", "\\A.MTN", "C:A.MTN", "..MTN", "...MTN", "A.B.MTN", "A.MTN.MTN",
         " .MTN", "A B.MTN", "*.MTN", "?.MTN", "\"A\".MTN", "A;B.MTN", "A|B.MTN", "<A>.MTN"}) {
@@ -110,7 +110,7 @@ TEST(MotionName, LeadsOutOfNoFolder) {
   }
 }
 
-TEST(MotionName, IsMadeOfNoOtherByte) {
+TEST(MotionName, HasNoOtherCharacters) {
   const std::string allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!#$%&'()-@^_`{}~";
   for (int byte = 0; byte < 256; ++byte) {
     const char character = static_cast<char>(byte);

@@ -24,7 +24,7 @@ TEST(Angles, OfKnownJointsAreConverted) {
 }
 
 TEST(Angles, AreRoundedToTheNearest) {
-  // 0.01 degree is 174.533 microradian: the border between 0 and 1 lies at 87.27.
+  // 0.01 degree is 174.533 microradian, so 0 becomes 1 at 87.27.
   EXPECT_EQ(centidegreesFromMicroradians(87), 0);
   EXPECT_EQ(centidegreesFromMicroradians(88), 1);
   EXPECT_EQ(centidegreesFromMicroradians(-87), 0);
@@ -33,7 +33,7 @@ TEST(Angles, AreRoundedToTheNearest) {
   EXPECT_EQ(microradiansFromCentidegrees(-1), -175);
 }
 
-TEST(Angles, OfVersion1SurviveTheWayToMicroradiansAndBack) {
+TEST(Angles, OfVersion1SurviveTheRoundTripToMicroradians) {
   for (int centidegrees = SHRT_MIN; centidegrees <= SHRT_MAX; ++centidegrees) {
     const short value = static_cast<short>(centidegrees);
     const int microradians = microradiansFromCentidegrees(value);
@@ -55,7 +55,7 @@ TEST(Angles, BeyondVersion1AreLimited) {
 TEST(SensorValues, OfMeasurementsAreHundredthsInVersion1) {
   EXPECT_EQ(version1SensorValue(SENSOR_DISTANCE, 234567), 23);          // 0.234567 m
   EXPECT_EQ(version1SensorValue(SENSOR_ACCELERATION, -9806650), -981);  // m/s^2
-  EXPECT_EQ(version1SensorValue(SENSOR_ACCELERATION, 19613300), 1961);  // as much as can be measured
+  EXPECT_EQ(version1SensorValue(SENSOR_ACCELERATION, 19613300), 1961);  // the most that can be measured
   EXPECT_EQ(version1SensorValue(SENSOR_FORCE, 980665), 98);             // N
   EXPECT_EQ(version1SensorValue(SENSOR_TEMPERATURE, 38250000), 3825);   // degree Celsius
   EXPECT_EQ(version1SensorValue(SENSOR_TEMPERATURE, -10000000), -1000);
