@@ -12,10 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulator/openr_host/configuration/configuration_error.h"
-#include "simulator/openr_host/configuration/connection_configuration.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
-#include "simulator/openr_host/configuration/object_configuration.h"
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
 #include "simulator/openr_host/system.h"
 

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "simulator/openr_host/configuration/design_database.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
 
 namespace openr_host {
