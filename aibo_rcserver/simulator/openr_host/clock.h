@@ -34,19 +34,22 @@ class Clock {
 /// Goes with the steady clock: every frame's begin is counted from frame 0, so that nothing drifts.
 class WallClock : public Clock {
  public:
-  WallClock();
-  std::chrono::nanoseconds now() const override;
-  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override;
+  std::chrono::nanoseconds now() const override { return std::chrono::steady_clock::now() - begin_; }
+  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override {
+    return begin_ + since_begin;
+  }
 
  private:
-  const std::chrono::steady_clock::time_point begin_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// Stands still until stepped. For tests: step(), then Machine::runPending(), on the same thread.
 class SteppedClock : public Clock {
  public:
   std::chrono::nanoseconds now() const override { return frame_ * std::chrono::nanoseconds(kFramePeriod); }
-  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override;
+  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds /*unused*/) const override {
+    return std::nullopt;
+  }
 
   /// Goes on by this many frames at once, as the wall's clock does while the host holds the process up. To have the
   /// machine see every single frame, step one and run.

@@ -3,9 +3,11 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 
+#include <OID.h>
 #include <OPENR/OObject.h>
 #include <ant.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -37,6 +39,15 @@ struct ObjectDescription {
   std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; empty: none
   std::function<std::unique_ptr<OObject>()> create;
 };
+
+/// The identity of the n-th object of a system, counted from 1. On the robot it is an address, here it is a number.
+inline OID oidOf(std::size_t number) {
+  return OID(reinterpret_cast<void*>(number));
+}
+
+inline std::size_t numberOf(const OID& oid) {
+  return reinterpret_cast<std::size_t>(oid.GetAddress());
+}
 
 }  // namespace openr_host
 

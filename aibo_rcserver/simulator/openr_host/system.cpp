@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "simulator/openr_host/objects/object_number.h"
+#include "simulator/openr_host/object_description.h"
 
 namespace openr_host {
 namespace {

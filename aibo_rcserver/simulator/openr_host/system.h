@@ -12,14 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "simulator/openr_host/console/console.h"
+#include "simulator/openr_host/console.h"
 #include "simulator/openr_host/ip_stack/ip_stack.h"
 #include "simulator/openr_host/object_description.h"
-#include "simulator/openr_host/objects/design_data.h"
-#include "simulator/openr_host/objects/observer_service.h"
+#include "simulator/openr_host/objects/gates.h"
+#include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
-#include "simulator/openr_host/objects/subject_service.h"
-#include "simulator/openr_host/objects/vector_memory.h"
 #include "simulator/openr_host/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 

@@ -1,14 +1,83 @@
 /// @file endpoint.h
+/// Endpoints of the IPStack, and the messages that they answer.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H
 
+#include <ant.h>
+
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "simulator/openr_host/ip_stack/poll_set.h"
 
 namespace openr_host {
+
+/// The stack's copy of a message that an object has sent, with where its answer goes.
+class Envelope {
+ public:
+  /// @param size bytes of the message
+  Envelope(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry)
+      : object_(object), entry_(entry), copy_(new std::max_align_t[size / sizeof(std::max_align_t) + 1]) {
+    std::memcpy(copy_.get(), &message, size);
+  }
+
+  const OID& object() const { return object_; }
+  Selector entry() const { return entry_; }
+
+  ANTENVMSG content() const { return copy_.get(); }
+  antEnvMsg& message() const { return *antEnvMsg::Receive(content()); }
+
+  /// The message as what its operation says that it is.
+  template <typename Message>
+  Message& as() const {
+    return static_cast<Message&>(message());
+  }
+
+ private:
+  OID object_;
+  Selector entry_;
+  std::shared_ptr<std::max_align_t[]> copy_;
+};
+
+/// Takes an answered message back to the object that sent it.
+using Deliver = std::function<void(const Envelope&)>;
+
+/// Answers a message with an error.
+template <typename Message, typename Error>
+void answer(const Deliver& deliver, const Envelope& message, Error error) {
+  message.as<Message>().error = error;
+  deliver(message);
+}
+
+/// What an endpoint was asked for and has not answered yet: at most one message of a kind.
+template <typename Message>
+class PendingMessage {
+ public:
+  /// @param deliver must outlive this
+  explicit PendingMessage(const Deliver& deliver) : deliver_(deliver) {}
+
+  explicit operator bool() const { return envelope_.has_value(); }
+  Message* operator->() const { return &envelope_->template as<Message>(); }
+
+  void begin(const Envelope& message) { envelope_ = message; }
+
+  /// Answers the message. Does nothing if there is none.
+  template <typename Error>
+  void end(Error error) {
+    if (envelope_) {
+      answer<Message>(deliver_, *std::exchange(envelope_, std::nullopt), error);
+    }
+  }
+
+ private:
+  const Deliver& deliver_;
+  std::optional<Envelope> envelope_;
+};
 
 /// True for the error of a call that is to be tried again when the socket is ready.
 inline bool isTransient(int error) {

@@ -13,8 +13,6 @@
 #include <string>
 
 #include "simulator/openr_host/ip_stack/endpoint.h"
-#include "simulator/openr_host/ip_stack/envelope.h"
-#include "simulator/openr_host/ip_stack/pending_message.h"
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/shared_buffers.h"
 #include "simulator/openr_host/ip_stack/tcp_endpoint.h"

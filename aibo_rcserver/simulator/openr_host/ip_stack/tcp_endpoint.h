@@ -5,7 +5,6 @@
 #include <TCPEndpointMsg.h>
 
 #include "simulator/openr_host/ip_stack/endpoint.h"
-#include "simulator/openr_host/ip_stack/pending_message.h"
 #include "simulator/openr_host/ip_stack/tcp_listener.h"
 
 namespace openr_host {

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <thread>
 
-#include "simulator/openr_host/ip_stack/tcp_connection.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 namespace {

@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "simulator/openr_host/ip_stack/file_descriptor.h"
-#include "simulator/openr_host/ip_stack/socket_address.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 

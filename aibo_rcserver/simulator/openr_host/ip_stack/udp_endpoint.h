@@ -7,8 +7,7 @@
 #include <string>
 
 #include "simulator/openr_host/ip_stack/endpoint.h"
-#include "simulator/openr_host/ip_stack/file_descriptor.h"
-#include "simulator/openr_host/ip_stack/pending_message.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "simulator/openr_host/objects/regions.h"
+#include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {

@@ -13,7 +13,7 @@
 
 #include "simulator/openr_host/object_description.h"
 #include "simulator/openr_host/objects/command_queue.h"
-#include "simulator/openr_host/objects/subject_service.h"
+#include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {

@@ -4,7 +4,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
-#include "simulator/openr_host/objects/object_number.h"
+#include "simulator/openr_host/object_description.h"
 #include "test_system.h"
 
 namespace openr_host {

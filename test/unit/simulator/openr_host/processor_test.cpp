@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulator/openr_host/objects/object_number.h"
+#include "simulator/openr_host/object_description.h"
 
 namespace openr_host {
 namespace {

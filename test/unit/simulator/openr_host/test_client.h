@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "simulator/openr_host/ip_stack/file_descriptor.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "simulator/openr_host/console/console.h"
+#include "simulator/openr_host/console.h"
 
 #include <sys/socket.h>
 

@@ -1,8 +1,10 @@
-#include "simulator/openr_host/ip_stack/socket_address.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 #include <arpa/inet.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include <chrono>
 #include <stdexcept>
 
 IPAddress::IPAddress(const char* text) : address_(0) {
@@ -19,6 +21,16 @@ char* IPAddress::GetAsString(char* text) const {
 }
 
 namespace openr_host {
+namespace {
+
+/// After this time without an answer the other side has vanished.
+constexpr std::chrono::milliseconds kPatience{2000};
+
+bool setOption(int fd, int level, int name, int value) {
+  return setsockopt(fd, level, name, &value, sizeof(value)) == 0;
+}
+
+}  // namespace
 
 sockaddr_in SocketAddress::system() const {
   sockaddr_in system{};
@@ -42,6 +54,16 @@ SocketAddress SocketAddress::parse(const std::string& address, Port port) {
                                 "' is no IPv4 address of this computer, such as 127.0.0.1, or 0.0.0.0 for all of them");
   }
   return {IPAddress(ntohl(parsed.s_addr)), port};
+}
+
+bool configureTcpConnection(int socket) {
+  // A reply must not wait for the acknowledgement of the one before it.
+  return setOption(socket, IPPROTO_TCP, TCP_NODELAY, 1) &&
+         // A client that is switched off or carried away says nothing: ask after it every second, and wait for the
+         // acknowledgement of what was sent no longer than kPatience.
+         setOption(socket, SOL_SOCKET, SO_KEEPALIVE, 1) && setOption(socket, IPPROTO_TCP, TCP_KEEPIDLE, 1) &&
+         setOption(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1) && setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, 2) &&
+         setOption(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(kPatience.count()));
 }
 
 }  // namespace openr_host

@@ -1,19 +1,64 @@
-/// @file subject_service.h
-#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SUBJECT_SERVICE_H
-#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SUBJECT_SERVICE_H
+/// @file gates.h
+/// The inside of the SDK's OSubject and OObserver.
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_GATES_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_GATES_H
 
 #include <OPENR/ObjcommEvent.h>
+#include <OPENR/RCRegion.h>
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <vector>
-
-#include "simulator/openr_host/objects/buffer_control.h"
-#include "simulator/openr_host/objects/regions.h"
 
 namespace openr_host {
 
 class System;
+
+/// Holds a reference to a region, which goes when the last copy of this goes.
+using RegionReference = std::shared_ptr<RCRegion>;
+
+/// Data on its way.
+using Regions = std::vector<RegionReference>;
+
+inline RegionReference reference(RCRegion* region) {
+  region->AddReference();
+  return {region, [](RCRegion* referenced) { referenced->RemoveReference(); }};
+}
+
+/// How a subject treats one observer's notifications: OObserver::SetBufCtrlParam() (Level2 Reference Guide, page 27).
+struct BufferControl {
+  std::size_t skip = 0;  ///< notifications left out after each one
+  std::size_t min = 1;   ///< notifications that are sent together
+  std::size_t max = 1;   ///< notifications kept while the observer is not ready; the oldest is lost first
+};
+
+/// The inside of an OObserver: its subjects.
+class ObserverService {
+ public:
+  ObserverService(System& system, const ObserverID& id) : system_(system), id_(id) {}
+  ~ObserverService();
+  ObserverService(const ObserverService&) = delete;
+  ObserverService& operator=(const ObserverService&) = delete;
+
+  const ObserverID& id() const { return id_; }
+
+  /// Counts for connections that are made later.
+  void setBufferControl(const BufferControl& control) { control_ = control; }
+  const BufferControl& bufferControl() const { return control_; }
+
+  void connect(const SubjectID& subject) { subjects_.push_back(subject); }
+  int numberOfSubjects() const { return static_cast<int>(subjects_.size()); }
+
+  void announceReady(bool ready);
+  void announceReady(const SubjectID& subject, bool ready);
+
+ private:
+  System& system_;
+  const ObserverID id_;
+  BufferControl control_;
+  std::vector<SubjectID> subjects_;
+};
 
 /// What an observer has last said to a subject. An observer that was sent something has said nothing since.
 enum class Readiness { kUnknown, kAssertReady, kDeassertReady };
@@ -87,4 +132,4 @@ class SubjectService {
 
 }  // namespace openr_host
 
-#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SUBJECT_SERVICE_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_GATES_H

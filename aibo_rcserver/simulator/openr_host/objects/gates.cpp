@@ -1,4 +1,4 @@
-#include "simulator/openr_host/objects/subject_service.h"
+#include "simulator/openr_host/objects/gates.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,6 +6,22 @@
 #include "simulator/openr_host/system.h"
 
 namespace openr_host {
+
+ObserverService::~ObserverService() {
+  system_.forget(*this);
+}
+
+void ObserverService::announceReady(bool ready) {
+  for (const auto& subject : subjects_) {
+    system_.postReady(id_, subject, ready);
+  }
+}
+
+void ObserverService::announceReady(const SubjectID& subject, bool ready) {
+  if (std::find(subjects_.begin(), subjects_.end(), subject) != subjects_.end()) {
+    system_.postReady(id_, subject, ready);
+  }
+}
 
 SubjectService::~SubjectService() {
   system_.forget(*this);
