@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace simulated_ers7 {
@@ -17,10 +18,19 @@ class RegionPool {
  public:
   /// @param size of each region in bytes
   /// @param prepare writes into a new region what is the same whenever it is used
-  RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare);
+  RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare) : size_(size), prepare_(std::move(prepare)) {}
 
   /// A region that nobody but the pool refers to: one that was used before, or a new one if all are in use.
-  RCRegion* freeRegion();
+  RCRegion* freeRegion() {
+    for (const auto& region : regions_) {
+      if (region->NumberOfReference() == 1) {
+        return region.get();
+      }
+    }
+    regions_.emplace_back(new RCRegion(size_));
+    prepare_(regions_.back().get());
+    return regions_.back().get();
+  }
 
  private:
   struct RemoveReference {

@@ -8,7 +8,7 @@
 
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/sensor_frame_writer.h"
-#include "simulator/ers7/camera/photo_show.h"
+#include "simulator/ers7/camera/photographs.h"
 #include "simulator/ers7/camera/scene_view.h"
 
 namespace simulated_ers7 {

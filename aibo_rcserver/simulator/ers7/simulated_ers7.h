@@ -14,13 +14,11 @@
 #include <vector>
 
 #include "simulator/ers7/body/battery.h"
-#include "simulator/ers7/body/ear.h"
 #include "simulator/ers7/body/joints.h"
-#include "simulator/ers7/body/led.h"
+#include "simulator/ers7/body/leds_and_ears.h"
 #include "simulator/ers7/body/primitive_table.h"
 #include "simulator/ers7/body/sensors.h"
 #include "simulator/ers7/camera/camera.h"
-#include "simulator/ers7/camera/picture_source.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/ers7/scene/scene.h"
 #include "simulator/openr_host/virtual_robot.h"

@@ -11,6 +11,7 @@
 namespace openr_host {
 
 constexpr std::chrono::milliseconds kFramePeriod{8};
+constexpr double kFrameSeconds = 0.008;
 
 class Clock {
  public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -27,7 +27,10 @@ word encoderSteps(double position, const robot_model::Joint& model) {
 }  // namespace
 
 Joint::Joint(const robot_model::Joint& model, int position)
-    : model_(model), highest_step_(model.highest_speed * kFrameSeconds), reference_(position), position_(position) {
+    : model_(model),
+      highest_step_(model.highest_speed * openr_host::kFrameSeconds),
+      reference_(position),
+      position_(position) {
   readings_.fill(read(0));
 }
 

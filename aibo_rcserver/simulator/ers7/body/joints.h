@@ -1,5 +1,5 @@
 /// @file joints.h
-/// All servos of the simulated robot.
+/// All servos of the simulated robot, and the posture in which it is switched on.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 
@@ -16,7 +16,16 @@
 
 namespace simulated_ers7 {
 
-/// Begins in the resting posture (resting_posture.h), without power. Joints do not hit each other: that is for those to
+/// Where a joint is, in microradian. A posture of our own: it stands on bent legs, the feet under shoulders and hips
+/// and kStandingHeight below them, and looks at the ball.
+/// @param joint a name of robot_model.h
+/// @throw std::out_of_range if the ERS-7 has no such joint
+int restingPosition(const std::string& joint);
+
+/// The same of the head: it looks at the ball, and past it at the station.
+HeadAngles restingHead();
+
+/// Begins in the resting posture, without power. Joints do not hit each other: that is for those to
 /// prevent who move them. Joints are in the order of the robot's table.
 class Joints {
  public:

@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 
@@ -96,7 +96,7 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
 }
 
 void Sensors::passFrame(const Situation& situation) {
-  scene_.setTime(situation.frame * kFrameSeconds);
+  scene_.setTime(situation.frame * openr_host::kFrameSeconds);
   for (Sensor& sensor : sensors_) {
     OSensorValue value = {};
     value.value = sensor.measure(situation);

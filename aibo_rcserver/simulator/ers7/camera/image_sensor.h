@@ -1,16 +1,31 @@
 /// @file image_sensor.h
-/// What sensor and electronics make of the light: colours of the right brightness and tint, with noise.
+/// From the light in front of the camera to its picture: lens, sensor and electronics.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 
 #include <cstdint>
 #include <vector>
 
-#include "simulator/ers7/camera/camera_settings.h"
+#include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/camera/renderer.h"
 #include "simulator/ers7/camera/ycrcb_image.h"
 
 namespace simulated_ers7 {
+
+/// Blurs a little, as small lenses do, and lets less light through towards the corners, of red less than of blue, as
+/// was seen with real robots. Not thread-safe.
+class Lens {
+ public:
+  Lens();
+
+  /// @return the light on the sensor, valid until the next call
+  const LightImage& project(const LightImage& light);
+
+ private:
+  LightImage transmission_;  ///< what reaches each pixel, 1 = all
+  LightImage blurred_across_;
+  LightImage projected_;
+};
 
 /// The same seed, image number, settings and light always give the same picture.
 class ImageSensor {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "simulator/ers7/camera/camera_optics.h"
-#include "simulator/ers7/scene/lighting.h"
+#include "simulator/ers7/scene/light.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
-#include "simulator/ers7/scene/surface_colors.h"
 
 namespace simulated_ers7 {
 

@@ -6,10 +6,9 @@
 #include <cstdint>
 
 #include "simulator/ers7/body/head_kinematics.h"
-#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/body/joints.h"
+#include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/camera/image_sensor.h"
-#include "simulator/ers7/camera/lens.h"
-#include "simulator/ers7/camera/picture_source.h"
 #include "simulator/ers7/camera/renderer.h"
 #include "simulator/ers7/scene/scene.h"
 
@@ -18,7 +17,7 @@ namespace simulated_ers7 {
 class SceneView : public PictureSource {
  public:
   /// @param scene is moved on to the time of each picture; must outlive the view
-  SceneView(Scene& scene, std::uint64_t seed);
+  SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
   /// Until then the head is as restingHead() says.
   void setHead(const HeadAngles& angles) override { head_ = angles; }
@@ -27,9 +26,13 @@ class SceneView : public PictureSource {
   void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
 
   /// Pose of the camera in the room.
-  Eigen::Isometry3d camera() const;
+  Eigen::Isometry3d camera() const { return body_ * cameraInBody(head_); }
 
-  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
+  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override {
+    scene_.setTime(seconds);
+    sensor_.expose(lens_.project(renderer_.render(camera())), settings, image_number, &picture_);
+    return picture_;
+  }
 
  private:
   Scene& scene_;

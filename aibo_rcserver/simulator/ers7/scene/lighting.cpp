@@ -1,9 +1,9 @@
-#include "simulator/ers7/scene/lighting.h"
+#include "simulator/ers7/scene/light.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/ers7/scene/scene_layout.h"
+#include "simulator/ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "simulator/ers7/scene/scene_layout.h"
-
 namespace simulated_ers7 {
 namespace {
 

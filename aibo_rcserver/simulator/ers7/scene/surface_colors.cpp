@@ -1,10 +1,10 @@
-#include "simulator/ers7/scene/surface_colors.h"
+#include "simulator/ers7/scene/light.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "simulator/ers7/scene/scene_layout.h"
+#include "simulator/ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -5,8 +5,6 @@
 
 #include <set>
 
-#include "simulator/ers7/camera_timing.h"
-
 namespace simulated_ers7 {
 namespace {
 

@@ -1,4 +1,5 @@
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/ers7/camera/camera.h"
+#include "simulator/openr_host/clock.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ TEST(CameraTiming, FiveOfSixImagesComeAfter32MillisecondsAndTheOthersAfter40) {
 
 TEST(CameraTiming, TheMeanIs33Point47Milliseconds) {
   const longword frames = 125 * 3600;
-  EXPECT_NEAR(frames * kFrameSeconds / imagesUpTo(frames), 0.03347, 0.00001);
+  EXPECT_NEAR(frames * openr_host::kFrameSeconds / imagesUpTo(frames), 0.03347, 0.00001);
 }
 
 TEST(CameraTiming, TheFirstImageComesInTheFirstFrame) {

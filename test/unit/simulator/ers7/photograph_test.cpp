@@ -1,4 +1,4 @@
-#include "simulator/ers7/camera/photograph.h"
+#include "simulator/ers7/camera/photographs.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>
@@ -8,8 +8,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-
-#include "simulator/ers7/camera/photo_show.h"
 
 namespace simulated_ers7 {
 namespace {

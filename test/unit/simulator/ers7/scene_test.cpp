@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "simulator/ers7/scene/scene_layout.h"
-
 namespace simulated_ers7 {
 namespace {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "simulator/ers7/body/resting_posture.h"
-#include "simulator/ers7/scene/scene_layout.h"
+#include "simulator/ers7/body/joints.h"
+#include "simulator/ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
-#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/body/stance.h"
 #include "simulator/ers7/camera/camera_optics.h"
-#include "simulator/ers7/camera/photograph.h"
+#include "simulator/ers7/camera/photographs.h"
 
 namespace simulated_ers7 {
 namespace {

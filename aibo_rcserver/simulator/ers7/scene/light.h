@@ -1,7 +1,8 @@
-/// @file surface_colors.h
-/// How the surfaces of the scene look before light falls on them.
-#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SURFACE_COLORS_H
-#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SURFACE_COLORS_H
+/// @file light.h
+/// How the surfaces of the scene look, and the light that they send to a viewer. One large lamp gives soft shadows, and
+/// all walls throw light back.
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHT_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHT_H
 
 #include <Eigen/Core>
 
@@ -23,6 +24,14 @@ struct Appearance {
 /// @param footprint how far the pixel reaches along x, y and z of the room, in metres
 Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 
+/// How far from its position, in metres, a body changes the light on other surfaces; never less than its own reach.
+double lightReach(const Body& body);
+
+/// Light that comes from a place of a surface towards a viewer.
+/// @param direction of the viewer's ray, of length 1
+Color lightFrom(const Scene& scene, const SceneHit& hit, const Appearance& appearance,
+                const Eigen::Vector3d& direction);
+
 }  // namespace simulated_ers7
 
-#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SURFACE_COLORS_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHT_H

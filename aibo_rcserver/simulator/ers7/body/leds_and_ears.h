@@ -1,11 +1,19 @@
-/// @file ear.h
-/// One ear of the simulated robot.
-#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_EAR_H
-#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_EAR_H
+/// @file leds_and_ears.h
+/// The simulated robot's LEDs and ears.
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
 
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
 namespace simulated_ers7 {
+
+/// Shows what it was told last; a command's period is not looked at, as every frame brings a command of its own or
+/// none.
+struct Led {
+  int intensity = 0;  ///< 0..255; an LED that is only on or off has 0 or 255
+  OLED3Mode mode = oled3_MODE_A;
+};
 
 /// A magnet draws the ear as long as it is energised. That may not be long (Model Information ERS-7); Sony tells no
 /// time. Here a magnet that was energised for a second without a pause is too hot, lets go, and does nothing until it
@@ -47,4 +55,4 @@ class Ear {
 
 }  // namespace simulated_ers7
 
-#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_EAR_H
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
