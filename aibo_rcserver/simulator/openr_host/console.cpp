@@ -63,7 +63,7 @@ void Console::read(Listener& listener) {
 void Console::take(Listener& listener, char typed) {
   if (typed != '\n') {
     const bool has_room = listener.typed.size() <= kLongestLine;
-    if (typed >= ' ' && typed <= '~' && has_room) {  // neither telnet's own talk nor a carriage return
+    if (typed >= ' ' && typed <= '~' && has_room) {  // ignore telnet's own bytes and carriage returns
       listener.typed += typed;
     }
     return;

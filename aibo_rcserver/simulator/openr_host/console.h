@@ -14,32 +14,32 @@
 
 namespace openr_host {
 
-/// The wireless console: what objects print goes to a stream and to everybody connected by telnet. What these type is
-/// for whoever set the machine up, line by line; objects never see it, as on the robot.
+/// The wireless console: text that objects print goes to a stream and to all telnet connections. Lines typed there are
+/// passed to a callback; objects never see them, as on the robot.
 class Console {
  public:
-  /// Later ones are told so and turned away.
+  /// Further listeners get a message and are disconnected.
   static constexpr std::size_t kMostListeners = 8;
 
-  /// Bytes kept for a listener that does not read. What comes on top of that is lost to it, and it is told so.
+  /// Bytes kept for a listener that does not read. It loses any text beyond that, and is told about it.
   static constexpr std::size_t kMostUnread = 64 * 1024;
 
-  /// Characters of a line that is typed. A longer one is told so and left alone.
+  /// Most characters in a typed line. A longer line is answered by an error.
   static constexpr std::size_t kLongestLine = 256;
 
-  /// Gets a line that a listener typed, without its end; what it returns is printed to that listener alone.
+  /// Receives a line that a listener typed, without its end. The result is printed to that listener only.
   using OnLine = std::function<std::string(const std::string& line)>;
 
   /// @param output may be null
-  /// @param on_line may be empty: what is typed is ignored
+  /// @param on_line may be empty: then typed lines are ignored
   Console(std::ostream* output, OnLine on_line) : output_(output), on_line_(std::move(on_line)) {}
 
   /// Takes a port of this computer for listeners.
   /// @return the port taken
-  /// @throw as TcpListener
+  /// @throw like TcpListener
   std::uint16_t takePort(const std::string& bind_address, std::uint16_t port);
 
-  /// Never waits for a listener.
+  /// Prints to the output and to all listeners. Never waits for a listener.
   void print(const std::string& text);
 
   void addTo(PollSet& poll_set);
@@ -48,8 +48,8 @@ class Console {
   struct Listener {
     FileDescriptor socket;
     std::string unsent;
-    std::size_t lost = 0;  ///< prints that found no room
-    std::string typed;     ///< of the line that has not ended yet; at most one character too long
+    std::size_t lost = 0;  ///< number of prints that did not fit
+    std::string typed;     ///< the unfinished line; at most one character too long
   };
 
   static void print(Listener& listener, const std::string& text);

@@ -17,7 +17,7 @@
 
 namespace openr_host {
 
-/// The stack's copy of a message that an object has sent, with where its answer goes.
+/// The stack's copy of a message that an object has sent, with the receiver of the answer.
 class Envelope {
  public:
   /// @param size bytes of the message
@@ -32,7 +32,7 @@ class Envelope {
   ANTENVMSG content() const { return copy_.get(); }
   antEnvMsg& message() const { return *antEnvMsg::Receive(content()); }
 
-  /// The message as what its operation says that it is.
+  /// The message as the type that belongs to its operation.
   template <typename Message>
   Message& as() const {
     return static_cast<Message&>(message());
@@ -44,7 +44,7 @@ class Envelope {
   std::shared_ptr<std::max_align_t[]> copy_;
 };
 
-/// Takes an answered message back to the object that sent it.
+/// Sends an answered message back to its object.
 using Deliver = std::function<void(const Envelope&)>;
 
 /// Answers a message with an error.
@@ -54,7 +54,7 @@ void answer(const Deliver& deliver, const Envelope& message, Error error) {
   deliver(message);
 }
 
-/// What an endpoint was asked for and has not answered yet: at most one message of a kind.
+/// A request that an endpoint has not answered yet; there is at most one of each kind.
 template <typename Message>
 class PendingMessage {
  public:
@@ -79,17 +79,17 @@ class PendingMessage {
   std::optional<Envelope> envelope_;
 };
 
-/// True for the error of a call that is to be tried again when the socket is ready.
+/// True for errors after which the call can be repeated when the socket is ready.
 inline bool isTransient(int error) {
   return error == EAGAIN || error == EINTR;
 }
 
-/// A size as messages have it, which was checked to be 1 or more.
+/// A message's size, which must be 1 or more.
 inline std::size_t sizeOf(int size) {
   return static_cast<std::size_t>(size);
 }
 
-/// An endpoint of the IPStack, of whatever kind.
+/// An endpoint of the IPStack, of any kind.
 class Endpoint {
  public:
   Endpoint() = default;
@@ -97,10 +97,10 @@ class Endpoint {
   Endpoint(const Endpoint&) = delete;
   Endpoint& operator=(const Endpoint&) = delete;
 
-  /// Nothing can be asked of it any more, and all that was asked has been answered.
+  /// True if it accepts no more requests, and has answered all.
   virtual bool isClosed() const = 0;
 
-  /// Whether something under way uses memory for which this is true.
+  /// Whether a request under way uses memory for which `is_concerned` returns true.
   virtual bool uses(const std::function<bool(const void*, std::size_t)>& is_concerned) const = 0;
 
   virtual void addTo(PollSet& poll_set) = 0;

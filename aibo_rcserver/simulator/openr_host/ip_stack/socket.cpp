@@ -50,8 +50,8 @@ SocketAddress SocketAddress::ofSocket(int socket) {
 SocketAddress SocketAddress::parse(const std::string& address, Port port) {
   in_addr parsed{};
   if (inet_pton(AF_INET, address.c_str(), &parsed) != 1) {
-    throw std::invalid_argument("'" + address +
-                                "' is no IPv4 address of this computer, such as 127.0.0.1, or 0.0.0.0 for all of them");
+    throw std::invalid_argument(
+        "'" + address + "' is not an IPv4 address of this computer, such as 127.0.0.1, or 0.0.0.0 for all of them");
   }
   return {IPAddress(ntohl(parsed.s_addr)), port};
 }
@@ -59,8 +59,8 @@ SocketAddress SocketAddress::parse(const std::string& address, Port port) {
 bool configureTcpConnection(int socket) {
   // A reply must not wait for the acknowledgement of the one before it.
   return setOption(socket, IPPROTO_TCP, TCP_NODELAY, 1) &&
-         // A client that is switched off or carried away says nothing: ask after it every second, and wait for the
-         // acknowledgement of what was sent no longer than kPatience.
+         // A client that is switched off or out of reach sends nothing. So probe it every second, and wait for an
+         // acknowledgement no longer than kPatience.
          setOption(socket, SOL_SOCKET, SO_KEEPALIVE, 1) && setOption(socket, IPPROTO_TCP, TCP_KEEPIDLE, 1) &&
          setOption(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1) && setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, 2) &&
          setOption(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(kPatience.count()));

@@ -39,7 +39,7 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-/// An address and a port as OPEN-R counts them.
+/// An address and a port in OPEN-R's types.
 struct SocketAddress {
   IPAddress address;
   Port port = 0;
@@ -49,19 +49,19 @@ struct SocketAddress {
   explicit SocketAddress(const sockaddr_in& system)
       : address(ntohl(system.sin_addr.s_addr)), port(ntohs(system.sin_port)) {}
 
-  /// As the kernel takes them.
+  /// For the kernel.
   sockaddr_in system() const;
 
-  /// Where a socket of this computer is bound; all 0 if it is not.
+  /// The address to which a socket is bound; all 0 if it is not.
   static SocketAddress ofSocket(int socket);
 
-  /// @param address "127.0.0.1", or "0.0.0.0" for all of this computer's
-  /// @throw std::invalid_argument if it is no address
+  /// @param address "127.0.0.1", or "0.0.0.0" for all addresses of this computer
+  /// @throw std::invalid_argument if it is not an address
   static SocketAddress parse(const std::string& address, Port port);
 };
 
 /// Makes a connected socket send at once, and notice within about 2 s that the other side has vanished.
-/// @return false if the kernel cannot
+/// @return false if the kernel refuses
 bool configureTcpConnection(int socket);
 
 }  // namespace openr_host

@@ -15,10 +15,10 @@ namespace openr_host {
 
 class System;
 
-/// Holds a reference to a region, which goes when the last copy of this goes.
+/// A reference to a region, shared by all copies and removed with the last one.
 using RegionReference = std::shared_ptr<RCRegion>;
 
-/// Data on its way.
+/// The data of a notification.
 using Regions = std::vector<RegionReference>;
 
 inline RegionReference reference(RCRegion* region) {
@@ -26,11 +26,11 @@ inline RegionReference reference(RCRegion* region) {
   return {region, [](RCRegion* referenced) { referenced->RemoveReference(); }};
 }
 
-/// How a subject treats one observer's notifications: OObserver::SetBufCtrlParam() (Level2 Reference Guide, page 27).
+/// How a subject treats an observer's notifications: OObserver::SetBufCtrlParam() (Level2 Reference Guide, page 27).
 struct BufferControl {
   std::size_t skip = 0;  ///< notifications left out after each one
-  std::size_t min = 1;   ///< notifications that are sent together
-  std::size_t max = 1;   ///< notifications kept while the observer is not ready; the oldest is lost first
+  std::size_t min = 1;   ///< notifications to send together
+  std::size_t max = 1;   ///< notifications to keep while the observer is not ready; the oldest is lost first
 };
 
 /// The inside of an OObserver: its subjects.
@@ -43,7 +43,7 @@ class ObserverService {
 
   const ObserverID& id() const { return id_; }
 
-  /// Counts for connections that are made later.
+  /// Applies to connections that are made later.
   void setBufferControl(const BufferControl& control) { control_ = control; }
   const BufferControl& bufferControl() const { return control_; }
 
@@ -60,7 +60,7 @@ class ObserverService {
   std::vector<SubjectID> subjects_;
 };
 
-/// What an observer has last said to a subject. An observer that was sent something has said nothing since.
+/// What an observer has told a subject since it was last sent data.
 enum class Readiness { kUnknown, kAssertReady, kDeassertReady };
 
 /// The inside of an OSubject: its observers, their readiness, and the data that waits for them
@@ -75,30 +75,30 @@ class SubjectService {
   const SubjectID& id() const { return id_; }
   void enable(bool enabled) { enabled_ = enabled; }
 
-  /// @param size notifications kept for an observer that has said nothing, unless it asks for more itself; not 0
+  /// @param size notifications to keep for an observer that is not ready, unless it asks for more; not 0
   void setBufferSize(std::size_t size) { buffer_size_ = size; }
   std::size_t bufferSize() const { return buffer_size_; }
 
-  /// @param control what the observer has asked for in its DoInit()
+  /// @param control the observer's settings from its DoInit()
   void connect(const ObserverID& observer, const BufferControl& control);
 
-  /// The observer is ready: data that was kept for it is sent.
+  /// The observer is ready: sends the data that was kept for it.
   void assertReady(const ObserverID& observer);
 
-  /// The observer wants nothing: data that was kept for it is deleted.
+  /// The observer wants no data: deletes the data that was kept for it.
   void deassertReady(const ObserverID& observer);
 
-  /// kUnknown, too, if there is no such observer.
+  /// Also kUnknown if there is no such observer.
   Readiness readiness(const ObserverID& observer) const;
   bool isAnyReady() const;
 
-  /// At least one is ready, and every other one is ready or wants nothing.
+  /// True if at least one observer is ready, and every other one is ready or wants no data.
   bool isAllReady() const;
 
-  /// At least one might get what is sent now, at once or when it is ready.
+  /// True if at least one observer might receive data that is sent now, at once or later.
   bool isWanted() const;
 
-  /// How many more notifications the buffer of this observer holds before the oldest one is lost.
+  /// The number of notifications that can still be kept for this observer before the oldest one is lost.
   std::size_t roomFor(const ObserverID& observer) const;
 
   void setData(RCRegion* region);
@@ -112,8 +112,8 @@ class SubjectService {
     ObserverID observer;
     BufferControl control;
     Readiness readiness = Readiness::kUnknown;
-    std::size_t skipped = 0;   ///< notifications since one was last kept or sent
-    Regions set;               ///< since the last notification
+    std::size_t skipped = 0;   ///< notifications left out since the last one that was kept or sent
+    Regions set;               ///< data set since the last notification
     std::deque<Regions> kept;  ///< notifications that wait until the observer is ready
   };
 

@@ -15,24 +15,24 @@
 
 namespace openr_host {
 
-/// The memory that objects get for vectors of their own: OPENR::NewCommandVectorData() and its like.
+/// The memory for objects' vectors: OPENR::NewCommandVectorData() and similar calls.
 class VectorMemory {
  public:
-  /// The ERS-7 has some 40 effectors: more than this is a mistake in reckoning, not a wish.
+  /// The ERS-7 has about 40 effectors, so more entries than this must be an error.
   static constexpr std::size_t kMostEntries = 65536;
 
-  /// A vector of no entry yet, laid out for `entries`: header, infos, data.
-  /// @return null if that is 0 or more than kMostEntries
+  /// Creates a vector without entries, laid out for `entries` of them: header, infos, data.
+  /// @return null if `entries` is 0 or more than kMostEntries
   OCommandVectorData* createCommands(std::size_t entries);
 
-  /// Tables of the colour detection, none yet.
+  /// Creates memory for tables of the colour detection, without tables.
   OCdtVectorData* createCdt();
 
-  /// @return null if there is no memory of colour tables with this id
+  /// @return null if no memory for colour tables has this id
   OCdtVectorData* findCdt(MemoryRegionID id) const;
 
   /// @param type odataCOMMAND_VECTOR or odataCDT_VECTOR
-  /// @return false if there is no memory of this type with this id
+  /// @return false if no memory of this type has this id
   bool destroy(MemoryRegionID id, ODataType type);
 
  private:
@@ -48,20 +48,20 @@ class VectorMemory {
   MemoryRegionID last_id_ = 0;
 };
 
-/// The files of the memory stick that objects have in memory: OPENR::FindDesignData().
+/// The files of the memory stick that objects have loaded into memory: OPENR::FindDesignData().
 class DesignData {
  public:
-  /// @param memory_stick folder that holds what the robot has on its memory stick
+  /// @param memory_stick folder with the content of the memory stick
   /// @param design the robot's model
   DesignData(std::string memory_stick, std::string design)
       : memory_stick_(std::move(memory_stick)), design_(std::move(design)) {}
 
-  /// Reads DESIGNDB.CFG, and the file that it has for a keyword.
-  /// @return as OPENR::FindDesignData()
+  /// Finds the file for a keyword in DESIGNDB.CFG and reads it.
+  /// @return like OPENR::FindDesignData()
   /// @throw std::runtime_error if DESIGNDB.CFG cannot be read; the text says why
   OStatus find(const std::string& keyword, ODesignDataID* id, byte** data, size_t* size);
 
-  /// @return false if there is none with this id
+  /// @return false if no file has this id
   bool release(ODesignDataID id) { return files_.erase(id) != 0; }
 
  private:

@@ -16,14 +16,14 @@ using openr_host::System;
 
 namespace {
 
-/// As much of the text as the console shows.
+/// The part of the text that the console shows.
 std::string format(const char* format, std::va_list arguments) {
   char text[osyslogMAX_SIZE];
   const int size = std::vsnprintf(text, sizeof(text), format, arguments);
   return size > 0 ? text : "";
 }
 
-/// Code of an object that a test calls without a machine prints too.
+/// An object's code can also print when a test calls it without a machine.
 void print(const std::string& text) {
   if (auto* system = System::currentOrNull()) {
     system->console().print(text);

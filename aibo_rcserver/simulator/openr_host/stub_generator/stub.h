@@ -42,7 +42,7 @@ std::string writeEntry(const StubConfiguration& stub);
 /// OBJECTNAME_stub.h: declares describeOBJECTNAME(), for MachineOptions::catalog.
 std::string writeDescriptionHeader(const StubConfiguration& stub);
 
-/// OBJECTNAME_stub.cc: defines it, and expects the class OBJECTNAME in OBJECTNAME.h.
+/// OBJECTNAME_stub.cc: defines describeOBJECTNAME(). Expects the class OBJECTNAME in OBJECTNAME.h.
 /// @param priority from the object's .ocf, 0..255
 std::string writeDescription(const StubConfiguration& stub, int priority);
 

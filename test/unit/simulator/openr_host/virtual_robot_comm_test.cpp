@@ -246,21 +246,21 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNext
       {"its numData is 3, its maxNumData only 2", [](OCommandVectorData& vector) { vector.SetNumData(3); }},
       {"no room for numData 1000000",
        [](OCommandVectorData& vector) { vector.vectorInfo.numData = vector.vectorInfo.maxNumData = 1000000; }},
-      {"entry 1 for primitive 77: that is not open",
+      {"entry 1 for primitive 77: it is not open",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->primitiveID = 77; }},
       {"takes no commands of type 260",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->type = odataLED_COMMAND2; }},
       {"numFrames is 17, the most is 16", [](OCommandVectorData& vector) { vector.GetInfo(1)->numFrames = 17; }},
       {"frameSize is 0 instead of 8", [](OCommandVectorData& vector) { vector.GetInfo(1)->frameSize = 0; }},
-      {"dataOffset 0 leads out of the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
-      {"dataOffset 511 leads out of the data",
+      {"dataOffset 0 is outside the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
+      {"dataOffset 511 is outside the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = vector.vectorInfo.totalSize - 1; }},
-      {"dataOffset 392 leads out of the data of its region of 512 bytes",  // by one value, if that has 16 frames
+      {"dataOffset 392 is outside the data of its region of 512 bytes",  // by one value, if that has 16 frames
        [](OCommandVectorData& vector) {
          vector.GetInfo(1)->numFrames = 16;
          vector.GetInfo(1)->dataOffset += 8;
        }},
-      {"dataOffset 4294967295 leads out of the data",
+      {"dataOffset 4294967295 is outside the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0xffffffffU; }},
   };
   for (const auto& malformed : cases) {
