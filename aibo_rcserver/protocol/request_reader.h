@@ -14,7 +14,7 @@ struct Request {
   bool valid;             ///< false: unknown letter or wrong size; answered by one error
   BasicGetCommand basic;  ///< letter and identifier
   size_t payload_size;    ///< bytes of payload: 0, 2 (an int16) or 16 (name, a, b)
-  unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];  ///< what follows letter and identifier
+  unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];  ///< the bytes after letter and identifier
 };
 
 /// Splits a byte stream into version 1 requests. No I/O, and memory of a fixed size.

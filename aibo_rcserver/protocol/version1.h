@@ -113,7 +113,7 @@ const unsigned char FACE_MODE_A = 1;
 /// The intensity in the value of `L` and `Y`: the low byte. The high byte is ignored.
 unsigned char ledIntensity(short value);
 
-/// What follows the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
+/// The bytes after the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
 struct FileRequest {
   char name[MAX_MOTION_NAME_SIZE + 1];  ///< as sent, up to the first zero byte; not checked; ends in a zero byte
   unsigned short a;                     ///< `P`: how often; `U`, `C`: whole blocks of 512 bytes

@@ -238,7 +238,7 @@ TEST_F(MotionTest, survivesDamagedFiles) {
       sumOfAll(read.motion);
     }
   }
-  EXPECT_GT(accepted, 0) << "damage that only changes a position is none";
+  EXPECT_GT(accepted, 0) << "damage that only changes a position keeps the file valid";
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ void Joints::setPower(bool on) {
 }
 
 void Joints::passFrame() {
-  // Not std::uniform_int_distribution, whose numbers differ from library to library.
+  // Not std::uniform_int_distribution, because its numbers differ between libraries.
   constexpr std::uint64_t kErrors = 2 * Joint::kEncoderStep + 1;
   for (Joint& joint : joints_) {
     joint.passFrame(static_cast<int>(random_() % kErrors) - Joint::kEncoderStep);
@@ -85,7 +85,7 @@ HeadAngles Joints::head() const {
 }
 
 std::array<LegAngles, kLegs> Joints::legs() const {
-  // The three joints of a leg stand together in the table, in the order of the leg.
+  // The three joints of a leg follow each other in the table.
   constexpr std::size_t kFirstJoints[kLegs] = {4, 7, 10, 13};
   std::array<LegAngles, kLegs> legs;
   for (std::size_t leg = 0; leg < kLegs; ++leg) {

@@ -8,22 +8,21 @@
 
 namespace simulated_ers7 {
 
-/// Shows what it was told last; a command's period is not looked at, as every frame brings a command of its own or
-/// none.
+/// Keeps its last command. The command's period is ignored, because every frame brings a new command or none.
 struct Led {
-  int intensity = 0;  ///< 0..255; an LED that is only on or off has 0 or 255
+  int intensity = 0;  ///< 0..255; 0 or 255 for an LED that can only be on or off
   OLED3Mode mode = oled3_MODE_A;
 };
 
-/// A magnet draws the ear as long as it is energised. That may not be long (Model Information ERS-7); Sony tells no
-/// time. Here a magnet that was energised for a second without a pause is too hot, lets go, and does nothing until it
-/// has cooled down for five.
+/// A magnet draws the ear while it is energised, which must not be long (Model Information ERS-7). Sony gives no time.
+/// Here a magnet that was energised for a second without a pause becomes too hot: it lets go, and does nothing until it
+/// has cooled down for five seconds.
 class Ear {
  public:
   static constexpr longword kMostFramesEnergised = 125;
   static constexpr longword kFramesToCoolDown = 625;
 
-  /// Counts from the next frame on, until the next command.
+  /// Takes effect in the next frame, until the next command.
   void energise(bool on) { told_to_ = on; }
 
   /// 8 ms pass.
@@ -42,7 +41,7 @@ class Ear {
     return became_hot;
   }
 
-  /// The magnet draws the ear.
+  /// True while the magnet draws the ear.
   bool isDrawn() const { return frames_energised_ > 0; }
 
   bool isHot() const { return frames_to_cool_ > 0; }

@@ -8,7 +8,7 @@
 namespace simulated_ers7 {
 namespace {
 
-/// All three settings have the values 1, 2 and 3.
+/// Each of the three settings has the values 1, 2 and 3.
 OStatus choose(const void* param, size_t param_size, longword* setting) {
   longword value = 0;
   if (param == nullptr || param_size != sizeof(OPrimitiveControl_CameraParam)) {

@@ -12,10 +12,10 @@ namespace {
 constexpr std::size_t kWidth = kPictureWidth;
 constexpr std::size_t kHeight = kPictureHeight;
 
-/// The light that is left in the corners.
+/// Part of the light that reaches the corners.
 const Color kCornerLight(0.70, 0.74, 0.80);
 
-/// Share of its light that a pixel gives to each of its neighbours.
+/// Part of its light that a pixel gives to each of its neighbours.
 constexpr double kBlur = 0.20;
 
 Color blurred(const Color& before, const Color& here, const Color& after) {
@@ -34,19 +34,19 @@ LightImage makeTransmission() {
   return transmission;
 }
 
-/// Of the tone curve; light beyond the last one is white.
+/// Steps of the tone curve. Brighter light is white.
 constexpr int kToneSteps = 4096;
 constexpr double kBrightestLight = 2.0;
 
-/// A power of two, so that some bits of a random number choose one.
+/// A power of two, so that some bits of a random number select a value.
 constexpr std::uint64_t kRandomValues = 4096;
 
-/// Deviation of the noise, in 1/255, at medium gain: with it a picture of the scene has, at JPEG quality 85, the 3 to
-/// 6 KB of the report's (section 3.3.3).
+/// Deviation of the noise, in 1/255, at medium gain. With it, pictures of the scene at JPEG quality 85 have 3 to 6 KB,
+/// as in the report (section 3.3.3).
 constexpr float kNoiseY = 1.5f;
 constexpr float kNoiseColor = 1.0f;
 
-/// Steele's splittable generator ("SplitMix64"): one addition and a good mix per number.
+/// Steele's splittable generator ("SplitMix64"), which is fast.
 class FastRandom {
  public:
   explicit FastRandom(std::uint64_t seed) : state_(seed) {}
@@ -62,7 +62,7 @@ class FastRandom {
   std::uint64_t state_;
 };
 
-/// The usual power law, with a shoulder instead of a hard end: bright light is compressed, not cut.
+/// The usual power law, but bright light is compressed instead of clipped.
 std::vector<float> makeToneCurve() {
   std::vector<float> curve;
   for (int step = 0; step < kToneSteps; ++step) {
@@ -81,7 +81,7 @@ std::vector<float> makeRandomValues() {
   return values;
 }
 
-/// Light per light, 1 = right for the room. The steps are those of Sony's Model Information ERS-7: gain -6, 0, +6 dB,
+/// Brightness; 1 is right for the room. The steps are those in Sony's Model Information ERS-7: gain -6, 0, +6 dB,
 /// shutter 1/50, 1/100, 1/200 s.
 double gainOf(const CameraSettings& settings) {
   return settings.auto_exposure ? 1 : std::pow(2.0, static_cast<double>(settings.gain) - ocamparamGAIN_MID);
@@ -93,7 +93,8 @@ double exposureOf(const CameraSettings& settings) {
              : gainOf(settings) * std::pow(2.0, static_cast<double>(ocamparamSHUTTER_MID) - settings.shutter);
 }
 
-/// The room is lit by 5000 K. Set for warmer lamps (2856 K) the camera shows it bluish, set for daylight (6500 K) warm.
+/// The room's light has 5000 K. If set for lamps (2856 K), the camera shows it bluish, if set for daylight (6500 K)
+/// warm.
 Color whiteBalanceOf(const CameraSettings& settings) {
   if (settings.auto_white_balance || settings.white_balance == ocamparamWB_FL_MODE) {
     return Color::Ones();

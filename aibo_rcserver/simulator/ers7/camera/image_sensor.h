@@ -12,8 +12,8 @@
 
 namespace simulated_ers7 {
 
-/// Blurs a little, as small lenses do, and lets less light through towards the corners, of red less than of blue, as
-/// was seen with real robots. Not thread-safe.
+/// Blurs a little, like all small lenses, and darkens the corners, red more than blue, as observed with real robots.
+/// Not thread-safe.
 class Lens {
  public:
   Lens();
@@ -22,7 +22,7 @@ class Lens {
   const LightImage& project(const LightImage& light);
 
  private:
-  LightImage transmission_;  ///< what reaches each pixel, 1 = all
+  LightImage transmission_;  ///< part of the light that reaches each pixel
   LightImage blurred_across_;
   LightImage projected_;
 };
@@ -32,7 +32,7 @@ class ImageSensor {
  public:
   explicit ImageSensor(std::uint64_t seed);
 
-  /// @param image_number makes the noise of each picture another one
+  /// @param image_number selects the noise of the picture
   void expose(const LightImage& light, const CameraSettings& settings, longword image_number,
               YCrCbImage* picture) const;
 

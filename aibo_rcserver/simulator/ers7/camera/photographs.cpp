@@ -21,7 +21,7 @@ using Bytes = std::vector<unsigned char>;
 constexpr double kMostPixels = 100e6;
 constexpr int kBytesPerPixel = 3;
 
-// libjpeg-turbo 2.0, of Ubuntu 20.04, has no limit of scans yet.
+// libjpeg-turbo 2.0, in Ubuntu 20.04, cannot limit scans.
 #ifdef TJFLAG_LIMITSCANS
 constexpr int kDecoderFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
 #else
@@ -35,7 +35,7 @@ struct RgbImage {
   Bytes pixels;
 };
 
-/// What is wrong with a file's content; readPhotograph() adds which file.
+/// A mistake in a file's content. readPhotograph() adds the name of the file.
 class BadContent : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -63,8 +63,8 @@ void checkSize(double width, double height) {
   }
 }
 
-/// The smallest size the decoder itself can make of a JPEG that is still as large as the camera's picture: most of
-/// the work on large photographs is saved that way.
+/// The smallest scale of the decoder that makes a JPEG at least as large as the camera's picture. This saves most of
+/// the work on large photographs.
 tjscalingfactor smallestSufficientScale(int width, int height) {
   int count = 0;
   const tjscalingfactor* factors = tjGetScalingFactors(&count);
@@ -83,7 +83,7 @@ RgbImage decodeJpeg(const Bytes& file) {
   const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
   const auto check = [&decoder](int result) {
     if (result != 0) {
-      throw BadContent(std::string("it is no JPEG, or damaged (") + tjGetErrorStr2(decoder.get()) + ")");
+      throw BadContent(std::string("it is not a JPEG, or damaged (") + tjGetErrorStr2(decoder.get()) + ")");
     }
   };
   int width = 0;
@@ -100,7 +100,7 @@ RgbImage decodeJpeg(const Bytes& file) {
   return image;
 }
 
-/// Takes the next number of a PPM's header; white space and comments before it are skipped.
+/// Takes the next number from a PPM's header, after any white space and comments.
 int takeNumber(const Bytes& file, std::size_t* position) {
   constexpr int kLongestNumber = 9;
   while (*position < file.size() && (std::isspace(file[*position]) != 0 || file[*position] == '#')) {
@@ -123,7 +123,7 @@ int takeNumber(const Bytes& file, std::size_t* position) {
 
 RgbImage decodePpm(const Bytes& file) {
   if (file.size() < 2 || file[0] != 'P' || file[1] != '6') {
-    throw BadContent("it is no binary PPM: it does not begin with P6");
+    throw BadContent("it is not a binary PPM: it does not begin with P6");
   }
   std::size_t position = 2;
   RgbImage image{};
@@ -134,25 +134,25 @@ RgbImage decodePpm(const Bytes& file) {
   if (brightest != 255) {
     throw BadContent("its brightest value is " + std::to_string(brightest) + "; only 255 is supported");
   }
-  ++position;  // the one white space that ends the header
+  ++position;  // the single white space at the end of the header
   const std::size_t size =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * kBytesPerPixel;
   if (file.size() < position + size) {
-    throw BadContent("it is cut off: its header promises more pixels than there are");
+    throw BadContent("it is cut off: it has fewer pixels than its header says");
   }
   const auto begin = file.begin() + static_cast<std::ptrdiff_t>(position);
   image.pixels.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
   return image;
 }
 
-/// What one pixel of the camera takes of the pixels of a photograph, in one direction.
+/// The contribution of a photograph's pixel to a pixel of the camera, in one direction.
 struct Share {
   int source;
   float weight;
 };
 
-/// For each of `count` pixels: which of the source's pixels lie under it and how much of each; the weights of one
-/// pixel sum to 1.
+/// For each of `count` pixels the source's pixels that it covers, and how much of each. The weights of a pixel sum
+/// to 1.
 std::vector<std::vector<Share>> sharesOf(int count, double begin, double length, int source_size) {
   std::vector<std::vector<Share>> all(static_cast<std::size_t>(count));
   const double step = length / count;
@@ -212,7 +212,7 @@ YCrCbImage readPhotograph(const std::filesystem::path& file) {
     return fitToCamera(lowerCaseEnding(file) == ".ppm" ? decodePpm(content) : decodeJpeg(content));
   } catch (const BadContent& error) {
     throw PhotographError("cannot show the picture " + file.string() + ": " + error.what() +
-                          ". Repair it or take it out of the folder.");
+                          ". Repair it or remove it from the folder.");
   }
 }
 

@@ -13,25 +13,25 @@
 
 namespace simulated_ers7 {
 
-/// Pictures cannot be had. The text names the file or folder, and says why and what to do.
+/// Photographs cannot be shown. The text names the file or folder, the reason and a remedy.
 class PhotographError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// True for the endings .jpg, .jpeg and .ppm, in small or capital letters.
+/// True for the extensions .jpg, .jpeg and .ppm, in small or capital letters.
 bool isPhotographName(const std::filesystem::path& file);
 
-/// Reads a JPEG or a binary PPM (P6, 8 bits) of any size up to 100 million pixels. Cuts off, evenly on both sides,
-/// what is wider or higher than the camera's picture, and scales the rest by averaging.
-/// @throw PhotographError for a file that cannot be read, is no such picture, or is damaged
+/// Reads a JPEG or a binary PPM (P6, 8 bits) of up to 100 million pixels. Crops it evenly on both sides to the shape of
+/// the camera's picture, and scales it by averaging.
+/// @throw PhotographError for a file that cannot be read, is not such a picture, or is damaged
 YCrCbImage readPhotograph(const std::filesystem::path& file);
 
-/// Shows the photographs of a folder in the order of their names, one after the other, and then again. They are shown
-/// as they are: without noise, whatever the camera's settings and wherever the head looks.
+/// Shows the photographs in a folder again and again, in the order of their names. They have no noise, and do not
+/// depend on the camera's settings and the head's direction.
 class PhotoShow : public PictureSource {
  public:
-  /// Reads all photographs of the folder, not of its subfolders, other files left alone.
+  /// Reads all photographs in the folder, but not in its subfolders. Other files are ignored.
   /// @param seconds_per_picture how long each is shown, above 0
   /// @throw PhotographError if there is no such folder, no photograph in it, or one that cannot be read
   PhotoShow(const std::string& folder, double seconds_per_picture);

@@ -16,13 +16,13 @@ namespace simulated_ers7 {
 
 class SceneView : public PictureSource {
  public:
-  /// @param scene is moved on to the time of each picture; must outlive the view
+  /// @param scene is set to the time of each picture; must outlive the view
   SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
-  /// Until then the head is as restingHead() says.
+  /// Initially restingHead().
   void setHead(const HeadAngles& angles) override { head_ = angles; }
 
-  /// Until then the body is level, kStandingHeight over the floor.
+  /// Initially level, kStandingHeight over the floor.
   void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
 
   /// Pose of the camera in the room.

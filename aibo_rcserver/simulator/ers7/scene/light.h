@@ -10,24 +10,24 @@
 
 namespace simulated_ers7 {
 
-/// Red, green and blue light; linear, 1 = what white paper in full light sends back.
+/// Red, green and blue light; linear, 1 = white paper in full light.
 using Color = Eigen::Array3d;
 
-/// What a place of a surface does with light.
+/// The appearance of a point on a surface.
 struct Appearance {
-  Color albedo;      ///< share of the light that comes back, 0..1
+  Color albedo;      ///< part of the light that is reflected, 0..1
   double gloss = 0;  ///< strength of the highlight, 0 (cloth) .. 1 (varnish)
 };
 
-/// How the place that was hit looks, as the mean over what one pixel covers there. That mean is calculated, not
-/// sampled: lines stay clean however far away they are.
-/// @param footprint how far the pixel reaches along x, y and z of the room, in metres
+/// The appearance where a ray hits, as the mean over the area of one pixel. The mean is calculated, not sampled, so
+/// lines stay clean at any distance.
+/// @param footprint size of the pixel along x, y and z of the room, in metres
 Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 
-/// How far from its position, in metres, a body changes the light on other surfaces; never less than its own reach.
+/// The distance from a body, in metres, up to which it changes the light on other surfaces; at least its reach().
 double lightReach(const Body& body);
 
-/// Light that comes from a place of a surface towards a viewer.
+/// The light from a point on a surface towards a viewer.
 /// @param direction of the viewer's ray, of length 1
 Color lightFrom(const Scene& scene, const SceneHit& hit, const Appearance& appearance,
                 const Eigen::Vector3d& direction);

@@ -38,7 +38,7 @@ TEST(CameraTiming, TheFirstImageComesInTheFirstFrame) {
 
 constexpr OPrimitiveID kId = 42;
 
-/// A picture whose every byte tells where it belongs.
+/// A picture in which every byte depends on its position.
 class TestPicture : public PictureSource {
  public:
   TestPicture() {
@@ -89,7 +89,7 @@ TEST_F(CameraTest, EveryImageIsDueOnceInItsFrame) {
   }
 }
 
-TEST_F(CameraTest, AnImageThatWasDueInALeftOutFrameIsDueNow) {
+TEST_F(CameraTest, AnImageThatWasDueInASkippedFrameIsDueNow) {
   EXPECT_TRUE(camera_.imageDue(0));
   EXPECT_TRUE(camera_.imageDue(7));
   EXPECT_FALSE(camera_.imageDue(7));
@@ -138,7 +138,7 @@ TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
   EXPECT_EQ(luminance.Pixel(30, 20), 2 * (30 + 20) + 1);
 }
 
-TEST_F(CameraTest, TheFineDetailIsNone) {
+TEST_F(CameraTest, ThereIsNoFineDetail) {
   RCRegion* region = camera_.capture(0);
   for (const OFbkImageBand band : {ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH}) {
     const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, band);
@@ -163,7 +163,7 @@ TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
   EXPECT_DOUBLE_EQ(source_.last_seconds, 300000 * 0.008);
 }
 
-TEST_F(CameraTest, TheInfosNameCameraAndFrame) {
+TEST_F(CameraTest, TheInfosContainCameraAndFrame) {
   OFbkImageVectorData* vector = vectorIn(camera_.capture(1234));
   EXPECT_EQ(vector->vectorInfo.type, odataFBKIMAGE_VECTOR);
   EXPECT_EQ(vector->vectorInfo.numData, 4u);
@@ -174,7 +174,7 @@ TEST_F(CameraTest, TheInfosNameCameraAndFrame) {
   EXPECT_EQ(vector->GetInfo(ofbkimageLAYER_H)->dataSize, 6u * 208 * 160);
 }
 
-TEST_F(CameraTest, ARegionIsUsedAgainOnlyWhenNobodyElseRefersToIt) {
+TEST_F(CameraTest, ARegionIsReusedOnlyWhenNothingElseRefersToIt) {
   RCRegion* kept = camera_.capture(0);
   kept->AddReference();
   RCRegion* other = camera_.capture(4);
