@@ -43,7 +43,7 @@
 #include "protocol/version1.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/primitive_table.h"
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/simulated_ers7.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"

@@ -1,6 +1,6 @@
 #include "client/sensor_readings.h"
 
-#include "protocol/sensor_values.h"
+#include "protocol/units.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_driver {

@@ -6,7 +6,7 @@
 #include "client/fault.h"
 #include "client/sensor_readings.h"
 #include "client/units.h"
-#include "protocol/angles.h"
+#include "protocol/units.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
 

@@ -6,8 +6,8 @@
 #include <stddef.h>
 
 #include "mtn/layout.h"
-#include "protocol/motion_name.h"
 #include "protocol/motion_requests.h"
+#include "protocol/text.h"
 
 /// Where motions are on the memory stick.
 const char MOTION_FOLDER[] = "OPEN-R/MW/DATA/P";

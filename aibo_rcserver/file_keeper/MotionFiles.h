@@ -7,12 +7,12 @@
 
 #include "file_keeper/FileJob.h"
 #include "objects/HostSettings.h"
-#include "protocol/motion_name.h"
 #include "protocol/motion_requests.h"
+#include "protocol/text.h"
 
 /// Reads, stores, deletes and lists motion files. Does not look into them.
 ///
-/// A motion's name leads nowhere but into the folder (motion_name.h). The memory stick takes capitals and small letters
+/// A motion's name leads nowhere but into the folder (text.h). The memory stick takes capitals and small letters
 /// for the same; other file systems do not, so a file is looked for in the folder, and what is there once is found
 /// however it is spelled.
 ///

@@ -1,19 +1,14 @@
-/// @file aibo_mtn.cpp
-/// Makes motion files of their readable form, and shows them in it (docs/motions.md).
-
+// Makes motion files from their text form, and prints motion files in it (docs/motions.md).
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "motion_tool/motion_check.h"
-#include "motion_tool/mtn_writer.h"
-#include "motion_tool/robots.h"
-#include "motion_tool/text_form.h"
-#include "mtn/motion.h"
+#include "motion_tool/motion_tool.h"
 
 namespace {
 
@@ -21,7 +16,7 @@ constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
 const char kUsage[] =
-    "usage: aibo_mtn TEXT MOTION.MTN   make a motion file of its text form\n"
+    "usage: aibo_mtn TEXT MOTION.MTN   make a motion file from its text form\n"
     "       aibo_mtn MOTION.MTN        print the text form of a motion file\n";
 
 std::string readFile(const std::string& name) {
@@ -42,20 +37,30 @@ void writeFile(const std::string& name, const std::string& content) {
 
 void read(const std::string& bytes, const std::string& file, mtn::Motion& motion) {
   if (!motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) {
-    throw std::runtime_error(file + " is no motion file: " + motion.problem());
+    throw std::runtime_error(file + " is not a motion file: " + motion.problem());
   }
 }
 
-// What the robot would do otherwise than it is written is said; it is for the author to decide.
+// Names what the robot cannot do exactly. That may be intended, so it does not stop the author.
 void warn(const mtn::Motion& motion) {
   const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
   if (robot == nullptr) {
-    std::cerr << "aibo_mtn: not checked for any robot: the design \"" << motion.design() << "\" is not known\n";
+    std::cerr << "aibo_mtn: not checked: there is no robot with the design \"" << motion.design() << "\"\n";
     return;
   }
   for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
     std::cerr << "aibo_mtn: " << obstacle << '\n';
   }
+}
+
+// The text with `prefix` before each line.
+std::string eachLineAfter(const std::string& prefix, const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    result += prefix + line + '\n';
+  }
+  return result;
 }
 
 void make(const std::string& source, const std::string& target) {
@@ -67,7 +72,7 @@ void make(const std::string& source, const std::string& target) {
   try {
     bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(source + ": " + error.what());
+    throw std::runtime_error(eachLineAfter(source + ": ", error.what()));
   }
   mtn::Motion motion;
   read(bytes, target, motion);
@@ -99,7 +104,7 @@ int main(int argc, char** argv) {
       print(arguments[0]);
     }
   } catch (const std::exception& error) {
-    std::cerr << "aibo_mtn: " << error.what() << '\n';
+    std::cerr << eachLineAfter("aibo_mtn: ", error.what());
     return kFailed;
   }
   return 0;

@@ -1,8 +1,8 @@
-#include "motion_tool/motion_check.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+
+#include "motion_tool/motion_tool.h"
 
 namespace motion_tool {
 namespace {
@@ -59,7 +59,7 @@ class Check {
       const Joint* joint = jointOf(i);
       const int position = motion_.position(key_frame, i);
       if (joint != nullptr && (position < joint->lowest || position > joint->highest)) {
-        obstacles_.push_back(when_ + joint->name + " is at " + inDegrees(position) + " degrees, out of " +
+        obstacles_.push_back(when_ + joint->name + " is at " + inDegrees(position) + " degrees, outside " +
                              inDegrees(joint->lowest) + " to " + inDegrees(joint->highest));
       }
     }
@@ -91,15 +91,15 @@ class Check {
       const double distance = std::abs(motion_.position(key_frame, i) - motion_.position(key_frame - 1, i));
       const double speed = distance * 1000 / motion_.milliseconds(key_frame);
       if (joint != nullptr && speed > joint->highest_speed) {
-        obstacles_.push_back(when_ + joint->name + " would have come with " + inDegrees(speed) +
-                             " degrees a second, and it makes " + inDegrees(joint->highest_speed));
+        obstacles_.push_back(when_ + joint->name + " would have moved at " + inDegrees(speed) +
+                             " degrees a second, above its limit of " + inDegrees(joint->highest_speed));
       }
     }
   }
 
   const mtn::Motion& motion_;
   const RobotModel& robot_;
-  std::vector<int> joints_;  ///< of the robot, one for each of the motion
+  std::vector<int> joints_;  ///< index in the robot's table for each joint of the motion, or NO_JOINT
   std::string when_;
   std::vector<std::string> obstacles_;
 };

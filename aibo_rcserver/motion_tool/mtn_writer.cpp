@@ -1,11 +1,9 @@
-#include "motion_tool/mtn_writer.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 
+#include "motion_tool/motion_tool.h"
 #include "mtn/layout.h"
-#include "mtn/motion.h"
 
 namespace motion_tool {
 namespace {
@@ -44,7 +42,7 @@ std::string section(std::uint32_t number, std::string content) {
 
 void checkFrame(int milliseconds) {
   if (milliseconds < mtn::MIN_FRAME_MILLISECONDS || milliseconds > mtn::MAX_FRAME_MILLISECONDS) {
-    throw std::runtime_error("a frame of " + std::to_string(milliseconds) + " ms is out of " +
+    throw std::runtime_error("a frame of " + std::to_string(milliseconds) + " ms is outside " +
                              std::to_string(mtn::MIN_FRAME_MILLISECONDS) + ".." +
                              std::to_string(mtn::MAX_FRAME_MILLISECONDS) + " ms");
   }
@@ -78,12 +76,12 @@ std::string locatorSection(const KeyFrameMotion& motion) {
   return section(2, content);
 }
 
-// What stands before a key frame that comes so long after another one.
+// The number of frames between two key frames, which precedes the second one.
 std::size_t interpolatedFrames(const KeyFrameMotion& motion, int milliseconds) {
   if (milliseconds <= 0 || milliseconds % motion.frame_milliseconds != 0) {
-    throw std::runtime_error("from one key frame to the next it is " + std::to_string(milliseconds) +
-                             " ms, which is no whole number of frames of " + std::to_string(motion.frame_milliseconds) +
-                             " ms");
+    throw std::runtime_error("a key frame comes " + std::to_string(milliseconds) +
+                             " ms after the one before, which is not a whole number of frames of " +
+                             std::to_string(motion.frame_milliseconds) + " ms");
   }
   return static_cast<std::size_t>(milliseconds / motion.frame_milliseconds - 1);
 }

@@ -1,25 +1,46 @@
-#include "motion_tool/text_form.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
-#include "motion_tool/robots.h"
-#include "robot_model/robot_model.h"
+#include "motion_tool/motion_tool.h"
 
 namespace motion_tool {
 namespace {
 
 constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
 
+// The robots, and their names in Sony's motion files.
+const std::pair<const char*, const char*> kRobots[] = {{"ERS-7", "DRX-1000"}, {"ERS-210", "DRX-910"}};
+
+// "DRX-1000" for "ERS-7"; an unknown name is returned unchanged.
+std::string designOf(const std::string& robot) {
+  for (const auto& [name, design] : kRobots) {
+    if (robot == name) {
+      return design;
+    }
+  }
+  return robot;
+}
+
+// "ERS-7" for "DRX-1000"; an unknown design is returned unchanged.
+std::string robotOf(const std::string& design) {
+  for (const auto& [name, known_design] : kRobots) {
+    if (design == known_design) {
+      return name;
+    }
+  }
+  return design;
+}
+
 template <typename Number>
 Number parseNumber(const std::string& word, const char* what) {
   std::istringstream stream(word);
   Number number{};
   if (!(stream >> number) || !stream.eof()) {
-    throw std::runtime_error("\"" + word + "\" is no " + what);
+    throw std::runtime_error("\"" + word + "\" is not a number of " + what);
   }
   return number;
 }
@@ -31,25 +52,34 @@ std::string restOf(std::istream& line) {
   return text;
 }
 
+// Goes on after a mistake, so that one run names them all.
 class Parser {
  public:
   KeyFrameMotion parse(std::istream& text) {
-    int number = 0;
     for (std::string line; std::getline(text, line);) {
-      ++number;
-      try {
-        parseLine(line.substr(0, line.find('#')));
-      } catch (const std::runtime_error& error) {
-        throw std::runtime_error("line " + std::to_string(number) + ": " + error.what());
-      }
+      ++line_number_;
+      report([&] { parseLine(line.substr(0, line.find('#'))); });
     }
-    if (motion_.key_frames.empty()) {
+    if (motion_.key_frames.empty() && problems_.empty()) {
       throw std::runtime_error("there is no key frame: \"at 0\" begins the first one");
+    }
+    if (!problems_.empty()) {
+      throw std::runtime_error(problems_);
     }
     return motion_;
   }
 
  private:
+  // Records a mistake that the function throws.
+  template <typename Function>
+  void report(const Function& function) {
+    try {
+      function();
+    } catch (const std::runtime_error& error) {
+      problems_ += (problems_.empty() ? "line " : "\nline ") + std::to_string(line_number_) + ": " + error.what();
+    }
+  }
+
   void parseLine(const std::string& line) {
     std::istringstream words(line);
     std::string word;
@@ -63,7 +93,7 @@ class Parser {
     } else if (word == "robot") {
       motion_.design = designOf(restOf(words));
     } else if (word == "frame") {
-      motion_.frame_milliseconds = parseNumber<int>(restOf(words), "number of milliseconds");
+      motion_.frame_milliseconds = parseNumber<int>(restOf(words), "milliseconds");
     } else if (word == "at") {
       beginKeyFrame(words);
       parsePositions(words);
@@ -77,25 +107,27 @@ class Parser {
     std::string time;
     words >> time;
     KeyFrame next;
-    next.milliseconds = parseNumber<int>(time, "number of milliseconds");
-    if (motion_.key_frames.empty()) {
-      if (next.milliseconds != 0) {
-        throw std::runtime_error("the first key frame is at 0 ms");
-      }
-    } else {
-      checkTime(next.milliseconds);
+    next.milliseconds = parseNumber<int>(time, "milliseconds");
+    report([&] { checkTime(next.milliseconds); });
+    if (!motion_.key_frames.empty()) {
       next.positions = motion_.key_frames.back().positions;
     }
     motion_.key_frames.push_back(next);
   }
 
   void checkTime(int milliseconds) const {
-    if (milliseconds <= motion_.key_frames.back().milliseconds) {
+    const int frame = motion_.frame_milliseconds;
+    if (motion_.key_frames.empty()) {
+      if (milliseconds != 0) {
+        throw std::runtime_error("the first key frame must be at 0 ms");
+      }
+    } else if (milliseconds <= motion_.key_frames.back().milliseconds) {
       throw std::runtime_error("the key frames are not in the order of their times");
-    }
-    if (motion_.frame_milliseconds > 0 && milliseconds % motion_.frame_milliseconds != 0) {
-      throw std::runtime_error(std::to_string(milliseconds) + " ms is no multiple of a frame, which has " +
-                               std::to_string(motion_.frame_milliseconds) + " ms");
+    } else if (frame > 0 && milliseconds % frame != 0) {
+      const long long below = milliseconds - milliseconds % frame;
+      throw std::runtime_error(std::to_string(milliseconds) + " ms is not a multiple of a frame, which has " +
+                               std::to_string(frame) + " ms; " + std::to_string(below) + " and " +
+                               std::to_string(below + frame) + " are");
     }
   }
 
@@ -103,18 +135,22 @@ class Parser {
     std::string joint;
     while (words >> joint) {
       if (motion_.key_frames.empty()) {
-        throw std::runtime_error("\"" + joint + "\" stands before the first \"at\"");
+        throw std::runtime_error("\"" + joint + "\" comes before the first \"at\"");
       }
       std::string degrees;
       if (!(words >> degrees)) {
         throw std::runtime_error(joint + " has no angle");
       }
-      const double microradians = parseNumber<double>(degrees, "number of degrees") * kMicroradiansPerDegree;
-      if (!(std::abs(microradians) <= mtn::MAX_POSITION)) {
-        throw std::runtime_error(joint + " is more than a turn away");
-      }
-      setPosition(locatorOf(joint), joint, static_cast<int>(std::lround(microradians)));
+      report([&] { parsePosition(joint, degrees); });
     }
+  }
+
+  void parsePosition(const std::string& joint, const std::string& degrees) {
+    const double microradians = parseNumber<double>(degrees, "degrees") * kMicroradiansPerDegree;
+    if (!(std::abs(microradians) <= mtn::MAX_POSITION)) {
+      throw std::runtime_error(joint + " is more than a turn away");
+    }
+    setPosition(locatorOf(joint), joint, static_cast<int>(std::lround(microradians)));
   }
 
   std::string locatorOf(const std::string& joint) const {
@@ -147,9 +183,11 @@ class Parser {
   }
 
   KeyFrameMotion motion_;
+  int line_number_ = 0;
+  std::string problems_;
 };
 
-// Enough digits to give the same microradians again, and no more zeros than needed.
+// Enough digits to give the same microradians again, without trailing zeros.
 std::string degreesOf(int microradians) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.5f", microradians / kMicroradiansPerDegree);
@@ -161,7 +199,7 @@ std::string degreesOf(int microradians) {
   return digits == "-0" ? "0" : digits;
 }
 
-// Motion files come from anywhere, and what is printed may go to a terminal.
+// Motion files come from anywhere, and this text may go to a terminal.
 std::string printable(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~' || c == '#'; }, '?');
@@ -175,6 +213,10 @@ std::string jointName(const mtn::Motion& motion, int joint) {
 }
 
 }  // namespace
+
+const robot_model::RobotModel* modelOf(const std::string& design) {
+  return robot_model::findRobotModel(robotOf(design).c_str());
+}
 
 KeyFrameMotion parseTextForm(std::istream& text) {
   return Parser().parse(text);

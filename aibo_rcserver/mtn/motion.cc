@@ -22,7 +22,7 @@ int decodeSigned32(const unsigned char* in) {
   return static_cast<int>(decode32(in));
 }
 
-// Locators go into messages and to the robot: nothing but characters that can be seen.
+// Locators go into messages and to the robot, so only visible characters are allowed.
 bool isPlain(const char* text) {
   for (; *text != '\0'; ++text) {
     if (*text <= ' ' || *text > '~') {
@@ -36,7 +36,7 @@ bool isPlain(const char* text) {
 
 const size_t Motion::MAX_PROBLEM_SIZE;
 
-/// What has not been read of a section yet.
+/// The part of a section that has not been read yet.
 struct Motion::Section {
   unsigned number;
   const unsigned char* bytes;
@@ -90,7 +90,7 @@ void Motion::clear() {
 
 bool Motion::readAll(const unsigned char* bytes, size_t size) {
   if (size > MAX_FILE_SIZE) {
-    return fail("it has %lu bytes, and at most %lu are taken", static_cast<unsigned long>(size),
+    return fail("it has %lu bytes, and at most %lu are allowed", static_cast<unsigned long>(size),
                 static_cast<unsigned long>(MAX_FILE_SIZE));
   }
   if (size < MAGIC_SIZE || memcmp(bytes, MAGIC, MAGIC_SIZE) != 0) {
@@ -109,18 +109,18 @@ bool Motion::readAll(const unsigned char* bytes, size_t size) {
   return size == 0 || fail("%lu bytes follow the last section", static_cast<unsigned long>(size));
 }
 
-// Checks the header of the section that the bytes begin with, and takes all of it out of them.
+// Checks the header of the first section in the bytes, and removes the section from them.
 bool Motion::openSection(unsigned number, const unsigned char** bytes, size_t* size, Section* section) {
   if (*size < SECTION_HEADER_SIZE) {
     return fail("it ends before section %u", number);
   }
   const unsigned found = decode32(*bytes);
   if (found != number) {
-    return fail("section %u is expected, and number %u is there", number, found);
+    return fail("section %u is expected, but number %u is there", number, found);
   }
   const size_t section_size = decode32(*bytes + 4);
   if (section_size < SECTION_HEADER_SIZE) {
-    return fail("section %u says that it has %lu bytes", number, static_cast<unsigned long>(section_size));
+    return fail("section %u claims to have %lu bytes", number, static_cast<unsigned long>(section_size));
   }
   if (section_size > *size) {
     return fail("section %u is cut off: %lu bytes of %lu are there", number, static_cast<unsigned long>(*size),
@@ -145,17 +145,17 @@ bool Motion::readGeneral(Section* section) {
   const unsigned key_frames = decode16(section->take(2));
   const int milliseconds = static_cast<int>(decode16(section->take(2)));
   if (sections != NUMBER_OF_SECTIONS) {
-    return fail("it says that it has %u sections, not %u", sections, NUMBER_OF_SECTIONS);
+    return fail("it claims to have %u sections, not %u", sections, NUMBER_OF_SECTIONS);
   }
   if (major_version != MAJOR_VERSION) {
-    return fail("its format is version %u.%u, and only version %u is known", major_version, minor_version,
+    return fail("its format is version %u.%u, but only version %u is supported", major_version, minor_version,
                 MAJOR_VERSION);
   }
   if (key_frames == 0) {
     return fail("it has no key frames");
   }
   if (milliseconds < MIN_FRAME_MILLISECONDS || milliseconds > MAX_FRAME_MILLISECONDS) {
-    return fail("a frame of %d ms is out of %d..%d ms", milliseconds, MIN_FRAME_MILLISECONDS, MAX_FRAME_MILLISECONDS);
+    return fail("a frame of %d ms is outside %d..%d ms", milliseconds, MIN_FRAME_MILLISECONDS, MAX_FRAME_MILLISECONDS);
   }
   number_of_key_frames_ = static_cast<int>(key_frames);
   frame_milliseconds_ = milliseconds;
@@ -174,7 +174,7 @@ bool Motion::readLocators(Section* section) {
   }
   const int count = static_cast<int>(decode16(section->take(2)));
   if (count == 0 || count > MAX_JOINTS) {
-    return fail("%d joints are out of 1..%d", count, MAX_JOINTS);
+    return fail("%d joints are outside 1..%d", count, MAX_JOINTS);
   }
   for (int i = 0; i < count; ++i) {
     if (!readLocator(section, i)) {
@@ -207,11 +207,11 @@ bool Motion::readKeyFrames(Section* section) {
   }
   const unsigned type = decode32(section->take(4));
   if (type != 0) {
-    return fail("section 3 holds data of type %u, and only type 0 is known", type);
+    return fail("section 3 holds data of type %u, but only type 0 is supported", type);
   }
   const size_t expected = static_cast<size_t>(number_of_key_frames_) * keyFrameSize() - VALUE_SIZE;
   if (section->size != expected) {
-    return fail("section 3 holds %lu bytes of key frames, and %d key frames of %d joints have %lu",
+    return fail("section 3 holds %lu bytes of key frames, but %d key frames of %d joints have %lu",
                 static_cast<unsigned long>(section->size), number_of_key_frames_, number_of_joints_,
                 static_cast<unsigned long>(expected));
   }
@@ -239,7 +239,7 @@ bool Motion::checkKeyFrame(int key_frame) {
   return true;
 }
 
-// A zero at the end of a text is not part of it: some programs count it, some do not write it.
+// Some programs write a zero byte at the end of a text, and some do not; it is not part of the text.
 bool Motion::takeText(Section* section, const char* what, size_t max_size, char* text) {
   if (!section->has(1)) {
     return fail("section %u ends before %s", section->number, what);
@@ -257,7 +257,7 @@ bool Motion::takeText(Section* section, const char* what, size_t max_size, char*
   return true;
 }
 
-// Says what is wrong; false.
+// Sets problem_; returns false.
 bool Motion::fail(const char* format, ...) {
   va_list values;
   va_start(values, format);
@@ -266,7 +266,7 @@ bool Motion::fail(const char* format, ...) {
   return false;
 }
 
-// With the number of interpolated frames, which the first one does not have.
+// Includes the number of interpolated frames, which the first key frame lacks.
 size_t Motion::keyFrameSize() const {
   return (static_cast<size_t>(VALUES_OF_BODY + number_of_joints_) + 1) * VALUE_SIZE;
 }

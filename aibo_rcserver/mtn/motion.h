@@ -9,17 +9,16 @@
 
 namespace mtn {
 
-/// The content of a motion file. No I/O, and memory of a fixed size: the key frames stay where the caller has them.
+/// The content of a motion file. No I/O, and memory of a fixed size: the key frames stay in the caller's memory.
 ///
-/// All of the file is checked before any of it is of use: the magic, every section's number and size, versions, counts,
-/// every text, every locator, every time and every position. Roll, pitch and yaw of the body are passed over, as is
-/// what follows the texts of sections 1 and 2. Whether a robot has these joints and can do these motions is not for the
-/// file to say.
+/// read() checks the whole file: the magic, every section's number and size, versions, counts, every text, every
+/// locator, every time and every position. It ignores roll, pitch and yaw of the body, and anything after the texts of
+/// sections 1 and 2. It does not check whether a robot has these joints and can reach these positions.
 ///
 /// Not thread-safe.
 class Motion {
  public:
-  /// Room for what is wrong with a file.
+  /// Room for problem().
   static const size_t MAX_PROBLEM_SIZE = 160;
 
   /// A motion without joints and key frames.
@@ -27,14 +26,14 @@ class Motion {
 
   /// Reads a file.
   /// @param bytes must outlive this, or the next read()
-  /// @return false if it is no motion file: problem() says why, and the motion is empty
+  /// @return false if it is not a motion file: problem() says why, and the motion is empty
   bool read(const unsigned char* bytes, size_t size);
 
-  /// What was wrong with the last file in a few words, such as "section 2 is cut off"; empty if nothing was.
+  /// What was wrong with the last file in a few words, such as "section 2 is cut off"; empty if it was accepted.
   const char* problem() const { return problem_; }
 
-  /// @name What the file says of itself
-  /// In whatever character set its maker used; "" where it says nothing.
+  /// @name Texts in the file
+  /// In an unknown character set; may be empty.
   /// @{
   const char* name() const { return name_; }
   const char* creator() const { return creator_; }
@@ -46,14 +45,14 @@ class Motion {
   int numberOfKeyFrames() const { return number_of_key_frames_; }
 
   /// @param joint 0..numberOfJoints() - 1
-  /// @return for OPENR::OpenPrimitive(); no two joints have the same
+  /// @return the locator for OPENR::OpenPrimitive(); no two joints have the same one
   const char* locator(int joint) const { return locators_[joint]; }
 
   /// @param key_frame 0..numberOfKeyFrames() - 1
-  /// @return where the joint is to be then, in microradian, within MAX_POSITION
+  /// @return the joint's position in that key frame, in microradian, within +-MAX_POSITION
   int position(int key_frame, int joint) const;
 
-  /// Time from the key frame before to this one, in milliseconds, 8..MAX_STEP_MILLISECONDS; 0 for the first.
+  /// Time from the previous key frame to this one, in milliseconds, 8..MAX_STEP_MILLISECONDS; 0 for the first.
   int milliseconds(int key_frame) const;
 
  private:

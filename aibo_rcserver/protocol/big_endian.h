@@ -1,5 +1,5 @@
 /// @file big_endian.h
-/// Integers of version 2 of the protocol: most significant byte first, whatever the machine's own order and alignment.
+/// Integers of version 2 of the protocol: most significant byte first, whatever the machine's byte order and alignment.
 #ifndef AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
 #define AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
 

@@ -10,8 +10,8 @@
 namespace protocol {
 namespace version2 {
 
-/// Splits a byte stream into frames, however TCP splits or joins the bytes. No I/O, and no memory but the buffer it is
-/// given once: a frame that announces more than fits in there is refused as soon as its header is whole.
+/// Splits a byte stream into frames, however TCP splits or joins the bytes. No I/O, and no memory but the buffer that
+/// it is given. A frame that announces more than the buffer holds is refused as soon as its header is complete.
 ///
 /// @code
 /// while (size > 0) {
@@ -25,28 +25,28 @@ namespace version2 {
 /// Not thread-safe.
 class FrameReader {
  public:
-  /// What append() has come to.
+  /// The result of append().
   enum Result {
     FRAME_INCOMPLETE,  ///< all bytes are taken, and more are needed
     FRAME_COMPLETE,    ///< header() and payload() hold a frame
-    FRAME_TOO_LARGE    ///< header() announces more than the buffer holds: a protocol error, close the connection
+    FRAME_TOO_LARGE    ///< header() announces more than the buffer holds, a protocol error: close the connection
   };
 
-  /// @param buffer room for one payload; stays the caller's and has to outlive the reader
-  /// @param capacity bytes of the buffer, which is the limit for a payload: MAX_PAYLOAD_TOWARDS_CLIENT in a client,
-  ///                 MAX_PAYLOAD_TOWARDS_ROBOT in a server, and whatever is tight enough in a test
+  /// @param buffer room for one payload; owned by the caller, and must outlive the reader
+  /// @param capacity bytes of the buffer, and so the largest payload: MAX_PAYLOAD_TOWARDS_CLIENT in a client,
+  ///                 MAX_PAYLOAD_TOWARDS_ROBOT in a server
   FrameReader(unsigned char* buffer, size_t capacity);
 
-  /// Forgets everything: a new connection.
+  /// Forgets all bytes, for a new connection.
   void reset();
 
   /// Adds received bytes, at most up to the end of one frame. The call after a complete frame begins the next one.
-  /// After FRAME_TOO_LARGE there is no telling where a frame begins: every call takes all bytes and says so again,
-  /// until reset().
-  /// @param[out] taken how many of the bytes were used; never 0 if `size` is not
+  /// After FRAME_TOO_LARGE the beginning of the next frame is unknown: until reset(), every call takes all bytes and
+  /// returns FRAME_TOO_LARGE.
+  /// @param[out] taken how many of the bytes were used; not 0 unless `size` is 0
   Result append(const unsigned char* bytes, size_t size, size_t* taken);
 
-  /// True if no byte of an unfinished frame has been taken: the next byte is the first of a frame.
+  /// True if the next byte is the first of a frame.
   bool isBetweenFrames() const;
 
   /// Header of the frame; valid after FRAME_COMPLETE and FRAME_TOO_LARGE until the next call of append().
@@ -69,7 +69,7 @@ class FrameReader {
   unsigned char header_bytes_[FRAME_HEADER_SIZE];
   size_t header_bytes_size_;
   FrameHeader header_;
-  size_t payload_size_;  ///< bytes of the payload that are there
+  size_t payload_size_;  ///< bytes of the payload received so far
 };
 
 }  // namespace version2

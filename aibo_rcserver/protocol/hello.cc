@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "protocol/utf8.h"
+#include "protocol/text.h"
 
 namespace protocol {
 namespace version2 {
@@ -15,7 +15,7 @@ enum Key { KEY_ROBOT, KEY_SERVER, KEY_FRAME_NUMBER, KEY_CAPABILITIES, KEY_LIMITS
 
 const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits"};
 
-// A piece of the payload; not ended by a zero byte.
+// A piece of the payload, without a zero byte at its end.
 struct Text {
   const char* begin;
   const char* end;
@@ -25,7 +25,8 @@ struct Text {
   bool operator==(const char* other) const { return size() == strlen(other) && memcmp(begin, other, size()) == 0; }
 };
 
-// Takes off `text` what stands before the first `separator`, and the separator. If there is none, takes all.
+// Removes everything up to and including the first `separator` from `text`, or all if there is none. Returns it without
+// the separator.
 Text takeUntil(char separator, Text* text) {
   const void* found = text->isEmpty() ? NULL : memchr(text->begin, separator, text->size());
   Text taken = *text;
@@ -38,7 +39,7 @@ Text takeUntil(char separator, Text* text) {
   return taken;
 }
 
-// Reads all of `text` as a decimal number up to `limit`.
+// Reads all of `text` as a decimal number of at most `limit`.
 bool parseUnsigned(const Text& text, unsigned limit, unsigned* value) {
   unsigned sum = 0;
   for (const char* digit = text.begin; digit != text.end; ++digit) {
@@ -71,7 +72,7 @@ bool parseSigned(const Text& text, int* value) {
 
 const char* decodeText(const Text& value, char* out) {
   if (value.size() > MAX_HELLO_TEXT_SIZE) {
-    return "a text of the hello is longer than 127 bytes";
+    return "a text in the hello is longer than 127 bytes";
   }
   memcpy(out, value.begin, value.size());
   out[value.size()] = '\0';
@@ -103,7 +104,7 @@ const char* decodeLimits(Text value, Hello* hello) {
       return "the limits of a joint are not id:lower:upper:speed";
     }
     if (hasJoint(*hello, joint.id)) {
-      return "a joint has its limits twice";
+      return "the hello gives a joint's limits twice";
     }
     if (hello->joint_count == MAX_JOINTS) {
       return "more joints than any robot has";
@@ -151,13 +152,13 @@ const char* decodeLine(Text line, bool* is_there, Hello* hello) {
     return NULL;
   }
   if (is_there[key]) {
-    return "a key of the hello is there twice";
+    return "the hello has a key twice";
   }
   is_there[key] = true;
   return decodeValue(key, line, hello);
 }
 
-// Appends to a payload in the making. MAX_HELLO_SIZE is room for all that a valid hello can hold.
+// Appends to a payload. MAX_HELLO_SIZE is enough for any valid hello.
 class Writer {
  public:
   explicit Writer(unsigned char* out) : out_(out), size_(0) {}

@@ -1,6 +1,6 @@
 /// @file hello.h
-/// What the server says of itself in its reply to `H` in version 2 of the protocol: lines of UTF-8, each `key=value`
-/// and a newline:
+/// The server's description of itself, which it sends in its reply to `H` in version 2 of the protocol. It consists of
+/// lines of UTF-8, each `key=value` and a newline:
 ///
 ///     robot=ERS-7
 ///     server=aibo_rcserver 0.1.0
@@ -8,7 +8,7 @@
 ///     capabilities=H F W J V T O L K P N
 ///     limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460
 ///
-/// All five have to be there, each once, in any order; what else is there is for newer clients and is passed over.
+/// All five keys must be there, each once, in any order. Other keys are for newer clients and are ignored.
 #ifndef AIBO_RCSERVER_PROTOCOL_HELLO_H
 #define AIBO_RCSERVER_PROTOCOL_HELLO_H
 
@@ -19,7 +19,7 @@
 namespace protocol {
 namespace version2 {
 
-/// What a joint can do on this robot.
+/// The range and speed of a joint of this robot.
 struct JointLimits {
   unsigned char id;
   int lower;  ///< microradian
@@ -30,18 +30,18 @@ struct JointLimits {
 /// Most bytes in one text of a hello, without the end mark.
 const size_t MAX_HELLO_TEXT_SIZE = 127;
 
-/// Texts end in a zero byte and are plain (utf8.h).
+/// The content of a hello. Texts end in a zero byte and are plain (text.h).
 struct Hello {
   char robot[MAX_HELLO_TEXT_SIZE + 1];         ///< the design, as OPEN-R names it: "ERS-7"
   char server[MAX_HELLO_TEXT_SIZE + 1];        ///< name and version of the server
   unsigned frame_number;                       ///< OPEN-R frame (8 ms) now
   char capabilities[MAX_HELLO_TEXT_SIZE + 1];  ///< kinds of request that are not answered by CODE_NOT_SUPPORTED, and
-                                               ///< words for what else the server can do; a space between two
+                                               ///< words for other abilities; separated by spaces
   unsigned char joint_count;                   ///< 0..MAX_JOINTS
-  JointLimits joints[MAX_JOINTS];              ///< `limits`: id:lower:upper:speed, a space between two
+  JointLimits joints[MAX_JOINTS];              ///< `limits`: id:lower:upper:speed, separated by spaces
 };
 
-/// Room for the largest hello: keys, three texts, and 4 + 3 * 12 bytes a joint at most.
+/// Room for the largest hello: keys, three texts, and at most 4 + 3 * 12 bytes per joint.
 const size_t MAX_HELLO_SIZE = 128 + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
 
 /// Writes the payload.
@@ -50,7 +50,7 @@ const size_t MAX_HELLO_SIZE = 128 + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
 size_t encodeHello(const Hello& hello, unsigned char* out);
 
 /// Reads the payload.
-/// @return what is wrong in a few words, or NULL; `hello` is of use only then
+/// @return NULL, or what is wrong in a few words; then `hello` is undefined
 const char* decodeHello(const unsigned char* payload, size_t size, Hello* hello);
 
 /// True if `word` is among the hello's capabilities, for instance "J".

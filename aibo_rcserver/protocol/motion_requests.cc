@@ -17,7 +17,7 @@ const char* textOf(const unsigned char* bytes) {
   return reinterpret_cast<const char*>(bytes);
 }
 
-// Bytes before the next separator, or all.
+// Bytes before the next separator, or all if there is none.
 size_t sizeOfLine(const unsigned char* bytes, size_t size) {
   const void* const separator = memchr(bytes, SEPARATOR, size);
   return separator == NULL ? size : static_cast<size_t>(static_cast<const unsigned char*>(separator) - bytes);
@@ -39,7 +39,7 @@ const char* decodeMotionUpload(const unsigned char* payload, size_t size, Motion
   }
   const size_t content_offset = NAME_SIZE_SIZE + payload[0];
   if (size == content_offset) {
-    return "there is no motion behind its name";
+    return "there is no motion after its name";
   }
   if (const char* problem = readMotionName(textOf(payload + NAME_SIZE_SIZE), payload[0], upload->name)) {
     return problem;
@@ -65,7 +65,7 @@ size_t encodeMotionOrder(const MotionOrder& order, unsigned char* out) {
 
 const char* decodeMotionOrder(const unsigned char* payload, size_t size, MotionOrder* order) {
   if (size < REPETITIONS_SIZE) {
-    return "the payload has not the size that this kind of frame has";
+    return "the payload does not have the size that this kind of frame has";
   }
   const unsigned short repetitions = decodeBigEndian16(payload);
   if (repetitions == 0 && size == REPETITIONS_SIZE) {
@@ -93,7 +93,7 @@ size_t encodeMotionList(const MotionList& list, unsigned char* out) {
 
 const char* decodeMotionList(const unsigned char* payload, size_t size, MotionList* list) {
   list->count = 0;
-  // Behind a separator stands a name, so the last line may not be empty.
+  // A name follows every separator, so the last line may not be empty.
   for (size_t begin = 0; size > 0 && begin <= size; ++list->count) {
     if (list->count == MAX_LISTED_MOTIONS) {
       return "more than 256 motions";

@@ -1,15 +1,13 @@
 /// @file motion_requests.h
-/// Version 2's requests about motions, which are files on the robot's memory stick: upload, delete, play, list. As in
-/// version2.h, decoders check everything and say what is wrong in a few words, or NULL; encoders expect what their
-/// decoders would accept, and return the bytes written.
-///
-/// Names are read by readMotionName(): in any case on the wire, in capital letters here.
+/// Version 2's requests about motions, which are files on the robot's memory stick: upload, delete, play, list.
+/// Decoders and encoders follow the rules in version2.h. Names may have small letters on the wire; readMotionName()
+/// turns them into capitals.
 #ifndef AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H
 #define AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H
 
 #include <stddef.h>
 
-#include "protocol/motion_name.h"
+#include "protocol/text.h"
 #include "protocol/version2.h"
 
 namespace protocol {
@@ -21,7 +19,7 @@ const size_t MAX_MOTION_FILE_SIZE = MAX_PAYLOAD_TOWARDS_ROBOT - 1 - MAX_MOTION_N
 /// Payload of `U`: uint8 size of the name, the name, the bytes of the file. The reply has none.
 struct MotionUpload {
   MotionName name;
-  const unsigned char* content;  ///< whether it is a motion is not looked at; decoded, it lies in the payload
+  const unsigned char* content;  ///< not checked; after decoding, points into the payload
   size_t content_size;           ///< bytes, 1..MAX_MOTION_FILE_SIZE
 };
 
@@ -43,10 +41,10 @@ const size_t MAX_MOTION_ORDER_SIZE = 2 + MAX_MOTION_NAME_SIZE;
 size_t encodeMotionOrder(const MotionOrder& order, unsigned char* out);
 const char* decodeMotionOrder(const unsigned char* payload, size_t size, MotionOrder* order);
 
-/// Most motions in one list. A robot that has more names as many.
+/// Most motions in one list. A robot that has more lists this many.
 const size_t MAX_LISTED_MOTIONS = 256;
 
-/// Payload of the reply to `N`: names with a newline between two; the request has none.
+/// Payload of the reply to `N`: names, separated by newlines. The request has none.
 struct MotionList {
   size_t count;  ///< of names, 0..MAX_LISTED_MOTIONS
   MotionName names[MAX_LISTED_MOTIONS];
@@ -57,7 +55,7 @@ const size_t MAX_MOTION_LIST_SIZE = MAX_LISTED_MOTIONS * (MAX_MOTION_NAME_SIZE +
 /// @param out room for MAX_MOTION_LIST_SIZE bytes
 size_t encodeMotionList(const MotionList& list, unsigned char* out);
 
-/// @param[out] list of use only if all is well
+/// @param[out] list undefined if the result is not NULL
 const char* decodeMotionList(const unsigned char* payload, size_t size, MotionList* list);
 
 }  // namespace version2

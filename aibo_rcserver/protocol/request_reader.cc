@@ -19,7 +19,7 @@ bool isFollowedByContent(char letter) {
   return letter == REQUEST_UPLOAD_MOTION || letter == REQUEST_UPLOAD_OBJECT;
 }
 
-// The size a request has by its letter; 0 if there is no such letter.
+// The size of requests with this letter; 0 if there is no such letter.
 size_t sizeOf(char letter) {
   switch (letter) {
     case REQUEST_PICTURE:
@@ -105,7 +105,7 @@ void RequestReader::skipContent() {
   consume(skipped);
 }
 
-// Size of the request that the waiting bytes begin with; 0 if it is not whole.
+// Size of the first waiting request; 0 if it is incomplete.
 size_t RequestReader::frontSize() const {
   if (waiting_size_ < BASIC_COMMAND_SIZE) {
     return 0;
@@ -114,7 +114,7 @@ size_t RequestReader::frontSize() const {
   if (hasTwoSizes(letter)) {
     return waiting_size_ == VALUE_REQUEST_SIZE - 1 ? 0 : waiting_size_;
   }
-  // Nobody knows the size of an unknown request. Two bytes is what every request has at least.
+  // The size of an unknown request is unknown, but every request has at least two bytes.
   const size_t size = sizeOf(letter) != 0 ? sizeOf(letter) : BASIC_COMMAND_SIZE;
   return waiting_size_ < size ? 0 : size;
 }

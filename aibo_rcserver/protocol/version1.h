@@ -1,15 +1,15 @@
 /// @file version1.h
-/// Version 1 of the RCServer's wire protocol: what robots in the field speak. Used by both sides; C++98, no I/O.
+/// Version 1 of the RCServer's wire protocol, which robots in the field speak. Used by both sides; C++98, no I/O.
 ///
 /// A request begins with two bytes, a capital letter and an identifier; a reply begins with a small letter.
 /// Integers are little-endian, except for the size of a picture, which is big-endian (report, section 3.4.1).
-/// docs/protocol.md tells the whole of it.
+/// docs/protocol.md describes the whole protocol.
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION1_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION1_H
 
 #include <stddef.h>
 
-#include "protocol/motion_name.h"
+#include "protocol/text.h"
 
 namespace protocol {
 
@@ -19,7 +19,7 @@ const int RCSERVER_PORT = 54321;
 /// JPEG quality that clients ask for unless told otherwise (report, section 3.3.3).
 const unsigned char DEFAULT_JPEG_QUALITY = 85;
 
-/// Highest JPEG quality; a higher one means this one (report, section 3.3.6).
+/// Highest JPEG quality; any higher number means the same (report, section 3.3.6).
 const unsigned char MAX_JPEG_QUALITY = 100;
 
 /// Largest picture, in bytes, that either side sends or accepts. The worst 208x160 picture at 4:2:0 and quality 100
@@ -29,14 +29,14 @@ const size_t MAX_PICTURE_SIZE = 256 * 1024;
 /// The first bytes of every request (report, section 2.3).
 struct BasicGetCommand {
   char command;              ///< capital letter
-  unsigned char identifier;  ///< JPEG quality, joint, sensor...: what the letter makes of it
+  unsigned char identifier;  ///< JPEG quality, joint, sensor...: depends on the letter
 };
 
 const char REQUEST_PICTURE = 'F';           ///< one picture, identifier = JPEG quality
-const char REQUEST_STREAM_TOGGLE = 'W';     ///< pictures without end, or no more of them; identifier = JPEG quality
-const char REQUEST_NEWER_VERSION = 'X';     ///< go on with the version of the protocol that the identifier names
+const char REQUEST_STREAM_TOGGLE = 'W';     ///< starts or stops a stream of pictures; identifier = JPEG quality
+const char REQUEST_NEWER_VERSION = 'X';     ///< continue in the protocol version given by the identifier
 const char REQUEST_JOINT = 'J';             ///< joint angle, read or set
-const char REQUEST_SENSOR = 'S';            ///< sensor value, read or left out of and taken into the block
+const char REQUEST_SENSOR = 'S';            ///< sensor value, read, or excluded from or included in the block
 const char REQUEST_MAX_VELOCITY = 'V';      ///< a joint's greatest speed, read or set
 const char REQUEST_MAX_ACCELERATION = 'A';  ///< a joint's greatest acceleration, read or set
 const char REQUEST_LED = 'L';               ///< one LED or all of them
@@ -56,7 +56,7 @@ const char REPLY_ERROR = 'e';
 enum ErrorCode {
   ERROR_REFUSED = 0,       ///< unknown command, wrong size, not allowed, anything else
   ERROR_FILE_MISSING = 1,  ///< file missing or unreadable
-  ERROR_NOT_A_MOTION = 2   ///< the name is not one of a .MTN file: readMotionName() has something against it
+  ERROR_NOT_A_MOTION = 2   ///< readMotionName() refuses the name
 };
 
 const size_t BASIC_COMMAND_SIZE = 2;   ///< bytes of an encoded BasicGetCommand
@@ -83,8 +83,8 @@ BasicGetCommand decodeCommand(const unsigned char* in);
 void encodePictureHeader(size_t size, unsigned char* out);
 
 /// Reads PICTURE_HEADER_SIZE bytes.
-/// @param[out] size bytes of the JPEG that follows, as announced, whatever that is
-/// @return false if these bytes are no picture header or if the size is 0 or above MAX_PICTURE_SIZE
+/// @param[out] size bytes of the JPEG that follows, as announced, even if out of range
+/// @return false if this is not a picture header, or if the size is 0 or above MAX_PICTURE_SIZE
 bool decodePictureHeader(const unsigned char* in, size_t* size);
 
 const size_t VALUE_SIZE = 2;  ///< bytes of an encoded value, an int16
@@ -104,18 +104,18 @@ ValueReply decodeValueReply(const unsigned char* in);
 /// True if `letter` begins a reply of VALUE_REPLY_SIZE bytes: a value, an acknowledgement or an error.
 bool isValueReply(char letter);
 
-/// Identifier of `L` and `K` that means all LEDs, both ears.
+/// Identifier of `L` and `K` that means all LEDs or both ears.
 const unsigned char ALL_IDENTIFIERS = 0;
 
-/// Identifier of `Y` that means mode A; every other one means mode B.
+/// Identifier of `Y` that means mode A; any other means mode B.
 const unsigned char FACE_MODE_A = 1;
 
-/// The intensity in the value of `L` and `Y`: its low byte. The high byte has no meaning.
+/// The intensity in the value of `L` and `Y`: the low byte. The high byte is ignored.
 unsigned char ledIntensity(short value);
 
-/// What follows the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
+/// The bytes after the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
 struct FileRequest {
-  char name[MAX_MOTION_NAME_SIZE + 1];  ///< as sent, up to its first zero byte, and a zero byte; not looked at
+  char name[MAX_MOTION_NAME_SIZE + 1];  ///< as sent, up to the first zero byte; not checked; ends in a zero byte
   unsigned short a;                     ///< `P`: how often; `U`, `C`: whole blocks of 512 bytes
   unsigned short b;                     ///< `U`, `C`: bytes of content beyond these blocks
 };
@@ -128,17 +128,17 @@ const size_t MAX_CONTENT_SIZE = 65535 * 512 + 65535;
 /// Writes FILE_PAYLOAD_SIZE bytes.
 void encodeFileRequest(const FileRequest& request, unsigned char* out);
 
-/// Reads FILE_PAYLOAD_SIZE bytes. Whether the name is one is for readMotionName() to say.
+/// Reads FILE_PAYLOAD_SIZE bytes. The name is not checked; readMotionName() does that.
 FileRequest decodeFileRequest(const unsigned char* in);
 
 /// Bytes of content that `U` and `C` announce: a * 512 + b.
 size_t contentSize(const FileRequest& request);
 
-/// Announces so many bytes of content in a and b.
+/// Sets a and b to announce `size` bytes of content.
 /// @param size 0..MAX_CONTENT_SIZE
 void announceContent(size_t size, FileRequest* request);
 
-/// A quality as the server uses it: what is above MAX_JPEG_QUALITY becomes MAX_JPEG_QUALITY.
+/// The quality that the server uses: at most MAX_JPEG_QUALITY.
 unsigned char limitJpegQuality(unsigned char quality);
 
 }  // namespace protocol

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "protocol/big_endian.h"
-#include "protocol/utf8.h"
+#include "protocol/text.h"
 
 namespace protocol {
 namespace version2 {
@@ -16,12 +16,12 @@ const size_t JOINT_TARGETS_HEADER_SIZE = 4;
 const size_t TELEMETRY_HEADER_SIZE = 8;
 const size_t ERROR_CODE_SIZE = 2;
 
-// A joint's value and a telemetry entry have one layout: two bytes, uint16 0, int32 value.
+// A joint's value and a telemetry entry share a layout: two bytes, uint16 0, int32 value.
 const size_t ENTRY_SIZE = 8;
 const size_t LED_ENTRY_SIZE = 4;
 
-const char WRONG_SIZE[] = "the payload has not the size that this kind of frame has";
-const char WRONG_COUNT[] = "the count does not fit the size of the payload";
+const char WRONG_SIZE[] = "the payload does not have the size that this kind of frame has";
+const char WRONG_COUNT[] = "the count does not match the size of the payload";
 const char RESERVED_NOT_ZERO[] = "a reserved byte is not 0";
 const char UNKNOWN_LAYER[] = "the layer is not 0 (H), 1 (M), 2 (L) or 3 (double)";
 const char TOO_MANY_JOINTS[] = "more joints than any robot has";
@@ -41,7 +41,7 @@ size_t encodeJointValues(const JointValue* joints, size_t count, unsigned char* 
   return count * ENTRY_SIZE;
 }
 
-// Entries begin with an id. True if one before this one has the same.
+// Entries begin with an id. True if an entry before this one has the same id.
 bool isNamedBefore(const unsigned char* in, size_t index, size_t entry_size) {
   for (size_t i = 0; i < index; ++i) {
     if (in[i * entry_size] == in[index * entry_size]) {
@@ -185,7 +185,7 @@ const char* decodeStreamSettings(const unsigned char* payload, size_t size, Stre
     return UNKNOWN_LAYER;
   }
   if (decodeBigEndian16(payload + 2) == 0) {
-    return "every 0th image is none; 1 is every image";
+    return "the image interval is 0; 1 means every image";
   }
   settings->on = payload[0] == 1;
   settings->layer = static_cast<Layer>(payload[1]);
@@ -261,7 +261,7 @@ const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on
     return WRONG_SIZE;
   }
   if (payload[0] > 1) {
-    return "the motors are neither on nor off";
+    return "the motors are neither off (0) nor on (1)";
   }
   *on = payload[0] == 1;
   return NULL;
@@ -366,7 +366,7 @@ size_t encodeImageHeader(const ImageHeader& header, unsigned char* out) {
 
 const char* decodePicture(const unsigned char* payload, size_t size, ImageHeader* header, size_t* jpeg_size) {
   if (size <= IMAGE_HEADER_SIZE) {
-    return "there is no picture behind the image header";
+    return "there is no picture after the image header";
   }
   if (decodeBigEndian16(payload + 8) == 0 || decodeBigEndian16(payload + 10) == 0) {
     return "the picture has no width or no height";

@@ -1,18 +1,17 @@
 /// @file version2.h
 /// Version 2 of the RCServer's wire protocol. Used by both sides; C++98, no I/O, no memory of its own.
 ///
-/// A client asks for it in version 1 (versionRequest()); once the server has agreed (versionReply()), everything both
-/// ways is a frame: a header of 8 bytes, then a payload whose layout the kind in the header tells. All integers are
-/// big-endian, angles are microradian, times on the robot are OPEN-R frames of 8 ms. docs/protocol.md tells the whole
-/// of it; the text of a hello is in hello.h.
+/// A client asks for version 2 in version 1 (versionRequest()). Once the server has agreed (versionReply()), both sides
+/// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
+/// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
+/// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h.
 ///
-/// Every decoder here checks the payload's size, its counts, its reserved bytes and the values that the layout itself
-/// limits, and returns what is wrong in a few words that can follow "bad request: ", or NULL if all is well. What it
-/// was to fill in is untouched unless all is well. What a value means to this robot, such as whether there is such a
-/// joint, is for the server to say.
+/// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
+/// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
+/// a value makes sense for this robot, such as whether a joint exists, is checked by the server.
 ///
-/// Every encoder returns the bytes it has written, which is at most the constant named beside it. It expects what its
-/// decoder would accept.
+/// Every encoder returns the number of bytes it has written, which is at most the constant above it. It expects values
+/// that its decoder would accept.
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION2_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION2_H
 
@@ -31,13 +30,13 @@ BasicGetCommand versionRequest();
 /// The version 1 reply that agrees: {`x`, 2, 0, 0}. The next byte is a frame's.
 ValueReply versionReply();
 
-/// True if `reply` is versionReply(). Any other answer leaves the connection at version 1.
+/// True if `reply` is versionReply(). After any other answer, the connection stays at version 1.
 bool agreesToVersion2(const ValueReply& reply);
 
-/// What every frame begins with.
+/// The first bytes of every frame.
 struct FrameHeader {
   char kind;                      ///< capital letter = request, lower-case letter = reply or push
-  unsigned char id;               ///< JPEG quality of `F` and `W`; 0 for the other kinds here
+  unsigned char id;               ///< JPEG quality of `F` and `W`; 0 for all other kinds
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
 };
@@ -50,37 +49,38 @@ const size_t MAX_PAYLOAD_TOWARDS_ROBOT = 64 * 1024;
 /// Writes FRAME_HEADER_SIZE bytes.
 size_t encodeFrameHeader(const FrameHeader& header, unsigned char* out);
 
-/// Reads FRAME_HEADER_SIZE bytes. The payload size is as announced, whatever that is; FrameReader is who checks it.
+/// Reads FRAME_HEADER_SIZE bytes. The announced payload size is not checked; FrameReader does that.
 FrameHeader decodeFrameHeader(const unsigned char* in);
 
 const char REQUEST_HELLO = 'H';         ///< hello and heartbeat; no payload, the reply's is in hello.h
 const char REQUEST_PICTURE = 'F';       ///< one picture, id = JPEG quality; answered by a picture
 const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality; pictures are then pushed
-const char REQUEST_JOINTS = 'J';        ///< joints to positions; answered by what was accepted
-const char REQUEST_SPEED_LIMITS = 'V';  ///< speed limits of joints, set or read; answered by those in force
-const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force, values are then pushed
-const char REQUEST_MOTORS = 'O';        ///< motors on or off, or asks which; answered by the state in force
-const char REQUEST_LEDS = 'L';          ///< LEDs to intensities; answered by what was accepted
-const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by what was accepted
-const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
-const char REQUEST_DELETE = 'D';        ///< deletes a motion
-const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
-const char REQUEST_LIST = 'N';          ///< answered by the names of the motions that are there
-const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down: the reply is the last that comes
-const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot: the reply is the last that comes
+const char REQUEST_JOINTS = 'J';        ///< moves joints; answered by the accepted targets
+const char REQUEST_SPEED_LIMITS = 'V';  ///< sets or reads speed limits of joints; answered by those in force
+const char REQUEST_TELEMETRY =
+    'T';  ///< sets the telemetry period; answered by the period in force; values are then pushed
+const char REQUEST_MOTORS = 'O';     ///< switches the motors, or reads their state; answered by the state in force
+const char REQUEST_LEDS = 'L';       ///< sets LEDs; answered by the accepted values
+const char REQUEST_EARS = 'K';       ///< draws ears or lets them go; answered by their new state
+const char REQUEST_UPLOAD = 'U';     ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
+const char REQUEST_DELETE = 'D';     ///< deletes a motion
+const char REQUEST_PLAY = 'P';       ///< plays a motion, or stops it
+const char REQUEST_LIST = 'N';       ///< answered by the names of the motions on the robot
+const char REQUEST_SHUT_DOWN = 'Q';  ///< motors off, then shut down; nothing follows the reply
+const char REQUEST_REBOOT = 'R';     ///< motors off, then reboot; nothing follows the reply
 
 const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
 const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; else the reply to `T`, a period
-const char ERROR_MESSAGE = 'e';   ///< a request refused; with request_number 0, a joint's fault, or why the
-                                  ///< server will hang up
+const char ERROR_MESSAGE = 'e';   ///< a request was refused; with request_number 0: a joint's fault, a power event,
+                                  ///< or why the server closes the connection
 
-/// The kind of a request's reply unless it is refused: the small letter.
+/// The kind of the reply to a request that is not refused: the small letter.
 char replyKind(char request_kind);
 
-/// Quality that means the server's own default. Above MAX_JPEG_QUALITY, everything else means MAX_JPEG_QUALITY.
+/// Quality that means the server's own default. All other numbers above MAX_JPEG_QUALITY mean MAX_JPEG_QUALITY.
 const unsigned char SERVER_DEFAULT_QUALITY = 255;
 
-/// The camera's layers, as OPEN-R numbers them, and the double resolution that is made of them.
+/// The camera's layers, as OPEN-R numbers them, and the double resolution that the server computes from them.
 enum Layer { LAYER_HIGH = 0, LAYER_MIDDLE = 1, LAYER_LOW = 2, LAYER_DOUBLE = 3 };
 
 /// Payload of `F`: uint8 layer.
@@ -99,17 +99,17 @@ const size_t STREAM_SETTINGS_SIZE = 4;
 size_t encodeStreamSettings(const StreamSettings& settings, unsigned char* out);
 const char* decodeStreamSettings(const unsigned char* payload, size_t size, StreamSettings* settings);
 
-/// A joint and what it is to do.
+/// A joint and its target or speed limit.
 struct JointValue {
   unsigned char id;
   int value;  ///< microradian, or microradian/s
 };
 
-/// Most joints in one payload: the 18 servos of an ERS-7 or ERS-210, and room.
+/// Most joints in one payload. An ERS-7 and an ERS-210 have 18 servos.
 const size_t MAX_JOINTS = 32;
 
 /// Payload of `J` and of its reply: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
-/// microradian}. No id may be there twice.
+/// microradian}. No id may appear twice.
 struct JointTargets {
   unsigned short duration_ms;  ///< all joints arrive after this time; 0 = each as fast as its limits allow
   unsigned char count;         ///< of joints, 0..MAX_JOINTS
@@ -120,8 +120,8 @@ const size_t MAX_JOINT_TARGETS_SIZE = 4 + MAX_JOINTS * 8;
 size_t encodeJointTargets(const JointTargets& targets, unsigned char* out);
 const char* decodeJointTargets(const unsigned char* payload, size_t size, JointTargets* targets);
 
-/// Payload of `V` and of its reply: count x {uint8 id, uint8 0, uint16 0, int32 microradian/s}. No id may be there
-/// twice. An empty request reads all limits.
+/// Payload of `V` and of its reply: count x {uint8 id, uint8 0, uint16 0, int32 microradian/s}. No id may appear twice.
+/// An empty request reads all limits.
 struct SpeedLimits {
   unsigned char count;  ///< of joints, 0..MAX_JOINTS
   JointValue joints[MAX_JOINTS];
@@ -161,25 +161,25 @@ const size_t MAX_TELEMETRY_SIZE = 8 + MAX_TELEMETRY_ENTRIES * 8;
 size_t encodeTelemetry(const Telemetry& telemetry, unsigned char* out);
 const char* decodeTelemetry(const unsigned char* payload, size_t size, Telemetry* telemetry);
 
-/// Payload of `O` and of its reply: uint8 1 = on, 0 = off. An empty request only asks.
+/// Payload of `O` and of its reply: uint8 1 = on, 0 = off. An empty request reads the state.
 const size_t MOTOR_STATE_SIZE = 1;
 size_t encodeMotorState(bool on, unsigned char* out);
 const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on);
 
-/// Modes of an LED that has them, as Sony names them; what they look like is the robot's affair.
+/// Modes of the LEDs that have modes, with Sony's names. What they look like depends on the robot.
 enum LedMode { LED_MODE_A = 0, LED_MODE_B = 1 };
 
-/// An LED and how it is to shine.
+/// An LED and its intensity.
 struct LedValue {
   unsigned char id;
-  unsigned char intensity;  ///< 0..255; an LED that is only on or off is on unless it is 0
-  LedMode mode;             ///< of no meaning to an LED that is only on or off
+  unsigned char intensity;  ///< 0..255; an LED that can only be on or off is on unless this is 0
+  LedMode mode;             ///< ignored by an LED that can only be on or off
 };
 
-/// Most LEDs in one payload: the 26 of an ERS-7, and room.
+/// Most LEDs in one payload. An ERS-7 has 26.
 const size_t MAX_LEDS = 32;
 
-/// Payload of `L` and of its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may be there twice.
+/// Payload of `L` and of its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may appear twice.
 struct LedValues {
   unsigned char count;  ///< of LEDs, 0..MAX_LEDS
   LedValue leds[MAX_LEDS];
@@ -191,7 +191,7 @@ const char* decodeLedValues(const unsigned char* payload, size_t size, LedValues
 
 /// Payload of `K` and of its reply: uint8 left, uint8 right; 1 = drawn by its magnet, 0 = let go.
 struct EarPositions {
-  bool left;   ///< in a request: draw it; in a reply: it is drawn now
+  bool left;   ///< in a request: draw it; in a reply: it is drawn
   bool right;  ///< the same
 };
 
@@ -199,45 +199,45 @@ const size_t EAR_POSITIONS_SIZE = 2;
 size_t encodeEarPositions(const EarPositions& positions, unsigned char* out);
 const char* decodeEarPositions(const unsigned char* payload, size_t size, EarPositions* positions);
 
-/// For a request or reply without a payload, such as `N`, `Q` and `R`: what is wrong if there is one, or NULL.
+/// The decoder of requests and replies without a payload, such as `N`, `Q` and `R`.
 const char* checkNoPayload(size_t size);
 
-/// What stands before the JPEG in the payload of `f`: uint32 image count, uint32 frame number, uint16 width, uint16
+/// The bytes before the JPEG in the payload of `f`: uint32 image count, uint32 frame number, uint16 width, uint16
 /// height, uint8 quality, uint8 layer, uint16 0.
 struct ImageHeader {
-  unsigned image_count;   ///< the camera's own count of images; the low 16 bits may be all that a robot counts
+  unsigned image_count;   ///< the camera's own count of images; a robot may count in the low 16 bits only
   unsigned frame_number;  ///< OPEN-R frame (8 ms) in which the camera took the image
   unsigned short width;   ///< pixels, never 0
   unsigned short height;  ///< pixels, never 0
   unsigned char quality;  ///< JPEG quality, 0..MAX_JPEG_QUALITY
-  Layer layer;            ///< of which the picture was made
+  Layer layer;            ///< from which the picture was made
 };
 
 const size_t IMAGE_HEADER_SIZE = 16;
 
-/// Largest JPEG that fits into a frame together with its header.
+/// Largest JPEG that fits into a frame beside its header.
 const size_t MAX_JPEG_SIZE = MAX_PAYLOAD_TOWARDS_CLIENT - IMAGE_HEADER_SIZE;
 
-/// Writes IMAGE_HEADER_SIZE bytes; the JPEG goes right behind them.
+/// Writes IMAGE_HEADER_SIZE bytes; the JPEG follows them.
 size_t encodeImageHeader(const ImageHeader& header, unsigned char* out);
 
-/// Takes a picture's payload apart. Whether the JPEG is one is not looked at.
+/// Decodes the payload of a picture. The JPEG itself is not checked.
 /// @param[out] jpeg_size bytes of the JPEG, which begins at payload + IMAGE_HEADER_SIZE; never 0
 const char* decodePicture(const unsigned char* payload, size_t size, ImageHeader* header, size_t* jpeg_size);
 
-/// Codes of an error message. A receiver has to bear codes that it does not know.
+/// Codes of an error message. A receiver must accept codes that it does not know.
 enum {
-  CODE_REFUSED = 0,        ///< bad payload, unknown joint, not allowed, anything else
+  CODE_REFUSED = 0,        ///< bad payload, unknown joint, not allowed, or anything else
   CODE_FILE_MISSING = 1,   ///< file missing or unreadable, as in version 1
-  CODE_NOT_SUPPORTED = 2,  ///< a kind of request that this server does not know or cannot do (yet)
-  CODE_JOINT_FAULT = 3,    ///< pushed: a joint does not follow what it is told; the text names it
-  CODE_POWER = 4           ///< pushed: the pause button or a low battery switches the robot off; the text says which
+  CODE_NOT_SUPPORTED = 2,  ///< a kind of request that this server does not know or support
+  CODE_JOINT_FAULT = 3,    ///< pushed: a joint does not follow its commands; the text names it
+  CODE_POWER = 4           ///< pushed: the pause button or a low battery shuts the robot down; the text says which
 };
 
-/// Payload of `e`: uint16 code, then a text without end mark, which may be empty.
+/// Payload of `e`: uint16 code, then a text without an end mark, which may be empty.
 struct ErrorMessage {
   unsigned short code;
-  const char* text;  ///< plain text (utf8.h) in words that a user can act on; decoded, it lies in the payload
+  const char* text;  ///< plain text (text.h) that a user can act on; after decoding, points into the payload
   size_t text_size;
 };
 

@@ -51,14 +51,14 @@ const CouplingRow HIND_LEG[] = {
     ROW(51, 60, -2),   ROW(61, 70, -1),   ROW(71, 115, 0),
 };
 
-// Neck and head: while the mouth is not further open than -30 degrees, which the other table looks after.
+// Neck and head, while the mouth is not open further than -30 degrees. The next table covers that.
 const CouplingRow NECK[] = {
     ROW(-75, -39, 5),
     ROW(-40, 0, -5),
 };
 
-// Mouth and head. Sony says nothing of a mouth that is open further than -30 degrees. The jaw comes closer to the neck
-// then, so the head is held as high as anywhere in what Sony does say.
+// Mouth and head. Sony gives no limits for a mouth that is open further than -30 degrees. The jaw then comes closer to
+// the neck, so the head is held at the highest of Sony's limits.
 const CouplingRow MOUTH[] = {
     ROW(-55, -31, 5),
     ROW(-30, -3, -5),
@@ -67,7 +67,7 @@ const CouplingRow MOUTH[] = {
 #define COUPLING(leader, follower, rows) \
   { leader, follower, rows, NUMBER_OF(rows) }
 
-// Leaders and followers are places in JOINTS.
+// Leaders and followers are indices into JOINTS.
 const Coupling COUPLINGS[] = {
     COUPLING(4, 5, FRONT_LEG),  COUPLING(7, 8, HIND_LEG), COUPLING(10, 11, FRONT_LEG),
     COUPLING(13, 14, HIND_LEG), COUPLING(0, 2, NECK),     COUPLING(3, 2, MOUTH),

@@ -1,12 +1,12 @@
 /// @file tables.h
-/// What the tables of the robots are written with, and where they are.
+/// The tables of the robots, and macros to write them with.
 #ifndef AIBO_RCSERVER_ROBOT_MODEL_TABLES_H
 #define AIBO_RCSERVER_ROBOT_MODEL_TABLES_H
 
 #include "robot_model/robot_model.h"
 
-/// Degrees, as Sony prints angles, in whole microradians, as OPEN-R takes them. A macro, because only so the tables are
-/// constants that stand before any code runs.
+/// Converts Sony's degrees to OPEN-R's whole microradians. Only a macro makes the tables compile-time constants in
+/// C++98.
 #define MICRORADIANS(degrees) static_cast<int>((degrees)*17453.2925 + ((degrees) < 0 ? -0.5 : 0.5))
 
 /// A row of a coupling, in degrees.
@@ -16,11 +16,11 @@
 /// The two ends of a range, in degrees.
 #define RANGE(lowest, highest) MICRORADIANS(lowest), MICRORADIANS(highest)
 
-/// Gains with the shifts that all joints of these robots share.
+/// Gains with the shifts that are the same for all joints of these robots.
 #define GAINS(proportional, integral, derivative) \
   { proportional, integral, derivative, 0x0E, 0x02, 0x0F }
 
-/// A sensor of each kind; what the kind says is not said again in every row. Distances in millimetre.
+/// Rows for each kind of sensor. Distances in millimetre.
 #define DISTANCE(name, identifier, locator, nearest, farthest) \
   { name, identifier, locator, SENSOR_DISTANCE, (nearest)*1000, (farthest)*1000, 0, 0 }
 #define ACCELERATION(name, identifier, locator) \
@@ -36,7 +36,7 @@
 #define SWITCH(name, identifier, locator) \
   { name, identifier, locator, SENSOR_SWITCH, 0, 1, 1, 1 }
 
-/// How many rows a table has.
+/// The number of rows in a table.
 #define NUMBER_OF(table) (static_cast<int>(sizeof(table) / sizeof((table)[0])))
 
 namespace robot_model {

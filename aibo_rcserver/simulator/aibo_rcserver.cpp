@@ -1,5 +1,4 @@
-/// @file aibo_rcserver.cpp
-/// Boots a memory stick with the RCServer on a simulated ERS-7.
+// Boots a memory stick with the RCServer on a simulated ERS-7.
 
 #include <signal.h>
 
@@ -45,11 +44,11 @@ struct Options {
   std::string memory_stick;
   std::string picture_log;
   double encode_time = 0;         ///< milliseconds
-  double processor_slowdown = 0;  ///< 0: handlers take no time of the robot's
+  double processor_slowdown = 0;  ///< 0: handlers take no time
   simulated_ers7::SimulatedErs7Options robot;
 };
 
-// The folder that is built, and installed, with the executable: share/aibo_driver/memory_stick beside lib/aibo_driver.
+// The folder that is built and installed with the executable: share/aibo_driver/memory_stick beside lib/aibo_driver.
 std::string ownMemoryStick() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
   return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();
@@ -59,18 +58,18 @@ po::options_description describe(Options& options) {
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
-    ("help", "say this and exit")
+    ("help", "print this help and exit")
     ("bind", po::value(&options.bind_address)->default_value("127.0.0.1"),
-     "address of this computer that clients connect to; 0.0.0.0 is all of them")
+     "address of this computer on which clients connect; 0.0.0.0 means all of them")
     ("port", po::value(&options.port)->default_value(protocol::RCSERVER_PORT),
-     "port for clients of the RCServer; 0 is any free one")
+     "port for clients of the RCServer; 0 means any free one")
     ("console-port", po::value(&options.console_port)->default_value(openr_host::kConsolePort),
-     "port of the wireless console, for telnet; 0 is any free one")
-    ("no-console", po::bool_switch(&options.no_console), "leave the wireless console out")
+     "port of the wireless console, for telnet; 0 means any free one")
+    ("no-console", po::bool_switch(&options.no_console), "disable the wireless console")
     ("protocol-version", po::value(&options.protocol_version)->default_value(protocol::version2::VERSION),
-     "newest version of the protocol that the RCServer speaks; 1 makes it answer like a server of 2005 or 2006")
+     "newest version of the protocol that the RCServer speaks; with 1 it answers like a server of 2005 or 2006")
     ("memory-stick", po::value(&options.memory_stick)->default_value(ownMemoryStick()),
-     "folder with what is on the robot's memory stick")
+     "folder with the content of the robot's memory stick")
     ("images", po::value(&options.robot.images_folder),
      "folder with photographs (JPEG, PPM) that the camera shows in turn; without it, the camera sees a room")
     ("seconds-per-image", po::value(&options.robot.seconds_per_image)->default_value(2),
@@ -78,17 +77,17 @@ po::options_description describe(Options& options) {
     ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
      "how long a full battery lasts")
     ("encode-time", po::value(&options.encode_time)->default_value(0),
-     "milliseconds that the robot needs to compress a picture: 9 to 14 by count, 32 to 64 by the report of 2006")
+     "milliseconds for the robot to compress a picture: 9 to 14 by instruction count, 32 to 64 in the report of 2006")
     ("processor-slowdown", po::value(&options.processor_slowdown)->default_value(0),
-     "everything takes this many times as long on the robot as here; 0: it takes no time")
+     "the robot takes this many times as long for everything as this computer; 0 means no time")
     ("picture-log", po::value(&options.picture_log),
-     "file or named pipe to write to when the camera saw each picture that is sent, for aibo_monitor")
-    ("seed", po::value(&options.robot.seed)->default_value(1), "of the noise in the camera's images");
+     "file or named pipe that gets the time of each picture that is sent, for aibo_monitor")
+    ("seed", po::value(&options.robot.seed)->default_value(1), "seed of the noise of camera and sensors");
   // clang-format on
   return description;
 }
 
-// roslaunch adds name:=value arguments to every program's own ones.
+// roslaunch adds name:=value arguments.
 std::vector<std::string> withoutRosArguments(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto is_ros = [](const std::string& argument) { return argument.find(":=") != std::string::npos; };
@@ -126,7 +125,7 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
 }
 
-// How long a message keeps its object busy; empty if nothing takes time. PictureEncoder is notified of pictures alone.
+// Empty if nothing takes time. PictureEncoder is notified of pictures only.
 openr_host::HandlerTime handlerTime(const Options& options) {
   if (options.encode_time == 0 && options.processor_slowdown == 0) {
     return nullptr;
@@ -170,7 +169,7 @@ void stopMachine(int) {
   stoppable_machine->stop();
 }
 
-// Ctrl-C, and the end that roslaunch asks for. A second such signal ends the process the hard way.
+// For Ctrl-C and roslaunch. A second signal kills the process.
 void stopOnSignal(openr_host::Machine& machine) {
   stoppable_machine = &machine;
   struct sigaction action = {};
@@ -207,19 +206,19 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  signal(SIGPIPE, SIG_IGN);  // a robot goes on when nobody reads its console any more
+  signal(SIGPIPE, SIG_IGN);  // a robot continues when nobody reads its console
   try {
     Options options;
     const po::options_description description = describe(options);
     parse(description, withoutRosArguments(argc, argv), options);
     if (options.help) {
-      std::cout << "An RCServer on a simulated ERS-7, to be reached by TCP as the one on the robot.\n\n" << description;
+      std::cout << "An RCServer on a simulated ERS-7. Clients connect by TCP, as to a robot.\n\n" << description;
       return EXIT_SUCCESS;
     }
     run(options);
     return EXIT_SUCCESS;
   } catch (const po::error& error) {
-    std::cerr << "aibo_rcserver: " << error.what() << " (--help tells all options)\n";
+    std::cerr << "aibo_rcserver: " << error.what() << " (--help lists all options)\n";
     return kWrongUsage;
   } catch (const std::exception& error) {
     std::cerr << "aibo_rcserver: " << error.what() << "\n";

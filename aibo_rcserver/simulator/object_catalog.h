@@ -1,14 +1,21 @@
 /// @file object_catalog.h
-/// The objects that the project's memory stick names.
+/// The objects on the project's memory stick.
 #ifndef AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H
 #define AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H
 
 #include <map>
 #include <string>
 
+#include "FileKeeper_stub.h"
+#include "PictureEncoder_stub.h"
+#include "RCServer_stub.h"
 #include "simulator/openr_host/object_description.h"
 
-/// For MachineOptions::catalog: RCSERVER.BIN and its helpers ENCODER.BIN and FILES.BIN. They find hostSettings().
-std::map<std::string, openr_host::ObjectDescription> objectCatalog();
+/// For MachineOptions::catalog. The objects read hostSettings().
+inline std::map<std::string, openr_host::ObjectDescription> objectCatalog() {
+  return {{"RCSERVER.BIN", describeRCServer()},
+          {"ENCODER.BIN", describePictureEncoder()},
+          {"FILES.BIN", describeFileKeeper()}};
+}
 
 #endif  // AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H

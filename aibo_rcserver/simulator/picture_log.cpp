@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-// For a pipe, reading is asked for as well: so it opens though nobody reads yet, and stays open when the reader goes.
+// Opened for reading, too, so that a pipe can be opened before its reader, and stays open after the reader has left.
 PictureLog::PictureLog(const std::string& path)
     : descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) {

@@ -8,12 +8,12 @@
 
 #include "simulator/sent_pictures.h"
 
-/// Writes down when the camera saw each picture that is sent, because version 1 of the protocol has no place for it.
+/// Logs when the camera took each picture that is sent, because version 1 of the protocol does not say so.
 ///
-/// A line a picture: the time when the camera's image was handed to the objects, in nanoseconds since 1970; the size of
-/// the JPEG in bytes; its CRC-32, decimal. aibo_monitor reads it. A line is written before the last bytes of the
-/// picture leave, so who has the picture finds its line. Into a pipe that nobody empties, nothing is written any more;
-/// the robot never waits.
+/// There is one line per picture: the time when the camera's image was handed to the objects, in nanoseconds since
+/// 1970; the size of the JPEG in bytes; its CRC-32, decimal. aibo_monitor reads the log. A line is written before the
+/// last bytes of the picture are sent, so a client that has the picture finds its line. The robot never waits: if a
+/// pipe is full, lines are lost.
 class PictureLog {
  public:
   /// @param path of a file, which is emptied, or of a named pipe
@@ -24,10 +24,10 @@ class PictureLog {
   PictureLog(const PictureLog&) = delete;
   PictureLog& operator=(const PictureLog&) = delete;
 
-  /// The camera has handed over an image: pictures that begin to be sent from now on show it.
+  /// The camera has delivered an image. Pictures whose first bytes are sent from now on show it.
   void cameraImageTaken();
 
-  /// Bytes are about to be sent. What is not a picture is passed over.
+  /// Bytes are about to be sent. Anything but pictures is ignored.
   void aboutToSend(const void* data, std::size_t size);
 
  private:

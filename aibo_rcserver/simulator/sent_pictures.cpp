@@ -8,7 +8,7 @@
 namespace {
 
 struct Header {
-  std::size_t size;  ///< 0: it is no picture's
+  std::size_t size;  ///< 0 if this is not a picture
   std::size_t jpeg_size;
 };
 

@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <string>
 
-/// Finds the pictures in what an RCServer gives to the IPStack. A large one is given in parts, which follow one another
-/// in memory.
+/// Finds the pictures in the data that an RCServer gives to the IPStack. A large picture comes in parts, which follow
+/// each other in memory.
 class SentPictures {
  public:
-  /// Takes the bytes of the next send.
+  /// Adds the bytes of the next send.
   /// @return true if they begin a picture, in either version of the protocol
   bool add(const void* data, std::size_t size);
 
-  /// True if the bytes of the last add() were the last ones of a picture.
+  /// True if the last add() completed a picture.
   bool isComplete() const { return jpeg_size_ > 0 && jpeg_.size() == jpeg_size_; }
 
   /// The JPEG; only if isComplete().
@@ -22,9 +22,9 @@ class SentPictures {
  private:
   bool begin(const unsigned char* bytes, std::size_t size);
 
-  std::string jpeg_;                     ///< what there is of it
-  std::size_t jpeg_size_ = 0;            ///< of the whole of it; 0: no picture is being sent
-  const unsigned char* next_ = nullptr;  ///< where its next part begins
+  std::string jpeg_;                     ///< the part received so far
+  std::size_t jpeg_size_ = 0;            ///< of the complete picture; 0 if none is being sent
+  const unsigned char* next_ = nullptr;  ///< beginning of its next part
 };
 
 #endif  // AIBO_RCSERVER_SIMULATOR_SENT_PICTURES_H

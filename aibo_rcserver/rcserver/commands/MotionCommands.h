@@ -4,7 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
 
 #include "mtn/motion.h"
-#include "protocol/motion_name.h"
+#include "protocol/text.h"
 #include "rcserver/commands/Robot.h"
 #include "rcserver/settings/Settings.h"
 

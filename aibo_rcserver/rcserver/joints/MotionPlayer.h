@@ -3,7 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 
-#include "protocol/motion_name.h"
+#include "protocol/text.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/PlayedMotion.h"
 #include "robot_model/robot_model.h"

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "mtn/motion.h"
-#include "protocol/motion_name.h"
+#include "protocol/text.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "robot_model/robot_model.h"
 

@@ -1,6 +1,6 @@
 #include "rcserver/version1/Version1Joints.h"
 
-#include "protocol/angles.h"
+#include "protocol/units.h"
 
 using protocol::centidegreesFromMicroradians;
 using protocol::microradiansFromCentidegrees;

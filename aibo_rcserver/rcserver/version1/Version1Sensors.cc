@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/angles.h"
-#include "protocol/sensor_values.h"
+#include "protocol/units.h"
 
 const int Version1Sensors::MAX_SOURCES;
 

@@ -1,6 +1,6 @@
 #include "rcserver/version2/Version2Telemetry.h"
 
-#include "protocol/sensor_values.h"
+#include "protocol/units.h"
 
 using namespace protocol::version2;
 

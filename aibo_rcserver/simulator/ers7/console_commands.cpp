@@ -9,11 +9,11 @@ namespace {
 
 const char kHelp[] =
     "press BUTTON      presses the pause button or a switch, or touches a touch sensor: pause, chin, head_touch...\n"
-    "release BUTTON    lets it go\n"
-    "battery PERCENT   charges or empties the battery to this\n"
-    "jam JOINT         holds a joint fast: head_pan...\n"
-    "free JOINT        lets it go\n"
-    "help              says this\n";
+    "release BUTTON    releases it\n"
+    "battery PERCENT   sets the remaining charge\n"
+    "jam JOINT         blocks a joint: head_pan...\n"
+    "free JOINT        unblocks it\n"
+    "help              prints this list\n";
 
 std::vector<std::string> wordsOf(const std::string& line) {
   std::istringstream text(line);
@@ -65,7 +65,7 @@ std::string obeyConsole(SimulatedErs7& robot, const std::string& line) {
   } catch (const std::invalid_argument& error) {
     return std::string("error: ") + error.what() + "\n";
   }
-  return "error: not understood: \"" + line + "\"; there are\n" + kHelp;
+  return "error: not understood: \"" + line + "\"; the commands are\n" + kHelp;
 }
 
 }  // namespace simulated_ers7

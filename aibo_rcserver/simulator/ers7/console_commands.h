@@ -1,5 +1,5 @@
 /// @file console_commands.h
-/// What can be done to the simulated robot by typing at its console.
+/// Commands that can be typed at the simulated robot's console.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H
 
@@ -9,16 +9,17 @@
 
 namespace simulated_ers7 {
 
-/// Obeys one line:
+/// Executes one line:
 ///
-///     press BUTTON      somebody presses the pause button or a switch, or touches a touch sensor
-///     release BUTTON    and no longer does
-///     battery PERCENT   what is left in the battery
-///     jam JOINT         something holds a joint fast
-///     free JOINT        and no longer does
-///     help              says this
+///     press BUTTON      presses the pause button or a switch, or touches a touch sensor
+///     release BUTTON    releases it
+///     battery PERCENT   sets the remaining charge
+///     jam JOINT         blocks a joint
+///     free JOINT        unblocks it
+///     help              prints this list
 ///
-/// @return the answer, one or more whole lines: what has been done, or what was wrong and what there is; nothing for an
+/// @return the answer in one or more complete lines: a confirmation, or an error and the possible commands; empty for
+/// an
 ///         empty line
 std::string obeyConsole(SimulatedErs7& robot, const std::string& line);
 

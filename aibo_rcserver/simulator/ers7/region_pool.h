@@ -1,5 +1,5 @@
 /// @file region_pool.h
-/// Regions for data that the robot hands to its observers again and again.
+/// Reusable regions for data that the robot sends to its observers.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H
 
@@ -8,19 +8,29 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace simulated_ers7 {
 
-/// As many regions are made as the slowest observer keeps. Not thread-safe.
+/// Grows to as many regions as the slowest observer keeps. Not thread-safe.
 class RegionPool {
  public:
   /// @param size of each region in bytes
-  /// @param prepare writes into a new region what is the same whenever it is used
-  RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare);
+  /// @param prepare writes the constant part of a region once, when it is created
+  RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare) : size_(size), prepare_(std::move(prepare)) {}
 
-  /// A region that nobody but the pool refers to: one that was used before, or a new one if all are in use.
-  RCRegion* freeRegion();
+  /// A region to which only the pool refers: a used one, or a new one if all are in use.
+  RCRegion* freeRegion() {
+    for (const auto& region : regions_) {
+      if (region->NumberOfReference() == 1) {
+        return region.get();
+      }
+    }
+    regions_.emplace_back(new RCRegion(size_));
+    prepare_(regions_.back().get());
+    return regions_.back().get();
+  }
 
  private:
   struct RemoveReference {

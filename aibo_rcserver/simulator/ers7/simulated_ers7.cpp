@@ -8,7 +8,7 @@
 
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/sensor_frame_writer.h"
-#include "simulator/ers7/camera/photo_show.h"
+#include "simulator/ers7/camera/photographs.h"
 #include "simulator/ers7/camera/scene_view.h"
 
 namespace simulated_ers7 {
@@ -37,7 +37,7 @@ ODataType typeOf(robot_model::SensorKind kind) {
   return odataNO_DIMENSION;
 }
 
-/// What a vector of sensor frames has: the joints, then the sensors that are primitives.
+/// The entries of a sensor frame vector: the joints, then the sensors that are primitives.
 std::vector<SensorFrameEntry> sensorFrameEntries() {
   std::vector<SensorFrameEntry> entries;
   entries.reserve(static_cast<std::size_t>(model().number_of_joints) +
@@ -53,11 +53,11 @@ std::vector<SensorFrameEntry> sensorFrameEntries() {
   return entries;
 }
 
-/// Lays a command's value over its bytes.
+/// Reads a command's bytes as a value type.
 template <typename Value>
 Value valueOf(const openr_host::EffectorCommand& command) {
   Value value;
-  static_assert(sizeof(value) == sizeof(command.value), "one is laid over the other");
+  static_assert(sizeof(value) == sizeof(command.value), "the types share their bytes");
   std::memcpy(&value, &command.value, sizeof(value));
   return value;
 }

@@ -1,9 +1,9 @@
 /// @file simulated_ers7.h
-/// A Sony Aibo ERS-7 without the metal, for openr_host::Machine.
+/// A simulated Sony Aibo ERS-7 for openr_host::Machine.
 ///
-/// It has its camera, its 18 joints (joint.h), its sensors (sensors.h), LEDs, ears and battery; no microphones and no
+/// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears and a battery, but no microphones or
 /// loudspeaker. It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows photographs
-/// (photo_show.h). Its head moves the camera; its legs lift and tilt the body (stance.h), but do not carry it anywhere.
+/// (photographs.h). The head moves the camera; the legs lift and tilt the body (stance.h), but it cannot walk.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 
@@ -14,13 +14,11 @@
 #include <vector>
 
 #include "simulator/ers7/body/battery.h"
-#include "simulator/ers7/body/ear.h"
 #include "simulator/ers7/body/joints.h"
-#include "simulator/ers7/body/led.h"
+#include "simulator/ers7/body/leds_and_ears.h"
 #include "simulator/ers7/body/primitive_table.h"
 #include "simulator/ers7/body/sensors.h"
 #include "simulator/ers7/camera/camera.h"
-#include "simulator/ers7/camera/picture_source.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/ers7/scene/scene.h"
 #include "simulator/openr_host/virtual_robot.h"
@@ -28,20 +26,20 @@
 namespace simulated_ers7 {
 
 struct SimulatedErs7Options {
-  /// Folder with photographs for the camera to show in turn. Empty: the camera sees the scene.
+  /// Folder with photographs for the camera to show in turn. If empty, the camera sees the scene.
   std::string images_folder;
 
   /// How long each photograph is shown, in seconds, above 0.
   double seconds_per_image = 2;
 
-  /// Until a full battery is empty, above 0. Sony speaks of about one and a half hours of play.
+  /// Time until a full battery is empty, above 0. Sony gives about one and a half hours of play.
   double battery_minutes = 90;
 
-  /// Of the noise of camera, joints and sensors. The same seed gives the same images and the same readings.
+  /// Seed of the noise of camera, joints and sensors. The same seed gives the same images and readings.
   std::uint64_t seed = 1;
 };
 
-/// The button on the robot's back that switches it on, and that objects see as orsbPAUSE.
+/// The button on the robot's back that switches it on. Objects see it as orsbPAUSE.
 constexpr char kPauseButton[] = "pause";
 
 /// Not thread-safe; all calls come from the machine's thread.
@@ -49,7 +47,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
  public:
   using Options = SimulatedErs7Options;
 
-  /// @throw PhotographError if the photographs cannot be shown: the text names folder or file, and says what to do
+  /// @throw PhotographError if the photographs cannot be shown; the text names folder or file and a remedy
   explicit SimulatedErs7(const Options& options = Options());
 
   std::string design() const override;
@@ -58,8 +56,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
 
-  /// @name Joints, as in joint.h. `id` may be oprimitiveID_UNDEF: all that are open; of several failures one is
-  /// returned. All return oINVALID_PRIMITIVE_ID if the primitive is not open or no joint.
+  /// @name Joints, as in joint.h. `id` may be oprimitiveID_UNDEF, which means all open joints; then one of several
+  /// errors is returned. All return oINVALID_PRIMITIVE_ID if the primitive is not open or not a joint.
   /// @{
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
@@ -67,58 +65,58 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus disableJointGain(OPrimitiveID id) override;
   /// @}
 
-  /// What the joint measured at the end of the last frame.
+  /// The joint's reading at the end of the last frame.
   /// @param id of one joint
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override;
 
-  /// What the sensor measured at the end of the last frame.
+  /// The sensor's reading at the end of the last frame.
   OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override;
 
   OStatus setMotorPower(OPower power) override;
   OStatus getPowerStatus(OPowerStatus* status) override;
 
-  /// Joints stay where they are; LEDs go out and ears are let go; the camera forgets its settings. Buttons, battery and
-  /// jammed joints stay as they are.
+  /// Joints stay where they are; LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery
+  /// and jammed joints do not change.
   void switchOff() override;
 
-  /// Joints take odataJOINT_COMMAND2 only; that their gain is off does not keep them from taking it (joint.h). LEDs
-  /// take odataLED_COMMAND2 or odataLED_COMMAND3, as their kind in robot_model.h says, ears odataJOINT_COMMAND4.
+  /// Joints accept odataJOINT_COMMAND2, even while their gain is off (joint.h). LEDs accept odataLED_COMMAND2 or
+  /// odataLED_COMMAND3, depending on their kind in robot_model.h, ears odataJOINT_COMMAND4.
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
 
-  /// Passes over commands that are not taken (any more).
+  /// Ignores commands that are no longer accepted.
   void passFrame(longword frame, const openr_host::EffectorCommands& commands) override;
   RCRegion* captureSensors(longword frame) override;
 
   bool cameraImageDue(longword frame) override;
 
-  /// The camera looks from where the head is after the last frame that passed.
+  /// The camera is where the head is after the last frame that passed.
   RCRegion* captureImage(longword frame) override;
 
   const CameraSettings& cameraSettings() const { return camera_.settings(); }
 
-  /// Where the joints really are.
+  /// The joints, with their true positions.
   const Joints& joints() const { return joints_; }
 
-  /// What an LED shows.
-  /// @param name in robot_model.h, "face_1"
+  /// The state of an LED.
+  /// @param name as in robot_model.h, "face_1"
   /// @throw std::invalid_argument if there is no such LED
   const Led& led(const std::string& name) const;
 
-  /// How an ear does.
-  /// @param name in robot_model.h, "left_ear"
+  /// The state of an ear.
+  /// @param name as in robot_model.h, "left_ear"
   /// @throw std::invalid_argument if there is no such ear
   const Ear& ear(const std::string& name) const;
 
-  /// Somebody presses a button, or lets it go.
+  /// Presses or releases a button.
   /// @param button kPauseButton, or a sensor that can be pressed (Sensors::press())
   /// @throw std::invalid_argument if there is no such button
   void press(const std::string& button, bool pressed);
 
-  /// What is left in the battery from now on, 0..1.
+  /// Sets the battery's charge, 0..1.
   void setCharge(double charge) { battery_.setCharge(charge); }
 
-  /// Something holds a joint fast, or no longer does.
-  /// @param joint a name of robot_model.h, "head_pan"
+  /// Blocks or unblocks a joint.
+  /// @param joint name as in robot_model.h, "head_pan"
   /// @throw std::invalid_argument if there is no such joint
   void jam(const std::string& joint, bool jammed) { joints_.named(joint).jam(jammed); }
 

@@ -4,25 +4,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <fstream>
-#include <optional>
 #include <system_error>
 #include <utility>
-#include <vector>
 
-#include "simulator/openr_host/configuration/configuration_error.h"
-#include "simulator/openr_host/configuration/connection_configuration.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
-#include "simulator/openr_host/configuration/object_configuration.h"
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
 #include "simulator/openr_host/system.h"
 
 namespace openr_host {
 namespace {
-
-using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
 std::ifstream openConfiguration(const std::string& path) {
   std::ifstream file(path);
@@ -40,52 +32,21 @@ std::string portProblem(const std::string& bind_address, std::uint16_t robot_por
            " is in use by another program, perhaps a second aibo_rcserver: stop that, or choose another port (" +
            option + " NUMBER; 0 = any free one)";
   }
-  return where + " cannot be had: " + std::generic_category().message(error) + " (" + option + ", --bind)";
+  return where + " cannot be used: " + std::generic_category().message(error) + " (" + option + ", --bind)";
 }
 
 }  // namespace
 
-class Machine::Implementation {
- public:
-  Implementation(MachineOptions options, Clock& clock, VirtualRobot& robot)
-      : options_(std::move(options)), clock_(clock), robot_(robot), wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-    if (!wake_.isOpen()) {
-      throw std::system_error(errno, std::generic_category(), "eventfd");
-    }
+Machine::Machine(MachineOptions options, Clock& clock, VirtualRobot& robot)
+    : options_(std::move(options)), clock_(clock), robot_(robot), wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  if (!wake_.isOpen()) {
+    throw std::system_error(errno, std::generic_category(), "eventfd");
   }
+}
 
-  void boot();
-  void run();
-  void stop() noexcept;
-  void runPending();
-  bool runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit);
-  void shutdown() noexcept { system_.reset(); }
-  bool isOn() const { return system_ != nullptr; }
-  std::uint16_t hostPort(std::uint16_t robot_port) const { return options_.ports.at(robot_port); }
+Machine::~Machine() = default;
 
- private:
-  void load();
-  void createObjects();
-  std::vector<ServiceConnection> readConnections() const;
-  void takePorts();
-  System& running() const;
-  void clearWake();
-  bool beginFrame();
-  bool handle(const Deadline& latest);
-  void obeyShutdownRequest();
-  Deadline nextEvent() const;
-
-  MachineOptions options_;  ///< with the ports that were taken in place of any free ones
-  Clock& clock_;
-  VirtualRobot& robot_;
-  std::unique_ptr<System> system_;
-  VirtualRobotComm* robot_comm_ = nullptr;
-  std::optional<longword> last_frame_;
-  FileDescriptor wake_;  ///< readable once stop() has been called
-  std::atomic<bool> stop_requested_{false};
-};
-
-void Machine::Implementation::boot() {
+void Machine::boot() {
   if (system_) {
     throw std::logic_error("this machine has been booted already");
   }
@@ -100,7 +61,7 @@ void Machine::Implementation::boot() {
   }
 }
 
-void Machine::Implementation::load() {
+void Machine::load() {
   system_ = std::make_unique<System>(options_.bind_address, options_.memory_stick, options_.console,
                                      options_.on_console_line, robot_, options_.on_send);
   system_->modelTime(options_.handler_time, [this] { return clock_.now(); });
@@ -114,14 +75,14 @@ void Machine::Implementation::load() {
   system_->start();
 }
 
-System& Machine::Implementation::running() const {
+System& Machine::running() const {
   if (!system_) {
     throw std::logic_error("this machine has not been booted");
   }
   return *system_;
 }
 
-void Machine::Implementation::createObjects() {
+void Machine::createObjects() {
   robot_comm_ =
       static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_, options_.on_camera_image)));
 
@@ -139,13 +100,13 @@ void Machine::Implementation::createObjects() {
         known += (known.empty() ? "" : ", ") + entry.first;
       }
       throw ConfigurationError(path, object_file.line,
-                               object_file.name + " is no object of this program; it has " + known);
+                               object_file.name + " is not an object of this program; it has " + known);
     }
     system_->create(found->second);
   }
 }
 
-void Machine::Implementation::takePorts() {
+void Machine::takePorts() {
   for (auto& [robot_port, host_port] : options_.ports) {
     try {
       host_port = robot_port == kConsolePort ? system_->console().takePort(options_.bind_address, host_port)
@@ -158,10 +119,10 @@ void Machine::Implementation::takePorts() {
   }
 }
 
-std::vector<ServiceConnection> Machine::Implementation::readConnections() const {
+std::vector<ServiceConnection> Machine::readConnections() const {
   const std::string name = "OPEN-R/MW/CONF/CONNECT.CFG";
   if (!isOnMemoryStick(options_.memory_stick, name)) {
-    system_->console().print("There is no " + name + ": no object is connected to another\n");
+    system_->console().print("There is no " + name + ", so no objects are connected\n");
     return {};
   }
   const std::string path = findOnMemoryStick(options_.memory_stick, name);
@@ -169,31 +130,31 @@ std::vector<ServiceConnection> Machine::Implementation::readConnections() const 
   return readConnectionConfiguration(file, path, robot_.design(), system_->serviceNames());
 }
 
-void Machine::Implementation::run() {
+void Machine::run() {
   while (!stop_requested_ && isOn()) {
     handle(nextEvent());
   }
 }
 
-void Machine::Implementation::stop() noexcept {
+void Machine::stop() noexcept {
   stop_requested_ = true;
-  const int saved_errno = errno;  // the signal may have come in the middle of anything
+  const int saved_errno = errno;  // the signal may have interrupted any code
   const std::uint64_t one = 1;
   [[maybe_unused]] const auto written = write(wake_.get(), &one, sizeof(one));
   errno = saved_errno;
 }
 
-void Machine::Implementation::clearWake() {
+void Machine::clearWake() {
   std::uint64_t count = 0;
   [[maybe_unused]] const auto size = read(wake_.get(), &count, sizeof(count));
 }
 
-void Machine::Implementation::runPending() {
+void Machine::runPending() {
   while (handle(std::chrono::steady_clock::now()) && isOn()) {
   }
 }
 
-bool Machine::Implementation::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
+bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!done()) {
     if (std::chrono::steady_clock::now() >= end || !isOn()) {
@@ -204,10 +165,9 @@ bool Machine::Implementation::runUntil(const std::function<bool()>& done, std::c
   return true;
 }
 
-/// One round: the frame, the messages, then the sockets, waiting for these until `latest` if nothing else is to be
-/// done.
+/// One round: the frame, the messages, then the sockets. Waits for sockets until `latest` if there was nothing else.
 /// @return false if there was nothing at all
-bool Machine::Implementation::handle(const Deadline& latest) {
+bool Machine::handle(const Deadline& latest) {
   System& system = running();
   const bool began_frame = beginFrame();
   const bool had_messages = system.hasMessages();
@@ -217,14 +177,14 @@ bool Machine::Implementation::handle(const Deadline& latest) {
   poll_set.add(wake_.get(), POLLIN, [this] { clearWake(); });
   system.console().addTo(poll_set);
   system.ipStack().addTo(poll_set);
-  // After messages the caller looks first whether that was what it has waited for.
+  // After messages do not wait: they may be what the caller of runUntil() is waiting for.
   const bool may_wait = !began_frame && !had_messages && !system.hasMessages();
   const bool had_sockets = poll_set.wait(may_wait ? latest : std::chrono::steady_clock::time_point());
   obeyShutdownRequest();
   return began_frame || had_messages || had_sockets;
 }
 
-void Machine::Implementation::obeyShutdownRequest() {
+void Machine::obeyShutdownRequest() {
   const ShutdownRequest request = system_->shutdownRequest();
   if (request == ShutdownRequest::kNone) {
     return;
@@ -237,7 +197,7 @@ void Machine::Implementation::obeyShutdownRequest() {
   }
 }
 
-bool Machine::Implementation::beginFrame() {
+bool Machine::beginFrame() {
   const longword frame = clock_.frame();
   if (last_frame_ == frame) {
     return false;
@@ -248,49 +208,16 @@ bool Machine::Implementation::beginFrame() {
   return true;
 }
 
-/// When there is something to be done even if no socket has anything.
-Deadline Machine::Implementation::nextEvent() const {
+/// The time of the next event that does not come from a socket.
+Machine::Deadline Machine::nextEvent() const {
   const Deadline next_frame = clock_.beginOf(last_frame_ ? *last_frame_ + 1 : 0);
   const auto next_finish = system_->nextFinish();
   const Deadline end = next_finish ? clock_.timeOf(*next_finish) : next_frame;
   return end && next_frame ? std::min(end, next_frame) : next_frame;
 }
 
-Machine::Machine(MachineOptions options, Clock& clock, VirtualRobot& robot)
-    : implementation_(std::make_unique<Implementation>(std::move(options), clock, robot)) {}
-
-Machine::~Machine() = default;
-
-void Machine::boot() {
-  implementation_->boot();
-}
-
-void Machine::run() {
-  implementation_->run();
-}
-
-void Machine::stop() noexcept {
-  implementation_->stop();
-}
-
-void Machine::runPending() {
-  implementation_->runPending();
-}
-
-bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit) {
-  return implementation_->runUntil(done, limit);
-}
-
-bool Machine::isOn() const {
-  return implementation_->isOn();
-}
-
 void Machine::shutdown() noexcept {
-  implementation_->shutdown();
-}
-
-std::uint16_t Machine::hostPort(std::uint16_t robot_port) const {
-  return implementation_->hostPort(robot_port);
+  system_.reset();
 }
 
 }  // namespace openr_host

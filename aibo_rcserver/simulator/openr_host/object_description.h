@@ -1,11 +1,13 @@
 /// @file object_description.h
-/// What the machine has to know of an object before it can make one. openr_stub_generator writes it from stub.cfg.
+/// Everything the machine needs to know to create an object. openr_stub_generator writes it from stub.cfg.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 
+#include <OID.h>
 #include <OPENR/OObject.h>
 #include <ant.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,14 +15,14 @@
 
 namespace openr_host {
 
-/// A service that data leaves from. A function that stub.cfg calls `null` is empty here.
+/// A service that sends data. A function that is `null` in stub.cfg is empty here.
 struct SubjectDescription {
   std::string service;  ///< "Object.Name.Data.S"
   std::function<void(OObject&, const OControlEvent&)> control;
   std::function<void(OObject&, const OReadyEvent&)> ready;
 };
 
-/// A service that data comes to.
+/// A service that receives data.
 struct ObserverDescription {
   std::string service;  ///< "Object.Name.Data.O"
   std::function<void(OObject&, const OConnectEvent&)> connect;
@@ -29,14 +31,23 @@ struct ObserverDescription {
 
 struct ObjectDescription {
   std::string name;
-  /// SCHED_PRIORITY of the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are its class: the
-  /// object never runs while one of a higher class does. 128 is that of an ordinary application.
+  /// SCHED_PRIORITY from the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are its class: the
+  /// object never runs while one of a higher class runs. Ordinary applications have 128.
   int priority = 128;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
   std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; empty: none
   std::function<std::unique_ptr<OObject>()> create;
 };
+
+/// The identity of the n-th object of a system, counted from 1. On the robot it is an address, here it is a number.
+inline OID oidOf(std::size_t number) {
+  return OID(reinterpret_cast<void*>(number));
+}
+
+inline std::size_t numberOf(const OID& oid) {
+  return reinterpret_cast<std::size_t>(oid.GetAddress());
+}
 
 }  // namespace openr_host
 

@@ -1,8 +1,8 @@
 # openr_generate_stub(TARGET STUB_CFG [OBJECT_OCF])
 #
-# Adds to the target, which holds the sources of one OPEN-R object, what the object's stub.cfg says: def.h and entry.h
-# for the object's own sources to include, and OBJECTNAME_stub.h with describeOBJECTNAME(), which a machine makes the
-# object by. To be called in the folder of the target. The object's class is OBJECTNAME, in OBJECTNAME.h.
+# Generates sources from an OPEN-R object's stub.cfg and adds them to the target that holds the object's sources: def.h
+# and entry.h for the object's sources to include, and OBJECTNAME_stub.h with describeOBJECTNAME(), from which a machine
+# creates the object. Call it in the folder of the target. The object's class is OBJECTNAME, in OBJECTNAME.h.
 #
 # OBJECT_OCF is the file from which the object is built for the robot. Its line "object NAME STACK HEAP PRIORITY ..."
 # gives the object's priority; without the file it is 128.
@@ -26,7 +26,7 @@ function(openr_generate_stub target stub_cfg)
     set(priority ${CMAKE_MATCH_1})
   endif()
 
-  # Each object has a def.h and an entry.h: only its own sources may find them.
+  # Each object has its own def.h and entry.h, so only its own sources may find them.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${object}_stub)
   set(public_folder ${folder}/public)
   file(MAKE_DIRECTORY ${public_folder})
@@ -37,8 +37,8 @@ function(openr_generate_stub target stub_cfg)
     DEPENDS openr_stub_generator ${stub_cfg}
     COMMENT "Generating the stub of ${object}"
     VERBATIM)
-  # The object itself may be compiled as C++98; the machine's side of it is not. C++17 has a std::byte, which an object
-  # that is using namespace std would find beside the SDK's byte.
+  # The object itself may be C++98, but its description is not. It is not C++17 either: that has std::byte, which would
+  # collide with the SDK's byte in objects that are using namespace std.
   set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-std=c++14")
   target_sources(${target} PRIVATE ${headers} ${source})
   target_include_directories(${target} PRIVATE ${folder} PUBLIC ${public_folder})

@@ -1,5 +1,5 @@
 /// @file processor.h
-/// The robot's one processor: who may run, and how long a handler keeps its object busy.
+/// The robot's only processor: which object may run, and how long a handler keeps its object busy.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
 
@@ -13,25 +13,24 @@
 
 namespace openr_host {
 
-/// What an object was called for.
+/// The reason for which an object was called.
 enum class Entry {
-  kNotify,  ///< data has come to an observer
-  kReady,   ///< an observer has spoken to a subject
+  kNotify,  ///< data has arrived at an observer
+  kReady,   ///< an observer has told a subject whether it is ready
   kExtra    ///< an `Extra` entry of stub.cfg
 };
 
-/// Says for how long a message keeps its object busy: called when it has been handled.
+/// Called after a message has been handled. Returns how long the message keeps its object busy, 0 or more.
 /// @param object name of the object
-/// @param taken what this computer needed
-/// @return 0 or more
+/// @param taken time that this computer needed
 using HandlerTime =
     std::function<std::chrono::nanoseconds(const std::string& object, Entry entry, std::chrono::nanoseconds taken)>;
 
-/// One object handles one message at a time (Level2 Reference Guide, chapter 1). An object of a lower scheduling class
-/// never runs while one of a higher class is running (Programmer's Guide, section 3.1): it goes on afterwards. Objects
-/// of one class take turns on the robot; here the one that was called first finishes first.
+/// An object handles one message at a time (Level2 Reference Guide, chapter 1). An object of a lower scheduling class
+/// never runs while one of a higher class runs (Programmer's Guide, section 3.1); it continues afterwards. On the
+/// robot, objects of the same class take turns; here the one that was called first finishes first.
 ///
-/// Without handler times nobody is ever busy. Times count from when the clock was made.
+/// Without handler times no object is ever busy. Times count from the creation of the clock.
 class Processor {
  public:
   using Time = std::chrono::nanoseconds;
@@ -42,13 +41,13 @@ class Processor {
   /// True if the object may be called.
   bool mayRun(OID object, Time now) const;
 
-  /// The object was called now and is busy for a time. Objects of lower classes that are busy are held up by it.
+  /// The object is called now and is busy for `duration`. This delays busy objects of lower classes.
   void run(OID object, Time now, Time duration);
 
-  /// Until when the object is busy; in the past if it is not.
+  /// The end of the object's busy time; in the past if it is not busy.
   Time busyUntil(OID object) const { return tasks_.at(object).busy_until; }
 
-  /// When the next object that is busy now has finished.
+  /// The time when the next busy object finishes; empty if none is busy.
   std::optional<Time> nextFinish(Time now) const;
 
  private:

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "simulator/openr_host/objects/object_number.h"
+#include "simulator/openr_host/object_description.h"
 
 namespace openr_host {
 namespace {
@@ -28,7 +28,7 @@ Service& findService(const std::vector<Service*>& services, const Id& id, const 
       std::find_if(services.begin(), services.end(), [&](const Service* service) { return service->id() == id; });
   if (found == services.end()) {
     throw std::runtime_error("object " + object +
-                             " has not made its services known: its DoInit() needs NEW_ALL_SUBJECT_AND_OBSERVER and "
+                             " has not registered its services: its DoInit() needs NEW_ALL_SUBJECT_AND_OBSERVER and "
                              "REGISTER_ALL_ENTRY");
   }
   return **found;
@@ -81,7 +81,7 @@ System::~System() {
 
 System& System::current() {
   if (current_system == nullptr) {
-    throw std::logic_error("this OPEN-R call needs a machine: call it from a function that a machine calls");
+    throw std::logic_error("this OPEN-R call needs a machine: call it from an object's entry point");
   }
   return *current_system;
 }
@@ -255,7 +255,7 @@ void System::handleMessages() {
   messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
 }
 
-// What the object posts leaves it when it has finished. Until then it refers to the data that it was notified of.
+// The messages that the object posts leave it when it has finished. Until then it keeps the data that it received.
 void System::handle(Message message) {
   LoadedObject& receiver = loaded(message.receiver);
   const std::size_t first_posted = messages_.size();

@@ -1,5 +1,5 @@
 /// @file system.h
-/// What the SDK's classes and calls find behind them: one robot's objects and the messages between them.
+/// The implementation behind the SDK's classes and calls: one robot's objects and the messages between them.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
 
@@ -12,14 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "simulator/openr_host/console/console.h"
+#include "simulator/openr_host/console.h"
 #include "simulator/openr_host/ip_stack/ip_stack.h"
 #include "simulator/openr_host/object_description.h"
-#include "simulator/openr_host/objects/design_data.h"
-#include "simulator/openr_host/objects/observer_service.h"
+#include "simulator/openr_host/objects/gates.h"
+#include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
-#include "simulator/openr_host/objects/subject_service.h"
-#include "simulator/openr_host/objects/vector_memory.h"
 #include "simulator/openr_host/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 
@@ -27,20 +25,20 @@ namespace openr_host {
 
 enum class ShutdownRequest { kNone, kStayOff, kBootAgain };
 
-/// Internal to openr_host; Machine is its outside.
+/// Internal to openr_host; Machine is the public interface.
 class System {
  public:
-  /// @param memory_stick as DesignData
-  /// @param console_output, on_console_line as Console
-  /// @param on_send as IpStack
+  /// @param memory_stick as in DesignData
+  /// @param console_output, on_console_line as in Console
+  /// @param on_send as in IpStack
   System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
          Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send);
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  /// The system whose object is being called on this thread.
-  /// @throw std::logic_error if there is none
+  /// The system whose object is running on this thread.
+  /// @throw std::logic_error if no object is running
   static System& current();
   static System* currentOrNull();
 
@@ -50,37 +48,38 @@ class System {
   VectorMemory& vectorMemory() { return vector_memory_; }
   DesignData& designData() { return design_data_; }
 
-  /// From now on messages keep objects busy.
-  /// @param now time since the machine's clock was made
+  /// From now on, handling a message takes time.
+  /// @param now time since the creation of the machine's clock
   void modelTime(HandlerTime handler_time, std::function<Processor::Time()> now);
 
   PowerWatch& powerWatch() { return power_watch_; }
 
-  /// Tells the objects that observe the power what has changed since this was called last.
+  /// Tells the objects that observe the power what has changed since the last call.
   void watchPower();
 
-  /// Name of the object that is being called.
+  /// Name of the running object.
   const std::string& runningObject() const;
 
   /// @name Life of the objects
   /// @{
   OObject& create(const ObjectDescription& description);
   const std::vector<std::string>& serviceNames() const { return service_names_; }
-  /// @throw std::runtime_error if an object does not succeed; the text names it
+  /// @throw std::runtime_error if an object fails; the text names it
   void initialize();
-  /// @param subject, observer service names that serviceNames() holds
+  /// @param subject, observer names from serviceNames()
   /// @throw std::runtime_error if an object has not registered its services
   void connect(const std::string& subject, const std::string& observer);
-  /// @throw std::runtime_error as initialize()
+  /// @throw std::runtime_error like initialize()
   void start();
-  /// What an object asked for by OPENR::Shutdown().
+  /// For OPENR::Shutdown().
   void requestShutdown(bool boot_again) {
     shutdown_requested_ = boot_again ? ShutdownRequest::kBootAgain : ShutdownRequest::kStayOff;
   }
   ShutdownRequest shutdownRequest() const { return shutdown_requested_; }
-  /// Stops and destroys the objects that have come so far, drops what is queued, and switches the robot off.
+  /// Stops the objects that were started, destroys those that were initialised, drops all messages, and switches the
+  /// robot off.
   void shutdown() noexcept;
-  /// Calls something as the object it belongs to.
+  /// Calls a function as if the object were running it.
   void runAs(OObject& object, const std::function<void()>& function);
   /// @}
 
@@ -90,12 +89,11 @@ class System {
   void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
   void postAnswer(const Envelope& answer);
   bool hasEntry(const OID& object, Selector entry) const;
-  /// True if there is a message that can be handled now.
+  /// True if a message can be handled now.
   bool hasMessages() const;
-  /// Handles the messages that are queued now, each to its end, but not those that come meanwhile, nor those whose
-  /// objects are busy.
+  /// Handles the messages that are queued now, but not those that are added meanwhile, nor those of busy objects.
   void handleMessages();
-  /// When an object that is busy now has finished.
+  /// The time when the next busy object finishes.
   std::optional<Processor::Time> nextFinish() const { return processor_.nextFinish(now_()); }
   /// @}
 
@@ -119,14 +117,14 @@ class System {
     OID receiver;
     Entry entry;
     std::function<void(LoadedObject&)> handle;
-    OID held_by = {};  ///< the object that has posted it and has not finished yet
+    OID held_by = {};  ///< the object that posted it and has not finished yet
   };
 
-  /// While one of these lives, it is this object that is being called.
+  /// Marks an object as running as long as it exists.
   class Running;
 
   LoadedObject& loaded(const OID& oid);
-  /// True while the object that has posted the message is busy.
+  /// True while the object that posted the message is busy.
   bool isHeld(const Message& message, Processor::Time now) const;
   void handle(Message message);
   SubjectService& subject(const SubjectID& id);
@@ -137,15 +135,15 @@ class System {
   IpStack ip_stack_;
   VectorMemory vector_memory_;
   DesignData design_data_;
-  std::deque<LoadedObject> objects_;  ///< in the order of their making
+  std::deque<LoadedObject> objects_;  ///< in the order of creation
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;
   std::deque<Message> messages_;
-  std::vector<Message> unfinished_;  ///< whose objects are busy with them
+  std::vector<Message> unfinished_;  ///< messages that keep their objects busy
   PowerWatch power_watch_;
   Processor processor_;
-  HandlerTime handler_time_;  ///< empty: handlers take no time
+  HandlerTime handler_time_;  ///< if empty, handlers take no time
   std::function<Processor::Time()> now_ = [] { return Processor::Time(0); };
   const LoadedObject* running_ = nullptr;
   ShutdownRequest shutdown_requested_ = ShutdownRequest::kNone;

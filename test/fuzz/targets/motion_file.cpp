@@ -1,12 +1,9 @@
-// The reader of motion files: any bytes. What it accepts is played, printed and checked.
+// The reader of motion files: any bytes. Accepted files are read completely, printed and checked.
 #include <sstream>
 #include <stdexcept>
 
 #include "fuzz_input.h"
-#include "motion_tool/motion_check.h"
-#include "motion_tool/mtn_writer.h"
-#include "motion_tool/robots.h"
-#include "motion_tool/text_form.h"
+#include "motion_tool/motion_tool.h"
 #include "mtn/motion.h"
 
 namespace {
@@ -21,7 +18,7 @@ void readEverything(const mtn::Motion& motion) {
   }
 }
 
-// Texts in other character sets, with `#` or blanks in them, do not survive; all else does.
+// Texts in other character sets, or with `#` or blanks in them, do not survive; everything else does.
 void printAndReadAgain(const mtn::Motion& motion) {
   std::istringstream text(motion_tool::printTextForm(motion));
   try {
@@ -35,7 +32,7 @@ void printAndReadAgain(const mtn::Motion& motion) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   mtn::Motion motion;
   if (!motion.read(data, size)) {
-    require(motion.problem()[0] != '\0' && motion.numberOfJoints() == 0, "who refuses says why");
+    require(motion.problem()[0] != '\0' && motion.numberOfJoints() == 0, "a refusal has a reason");
     return 0;
   }
   readEverything(motion);

@@ -1,10 +1,9 @@
-// The readable form of motions: any text. What is accepted makes a motion file that is accepted.
+// The text form of motions: any text. An accepted text makes an accepted motion file.
 #include <sstream>
 #include <stdexcept>
 
 #include "fuzz_input.h"
-#include "motion_tool/mtn_writer.h"
-#include "motion_tool/text_form.h"
+#include "motion_tool/motion_tool.h"
 #include "mtn/motion.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   mtn::Motion motion;
-  require(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), "what is made is a motion");
+  require(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()),
+          "a written motion can be read");
   return 0;
 }

@@ -1,19 +1,16 @@
-// The configuration files of an OPEN-R memory stick: any text. The first byte says which file it is.
+// The configuration files of an OPEN-R memory stick: any text. The first byte selects the file.
 #include <sstream>
 
 #include "fuzz_input.h"
-#include "simulator/openr_host/configuration/configuration_error.h"
-#include "simulator/openr_host/configuration/connection_configuration.h"
-#include "simulator/openr_host/configuration/design_database.h"
-#include "simulator/openr_host/configuration/object_configuration.h"
-#include "simulator/openr_host/configuration/stub_configuration.h"
+#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/stub_generator/stub.h"
 
 namespace {
 
 void read(unsigned kind, std::istream& text) {
   switch (kind % 4) {
     case 0:
-      openr_host::StubConfiguration::parse(text, "stub.cfg");
+      openr_host::readStub(text, "stub.cfg");
       break;
     case 1:
       openr_host::readObjectConfiguration(text, "OBJECT.CFG", "ERS-7");

@@ -1,13 +1,10 @@
-#include "motion_tool/motion_check.h"
+#include "motion_tool/motion_tool.h"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "motion_tool/mtn_writer.h"
-#include "motion_tool/text_form.h"
 
 namespace {
 
@@ -23,23 +20,23 @@ std::vector<std::string> obstaclesOf(const std::string& key_frames, const std::s
   return motion_tool::findObstacles(motion, *robot_model::findRobotModel(on.c_str()));
 }
 
-TEST(MotionCheckTest, aMotionWithinAllLimitsHasNoObstacles) {
+TEST(MotionCheckTest, findsNothingInAMotionWithinAllLimits) {
   EXPECT_THAT(obstaclesOf("at 0 neck_tilt -60 head_tilt 5\nat 1600 neck_tilt 0 head_tilt -5\n"), IsEmpty());
 }
 
-TEST(MotionCheckTest, findsAJointOutOfItsLimits) {
+TEST(MotionCheckTest, findsAJointBeyondItsLimits) {
   EXPECT_THAT(obstaclesOf("at 0 head_pan 0\nat 1600 head_pan 88.5\n"),
-              ElementsAre(HasSubstr("at 1600 ms, head_pan is at 88.5 degrees, out of -88.0 to 88.0")));
+              ElementsAre(HasSubstr("at 1600 ms, head_pan is at 88.5 degrees, outside -88.0 to 88.0")));
 }
 
-TEST(MotionCheckTest, findsJointsInTheWayOfEachOther) {
+TEST(MotionCheckTest, findsJointsInEachOthersWay) {
   EXPECT_THAT(obstaclesOf("at 0 neck_tilt -60 head_tilt 4\n"),
               ElementsAre(HasSubstr("at 0 ms, head_tilt is below 5.0 degrees, where it hits neck_tilt at -60.0")));
 }
 
 TEST(MotionCheckTest, findsAJointThatWouldBeTooFast) {
   EXPECT_THAT(obstaclesOf("at 0 neck_tilt 0\nat 160 neck_tilt -40\n"),
-              ElementsAre(HasSubstr("at 160 ms, neck_tilt would have come with 250.0 degrees a second")));
+              ElementsAre(HasSubstr("at 160 ms, neck_tilt would have moved at 250.0 degrees a second")));
 }
 
 TEST(MotionCheckTest, findsJointsThatTheRobotDoesNotHave) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "motion_tool/mtn_writer.h"
+#include "motion_tool/motion_tool.h"
 #include "sample_motion.h"
 
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StrEq;
 
-// A copy of exactly the file's size, so that reading past its end is noticed under AddressSanitizer.
+// A copy of exactly the file's size, so that AddressSanitizer finds reads past its end.
 class ReadMotion {
  public:
   explicit ReadMotion(const std::string& bytes) : bytes_(bytes.begin(), bytes.end()) {
@@ -48,7 +48,7 @@ std::string little(std::uint32_t value, size_t size) {
 
 class MotionTest : public ::testing::Test {
  protected:
-  // Places in the sample's bytes.
+  // Offsets in the sample's bytes.
   static constexpr size_t kSection0 = 4;
   static constexpr size_t kSection1 = kSection0 + 24;
   static constexpr size_t kSection2 = kSection1 + 8 + 24;
@@ -63,7 +63,7 @@ class MotionTest : public ::testing::Test {
   const std::string sample_ = motion_tool::encodeMtn(sampleMotion());
 };
 
-TEST_F(MotionTest, readsAllThatIsInAFile) {
+TEST_F(MotionTest, readsAWholeFile) {
   const ReadMotion read(sample_);
   const mtn::Motion& motion = read.motion;
   ASSERT_TRUE(read.good) << motion.problem();
@@ -84,7 +84,7 @@ TEST_F(MotionTest, readsAllThatIsInAFile) {
   EXPECT_EQ(motion.position(2, 1), 300000);
 }
 
-// The bytes of a file as Sony's format has them, written down by hand.
+// The bytes of a file in Sony's format, written by hand.
 TEST_F(MotionTest, knowsSonysLayout) {
   const std::string section0 = little(0, 4) + little(24, 4) + little(4, 4) + little(1, 2) + little(2, 2) +
                                little(1, 2) + little(16, 2) + little(0xdeadbeef, 4);
@@ -107,7 +107,7 @@ TEST_F(MotionTest, refusesEveryTruncationAndSaysWhy) {
   EXPECT_THAT(problemOf(sample_.substr(0, kSection2 + 10)), HasSubstr("section 2 is cut off: 10 bytes of 64"));
 }
 
-TEST_F(MotionTest, refusesBytesBehindTheEnd) {
+TEST_F(MotionTest, refusesBytesAfterTheLastSection) {
   EXPECT_THAT(problemOf(sample_ + "x"), HasSubstr("1 bytes follow"));
 }
 
@@ -126,7 +126,7 @@ TEST_F(MotionTest, refusesWrongSections) {
   }
 }
 
-TEST_F(MotionTest, refusesAbsurdNumbersOfTheWhole) {
+TEST_F(MotionTest, refusesAbsurdNumbersInSection0) {
   EXPECT_THAT(problemOf(changed(kSection0 + 12, 2, 2)), HasSubstr("version 2.2"));
   EXPECT_THAT(problemOf(changed(kSection0 + 16, 0, 2)), HasSubstr("no key frames"));
   EXPECT_THAT(problemOf(changed(kSection0 + 16, 2, 2)), HasSubstr("2 key frames of 2 joints have 44"));
@@ -148,7 +148,7 @@ TEST_F(MotionTest, refusesWrongJoints) {
   EXPECT_THAT(problemOf(changed(kSection2 + 20, '\n', 1)), HasSubstr("joint 0 has no locator"));
 }
 
-TEST_F(MotionTest, refusesAJointThatIsThereTwice) {
+TEST_F(MotionTest, refusesAJointThatAppearsTwice) {
   std::string bytes = sample_;
   bytes.replace(bytes.find("\x1aPRM:/r1/c1/c2/c3-Joint2:13"), 27, "\x17PRM:/r1/c1/c2-Joint2:12\0\0\0", 27);
   EXPECT_THAT(problemOf(bytes), HasSubstr("joints 0 and 1 are both PRM:/r1/c1/c2-Joint2:12"));
@@ -165,7 +165,7 @@ TEST_F(MotionTest, refusesAbsurdKeyFrames) {
   EXPECT_THAT(problemOf(changed(second + 20, 0x80000000, 4)), HasSubstr("more than a turn"));
 }
 
-TEST_F(MotionTest, isEmptyAfterAFileThatIsNone) {
+TEST_F(MotionTest, isEmptyAfterAnInvalidFile) {
   mtn::Motion motion;
   const auto* bytes = reinterpret_cast<const unsigned char*>(sample_.data());
   ASSERT_TRUE(motion.read(bytes, sample_.size()));
@@ -176,7 +176,7 @@ TEST_F(MotionTest, isEmptyAfterAFileThatIsNone) {
 
 // ------------------------------------------------------------------------------------------------------ any bytes
 
-// What a reader may do with a file that was accepted stays within it.
+// Reads everything in an accepted file. AddressSanitizer finds reads outside it.
 long sumOfAll(const mtn::Motion& motion) {
   long sum = 0;
   for (int i = 0; i < motion.numberOfKeyFrames(); ++i) {
@@ -189,7 +189,7 @@ long sumOfAll(const mtn::Motion& motion) {
   return sum;
 }
 
-// MTN_RANDOM_FILES asks for more than the quick test does: docs/motions.md.
+// MTN_RANDOM_FILES sets a larger number than the quick test's.
 int randomFiles() {
   const char* wanted = std::getenv("MTN_RANDOM_FILES");
   return wanted != nullptr ? std::atoi(wanted) : 20000;
@@ -238,7 +238,7 @@ TEST_F(MotionTest, survivesDamagedFiles) {
       sumOfAll(read.motion);
     }
   }
-  EXPECT_GT(accepted, 0) << "damage that only changes a position is none";
+  EXPECT_GT(accepted, 0) << "damage that only changes a position keeps the file valid";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 /// @file sample_motion.h
-/// A small motion to play, to damage and to compare with.
+/// A small motion for tests.
 #ifndef TEST_UNIT_MTN_SAMPLE_MOTION_H
 #define TEST_UNIT_MTN_SAMPLE_MOTION_H
 
-#include "motion_tool/key_frame_motion.h"
+#include "motion_tool/motion_tool.h"
 
 /// Two joints of an ERS-7's head, three key frames: at 0, 160 and 480 ms.
 inline motion_tool::KeyFrameMotion sampleMotion() {

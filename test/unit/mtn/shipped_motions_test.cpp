@@ -1,13 +1,11 @@
-// The motions that come with the memory stick.
+// The motions on the memory stick.
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <iterator>
 #include <string>
 
-#include "motion_tool/motion_check.h"
-#include "motion_tool/mtn_writer.h"
-#include "motion_tool/text_form.h"
+#include "motion_tool/motion_tool.h"
 #include "mtn/motion.h"
 
 namespace {
@@ -22,12 +20,12 @@ class ShippedMotionsTest : public ::testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(ShippedMotionsTest, isMadeOfItsSource) {
+TEST_P(ShippedMotionsTest, isMadeFromItsSource) {
   std::ifstream source(MOTION_SOURCES "/" + std::string(GetParam()) + ".txt");
-  EXPECT_EQ(file(), motion_tool::encodeMtn(motion_tool::parseTextForm(source))) << "make it anew: docs/motions.md";
+  EXPECT_EQ(file(), motion_tool::encodeMtn(motion_tool::parseTextForm(source))) << "make it again: docs/motions.md";
 }
 
-TEST_P(ShippedMotionsTest, canBeDoneByAnErs7AsItIsWritten) {
+TEST_P(ShippedMotionsTest, canBeDoneByAnErs7) {
   const std::string bytes = file();
   mtn::Motion motion;
   ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();

@@ -1,4 +1,4 @@
-#include "motion_tool/text_form.h"
+#include "motion_tool/motion_tool.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "motion_tool/mtn_writer.h"
 #include "sample_motion.h"
 
 namespace {
@@ -35,7 +34,7 @@ std::string print(const std::string& bytes) {
   return motion_tool::printTextForm(motion);
 }
 
-TEST(TextFormTest, isReadAsItIsWritten) {
+TEST(TextFormTest, isParsed) {
   const KeyFrameMotion motion = parse(
       "# a comment\r\n"
       "name  HELLO WORLD \r\n"
@@ -60,13 +59,13 @@ TEST(TextFormTest, isReadAsItIsWritten) {
   EXPECT_EQ(motion.key_frames[2].positions, motion.key_frames[1].positions);
 }
 
-TEST(TextFormTest, knowsTheJointsOfAnErs210ByItsOwnNames) {
+TEST(TextFormTest, knowsTheJointsOfAnErs210) {
   const KeyFrameMotion motion = parse("robot ERS-210\nat 0 head_roll 5 tail_tilt 1\n");
   EXPECT_EQ(motion.design, "DRX-910");
   EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3-Joint2:j3", "PRM:/r6/c2-Joint2:j2"));
 }
 
-TEST(TextFormTest, whatIsPrintedGivesTheSameBytes) {
+TEST(TextFormTest, survivesTheRoundTrip) {
   KeyFrameMotion motion = sampleMotion();
   motion.key_frames[1].positions = {1234567, -7654};
   const std::string bytes = motion_tool::encodeMtn(motion);
@@ -76,7 +75,7 @@ TEST(TextFormTest, whatIsPrintedGivesTheSameBytes) {
   EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
-TEST(TextFormTest, aJointThatIsNotKnownGoesByItsLocator) {
+TEST(TextFormTest, namesAnUnknownJointByItsLocator) {
   KeyFrameMotion motion = sampleMotion();
   motion.design = "DRX-900";
   const std::string bytes = motion_tool::encodeMtn(motion);
@@ -86,24 +85,25 @@ TEST(TextFormTest, aJointThatIsNotKnownGoesByItsLocator) {
   EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
-TEST(TextFormTest, printsNothingThatATerminalWouldObey) {
+TEST(TextFormTest, printsNoControlCharacters) {
   KeyFrameMotion motion = sampleMotion();
   motion.name = "\x1b[2J#\n";
   EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("name ?[2J??\n"));
 }
 
-TEST(TextFormTest, saysInWhichLineWhatIsWrong) {
+TEST(TextFormTest, namesTheLineOfAMistake) {
   EXPECT_THAT(problemOf(""), HasSubstr("no key frame"));
-  EXPECT_THAT(problemOf("robot ERS-7\nhead_pan 1\n"), HasSubstr("line 2: \"head_pan\" stands before the first \"at\""));
+  EXPECT_THAT(problemOf("robot ERS-7\nhead_pan 1\n"), HasSubstr("line 2: \"head_pan\" comes before the first \"at\""));
   EXPECT_THAT(problemOf("at 0 head_pan 1\n"), HasSubstr("line 1: which robot?"));
   const std::string begin = "robot ERS-7\nat 0 head_pan 1\n";
   EXPECT_EQ(problemOf(begin), "");
-  EXPECT_THAT(problemOf("robot ERS-7\nat 16 head_pan 1\n"), HasSubstr("line 2: the first key frame is at 0 ms"));
-  EXPECT_THAT(problemOf(begin + "at soon\n"), HasSubstr("line 3: \"soon\" is no number of milliseconds"));
+  EXPECT_THAT(problemOf("robot ERS-7\nat 16 head_pan 1\n"), HasSubstr("line 2: the first key frame must be at 0 ms"));
+  EXPECT_THAT(problemOf(begin + "at soon\n"), HasSubstr("line 3: \"soon\" is not a number of milliseconds"));
   EXPECT_THAT(problemOf(begin + "at 0\n"), HasSubstr("line 3: the key frames are not in the order"));
-  EXPECT_THAT(problemOf(begin + "at 20\n"), HasSubstr("line 3: 20 ms is no multiple"));
+  EXPECT_THAT(problemOf(begin + "at 20\n"),
+              HasSubstr("line 3: 20 ms is not a multiple of a frame, which has 16 ms; 16 and 32 are"));
   EXPECT_THAT(problemOf(begin + "at 16 head_pan\n"), HasSubstr("line 3: head_pan has no angle"));
-  EXPECT_THAT(problemOf(begin + "at 16 head_pan 1x\n"), HasSubstr("line 3: \"1x\" is no number of degrees"));
+  EXPECT_THAT(problemOf(begin + "at 16 head_pan 1x\n"), HasSubstr("line 3: \"1x\" is not a number of degrees"));
   EXPECT_THAT(problemOf(begin + "at 16 head_pan 361\n"), HasSubstr("line 3: head_pan is more than a turn away"));
   EXPECT_THAT(problemOf(begin + "at 16 tail_pan 1\n"), HasSubstr("line 3: tail_pan is not in the first key frame"));
   EXPECT_THAT(problemOf(begin + "at 16 left_wing 1\n"), HasSubstr("line 3: an ERS-7 has no joint \"left_wing\""));
@@ -112,6 +112,17 @@ TEST(TextFormTest, saysInWhichLineWhatIsWrong) {
     EXPECT_THAT(problemOf("frame " + frame + "\n" + begin), HasSubstr("a frame of " + frame + " ms"));
   }
   EXPECT_THAT(problemOf("frame 0\n" + begin + "at 160\n"), HasSubstr("a frame of 0 ms"));
+}
+
+TEST(TextFormTest, namesAllMistakesAtOnce) {
+  EXPECT_EQ(problemOf("robot ERS-7\nat 0 head_pan 1 left_wing 2 mouth -5\nat 20 head_pan x mouth -400\n  mouth -10\n"
+                      "at soon\nat 33\n"),
+            "line 2: an ERS-7 has no joint \"left_wing\"\n"
+            "line 3: 20 ms is not a multiple of a frame, which has 16 ms; 16 and 32 are\n"
+            "line 3: \"x\" is not a number of degrees\n"
+            "line 3: mouth is more than a turn away\n"
+            "line 5: \"soon\" is not a number of milliseconds\n"
+            "line 6: 33 ms is not a multiple of a frame, which has 16 ms; 32 and 48 are");
 }
 
 }  // namespace

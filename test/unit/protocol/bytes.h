@@ -1,5 +1,5 @@
 /// @file bytes.h
-/// Bytes as tests write them down.
+/// Bytes in the tests' notation.
 #ifndef TEST_UNIT_PROTOCOL_BYTES_H
 #define TEST_UNIT_PROTOCOL_BYTES_H
 
@@ -28,7 +28,7 @@ inline Bytes operator+(Bytes left, const Bytes& right) {
   return left;
 }
 
-/// The first `size` bytes, in memory of just that size, so that a sanitizer sees whoever reads on.
+/// The first `size` bytes, in memory of exactly that size, so that a sanitizer finds reads beyond the end.
 inline Bytes firstOf(const Bytes& bytes, size_t size) {
   return Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
 }

@@ -26,13 +26,13 @@ struct Layout {
   const char* name;
   Bytes payload;
   std::function<const char*(const Bytes&)> decode;
-  // Decodes what is accepted, and encodes it.
+  // Decodes an accepted payload and encodes the result.
   std::function<Bytes(const Bytes&)> encode_again;
-  // Offsets that are 0 by contract.
+  // Offsets of bytes that must be 0.
   std::vector<size_t> reserved;
-  // Sizes at which the beginning of the payload is a whole one, too.
+  // Smaller sizes at which the beginning of the payload is complete, too.
   std::vector<size_t> whole_at;
-  // True if it goes on to the end of the frame, whatever is there.
+  // True if the last field takes all remaining bytes of the frame.
   bool takes_more;
 };
 
@@ -54,7 +54,7 @@ Bytes pictureAgain(const Bytes& bytes) {
   return encoded(encodeImageHeader, header, IMAGE_HEADER_SIZE) + Bytes(bytes.begin() + IMAGE_HEADER_SIZE, bytes.end());
 }
 
-// A name alone is no struct.
+// The templates above need a struct.
 struct Name {
   MotionName text;
 };
@@ -232,7 +232,7 @@ TEST_P(EveryLayout, IsEncodedAsItWasDecodedWhateverTheBytes) {
 INSTANTIATE_TEST_SUITE_P(Version2, EveryLayout, ::testing::ValuesIn(kLayouts),
                          [](const auto& layout) { return std::string(layout.param.name); });
 
-// Gives a payload to every decoder. Whoever reads beyond it is seen by a sanitizer.
+// Gives a payload to every decoder. A sanitizer finds reads beyond its end.
 void decodeAsEverything(const Bytes& payload) {
   for (const Layout& layout : kLayouts) {
     layout.decode(payload);
@@ -241,7 +241,7 @@ void decodeAsEverything(const Bytes& payload) {
   decodeHello(payload.data(), payload.size(), &hello);
 }
 
-// Gives bytes to a reader in random pieces, and the frames that it finds to every decoder; how many there were.
+// Gives bytes to a reader in random pieces, and every frame to every decoder. Returns the number of frames.
 int receiveInPieces(const Bytes& bytes, RandomBytes& random, FrameReader& reader) {
   int frames = 0;
   for (size_t used = 0; used < bytes.size();) {
@@ -262,7 +262,7 @@ int receiveInPieces(const Bytes& bytes, RandomBytes& random, FrameReader& reader
   return frames;
 }
 
-// Random bytes, or a payload that is nearly one.
+// Random bytes, or a damaged payload.
 Bytes randomPayload(RandomBytes& random) {
   const size_t layout = random.upTo(2 * std::size(kLayouts));
   if (layout < std::size(kLayouts)) {
@@ -271,7 +271,7 @@ Bytes randomPayload(RandomBytes& random) {
   return layout == std::size(kLayouts) ? random.damaged(bytesOf(kHello)) : random.bytes(random.upTo(100));
 }
 
-TEST(Version2, BearsAMillionRandomBytes) {
+TEST(Version2, SurvivesAMillionRandomBytes) {
   RandomBytes random(2026);
   Bytes buffer(300);
   FrameReader reader(buffer.data(), buffer.size());
@@ -279,7 +279,7 @@ TEST(Version2, BearsAMillionRandomBytes) {
   for (size_t received = 0; received < 1000000;) {
     const Bytes payload = randomPayload(random);
     Bytes header = random.bytes(FRAME_HEADER_SIZE);
-    // Hardly any random header announces a payload that fits, so that most are given one.
+    // Hardly any random header announces a payload that fits, so most headers get the right size.
     if (random.upTo(9) > 0) {
       encodeBigEndian32(static_cast<unsigned>(payload.size()), header.data() + 4);
     }

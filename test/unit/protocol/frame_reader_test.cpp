@@ -38,7 +38,7 @@ class FrameReaderTest : public ::testing::Test {
  protected:
   static constexpr size_t kCapacity = 1000;
 
-  // All frames in the bytes; fails at one that is too large.
+  // Returns all frames in the bytes; fails if one is too large.
   std::vector<Frame> receive(const Bytes& bytes) {
     std::vector<Frame> frames;
     for (size_t used = 0; used < bytes.size();) {
@@ -79,7 +79,7 @@ TEST_F(FrameReaderTest, FindsFramesByteByByte) {
   }
 }
 
-TEST_F(FrameReaderTest, KnowsTheFirstByteOfAFrame) {
+TEST_F(FrameReaderTest, KnowsWhetherItIsBetweenFrames) {
   EXPECT_TRUE(reader_.isBetweenFrames());
   receive(hex("57"));
   EXPECT_FALSE(reader_.isBetweenFrames());
@@ -140,7 +140,7 @@ TEST_F(FrameReaderTest, ForgetsAHalfFrameWhenItIsReset) {
   EXPECT_THAT(receive(hex("48 00 00 07 00 00 00 00")), ElementsAreArray({frameOf('H', 0, 7, {})}));
 }
 
-TEST_F(FrameReaderTest, BearsToBeGivenNothing) {
+TEST_F(FrameReaderTest, AcceptsZeroBytes) {
   size_t taken = 1;
   EXPECT_EQ(reader_.append(nullptr, 0, &taken), FrameReader::FRAME_INCOMPLETE);
   EXPECT_EQ(taken, 0U);
@@ -171,7 +171,7 @@ TEST_F(FrameReaderTest, FindsTheSameFramesHoweverTheBytesAreSplitOrJoined) {
   }
 }
 
-TEST(FrameLimits, LetEachSidesLargestFrameThroughAndNotOneByteMore) {
+TEST(FrameLimits, AcceptEachSidesLargestFrameAndNotOneByteMore) {
   for (const size_t limit : {MAX_PAYLOAD_TOWARDS_CLIENT, MAX_PAYLOAD_TOWARDS_ROBOT}) {
     Bytes buffer(limit);
     FrameReader reader(buffer.data(), buffer.size());

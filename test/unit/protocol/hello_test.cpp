@@ -44,7 +44,7 @@ const char* verdict(const std::string& text) {
   return decode(text, &hello);
 }
 
-// The example with one piece of it replaced.
+// The example with one piece replaced.
 std::string with(const std::string& piece, const std::string& replacement) {
   std::string text = kHello;
   return text.replace(text.find(piece), piece.size(), replacement);
@@ -68,7 +68,7 @@ TEST(Hello, IsReadBack) {
   EXPECT_EQ(hello.joints[1].speed, 10057460);
 }
 
-TEST(Hello, HasRoomForTheLargestThereCanBe) {
+TEST(Hello, OfTheLargestSizeFits) {
   Hello hello{};
   for (char* text : {hello.robot, hello.server, hello.capabilities}) {
     std::memset(text, 'a', MAX_HELLO_TEXT_SIZE);
@@ -117,7 +117,7 @@ TEST(Hello, IsRefusedWithALineTwice) {
   EXPECT_THAT(verdict(std::string(kHello) + "robot=ERS-210\n"), HasSubstr("twice"));
 }
 
-TEST(Hello, IsRefusedWithALineThatIsNoKeyAndValue) {
+TEST(Hello, IsRefusedWithALineThatIsNotKeyAndValue) {
   EXPECT_THAT(verdict(with("robot=ERS-7\n", "robot=ERS-7\n\n")), HasSubstr("key=value"));
   EXPECT_THAT(verdict(with("robot=ERS-7\n", "robot=ERS-7\nnews\n")), HasSubstr("key=value"));
   EXPECT_THAT(verdict(with("robot=ERS-7\n", "robot=ERS-7\n=x\n")), HasSubstr("key=value"));
@@ -129,12 +129,12 @@ TEST(Hello, IsRefusedWithATextThatWouldSpoilALog) {
   EXPECT_THAT(verdict(with("ERS-7", "\xff")), HasSubstr("UTF-8"));
 }
 
-TEST(Hello, IsRefusedWithATextLongerThanItsRoom) {
+TEST(Hello, IsRefusedWithATextThatIsTooLong) {
   EXPECT_THAT(verdict(with("ERS-7", std::string(127, 'a'))), IsNull());
   EXPECT_THAT(verdict(with("ERS-7", std::string(128, 'a'))), HasSubstr("longer"));
 }
 
-TEST(Hello, IsRefusedWithAFrameNumberThatIsNone) {
+TEST(Hello, IsRefusedWithAMalformedFrameNumber) {
   for (const char* number : {"", "-1", "1.5", "0x10", " 1", "4294967296", "99999999999999999999"}) {
     EXPECT_THAT(verdict(with("4294967295", number)), HasSubstr("frame number")) << number;
   }
@@ -144,7 +144,7 @@ TEST(Hello, MayHaveAJointThatCannotMove) {
   EXPECT_THAT(verdict(with("1:-1308997:0:3185226", "0:7:7:0")), IsNull());
 }
 
-TEST(Hello, IsRefusedWithLimitsThatAreNone) {
+TEST(Hello, IsRefusedWithMalformedLimits) {
   for (const char* limits : {"1", "1:0:1", "1:0:1:2:3", "256:0:1:2", "-1:0:1:2", "1:1:0:2", "1:0:1:-2", "1::1:2",
                              "1:0:1:2  2:0:1:2", "1:-:1:2", "1:0:2147483648:2"}) {
     EXPECT_THAT(verdict(with("1:-1308997:0:3185226", limits)), HasSubstr("id:lower:upper:speed")) << limits;
@@ -164,7 +164,7 @@ TEST(Hello, IsRefusedWithTheLimitsOfAJointTwice) {
   EXPECT_THAT(verdict(with(" 2:", " 1:")), HasSubstr("twice"));
 }
 
-TEST(Hello, TellsWhatTheServerCanDo) {
+TEST(Hello, ListsTheServersCapabilities) {
   const Hello hello = exampleHello();
   EXPECT_TRUE(hasCapability(hello, "H"));
   EXPECT_TRUE(hasCapability(hello, "T"));

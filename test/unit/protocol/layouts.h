@@ -1,5 +1,5 @@
 /// @file layouts.h
-/// Payloads of version 2 as tests write them down, and how encoders and decoders are tried.
+/// Payloads of version 2 for tests, and helpers that call encoders and decoders.
 #ifndef TEST_UNIT_PROTOCOL_LAYOUTS_H
 #define TEST_UNIT_PROTOCOL_LAYOUTS_H
 
@@ -32,7 +32,7 @@ constexpr char kThreeValues[] =
 constexpr char kPicture[] =
     "00 01 02 03 0a 0b 0c 0d "  // image 66051, frame 168496141
     "00 d0 00 a0 55 00 00 00 "  // 208x160, quality 85, layer H
-    "ff d8 ff d9";              // a JPEG that is no more than begin and end
+    "ff d8 ff d9";              // a JPEG of begin and end markers only
 
 constexpr char kTwoLeds[] =
     "02 ff 00 00 "  // 2: 255, mode A
@@ -40,7 +40,7 @@ constexpr char kTwoLeds[] =
 
 constexpr char kUpload[] =
     "07 4e 4f 44 2e 4d 54 4e "  // NOD.MTN
-    "4f 4d 54 4e";              // a motion that is no more than its first four bytes
+    "4f 4d 54 4e";              // a motion cut off after four bytes
 
 constexpr char kOrder[] = "00 03 4e 4f 44 2e 4d 54 4e";  // three times NOD.MTN
 
@@ -51,7 +51,7 @@ constexpr char kHello[] =
     "capabilities=H F W J V T\n"
     "limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460\n";
 
-/// What an encoder writes. Behind that, everything has to stay as it was.
+/// The bytes that an encoder writes. Checks that it leaves everything after them unchanged.
 template <typename Encoder, typename Value>
 Bytes encoded(Encoder encode, const Value& value, size_t room) {
   Bytes bytes(room + 8, 0xee);
@@ -63,7 +63,7 @@ Bytes encoded(Encoder encode, const Value& value, size_t room) {
   return bytes;
 }
 
-/// A decoder, as far as the question is what it refuses.
+/// A decoder that returns only the reason for a refusal.
 template <typename Value>
 std::function<const char*(const Bytes&)> verdict(const char* (*decode)(const unsigned char*, size_t, Value*)) {
   return [decode](const Bytes& bytes) {

@@ -46,10 +46,10 @@ TEST(MotionUpload, MayBeAsLargeAsAFrameAllows) {
 }
 
 TEST(MotionUpload, IsRefusedWithoutAFile) {
-  EXPECT_THAT(verdict(decodeMotionUpload)(bytesOf("\x07NOD.MTN")), HasSubstr("no motion behind its name"));
+  EXPECT_THAT(verdict(decodeMotionUpload)(bytesOf("\x07NOD.MTN")), HasSubstr("no motion after its name"));
 }
 
-TEST(MotionUpload, IsRefusedWithASizeOfTheNameThatDoesNotFit) {
+TEST(MotionUpload, IsRefusedWithAWrongSizeOfTheName) {
   for (const int size : {12, 127, 255}) {
     Bytes bytes = hex(kUpload);
     bytes[0] = static_cast<unsigned char>(size);
@@ -63,7 +63,7 @@ TEST(MotionUpload, IsRefusedWithASizeOfTheNameThatDoesNotFit) {
   EXPECT_THAT(verdict(decodeMotionUpload)(hex("ff") + Bytes(MAX_PAYLOAD_TOWARDS_ROBOT - 1, 'A')), HasSubstr(".MTN"));
 }
 
-TEST(MotionUpload, IsRefusedWithANameThatIsNone) {
+TEST(MotionUpload, IsRefusedWithAnInvalidName) {
   EXPECT_THAT(verdict(decodeMotionUpload)(bytesOf("\x08../A.MTNxyz")), HasSubstr("other characters"));
 }
 
@@ -78,7 +78,7 @@ TEST(MotionToDelete, IsAName) {
   EXPECT_THAT(decodeMotionName(nullptr, 0, name), HasSubstr(".MTN"));
 }
 
-TEST(MotionOrder, SaysHowOftenToPlayWhat) {
+TEST(MotionOrder, HasTheRepetitionsAndTheName) {
   EXPECT_EQ(encodedOrder(3, "NOD.MTN"), hex(kOrder));
 
   const Bytes bytes = hex(kOrder);
@@ -117,7 +117,7 @@ TEST(MotionOrder, ThatPlaysNeedsAName) {
   EXPECT_THAT(verdict(decodeMotionOrder)(hex("00 01")), HasSubstr(".MTN"));
 }
 
-TEST(MotionOrder, IsLeftAloneWhenItIsRefused) {
+TEST(MotionOrder, IsUnchangedWhenItIsRefused) {
   MotionOrder order{9, "WAG.MTN"};
   const Bytes bytes = hex("00 01") + bytesOf("A/B.MTN");
   ASSERT_THAT(decodeMotionOrder(bytes.data(), bytes.size(), &order), HasSubstr("other characters"));
@@ -154,7 +154,7 @@ TEST(MotionList, MayBeEmpty) {
   EXPECT_EQ(list.count, 0U);
 }
 
-TEST(MotionList, TakesAsManyNamesAsThereIsRoomForAndNoMore) {
+TEST(MotionList, HoldsAtMost256Names) {
   const Bytes most = encoded(encodeMotionList, listOf(MAX_LISTED_MOTIONS), MAX_MOTION_LIST_SIZE);
   EXPECT_EQ(most.size(), MAX_MOTION_LIST_SIZE);
   MotionList list{};
@@ -163,7 +163,7 @@ TEST(MotionList, TakesAsManyNamesAsThereIsRoomForAndNoMore) {
   EXPECT_THAT(verdict(decodeMotionList)(most + bytesOf("\nA.MTN")), HasSubstr("more than 256"));
 }
 
-TEST(MotionList, RefusesWhatIsNoName) {
+TEST(MotionList, RefusesInvalidNames) {
   for (const char* text :
        {"\n", "NOD.MTN\n", "\nNOD.MTN", "NOD.MTN\n\nWAG.MTN", "NOD.MTN\r\nWAG.MTN", "../A.MTN", "NOD"}) {
     EXPECT_THAT(verdict(decodeMotionList)(bytesOf(text)), HasSubstr(".MTN")) << text;

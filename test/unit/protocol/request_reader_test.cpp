@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-// "F1" = letter and identifier; then ":" and the payload if there is one; "error" for what is to be refused.
+// "F1" = letter and identifier; then ":" and the payload if there is one; "error" for an invalid request.
 std::vector<std::string> takeAll(RequestReader& reader) {
   std::vector<std::string> found;
   Request request;
@@ -50,7 +50,7 @@ std::string fileRequest(char letter, size_t size) {
   return std::string{letter} + "1" + std::string(payload, payload + sizeof(payload));
 }
 
-// What takeContent() gives, up to `size` bytes at once.
+// The result of one takeContent() of at most `size` bytes.
 std::string takeContent(RequestReader& reader, size_t size) {
   std::string content(size, '?');
   content.resize(reader.takeContent(reinterpret_cast<unsigned char*>(&content[0]), content.size()));
@@ -121,7 +121,7 @@ TEST_P(RequestOfTwoSizes, MoreThanFourBytesAtOnceAreOneErrorAndAllGone) {
   EXPECT_THAT(receive(reader_, "F1"), ElementsAre("F1"));
 }
 
-TEST_P(RequestOfTwoSizes, WhatStoodBeforeItDoesNotCount) {
+TEST_P(RequestOfTwoSizes, TheBytesBeforeItDoNotCount) {
   EXPECT_THAT(receive(reader_, "F1" + letter_ + "2"), ElementsAre("F1", letter_ + "2"));
 }
 
@@ -155,7 +155,7 @@ TEST(RequestReader, SkipsTheLargestContentThatCanBeAnnounced) {
   EXPECT_THAT(receive(reader, "F1"), ElementsAre("F1"));
 }
 
-TEST(RequestReader, GivesTheContentToWhoTakesIt) {
+TEST(RequestReader, GivesTheContentToACallerThatTakesIt) {
   const std::string content = "F1W2J3 are no requests here";
   const std::string bytes = fileRequest('U', content.size()) + content + "F4";
   for (size_t first = FILE_REQUEST_SIZE; first <= bytes.size(); ++first) {
@@ -174,7 +174,7 @@ TEST(RequestReader, GivesTheContentToWhoTakesIt) {
   }
 }
 
-TEST(RequestReader, SkipsWhatIsNotTakenOfTheContent) {
+TEST(RequestReader, SkipsContentThatIsNotTaken) {
   RequestReader reader;
   append(reader, fileRequest('U', 6) + "F1W2");
   Request request;
@@ -186,7 +186,7 @@ TEST(RequestReader, SkipsWhatIsNotTakenOfTheContent) {
   EXPECT_THAT(receive(reader, "J3F4"), ElementsAre("F4"));
 }
 
-TEST(RequestReader, HasContentBehindUploadsAlone) {
+TEST(RequestReader, ExpectsContentAfterUploadsOnly) {
   for (const char letter : std::string("DP")) {
     RequestReader reader;
     EXPECT_EQ(receive(reader, fileRequest(letter, 700)).size(), 1U);
@@ -243,7 +243,7 @@ TEST(RequestReader, FindsTheSameRequestsHoweverTheBytesAreSplit) {
   }
 }
 
-// What a server does with a request, as far as this room goes.
+// Decodes a request in every way that a server might.
 void decodeAsEverything(const Request& request) {
   decodeValue(request.payload);
   const FileRequest file = decodeFileRequest(request.payload);
@@ -252,7 +252,7 @@ void decodeAsEverything(const Request& request) {
   readMotionName(file.name, std::strlen(file.name), name);
 }
 
-TEST(RequestReader, BearsAMillionRandomBytesAndServesTheNextClient) {
+TEST(RequestReader, SurvivesAMillionRandomBytesAndServesTheNextClient) {
   std::mt19937 random(2026);
   const auto upTo = [&random](size_t limit) { return std::uniform_int_distribution<size_t>(0, limit)(random); };
   RequestReader reader;

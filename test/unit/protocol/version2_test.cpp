@@ -52,7 +52,7 @@ TEST(Version2, IsAskedForInVersion1) {
   EXPECT_THAT(reply, ::testing::ElementsAre('x', 2, 0, 0));
 }
 
-TEST(Version2, IsAgreedToByNothingButItsReply) {
+TEST(Version2, IsAgreedToByItsReplyAlone) {
   EXPECT_TRUE(agreesToVersion2(versionReply()));
   EXPECT_FALSE(agreesToVersion2({'e', 0, ERROR_REFUSED}));
   EXPECT_FALSE(agreesToVersion2({'e', 2, 0}));
@@ -92,7 +92,7 @@ TEST(PictureRequest, TakesEveryLayerThatTheCameraHasAndNoOther) {
   EXPECT_THAT(verdict(decodePictureRequest)(hex("ff")), HasSubstr("layer"));
 }
 
-TEST(StreamSettings, SayOnLayerAndEveryNthImage) {
+TEST(StreamSettings, HaveOnLayerAndEveryNthImage) {
   EXPECT_EQ(encoded(encodeStreamSettings, StreamSettings{true, LAYER_LOW, 0x0102}, STREAM_SETTINGS_SIZE),
             hex("01 02 01 02"));
   EXPECT_EQ(encoded(encodeStreamSettings, StreamSettings{false, LAYER_HIGH, 1}, STREAM_SETTINGS_SIZE),
@@ -107,13 +107,13 @@ TEST(StreamSettings, SayOnLayerAndEveryNthImage) {
   EXPECT_FALSE(settings.on);
 }
 
-TEST(StreamSettings, RefuseWhatHasNoMeaning) {
+TEST(StreamSettings, RefuseValuesWithoutAMeaning) {
   EXPECT_THAT(verdict(decodeStreamSettings)(hex("02 00 00 01")), HasSubstr("neither off (0) nor on (1)"));
   EXPECT_THAT(verdict(decodeStreamSettings)(hex("01 04 00 01")), HasSubstr("layer"));
-  EXPECT_THAT(verdict(decodeStreamSettings)(hex("01 00 00 00")), HasSubstr("every 0th"));
+  EXPECT_THAT(verdict(decodeStreamSettings)(hex("01 00 00 00")), HasSubstr("interval is 0"));
 }
 
-TEST(JointTargets, SayDurationAndAPositionForEachJoint) {
+TEST(JointTargets, HaveADurationAndAPositionForEachJoint) {
   EXPECT_EQ(encoded(encodeJointTargets, twoTargets(), MAX_JOINT_TARGETS_SIZE), hex(kTwoTargets));
 
   const Bytes bytes = hex(kTwoTargets);
@@ -176,7 +176,7 @@ TEST(JointTargets, RefuseAJointNamedTwice) {
   EXPECT_THAT(verdict(decodeJointTargets)(bytes), HasSubstr("twice"));
 }
 
-TEST(SpeedLimits, SayASpeedForEachJoint) {
+TEST(SpeedLimits, HaveASpeedForEachJoint) {
   EXPECT_EQ(encoded(encodeSpeedLimits, twoLimits(), MAX_SPEED_LIMITS_SIZE), hex(kTwoLimits));
 
   const Bytes bytes = hex(kTwoLimits);
@@ -227,13 +227,13 @@ TEST(MotorState, IsOnOrOff) {
   }
 }
 
-TEST(MotorState, IsNothingElse) {
+TEST(MotorState, RefusesOtherValues) {
   const unsigned char payload[] = {2};
   bool on = false;
   EXPECT_THAT(decodeMotorState(payload, sizeof(payload), &on), HasSubstr("motors"));
 }
 
-TEST(Telemetry, SaysWhenAndWhatWasMeasured) {
+TEST(Telemetry, HasAFrameNumberAndTheMeasuredValues) {
   EXPECT_EQ(encoded(encodeTelemetry, threeValues(), MAX_TELEMETRY_SIZE), hex(kThreeValues));
 
   const Bytes bytes = hex(kThreeValues);
@@ -251,7 +251,7 @@ TEST(Telemetry, SaysWhenAndWhatWasMeasured) {
   EXPECT_EQ(telemetry.entries[2].value, 1);
 }
 
-// A push of `count` values that announces `announced`.
+// A push of `count` values that announces `announced` values.
 Bytes telemetryOf(size_t count, unsigned announced) {
   Bytes bytes{0, 0, 0, 1, static_cast<unsigned char>(announced >> 8), static_cast<unsigned char>(announced), 0, 0};
   for (size_t i = 0; i < count; ++i) {
@@ -278,7 +278,7 @@ TEST(Telemetry, RefusesAnUnknownGroup) {
   EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("neither J nor S"));
 }
 
-TEST(LedValues, SayIntensityAndModeForEachLed) {
+TEST(LedValues, HaveIntensityAndModeForEachLed) {
   LedValues values{};
   values.count = 2;
   values.leds[0] = {2, 255, LED_MODE_A};
@@ -303,7 +303,7 @@ TEST(LedValues, MayBeForNoLed) {
   EXPECT_EQ(values.count, 0);
 }
 
-TEST(LedValues, RefuseAModeThatThereIsNot) {
+TEST(LedValues, RefuseAnUnknownMode) {
   EXPECT_THAT(verdict(decodeLedValues)(hex("01 ff 02 00")), HasSubstr("mode"));
   EXPECT_THAT(verdict(decodeLedValues)(hex("01 ff ff 00")), HasSubstr("mode"));
 }
@@ -336,12 +336,12 @@ TEST(EarPositions, AreLeftThenRight) {
   EXPECT_TRUE(positions.right);
 }
 
-TEST(EarPositions, AreTwo) {
+TEST(EarPositions, RefuseOtherValues) {
   EXPECT_THAT(verdict(decodeEarPositions)(hex("02 00")), HasSubstr("ear"));
   EXPECT_THAT(verdict(decodeEarPositions)(hex("00 ff")), HasSubstr("ear"));
 }
 
-TEST(NoPayload, IsNone) {
+TEST(NoPayload, IsRefusedUnlessItIsEmpty) {
   EXPECT_THAT(checkNoPayload(0), IsNull());
   EXPECT_THAT(checkNoPayload(1), NotNull());
   EXPECT_THAT(checkNoPayload(MAX_PAYLOAD_TOWARDS_ROBOT), NotNull());
@@ -373,7 +373,7 @@ TEST(Picture, MayBeAsLargeAsAFrameAllows) {
   EXPECT_EQ(jpeg_size, MAX_JPEG_SIZE);
 }
 
-TEST(Picture, RefusesAHeaderThatCannotBe) {
+TEST(Picture, RefusesAnImpossibleHeader) {
   const auto with = [](size_t offset, unsigned char value) {
     Bytes bytes = hex(kPicture);
     bytes[offset] = value;
@@ -392,7 +392,7 @@ std::string textOf(const ErrorMessage& message) {
   return std::string(message.text, message.text_size);
 }
 
-TEST(ErrorMessage, SaysACodeAndWhy) {
+TEST(ErrorMessage, HasACodeAndAText) {
   const std::string text = "no joint 99; \xc3\xa9t\xc3\xa9";
   const Bytes bytes =
       encoded(encodeErrorMessage, ErrorMessage{CODE_NOT_SUPPORTED, text.data(), text.size()}, MAX_ERROR_MESSAGE_SIZE);
@@ -423,7 +423,7 @@ TEST(ErrorMessage, RefusesATextThatWouldSpoilALog) {
   EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 ff fe")), HasSubstr("UTF-8"));
 }
 
-TEST(Version2, LeavesTheResultAloneWhenItRefuses) {
+TEST(Version2, LeavesTheResultUnchangedWhenItRefuses) {
   Bytes bytes = hex(kTwoTargets);
   bytes.pop_back();
   JointTargets targets = twoTargets();

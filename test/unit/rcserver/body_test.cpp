@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "protocol/angles.h"
+#include "protocol/units.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/body/Lights.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "protocol/angles.h"
+#include "protocol/units.h"
 #include "protocol/version1.h"
 #include "rcserver_fixture.h"
 #include "robot_model/robot_model.h"

@@ -8,8 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "motion_tool/mtn_writer.h"
-#include "motion_tool/text_form.h"
+#include "motion_tool/motion_tool.h"
 
 /// A motion file of its text form (docs/motions.md), for an ERS-7 unless it says something else.
 inline std::string motionBytes(const std::string& text) {

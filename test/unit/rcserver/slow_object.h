@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "simulator/openr_host/object_description.h"
-#include "simulator/openr_host/objects/regions.h"
+#include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/system.h"
 
 /// Stands between the machine and an object that gets jobs through its first observer. As long as it is slow, it keeps

@@ -83,7 +83,7 @@ TEST(Sensors, OfTheErs210) {
                  {"acceleration_up_down", 63, "PRM:/a3-Sensor:a3", SENSOR_ACCELERATION, -19613300, 19613300}});
 }
 
-TEST(Sensors, HaveIdentifiersThatNoJointHas) {
+TEST(Sensors, ShareNoIdentifierWithAJoint) {
   for (const char* design : kDesigns) {
     for (int i = 0; i < model(design).number_of_sensors; ++i) {
       EXPECT_EQ(findJointByIdentifier(model(design), model(design).sensors[i].identifier), NO_JOINT)
@@ -92,7 +92,7 @@ TEST(Sensors, HaveIdentifiersThatNoJointHas) {
   }
 }
 
-TEST(Sensors, ThatAreNotThereAreNotFound) {
+TEST(Sensors, AreNotFoundIfTheyDoNotExist) {
   EXPECT_EQ(findSensorByIdentifier(model("ERS-7"), 0), NO_SENSOR);
   EXPECT_EQ(findSensorByIdentifier(model("ERS-7"), 93), NO_SENSOR);
   EXPECT_EQ(findSensorByName(model("ERS-7"), "back"), NO_SENSOR);
@@ -100,7 +100,7 @@ TEST(Sensors, ThatAreNotThereAreNotFound) {
   EXPECT_EQ(findSensorByLocator(model("ERS-7"), ""), NO_SENSOR);
 }
 
-// Sony's levels of the touch sensors; a switch is simply on or off.
+// Touch sensors have Sony's levels; a switch is only on or off.
 TEST(Sensors, ArePressedWithHysteresis) {
   struct Levels {
     const char* name;
@@ -192,7 +192,7 @@ TEST(Leds, OfTheErs210) {
                          {"tail_orange", 9, "PRM:/r6/l2-LED2:l2", LED2, LED_ON_TAIL}});
 }
 
-TEST(Leds, ThatAreNotThereAreNotFound) {
+TEST(Leds, AreNotFoundIfTheyDoNotExist) {
   EXPECT_EQ(findLedByIdentifier(model("ERS-7"), 0), NO_LED);
   EXPECT_EQ(findLedByIdentifier(model("ERS-7"), 27), NO_LED);
   EXPECT_EQ(findLedByName(model("ERS-7"), "face_15"), NO_LED);
@@ -236,7 +236,7 @@ void expectAscendingAndDifferent(const Part* parts, int count, int most) {
   }
 }
 
-TEST(RobotModel, TellsAllPartsFromOneAnotherInAscendingOrder) {
+TEST(RobotModel, HasUniquePartsInAscendingOrder) {
   for (const char* design : kDesigns) {
     SCOPED_TRACE(design);
     expectAscendingAndDifferent(model(design).joints, model(design).number_of_joints, MAX_JOINTS);

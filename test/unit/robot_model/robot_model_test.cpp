@@ -30,7 +30,7 @@ int index(const RobotModel& model, const std::string& name) {
   return findJointByName(model, name.c_str());
 }
 
-// A posture of the ERS-7 with every joint where nothing restricts another.
+// A posture of the ERS-7 in which no joint restricts another.
 Posture freePosture() {
   Posture posture{};
   posture[static_cast<size_t>(index(ers7(), "mouth"))] = microradians(-3);
@@ -130,7 +130,7 @@ TEST(RobotModel, HasTheNumbersOfTheErs210) {
   }
 }
 
-TEST(RobotModel, KnowsNoJointThatIsNotThere) {
+TEST(RobotModel, DoesNotFindUnknownJoints) {
   EXPECT_EQ(findJointByIdentifier(ers7(), 0), NO_JOINT);
   EXPECT_EQ(findJointByIdentifier(ers7(), 14), NO_JOINT);
   EXPECT_EQ(findJointByName(ers7(), "head_roll"), NO_JOINT);
@@ -145,7 +145,7 @@ TEST(RobotModel, GivesEveryJointASensibleRangeAndAcceleration) {
       EXPECT_LT(joint.mechanical_lowest, joint.lowest) << joint.name;
       EXPECT_LT(joint.lowest, joint.highest) << joint.name;
       EXPECT_LT(joint.highest, joint.mechanical_highest) << joint.name;
-      // The highest speed after 100 ms.
+      // The highest speed is reached after 100 ms.
       EXPECT_NEAR(defaultAcceleration(joint) * 0.1, joint.highest_speed, 1) << joint.name;
     }
   }
@@ -157,7 +157,7 @@ struct Step {
   double lowest;
 };
 
-// Checks the whole of a follower's lower limit, just inside both ends of every step, while all else is free.
+// Checks a follower's lower limit just inside both ends of every step, while all other joints are free.
 void expectSteps(const std::string& leader, const std::string& follower, const std::vector<Step>& steps) {
   Posture posture = freePosture();
   for (const Step& step : steps) {
@@ -249,12 +249,12 @@ TEST(CoupledLimits, KeepTheHeadOffTheNeck) {
   expectSteps("neck_tilt", "head_tilt", {{-80, -39, 5}, {-39, 3, -5}});
 }
 
-TEST(CoupledLimits, KeepTheHeadAsHighAsKnownToBeSafeWhileTheMouthIsWideOpen) {
+TEST(CoupledLimits, KeepTheHeadAtASafeHeightWhileTheMouthIsWideOpen) {
   expectEdges("mouth", "head_tilt", {{-55, -31, 5}, {-30, -3, -5}});
   expectSteps("mouth", "head_tilt", {{-60, -30, 5}, {-30, 0, -5}});
 }
 
-TEST(CoupledLimits, LeaveAllOtherJointsTheirOwnLimits) {
+TEST(CoupledLimits, DoNotAffectOtherJoints) {
   const Posture posture = freePosture();
   for (int i = 0; i < ers7().number_of_joints; ++i) {
     const std::string name = ers7().joints[i].name;
@@ -264,7 +264,7 @@ TEST(CoupledLimits, LeaveAllOtherJointsTheirOwnLimits) {
   }
 }
 
-// What robot_model::Coupling promises, and what planning motions stands on.
+// As robot_model::Coupling promises. The planning of movements relies on it.
 TEST(CoupledLimits, NeverRestrictMoreBetweenTwoPositionsThanAtOneOfThem) {
   for (int i = 0; i < ers7().number_of_couplings; ++i) {
     const Coupling& coupling = ers7().couplings[i];
@@ -287,7 +287,7 @@ TEST(CoupledLimits, NeverMakeAFollowerALeader) {
   }
 }
 
-TEST(ClampPosture, TakesEveryJointIntoItsLimits) {
+TEST(ClampPosture, MovesEveryJointIntoItsLimits) {
   Posture posture;
   posture.fill(2000000000);
   clampPosture(ers7(), posture.data());
@@ -325,7 +325,7 @@ TEST(ClampPosture, RaisesFollowersOutOfTheWayOfTheirLeaders) {
   EXPECT_EQ(get("head_tilt"), microradians(5));
 }
 
-TEST(ClampPosture, LeavesAnAllowedPostureAsItIs) {
+TEST(ClampPosture, DoesNotChangeAnAllowedPosture) {
   std::mt19937 random(1);
   for (const char* design : {"ERS-7", "ERS-210"}) {
     const RobotModel& model = *findRobotModel(design);

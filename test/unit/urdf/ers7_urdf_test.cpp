@@ -17,12 +17,12 @@ using Eigen::Vector3d;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-// The file's numbers have six digits behind the point.
+// The file's numbers have six decimals.
 constexpr double kPrecision = 2e-6;
 
 class Ers7Urdf : public ::testing::Test {
  protected:
-  // `millimetres` in the body, and where the link's own axes point there.
+  // Checks a link's origin, in millimetres in the body, and the directions of its axes there.
   void expectPose(const std::string& link, const Posture& posture, const Vector3d& millimetres, const Vector3d& x_axis,
                   const Vector3d& z_axis) {
     const Isometry3d pose = urdf_.linkPose(link, posture);
@@ -39,7 +39,7 @@ class Ers7Urdf : public ::testing::Test {
   const Vector3d up_{0, 0, 1};
 };
 
-TEST_F(Ers7Urdf, HasTheJointsOfTheTableAndNoOtherThatMove) {
+TEST_F(Ers7Urdf, HasTheJointsOfTheTableAndNoOtherMovingOnes) {
   std::set<std::string> expected;
   for (int i = 0; i < table_.number_of_joints; ++i) {
     expected.insert(table_.joints[i].name);
@@ -68,7 +68,7 @@ TEST_F(Ers7Urdf, HasTheLimitsAndSpeedsOfTheTable) {
   }
 }
 
-// In what follows, positions are in millimetres. The links are those of the kinematic table:
+// Below, positions are in millimetres. The links are those of the kinematic table:
 //   head: neck joint at (67.5, 0, 19.5); head joints 80 up the neck; camera 81.06 ahead of them and 14.6 below.
 //   legs: rotator and elevator at (+-65, +-62.5, 0); knee 69.5 down the leg, 9 ahead in front, 9 behind at the back;
 //         ball of the foot, from the knee, in front 65.434 * sin 4.4088 = 5.0300 behind and 65.434 * cos 4.4088 =
@@ -76,7 +76,7 @@ TEST_F(Ers7Urdf, HasTheLimitsAndSpeedsOfTheTable) {
 //         4.7 to the outside.
 //   tail: joints at (-102, 0, 33); at zero it points up.
 
-// Straight legs and neck: the lengths just add up.
+// With straight legs and neck, the lengths add up.
 TEST_F(Ers7Urdf, WithAllJointsAtZeroEverythingIsStraight) {
   expectPose("camera_optical_frame", {}, {67.5 + 81.06, 0, 19.5 + 80 - 14.6}, -left_, forward_);
   expectPose("left_front_foot_link", {}, {65 + 9 - 5.0300, 62.5 + 4.7, -69.5 - 65.2404}, forward_, up_);
@@ -84,8 +84,8 @@ TEST_F(Ers7Urdf, WithAllJointsAtZeroEverythingIsStraight) {
   expectPose("tail_pan_link", {}, {-102, 0, 33}, forward_, up_);
 }
 
-// Every joint by a right angle, so that each link lies along an axis of the body, whether the robot can do it or not.
-TEST_F(Ers7Urdf, WithAllJointsAtARightAngleEverythingLiesAlongAnAxis) {
+// Every joint at a right angle, so that each link is parallel to an axis of the body, even if the robot cannot do that.
+TEST_F(Ers7Urdf, WithAllJointsAtARightAngleEverythingIsParallelToAnAxis) {
   const double right_angle = 90 * kDegree;
 
   // Neck down to the front: the head joints are 80 ahead, the head's up is forward, its forward is down. Pan to the
@@ -113,8 +113,8 @@ TEST_F(Ers7Urdf, WithAllJointsAtARightAngleEverythingLiesAlongAnAxis) {
   expectPose("tail_pan_link", {{"tail_tilt", right_angle}, {"tail_pan", right_angle}}, {-102, 0, 33}, -up_, left_);
 }
 
-// Angles of 30 and 60 degrees, as a robot has them that stands and looks aside.
-TEST_F(Ers7Urdf, InAnEverydayPostureItIsWhereTheSketchSays) {
+// Angles of 30 and 60 degrees, like those of a robot that stands and looks aside.
+TEST_F(Ers7Urdf, InAnEverydayPostureTheLinksAreAsInTheSketch) {
   const double half = 0.5;                 // sin 30
   const double long_side = 0.86602540378;  // cos 30
 
@@ -154,7 +154,7 @@ TEST_F(Ers7Urdf, OpensTheMouthDownwards) {
   EXPECT_LT((chin - expected / 1000).norm(), kPrecision) << chin.transpose() * 1000;
 }
 
-TEST_F(Ers7Urdf, LooksWithItsInfraredBeamsWhereTheRobotDoes) {
+TEST_F(Ers7Urdf, HasItsInfraredBeamsWhereTheRobotHasThem) {
   const double down = 30 * kDegree;
   expectPose("range_chest_link", {}, {109.136, 0, -3.384}, {std::cos(down), 0, -std::sin(down)},
              {std::sin(down), 0, std::cos(down)});
@@ -201,7 +201,7 @@ TEST_F(RandomPostures, HaveTheCameraWhereTheSimulatedRobotHasIt) {
     const Isometry3d camera = urdf_.linkPose("camera_link", posture);
     ASSERT_TRUE(camera.isApprox(expected, kPrecision)) << camera.matrix() << "\n\n" << expected.matrix();
 
-    // The optical frame is the same place, with z ahead, x to the right and y down.
+    // The optical frame has the same origin, with z ahead, x to the right and y down.
     const Isometry3d optical = urdf_.linkPose("camera_optical_frame", posture);
     ASSERT_LT((optical.translation() - camera.translation()).norm(), kPrecision);
     ASSERT_LT((optical.linear().col(2) - camera.linear().col(0)).norm(), kPrecision);
@@ -223,7 +223,7 @@ TEST_F(RandomPostures, OfLeftLegsAreMirroredByRightLegs) {
   }
 }
 
-TEST_F(RandomPostures, MoveEveryLinkThatIsBehindAJoint) {
+TEST_F(RandomPostures, MoveEveryLinkBeyondAJoint) {
   const Posture posture = next();
   for (const auto& joint : urdf_.model().joints_) {
     if (joint.second->type == urdf::Joint::REVOLUTE) {

@@ -22,7 +22,7 @@ Eigen::AngleAxisd turn(const urdf::Joint& joint, const Posture& posture) {
 
 UrdfModel::UrdfModel(const std::string& file) : model_(urdf::parseURDFFile(file)) {
   if (!model_) {
-    throw std::runtime_error(file + " is no URDF");
+    throw std::runtime_error(file + " is not a URDF");
   }
 }
 

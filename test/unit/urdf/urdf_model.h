@@ -1,5 +1,5 @@
 /// @file urdf_model.h
-/// A URDF file and where its links are when its joints are moved.
+/// A URDF file and the poses of its links when its joints are moved.
 #ifndef TEST_UNIT_URDF_URDF_MODEL_H
 #define TEST_UNIT_URDF_URDF_MODEL_H
 
@@ -10,12 +10,12 @@
 #include <map>
 #include <string>
 
-/// Positions by joint, in radian. A joint that is not named stands at zero.
+/// Positions by joint, in radian. Joints that are not named are at zero.
 using Posture = std::map<std::string, double>;
 
 class UrdfModel {
  public:
-  /// Throws std::runtime_error if the file is no URDF.
+  /// Throws std::runtime_error if the file is not a URDF.
   explicit UrdfModel(const std::string& file);
 
   const urdf::ModelInterface& model() const { return *model_; }

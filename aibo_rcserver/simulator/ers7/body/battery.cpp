@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -19,8 +19,8 @@ word rounded(double value) {
 }  // namespace
 
 void Battery::passFrame() {
-  charge_ = std::max(0.0, charge_ - kFrameSeconds / (60 * minutes_));
-  temperature_ += (kLastTemperature - temperature_) * kFrameSeconds / kSecondsToWarmUp;
+  charge_ = std::max(0.0, charge_ - openr_host::kFrameSeconds / (60 * minutes_));
+  temperature_ += (kLastTemperature - temperature_) * openr_host::kFrameSeconds / kSecondsToWarmUp;
 }
 
 OPowerStatus Battery::status() const {

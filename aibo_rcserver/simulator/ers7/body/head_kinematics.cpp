@@ -3,12 +3,12 @@
 namespace simulated_ers7 {
 namespace {
 
-// Lengths of the head's links, in metres (the kinematic table of the ERS-7 that came with Tekkotsu).
+// Lengths of the head's links, in metres (Tekkotsu's kinematic table of the ERS-7).
 const Eigen::Translation3d kNeckInBody(0.0675, 0, 0.0195);
 const Eigen::Translation3d kHeadOnNeck(0, 0, 0.080);
 const Eigen::Translation3d kCameraInHead(0.08106, 0, -0.0146);
 
-/// Positive looks up, which is a negative turn about y, as y points left.
+/// Positive looks up, which is a negative rotation about y, because y points left.
 Eigen::AngleAxisd tilt(double angle) {
   return Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitY());
 }

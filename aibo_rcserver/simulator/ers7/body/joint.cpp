@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 namespace {
 
-/// Duty of the motor for a joint that is one frame's way at highest speed from its command, with the standard gain.
+/// Duty, with the standard gain, at the distance that the joint moves in one frame at its highest speed.
 constexpr double kStiffness = 1.0 / 3;
 
-/// How much of the gap to the speed that goes with its duty the motor closes in a frame. With kStiffness this is the
-/// border of overshooting.
+/// Part of the difference to the duty's speed that the motor makes up in a frame. With kStiffness, this is the largest
+/// value without overshooting.
 constexpr double kResponse = 0.75;
 
-/// What counts as standing, in microradian and microradian a frame. Nobody can measure less, and a joint that really
-/// comes to rest keeps the camera's picture still.
+/// Below this, in microradian and microradian per frame, a joint is at rest. No sensor can measure less, and a joint
+/// that fully comes to rest keeps the camera's picture still.
 constexpr double kStandstill = 1;
 
 word encoderSteps(double position, const robot_model::Joint& model) {
@@ -27,7 +27,10 @@ word encoderSteps(double position, const robot_model::Joint& model) {
 }  // namespace
 
 Joint::Joint(const robot_model::Joint& model, int position)
-    : model_(model), highest_step_(model.highest_speed * kFrameSeconds), reference_(position), position_(position) {
+    : model_(model),
+      highest_step_(model.highest_speed * openr_host::kFrameSeconds),
+      reference_(position),
+      position_(position) {
   readings_.fill(read(0));
 }
 

@@ -12,31 +12,32 @@
 
 namespace simulated_ers7 {
 
-/// A motor that is driven in proportion to how far its joint is from where it was commanded, and a joint that turns in
-/// proportion to that, up to its highest speed. Angles are in microradian, time in OPEN-R frames of 8 ms.
+/// The motor's duty is proportional to the distance between the joint's position and its command. The joint's speed is
+/// proportional to the duty, up to its highest speed. Angles are in microradian, time in OPEN-R frames of 8 ms.
 ///
-/// Except for limits and highest speed (robot_model.h) the numbers are our choice, for a quick servo that does not
+/// Limits and highest speeds come from robot_model.h; the other numbers are our choice, for a quick servo that does not
 /// overshoot:
-/// - With the standard gains the motor runs at full duty from 3 frames' way at highest speed on, and closes three
-///   quarters of the gap to the speed that goes with its duty in each frame. So a joint follows a command that moves
-///   steadily at a distance of 3 of its steps, 24 ms behind, and settles by half in each frame at the end. A lower
-///   proportional gain makes it softer; the other gains and the shifts change nothing.
-/// - A joint carries no weight. It stops at once when its gain or the power goes off, and stays where it is.
-/// - A command does not move a joint whose gain is off; it counts when the gain goes on. Then, as after any command far
-///   from where the joint is, it runs there at its highest speed, as a robot's joint snaps. A motor that pushes against
-///   something shows it by its duty alone: no document of Sony's says that a call fails.
+/// - With the standard gains, the motor has full duty if the distance is at least what the joint moves in 3 frames at
+///   its highest speed. In each frame the speed approaches the duty's speed by three quarters of the difference. So a
+///   joint follows a steadily moving command 3 frames (24 ms) behind, and at the end the distance halves in each frame.
+///   A lower proportional gain makes the joint softer; the other gains and the shifts have no effect.
+/// - A joint carries no weight. When its gain or the power is switched off, it stops at once and stays where it is.
+/// - A command does not move a joint whose gain is off, but takes effect when the gain is switched on. Then, as after
+/// any
+///   distant command, the joint moves at its highest speed; a real joint snaps the same way. A blocked motor shows only
+///   in its duty, because Sony documents no call that fails.
 class Joint {
  public:
-  /// How many readings are kept: as many as one OSensorFrameVectorData carries.
+  /// Number of readings that are kept: those of one OSensorFrameVectorData.
   static constexpr int kReadings = 4;
 
-  /// Reading of the encoder, in steps of 0.05 degree; what is measured is wrong by up to one of them.
+  /// Step of the encoder, 0.05 degree. Readings are wrong by up to one step.
   static constexpr int kEncoderStep = 873;
 
-  /// What the motor's full duty is reported as, forward; as Tekkotsu reads OJointValue::pwmDuty.
+  /// Reported value of full duty forward, as Tekkotsu reads OJointValue::pwmDuty.
   static constexpr int kFullDuty = 512;
 
-  /// At rest, with gain and power off and all gains 0, commanded to where it is.
+  /// A joint at rest, with gain and power off and all gains 0, commanded to its position.
   /// @param model must outlive the joint
   Joint(const robot_model::Joint& model, int position);
 
@@ -45,7 +46,7 @@ class Joint {
   /// @name Level2 Reference Guide, pages 70 and 71
   /// @{
 
-  /// @return oGAIN_DISABLED, and nothing is set, if the gain is not effective
+  /// @return oGAIN_DISABLED, with nothing set, if the gain is not effective
   OStatus setGains(const robot_model::PidGains& gains);
 
   /// Makes the gain effective. It is 0 until setGains().
@@ -55,24 +56,24 @@ class Joint {
   void disableGain();
   /// @}
 
-  /// Without power no gain has an effect; it has again when the power is back.
+  /// Without power the gain has no effect until the power is back.
   void setPower(bool on) { powered_ = on; }
 
-  /// Where to go from the next frame on. Beyond the mechanical limits the motor stalls at the stop.
+  /// Sets the target from the next frame on. If it is beyond the mechanical limits, the motor stalls at the stop.
   void command(int position) { reference_ = position; }
 
-  /// Something holds the joint fast, or no longer does.
+  /// Blocks or unblocks the joint.
   void jam(bool jammed) { jammed_ = jammed; }
 
   /// 8 ms pass.
-  /// @param error_of_reading what is measured at the end minus what is true
+  /// @param error_of_reading measured minus true position at the end
   void passFrame(int error_of_reading);
 
-  /// Where the joint is, without the encoder's error; not a whole number while it moves.
+  /// The true position, without the encoder's error; not a whole number while the joint moves.
   double position() const { return position_; }
 
-  /// What was measured at the end of each of the last frames, the last one last. Frames before the first show the joint
-  /// where it was put. `signal` and `refSignal` count the encoder's steps from the lower mechanical limit.
+  /// The readings at the end of each of the last frames, the latest one last. Before the first frame they show the
+  /// first position. `signal` and `refSignal` count the encoder's steps from the lower mechanical limit.
   const std::array<OJointValue, kReadings>& readings() const { return readings_; }
 
  private:
@@ -82,7 +83,7 @@ class Joint {
   OJointValue read(int error_of_reading) const;
 
   const robot_model::Joint& model_;
-  const double highest_step_;  ///< microradian a frame
+  const double highest_step_;  ///< microradian per frame
   robot_model::PidGains gains_ = {};
   bool powered_ = false;
   bool gain_enabled_ = false;

@@ -1,11 +1,47 @@
 #include "simulator/ers7/body/joints.h"
 
+#include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "simulator/ers7/body/resting_posture.h"
-
 namespace simulated_ers7 {
+namespace {
+
+const std::map<std::string, int> kDegrees = {
+    {"neck_tilt", -25},
+    {"head_pan", 0},
+    {"head_tilt", 10},
+    {"mouth", -4},
+    {"left_front_rotator", -23},
+    {"left_front_elevator", 0},
+    {"left_front_knee", 44},
+    {"left_hind_rotator", 26},
+    {"left_hind_elevator", 0},
+    {"left_hind_knee", 57},
+    {"right_front_rotator", -23},
+    {"right_front_elevator", 0},
+    {"right_front_knee", 44},
+    {"right_hind_rotator", 26},
+    {"right_hind_elevator", 0},
+    {"right_hind_knee", 57},
+    {"tail_pan", 0},
+    {"tail_tilt", 30},
+};
+
+}  // namespace
+
+int restingPosition(const std::string& joint) {
+  return static_cast<int>(std::lround(kDegrees.at(joint) * std::acos(-1.0) / 180 * 1e6));
+}
+
+HeadAngles restingHead() {
+  HeadAngles angles;
+  angles.neck_tilt = restingPosition("neck_tilt") / 1e6;
+  angles.head_pan = restingPosition("head_pan") / 1e6;
+  angles.head_tilt = restingPosition("head_tilt") / 1e6;
+  return angles;
+}
 
 Joints::Joints(const robot_model::RobotModel& model, std::uint64_t seed) : model_(model), random_(seed) {
   for (int i = 0; i < model_.number_of_joints; ++i) {
@@ -33,7 +69,7 @@ void Joints::setPower(bool on) {
 }
 
 void Joints::passFrame() {
-  // Not std::uniform_int_distribution, whose numbers differ from library to library.
+  // Not std::uniform_int_distribution, because its numbers differ between libraries.
   constexpr std::uint64_t kErrors = 2 * Joint::kEncoderStep + 1;
   for (Joint& joint : joints_) {
     joint.passFrame(static_cast<int>(random_() % kErrors) - Joint::kEncoderStep);
@@ -49,7 +85,7 @@ HeadAngles Joints::head() const {
 }
 
 std::array<LegAngles, kLegs> Joints::legs() const {
-  // The three joints of a leg stand together in the table, in the order of the leg.
+  // The three joints of a leg follow each other in the table.
   constexpr std::size_t kFirstJoints[kLegs] = {4, 7, 10, 13};
   std::array<LegAngles, kLegs> legs;
   for (std::size_t leg = 0; leg < kLegs; ++leg) {

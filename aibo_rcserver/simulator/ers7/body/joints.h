@@ -1,5 +1,5 @@
 /// @file joints.h
-/// All servos of the simulated robot.
+/// All servos of the simulated robot, and the posture in which it is switched on.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 
@@ -16,11 +16,20 @@
 
 namespace simulated_ers7 {
 
-/// Begins in the resting posture (resting_posture.h), without power. Joints do not hit each other: that is for those to
-/// prevent who move them. Joints are in the order of the robot's table.
+/// A joint's position in the resting posture, in microradian. The posture is our own: the robot stands on bent legs,
+/// the feet under shoulders and hips and kStandingHeight below them, and looks at the ball.
+/// @param joint name as in robot_model.h
+/// @throw std::out_of_range if the ERS-7 has no such joint
+int restingPosition(const std::string& joint);
+
+/// The head in the resting posture. It looks at the ball and, behind it, the station.
+HeadAngles restingHead();
+
+/// Starts in the resting posture, without power. Joints pass through each other; it is up to the objects to avoid that.
+/// Joints are in the order of the robot's table.
 class Joints {
  public:
-  /// @param seed of the errors that the encoders make. The same seed and commands give the same readings.
+  /// @param seed of the encoders' errors. The same seed and commands give the same readings.
   Joints(const robot_model::RobotModel& model, std::uint64_t seed);
 
   std::vector<Joint>& all() { return joints_; }
@@ -31,16 +40,16 @@ class Joints {
   Joint& named(const std::string& name);
   const Joint& named(const std::string& name) const;
 
-  /// Power of all motors.
+  /// Switches the power of all motors.
   void setPower(bool on);
 
   /// 8 ms pass.
   void passFrame();
 
-  /// Where the head is.
+  /// The head's angles.
   HeadAngles head() const;
 
-  /// Where the legs are, by Leg.
+  /// The legs' angles, indexed by Leg.
   std::array<LegAngles, kLegs> legs() const;
 
  private:

@@ -19,7 +19,7 @@ PrimitiveTable::PrimitiveTable(const robot_model::RobotModel& model) {
 }
 
 void PrimitiveTable::add(const char* locator, OPrimitiveID id, const Primitive& primitive) {
-  if (locator != nullptr) {  // else it is known by OPENR::GetPowerStatus() alone
+  if (locator != nullptr) {  // the others are only in OPENR::GetPowerStatus()
     ids_[locator] = id;
     primitives_.emplace(id, primitive);
   }

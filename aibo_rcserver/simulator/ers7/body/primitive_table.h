@@ -1,5 +1,5 @@
 /// @file primitive_table.h
-/// The ERS-7's primitives: what OPENR::OpenPrimitive() finds at which locator, and what is open.
+/// The ERS-7's primitives: their locators for OPENR::OpenPrimitive(), and which of them are open.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 
@@ -17,12 +17,12 @@ namespace simulated_ers7 {
 /// The camera's number.
 constexpr OPrimitiveID kCameraPrimitive = 1;
 
-/// The number of a joint, from its place in the robot's table.
+/// The number of a joint, from its index in the robot's table.
 constexpr OPrimitiveID jointPrimitive(std::size_t joint) {
   return static_cast<OPrimitiveID>(kCameraPrimitive + 1 + joint);
 }
 
-/// The same for the others.
+/// The same for sensors, LEDs and ears.
 constexpr OPrimitiveID sensorPrimitive(std::size_t sensor) {
   return jointPrimitive(robot_model::MAX_JOINTS) + static_cast<OPrimitiveID>(sensor);
 }
@@ -35,19 +35,19 @@ constexpr OPrimitiveID earPrimitive(std::size_t ear) {
 
 enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar };
 
-/// What a number stands for.
+/// The part of the robot with a certain number.
 struct Primitive {
   PrimitiveKind kind;
   std::size_t index;  ///< in the robot's table of that kind; 0 for the camera
 };
 
-/// A primitive has the same number however often it is opened, and stays open until it was closed as often.
+/// A primitive always has the same number. It stays open until it has been closed as often as it was opened.
 class PrimitiveTable {
  public:
   explicit PrimitiveTable(const robot_model::RobotModel& model);
 
   /// @param locator as in Sony's Model Information ERS-7, "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
-  /// @param[out] id left alone unless oSUCCESS is returned
+  /// @param[out] id unchanged unless oSUCCESS is returned
   /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
   OStatus open(const char* locator, OPrimitiveID* id);
 
@@ -65,7 +65,7 @@ class PrimitiveTable {
 
   std::map<std::string, OPrimitiveID> ids_;  ///< by locator
   std::map<OPrimitiveID, Primitive> primitives_;
-  std::map<OPrimitiveID, int> times_opened_;  ///< has only those that are open
+  std::map<OPrimitiveID, int> times_opened_;  ///< contains only open primitives
 };
 
 }  // namespace simulated_ers7

@@ -5,14 +5,14 @@
 namespace simulated_ers7 {
 namespace {
 
-static_assert(sizeof(OJointValue) == sizeof(OSensorValue), "one is laid over the other");
+static_assert(sizeof(OJointValue) == sizeof(OSensorValue), "a joint's values take the place of a sensor's");
 
 OSensorFrameVectorData* vectorIn(RCRegion* region) {
   void* base = region->Base();
   return static_cast<OSensorFrameVectorData*>(base);
 }
 
-/// The first frame's data, from the beginning of the header.
+/// Offset of the first frame's data from the beginning of the header.
 std::size_t dataOffset(std::size_t entries) {
   return offsetof(OSensorFrameVectorData, info) + entries * sizeof(OSensorFrameInfo);
 }

@@ -5,18 +5,18 @@
 #include <map>
 #include <stdexcept>
 
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-/// A distance sensor: where it is, and in which frames it measures.
+/// Position and timing of a distance sensor.
 struct RangeFinder {
   bool in_head;     ///< else in the body
   Vector3d place;   ///< metres
-  double down;      ///< looks forward and down by this angle, in radian
+  double down;      ///< looks forward, tilted down by this angle in radian
   longword period;  ///< frames
   longword phase;   ///< the first frame
 };
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kGravity = 9.80665;
 
-// The kinematic table of the ERS-7 that came with Tekkotsu, whose heights of the head's two are those of the camera.
+// From Tekkotsu's kinematic table of the ERS-7. The two sensors in the head have the camera's height.
 const std::map<std::string, RangeFinder> kRangeFinders = {
     {"range_near", {true, Vector3d(0.0769, 0.0028, -0.0146), 0, 6, 0}},
     {"range_far", {true, Vector3d(0.0769, -0.0080, -0.0146), 0, 6, 3}},
@@ -90,13 +90,13 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
     case robot_model::SENSOR_FORCE:
     case robot_model::SENSOR_TEMPERATURE:
     case robot_model::SENSOR_CHARGE:
-      break;  // the ERS-7 has none of the first, and the others in its battery
+      break;  // no force sensors in the ERS-7; the others are in its battery
   }
   return [](const Situation&) { return 0; };
 }
 
 void Sensors::passFrame(const Situation& situation) {
-  scene_.setTime(situation.frame * kFrameSeconds);
+  scene_.setTime(situation.frame * openr_host::kFrameSeconds);
   for (Sensor& sensor : sensors_) {
     OSensorValue value = {};
     value.value = sensor.measure(situation);
@@ -128,7 +128,7 @@ int Sensors::distance(std::size_t sensor, const RangeFinder& finder, const Situa
   }
   const double distance = 1e6 * scene_.castRay(rayOf(finder, situation)).distance;
   if (distance >= model.highest) {
-    return static_cast<int>(model.highest);  // nothing comes back: no error either
+    return static_cast<int>(model.highest);  // no echo, so no error either
   }
   const double measured = distance + errorUpTo(static_cast<int>(kDistanceError * distance));
   return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
@@ -140,7 +140,7 @@ int Sensors::acceleration(const Vector3d& axis, const Situation& situation) {
 }
 
 int Sensors::errorUpTo(int most) {
-  // Not std::uniform_int_distribution, whose numbers differ from library to library.
+  // Not std::uniform_int_distribution, because its numbers differ between libraries.
   return static_cast<int>(random_() % (2 * static_cast<std::uint64_t>(most) + 1)) - most;
 }
 

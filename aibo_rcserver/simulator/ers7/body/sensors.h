@@ -1,5 +1,5 @@
 /// @file sensors.h
-/// What the simulated robot feels: all its sensors but joints, camera and battery.
+/// All sensors of the simulated robot except joints, camera and battery.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSORS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_SENSORS_H
 
@@ -21,7 +21,7 @@
 
 namespace simulated_ers7 {
 
-/// Where the body is when its sensors measure.
+/// Time and position of the body during a measurement.
 struct Situation {
   longword frame;  ///< of OPEN-R
   HeadAngles head;
@@ -32,18 +32,18 @@ struct RangeFinder;
 
 /// Sensors are in the order of the robot's table. Values are in the units of robot_model.h.
 ///
-/// - The distance sensors are rays into the scene from where head and body are; the robot's own legs are not in it.
-/// What
-///   is nearer or farther than their range (Model Information ERS-7) is measured as its end. Near and far measure in
-///   turn, each every 48 ms, the chest's every 40 ms (Sony: about 50 and 40 ms); in between they repeat. Errors are up
-///   to kDistanceError of the distance, our choice.
-/// - Accelerations are gravity's part along the axes forward, right and up: up-down is -9.8 m/s^2 in a robot that
-/// stands
-///   level, front-back above 0 in one whose nose points down. Movements add nothing. Errors are up to
-///   kAccelerationError, our choice.
-/// - Touch sensors feel kTouchStrength while they are pressed, which is half of their range, and less than 3 else.
-/// - A paw's switch is on while its foot is on the floor (stance.h) or somebody presses it; the other switches while
-///   somebody presses them. The WLAN switch is on at first.
+/// The distance sensors cast rays into the scene from head and body; the robot's own legs are not in it. Distances
+/// outside a sensor's range (Model Information ERS-7) are reported as the end of the range. Near and far measure in
+/// turn, each every 48 ms, the chest every 40 ms (Sony: about 50 and 40 ms); in between they repeat their values.
+/// Errors are up to kDistanceError of the distance, which is our choice.
+///
+/// Accelerations are the components of gravity along the axes forward, right and up: up-down is -9.8 m/s^2 if the robot
+/// is level, front-back is positive if the nose points down. Movements add nothing. Errors are up to
+/// kAccelerationError, which is our choice.
+///
+/// Touch sensors report kTouchStrength, half of their range, while they are pressed, and otherwise less than 3. A paw's
+/// switch is on while its foot is on the floor (stance.h) or it is pressed, other switches while they are pressed. The
+/// WLAN switch is on at first.
 class Sensors {
  public:
   static constexpr double kDistanceError = 0.01;
@@ -53,19 +53,19 @@ class Sensors {
   using Readings = std::array<OSensorValue, Joint::kReadings>;
 
   /// @param model must outlive the sensors
-  /// @param scene is moved on to the time of what is measured; must outlive the sensors
+  /// @param scene is set to the time of each measurement; must outlive the sensors
   /// @param seed of the errors. The same seed and situations give the same readings
   Sensors(const robot_model::RobotModel& model, Scene& scene, std::uint64_t seed);
 
-  /// 8 ms pass, at whose end all is measured.
+  /// 8 ms pass; everything is measured at the end.
   void passFrame(const Situation& situation);
 
-  /// Somebody presses a switch or touches a touch sensor, or no longer does.
-  /// @param name in robot_model.h
+  /// Presses or releases a switch or a touch sensor.
+  /// @param name as in robot_model.h
   /// @throw std::invalid_argument if there is no such sensor, or it cannot be pressed; the text names those that can
   void press(const std::string& name, bool pressed);
 
-  /// What was measured at the end of each of the last frames, the last one last; 0 before the first.
+  /// The readings at the end of each of the last frames, the latest one last; 0 before the first.
   const Readings& readings(std::size_t sensor) const { return sensors_[sensor].readings; }
 
  private:

@@ -13,19 +13,19 @@ using Eigen::AngleAxisd;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-// Lengths of the legs' links, in metres, of the left front leg (the kinematic table of the ERS-7 that came with
-// Tekkotsu). The others are mirrored, but for the feet of the hind legs.
+// Lengths of the links of the left front leg, in metres (Tekkotsu's kinematic table of the ERS-7). The other legs are
+// mirrored, except for the feet of the hind legs.
 const Vector3d kRotator(0.065, 0.0625, 0);
 const Vector3d kKnee(0.009, 0, -0.0695);
 const Vector3d kFrontFoot(-0.00503, 0.0047, -0.06524);
 const Vector3d kHindFoot(0.013529, 0.0047, -0.06628);
 
-// The corner of the belly in front on the left, less the radius of a foot, so that all supports are balls alike. Our
-// choice, after the look of the body.
+// The left front corner of the belly, minus the radius of a foot, so that all supports are balls of the same size. Our
+// choice, from the look of the body.
 const Vector3d kBelly(0.085, 0.035, -0.032);
 
-/// How far outside of its three supports the weight may be, in metres. Our choice: with less, a robot that lifts a paw
-/// would tip over onto it, which a real one prevents by leaning away.
+/// How far outside its three supports the weight may be, in metres. Our choice: with less, a robot that lifts a paw
+/// would tip over onto it. A real robot prevents that by leaning away.
 constexpr double kBalance = 0.02;
 
 constexpr double kTolerance = 1e-6;
@@ -46,12 +46,12 @@ double cross(const Vector3d& a, const Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// How far the body's origin is to the left of the way from a to b, seen from above.
+/// Distance of the body's origin to the left of the line from a to b, seen from above.
 double leftOf(const Vector3d& a, const Vector3d& b) {
   return cross(a, b) / (b - a).head<2>().norm();
 }
 
-/// Whether the body's origin lies over the triangle, or beside it by no more than kBalance.
+/// Whether the body's origin is over the triangle, or at most kBalance beside it.
 bool carry(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double lefts[] = {leftOf(a, b), leftOf(b, c), leftOf(c, a)};
   return *std::min_element(std::begin(lefts), std::end(lefts)) >= -kBalance ||
@@ -59,7 +59,7 @@ bool carry(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 }
 
 bool isSteep(const Vector3d& normal) {
-  return std::abs(normal.z()) < kTolerance;  // the three are in line, or one above the other
+  return std::abs(normal.z()) < kTolerance;  // the three are in line, or above each other
 }
 
 Plane planeThrough(const Vector3d& point, const Vector3d& normal) {
@@ -68,8 +68,8 @@ Plane planeThrough(const Vector3d& point, const Vector3d& normal) {
   return {slope_x, slope_y, point.z() - slope_x * point.x() - slope_y * point.y()};
 }
 
-/// The most level plane through three of the supports that carry the body and have none under them. With the belly's
-/// corners there always is one.
+/// The most level plane through three supports that carry the body and have no other support below them. With the
+/// belly's corners there always is one.
 Plane supportingPlane(const Supports& supports) {
   std::optional<Plane> best;
   for (std::size_t i = 0; i < supports.size(); ++i) {
@@ -90,7 +90,7 @@ Plane supportingPlane(const Supports& supports) {
   return best.value_or(Plane{0, 0, kFootRadius - kStandingHeight});
 }
 
-/// The pose of a body whose supports' middles lie in this plane.
+/// The pose of a body with the centres of its supports in this plane.
 Eigen::Isometry3d poseOver(const Plane& plane) {
   const Vector3d up = Vector3d(-plane.slope_x, -plane.slope_y, 1).normalized();
   const Vector3d ahead = (Vector3d::UnitX() - up.x() * up).normalized();

@@ -1,9 +1,33 @@
 #include "simulator/ers7/camera/camera.h"
 
+#include <cstring>
+
 #include "simulator/ers7/camera/fbk_image_writer.h"
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
+namespace {
+
+/// Each of the three settings has the values 1, 2 and 3.
+OStatus choose(const void* param, size_t param_size, longword* setting) {
+  longword value = 0;
+  if (param == nullptr || param_size != sizeof(OPrimitiveControl_CameraParam)) {
+    return oINVALID_ARG;
+  }
+  std::memcpy(&value, param, sizeof(value));
+  if (value < 1 || value > 3) {
+    return oINVALID_ARG;
+  }
+  *setting = value;
+  return oSUCCESS;
+}
+
+OStatus turn(bool on, bool* setting) {
+  *setting = on;
+  return oSUCCESS;
+}
+
+}  // namespace
 
 Camera::Camera(PictureSource& source, OPrimitiveID id)
     : source_(source), regions_(fbkImageSize(), [id](RCRegion* region) { prepareFbkImage(region, id); }) {}
@@ -18,12 +42,28 @@ bool Camera::imageDue(longword frame) {
 RCRegion* Camera::capture(longword frame) {
   const longword image_number = imagesUpTo(frame);
   RCRegion* region = regions_.freeRegion();
-  writeFbkImage(region, source_.picture(frame * kFrameSeconds, image_number, settings_), frame, image_number);
+  writeFbkImage(region, source_.picture(frame * openr_host::kFrameSeconds, image_number, settings_), frame,
+                image_number);
   return region;
 }
 
 OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {
-  return controlCamera(request, param, param_size, &settings_);
+  switch (request) {
+    case oprmreqCAM_SET_WHITE_BALANCE:
+      return choose(param, param_size, &settings_.white_balance);
+    case oprmreqCAM_SET_GAIN:
+      return choose(param, param_size, &settings_.gain);
+    case oprmreqCAM_SET_SHUTTER_SPEED:
+      return choose(param, param_size, &settings_.shutter);
+    case oprmreqCAM_AE_ON:
+    case oprmreqCAM_AE_OFF:
+      return turn(request == oprmreqCAM_AE_ON, &settings_.auto_exposure);
+    case oprmreqCAM_AWB_ON:
+    case oprmreqCAM_AWB_OFF:
+      return turn(request == oprmreqCAM_AWB_ON, &settings_.auto_white_balance);
+    default:
+      return oINVALID_ARG;
+  }
 }
 
 }  // namespace simulated_ers7

@@ -1,5 +1,5 @@
 /// @file camera.h
-/// The ERS-7's camera: when it has an image, and the image in the layout of OPEN-R.
+/// The ERS-7's camera: its settings, its timing, and its images in the layout of OPEN-R.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H
 
@@ -7,33 +7,77 @@
 #include <OPENR/OPrimitiveControl.h>
 #include <OPENR/RCRegion.h>
 
-#include "simulator/ers7/camera/camera_settings.h"
-#include "simulator/ers7/camera/picture_source.h"
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "simulator/ers7/body/head_kinematics.h"
+#include "simulator/ers7/camera/ycrcb_image.h"
 #include "simulator/ers7/region_pool.h"
 
 namespace simulated_ers7 {
 
+/// White balance and shutter start as in Sony's Model Information ERS-7. Gain starts in the middle and both automatic
+/// modes are off at first, which is our choice, so that all settings have an effect.
+struct CameraSettings {
+  longword white_balance = ocamparamWB_FL_MODE;
+  longword gain = ocamparamGAIN_MID;
+  longword shutter = ocamparamSHUTTER_MID;
+  bool auto_exposure = false;       ///< gain and shutter have no effect while it is on
+  bool auto_white_balance = false;  ///< white_balance has no effect while it is on
+};
+
+/// The number of images that the camera has finished up to and including an OPEN-R frame, the first in frame 0.
+///
+/// The camera runs on its own clock at 29.88 images per second and is read every 8 ms, so most images come 32 ms after
+/// the one before, some 40 ms. 60 images in 251 frames have the mean of 33.47 ms that was measured on an ERS-7
+/// (Tekkotsu, profilerun_ERS7_2.0).
+constexpr longword imagesUpTo(longword frame) {
+  constexpr std::uint64_t kImages = 60;
+  constexpr std::uint64_t kFrames = 251;
+  return static_cast<longword>(frame * kImages / kFrames + 1);
+}
+
+class PictureSource {
+ public:
+  virtual ~PictureSource() = default;
+
+  /// Turns the head with the camera. Takes effect with the next picture.
+  virtual void setHead(const HeadAngles& angles) = 0;
+
+  /// Moves the body. Takes effect with the next picture.
+  /// @param in_room its pose in the scene (scene.h)
+  virtual void setBody(const Eigen::Isometry3d& in_room) = 0;
+
+  /// The camera's picture.
+  /// @param seconds since the robot was switched on
+  /// @param image_number selects the noise, which differs from image to image
+  /// @return valid until the next call
+  virtual const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) = 0;
+};
+
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
 class Camera {
  public:
-  /// @param source gives the pictures; must outlive the camera
-  /// @param id the camera's primitive, which its images name
+  /// @param source provides the pictures; must outlive the camera
+  /// @param id the camera's primitive, which its images contain
   Camera(PictureSource& source, OPrimitiveID id);
 
-  /// True once for each image (camera_timing.h), in its frame or in the next one that is asked for. The camera goes on
-  /// counting images that nobody asks for.
-  /// @param frame not lower than in the call before
+  /// True once for each image, in its frame or in the next one with a call. Images without a call are counted, too.
+  /// @param frame not lower than in the previous call
   bool imageDue(longword frame);
 
-  /// Takes an image. It is drawn into a region that nobody but the camera refers to (region_pool.h).
+  /// Takes an image, in a region to which only the camera refers (region_pool.h).
   RCRegion* capture(longword frame);
 
-  /// @see controlCamera()
+  /// Carries out OPENR::ControlPrimitive().
+  /// @param param, param_size an OPrimitiveControl_CameraParam for the SET requests; ignored for others
+  /// @return oSUCCESS; oINVALID_ARG, with nothing changed, for an unknown request, a parameter that is missing or of
+  ///         another size, or a value that the setting does not have
   OStatus control(OPrimitiveRequest request, const void* param, size_t param_size);
 
   const CameraSettings& settings() const { return settings_; }
 
-  /// As after switching on.
+  /// Resets the settings to those after switching on.
   void resetSettings() { settings_ = CameraSettings(); }
 
  private:

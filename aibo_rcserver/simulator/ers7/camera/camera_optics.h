@@ -1,8 +1,8 @@
 /// @file camera_optics.h
-/// The lens of the ERS-7's camera, an ideal pinhole: which way each place of the picture looks.
+/// The ERS-7's camera as an ideal pinhole: the direction of each point in the picture.
 ///
-/// Places in the picture are in pixels of the H layer: x to the right, y down, (0, 0) the upper left corner of the
-/// upper left pixel, so that the middle of pixel (0, 0) is at (0.5, 0.5).
+/// Points in the picture are in pixels of the H layer: x to the right, y down, with (0, 0) in the upper left corner of
+/// the upper left pixel, so the centre of pixel (0, 0) is at (0.5, 0.5).
 /// Points in front of the camera are in its frame as in head_kinematics.h: x ahead, y left, z up.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_OPTICS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_OPTICS_H
@@ -19,14 +19,14 @@ constexpr int kPictureHeight = 160;
 constexpr double kHorizontalFieldOfView = 56.9;
 constexpr double kVerticalFieldOfView = 45.2;
 
-/// Focal lengths in pixels, horizontal and vertical, that follow from the field of view: 191.9 and 192.2.
+/// Horizontal and vertical focal length in pixels, computed from the field of view: 191.9 and 192.2.
 double focalLengthX();
 double focalLengthY();
 
-/// The direction, of length 1, that a place of the picture looks to.
+/// The direction, of length 1, of a point in the picture.
 Eigen::Vector3d directionOf(const Eigen::Vector2d& place);
 
-/// Where a point in front of the camera (x > 0) appears, whether inside the picture or not.
+/// The point in the picture, or outside it, where a point in front of the camera (x > 0) appears.
 Eigen::Vector2d placeOf(const Eigen::Vector3d& point);
 
 }  // namespace simulated_ers7

@@ -12,7 +12,7 @@ constexpr std::size_t kTagBytes = 16;
 constexpr std::size_t kWidth = kPictureWidth;
 constexpr std::size_t kHeight = kPictureHeight;
 
-/// Bands of fine detail count from the middle: this is "none".
+/// The value that means no fine detail.
 constexpr byte kNoDetail = 128;
 constexpr byte kGrey = 128;
 
@@ -101,7 +101,7 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
     info->dataSize = static_cast<longword>(format.size());
     info->width = static_cast<longword>(format.width);
     info->height = static_cast<longword>(format.height);
-    static_assert(kNoDetail == kGrey, "one fill serves both");
+    static_assert(kNoDetail == kGrey, "one fill is enough for both");
     std::fill_n(vector->GetData(format.layer), format.size(), format.type == odataFBK_CDT ? byte{0} : kNoDetail);
     offset += format.size();
   }

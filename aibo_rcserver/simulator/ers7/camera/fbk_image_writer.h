@@ -1,10 +1,10 @@
 /// @file fbk_image_writer.h
-/// Lays a picture out as the ERS-7's camera delivers it: an OFbkImageVectorData with its pixels behind it.
+/// Writes a picture in the layout of the ERS-7's camera: an OFbkImageVectorData followed by its pixels.
 ///
-/// Four layers follow each other: H, M with half of its width and height, L with a quarter, and C, the colour
-/// detection, as large as M, one byte a pixel. In H, M and L each row of Y is followed by the same row of Cr, of Cb
-/// and of the three bands of fine detail, so that rows of one band are six widths apart. The first 16 bytes of Y's
-/// last row are tag bytes: 0-3 the image number, little-endian, 4-11 what the colour detection counted.
+/// There are four layers: H, M with half its width and height, L with a quarter, and C, the colour detection, as large
+/// as M with one byte per pixel. In H, M and L each row of Y is followed by the same row of Cr, of Cb and of the three
+/// bands of fine detail, so rows of one band are six widths apart. The first 16 bytes of Y's last row are tag bytes:
+/// 0-3 the image number, little-endian; 4-11 the results of the colour detection.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 
@@ -15,15 +15,15 @@
 
 namespace simulated_ers7 {
 
-/// Bytes of a region that holds one camera image in all layers.
+/// Size in bytes of a region for one camera image in all layers.
 std::size_t fbkImageSize();
 
-/// Writes what is the same in all images: the vector's header, the infos, and an empty picture without fine detail.
+/// Writes the constant part of an image: the vector's header, the infos, and an empty picture without fine detail.
 /// @param region fbkImageSize() bytes
-/// @param camera the camera's primitive, as the infos name it
+/// @param camera the camera's primitive, for the infos
 void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 
-/// Writes a picture into a prepared region. The lower layers are means of 2x2 and 4x4 pixels of H.
+/// Writes a picture into a prepared region. The pixels of M and L are means of 2x2 and 4x4 pixels of H.
 /// @param frame OPEN-R frame of the capture
 /// @param image_number the camera's own count, for the tag bytes
 void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, longword image_number);

@@ -4,22 +4,49 @@
 #include <cmath>
 #include <random>
 
+#include "simulator/ers7/camera/camera_optics.h"
+
 namespace simulated_ers7 {
 namespace {
 
-/// Of the tone curve; light beyond the last one is white.
+constexpr std::size_t kWidth = kPictureWidth;
+constexpr std::size_t kHeight = kPictureHeight;
+
+/// Part of the light that reaches the corners.
+const Color kCornerLight(0.70, 0.74, 0.80);
+
+/// Part of its light that a pixel gives to each of its neighbours.
+constexpr double kBlur = 0.20;
+
+Color blurred(const Color& before, const Color& here, const Color& after) {
+  return (1 - 2 * kBlur) * here + kBlur * (before + after);
+}
+
+LightImage makeTransmission() {
+  LightImage transmission;
+  const double corner = std::hypot(kPictureWidth / 2.0, kPictureHeight / 2.0);
+  for (int y = 0; y < kPictureHeight; ++y) {
+    for (int x = 0; x < kPictureWidth; ++x) {
+      const double radius = std::hypot(x + 0.5 - kPictureWidth / 2.0, y + 0.5 - kPictureHeight / 2.0) / corner;
+      transmission.push_back(1 - radius * radius * (1 - kCornerLight));
+    }
+  }
+  return transmission;
+}
+
+/// Steps of the tone curve. Brighter light is white.
 constexpr int kToneSteps = 4096;
 constexpr double kBrightestLight = 2.0;
 
-/// A power of two, so that some bits of a random number choose one.
+/// A power of two, so that some bits of a random number select a value.
 constexpr std::uint64_t kRandomValues = 4096;
 
-/// Deviation of the noise, in 1/255, at medium gain: with it a picture of the scene has, at JPEG quality 85, the 3 to
-/// 6 KB of the report's (section 3.3.3).
+/// Deviation of the noise, in 1/255, at medium gain. With it, pictures of the scene at JPEG quality 85 have 3 to 6 KB,
+/// as in the report (section 3.3.3).
 constexpr float kNoiseY = 1.5f;
 constexpr float kNoiseColor = 1.0f;
 
-/// Steele's splittable generator ("SplitMix64"): one addition and a good mix per number.
+/// Steele's splittable generator ("SplitMix64"), which is fast.
 class FastRandom {
  public:
   explicit FastRandom(std::uint64_t seed) : state_(seed) {}
@@ -35,7 +62,7 @@ class FastRandom {
   std::uint64_t state_;
 };
 
-/// The usual power law, with a shoulder instead of a hard end: bright light is compressed, not cut.
+/// The usual power law, but bright light is compressed instead of clipped.
 std::vector<float> makeToneCurve() {
   std::vector<float> curve;
   for (int step = 0; step < kToneSteps; ++step) {
@@ -54,7 +81,7 @@ std::vector<float> makeRandomValues() {
   return values;
 }
 
-/// Light per light, 1 = right for the room. The steps are those of Sony's Model Information ERS-7: gain -6, 0, +6 dB,
+/// Brightness; 1 is right for the room. The steps are those in Sony's Model Information ERS-7: gain -6, 0, +6 dB,
 /// shutter 1/50, 1/100, 1/200 s.
 double gainOf(const CameraSettings& settings) {
   return settings.auto_exposure ? 1 : std::pow(2.0, static_cast<double>(settings.gain) - ocamparamGAIN_MID);
@@ -66,7 +93,8 @@ double exposureOf(const CameraSettings& settings) {
              : gainOf(settings) * std::pow(2.0, static_cast<double>(ocamparamSHUTTER_MID) - settings.shutter);
 }
 
-/// The room is lit by 5000 K. Set for warmer lamps (2856 K) the camera shows it bluish, set for daylight (6500 K) warm.
+/// The room's light has 5000 K. If set for lamps (2856 K), the camera shows it bluish, if set for daylight (6500 K)
+/// warm.
 Color whiteBalanceOf(const CameraSettings& settings) {
   if (settings.auto_white_balance || settings.white_balance == ocamparamWB_FL_MODE) {
     return Color::Ones();
@@ -75,6 +103,30 @@ Color whiteBalanceOf(const CameraSettings& settings) {
 }
 
 }  // namespace
+
+Lens::Lens() : transmission_(makeTransmission()), blurred_across_(kWidth * kHeight), projected_(kWidth * kHeight) {}
+
+const LightImage& Lens::project(const LightImage& light) {
+  for (std::size_t y = 0; y < kHeight; ++y) {
+    const Color* row = &light[y * kWidth];
+    Color* out = &blurred_across_[y * kWidth];
+    out[0] = blurred(row[0], row[0], row[1]);
+    for (std::size_t x = 1; x < kWidth - 1; ++x) {
+      out[x] = blurred(row[x - 1], row[x], row[x + 1]);
+    }
+    out[kWidth - 1] = blurred(row[kWidth - 2], row[kWidth - 1], row[kWidth - 1]);
+  }
+  for (std::size_t y = 0; y < kHeight; ++y) {
+    const Color* here = &blurred_across_[y * kWidth];
+    const Color* above = y > 0 ? here - kWidth : here;
+    const Color* below = y < kHeight - 1 ? here + kWidth : here;
+    for (std::size_t x = 0; x < kWidth; ++x) {
+      const std::size_t i = y * kWidth + x;
+      projected_[i] = blurred(above[x], here[x], below[x]) * transmission_[i];
+    }
+  }
+  return projected_;
+}
 
 ImageSensor::ImageSensor(std::uint64_t seed)
     : seed_(seed), tone_curve_(makeToneCurve()), random_values_(makeRandomValues()) {}

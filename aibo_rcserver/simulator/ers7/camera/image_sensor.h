@@ -1,23 +1,38 @@
 /// @file image_sensor.h
-/// What sensor and electronics make of the light: colours of the right brightness and tint, with noise.
+/// From the light in front of the camera to its picture: lens, sensor and electronics.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 
 #include <cstdint>
 #include <vector>
 
-#include "simulator/ers7/camera/camera_settings.h"
+#include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/camera/renderer.h"
 #include "simulator/ers7/camera/ycrcb_image.h"
 
 namespace simulated_ers7 {
+
+/// Blurs a little, like all small lenses, and darkens the corners, red more than blue, as observed with real robots.
+/// Not thread-safe.
+class Lens {
+ public:
+  Lens();
+
+  /// @return the light on the sensor, valid until the next call
+  const LightImage& project(const LightImage& light);
+
+ private:
+  LightImage transmission_;  ///< part of the light that reaches each pixel
+  LightImage blurred_across_;
+  LightImage projected_;
+};
 
 /// The same seed, image number, settings and light always give the same picture.
 class ImageSensor {
  public:
   explicit ImageSensor(std::uint64_t seed);
 
-  /// @param image_number makes the noise of each picture another one
+  /// @param image_number selects the noise of the picture
   void expose(const LightImage& light, const CameraSettings& settings, longword image_number,
               YCrCbImage* picture) const;
 

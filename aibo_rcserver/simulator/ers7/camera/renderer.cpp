@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "simulator/ers7/camera/camera_optics.h"
-#include "simulator/ers7/scene/lighting.h"
+#include "simulator/ers7/scene/light.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -21,9 +21,9 @@ Ray rayThrough(const Eigen::Isometry3d& camera, const Vector2d& place) {
   return {camera.translation(), camera.linear() * directionOf(place)};
 }
 
-/// How far a pixel reaches on the surface that was hit, along each axis: as wide as it is across the ray, and
-/// stretched along the ray where the surface is seen at a slant.
-/// @param pixel_size in pixels: 1, or less for a part of one
+/// The size of a pixel on the surface along each axis: its width across the ray, stretched where the surface is seen at
+/// a slant.
+/// @param pixel_size 1, or less for a part of a pixel
 Vector3d footprintOf(const SceneHit& hit, const Vector3d& direction, double pixel_size) {
   constexpr double kFlattestSlant = 0.02;
   const double width = hit.distance * pixel_size / focalLengthX();
@@ -105,9 +105,9 @@ bool Renderer::isEdge(int x, int y) const {
          (y > 0 && differs(seen_[indexOf(x, y - 1)])) || (y + 1 < kPictureHeight && differs(seen_[indexOf(x, y + 1)]));
 }
 
-/// The pixels that may show something of a ball, or of what is inside it.
+/// The pixels that may show a part of a ball, or of something inside it.
 Renderer::Window Renderer::windowAround(const Eigen::Isometry3d& camera, const Vector3d& center, double radius) {
-  constexpr int kMargin = 2;  // pixels: edges are smoothed up to a pixel outside of what made them
+  constexpr int kMargin = 2;  // pixels; smoothed edges reach a pixel beyond the object
   const Vector3d seen_center = camera.inverse() * center;
   if (seen_center.x() <= radius) {
     return {0, 0, kPictureWidth, kPictureHeight};

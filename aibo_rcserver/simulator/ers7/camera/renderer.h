@@ -1,5 +1,5 @@
 /// @file renderer.h
-/// Draws what an ideal camera sees of the scene.
+/// Draws the scene as an ideal camera sees it.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_RENDERER_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_RENDERER_H
 
@@ -7,21 +7,21 @@
 #include <optional>
 #include <vector>
 
+#include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
-#include "simulator/ers7/scene/surface_colors.h"
 
 namespace simulated_ers7 {
 
 /// Linear light per pixel of the H layer, row by row from the upper left.
 using LightImage = std::vector<Color>;
 
-/// Casts a ray through every pixel, and four where surfaces meet, which makes their edges smooth.
+/// Casts a ray through every pixel, and four rays at the edges of surfaces, to make them smooth.
 ///
-/// Remembers the last picture: while the camera rests, only the surroundings of what moved are drawn again, which
-/// gives the same picture in a fraction of the time. Not thread-safe.
+/// Keeps the last picture: while the camera rests, only the surroundings of moving bodies are drawn again, which gives
+/// the same picture in a fraction of the time. Not thread-safe.
 class Renderer {
  public:
-  /// @param scene what to draw; must outlive the renderer
+  /// @param scene must outlive the renderer
   explicit Renderer(const Scene& scene);
 
   /// @param camera pose of the camera in the room, as in head_kinematics.h; inside the room
@@ -29,13 +29,13 @@ class Renderer {
   const LightImage& render(const Eigen::Isometry3d& camera);
 
  private:
-  /// What a pixel's middle shows, as far as it tells where edges are.
+  /// What the centre of a pixel shows, to find edges.
   struct Seen {
     Surface surface;
     Eigen::Vector3d normal;
   };
 
-  /// Pixels left..right-1 of the rows top..bottom-1.
+  /// Pixels left..right-1 in rows top..bottom-1.
   struct Window {
     int left;
     int top;

@@ -6,10 +6,9 @@
 #include <cstdint>
 
 #include "simulator/ers7/body/head_kinematics.h"
-#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/body/joints.h"
+#include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/camera/image_sensor.h"
-#include "simulator/ers7/camera/lens.h"
-#include "simulator/ers7/camera/picture_source.h"
 #include "simulator/ers7/camera/renderer.h"
 #include "simulator/ers7/scene/scene.h"
 
@@ -17,19 +16,23 @@ namespace simulated_ers7 {
 
 class SceneView : public PictureSource {
  public:
-  /// @param scene is moved on to the time of each picture; must outlive the view
-  SceneView(Scene& scene, std::uint64_t seed);
+  /// @param scene is set to the time of each picture; must outlive the view
+  SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
-  /// Until then the head is as restingHead() says.
+  /// Initially restingHead().
   void setHead(const HeadAngles& angles) override { head_ = angles; }
 
-  /// Until then the body is level, kStandingHeight over the floor.
+  /// Initially level, kStandingHeight over the floor.
   void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
 
   /// Pose of the camera in the room.
-  Eigen::Isometry3d camera() const;
+  Eigen::Isometry3d camera() const { return body_ * cameraInBody(head_); }
 
-  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
+  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override {
+    scene_.setTime(seconds);
+    sensor_.expose(lens_.project(renderer_.render(camera())), settings, image_number, &picture_);
+    return picture_;
+  }
 
  private:
   Scene& scene_;

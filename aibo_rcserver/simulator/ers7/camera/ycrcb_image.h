@@ -1,5 +1,5 @@
 /// @file ycrcb_image.h
-/// A picture of the size of the H layer in the camera's colours.
+/// A picture with the size of the H layer, in the camera's colours.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H
 
@@ -23,7 +23,7 @@ struct YCrCbImage {
   static constexpr std::size_t kSize = static_cast<std::size_t>(kPictureWidth) * kPictureHeight;
 };
 
-/// The colour of one pixel, each 0..255 but not yet rounded.
+/// The colour of one pixel, each value 0..255 but not yet rounded.
 struct YCrCb {
   float y;
   float cr;

@@ -1,26 +1,26 @@
-#include "simulator/ers7/scene/lighting.h"
+#include "simulator/ers7/scene/light.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/ers7/scene/scene_layout.h"
+#include "simulator/ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 namespace {
 
 using Eigen::Vector3d;
 
-// The room's lamp, seen from the middle of the carpet: above, to the left and behind the robot.
+// Direction of the room's lamp from the centre of the carpet: above, to the left and behind the robot.
 const Vector3d kToLamp = Vector3d(-0.42, 0.50, 0.76).normalized();
 const Color kLampLight(0.96, 0.91, 0.82);
-// Light from everywhere: cool from above, warm and weak from the floor.
+// Ambient light: cool from above, warm and weak from the floor.
 const Color kLightFromAbove(0.56, 0.58, 0.62);
 const Color kLightFromBelow(0.34, 0.35, 0.30);
 
-/// Tangent of half the angle under which the lamp is seen: how fast shadows lose their edge.
+/// Tangent of half the lamp's visual angle, which determines how fast shadows become soft.
 constexpr double kLampSize = 0.16;
 
-/// Share of the lamp that `body` leaves for `point`: the ray's closest approach to it, measured in penumbra widths.
+/// Part of the lamp's light that `body` lets reach `point`: the ray's closest approach to it in penumbra widths.
 double lampBeside(const Body& body, const Vector3d& point) {
   constexpr double kShortestStep = 0.006;
   const Vector3d to_body = body.position() - point;
@@ -41,8 +41,8 @@ double lampBeside(const Body& body, const Vector3d& point) {
   return share * share * (3 - 2 * share);
 }
 
-/// Share of the light from everywhere that `body` leaves for `point`: the darkness around where things touch. Feels
-/// its way along the normal and looks how much nearer the body is there than it would be if it were not in the way.
+/// Part of the ambient light that `body` lets reach `point`, which darkens the places where things touch. Samples
+/// points along the normal and compares their distance to the body with the distance to the surface.
 double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& normal) {
   constexpr double kSteps[] = {0.010, 0.022, 0.045};
   constexpr double kFarthest = 2 * 0.045;
@@ -58,7 +58,7 @@ double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& n
   return 1 - 0.85 * hidden;
 }
 
-/// Share of the light from everywhere that the floor and the walls leave: corners of a room are darker.
+/// Part of the ambient light that floor and walls let through: corners of a room are darker.
 double opennessOfRoom(const Vector3d& point, const Vector3d& normal) {
   constexpr double kDepth = 0.45;
   constexpr double kFalloff = 0.08;
@@ -83,7 +83,7 @@ double highlight(const Vector3d& normal, const Vector3d& direction) {
 }  // namespace
 
 double lightReach(const Body& body) {
-  constexpr double kLengthOfShadow = 2.6;  // in reaches; beyond it the shadow is too soft to see
+  constexpr double kLengthOfShadow = 2.6;  // in units of reach(); beyond it the shadow is too soft to see
   return kLengthOfShadow * body.reach();
 }
 

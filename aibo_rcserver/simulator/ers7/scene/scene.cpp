@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "simulator/ers7/scene/scene_layout.h"
-
 namespace simulated_ers7 {
 namespace {
 
@@ -52,11 +50,11 @@ Body makeBone() {
   return Body({0.64, -0.13, knob}, 1.0, std::move(parts));
 }
 
-/// Where the charging station stands and how it is turned.
+/// Position and rotation of the charging station.
 const Vector3d kStation(1.42, 0.42, 0);
 constexpr double kStationYaw = 0.45;
 
-/// A plate to lie down on, with the dock that holds the robot's belly.
+/// A plate to lie on, with the dock for the robot's belly.
 Body makeStation() {
   return Body(kStation, kStationYaw,
               {{Box{{0, 0, 0.012}, {0.15, 0.13, 0.012}}, Surface::kStation},
@@ -64,7 +62,7 @@ Body makeStation() {
                {Box{{0.12, 0, 0.060}, {0.028, 0.085, 0.036}}, Surface::kStation}});
 }
 
-/// The pole at the back of the station, by which the robot finds its way home.
+/// The pole at the back of the station, which guides the robot home.
 Body makeStationPole() {
   const double half_length = 0.105;
   const double foot = 0.09;
@@ -78,7 +76,7 @@ Body makeCube(double x, double y, double yaw, double size, Surface surface) {
   return Body({x, y, size / 2}, yaw, {{Box{Vector3d::Zero(), Vector3d::Constant(size / 2)}, surface}});
 }
 
-/// The ball's place in bodies_.
+/// The ball's index in bodies_.
 constexpr size_t kBall = 0;
 
 SceneHit castRayAtRoom(const Ray& ray) {
@@ -161,7 +159,7 @@ SceneHit Scene::castRay(const Ray& ray) const {
     const Vector3d to_body = body.position() - ray.origin;
     const double along = to_body.dot(ray.direction);
     if (to_body.squaredNorm() - along * along > body.reach() * body.reach()) {
-      continue;  // passes by
+      continue;  // the ray misses it
     }
     const Ray local{-body.turnToBody(to_body), body.turnToBody(ray.direction)};
     for (const Part& part : body.parts()) {

@@ -1,5 +1,5 @@
 /// @file scene.h
-/// The room that the simulated ERS-7 lives in: what its camera sees and what its distance sensors measure.
+/// The room around the simulated ERS-7, for its camera and its distance sensors.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
 
@@ -10,7 +10,33 @@
 
 namespace simulated_ers7 {
 
-/// What something is made of. Colours are the business of surface_colors.h.
+/// @name Where things are
+/// Metres and seconds, in the frame of Scene. Nothing here is measured, but ball and bone are about as large as those
+/// that came with the robot.
+/// @{
+
+/// The two opposite corners of the room, between walls, floor and ceiling.
+constexpr double kLowestCorner[] = {-1.6, -1.9, 0};
+constexpr double kHighestCorner[] = {3.2, 2.1, 2.5};
+
+/// The soccer carpet: its centre, half its size, its lines.
+constexpr double kCarpetX = 0.85;
+constexpr double kCarpetHalfLength = 1.6;
+constexpr double kCarpetHalfWidth = 1.25;
+constexpr double kLineInset = 0.12;
+constexpr double kLineHalfWidth = 0.0125;
+constexpr double kCenterCircleRadius = 0.28;
+constexpr double kPenaltyAreaDepth = 0.40;
+constexpr double kPenaltyAreaHalfWidth = 0.55;
+
+/// The ball on the halfway line.
+constexpr double kBallRadius = 0.0425;
+constexpr double kBallX = kCarpetX;
+constexpr double kBallSwing = 0.16;
+constexpr double kBallPeriod = 6.0;
+/// @}
+
+/// The material of a part. light.h has its colours.
 enum class Surface {
   kFloor,
   kWall,
@@ -30,17 +56,17 @@ struct Part {
   Surface surface;
 };
 
-/// A thing that stands or lies on the floor: shapes that move together.
+/// A thing on the floor: shapes that move together.
 class Body {
  public:
-  /// @param position where the origin of its frame is in the room
-  /// @param yaw how far it is turned about the vertical, in radian, to the left
+  /// @param position of the origin of its frame in the room
+  /// @param yaw rotation about the vertical to the left, in radian
   Body(const Eigen::Vector3d& position, double yaw, std::vector<Part> parts);
 
   const Eigen::Vector3d& position() const { return position_; }
   void setPosition(const Eigen::Vector3d& position) { position_ = position; }
 
-  /// Radius of the ball around position() that holds all of the body.
+  /// Radius of the ball around position() that contains the whole body.
   double reach() const { return reach_; }
 
   /// Height of its highest point in the room.
@@ -48,7 +74,7 @@ class Body {
 
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// Between the room's frame and the body's.
+  /// Conversions between the room's frame and the body's.
   Eigen::Vector3d pointToBody(const Eigen::Vector3d& point) const { return turnToBody(point - position_); }
   Eigen::Vector3d turnToBody(const Eigen::Vector3d& vector) const;
   Eigen::Vector3d turnToRoom(const Eigen::Vector3d& vector) const;
@@ -65,34 +91,34 @@ class Body {
   double top_;
 };
 
-/// Where a ray ends.
+/// The end of a ray.
 struct SceneHit {
   double distance;              ///< from the ray's origin
   Eigen::Vector3d point;        ///< in the room
-  Eigen::Vector3d normal;       ///< of length 1, in the room, towards the side the ray came from
-  Eigen::Vector3d local_point;  ///< in the frame of what was hit
+  Eigen::Vector3d normal;       ///< of length 1, in the room, on the side of the ray's origin
+  Eigen::Vector3d local_point;  ///< in the frame of the body that was hit
   Surface surface;
 };
 
 /// A living room with a small soccer carpet, a ball, a bone, a charging station and two toy cubes.
 ///
-/// The frame: x to where the robot looks at first, y to its left, z up, metres; the floor is z = 0 and the robot's
-/// body stands over the origin. The same time always gives the same scene. Not thread-safe.
+/// The frame: x in the direction in which the robot looks at first, y to its left, z up, metres. The floor is z = 0,
+/// and the robot's body is over the origin. The same time always gives the same scene. Not thread-safe.
 class Scene {
  public:
   Scene();
 
-  /// Moves what moves: the ball rolls to and fro along the halfway line, once in kBallPeriod.
+  /// Moves the ball, which rolls to and fro along the halfway line once in kBallPeriod.
   /// @param seconds since the robot was switched on
   void setTime(double seconds);
 
-  /// What a ray from inside the room meets first; as the room is closed, there always is something.
+  /// The first thing that a ray from inside the room hits. The room is closed, so there always is one.
   SceneHit castRay(const Ray& ray) const;
 
-  /// Everything in the room but the room itself.
+  /// Everything in the room except the room itself.
   const std::vector<Body>& bodies() const { return bodies_; }
 
-  /// Middle of the ball, now.
+  /// The current centre of the ball.
   const Eigen::Vector3d& ballCenter() const;
 
  private:

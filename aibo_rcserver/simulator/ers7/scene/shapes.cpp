@@ -23,7 +23,7 @@ std::optional<ShapeHit> intersectSphere(const Ray& ray, const Vector3d& center, 
   return ShapeHit{distance, (ray.at(distance) - center) / radius};
 }
 
-/// The mantle between the two ends of a capsule, without its caps.
+/// The lateral surface of a capsule, without its caps.
 std::optional<ShapeHit> intersectMantle(const Ray& ray, const Capsule& capsule) {
   const Vector3d axis = capsule.end - capsule.start;
   const Vector3d offset = ray.origin - capsule.start;
@@ -31,7 +31,7 @@ std::optional<ShapeHit> intersectMantle(const Ray& ray, const Capsule& capsule) 
   const double axis_direction = axis.dot(ray.direction);
   const double axis_offset = axis.dot(offset);
   const double a = axis_axis - axis_direction * axis_direction;
-  if (a <= 0) {  // along the axis: only the caps can be met
+  if (a <= 0) {  // along the axis only the caps can be hit
     return std::nullopt;
   }
   const double half_b = axis_axis * offset.dot(ray.direction) - axis_offset * axis_direction;

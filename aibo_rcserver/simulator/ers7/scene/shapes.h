@@ -1,5 +1,5 @@
 /// @file shapes.h
-/// The solid shapes that things in the scene are made of, each with the three questions a ray caster asks.
+/// The solid shapes of things in the scene, with functions for a ray caster.
 /// Lengths in metres. All functions are pure.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H
@@ -18,14 +18,14 @@ struct Ray {
   Eigen::Vector3d at(double distance) const { return origin + distance * direction; }
 };
 
-/// Everything within `radius` of the line from `start` to `end`. A sphere, if both are the same point.
+/// All points within `radius` of the line from `start` to `end`. A sphere if both are the same point.
 struct Capsule {
   Eigen::Vector3d start;
   Eigen::Vector3d end;
   double radius;
 };
 
-/// A box whose faces are parallel to the axes.
+/// A box with faces parallel to the axes.
 struct Box {
   Eigen::Vector3d center;
   Eigen::Vector3d half_size;
@@ -33,13 +33,13 @@ struct Box {
 
 using Shape = std::variant<Capsule, Box>;
 
-/// Where a ray meets a shape.
+/// The point where a ray hits a shape.
 struct ShapeHit {
   double distance;         ///< from the ray's origin
   Eigen::Vector3d normal;  ///< outwards, of length 1
 };
 
-/// Where `ray` enters `shape` first; nothing if it misses it, or if its origin lies inside or beyond the shape.
+/// The point where `ray` enters `shape`; nothing if it misses it, or if its origin is inside or beyond the shape.
 std::optional<ShapeHit> intersect(const Ray& ray, const Shape& shape);
 
 /// Distance from `point` to the surface of `shape`, negative inside.

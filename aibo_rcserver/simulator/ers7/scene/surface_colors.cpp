@@ -1,10 +1,10 @@
-#include "simulator/ers7/scene/surface_colors.h"
+#include "simulator/ers7/scene/light.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "simulator/ers7/scene/scene_layout.h"
+#include "simulator/ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -17,7 +17,7 @@ const Color kPaintWhite(0.74, 0.73, 0.70);
 const Color kDoorBlue(0.16, 0.25, 0.36);
 const Color kPosterSand(0.72, 0.42, 0.16);
 const Color kPosterTeal(0.10, 0.36, 0.38);
-const Color kWindowSky(1.9, 2.2, 2.6);  // shines by itself
+const Color kWindowSky(1.9, 2.2, 2.6);  // emits light
 const Color kCeilingWhite(0.75, 0.75, 0.75);
 const Color kBallPink(0.80, 0.085, 0.24);
 const Color kBonePink(0.78, 0.14, 0.26);
@@ -32,7 +32,7 @@ Color mix(const Color& from, const Color& to, double share) {
   return from + share * (to - from);
 }
 
-/// What a pixel covers along one axis.
+/// The extent of a pixel along one axis.
 struct Span {
   double low;
   double high;
@@ -44,13 +44,13 @@ struct Span {
   double width() const { return high - low; }
 };
 
-/// Share of the span that lies between two places.
+/// Part of the span between two positions.
 double coverage(const Span& span, double low, double high) {
   const double overlap = std::min(span.high, high) - std::max(span.low, low);
   return overlap > 0 ? overlap * span.per_width : 0;
 }
 
-/// Share of the span that lies in bands that begin every `period` and are `thickness` wide.
+/// Part of the span in bands that begin every `period` and are `thickness` wide.
 double repeatedCoverage(const Span& span, double period, double thickness) {
   if (span.width() >= period) {
     return thickness / period;
@@ -59,7 +59,7 @@ double repeatedCoverage(const Span& span, double period, double thickness) {
   return coverage(span, band, band + thickness) + coverage(span, band + period, band + period + thickness);
 }
 
-/// A number in 0..1 that belongs to a cell of a grid: random to the eye, always the same.
+/// A pseudo-random number in 0..1 for a cell of a grid.
 double cellValue(int64_t x, int64_t y) {
   uint64_t mixed = static_cast<uint64_t>(x) * 0x9E3779B97F4A7C15u ^ static_cast<uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu;
   mixed = (mixed ^ (mixed >> 29)) * 0xBF58476D1CE4E5B9u;
@@ -81,12 +81,12 @@ double smoothNoise(double x, double y) {
   return 2 * (upper * (1 - share_y) + lower * share_y) - 1;
 }
 
-/// What is left to see of a texture with bumps of `size` when a pixel covers `width`.
+/// How visible a texture with bumps of `size` is when a pixel covers `width`.
 double visibility(double size, double width) {
   return std::clamp(1.5 * size / width - 0.5, 0.0, 1.0);
 }
 
-/// Noise of a strength and a size of bumps, as far as a pixel that covers `width` shows it.
+/// Noise with this strength and size of bumps, as seen by a pixel that covers `width`.
 double texture(double strength, double size, double width, double x, double y) {
   const double visible = visibility(size, width);
   return visible > 0 ? strength * visible * smoothNoise(x, y) : 0;
@@ -159,7 +159,7 @@ Appearance floorAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint
   return {mix(parquet(x, y), carpet(x, y), on_carpet)};
 }
 
-/// Something flat on a wall: a rectangle with a frame around it.
+/// Something flat on a wall: a rectangle with a frame.
 struct Panel {
   Eigen::Vector3d wall_normal;
   double left;  ///< lower and upper end along the wall, in the room's x or y

@@ -3,9 +3,113 @@
 #include <strings.h>
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace openr_host {
+namespace {
+
+/// A line without its comment and the space around it; never empty.
+struct Line {
+  std::string text;
+  int number;
+  bool is_for_design;
+};
+
+/// The model in "[MODEL]".
+std::optional<std::string> parseModel(const std::string& content) {
+  if (content.size() < 2 || content.front() != '[' || content.find(']') != content.size() - 1) {
+    return std::nullopt;
+  }
+  return withoutSpaceAround(content.substr(1, content.size() - 2));
+}
+
+/// All lines but those that name models.
+std::vector<Line> readLines(std::istream& text, const std::string& design) {
+  std::vector<Line> lines;
+  bool is_for_design = true;
+  int number = 0;
+  for (std::string raw; std::getline(text, raw);) {
+    ++number;
+    const std::string content = withoutSpaceAround(raw.substr(0, raw.find('#')));
+    if (const auto model = parseModel(content)) {
+      is_for_design = *model == design;
+    } else if (!content.empty()) {
+      lines.push_back({content, number, is_for_design});
+    }
+  }
+  return lines;
+}
+
+/// The name, in capitals, of an object's file. Names on the stick have at most eight characters before the dot.
+std::optional<std::string> parseObject(std::string path) {
+  const std::string folder = "/MS/OPEN-R/MW/OBJS/";
+  const std::string ending = ".BIN";
+  std::transform(path.begin(), path.end(), path.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  if (path.size() < folder.size() + 1 + ending.size() || path.size() > folder.size() + 8 + ending.size() ||
+      path.compare(0, folder.size(), folder) != 0 ||
+      path.compare(path.size() - ending.size(), ending.size(), ending) != 0) {
+    return std::nullopt;
+  }
+  const std::string name = path.substr(folder.size());
+  const bool is_allowed = std::all_of(name.begin(), name.end() - 4, [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string("_~$-").find(static_cast<char>(c)) != std::string::npos;
+  });
+  return is_allowed ? std::make_optional(name) : std::nullopt;
+}
+
+/// A word of CONNECT.CFG.
+struct Word {
+  std::string text;
+  int line;
+};
+
+std::vector<Word> readWords(std::istream& text, const std::string& design) {
+  std::vector<Word> words;
+  for (const auto& line : readLines(text, design)) {
+    std::istringstream content(line.is_for_design ? line.text : "");
+    for (std::string word; content >> word;) {
+      words.push_back({word, line.number});
+    }
+  }
+  return words;
+}
+
+ServiceName parseService(const Word& word, const std::string& file, const std::vector<std::string>& services) {
+  const auto name = ServiceName::parse(word.text);
+  if (!name) {
+    throw ConfigurationError(file, word.line,
+                             "expected a service such as Object.Service.DataType.S (or .O), found '" + word.text + "'");
+  }
+  if (std::find(services.begin(), services.end(), word.text) == services.end()) {
+    std::string known;
+    for (const auto& service : services) {
+      known += "\n  " + service;
+    }
+    throw ConfigurationError(file, word.line, "no object has the service " + word.text + "; the services are" + known);
+  }
+  return *name;
+}
+
+/// Checks a connection against those before it.
+void check(const ServiceConnection& added, const std::vector<ServiceConnection>& connections, const std::string& file,
+           int observer_line) {
+  const std::string subject = added.subject.text();
+  const std::string observer = added.observer.text();
+  if (added.subject.data_type != added.observer.data_type) {
+    throw ConfigurationError(file, observer_line, "the data types differ: " + subject + " and " + observer);
+  }
+  if (std::any_of(connections.begin(), connections.end(), [&](const ServiceConnection& other) {
+        return other.subject.text() == subject && other.observer.text() == observer;
+      })) {
+    throw ConfigurationError(file, added.line, subject + " and " + observer + " are connected a second time");
+  }
+}
+
+}  // namespace
 
 std::filesystem::path findOnMemoryStick(const std::filesystem::path& folder, const std::string& name) {
   std::filesystem::path found = folder;
@@ -35,6 +139,83 @@ bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& nam
   } catch (const std::runtime_error&) {
     return false;
   }
+}
+
+std::vector<ObjectFile> readObjectConfiguration(std::istream& text, const std::string& file,
+                                                const std::string& design) {
+  std::vector<ObjectFile> objects;
+  for (const auto& line : readLines(text, design)) {
+    const auto name = parseObject(line.text);
+    if (!name) {
+      throw ConfigurationError(file, line.number,
+                               "expected an object such as /MS/OPEN-R/MW/OBJS/RCSERVER.BIN (a name of at most 8 "
+                               "characters and .BIN), or a model such as [ERS-7], found '" +
+                                   line.text + "'");
+    }
+    if (!line.is_for_design) {
+      continue;
+    }
+    if (std::any_of(objects.begin(), objects.end(), [&](const ObjectFile& other) { return other.name == *name; })) {
+      throw ConfigurationError(file, line.number, *name + " is listed a second time");
+    }
+    objects.push_back({*name, line.number});
+  }
+  return objects;
+}
+
+std::vector<ServiceConnection> readConnectionConfiguration(std::istream& text, const std::string& file,
+                                                           const std::string& design,
+                                                           const std::vector<std::string>& services) {
+  std::vector<ServiceConnection> connections;
+  std::optional<ServiceConnection> open;  // its subject has been read
+  const auto fail_without_observer = [&] {
+    throw ConfigurationError(file, open->line,
+                             open->subject.text() + " has no observer (a service that ends in .O) after it");
+  };
+  for (const auto& word : readWords(text, design)) {
+    const ServiceName name = parseService(word, file, services);
+    if (open && name.is_subject) {
+      fail_without_observer();
+    }
+    if (!open && !name.is_subject) {
+      throw ConfigurationError(file, word.line, name.text() + " has no subject (a service that ends in .S) before it");
+    }
+    if (!open) {
+      open = ServiceConnection{name, {}, word.line};
+      continue;
+    }
+    open->observer = name;
+    check(*open, connections, file, word.line);
+    connections.push_back(*open);
+    open.reset();
+  }
+  if (open) {
+    fail_without_observer();
+  }
+  return connections;
+}
+
+std::map<std::string, std::string> readDesignDatabase(std::istream& text, const std::string& file,
+                                                      const std::string& design) {
+  const std::string stick = "/MS/";
+  std::map<std::string, std::string> files;
+  for (const auto& line : readLines(text, design)) {
+    std::istringstream words(line.text);
+    std::string keyword;
+    std::string path;
+    std::string more;
+    words >> keyword >> path >> more;
+    if (path.size() <= stick.size() || strncasecmp(path.c_str(), stick.c_str(), stick.size()) != 0 || !more.empty()) {
+      throw ConfigurationError(file, line.number,
+                               "expected a keyword and a file such as /MS/OPEN-R/MW/DATA/P/SOUND.WAV, or a model such "
+                               "as [ERS-7], found '" +
+                                   line.text + "'");
+    }
+    if (line.is_for_design && !files.emplace(keyword, path.substr(stick.size())).second) {
+      throw ConfigurationError(file, line.number, "a second " + keyword);
+    }
+  }
+  return files;
 }
 
 }  // namespace openr_host

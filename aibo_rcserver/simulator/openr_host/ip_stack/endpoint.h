@@ -1,26 +1,95 @@
 /// @file endpoint.h
+/// Endpoints of the IPStack, and the messages that they answer.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_ENDPOINT_H
 
+#include <ant.h>
+
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "simulator/openr_host/ip_stack/poll_set.h"
 
 namespace openr_host {
 
-/// True for the error of a call that is to be tried again when the socket is ready.
+/// The stack's copy of a message that an object has sent, with the receiver of the answer.
+class Envelope {
+ public:
+  /// @param size bytes of the message
+  Envelope(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry)
+      : object_(object), entry_(entry), copy_(new std::max_align_t[size / sizeof(std::max_align_t) + 1]) {
+    std::memcpy(copy_.get(), &message, size);
+  }
+
+  const OID& object() const { return object_; }
+  Selector entry() const { return entry_; }
+
+  ANTENVMSG content() const { return copy_.get(); }
+  antEnvMsg& message() const { return *antEnvMsg::Receive(content()); }
+
+  /// The message as the type that belongs to its operation.
+  template <typename Message>
+  Message& as() const {
+    return static_cast<Message&>(message());
+  }
+
+ private:
+  OID object_;
+  Selector entry_;
+  std::shared_ptr<std::max_align_t[]> copy_;
+};
+
+/// Sends an answered message back to its object.
+using Deliver = std::function<void(const Envelope&)>;
+
+/// Answers a message with an error.
+template <typename Message, typename Error>
+void answer(const Deliver& deliver, const Envelope& message, Error error) {
+  message.as<Message>().error = error;
+  deliver(message);
+}
+
+/// A request that an endpoint has not answered yet; there is at most one of each kind.
+template <typename Message>
+class PendingMessage {
+ public:
+  /// @param deliver must outlive this
+  explicit PendingMessage(const Deliver& deliver) : deliver_(deliver) {}
+
+  explicit operator bool() const { return envelope_.has_value(); }
+  Message* operator->() const { return &envelope_->template as<Message>(); }
+
+  void begin(const Envelope& message) { envelope_ = message; }
+
+  /// Answers the message. Does nothing if there is none.
+  template <typename Error>
+  void end(Error error) {
+    if (envelope_) {
+      answer<Message>(deliver_, *std::exchange(envelope_, std::nullopt), error);
+    }
+  }
+
+ private:
+  const Deliver& deliver_;
+  std::optional<Envelope> envelope_;
+};
+
+/// True for errors after which the call can be repeated when the socket is ready.
 inline bool isTransient(int error) {
   return error == EAGAIN || error == EINTR;
 }
 
-/// A size as messages have it, which was checked to be 1 or more.
+/// A message's size, which must be 1 or more.
 inline std::size_t sizeOf(int size) {
   return static_cast<std::size_t>(size);
 }
 
-/// An endpoint of the IPStack, of whatever kind.
+/// An endpoint of the IPStack, of any kind.
 class Endpoint {
  public:
   Endpoint() = default;
@@ -28,10 +97,10 @@ class Endpoint {
   Endpoint(const Endpoint&) = delete;
   Endpoint& operator=(const Endpoint&) = delete;
 
-  /// Nothing can be asked of it any more, and all that was asked has been answered.
+  /// True if it accepts no more requests, and has answered all.
   virtual bool isClosed() const = 0;
 
-  /// Whether something under way uses memory for which this is true.
+  /// Whether a request under way uses memory for which `is_concerned` returns true.
   virtual bool uses(const std::function<bool(const void*, std::size_t)>& is_concerned) const = 0;
 
   virtual void addTo(PollSet& poll_set) = 0;

@@ -124,7 +124,7 @@ antError IpStack::answerAtOnce(antEnvMsg& message) {
     case antOperation_UDPClose:
       return answerUdp(static_cast<UDPEndpointBaseMsg&>(message));
     default:
-      // The others wait for somebody, and the one thread that could bring what they wait for would wait here.
+      // The others wait for the other side, and would block the only thread.
       return ANT_FAIL;
   }
 }
@@ -264,7 +264,7 @@ void IpStack::acceptOn(TcpPort& port) {
       port.waiting.pop_front();
       find<TcpEndpoint>(antModuleRef(endpoint))->accept(std::move(*connection));
     }
-    // Else nobody listens, and the client finds its connection closed.
+    // Otherwise no endpoint listens, and the client's connection is closed.
   }
 }
 
@@ -277,7 +277,7 @@ void IpStack::addTo(PollSet& poll_set) {
       ++endpoint;
     }
   }
-  // Last, so that the end of a connection is known before the next client is looked at.
+  // Last, so that the end of a connection is handled before the next client.
   for (auto& port : ports_) {
     poll_set.add(port.second.listener.fd(), POLLIN, [this, &port] { acceptOn(port.second); });
   }

@@ -13,8 +13,6 @@
 #include <string>
 
 #include "simulator/openr_host/ip_stack/endpoint.h"
-#include "simulator/openr_host/ip_stack/envelope.h"
-#include "simulator/openr_host/ip_stack/pending_message.h"
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/shared_buffers.h"
 #include "simulator/openr_host/ip_stack/tcp_endpoint.h"
@@ -29,23 +27,23 @@ class IpStack {
  public:
   using OnSend = std::function<void(const void* data, std::size_t size)>;
 
-  /// @param bind_address IPv4 address of this computer that all ports are on
-  /// @param deliver takes answered messages to the object that sent them
-  /// @param objects_are_busy whether messages wait for objects. While they do, a client whom nobody listens for is not
-  /// turned away yet: one of them may be about to listen.
-  /// @param on_send told of bytes that are about to be sent; may be empty
+  /// @param bind_address IPv4 address of this computer for all ports
+  /// @param deliver sends answered messages back to their objects
+  /// @param objects_are_busy whether messages are waiting for objects. While they are, a client for which no endpoint
+  /// listens is not turned away yet, because an object may be about to listen.
+  /// @param on_send called with bytes that are about to be sent; may be empty
   IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
 
   /// Takes a port of this computer for a port of the robot.
   /// @return the port taken
-  /// @throw as TcpListener
+  /// @throw like TcpListener
   std::uint16_t takePort(std::uint16_t robot_port, std::uint16_t host_port);
 
-  /// What antEnvMsg::Call() does.
+  /// antEnvMsg::Call()
   antError call(antEnvMsg& message, std::size_t size);
 
-  /// What antEnvMsg::Send() does.
-  /// @param object, entry where the answer goes
+  /// antEnvMsg::Send()
+  /// @param object, entry receiver of the answer
   antError send(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry);
 
   void addTo(PollSet& poll_set);
@@ -53,7 +51,7 @@ class IpStack {
  private:
   struct TcpPort {
     TcpListener listener;
-    std::deque<longword> waiting;  ///< endpoints that listen, the first come first
+    std::deque<longword> waiting;  ///< listening endpoints, in the order of their requests
   };
 
   antError answerAtOnce(antEnvMsg& message);

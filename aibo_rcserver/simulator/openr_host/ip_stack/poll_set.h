@@ -11,19 +11,19 @@
 
 namespace openr_host {
 
-/// What one wait waits for. Filled again for every wait: there are only a handful of sockets, and what each waits for
-/// changes all the time.
+/// The descriptors for one wait. It is filled again for every wait, because there are only a few sockets and their
+/// events change all the time.
 class PollSet {
  public:
   using Handler = std::function<void()>;
 
-  /// @param events POLLIN, POLLOUT or both; errors always count too
-  /// @param handler called by wait() if one of these is there. It may close its own descriptor, but no other one.
+  /// @param events POLLIN, POLLOUT or both; errors are always included
+  /// @param handler called by wait() if an event has occurred. It may close its own descriptor, but no other.
   void add(int fd, short events, Handler handler);
 
-  /// Waits until the deadline, for ever without one, or until a descriptor is ready; then calls the handlers of those
-  /// that are, in the order in which they were added.
-  /// @return false if none was
+  /// Waits until the deadline (forever without one) or until a descriptor is ready. Then calls the handlers of ready
+  /// descriptors, in the order in which they were added.
+  /// @return false if none was ready
   /// @throw std::system_error
   bool wait(const std::optional<std::chrono::steady_clock::time_point>& deadline);
 

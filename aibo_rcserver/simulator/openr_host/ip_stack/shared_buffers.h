@@ -8,19 +8,19 @@
 
 namespace openr_host {
 
-/// The memory that objects and the IPStack share.
+/// The memory shared by objects and the IPStack.
 class SharedBuffers {
  public:
   /// @param size rounded up to whole pages of 4096 bytes (OPEN-R SDK Internet Protocol Version4)
-  /// @return null if size is 0 or if there is no such memory
+  /// @return null if size is 0 or if there is not enough memory
   void* create(std::size_t size);
 
   bool contains(const void* address) const { return buffers_.count(address) != 0; }
-  /// Bytes of the one that begins at this address.
+  /// Size in bytes of the buffer that begins at this address.
   std::size_t sizeOf(const void* address) const { return buffers_.at(address).size; }
   void destroy(const void* address) { buffers_.erase(address); }
 
-  /// Whether all of this lies in one of them.
+  /// Whether the range lies in one buffer.
   bool containsRange(const void* begin, std::size_t size) const { return find(begin, size) != buffers_.end(); }
 
   /// Whether the range lies in the buffer that begins at `address`.

@@ -5,13 +5,12 @@
 #include <cerrno>
 #include <utility>
 
-#include "simulator/openr_host/ip_stack/socket_address.h"
-#include "simulator/openr_host/ip_stack/tcp_connection.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 namespace {
 
-/// The error of a connection that was made and broke.
+/// The error of a connection that broke.
 TCPEndpointError errorOf(int error) {
   switch (error) {
     case EPIPE:
@@ -27,7 +26,7 @@ TCPEndpointError errorOf(int error) {
   }
 }
 
-/// The error of a connection that could not be made.
+/// The error of a connection that could not be established.
 TCPEndpointError connectErrorOf(int error) {
   switch (error) {
     case ECONNREFUSED:
@@ -45,8 +44,8 @@ TCPEndpointError connectErrorOf(int error) {
   }
 }
 
-/// Throws away what has come.
-/// @return 0 if the other side has closed, else the error number that says what there is instead
+/// Discards received bytes.
+/// @return 0 if the other side has closed, otherwise an error number
 int drain(int socket) {
   char scrap[4096];
   ssize_t count = 0;
@@ -242,8 +241,8 @@ void TcpEndpoint::goOnClosing() {
     shutdown(socket_.get(), SHUT_WR);
     said_goodbye_ = true;
   }
-  // Were it closed while unread bytes are there or still come, the kernel would reset the connection, and what was sent
-  // last would be lost to the other side.
+  // If the socket were closed before all bytes are read, the kernel would reset the connection, and the other side
+  // would lose what was sent last.
   if (!other_side_closed_) {
     const int error = drain(socket_.get());
     if (error != 0 && !isTransient(error)) {
@@ -271,7 +270,7 @@ void TcpEndpoint::addTo(PollSet& poll_set) {
   }
   const bool reads = receiving_ || (closing_ && !other_side_closed_);
   if (!sending_ && !reads) {
-    return;  // nobody is there to be told, and a broken connection would wake the poll again and again
+    return;  // no request to answer, and a broken connection would wake the poll again and again
   }
   const int events = (reads ? POLLIN : 0) | (sending_ ? POLLOUT : 0);
   poll_set.add(socket_.get(), static_cast<short>(events), [this] {

@@ -5,12 +5,11 @@
 #include <TCPEndpointMsg.h>
 
 #include "simulator/openr_host/ip_stack/endpoint.h"
-#include "simulator/openr_host/ip_stack/pending_message.h"
 #include "simulator/openr_host/ip_stack/tcp_listener.h"
 
 namespace openr_host {
 
-/// A TCP endpoint: new, then listening or connecting, then connected, then broken or closing, then closed (OPEN-R SDK
+/// A TCP endpoint. Its states are: new; listening or connecting; connected; broken or closing; closed (OPEN-R SDK
 /// Internet Protocol Version4, figure 4).
 class TcpEndpoint : public Endpoint {
  public:
@@ -23,13 +22,13 @@ class TcpEndpoint : public Endpoint {
 
   bool isNew() const { return state_ == State::kNew; }
 
-  /// @name Begin what a message asks for. Each is answered later, or at once with an error.
+  /// @name Requests, answered later or at once with an error
   /// @{
   void listen(const Envelope& message);
   void connect(const Envelope& message);
   void send(const Envelope& message);
   void receive(const Envelope& message);
-  /// Ends the connection in good order: what receives is answered with TCP_CONNECTION_CLOSED, a send under way goes on,
+  /// Closes the connection gracefully: a receive is answered with TCP_CONNECTION_CLOSED, a send under way continues,
   /// and the answer waits until both sides have closed. With `abort` the answer comes at once.
   void close(const Envelope& message);
   /// @}
@@ -37,10 +36,10 @@ class TcpEndpoint : public Endpoint {
   /// Whether close() would be answered at once.
   bool closesAtOnce(bool abort) const;
 
-  /// What close() does then; all that is under way is answered with an error.
+  /// Closes at once. Every request under way is answered with an error.
   void closeAtOnce(bool abort);
 
-  /// A client has come to this listening endpoint.
+  /// A client has connected to this listening endpoint.
   void accept(TcpConnection connection);
 
   bool isClosed() const override { return state_ == State::kClosed; }
@@ -74,8 +73,8 @@ class TcpEndpoint : public Endpoint {
   PendingMessage<TCPEndpointReceiveMsg> receiving_;
   std::size_t received_ = 0;
   PendingMessage<TCPEndpointCloseMsg> closing_;
-  bool said_goodbye_ = false;       ///< we have closed our side
-  bool other_side_closed_ = false;  ///< and they theirs
+  bool said_goodbye_ = false;       ///< this side has closed the connection
+  bool other_side_closed_ = false;  ///< and the other side
 };
 
 }  // namespace openr_host

@@ -9,12 +9,12 @@
 #include <system_error>
 #include <thread>
 
-#include "simulator/openr_host/ip_stack/tcp_connection.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 namespace {
 
-/// The waiting client wakes the server again at once; nothing but time may bring memory. Shorter than a joint's frame.
+/// Wait before trying again, because the waiting client wakes the server at once. Shorter than a frame.
 constexpr std::chrono::milliseconds kMemoryPause{5};
 
 FileDescriptor openSpare() {
@@ -26,7 +26,7 @@ FileDescriptor openSpare() {
 TcpListener::TcpListener(const std::string& address, std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)), spare_(openSpare()) {
   const sockaddr_in bound = SocketAddress::parse(address, port).system();
-  // Else a restarted server would have to wait until the kernel forgets the last one's connections.
+  // Otherwise a restarted server would have to wait until the kernel forgets its last connections.
   const int reuse = 1;
   if (!socket_.isOpen() || setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &reuse, sizeof(reuse)) != 0 ||
       bind(socket_.get(), reinterpret_cast<const sockaddr*>(&bound), sizeof(bound)) != 0 ||
@@ -44,7 +44,7 @@ std::optional<TcpConnection> TcpListener::accept() {
         accept4(socket_.get(), reinterpret_cast<sockaddr*>(&client), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket.isOpen()) {
       if (!configureTcpConnection(socket.get())) {
-        continue;  // a client that cannot be told from one that has vanished is let go
+        continue;  // without these options a vanished client would not be noticed
       }
       return TcpConnection{std::move(socket), SocketAddress(client)};
     }
@@ -59,7 +59,7 @@ std::optional<TcpConnection> TcpListener::accept() {
       case ENOMEM:
         std::this_thread::sleep_for(kMemoryPause);
         return std::nullopt;
-      default:  // this client has gone already; perhaps there is another one
+      default:  // this client has gone already; try the next one
         break;
     }
   }

@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "simulator/openr_host/ip_stack/file_descriptor.h"
-#include "simulator/openr_host/ip_stack/socket_address.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 
@@ -22,21 +21,21 @@ class TcpListener {
  public:
   /// @param address IPv4 address of this computer, "0.0.0.0" for all
   /// @param port 0 for any free one
-  /// @throw std::system_error if the port is in use or cannot be had
+  /// @throw std::system_error if the port is in use or not allowed
   /// @throw std::invalid_argument if it is not an address
   TcpListener(const std::string& address, std::uint16_t port);
 
   int fd() const { return socket_.get(); }
   std::uint16_t port() const { return port_; }
 
-  /// The next waiting client, if there is one. A client for whom the process has no descriptor left is turned away.
+  /// The next waiting client, if there is one. If the process has no descriptors left, the client is turned away.
   std::optional<TcpConnection> accept();
 
  private:
   void turnOneAway();
 
   FileDescriptor socket_;
-  FileDescriptor spare_;  ///< given up for a moment to turn a client away when there are no descriptors left
+  FileDescriptor spare_;  ///< closed for a moment to turn a client away when there are no descriptors left
   std::uint16_t port_ = 0;
 };
 

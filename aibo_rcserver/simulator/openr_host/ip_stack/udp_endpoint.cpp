@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "simulator/openr_host/ip_stack/socket_address.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 namespace {

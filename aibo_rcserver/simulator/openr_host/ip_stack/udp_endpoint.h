@@ -7,12 +7,12 @@
 #include <string>
 
 #include "simulator/openr_host/ip_stack/endpoint.h"
-#include "simulator/openr_host/ip_stack/file_descriptor.h"
-#include "simulator/openr_host/ip_stack/pending_message.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 
-/// A UDP endpoint: new, then bound, perhaps connected, then closed (OPEN-R SDK Internet Protocol Version4, figure 5).
+/// A UDP endpoint. Its states are: new; bound, perhaps connected; closed (OPEN-R SDK Internet Protocol Version4, figure
+/// 5).
 class UdpEndpoint : public Endpoint {
  public:
   static constexpr UDPEndpointError kOperationInvalid = UDP_OPERATION_INVALID;
@@ -22,7 +22,7 @@ class UdpEndpoint : public Endpoint {
   /// @param deliver must outlive this
   UdpEndpoint(int pool_size, const Deliver& deliver);
 
-  /// @name Answered at once
+  /// @name Requests, answered at once
   /// @{
   /// @param bind_address of this computer
   void bind(UDPEndpointBindMsg& message, const std::string& bind_address);
@@ -30,7 +30,7 @@ class UdpEndpoint : public Endpoint {
   void close(UDPEndpointCloseMsg& message);
   /// @}
 
-  /// @name Begin what a message asks for. Each is answered later, or at once with an error.
+  /// @name Requests, answered later or at once with an error
   /// @{
   void send(const Envelope& message);
   void receive(const Envelope& message);

@@ -45,19 +45,19 @@ void check(const OCommandInfo& info, const RCRegion& region, std::size_t entry, 
            const VirtualRobot& robot) {
   const std::string name = "its entry " + text(entry) + " for primitive " + text(info.primitiveID);
   require(robot.takesCommand(info.primitiveID, info.type),
-          name + ": that is not open, or takes no commands of type " + text(info.type));
+          name + ": it is not open, or does not accept commands of type " + text(info.type));
   require(info.numFrames <= ocommandMAX_FRAMES,
           name + ": numFrames is " + text(info.numFrames) + ", the most is " + text(ocommandMAX_FRAMES));
   require(info.frameSize == sizeof(OCommandValue),
           name + ": frameSize is " + text(info.frameSize) + " instead of " + text(sizeof(OCommandValue)));
   const std::size_t begin = info.dataOffset;
-  require(begin >= kInfoOffset + entries * sizeof(info) && begin <= region.Size() &&
-              info.numFrames * sizeof(OCommandValue) <= region.Size() - begin,
-          name + ": dataOffset " + text(begin) + " leads out of the data of its region of " + text(region.Size()) +
-              " bytes");
+  require(
+      begin >= kInfoOffset + entries * sizeof(info) && begin <= region.Size() &&
+          info.numFrames * sizeof(OCommandValue) <= region.Size() - begin,
+      name + ": dataOffset " + text(begin) + " is outside the data of its region of " + text(region.Size()) + " bytes");
 }
 
-// Only numFrames frames are processed (page 48): an entry without any says nothing, whatever else is in it.
+// Only numFrames frames are processed (page 48), so an entry without frames is ignored, whatever else is in it.
 std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot& robot) {
   const std::size_t count = readHeader(region).numData;
   std::vector<OCommandInfo> entries;
@@ -72,11 +72,11 @@ std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot
   return entries;
 }
 
-/// How many frames a value lasts: those of LEDs and of an ERS-7's ears say so themselves (page 50), all at one place.
+/// How many frames a value lasts. Values for LEDs and an ERS-7's ears contain this (page 50), all at the same offset.
 longword framesOf(const EffectorCommand& command) {
   static_assert(offsetof(OLEDCommandValue2, period) == 4 && offsetof(OLEDCommandValue3, period) == 4 &&
                     offsetof(OJointCommandValue4, period) == 4,
-                "one of them is laid over the others");
+                "the three types share the offset");
   const bool has_period =
       command.type == odataLED_COMMAND2 || command.type == odataLED_COMMAND3 || command.type == odataJOINT_COMMAND4;
   OLEDCommandValue2 value;

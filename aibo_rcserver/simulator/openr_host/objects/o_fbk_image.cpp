@@ -2,7 +2,7 @@
 
 namespace {
 
-/// How many bands a layer has, interleaved row by row.
+/// The number of bands in a layer, which are interleaved row by row.
 int numberOfBands(ODataType type) {
   switch (type) {
     case odataFBK_YCrCb:
@@ -16,12 +16,12 @@ int numberOfBands(ODataType type) {
   }
 }
 
-/// Which of the interleaved rows a band has, or numberOfBands() and more if it is not among them.
+/// The index of a band among the interleaved rows; numberOfBands() or more if the layer does not have it.
 int rowOf(OFbkImageBand band, ODataType type) {
   if (type == odataFBK_CDT) {
     return band == ofbkimageBAND_CDT ? 0 : 1;
   }
-  // The colour detection's number lies between those of the bands that share a layer.
+  // The number of the colour detection band is in the middle of the other bands' numbers.
   const int absent = 6;
   if (band == ofbkimageBAND_CDT || band > ofbkimageBAND_Y_HH) {
     return absent;

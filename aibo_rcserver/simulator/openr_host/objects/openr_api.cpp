@@ -1,11 +1,49 @@
+// The SDK's functions: OPENR::, the calls of the IPStack, and the console.
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
+#include <ant.h>
 
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <stdexcept>
+#include <string>
 
 #include "simulator/openr_host/system.h"
 
 using openr_host::System;
+
+namespace {
+
+/// The part of the text that the console shows.
+std::string format(const char* format, std::va_list arguments) {
+  char text[osyslogMAX_SIZE];
+  const int size = std::vsnprintf(text, sizeof(text), format, arguments);
+  return size > 0 ? text : "";
+}
+
+/// An object's code can also print when a test calls it without a machine.
+void print(const std::string& text) {
+  if (auto* system = System::currentOrNull()) {
+    system->console().print(text);
+  } else {
+    std::cout << text << std::flush;
+  }
+}
+
+const char* nameOf(OSyslogPriority priority) {
+  switch (priority) {
+    case osyslogERROR:
+      return "ERROR";
+    case osyslogWARNING:
+      return "WARNING";
+    default:
+      return "INFO";
+  }
+}
+
+}  // namespace
 
 OStatus OPENR::OpenPrimitive(const char* locator, OPrimitiveID* primitiveID) {
   return System::current().robot().openPrimitive(locator, primitiveID);
@@ -136,5 +174,38 @@ OStatus OPENR::Shutdown(const OBootCondition& condition) {
 OStatus OPENR::GetRobotDesign(char* design) {
   const std::string name = System::current().robot().design();
   design[name.copy(design, orobotdesignNAME_MAX)] = '\0';
+  return oSUCCESS;
+}
+
+antStackRef::antStackRef(const char* name) : is_ip_stack_(std::strcmp(name, "IPStack") == 0) {}
+
+antError antEnvMsg::Call(const antStackRef& stack, size_t size) {
+  return stack.IsIPStack() ? System::current().ipStack().call(*this, size) : ANT_FAIL;
+}
+
+antError antEnvMsg::Send(const antStackRef& stack, const OID& object, Selector entry, size_t size) {
+  System& system = System::current();
+  if (!stack.IsIPStack() || !system.hasEntry(object, entry)) {
+    return ANT_FAIL;
+  }
+  return system.ipStack().send(*this, size, object, entry);
+}
+
+OStatus osysprint(const char* format_text, ...) {
+  std::va_list arguments;
+  va_start(arguments, format_text);
+  print(format(format_text, arguments));
+  va_end(arguments);
+  return oSUCCESS;
+}
+
+OStatus osyslog(OSyslogPriority priority, const char* format_text, ...) {
+  std::va_list arguments;
+  va_start(arguments, format_text);
+  const std::string text = format(format_text, arguments);
+  va_end(arguments);
+  const auto* system = System::currentOrNull();
+  const std::string object = system != nullptr ? system->runningObject() + ": " : "";
+  print(std::string(nameOf(priority)) + " " + object + text + "\n");
   return oSUCCESS;
 }

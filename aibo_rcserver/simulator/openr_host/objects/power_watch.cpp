@@ -5,7 +5,7 @@
 namespace openr_host {
 namespace {
 
-/// @param every_change, never the two opso constants that go with the value; anything else is the value to wait for
+/// @param every_change, never the value's two opso constants; any other `wanted` is the value to wait for
 template <typename Value>
 bool isWorthTelling(Value wanted, Value before, Value now, Value every_change, Value never) {
   return before != now && wanted != never && (wanted == every_change || wanted == now);

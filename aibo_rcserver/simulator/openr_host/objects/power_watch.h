@@ -9,12 +9,12 @@
 
 namespace openr_host {
 
-/// Who observes the power status, and what of it: OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79).
+/// The observers of the power status: OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79).
 class PowerWatch {
  public:
-  /// @param wanted bits that are looked at in robotStatus and batteryStatus; the other members are a value, or one of
-  /// the opso constants of OPower.h
-  /// @param present status from which changes count
+  /// @param wanted bits to watch in robotStatus and batteryStatus; the other members contain a value to watch for, or
+  /// one of the opso constants in OPower.h
+  /// @param present the status with which the next one is compared
   void observe(const OServiceEntry& entry, const OPowerStatus& wanted, const OPowerStatus& present);
 
   /// @return false if the entry observes nothing
@@ -22,7 +22,8 @@ class PowerWatch {
 
   bool isWatching() const { return !watchers_.empty(); }
 
-  /// @return the entries that are to be told
+  /// Compares the status with the previous one.
+  /// @return the entries to notify
   std::vector<OServiceEntry> look(const OPowerStatus& status);
 
  private:

@@ -89,7 +89,7 @@ void VirtualRobotComm::passFrame(longword frame) {
   }
 }
 
-// What nobody is ready for is kept for those who are busy: the newest counts (Level2 Reference Guide, page 18).
+// For busy observers the newest vector is kept (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
   if (sensor_->isWanted()) {
     sensor_->setData(robot_.captureSensors(frame));
@@ -124,7 +124,7 @@ void VirtualRobotComm::takeCommands(const ONotifyEvent& event) {
       sender.commands.add(*event.RCData(i), robot_);
     }
   } catch (const std::invalid_argument& error) {
-    // READY follows in the next frame only, so that an object cannot send malformed vectors without end.
+    // READY follows only in the next frame, so that an object cannot send malformed vectors in an endless loop.
     sender.was_refused = true;
     OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
   }

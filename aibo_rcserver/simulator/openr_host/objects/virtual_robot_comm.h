@@ -13,7 +13,7 @@
 
 #include "simulator/openr_host/object_description.h"
 #include "simulator/openr_host/objects/command_queue.h"
-#include "simulator/openr_host/objects/subject_service.h"
+#include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -21,12 +21,12 @@ namespace openr_host {
 /// The system object OVirtualRobotComm: the gates between the robot's body and the objects
 /// (Level2 Reference Guide, page 44).
 ///
-/// Any number of objects may command the body side by side, each of them its own primitives. An object is told READY
-/// when the output of a vector that it sent is complete, once for each vector. So an object that wants no gap sends
-/// two vectors first, and one more for each READY.
+/// Any number of objects may command the body at the same time, each of them its own primitives. An object gets READY
+/// each time the output of one of its vectors is complete. So to avoid gaps, an object first sends two vectors, and
+/// then one more for each READY.
 class VirtualRobotComm : public OObject {
  public:
-  /// @param on_image called when an image is handed to the observers; may be empty
+  /// @param on_image called before an image is handed to the observers; may be empty
   static ObjectDescription describe(VirtualRobot& robot, const std::function<void()>& on_image);
 
   VirtualRobotComm(VirtualRobot& robot, std::function<void()> on_image)
@@ -37,15 +37,15 @@ class VirtualRobotComm : public OObject {
   OStatus DoStop(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
 
-  /// A frame of 8 ms has begun, and so have all since the last one that this was called for.
+  /// A frame of 8 ms has begun. Frames since the last call are made up.
   void beginFrame(longword frame);
 
  private:
-  /// One object that commands the body.
+  /// An object that commands the body.
   struct Commander {
     SubjectID subject;
     CommandQueue commands;
-    bool was_refused = false;  ///< what it sent last; it is told READY in the next frame
+    bool was_refused = false;  ///< its last vector; it gets READY in the next frame
   };
 
   Commander& commander(const SubjectID& subject);

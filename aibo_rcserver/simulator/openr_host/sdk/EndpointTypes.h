@@ -1,5 +1,5 @@
 /// @file EndpointTypes.h
-/// What kinds of endpoint antEnvCreateEndpointMsg can make.
+/// The kinds of endpoint that antEnvCreateEndpointMsg can make.
 #ifndef OPENR_ENDPOINTTYPES_H
 #define OPENR_ENDPOINTTYPES_H
 

@@ -42,7 +42,7 @@ typedef uint16 Port;
 const IPAddress IP_ADDR_ANY(0);
 const IPAddress IP_ADDR_BROADCAST(static_cast<uint32>(0xffffffffU));
 
-/// Where a port is asked for: any free one.
+/// In a request for a port: any free one.
 #define IP_PORT_ANY 0
 
 #endif  // OPENR_IPADDRESS_H

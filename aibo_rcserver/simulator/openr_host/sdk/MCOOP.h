@@ -10,13 +10,13 @@ typedef slongword sError;
 const sError sSUCCESS = 0;
 
 /// @param[out] address at least `size` bytes
-/// @return sSUCCESS, or another value if there is not so much
+/// @return sSUCCESS, or another value if there is not enough memory
 inline sError NewRegion(size_t size, void** address) {
   *address = malloc(size);
   return *address != 0 ? sSUCCESS : 1;
 }
 
-/// Gives it back.
+/// Frees memory from NewRegion().
 inline sError DeleteRegion(void* address) {
   free(address);
   return sSUCCESS;

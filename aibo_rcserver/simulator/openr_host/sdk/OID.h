@@ -1,14 +1,14 @@
 /// @file OID.h
-/// Names an object.
+/// The identity of an object.
 #ifndef OPENR_OID_H
 #define OPENR_OID_H
 
 #include <Types.h>
 
-/// The identity of an object in the system. Only the system makes valid ones; an object compares and passes them on.
+/// The identity of an object in the system. Only the system creates valid ones; objects compare them and pass them on.
 class OID {
  public:
-  /// Names no object.
+  /// Identifies no object.
   OID() : address_(0) { MakeInvalid(); }
   // NOLINTNEXTLINE(google-explicit-constructor): as in the SDK
   OID(void* address) : address_(address) {}

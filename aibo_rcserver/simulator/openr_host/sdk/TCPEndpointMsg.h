@@ -1,8 +1,8 @@
 /// @file TCPEndpointMsg.h
-/// What can be asked of a TCP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 2 and 7).
+/// Messages to a TCP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 2 and 7).
 ///
-/// An endpoint listens or connects once; the connection that comes of it is the endpoint's own. At one time, one send
-/// and one receive may be under way.
+/// An endpoint listens or connects once, and then owns the resulting connection. One send and one receive may be under
+/// way at a time.
 #ifndef OPENR_TCPENDPOINTMSG_H
 #define OPENR_TCPENDPOINTMSG_H
 
@@ -11,14 +11,14 @@
 
 enum TCPEndpointError {
   TCP_SUCCESS = 0,
-  TCP_FAIL = 1,                ///< the host could not do it, or it cannot be called, only sent
+  TCP_FAIL = 1,                ///< the host could not do it, or the message can only be sent, not called
   TCP_CONNECTION_CLOSED = 2,   ///< the other side, or a TCPEndpointCloseMsg, has closed the connection
-  TCP_CONNECTION_RESET = 3,    ///< the other side has broken the connection off
+  TCP_CONNECTION_RESET = 3,    ///< the other side has reset the connection
   TCP_CONNECTION_TIMEOUT = 4,  ///< the other side has vanished, or has not read for 2 s
   TCP_CONNECTION_BUSY = 5,     ///< a send (for a send) or a receive (for a receive) is under way
   TCP_ADDRESSINUSE = 6,        ///< another program has the port
-  TCP_ADDRESSERROR = 7,        ///< this cannot be an address
-  TCP_PORT_UNREACHABLE = 8,    ///< nobody listens there
+  TCP_ADDRESSERROR = 7,        ///< not a possible address
+  TCP_PORT_UNREACHABLE = 8,    ///< nothing listens there
   TCP_PROTOCOL_UNREACHABLE = 9,
   TCP_HOST_UNREACHABLE = 10,
   TCP_NETWORK_UNREACHABLE = 11,
@@ -26,8 +26,8 @@ enum TCPEndpointError {
   TCP_TTL_EXCEEDED = 13,
   TCP_TIME_EXCEEDED = 14,
   TCP_WOULDBLOCK = 15,
-  TCP_BUFFER_INVALID = 16,     ///< the data does not lie in a shared buffer, or a size makes no sense
-  TCP_OPERATION_INVALID = 17,  ///< no such endpoint, or in its state this cannot be asked
+  TCP_BUFFER_INVALID = 16,     ///< the data is not in a shared buffer, or a size is out of range
+  TCP_OPERATION_INVALID = 17,  ///< no such endpoint, or not allowed in its state
   TCP_OPERATION_UNKNOWN = 18
 };
 
@@ -42,7 +42,7 @@ class TCPEndpointBaseMsg : public antEnvMsg {
       : antEnvMsg(asked), module(endpoint), error(TCP_FAIL) {}
 };
 
-/// Base of the messages that make a connection. `l` is the local side, `f` the foreign one.
+/// Base of the messages that establish a connection. `l` is the local side, `f` the foreign one.
 class TCPEndpointAddressesMsg : public TCPEndpointBaseMsg {
  public:
   IPAddress lAddress;
@@ -60,7 +60,7 @@ class TCPEndpointAddressesMsg : public TCPEndpointBaseMsg {
         fPort(foreign_port) {}
 };
 
-/// Waits for one client. The answer has its address and port (fAddress, fPort), and the local address.
+/// Waits for one client. The answer contains its address and port (fAddress, fPort), and the local address.
 class TCPEndpointListenMsg : public TCPEndpointAddressesMsg {
  public:
   /// @param address IP_ADDR_ANY; on Linux the machine's bind address decides
@@ -69,7 +69,7 @@ class TCPEndpointListenMsg : public TCPEndpointAddressesMsg {
       : TCPEndpointAddressesMsg(antOperation_TCPListen, endpoint, address, port, foreign, foreign_port) {}
 };
 
-/// Connects to a server. The answer has the local address and port too.
+/// Connects to a server. The answer also contains the local address and port.
 class TCPEndpointConnectMsg : public TCPEndpointAddressesMsg {
  public:
   /// @param address, port IP_ADDR_ANY and IP_PORT_ANY
@@ -82,7 +82,7 @@ class TCPEndpointConnectMsg : public TCPEndpointAddressesMsg {
 /// Sends. Answered when all bytes are in the stack's own memory, or with an error.
 class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer; must stay as it is until the answer comes
+  /// @param data in a shared buffer; must not change until the answer comes
   /// @param bytes at least 1
   TCPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : TCPEndpointBaseMsg(antOperation_TCPSend, endpoint), buffer(data), size(bytes) {}
@@ -91,7 +91,7 @@ class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
   int size;
 };
 
-/// Receives. Answered as soon as sizeMin bytes are there, or with an error.
+/// Receives. Answered as soon as sizeMin bytes have arrived, or with an error.
 class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
  public:
   /// @param data in a shared buffer with room for `max` bytes
@@ -100,23 +100,23 @@ class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
       : TCPEndpointBaseMsg(antOperation_TCPReceive, endpoint), buffer(data), sizeMin(min), sizeMax(max) {}
 
   byte* buffer;
-  int sizeMin;  ///< answer: how many bytes there are; with an error, those that came before it
+  int sizeMin;  ///< answer: number of bytes received, with an error those before it
   int sizeMax;  ///< answer: the same
 };
 
-/// Closes, whatever the endpoint is doing; a listen, connect, send or receive under way is answered with
-/// TCP_CONNECTION_CLOSED first. The endpoint is no more after the answer.
+/// Closes the endpoint, whatever it is doing; a listen, connect, send or receive under way is first answered with
+/// TCP_CONNECTION_CLOSED. After the answer the endpoint no longer exists.
 ///
-/// The answer comes when the connection is fully closed. If the other side has closed already, or with `abort`, that is
-/// at once. Else it is when the other side closes, which may be never: an object that must not wait so long aborts. A
-/// second TCPEndpointCloseMsg with `abort` ends the waiting, and both are answered.
+/// The answer comes when the connection is fully closed: at once if the other side has closed already, or with `abort`;
+/// otherwise when the other side closes, which may be never. An object that cannot wait that long aborts: a second
+/// TCPEndpointCloseMsg with `abort` ends the waiting, and both are answered.
 class TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
  public:
   explicit TCPEndpointCloseMsg(const antModuleRef& endpoint, bool lingers = false, int linger_time = 0,
                                bool aborts = false)
       : TCPEndpointBaseMsg(antOperation_TCPClose, endpoint), abort(aborts), linger(lingers), lingerTime(linger_time) {}
 
-  bool abort;      ///< true: the other side sees a reset; false: it gets what was sent, then the end
+  bool abort;      ///< true: the other side sees a reset; false: it receives everything that was sent, then the end
   bool linger;     ///< without effect on Linux; the SDK does not document it
   int lingerTime;  ///< the same
 };

@@ -9,7 +9,7 @@ typedef unsigned char byte;
 typedef signed char sbyte;
 typedef unsigned short word;
 typedef signed short sword;
-/// 32 bits in every data layout. On the robot it is an unsigned long; that has 64 bits on most Linux computers, so that
+/// 32 bits in every data layout. On the robot it is an unsigned long, but that has 64 bits on most Linux computers, so
 /// here it is an unsigned int. Print it with a cast.
 typedef unsigned int longword;
 typedef signed int slongword;

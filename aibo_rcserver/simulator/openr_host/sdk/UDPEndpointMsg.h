@@ -1,7 +1,7 @@
 /// @file UDPEndpointMsg.h
-/// What can be asked of a UDP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 3 and 8).
+/// Messages to a UDP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 3 and 8).
 ///
-/// An endpoint is bound first. At one time, one send and one receive may be under way.
+/// An endpoint must be bound first. One send and one receive may be under way at a time.
 #ifndef OPENR_UDPENDPOINTMSG_H
 #define OPENR_UDPENDPOINTMSG_H
 
@@ -14,16 +14,16 @@ enum UDPEndpointError {
   UDP_CONNECTION_CLOSED = 2,  ///< a UDPEndpointCloseMsg has closed the endpoint
   UDP_CONNECTION_BUSY = 3,    ///< a send (for a send) or a receive (for a receive) is under way
   UDP_ADDRESSINUSE = 4,       ///< another program has the port
-  UDP_ADDRESSERROR = 5,       ///< this cannot be an address
-  UDP_PORT_UNREACHABLE = 6,   ///< an earlier packet found nobody there
+  UDP_ADDRESSERROR = 5,       ///< not a possible address
+  UDP_PORT_UNREACHABLE = 6,   ///< nothing received an earlier packet
   UDP_PROTOCOL_UNREACHABLE = 7,
   UDP_HOST_UNREACHABLE = 8,
   UDP_NETWORK_UNREACHABLE = 9,
-  UDP_MESSAGE_TOO_LONG = 10,  ///< more than one packet can carry
+  UDP_MESSAGE_TOO_LONG = 10,  ///< larger than a packet can be
   UDP_TTL_EXCEEDED = 11,
   UDP_TIME_EXCEEDED = 12,
-  UDP_BUFFER_INVALID = 13,     ///< the data does not lie in a shared buffer, or a size makes no sense
-  UDP_OPERATION_INVALID = 14,  ///< no such endpoint, or in its state this cannot be asked
+  UDP_BUFFER_INVALID = 13,     ///< the data is not in a shared buffer, or a size is out of range
+  UDP_OPERATION_INVALID = 14,  ///< no such endpoint, or not allowed in its state
   UDP_OPERATION_UNKNOWN = 15,
   UDP_WOULDBLOCK = 16
 };
@@ -39,11 +39,11 @@ class UDPEndpointBaseMsg : public antEnvMsg {
       : antEnvMsg(asked), module(endpoint), error(UDP_FAIL) {}
 };
 
-/// Takes a port. The answer has the address and port that were taken.
+/// Takes a port. The answer contains the address and port that were taken.
 class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
  public:
   /// @param local IP_ADDR_ANY; on Linux the machine's bind address decides
-  /// @param local_port IP_PORT_ANY is any free one from 1024 on; on Linux it is the same port of this computer
+  /// @param local_port IP_PORT_ANY means any free one from 1024 up; on Linux it is the same port of this computer
   UDPEndpointBindMsg(const antModuleRef& endpoint, const IPAddress& local, Port local_port)
       : UDPEndpointBaseMsg(antOperation_UDPBind, endpoint), address(local), port(local_port) {}
 
@@ -51,7 +51,7 @@ class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
   Port port;
 };
 
-/// Says where every packet goes from now on.
+/// Sets the destination of all packets from now on.
 class UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
  public:
   UDPEndpointConnectMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port)
@@ -64,13 +64,13 @@ class UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
 /// Sends one packet. Answered when it is in the stack's own memory, or with an error.
 class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
  public:
-  /// To where the endpoint is connected.
-  /// @param data in a shared buffer; must stay as it is until the answer comes
+  /// Sends to the address that the endpoint is connected to.
+  /// @param data in a shared buffer; must not change until the answer comes
   /// @param bytes at least 1
   UDPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint), port(0), buffer(data), size(bytes) {}
 
-  /// @param foreign, foreign_port where to; without effect if the endpoint is connected
+  /// @param foreign, foreign_port destination; ignored if the endpoint is connected
   UDPEndpointSendMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint),
         address(foreign),
@@ -84,7 +84,7 @@ class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   int size;
 };
 
-/// Receives one packet. What of it is larger than the buffer is lost.
+/// Receives one packet. Bytes that do not fit into the buffer are lost.
 class UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
  public:
   /// @param data in a shared buffer with room for `bytes`
@@ -92,14 +92,14 @@ class UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
   UDPEndpointReceiveMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPReceive, endpoint), port(0), buffer(data), size(bytes) {}
 
-  IPAddress address;  ///< answer: where it comes from
-  Port port;          ///< answer: where it comes from
+  IPAddress address;  ///< answer: the sender's
+  Port port;          ///< answer: the sender's
   byte* buffer;
   int size;  ///< answer: bytes received
 };
 
-/// Closes. A send or receive under way is answered with UDP_CONNECTION_CLOSED first. The endpoint is no more after the
-/// answer.
+/// Closes the endpoint. A send or receive under way is first answered with UDP_CONNECTION_CLOSED. After the answer the
+/// endpoint no longer exists.
 class UDPEndpointCloseMsg : public UDPEndpointBaseMsg {
  public:
   explicit UDPEndpointCloseMsg(const antModuleRef& endpoint) : UDPEndpointBaseMsg(antOperation_UDPClose, endpoint) {}

@@ -1,16 +1,17 @@
 /// @file ant.h
-/// Talking to the IPStack: messages, shared buffers and the making of endpoints.
+/// Communication with the IPStack: messages, shared buffers and the creation of endpoints.
 ///
-/// A message is made, filled and either called (the answer stands in it when Call() returns) or sent (a copy of it
-/// comes back to an `Extra` entry of stub.cfg, with the answer in it). Messages are copied byte by byte.
+/// An object creates and fills a message, and then either calls the stack with it (when Call() returns, the message
+/// contains the answer) or sends it (a copy with the answer comes back to an `Extra` entry of stub.cfg). Messages are
+/// copied byte by byte.
 #ifndef OPENR_ANT_H
 #define OPENR_ANT_H
 
 #include <antTypes.h>
 
-typedef void* ANTENVMSG;  ///< what an `Extra` entry is called with
+typedef void* ANTENVMSG;  ///< argument of an `Extra` entry
 
-/// Names an endpoint of the IPStack.
+/// Identifies an endpoint of the IPStack.
 class antModuleRef {
  public:
   antModuleRef() : id_(0) {}
@@ -19,10 +20,10 @@ class antModuleRef {
   bool operator==(const antModuleRef& other) const { return id_ == other.id_; }
 
  private:
-  longword id_;  ///< 0 is no endpoint
+  longword id_;  ///< 0 means no endpoint
 };
 
-/// Names a network stack; there is only "IPStack".
+/// Identifies a network stack; "IPStack" is the only one.
 class antStackRef {
  public:
   antStackRef() : is_ip_stack_(false) {}
@@ -33,16 +34,16 @@ class antStackRef {
   bool is_ip_stack_;
 };
 
-/// Memory that the object and the IPStack both reach. Whatever is sent or received lies in one.
+/// Memory shared by an object and the IPStack. All data that is sent or received must be in such a buffer.
 class antSharedBuffer {
  public:
   antSharedBuffer() : address_(0), size_(0) {}
   antSharedBuffer(void* address, uint32 size) : address_(address), size_(size) {}
 
-  /// Must be called before GetAddress() on the robot; on Linux the memory is always there.
+  /// On the robot, must be called before GetAddress(); on Linux, the memory is always mapped.
   antError Map() const { return address_ != 0 ? ANT_SUCCESS : ANT_FAIL; }
   void* GetAddress() const { return address_; }
-  /// Bytes, whole pages.
+  /// In bytes; a multiple of the page size.
   uint32 GetSize() const { return size_; }
   antError UnMap() const { return Map(); }
 
@@ -51,7 +52,7 @@ class antSharedBuffer {
   uint32 size_;
 };
 
-/// What a message asks for.
+/// The request of a message.
 enum antOperation {
   antOperation_CreateSharedBuffer,
   antOperation_DestroySharedBuffer,
@@ -71,21 +72,21 @@ enum antOperation {
 /// Base of all messages.
 class antEnvMsg {
  public:
-  /// Asks and waits for the answer. For what is answered at once: shared buffers, the making of endpoints, the binding
-  /// and connecting of UDP endpoints, and a close that need not wait for the other side.
+  /// Asks and waits for the answer. Only for requests that are answered at once: those for shared buffers, for creating
+  /// endpoints, for binding and connecting UDP endpoints, and to close without waiting for the other side.
   /// @param size sizeof the message, or more
   antError Call(const antStackRef& stack, size_t size);
 
-  /// Asks and goes on. Later the object's entry is called with an answered copy of this message.
+  /// Asks and returns. Later the object's entry is called with an answered copy of this message.
   /// @param object, entry usually myOID_ and Extra_Entry[entryNAME]
   /// @param size sizeof the message, or more
   antError Send(const antStackRef& stack, const OID& object, Selector entry, size_t size);
 
-  /// The message in what an `Extra` entry was called with. It is valid until the entry returns.
+  /// The message in the argument of an `Extra` entry; valid until the entry returns.
   static antEnvMsg* Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
   const antOperation operation;
-  void* continuation;  ///< the caller's own; comes back as it was
+  void* continuation;  ///< for the caller's use; comes back unchanged
 
  protected:
   explicit antEnvMsg(antOperation op) : operation(op), continuation(0) {}
@@ -103,7 +104,7 @@ class antEnvCreateSharedBufferMsg : public antEnvMsg {
   antSharedBuffer buffer;  ///< answer
 };
 
-/// Gives a shared buffer back. Refused while a send or receive uses it.
+/// Frees a shared buffer. Refused while a send or receive uses it.
 class antEnvDestroySharedBufferMsg : public antEnvMsg {
  public:
   explicit antEnvDestroySharedBufferMsg(const antSharedBuffer& shared_buffer)
@@ -117,9 +118,9 @@ class antEnvDestroySharedBufferMsg : public antEnvMsg {
 class antEnvCreateEndpointMsg : public antEnvMsg {
  public:
   /// @param endpoint_type one of EndpointTypes.h
-  /// @param pool_size bytes the stack may hold for this endpoint. It should be slightly larger than the largest packet
-  /// that is sent: 10 KB for packets of 8 KB (OPEN-R SDK Internet Protocol Version4, page 50). On Linux it is the size
-  /// of the socket's send buffer, and what is larger is sent in parts. What becomes of it on the robot is not
+  /// @param pool_size bytes that the stack may hold for this endpoint. It should be slightly larger than the largest
+  /// packet that is sent: 10 KB for packets of 8 KB (OPEN-R SDK Internet Protocol Version4, page 50). On Linux it is
+  /// the size of the socket's send buffer, and larger packets are sent in parts. Its effect on the robot is not
   /// documented.
   explicit antEnvCreateEndpointMsg(int32 endpoint_type, int32 pool_size = 0)
       : antEnvMsg(antOperation_CreateEndpoint), protocol(endpoint_type), poolSize(pool_size), error(ANT_FAIL) {}

@@ -13,7 +13,7 @@ typedef int boolean;
 
 enum antError {
   ANT_SUCCESS = 0,
-  ANT_FAIL = 1  ///< no such stack, object, entry or buffer, a buffer in use, or a message that is of no such use
+  ANT_FAIL = 1  ///< no such stack, object, entry or buffer, a buffer in use, or a message that cannot be used this way
 };
 
 #endif  // OPENR_ANTTYPES_H

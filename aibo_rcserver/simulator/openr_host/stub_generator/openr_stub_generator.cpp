@@ -1,10 +1,10 @@
-// Makes the sources that belong to an object from its stub.cfg. Called by openr_generate_stub.cmake.
+// Generates sources from an object's stub.cfg. Called by openr_generate_stub.cmake.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
 
-#include "simulator/openr_host/stub_generator/stub_writer.h"
+#include "simulator/openr_host/stub_generator/stub.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ void generate(const std::string& stub_file, int priority, const std::string& fol
   if (!text) {
     throw std::runtime_error(stub_file + ": cannot be read");
   }
-  const auto stub = openr_host::StubConfiguration::parse(text, stub_file);
+  const auto stub = openr_host::readStub(text, stub_file);
   writeFile(folder + "/def.h", openr_host::writeDef(stub));
   writeFile(folder + "/entry.h", openr_host::writeEntry(stub));
   writeFile(folder + "/" + stub.object_name + "_stub.cc", openr_host::writeDescription(stub, priority));

@@ -1,13 +1,13 @@
-#include "simulator/openr_host/stub_generator/stub_writer.h"
-
 #include <sstream>
+
+#include "simulator/openr_host/stub_generator/stub.h"
 
 namespace openr_host {
 namespace {
 
 const char kOrigin[] = "// Written by openr_stub_generator from stub.cfg: change that instead.\n";
 
-/// A lambda that calls a function of the object, or nullptr.
+/// The source of a lambda that calls a function of the object, or "nullptr".
 std::string callOf(const StubConfiguration& stub, const std::string& function, const std::string& argument) {
   if (function.empty()) {
     return "nullptr";
@@ -70,7 +70,7 @@ std::string writeDescriptionHeader(const StubConfiguration& stub) {
   std::ostringstream out;
   out << kOrigin << "#ifndef " << guard << "\n#define " << guard << "\n\n"
       << "#include \"simulator/openr_host/object_description.h\"\n\n"
-      << "/// The object " << stub.object_name << ", ready to be made by a machine.\n"
+      << "/// Describes the object " << stub.object_name << " for MachineOptions::catalog.\n"
       << "openr_host::ObjectDescription describe" << stub.object_name << "();\n\n"
       << "#endif  // " << guard << "\n";
   return out.str();

@@ -3,16 +3,42 @@
 #include <OPENR/OFbkImage.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
-#include "simulator/ers7/camera_timing.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 namespace {
 
+TEST(CameraTiming, FiveOfSixImagesComeAfter32MillisecondsAndTheOthersAfter40) {
+  std::map<longword, int> gaps;
+  longword last = 0;
+  for (longword frame = 1; frame <= 125 * 60; ++frame) {
+    if (imagesUpTo(frame) != imagesUpTo(frame - 1)) {
+      EXPECT_EQ(imagesUpTo(frame), imagesUpTo(frame - 1) + 1);
+      ++gaps[frame - last];
+      last = frame;
+    }
+  }
+  ASSERT_EQ(gaps.size(), 2u);
+  const double share_of_32 = static_cast<double>(gaps[4]) / (gaps[4] + gaps[5]);
+  EXPECT_NEAR(share_of_32, 0.82, 0.02);
+}
+
+TEST(CameraTiming, TheMeanIs33Point47Milliseconds) {
+  const longword frames = 125 * 3600;
+  EXPECT_NEAR(frames * openr_host::kFrameSeconds / imagesUpTo(frames), 0.03347, 0.00001);
+}
+
+TEST(CameraTiming, TheFirstImageComesInTheFirstFrame) {
+  EXPECT_EQ(imagesUpTo(0), 1u);
+  EXPECT_EQ(imagesUpTo(1), 1u);
+}
+
 constexpr OPrimitiveID kId = 42;
 
-/// A picture whose every byte tells where it belongs.
+/// A picture in which every byte depends on its position.
 class TestPicture : public PictureSource {
  public:
   TestPicture() {
@@ -63,7 +89,7 @@ TEST_F(CameraTest, EveryImageIsDueOnceInItsFrame) {
   }
 }
 
-TEST_F(CameraTest, AnImageThatWasDueInALeftOutFrameIsDueNow) {
+TEST_F(CameraTest, AnImageThatWasDueInASkippedFrameIsDueNow) {
   EXPECT_TRUE(camera_.imageDue(0));
   EXPECT_TRUE(camera_.imageDue(7));
   EXPECT_FALSE(camera_.imageDue(7));
@@ -112,7 +138,7 @@ TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
   EXPECT_EQ(luminance.Pixel(30, 20), 2 * (30 + 20) + 1);
 }
 
-TEST_F(CameraTest, TheFineDetailIsNone) {
+TEST_F(CameraTest, ThereIsNoFineDetail) {
   RCRegion* region = camera_.capture(0);
   for (const OFbkImageBand band : {ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH}) {
     const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, band);
@@ -137,7 +163,7 @@ TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
   EXPECT_DOUBLE_EQ(source_.last_seconds, 300000 * 0.008);
 }
 
-TEST_F(CameraTest, TheInfosNameCameraAndFrame) {
+TEST_F(CameraTest, TheInfosContainCameraAndFrame) {
   OFbkImageVectorData* vector = vectorIn(camera_.capture(1234));
   EXPECT_EQ(vector->vectorInfo.type, odataFBKIMAGE_VECTOR);
   EXPECT_EQ(vector->vectorInfo.numData, 4u);
@@ -148,7 +174,7 @@ TEST_F(CameraTest, TheInfosNameCameraAndFrame) {
   EXPECT_EQ(vector->GetInfo(ofbkimageLAYER_H)->dataSize, 6u * 208 * 160);
 }
 
-TEST_F(CameraTest, ARegionIsUsedAgainOnlyWhenNobodyElseRefersToIt) {
+TEST_F(CameraTest, ARegionIsReusedOnlyWhenNothingElseRefersToIt) {
   RCRegion* kept = camera_.capture(0);
   kept->AddReference();
   RCRegion* other = camera_.capture(4);

@@ -1,4 +1,4 @@
-// What can be typed at the simulated robot's console.
+// Commands typed at the simulated robot's console.
 #include "simulator/ers7/console_commands.h"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
   EXPECT_EQ(status.remainingCapacity, 12);
 }
 
-TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFree) {
+TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFreed) {
   const char* locator = "PRM:/r1/c1/c2-Joint2:12";
   OPrimitiveID pan = oprimitiveID_UNDEF;
   robot_.openPrimitive(locator, &pan);
@@ -79,7 +79,7 @@ TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFree) {
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
 }
 
-TEST_F(ConsoleCommandsTest, WhatIsNotUnderstoodIsAnsweredWithWhatThereIs) {
+TEST_F(ConsoleCommandsTest, UnknownCommandsAreAnsweredWithTheKnownOnes) {
   EXPECT_THAT(say("press nose"), AllOf(StartsWith("error: "), HasSubstr("\"nose\""), HasSubstr("paw_left_front")));
   EXPECT_THAT(say("press range_near"), StartsWith("error: "));
   EXPECT_THAT(say("jam nose"), AllOf(StartsWith("error: "), HasSubstr("\"nose\"")));

@@ -24,7 +24,7 @@ double highestStep(const robot_model::Joint& model) {
   return model.highest_speed * kFrame;
 }
 
-/// A joint with its standard gains that is ready to be moved.
+/// A joint with standard gains, ready to move.
 Joint drivenJoint(const robot_model::Joint& model, int position) {
   Joint joint(model, position);
   joint.setPower(true);
@@ -43,7 +43,7 @@ const OJointValue& reading(const Joint& joint) {
   return joint.readings().back();
 }
 
-TEST(Joint, AllOfThemSettleWithinATenthOfADegree12FramesAfterTheWayAtHighestSpeed) {
+TEST(Joint, SettlesWithinATenthOfADegree12FramesAfterTheTimeAtHighestSpeed) {
   for (int i = 0; i < model().number_of_joints; ++i) {
     const robot_model::Joint& model_of_joint = model().joints[i];
     Joint joint = drivenJoint(model_of_joint, model_of_joint.lowest);
@@ -56,7 +56,7 @@ TEST(Joint, AllOfThemSettleWithinATenthOfADegree12FramesAfterTheWayAtHighestSpee
   }
 }
 
-TEST(Joint, FollowsACommandThatMovesSteadily24MillisecondsBehind) {
+TEST(Joint, FollowsASteadilyMovingCommand24MillisecondsBehind) {
   const robot_model::Joint& model_of_joint = jointModel("left_front_knee");
   Joint joint = drivenJoint(model_of_joint, 0);
   const int step = static_cast<int>(highestStep(model_of_joint) / 2);
@@ -65,10 +65,11 @@ TEST(Joint, FollowsACommandThatMovesSteadily24MillisecondsBehind) {
     joint.passFrame(0);
     EXPECT_LE(i * step - joint.position(), 3 * step) << "frame " << i;
   }
-  EXPECT_NEAR(60 * step - joint.position(), 2 * step, 0.01 * kDegree) << "at the end of a frame one step has been made";
+  EXPECT_NEAR(60 * step - joint.position(), 2 * step, 0.01 * kDegree)
+      << "one step is already made at the end of a frame";
 }
 
-TEST(Joint, IsNeverFasterThanItsHighestSpeedAndNeverPassesACommandThatStands) {
+TEST(Joint, NeverExceedsItsHighestSpeedAndNeverOvershootsAFixedCommand) {
   std::mt19937 random(1);
   const robot_model::Joint& model_of_joint = jointModel("neck_tilt");
   Joint joint = drivenJoint(model_of_joint, model_of_joint.lowest);
@@ -92,14 +93,14 @@ TEST(Joint, StopsAtItsMechanicalLimits) {
   joint.command(model_of_joint.mechanical_highest + 400000);
   pass(joint, 100);
   EXPECT_EQ(joint.position(), model_of_joint.mechanical_highest);
-  EXPECT_EQ(reading(joint).pwmDuty, Joint::kFullDuty) << "the motor pushes on";
+  EXPECT_EQ(reading(joint).pwmDuty, Joint::kFullDuty) << "the motor still pushes";
   joint.command(model_of_joint.mechanical_lowest - 400000);
   pass(joint, 100);
   EXPECT_EQ(joint.position(), model_of_joint.mechanical_lowest);
 }
 
 // Level2 Reference Guide, pages 70 and 71: EnableJointGain, DisableJointGain, SetJointGain.
-TEST(Joint, TakesGainsOnlyWhileItsGainIsEffective) {
+TEST(Joint, AcceptsGainsOnlyWhileItsGainIsEffective) {
   const robot_model::Joint& model_of_joint = jointModel("head_pan");
   Joint joint(model_of_joint, 0);
   joint.setPower(true);
@@ -107,12 +108,12 @@ TEST(Joint, TakesGainsOnlyWhileItsGainIsEffective) {
   EXPECT_EQ(joint.setGains(model_of_joint.gains), oGAIN_DISABLED);
   joint.enableGain();
   pass(joint, 50);
-  EXPECT_EQ(joint.position(), 0) << "the gains that came too early count for nothing";
+  EXPECT_EQ(joint.position(), 0) << "gains that come too early have no effect";
   EXPECT_EQ(reading(joint).pwmDuty, 0);
 
   EXPECT_EQ(joint.setGains(model_of_joint.gains), oSUCCESS);
   pass(joint, 50);
-  EXPECT_EQ(joint.position(), 100000) << "the command counts when the gain is there";
+  EXPECT_EQ(joint.position(), 100000) << "the command takes effect with the gain";
 
   joint.command(200000);
   joint.disableGain();
@@ -125,7 +126,7 @@ TEST(Joint, TakesGainsOnlyWhileItsGainIsEffective) {
   EXPECT_EQ(joint.position(), 100000) << "disabling the gain has made it 0";
 }
 
-TEST(Joint, WithoutPowerItDoesNotMove) {
+TEST(Joint, DoesNotMoveWithoutPower) {
   const robot_model::Joint& model_of_joint = jointModel("head_pan");
   Joint joint = drivenJoint(model_of_joint, 0);
   joint.command(100000);
@@ -143,7 +144,7 @@ TEST(Joint, WithoutPowerItDoesNotMove) {
   EXPECT_EQ(joint.position(), 100000) << "the gain has an effect again";
 }
 
-TEST(Joint, AWeakerGainIsSofter) {
+TEST(Joint, IsSofterWithAWeakerGain) {
   const robot_model::Joint& model_of_joint = jointModel("left_hind_knee");
   Joint standard = drivenJoint(model_of_joint, 0);
   Joint weak = drivenJoint(model_of_joint, 0);
@@ -166,7 +167,7 @@ TEST(Joint, RunsToAFarCommandAtItsHighestSpeed) {
   EXPECT_EQ(reading(joint).pwmDuty, -Joint::kFullDuty);
 }
 
-TEST(Joint, AJammedOneStaysAtFullDuty) {
+TEST(Joint, StaysWhereItIsAtFullDutyWhileJammed) {
   const robot_model::Joint& model_of_joint = jointModel("head_pan");
   Joint joint = drivenJoint(model_of_joint, 0);
   joint.jam(true);
@@ -192,7 +193,7 @@ TEST(Joint, KeepsTheReadingsOfTheLastFourFramesInTheirOrder) {
   for (int i = 0; i < Joint::kReadings; ++i) {
     EXPECT_EQ(joint.readings()[static_cast<std::size_t>(i)].value, 1003 + i);
   }
-  EXPECT_EQ(joint.position(), 1000) << "an error of the encoder moves nothing";
+  EXPECT_EQ(joint.position(), 1000) << "an error of the encoder does not move the joint";
 }
 
 TEST(Joint, HasNoSpeedLeftAtItsStop) {
@@ -208,7 +209,7 @@ TEST(Joint, HasNoSpeedLeftAtItsStop) {
   EXPECT_EQ(at_stop.position(), at_rest.position());
 }
 
-TEST(Joint, TheSignalsCountTheEncodersStepsFromTheMechanicalLimit) {
+TEST(Joint, ItsSignalsCountTheEncodersStepsFromTheMechanicalLimit) {
   const robot_model::Joint& model_of_joint = jointModel("tail_pan");  // -60 degrees
   Joint joint(model_of_joint, 0);
   joint.command(static_cast<int>(30 * kDegree));

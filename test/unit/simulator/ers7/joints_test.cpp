@@ -17,8 +17,8 @@ const robot_model::RobotModel& model() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
-/// Height of a foot's lower end below the joint that it hangs from, and how far in front of that it stands, in metres;
-/// lengths from Tekkotsu's table, x ahead, z up.
+/// Depth of a foot's lower end below the leg's joint, and its distance in front of it, in metres; lengths from
+/// Tekkotsu's table, x ahead, z up.
 Vector3d foot(const Joints& joints, const std::string& leg, const Vector3d& knee, const Vector3d& ball) {
   const double rotator = joints.named(leg + "_rotator").position() / 1e6;
   const double bend = joints.named(leg + "_knee").position() / 1e6 * (knee.x() > 0 ? 1 : -1);
@@ -26,7 +26,7 @@ Vector3d foot(const Joints& joints, const std::string& leg, const Vector3d& knee
   return forward(rotator) * (knee + forward(bend) * ball) - 0.013 * Vector3d::UnitZ();
 }
 
-TEST(Joints, BeginInAPostureThatIsAllowed) {
+TEST(Joints, StartInAnAllowedPosture) {
   const Joints joints(model(), 1);
   std::vector<int> posture;
   for (const Joint& joint : joints.all()) {
@@ -37,7 +37,7 @@ TEST(Joints, BeginInAPostureThatIsAllowed) {
   EXPECT_EQ(posture, allowed);
 }
 
-TEST(Joints, BeginWithAllFeetOnTheFloor) {
+TEST(Joints, StartWithAllFeetOnTheFloor) {
   const Joints joints(model(), 1);
   for (const char* leg : {"left_front", "right_front"}) {
     const Vector3d place = foot(joints, leg, {0.009, 0, -0.0695}, {-0.00503, 0, -0.06524});
@@ -51,7 +51,7 @@ TEST(Joints, BeginWithAllFeetOnTheFloor) {
   }
 }
 
-TEST(Joints, TheHeadIsWhereItsThreeJointsAre) {
+TEST(Joints, GiveTheAnglesOfTheHead) {
   Joints joints(model(), 1);
   joints.setPower(true);
   for (const char* name : {"neck_tilt", "head_pan", "head_tilt"}) {
@@ -70,7 +70,7 @@ TEST(Joints, TheHeadIsWhereItsThreeJointsAre) {
   EXPECT_NEAR(joints.head().head_tilt, 0.2, 1e-6);
 }
 
-TEST(Joints, EncodersAreWrongByUpToATwentiethOfADegree) {
+TEST(Joints, HaveEncoderErrorsOfUpToATwentiethOfADegree) {
   Joints joints(model(), 1);
   int most = 0;
   for (int i = 0; i < 100; ++i) {
@@ -83,7 +83,7 @@ TEST(Joints, EncodersAreWrongByUpToATwentiethOfADegree) {
   EXPECT_GT(most, 800);
 }
 
-TEST(Joints, TheSameSeedGivesTheSameReadingsAndOthersDiffer) {
+TEST(Joints, GiveTheSameReadingsForTheSameSeedOnly) {
   Joints joints(model(), 7);
   Joints same(model(), 7);
   Joints other(model(), 8);
@@ -101,7 +101,7 @@ TEST(Joints, TheSameSeedGivesTheSameReadingsAndOthersDiffer) {
   EXPECT_GT(differences, 300);
 }
 
-TEST(Joints, AnUnknownNameIsAnErrorThatNamesIt) {
+TEST(Joints, NameAnUnknownJointInTheirError) {
   Joints joints(model(), 1);
   try {
     joints.named("left_wing");

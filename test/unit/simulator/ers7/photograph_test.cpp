@@ -1,4 +1,4 @@
-#include "simulator/ers7/camera/photograph.h"
+#include "simulator/ers7/camera/photographs.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>
@@ -8,8 +8,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-
-#include "simulator/ers7/camera/photo_show.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -51,7 +49,7 @@ std::string jpeg(int width, int height, const Paint& paint) {
   return encoded;
 }
 
-/// A folder that is gone after the test.
+/// A temporary folder for each test.
 class PhotographTest : public testing::Test {
  protected:
   PhotographTest() {
@@ -83,7 +81,7 @@ std::size_t at(int x, int y) {
   return static_cast<std::size_t>(y * kPictureWidth + x);
 }
 
-TEST_F(PhotographTest, APictureOfTheCamerasSizeIsShownAsItIs) {
+TEST_F(PhotographTest, APictureOfTheCamerasSizeIsNotChanged) {
   const auto image = readPhotograph(
       write("a.ppm", ppm(208, 160, [](int x, int y) { return std::string(3, static_cast<char>((x + y) % 256)); })));
   EXPECT_EQ(image.y[at(5, 7)], 12);
@@ -102,7 +100,7 @@ TEST_F(PhotographTest, RedBecomesCrAndBlueBecomesCb) {
 }
 
 TEST_F(PhotographTest, AWidePictureLosesItsSidesEvenly) {
-  // Twice as wide as the camera's picture, green at both sides where it must be cut off.
+  // Twice as wide as the camera's picture, green at both sides, which must be cut off.
   const auto image = readPhotograph(write("wide.ppm", ppm(416, 160, [](int x, int) {
                                             return x < 104 || x >= 312 ? kGreen : x < 208 ? kRed : kBlue;
                                           })));
@@ -112,7 +110,7 @@ TEST_F(PhotographTest, AWidePictureLosesItsSidesEvenly) {
   EXPECT_EQ(image.cb[at(207, 80)], 255);
 }
 
-TEST_F(PhotographTest, AHighPictureLosesTopAndBottomEvenly) {
+TEST_F(PhotographTest, ATallPictureLosesTopAndBottomEvenly) {
   const auto image =
       readPhotograph(write("high.ppm", ppm(208, 320, [](int, int y) { return y < 80 || y >= 240 ? kGreen : kRed; })));
   EXPECT_EQ(image.cr[at(100, 0)], 255);
@@ -120,7 +118,7 @@ TEST_F(PhotographTest, AHighPictureLosesTopAndBottomEvenly) {
 }
 
 TEST_F(PhotographTest, ALargePictureIsAveraged) {
-  // Black and white, pixel by pixel, is grey at a third of its size... and so is it at any other.
+  // Alternating black and white pixels become grey at a third of the size, or any other size.
   const auto image = readPhotograph(write("large.ppm", ppm(624, 480, [](int x, int y) {
                                             return std::string(3, (x / 3 + y / 3) % 2 == 0 ? '\xFF' : '\0');
                                           })));
@@ -140,7 +138,7 @@ TEST_F(PhotographTest, AJpegOfAnySizeFillsThePicture) {
   }
 }
 
-TEST_F(PhotographTest, ABrokenPictureIsNamedWithWhatIsWrongWithIt) {
+TEST_F(PhotographTest, ABrokenPictureIsNamedWithTheReason) {
   const std::string whole_jpeg = jpeg(208, 160, [](int x, int y) { return std::string(3, static_cast<char>(x * y)); });
   const std::string whole_ppm = ppm(208, 160, [](int, int) { return kGrey; });
   const std::pair<std::string, std::string> broken[] = {
@@ -160,7 +158,7 @@ TEST_F(PhotographTest, ABrokenPictureIsNamedWithWhatIsWrongWithIt) {
   }
 }
 
-TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndBeginsAgain) {
+TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndStartsAgain) {
   write("b.ppm", ppm(208, 160, [](int, int) { return kBlue; }));
   write("a.jpg", jpeg(208, 160, [](int, int) { return kRed; }));
   write("notes.txt", "left alone");
@@ -172,7 +170,7 @@ TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndBeginsAgain) {
   EXPECT_TRUE(is_red(4));
 }
 
-TEST_F(PhotographTest, AShowWithoutPicturesSaysWhatIsMissing) {
+TEST_F(PhotographTest, AShowWithoutPicturesNamesWhatIsMissing) {
   EXPECT_THAT(errorOf([this] { PhotoShow((folder_ / "absent").string(), 2); }),
               AllOf(HasSubstr("absent"), HasSubstr("No such file")));
   EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 2); }),

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "simulator/ers7/scene/scene_layout.h"
-
 namespace simulated_ers7 {
 namespace {
 
@@ -38,8 +36,8 @@ TEST(Scene, ARayAtTheBallEndsOneRadiusBeforeItsCenter) {
   EXPECT_NEAR(hit.distance, kBallX - kBallRadius, 1e-9);
 }
 
-TEST(Scene, ATurnedCubeIsMetWhereItsFaceIs) {
-  // The blue cube's edges are 0.14 long, its middle is at (2.05, -0.62), it is turned by 0.5: look along its own x.
+TEST(Scene, ARayHitsTheFaceOfATurnedCube) {
+  // The blue cube has edges of 0.14 and its centre at (2.05, -0.62), and is turned by 0.5: look along its own x.
   const Vector3d middle(2.05, -0.62, 0.07);
   const Vector3d direction(std::cos(0.5), std::sin(0.5), 0);
   const SceneHit hit = Scene().castRay({middle - 0.5 * direction, direction});
@@ -48,7 +46,7 @@ TEST(Scene, ATurnedCubeIsMetWhereItsFaceIs) {
   EXPECT_TRUE(hit.normal.isApprox(-direction, 1e-9));
 }
 
-TEST(Scene, TheBallRollsToAndFroAndComesBack) {
+TEST(Scene, TheBallRollsToAndFro) {
   Scene scene;
   scene.setTime(0);
   const Vector3d start = scene.ballCenter();

@@ -25,10 +25,10 @@ HeadAngles angles(double neck_tilt, double head_pan, double head_tilt) {
   return head;
 }
 
-/// What the robot sees when it looks around from where it stands.
+/// The robot's view when it looks around.
 const HeadAngles kViews[] = {angles(-25, 0, 10), angles(-10, 40, 0), angles(-30, -25, 0), angles(0, 0, 0)};
 
-/// Half of the chroma each way, as in a 4:2:0 JPEG.
+/// Chroma at half the width and height, as in a 4:2:0 JPEG.
 YCrCbImage::Plane quartered(const YCrCbImage::Plane& plane) {
   YCrCbImage::Plane half;
   for (std::size_t y = 0; y < kPictureHeight; y += 2) {
@@ -55,7 +55,7 @@ unsigned long jpegSize(const YCrCbImage& picture) {
   return size;
 }
 
-/// Middle of all pixels that are pink in a part of the picture around a place.
+/// Centre of all pink pixels in the part of the picture around a point.
 Vector2d middleOfPink(const YCrCbImage& picture, const Vector2d& around) {
   Vector2d sum = Vector2d::Zero();
   int count = 0;
@@ -72,7 +72,7 @@ Vector2d middleOfPink(const YCrCbImage& picture, const Vector2d& around) {
   return sum / count;
 }
 
-TEST(SceneView, AtQuality85APictureHasTheReports3To6Kilobytes) {
+TEST(SceneView, AtQuality85APictureHas3To6KilobytesAsInTheReport) {
   Scene scene;
   SceneView view(scene, 1);
   for (const HeadAngles& head : kViews) {
@@ -97,7 +97,7 @@ TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
   }
 }
 
-TEST(SceneView, AtFirstTheBallAndTheStationAreInThePicture) {
+TEST(SceneView, InitiallyTheBallAndTheStationAreInThePicture) {
   Scene scene;
   const SceneView view(scene, 1);
   const Eigen::Isometry3d camera = view.camera();
@@ -113,7 +113,7 @@ TEST(SceneView, AtFirstTheBallAndTheStationAreInThePicture) {
   EXPECT_TRUE((ball.array() > 20).all() && ball.x() < kPictureWidth - 20 && ball.y() < kPictureHeight - 20);
 }
 
-TEST(SceneView, TheSameSeedAndImageGiveTheSamePictureAndOthersDiffer) {
+TEST(SceneView, OnlyTheSameSeedAndImageGiveTheSamePicture) {
   Scene scene;
   SceneView view(scene, 7);
   const YCrCbImage first = view.picture(1, 30, CameraSettings());
@@ -125,7 +125,7 @@ TEST(SceneView, TheSameSeedAndImageGiveTheSamePictureAndOthersDiffer) {
   EXPECT_NE(other_seed.picture(1, 30, CameraSettings()).y, first.y);
 }
 
-TEST(SceneView, WhatIsDrawnAgainForAMovingBallEqualsAWholeNewPicture) {
+TEST(SceneView, APartialRedrawForAMovingBallEqualsANewPicture) {
   Scene scene;
   SceneView view(scene, 7);
   view.picture(0, 1, CameraSettings());
@@ -139,7 +139,7 @@ TEST(SceneView, WhatIsDrawnAgainForAMovingBallEqualsAWholeNewPicture) {
   }
 }
 
-TEST(SceneView, MoreGainIsBrighterAndNoisierAndAFastShutterDarker) {
+TEST(SceneView, MoreGainIsBrighterAndNoisierAFastShutterDarker) {
   Scene scene;
   SceneView view(scene, 1);
   const auto brightness = [&view](const CameraSettings& settings) {

@@ -1,4 +1,4 @@
-// Distances, acceleration and the like, as they follow from where the body is.
+// Distances, accelerations and other values, depending on the position of the body.
 #include "simulator/ers7/body/sensors.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "simulator/ers7/body/resting_posture.h"
-#include "simulator/ers7/scene/scene_layout.h"
+#include "simulator/ers7/body/joints.h"
+#include "simulator/ers7/scene/scene.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -34,7 +34,7 @@ class SensorsTest : public testing::Test {
     }
   }
 
-  /// Turns the whole robot by an angle about one of its axes, where it stands.
+  /// Turns the whole robot by an angle about one of its axes.
   void turn(double angle, const Eigen::Vector3d& axis) {
     situation_.stance.body = Eigen::Translation3d(0, 0, kStandingHeight) * Eigen::AngleAxisd(angle, axis);
   }
@@ -51,11 +51,11 @@ TEST_F(SensorsTest, TheChestMeasuresTheFloorInFrontOfIt) {
 }
 
 TEST_F(SensorsTest, NearAndFarMeasureTheBallWhereTheHeadLooks) {
-  // From straight behind the ball, 0.4 m away from it, looking level: the sensors are as high as the ball's middle is.
+  // From 0.4 m behind the ball, looking level: the sensors are at the height of the ball's centre.
   const HeadAngles level = {};
   situation_.head = level;
   const Eigen::Vector3d nose = headInBody(level) * Eigen::Vector3d(0.0769, 0, -0.0146);
-  situation_.frame = 750;  // the ball's sixth second: it is on the axis
+  situation_.frame = 750;  // after six seconds the ball is on the axis
   situation_.stance.body =
       Eigen::Isometry3d(Eigen::Translation3d(kBallX - kBallRadius - 0.4 - nose.x(), 0, kBallRadius - nose.z()));
   passFrames(7);
@@ -63,12 +63,12 @@ TEST_F(SensorsTest, NearAndFarMeasureTheBallWhereTheHeadLooks) {
   EXPECT_NEAR(value("range_far"), 400000, 4000 + 1000);
 }
 
-TEST_F(SensorsTest, WhatIsOutOfRangeIsMeasuredAsTheRangesEnd) {
+TEST_F(SensorsTest, DistancesOutOfRangeAreReportedAsTheEndOfTheRange) {
   situation_.head.neck_tilt = 0;
   situation_.head.head_tilt = 0.5;  // the ceiling
   for (int measurement = 0; measurement < 10; ++measurement) {
     passFrames(7);
-    EXPECT_EQ(value("range_near"), 500000) << "no error brings it back into the range";
+    EXPECT_EQ(value("range_near"), 500000) << "no error is added at the end of the range";
     EXPECT_EQ(value("range_far"), 1500000);
   }
   situation_.stance.body = Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.02));  // the chest on the floor
@@ -76,8 +76,8 @@ TEST_F(SensorsTest, WhatIsOutOfRangeIsMeasuredAsTheRangesEnd) {
   EXPECT_EQ(value("range_chest"), 100000);
 }
 
-TEST_F(SensorsTest, EachDistanceIsMeasuredAtItsTimeAndNearAndFarInTurn) {
-  // The errors differ from measurement to measurement, so each shows.
+TEST_F(SensorsTest, EachDistanceSensorHasItsPeriodAndNearAndFarMeasureInTurn) {
+  // Every measurement has a different error, so each one shows.
   const auto framesOfChange = [this](const char* name, int frames) {
     std::set<longword> changes;
     int last = value(name);
@@ -113,7 +113,7 @@ TEST_F(SensorsTest, AccelerationIsGravityAlongTheBodysAxes) {
   expect(0, 9.80665 / 2, -9.80665 * std::cos(angle));
 }
 
-TEST_F(SensorsTest, TheWlanSwitchIsOnAtFirstAndTouchSensorsFeelNextToNothing) {
+TEST_F(SensorsTest, InitiallyTheWlanSwitchIsOnAndTouchSensorsReportAlmostNothing) {
   passFrames();
   EXPECT_EQ(value("wlan_switch"), 1);
   EXPECT_EQ(value("chin"), 0);

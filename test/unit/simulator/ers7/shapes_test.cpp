@@ -24,28 +24,28 @@ Ray rayAhead(double y, double z) {
   return {{0, y, z}, Vector3d::UnitX()};
 }
 
-TEST(Shapes, ARayMeetsTheNearSideOfASphere) {
+TEST(Shapes, ARayHitsTheNearSideOfASphere) {
   expectHit(rayAhead(0, 0), kSphere, 2, {-1, 0, 0});
   expectHit(rayAhead(0.6, 0), kSphere, 3 - 0.8, {-0.8, 0.6, 0});
 }
 
-TEST(Shapes, ARayMeetsTheMantleAndTheCapsOfACapsule) {
+TEST(Shapes, ARayHitsTheSideAndTheCapsOfACapsule) {
   expectHit(rayAhead(0.7, 0), kCapsule, 4.5, {-1, 0, 0});
   expectHit(rayAhead(0.7, 0.3), kCapsule, 5 - 0.4, {-0.8, 0, 0.6});
   expectHit(rayAhead(1.3, 0), kCapsule, 5 - 0.4, {-0.8, 0.6, 0});
 }
 
-TEST(Shapes, ARayAlongACapsuleMeetsItsCap) {
+TEST(Shapes, ARayAlongACapsuleHitsItsCap) {
   expectHit({{5, -4, 0}, Vector3d::UnitY()}, kCapsule, 2.5, {0, -1, 0});
 }
 
-TEST(Shapes, ARayMeetsTheNearFaceOfABox) {
+TEST(Shapes, ARayHitsTheNearFaceOfABox) {
   expectHit(rayAhead(1.9, -2.9), kBox, 3, {-1, 0, 0});
   expectHit({{4, 5, 0}, {0, -1, 0}}, kBox, 3, {0, 1, 0});
   expectHit({{0, 0, 6}, Vector3d(4, 0, -3).normalized()}, kBox, 5, {0, 0, 1});
 }
 
-TEST(Shapes, ARayThatPassesByOrPointsAwayMeetsNothing) {
+TEST(Shapes, ARayThatMissesOrPointsAwayHitsNothing) {
   for (const Shape& shape : {Shape(kSphere), Shape(kCapsule), Shape(kBox)}) {
     EXPECT_FALSE(intersect(rayAhead(3.5, 0), shape).has_value());
     EXPECT_FALSE(intersect(Ray{{9, 0, 0}, Vector3d::UnitX()}, shape).has_value());

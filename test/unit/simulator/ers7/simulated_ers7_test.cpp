@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
-#include "simulator/ers7/body/resting_posture.h"
+#include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/body/stance.h"
 #include "simulator/ers7/camera/camera_optics.h"
-#include "simulator/ers7/camera/photograph.h"
+#include "simulator/ers7/camera/photographs.h"
 
 namespace simulated_ers7 {
 namespace {
 
 constexpr char kCameraLocator[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 
-/// Middle of all pixels that are pink in a part of the picture around a place.
+/// Centre of all pink pixels in the part of the picture around a point.
 Eigen::Vector2d middleOfPink(RCRegion* region, const Eigen::Vector2d& around) {
   void* base = region->Base();
   auto* vector = static_cast<OFbkImageVectorData*>(base);
@@ -107,7 +107,18 @@ class SimulatedErs7Test : public testing::Test {
     return effectorCommand(id, odataJOINT_COMMAND4, OJointCommandValue4{state, 1, 0});
   }
 
-  /// Opens a joint and switches everything on that it needs.
+  /// The bytes of an open joint's or sensor's reading.
+  OSensorValue readingOf(OPrimitiveID id) {
+    OSensorValue value;
+    OJointValue joint_value;
+    if (robot_.getSensorValue(id, &value) != oSUCCESS) {
+      robot_.getJointValue(id, &joint_value);
+      std::memcpy(&value, &joint_value, sizeof(value));
+    }
+    return value;
+  }
+
+  /// Opens a joint and switches on its gain and power.
   OPrimitiveID driveJoint(const char* name) {
     const OPrimitiveID id = openJoint(name);
     EXPECT_EQ(robot_.setMotorPower(opowerON), oSUCCESS);
@@ -159,13 +170,13 @@ TEST_F(SimulatedErs7Test, APrimitiveStaysOpenUntilItIsClosedAsOftenAsOpened) {
   EXPECT_EQ(robot_.closePrimitive(camera_), oINVALID_PRIMITIVE_ID);
 }
 
-TEST_F(SimulatedErs7Test, TheUndefinedPrimitiveClosesAll) {
+TEST_F(SimulatedErs7Test, ClosingTheUndefinedPrimitiveClosesAll) {
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
   EXPECT_EQ(robot_.closePrimitive(oprimitiveID_UNDEF), oSUCCESS);
   EXPECT_EQ(robot_.closePrimitive(camera_), oINVALID_PRIMITIVE_ID);
 }
 
-TEST_F(SimulatedErs7Test, TheCameraTakesItsSettings) {
+TEST_F(SimulatedErs7Test, TheCameraAcceptsItsSettings) {
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
   EXPECT_EQ(control(oprmreqCAM_SET_WHITE_BALANCE, ocamparamWB_INDOOR_MODE), oSUCCESS);
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN, ocamparamGAIN_HIGH), oSUCCESS);
@@ -183,7 +194,7 @@ TEST_F(SimulatedErs7Test, TheCameraTakesItsSettings) {
   EXPECT_FALSE(robot_.cameraSettings().auto_white_balance);
 }
 
-TEST_F(SimulatedErs7Test, TheCameraRefusesWhatItDoesNotKnow) {
+TEST_F(SimulatedErs7Test, TheCameraRefusesUnknownRequests) {
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 0), oINVALID_ARG);
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 4), oINVALID_ARG);
@@ -209,7 +220,7 @@ TEST_F(SimulatedErs7Test, All18JointsAreFoundAtTheirLocators) {
   EXPECT_EQ(ids.size(), 19u);
 }
 
-TEST_F(SimulatedErs7Test, WhatIsNotOpenOrNoJointIsRefused) {
+TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOtherThanJointsAreRefused) {
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
   OPrimitiveID closed = openJoint("head_pan");
   ASSERT_EQ(robot_.closePrimitive(closed), oSUCCESS);
@@ -223,7 +234,7 @@ TEST_F(SimulatedErs7Test, WhatIsNotOpenOrNoJointIsRefused) {
     EXPECT_EQ(robot_.getSensorValue(id, &sensor_value), oINVALID_PRIMITIVE_ID) << id;
   }
   OJointValue value;
-  EXPECT_EQ(robot_.getJointValue(oprimitiveID_UNDEF, &value), oINVALID_PRIMITIVE_ID) << "which one?";
+  EXPECT_EQ(robot_.getJointValue(oprimitiveID_UNDEF, &value), oINVALID_PRIMITIVE_ID) << "reading needs one joint";
   EXPECT_EQ(robot_.getJointValue(openJoint("mouth"), nullptr), oINVALID_ARG);
 }
 
@@ -245,7 +256,7 @@ TEST_F(SimulatedErs7Test, TheUndefinedPrimitiveMeansAllOpenJoints) {
   EXPECT_EQ(robot_.joints().named("tail_pan").position(), 200000);
 }
 
-TEST_F(SimulatedErs7Test, CommandsForWhatIsNotOpenOrOfAnotherKindChangeNothing) {
+TEST_F(SimulatedErs7Test, CommandsForClosedPrimitivesOrOfTheWrongTypeChangeNothing) {
   const OPrimitiveID pan = driveJoint("head_pan");
   const OPrimitiveID closed = driveJoint("tail_pan");
   ASSERT_EQ(robot_.closePrimitive(closed), oSUCCESS);
@@ -261,7 +272,7 @@ TEST_F(SimulatedErs7Test, CommandsForWhatIsNotOpenOrOfAnotherKindChangeNothing) 
   EXPECT_EQ(robot_.joints().named("tail_pan").position(), 0);
 }
 
-TEST_F(SimulatedErs7Test, EachFramesCommandCountsFromThatFrameOn) {
+TEST_F(SimulatedErs7Test, ACommandTakesEffectFromItsFrameOn) {
   const OPrimitiveID pan = driveJoint("head_pan");
   OJointValue value;
   for (slongword i = 1; i <= 8; ++i) {
@@ -271,11 +282,11 @@ TEST_F(SimulatedErs7Test, EachFramesCommandCountsFromThatFrameOn) {
   }
   passFrames(60);
   ASSERT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
-  EXPECT_NEAR(value.value, 80000, 873) << "the last one holds";
+  EXPECT_NEAR(value.value, 80000, 873) << "the last command stays in effect";
 }
 
-// GetJointValue knows no other failure than a wrong primitive (Level2 Reference Guide, page 72).
-TEST_F(SimulatedErs7Test, AJammedJointShowsByItsDutyThatItIs) {
+// GetJointValue() fails only for a wrong primitive (Level2 Reference Guide, page 72).
+TEST_F(SimulatedErs7Test, AJammedJointShowsInItsDuty) {
   const OPrimitiveID pan = driveJoint("head_pan");
   robot_.jam("head_pan", true);
   robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
@@ -304,13 +315,7 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJointsAndSenso
   for (; frame_ < 8; ++frame_) {
     robot_.passFrame(frame_, {jointCommand(pan, 10000 * static_cast<slongword>(frame_ + 1))});
     for (const auto& [id, name] : names) {
-      OSensorValue value;
-      OJointValue joint_value;
-      if (robot_.getSensorValue(id, &value) != oSUCCESS) {
-        robot_.getJointValue(id, &joint_value);
-        std::memcpy(&value, &joint_value, sizeof(value));
-      }
-      reported[id].push_back(value);
+      reported[id].push_back(readingOf(id));
     }
   }
 
@@ -344,7 +349,7 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJointsAndSenso
   EXPECT_TRUE(names.empty()) << "a joint or sensor is missing";
 }
 
-TEST_F(SimulatedErs7Test, ButtonsAreFeltWhileTheyArePressed) {
+TEST_F(SimulatedErs7Test, ButtonsAreReportedWhileTheyArePressed) {
   for (const char* name : {"chin", "paw_left_hind", "wlan_switch", "head_touch", "back_middle"}) {
     const robot_model::Sensor& sensor = model().sensors[robot_model::findSensorByName(model(), name)];
     robot_.press(name, true);
@@ -359,7 +364,7 @@ TEST_F(SimulatedErs7Test, ButtonsAreFeltWhileTheyArePressed) {
   }
 }
 
-TEST_F(SimulatedErs7Test, ASensorThatIsNotOpenOrNoneIsRefused) {
+TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOtherThanSensorsAreRefused) {
   OSensorValue value;
   EXPECT_EQ(robot_.getSensorValue(openJoint("head_pan"), &value), oINVALID_PRIMITIVE_ID);
   const OPrimitiveID chin = openSensor("chin");
@@ -369,7 +374,7 @@ TEST_F(SimulatedErs7Test, ASensorThatIsNotOpenOrNoneIsRefused) {
   EXPECT_THROW(robot_.press("range_near", true), std::invalid_argument);
 }
 
-TEST_F(SimulatedErs7Test, ALiftedPawIsLetGo) {
+TEST_F(SimulatedErs7Test, TheSwitchOfALiftedPawIsOff) {
   const OPrimitiveID knee = driveJoint("left_front_knee");
   passFrames(1);
   EXPECT_EQ(sensorValue("paw_left_front"), 1);
@@ -381,7 +386,7 @@ TEST_F(SimulatedErs7Test, ALiftedPawIsLetGo) {
   EXPECT_EQ(sensorValue("paw_left_front"), 1) << "by hand";
 }
 
-TEST_F(SimulatedErs7Test, LedsShowWhatTheyWereToldLastUntilTheRobotIsSwitchedOff) {
+TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommandUntilTheRobotIsSwitchedOff) {
   const OPrimitiveID white = openLocator("PRM:/r1/c1/c2/c3/l2-LED2:l2");
   const OPrimitiveID face = openLocator("PRM:/r1/c1/c2/c3/la-LED3:la");
   EXPECT_TRUE(robot_.takesCommand(white, odataLED_COMMAND2));
@@ -400,7 +405,7 @@ TEST_F(SimulatedErs7Test, LedsShowWhatTheyWereToldLastUntilTheRobotIsSwitchedOff
   EXPECT_THROW(robot_.led("nose"), std::invalid_argument);
 }
 
-TEST_F(SimulatedErs7Test, AnEarIsDrawnByAPulseAndTooHotAfterASecond) {
+TEST_F(SimulatedErs7Test, APulseDrawsAnEarAndASecondMakesItTooHot) {
   const OPrimitiveID left = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
   robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE1)});
   EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
@@ -421,7 +426,7 @@ TEST_F(SimulatedErs7Test, AnEarIsDrawnByAPulseAndTooHotAfterASecond) {
   EXPECT_FALSE(robot_.ear("left_ear").isHot());
 }
 
-TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheTimeThatIsSetAndWarmsUp) {
+TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   SimulatedErs7::Options options;
   options.battery_minutes = 1;
   SimulatedErs7 robot(options);
@@ -454,7 +459,7 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheTimeThatIsSetAndWarmsUp) {
   EXPECT_EQ(half.remainingCapacity, 87);
 }
 
-TEST_F(SimulatedErs7Test, ARobotThatWasSwitchedOffHoldsNothingAndHasNothingOpen) {
+TEST_F(SimulatedErs7Test, SwitchingOffReleasesAndClosesEverything) {
   const OPrimitiveID pan = driveJoint("head_pan");
   robot_.switchOff();
   OPowerStatus status;
@@ -468,7 +473,7 @@ TEST_F(SimulatedErs7Test, ARobotThatWasSwitchedOffHoldsNothingAndHasNothingOpen)
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
 }
 
-TEST_F(SimulatedErs7Test, ASensorVectorThatIsStillReadIsNotWrittenAgain) {
+TEST_F(SimulatedErs7Test, ASensorVectorInUseIsNotOverwritten) {
   passFrames(4);
   RCRegion* kept = robot_.captureSensors(3);
   kept->AddReference();
@@ -480,8 +485,8 @@ TEST_F(SimulatedErs7Test, ASensorVectorThatIsStillReadIsNotWrittenAgain) {
   EXPECT_EQ(robot_.captureSensors(11), kept);
 }
 
-TEST_F(SimulatedErs7Test, WhenTheHeadPansLeftTheBallMovesRightByAsManyPixelsAsTheLensSays) {
-  const longword kBallPeriodFrames = 750;  // 6 s: the ball is in the same place again
+TEST_F(SimulatedErs7Test, WhenTheHeadPansLeftTheBallMovesRightAsTheLensPredicts) {
+  const longword kBallPeriodFrames = 750;  // 6 s, after which the ball is in the same place again
   Scene scene;
   scene.setTime(0);
   const auto expectedPlace = [&scene](const HeadAngles& head) {
@@ -504,13 +509,13 @@ TEST_F(SimulatedErs7Test, WhenTheHeadPansLeftTheBallMovesRightByAsManyPixelsAsTh
 
   EXPECT_LT((before - expected_before).norm(), 1) << before.transpose();
   EXPECT_LT((after - expected_after).norm(), 1) << after.transpose();
-  // By hand: 0.2 rad are 191.9 * tan(0.2) = 39 pixels on the axis of sight, and some more for a camera that is carried
-  // aside while it turns.
+  // By hand: 0.2 rad are 191.9 * tan(0.2) = 39 pixels on the optical axis, and a few more because the turning head
+  // moves the camera sideways.
   EXPECT_NEAR(after.x() - before.x(), 43, 4);
 }
 
 TEST_F(SimulatedErs7Test, WhenTheFrontLegsSpreadTheCameraLooksDownWithTheBody) {
-  const longword kBallPeriodFrames = 750;  // 6 s: the ball is where it began
+  const longword kBallPeriodFrames = 750;  // 6 s, after which the ball is where it started
   std::vector<openr_host::EffectorCommand> commands;
   for (const char* name : {"left_front_elevator", "right_front_elevator"}) {
     commands.push_back(jointCommand(driveJoint(name), 350000));

@@ -1,4 +1,4 @@
-// How the robot stands on its legs.
+// The stance of the robot on its legs.
 #include "simulator/ers7/body/stance.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ const double kDegree = std::acos(-1.0) / 180;
 /// All legs straight down: the feet are then 0.1348 m under the shoulders in front, 0.1358 m behind.
 const std::array<LegAngles, kLegs> kStraight = {};
 
-/// How far the nose points up, in radian.
+/// The pitch of the body, in radian; positive if the nose points up.
 double pitch(const Stance& stance) {
   return std::asin(stance.body.linear()(2, 0));
 }
@@ -29,7 +29,7 @@ TEST(StanceTest, AtRestTheRobotStandsLevelOnAllFourAtItsStandingHeight) {
   EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{true, true, true, true}));
 }
 
-TEST(StanceTest, FeetAreWhereTheLegsLinksPutThem) {
+TEST(StanceTest, FeetAreAtTheEndsOfTheLegsLinks) {
   // By hand: 0.065 + 0.009 - 0.00503, 0.0625 + 0.0047, -0.0695 - 0.06524; mirrored on the right.
   EXPECT_TRUE(footInBody(kLeftFrontLeg, {}).isApprox(Eigen::Vector3d(0.06897, 0.0672, -0.13474), 1e-9));
   EXPECT_TRUE(footInBody(kRightHindLeg, {}).isApprox(Eigen::Vector3d(-0.060471, -0.0672, -0.13578), 1e-9));
@@ -57,7 +57,7 @@ TEST(StanceTest, TheNoseGoesDownWithTheFrontLegs) {
   EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{true, true, true, true}));
 }
 
-TEST(StanceTest, ALiftedFootIsOffTheFloorAndTheOtherThreeStay) {
+TEST(StanceTest, ALiftedFootLeavesTheFloorAndTheOtherThreeStay) {
   for (const Leg leg : {kLeftFrontLeg, kLeftHindLeg, kRightFrontLeg, kRightHindLeg}) {
     auto legs = kStraight;
     legs[leg].knee = 90 * kDegree;
@@ -79,7 +79,7 @@ TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{false, false, false, false}));
 }
 
-TEST(StanceTest, NothingIsEverUnderTheFloor) {
+TEST(StanceTest, NothingIsEverBelowTheFloor) {
   std::uint64_t random = 1;
   const auto angle = [&random](double lowest, double highest) {
     random = random * 6364136223846793005u + 1442695040888963407u;

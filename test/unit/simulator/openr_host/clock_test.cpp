@@ -5,15 +5,15 @@
 namespace openr_host {
 namespace {
 
-TEST(WallClockTest, FramesBeginEveryEightMillisecondsReckonedFromTheFirst) {
+TEST(WallClockTest, FramesBeginEveryEightMillisecondsCountedFromTheFirst) {
   const WallClock clock;
   const auto begin = *clock.beginOf(0);
   EXPECT_EQ(*clock.beginOf(1) - begin, std::chrono::milliseconds(8));
-  // A day later, not a nanosecond off.
+  // Exact to the nanosecond after a day.
   EXPECT_EQ(*clock.beginOf(125 * 86400) - begin, std::chrono::hours(24));
 }
 
-TEST(WallClockTest, TheFrameHasBegunAndTheNextOneHasNot) {
+TEST(WallClockTest, TheCurrentFrameHasBegunAndTheNextOneHasNot) {
   const WallClock clock;
   longword frame = 0;
   std::chrono::steady_clock::time_point before;
@@ -27,7 +27,7 @@ TEST(WallClockTest, TheFrameHasBegunAndTheNextOneHasNot) {
   EXPECT_GT(*clock.beginOf(frame + 1), before);
 }
 
-TEST(SteppedClockTest, StandsStillUntilStepped) {
+TEST(SteppedClockTest, StopsUntilStepped) {
   SteppedClock clock;
   EXPECT_EQ(clock.frame(), 0U);
   clock.step();

@@ -1,15 +1,11 @@
-// OBJECT.CFG, CONNECT.CFG and the memory stick they lie on.
+// The configuration files of a memory stick.
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "simulator/openr_host/configuration/configuration_error.h"
-#include "simulator/openr_host/configuration/connection_configuration.h"
-#include "simulator/openr_host/configuration/design_database.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
-#include "simulator/openr_host/configuration/object_configuration.h"
 #include "temporary_folder.h"
 
 namespace openr_host {
@@ -42,7 +38,7 @@ std::string objectError(const std::string& text) {
   return errorOf([&] { objects(text); });
 }
 
-TEST(ObjectConfigurationTest, ReadsOneObjectALine) {
+TEST(ObjectConfigurationTest, ReadsOneObjectPerLine) {
   EXPECT_THAT(objects("/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/RCSERVER.BIN\n"),
               ElementsAre("A.BIN", "RCSERVER.BIN"));
 }
@@ -52,18 +48,18 @@ TEST(ObjectConfigurationTest, SkipsCommentsEmptyLinesSpaceAndWindowsLineEnds) {
               ElementsAre("A.BIN"));
 }
 
-TEST(ObjectConfigurationTest, KnowsNoCaseAsTheStickDoesNot) {
+TEST(ObjectConfigurationTest, IgnoresCaseLikeTheStick) {
   EXPECT_THAT(objects("/ms/open-r/mw/objs/rcserver.bin"), ElementsAre("RCSERVER.BIN"));
 }
 
-TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelAlone) {
+TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
   const std::string text =
       "/MS/OPEN-R/MW/OBJS/ALL.BIN\n[ERS-7]\n/MS/OPEN-R/MW/OBJS/SEVEN.BIN\n[ ERS-210 ]\n/MS/OPEN-R/MW/OBJS/OLD.BIN\n";
   EXPECT_THAT(objects(text, "ERS-7"), ElementsAre("ALL.BIN", "SEVEN.BIN"));
   EXPECT_THAT(objects(text, "ERS-210"), ElementsAre("ALL.BIN", "OLD.BIN"));
 }
 
-TEST(ObjectConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+TEST(ObjectConfigurationTest, NamesFileAndLineOfAMalformedLine) {
   EXPECT_THAT(objectError("# one\n/MS/OPEN-R/MW/OBJS/A.BIN\nRCSERVER.BIN\n"),
               AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("'RCSERVER.BIN'")));
   EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/LONGERNAME.BIN"), StartsWith("OBJECT.CFG:1: "));
@@ -73,7 +69,7 @@ TEST(ObjectConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
   }
 }
 
-TEST(ObjectConfigurationTest, RefusesAnObjectThatStandsThereTwice) {
+TEST(ObjectConfigurationTest, RefusesAnObjectThatIsListedTwice) {
   EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/A.BIN\n\n/MS/OPEN-R/MW/OBJS/a.bin\n"),
               AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("A.BIN")));
 }
@@ -94,7 +90,7 @@ std::string connectionError(const std::string& text) {
   return errorOf([&] { connections(text); });
 }
 
-TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnySpaceBetween) {
+TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnyWhiteSpaceBetween) {
   EXPECT_THAT(
       connections("# the camera\r\nRobot.Image.Picture.S\tServer.Image.Picture.O # here\r\n\r\n"
                   "Robot.Image.Picture.S\n   Viewer.Image.Picture.O"),
@@ -102,13 +98,13 @@ TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnySpaceBetween) {
   EXPECT_TRUE(connections("").empty());
 }
 
-TEST(ConnectionConfigurationTest, LinesAfterAModelAreForThatModelAlone) {
+TEST(ConnectionConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
   EXPECT_THAT(connections("[ERS-210]\nRobot.Old.Picture.S Server.Image.Picture.O\n[ERS-7]\n"
                           "Robot.Image.Picture.S Server.Image.Picture.O\n"),
               ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O"));
 }
 
-TEST(ConnectionConfigurationTest, NamesFileAndLineOfAServiceThatNoObjectHas) {
+TEST(ConnectionConfigurationTest, NamesFileAndLineOfAnUnknownService) {
   EXPECT_THAT(
       connectionError("\nRobot.Image.Picture.S Server.Imago.Picture.O"),
       AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("Server.Imago.Picture.O"), HasSubstr("Server.Image.Picture.O")));
@@ -123,7 +119,7 @@ TEST(ConnectionConfigurationTest, RefusesToConnectDifferentTypesOfData) {
               AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("data types differ")));
 }
 
-TEST(ConnectionConfigurationTest, RefusesAConnectionWithOneEnd) {
+TEST(ConnectionConfigurationTest, RefusesAConnectionWithOnlyOneEnd) {
   EXPECT_THAT(connectionError("Robot.Image.Picture.S\nRobot.Image.Picture.S Server.Image.Picture.O"),
               AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("no observer")));
   EXPECT_THAT(connectionError("Server.Image.Picture.O Robot.Image.Picture.S"),
@@ -151,21 +147,21 @@ TEST(DesignDatabaseTest, FindsTheFileOfAKeywordForTheModel) {
                           std::make_pair("SOUND", "OPEN-R/MW/DATA/P/SEVEN.WAV")));
 }
 
-TEST(DesignDatabaseTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+TEST(DesignDatabaseTest, NamesFileAndLineOfAMalformedLine) {
   for (const char* broken : {"SOUND", "SOUND OPEN-R/X.WAV", "SOUND /MS/", "SOUND /MS/X.WAV /MS/Y.WAV"}) {
     EXPECT_THAT(errorOf([&] { designFiles("\n" + std::string(broken)); }), StartsWith("DESIGNDB.CFG:2: ")) << broken;
   }
   EXPECT_THAT(errorOf([&] { designFiles("A /MS/X\nA /MS/Y\n"); }), StartsWith("DESIGNDB.CFG:2: a second A"));
 }
 
-TEST(MemoryStickTest, FindsAFileWhateverTheCaseOfItsFolders) {
+TEST(MemoryStickTest, FindsAFileIgnoringCase) {
   const TemporaryFolder stick;
   stick.write("Open-R/mw/CONF/object.cfg", "x");
   EXPECT_TRUE(std::filesystem::equivalent(findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"),
                                           stick.path() / "Open-R/mw/CONF/object.cfg"));
 }
 
-TEST(MemoryStickTest, SaysWhatIsMissingAndWhere) {
+TEST(MemoryStickTest, NamesTheMissingFolderAndItsParent) {
   const TemporaryFolder stick;
   stick.write("OPEN-R/MW/x", "");
   EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),

@@ -1,4 +1,4 @@
-// Old code for the robot, as it is: it compiles, boots and talks.
+// Old code for the robot compiles, boots and communicates without changes.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -24,7 +24,7 @@ class ConformanceTest : public testing::Test {
     options_.console = &console_;
   }
 
-  /// @return what the console shows
+  /// @return the console's output
   std::string boot() {
     Machine machine(options_, clock_, robot_);
     machine.boot();
@@ -40,14 +40,14 @@ class ConformanceTest : public testing::Test {
   MachineOptions options_;
 };
 
-TEST_F(ConformanceTest, WithoutConnectCfgObjectsBootAndTheConsoleSaysThatNothingIsConnected) {
+TEST_F(ConformanceTest, WithoutConnectCfgObjectsBootAndTheConsoleSaysSo) {
   const std::string shown = boot();
   EXPECT_THAT(shown, HasSubstr("There is no OPEN-R/MW/CONF/CONNECT.CFG"));
   EXPECT_THAT(shown, HasSubstr("Surveyor at 0\n"));
   EXPECT_THAT(shown, Not(HasSubstr("hears")));
 }
 
-TEST_F(ConformanceTest, ServicesAreConnectedByTheNamesOfStubCfgAlsoWithinOneObject) {
+TEST_F(ConformanceTest, ServicesAreConnectedByTheirNamesInStubCfgEvenWithinOneObject) {
   stick_.write("OPEN-R/MW/CONF/CONNECT.CFG",
                "[ERS-210]\nNobody.Map.Place.S Country.News.Place.O\n[ERS-7]\n"
                "Country.Map.Place.S Country.News.Place.O\n");

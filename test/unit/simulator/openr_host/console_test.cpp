@@ -21,7 +21,7 @@ class ConsoleTest : public testing::Test {
     test_.as(object_, [&] { OSYSPRINT(("%s", text.c_str())); });
   }
 
-  /// Prints until this listener gets something: then it has been accepted.
+  /// Prints until this listener receives something, which shows that it has been accepted.
   void awaitAccepted(TestClient& listener) {
     ASSERT_TRUE(test_.runUntil([&] {
       print(".");
@@ -57,7 +57,7 @@ TEST_F(ConsoleTest, ALogLineNamesItsPriorityAndItsObject) {
   EXPECT_EQ(test_.output.str(), "ERROR Object: no image\nWARNING Object: hm\nINFO Object: well\n");
 }
 
-// Programmer's Guide, 5.1: 243 characters, the closing 0 among them.
+// Programmer's Guide, 5.1: 243 characters including the closing 0.
 TEST_F(ConsoleTest, OnePrintShowsItsFirst242Characters) {
   const std::string most(242, 'x');
   print(most);
@@ -70,20 +70,20 @@ TEST_F(ConsoleTest, OnePrintShowsItsFirst242Characters) {
   EXPECT_EQ(test_.output.str(), "INFO Object: " + most + "\n");
 }
 
-TEST_F(ConsoleTest, AListenerThatDoesNotReadIsNotWaitedForAndIsToldWhatItLost) {
-  TestClient slow(port_, 64 * 1024);  // the kernel may need minutes for all the megabytes with a smaller window
+TEST_F(ConsoleTest, AListenerThatDoesNotReadDelaysNothingAndIsToldAboutLostMessages) {
+  TestClient slow(port_, 64 * 1024);  // with a smaller window the kernel may need minutes
   TestClient quick(port_);
   awaitAccepted(slow);
   awaitAccepted(quick);
   const std::string line = std::string(241, '#') + "\n";
   std::size_t printed = 0;
-  // Far more than the kernel and the console together keep for one listener.
+  // Far more than kernel and console together keep for one listener.
   for (; printed < 64 * 1024; ++printed) {
     print(line);
     quick.received();
   }
   EXPECT_TRUE(test_.runUntil([&] { return quick.received().size() >= printed * line.size(); }));
-  // The last that comes. To search all the megabytes before it again and again would take longer than to receive them.
+  // Look only at the end: searching all megabytes again and again would take longer than receiving them.
   const auto ends_with = [&slow](const std::string& text) {
     const std::string& heard = slow.received();
     return heard.size() >= text.size() && heard.compare(heard.size() - text.size(), text.size(), text) == 0;
@@ -94,7 +94,7 @@ TEST_F(ConsoleTest, AListenerThatDoesNotReadIsNotWaitedForAndIsToldWhatItLost) {
   EXPECT_TRUE(test_.runUntil([&] { return ends_with("now then\n"); }));
 }
 
-TEST_F(ConsoleTest, AListenerThatGoesDisturbsNobody) {
+TEST_F(ConsoleTest, AListenerThatDisconnectsDoesNotDisturbOthers) {
   TestClient staying(port_);
   awaitAccepted(staying);
   {
@@ -110,7 +110,7 @@ TEST_F(ConsoleTest, AListenerThatGoesDisturbsNobody) {
   EXPECT_TRUE(test_.runUntil([&] { return staying.received().find("one\ntwo\n") != std::string::npos; }));
 }
 
-TEST_F(ConsoleTest, WhatAListenerTypesIsIgnored) {
+TEST_F(ConsoleTest, TypedLinesAreIgnored) {
   TestClient listener(port_);
   awaitAccepted(listener);
   listener.send("hello?\r\n");
@@ -119,7 +119,7 @@ TEST_F(ConsoleTest, WhatAListenerTypesIsIgnored) {
   EXPECT_TRUE(test_.runUntil([&] { return listener.received().find("still here\n") != std::string::npos; }));
 }
 
-TEST_F(ConsoleTest, EachLineThatIsTypedIsAnsweredToWhoTypedIt) {
+TEST_F(ConsoleTest, EachTypedLineIsAnsweredToItsListener) {
   std::vector<std::string> lines;
   test_.on_console_line = [&](const std::string& line) {
     lines.push_back(line);
@@ -129,7 +129,7 @@ TEST_F(ConsoleTest, EachLineThatIsTypedIsAnsweredToWhoTypedIt) {
   TestClient other(port_);
   typing.send("pre");
   test_.runPending();
-  EXPECT_TRUE(lines.empty()) << "the line has not ended yet";
+  EXPECT_TRUE(lines.empty()) << "the line is not finished";
   typing.send("ss \xff\xfb\x01 chin\r\nhelp\nun");
   ASSERT_TRUE(test_.runUntil([&] { return typing.received().size() >= 37; }));
   EXPECT_THAT(lines, testing::ElementsAre("press  chin", "help"));
@@ -138,7 +138,7 @@ TEST_F(ConsoleTest, EachLineThatIsTypedIsAnsweredToWhoTypedIt) {
   EXPECT_EQ(test_.output.str(), "");
 }
 
-TEST_F(ConsoleTest, ALineThatIsTooLongIsRefusedAndTheNextOneTaken) {
+TEST_F(ConsoleTest, ALineThatIsTooLongIsRefusedAndTheNextOneAccepted) {
   test_.on_console_line = [](const std::string& line) { return "got " + std::to_string(line.size()) + "\n"; };
   TestClient listener(port_);
   listener.send(std::string(5000, 'x') + "\n" + std::string(256, 'x') + "\n");
@@ -146,7 +146,7 @@ TEST_F(ConsoleTest, ALineThatIsTooLongIsRefusedAndTheNextOneTaken) {
       test_.runUntil([&] { return listener.received() == "error: a line has at most 256 characters\ngot 256\n"; }));
 }
 
-TEST_F(ConsoleTest, OneListenerTooManyIsToldAndTurnedAway) {
+TEST_F(ConsoleTest, OneListenerTooManyGetsAMessageAndIsDisconnected) {
   std::vector<std::unique_ptr<TestClient>> listeners;
   for (std::size_t i = 0; i < Console::kMostListeners; ++i) {
     listeners.push_back(std::make_unique<TestClient>(port_));

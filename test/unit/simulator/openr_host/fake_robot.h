@@ -14,9 +14,9 @@
 
 namespace openr_host {
 
-/// A robot that writes down what is asked of it. Its camera has an image in the frames that a test names, 4x1 pixels
-/// with the frame number as field counter. Its sensors have one entry, whose value in each frame is the frame's number.
-/// Its joints take odataJOINT_COMMAND2 and are the primitives 1 to 20.
+/// A robot that records the calls. Its camera has an image in the frames that a test chooses, 4x1 pixels with the frame
+/// number as field counter. Its sensors have one entry, whose value in each frame is the frame's number. Its joints
+/// accept odataJOINT_COMMAND2 and are the primitives 1 to 20.
 class FakeRobot : public VirtualRobot {
  public:
   ~FakeRobot() override {
@@ -32,10 +32,10 @@ class FakeRobot : public VirtualRobot {
   std::vector<longword> frames_captured;
   std::vector<std::string> calls;                                   ///< "passFrame 3", "setMotorPower 1" ...
   std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
-  OStatus joint_status = oSUCCESS;                                  ///< what all calls for joints and sensors return
+  OStatus joint_status = oSUCCESS;                                  ///< result of all calls for joints and sensors
 
   OPowerStatus power_status;
-  OPrimitiveID led = 0;  ///< one of the joints that is an LED instead
+  OPrimitiveID led = 0;  ///< this one of the joints is an LED instead
 
   RCRegion* image() const { return image_; }
   RCRegion* sensors() const { return sensors_; }

@@ -40,7 +40,7 @@ TEST(OFbkImageTest, FindsEachBandInTheInterleavedRows) {
   }
 }
 
-TEST(OFbkImageTest, ALayerOfThreeBandsHasNoneOfFineDetail) {
+TEST(OFbkImageTest, ALayerOfThreeBandsHasNoFineDetail) {
   OFbkImageInfo info = infoOf(odataFBK_YCrCb);
   std::vector<byte> data(3 * kWidth * kHeight);
   EXPECT_EQ(OFbkImage(&info, data.data(), ofbkimageBAND_Cb).Skip(), 2 * kWidth);
@@ -72,7 +72,7 @@ TEST(OFbkImageTest, ReadsTheTagBytesOfTheLastRow) {
   EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL_UNDEF), 0);
 }
 
-TEST(RCRegionTest, CountsReferencesFromItsMakersOne) {
+TEST(RCRegionTest, StartsWithItsCreatorsReference) {
   auto* region = new RCRegion(100);
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(region->Size(), 100U);
@@ -80,10 +80,10 @@ TEST(RCRegionTest, CountsReferencesFromItsMakersOne) {
   EXPECT_EQ(region->NumberOfReference(), 2);
   region->RemoveReference();
   EXPECT_EQ(region->NumberOfReference(), 1);
-  region->RemoveReference();  // the leak check of a sanitizer build proves that it is gone
+  region->RemoveReference();  // a sanitizer's leak check shows that it is deleted
 }
 
-TEST(RCRegionTest, LendsMemoryThatIsOwnedElsewhere) {
+TEST(RCRegionTest, RefersToMemoryThatIsOwnedElsewhere) {
   byte memory[8] = {};
   auto* region = new RCRegion(5, 16, memory, sizeof(memory));
   EXPECT_EQ(region->Base(), reinterpret_cast<char*>(memory));

@@ -1,4 +1,4 @@
-// Handlers that take time: an object that is busy gets no other message meanwhile (Level2 Reference Guide, chapter 1).
+// Handlers that take time: a busy object gets no other message (Level2 Reference Guide, chapter 1).
 #include <gmock/gmock.h>
 
 #include "test_system.h"
@@ -57,7 +57,7 @@ class HandlerTimeTest : public testing::Test {
   std::vector<std::chrono::nanoseconds> received_;
 };
 
-TEST_F(HandlerTimeTest, WhatAHandlerSendsLeavesWhenItHasFinished) {
+TEST_F(HandlerTimeTest, MessagesOfAHandlerLeaveWhenItHasFinished) {
   takeImageAt(milliseconds(8));
   EXPECT_THAT(encoded_, ElementsAre(milliseconds(8)));
   passTo(milliseconds(27));
@@ -67,7 +67,7 @@ TEST_F(HandlerTimeTest, WhatAHandlerSendsLeavesWhenItHasFinished) {
   EXPECT_THAT(received_, ElementsAre(milliseconds(28)));
 }
 
-TEST_F(HandlerTimeTest, AnObjectRefersToItsDataUntilItHasFinished) {
+TEST_F(HandlerTimeTest, AnObjectKeepsItsDataUntilItHasFinished) {
   auto* region = new RCRegion(4);
   test_.as(camera_, [&] {
     camera_.subject().SetData(region);
@@ -83,7 +83,7 @@ TEST_F(HandlerTimeTest, AnObjectRefersToItsDataUntilItHasFinished) {
   region->RemoveReference();
 }
 
-TEST_F(HandlerTimeTest, AnObjectThatIsBusyGetsItsNextMessageAfterwards) {
+TEST_F(HandlerTimeTest, ABusyObjectGetsItsNextMessageAfterwards) {
   takeImageAt(milliseconds(0));
   takeImageAt(milliseconds(8));
   takeImageAt(milliseconds(16));
@@ -92,10 +92,10 @@ TEST_F(HandlerTimeTest, AnObjectThatIsBusyGetsItsNextMessageAfterwards) {
   EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "the newest image is kept";
   passTo(milliseconds(40));
   EXPECT_THAT(received_, ElementsAre(milliseconds(20), milliseconds(40)));
-  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "there was one image left, not two";
+  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "one image was kept, not two";
 }
 
-TEST_F(HandlerTimeTest, WhatWaitsForABusyObjectKeepsItsPlace) {
+TEST_F(HandlerTimeTest, MessagesForABusyObjectKeepTheirOrder) {
   std::vector<OID> senders;
   encoder_.on_notify = [&](const ONotifyEvent& event) { senders.push_back(event.SenderID().oid); };
   takeImageAt(milliseconds(0));

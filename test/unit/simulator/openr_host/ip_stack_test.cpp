@@ -20,7 +20,7 @@ constexpr Port kRobotPort = 7000;
 constexpr int kPoolSize = 16 * 1024;
 constexpr int kBufferSize = 4 * 1024 * 1024;
 
-/// What came back from the stack.
+/// An answer from the stack.
 struct Answer {
   antOperation operation;
   int error;
@@ -99,12 +99,12 @@ class IpStackTest : public testing::Test {
     post(message);
   }
 
-  /// Runs until that many answers have come back in all.
+  /// Runs until this many answers have come back in total.
   bool haveAnswers(std::size_t count) {
     return test_.runUntil([&] { return answers_.size() >= count; });
   }
 
-  /// An endpoint with a client; the listening is forgotten.
+  /// An endpoint with a client; the answer to the listen is dropped.
   antModuleRef connect(std::optional<TestClient>& client, int receive_buffer = 0, int pool_size = kPoolSize) {
     const antModuleRef endpoint = createEndpoint(pool_size);
     listen(endpoint);
@@ -129,7 +129,7 @@ class IpStackTest : public testing::Test {
   std::optional<TCPEndpointAddressesMsg> addresses_;  ///< the last answer to a listen or connect
 };
 
-TEST_F(IpStackTest, ListeningIsAnsweredWithTheClientsAddressWhenOneComes) {
+TEST_F(IpStackTest, AListenIsAnsweredWithTheAddressOfTheClient) {
   listen(createEndpoint(), 7);
   test_.runPending();
   EXPECT_THAT(answers_, IsEmpty());
@@ -142,7 +142,7 @@ TEST_F(IpStackTest, ListeningIsAnsweredWithTheClientsAddressWhenOneComes) {
   EXPECT_EQ(addresses_->fPort, client.port());
 }
 
-TEST_F(IpStackTest, AReceiveIsAnsweredOnceTheLeastNumberOfBytesIsThere) {
+TEST_F(IpStackTest, AReceiveIsAnsweredWhenTheMinimumHasArrived) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client);
   receive(endpoint, 3, 10);
@@ -158,7 +158,7 @@ TEST_F(IpStackTest, AReceiveIsAnsweredOnceTheLeastNumberOfBytesIsThere) {
   EXPECT_EQ(inBuffer(3), "abc");
 }
 
-TEST_F(IpStackTest, AReceiveTakesNoMoreThanTheMostAndLeavesTheRest) {
+TEST_F(IpStackTest, AReceiveTakesAtMostTheMaximumAndLeavesTheRest) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client);
   client->send("abcdefg");
@@ -171,7 +171,7 @@ TEST_F(IpStackTest, AReceiveTakesNoMoreThanTheMostAndLeavesTheRest) {
   EXPECT_EQ(inBuffer(3), "efg");
 }
 
-TEST_F(IpStackTest, ALargeSendArrivesWholeAlthoughTheSendBufferIsSmall) {
+TEST_F(IpStackTest, ALargeSendArrivesCompletelyThroughASmallSendBuffer) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client, 4096);
   for (int i = 0; i < kBufferSize; ++i) {
@@ -179,7 +179,7 @@ TEST_F(IpStackTest, ALargeSendArrivesWholeAlthoughTheSendBufferIsSmall) {
   }
   send(endpoint, kBufferSize);
   test_.runPending();
-  EXPECT_THAT(answers_, IsEmpty()) << "nobody reads, and yet 4 MiB have found room in 16 KiB";
+  EXPECT_THAT(answers_, IsEmpty()) << "4 MiB cannot fit into 16 KiB while nobody reads";
   ASSERT_TRUE(test_.runUntil([&] { return client->received().size() == kBufferSize; }));
   EXPECT_EQ(client->received(), inBuffer(kBufferSize));
   ASSERT_TRUE(haveAnswers(1));
@@ -196,7 +196,7 @@ TEST_F(IpStackTest, ASmallPoolHoldsLittleForAClientThatDoesNotRead) {
     test_.runPending();
     ++pictures;
   } while (answers_.size() == pictures);
-  EXPECT_LE(pictures, 16U);  // hundreds, if the kernel chose
+  EXPECT_LE(pictures, 16U);  // with the kernel's default, hundreds
 }
 
 TEST_F(IpStackTest, OneSendAndOneReceiveMayBeUnderWayAndASecondOfEachIsBusy) {
@@ -209,7 +209,7 @@ TEST_F(IpStackTest, OneSendAndOneReceiveMayBeUnderWayAndASecondOfEachIsBusy) {
   ASSERT_TRUE(haveAnswers(2));
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPSend, TCP_CONNECTION_BUSY),
                                     is(antOperation_TCPReceive, TCP_CONNECTION_BUSY)));
-  // The first ones are none the worse for it.
+  // The first ones still succeed.
   client->send("x");
   ASSERT_TRUE(test_.runUntil([&] { return client->received().size() == kBufferSize && answers_.size() == 4; }));
   EXPECT_THAT(answers_, testing::Contains(is(antOperation_TCPSend, TCP_SUCCESS)));
@@ -227,7 +227,7 @@ TEST_F(IpStackTest, AReceiveEndsWithConnectionClosedWhenTheClientHasClosed) {
   EXPECT_EQ(answers_[0].size, 2);
 }
 
-TEST_F(IpStackTest, WhatTheClientSentBeforeItClosedIsReceivedFirst) {
+TEST_F(IpStackTest, BytesSentBeforeTheClientClosedAreReceivedFirst) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client);
   client->send("last words");
@@ -280,7 +280,7 @@ TEST_F(IpStackTest, ACloseIsAnsweredWhenTheClientHasClosedToo) {
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPClose, TCP_SUCCESS)));
   send(endpoint, 1);
   ASSERT_TRUE(haveAnswers(2));
-  EXPECT_EQ(answers_[1].error, TCP_OPERATION_INVALID) << "the endpoint is no more";
+  EXPECT_EQ(answers_[1].error, TCP_OPERATION_INVALID) << "the endpoint no longer exists";
 }
 
 // 2.7: "it can no longer send or receive data", and the other side "will receive the rest of the transmission".
@@ -342,7 +342,7 @@ TEST_F(IpStackTest, AResetByTheClientEndsACloseThatWaits) {
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPClose, TCP_CONNECTION_RESET)));
 }
 
-TEST_F(IpStackTest, AnAbortEndsWhatIsUnderWayFirst) {
+TEST_F(IpStackTest, AnAbortFirstEndsTheRequestsUnderWay) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client, 4096);
   receive(endpoint, 1, 1);
@@ -364,7 +364,7 @@ TEST_F(IpStackTest, ACloseThatWaitsCannotBeCalled) {
   EXPECT_EQ(aborting.error, TCP_SUCCESS);
 }
 
-TEST_F(IpStackTest, TheClientGetsWhatWasSentBeforeTheCloseThoughItsOwnBytesWereNeverRead) {
+TEST_F(IpStackTest, TheClientGetsAllBytesSentBeforeTheCloseEvenIfItsOwnWereNeverRead) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client);
   client->send("nobody reads this");
@@ -386,7 +386,7 @@ TEST_F(IpStackTest, AnAbortResetsTheConnection) {
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPClose, TCP_SUCCESS)));
 }
 
-TEST_F(IpStackTest, ClosingAListeningEndpointEndsTheListening) {
+TEST_F(IpStackTest, ClosingAListeningEndpointEndsTheListen) {
   const auto endpoint = createEndpoint();
   listen(endpoint);
   close(endpoint);
@@ -407,7 +407,7 @@ TEST_F(IpStackTest, AListeningEndpointThatWasClosedByACallGetsNoClient) {
   EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd(); }));
 }
 
-TEST_F(IpStackTest, ANewcomerIsTurnedAwayAtOnceWhileNobodyListens) {
+TEST_F(IpStackTest, AClientIsTurnedAwayAtOnceWhileNoEndpointListens) {
   std::optional<TestClient> client;
   const auto endpoint = connect(client);
   TestClient newcomer(host_port_);
@@ -416,14 +416,14 @@ TEST_F(IpStackTest, ANewcomerIsTurnedAwayAtOnceWhileNobodyListens) {
   EXPECT_TRUE(test_.runUntil([&] { return client->received() == "still here"; }));
 }
 
-TEST_F(IpStackTest, ClientsForWhomThereIsNoDescriptorLeftAreTurnedAwayAndTheNextOneIsServed) {
+TEST_F(IpStackTest, ClientsAreTurnedAwayWithoutDescriptorsAndTheNextOneIsServed) {
   listen(createEndpoint());
   TestClient client(host_port_);
   TestClient second_client(host_port_);
   rlimit usual{};
   getrlimit(RLIMIT_NOFILE, &usual);
   rlimit exhausted = usual;
-  exhausted.rlim_cur = static_cast<rlim_t>(FileDescriptor(dup(STDERR_FILENO)).get());  // the lowest that is free
+  exhausted.rlim_cur = static_cast<rlim_t>(FileDescriptor(dup(STDERR_FILENO)).get());  // the lowest free one
   setrlimit(RLIMIT_NOFILE, &exhausted);
   EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd() || client.wasReset(); }));
   EXPECT_TRUE(test_.runUntil([&] { return second_client.isAtEnd() || second_client.wasReset(); }));
@@ -434,7 +434,7 @@ TEST_F(IpStackTest, ClientsForWhomThereIsNoDescriptorLeftAreTurnedAwayAndTheNext
   EXPECT_THAT(answers_, ElementsAre(is(antOperation_TCPListen, TCP_SUCCESS)));
 }
 
-TEST_F(IpStackTest, EndpointsThatListenOnOnePortGetTheClientsInTheirOrder) {
+TEST_F(IpStackTest, EndpointsThatListenOnTheSamePortGetClientsInTheirOrder) {
   listen(createEndpoint(), 1);
   listen(createEndpoint(), 2);
   const TestClient first(host_port_);
@@ -455,7 +455,7 @@ TEST_F(IpStackTest, ANewEndpointListensAgainAfterAClose) {
   }
 }
 
-TEST_F(IpStackTest, AClientThatComesWhileTheObjectIsAboutToListenAgainIsServed) {
+TEST_F(IpStackTest, AClientThatArrivesWhileTheObjectIsAboutToListenAgainIsServed) {
   std::optional<TestClient> client;
   antModuleRef endpoint = connect(client);
   object_.on_answer = [&](ANTENVMSG message) {
@@ -475,7 +475,7 @@ TEST_F(IpStackTest, AClientThatComesWhileTheObjectIsAboutToListenAgainIsServed) 
 }
 
 // Internet Protocol Version4, 2.3.
-TEST_F(IpStackTest, AnEndpointConnectsToAServerAndLearnsItsOwnAddress) {
+TEST_F(IpStackTest, AnEndpointConnectsToAServerAndGetsItsOwnAddress) {
   TcpListener server("127.0.0.1", 0);
   const auto endpoint = createEndpoint();
   post(TCPEndpointConnectMsg(endpoint, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), server.port()));
@@ -497,9 +497,9 @@ TEST_F(IpStackTest, AnEndpointConnectsToAServerAndLearnsItsOwnAddress) {
   EXPECT_EQ(inBuffer(3), "you");
 }
 
-TEST_F(IpStackTest, WhereNobodyListensNothingConnects) {
+TEST_F(IpStackTest, ConnectingFailsWhereNothingListens) {
 #ifdef __mips__
-  GTEST_SKIP() << "QEMU 7.2 hands out SO_ERROR with the number of the host's error: 111 instead of MIPS's 146.";
+  GTEST_SKIP() << "QEMU 7.2 returns the host's error number in SO_ERROR: 111 instead of MIPS's 146.";
 #endif
   std::uint16_t free_port = 0;
   {
@@ -515,7 +515,7 @@ TEST_F(IpStackTest, WhereNobodyListensNothingConnects) {
   EXPECT_EQ(answers_[1].error, TCP_SUCCESS);
 }
 
-TEST_F(IpStackTest, AnEndpointConnectsOrListensOnce) {
+TEST_F(IpStackTest, AnEndpointConnectsOrListensOnlyOnce) {
   const auto endpoint = createEndpoint();
   listen(endpoint);
   post(TCPEndpointConnectMsg(endpoint, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), host_port_));
@@ -565,7 +565,7 @@ TEST_F(IpStackTest, DataOutsideASharedBufferIsRefused) {
   }
 }
 
-TEST_F(IpStackTest, WhatCannotBeAskedOfAnEndpointInItsStateIsInvalid) {
+TEST_F(IpStackTest, RequestsThatDoNotFitTheEndpointsStateAreInvalid) {
   const auto endpoint = createEndpoint();
   send(endpoint, 1);
   receive(endpoint, 1, 1);
@@ -581,20 +581,20 @@ TEST_F(IpStackTest, WhatCannotBeAskedOfAnEndpointInItsStateIsInvalid) {
   }
 }
 
-TEST_F(IpStackTest, APortThatAnotherProgramHasIsInUse) {
+TEST_F(IpStackTest, APortOfAnotherProgramIsInUse) {
   TcpListener other_program("127.0.0.1", 0);
   post(TCPEndpointListenMsg(createEndpoint(), IP_ADDR_ANY, other_program.port()));
   ASSERT_TRUE(haveAnswers(1));
   EXPECT_EQ(answers_[0].error, TCP_ADDRESSINUSE);
 }
 
-TEST_F(IpStackTest, WhatNeedsAClientCanBeSentButNotCalled) {
+TEST_F(IpStackTest, RequestsThatNeedAClientCanBeSentButNotCalled) {
   TCPEndpointListenMsg message(createEndpoint(), IP_ADDR_ANY, kRobotPort);
   EXPECT_EQ(call(message), ANT_FAIL);
   EXPECT_EQ(message.error, TCP_FAIL);
 }
 
-TEST_F(IpStackTest, AMessageToNoSuchStackObjectOrEntryFails) {
+TEST_F(IpStackTest, AMessageToAnUnknownStackObjectOrEntryFails) {
   TCPEndpointCloseMsg message(createEndpoint());
   test_.as(object_, [&] {
     EXPECT_EQ(message.Call(antStackRef("OtherStack"), sizeof(message)), ANT_FAIL);
@@ -607,7 +607,7 @@ TEST_F(IpStackTest, AMessageToNoSuchStackObjectOrEntryFails) {
   EXPECT_EQ(message.error, TCP_SUCCESS);
 }
 
-TEST_F(IpStackTest, ASharedBufferHasWholePagesAndGoesBackWhenNothingUsesIt) {
+TEST_F(IpStackTest, ASharedBufferHasWholePagesAndCanBeFreedWhenUnused) {
   antEnvCreateSharedBufferMsg create(1);
   call(create);
   std::memset(create.buffer.GetAddress(), 1, 4096);
@@ -622,7 +622,7 @@ TEST_F(IpStackTest, ASharedBufferHasWholePagesAndGoesBackWhenNothingUsesIt) {
   call(destroy);
   EXPECT_EQ(destroy.error, ANT_SUCCESS);
   call(destroy);
-  EXPECT_EQ(destroy.error, ANT_FAIL) << "it has gone";
+  EXPECT_EQ(destroy.error, ANT_FAIL) << "it is already freed";
 
   antEnvCreateSharedBufferMsg empty(0);
   call(empty);

@@ -1,5 +1,5 @@
-// The sizes, offsets and numbers that the OPEN-R SDK's documents and headers give. They are checked when this is
-// compiled. A pointer has 4 bytes on the robot: what holds one has no place here.
+// The sizes, offsets and numbers in the OPEN-R SDK's documents and headers, checked at compile time. Structures with
+// pointers are left out, because a pointer has 4 bytes on the robot.
 #include <EndpointTypes.h>
 #include <OPENR/OFbkImage.h>
 #include <OPENR/OList.h>

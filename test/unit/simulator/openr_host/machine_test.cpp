@@ -27,7 +27,7 @@ const char kObjects[] = "/MS/OPEN-R/MW/OBJS/ECHO.BIN\n";
 const char kConnections[] =
     "OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S\nEchoServer.Image.OFbkImageVectorData.O\n";
 
-/// Writes down which function of its life is called, and may fail in one.
+/// Records which of its life cycle functions are called, and can fail in one of them.
 class LifeRecorder : public OObject {
  public:
   LifeRecorder(std::string name, std::vector<std::string>& calls, std::string failure)
@@ -49,7 +49,7 @@ class LifeRecorder : public OObject {
   const std::string failure_;
 };
 
-/// Shuts the robot down when it starts, each time as the next of `conditions` says; then no more.
+/// Shuts the robot down when it starts, each time with the next of `conditions`; afterwards never again.
 class Shutter : public OObject {
  public:
   explicit Shutter(std::vector<OBootCondition>& conditions) : conditions_(conditions) {}
@@ -71,7 +71,7 @@ class Shutter : public OObject {
 
 OStatus Shutter::status = oSUCCESS;
 
-/// A clock whose frame lasts 80 s, so that no frame begins in the course of a test.
+/// A clock with frames of 80 s, so that no frame begins during a test.
 class SlowClock : public Clock {
  public:
   std::chrono::nanoseconds now() const override { return (std::chrono::steady_clock::now() - begin_) / kSlowness; }
@@ -102,7 +102,7 @@ class MachineTest : public testing::Test {
     return description;
   }
 
-  /// Beside the echo server, boots an object that shuts the robot down under these conditions, one after the other.
+  /// Boots the echo server and an object that shuts the robot down with these conditions, one after the other.
   Machine& bootAndShutDown(const std::vector<OBootCondition>& conditions) {
     stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", std::string(kObjects) + "/MS/OPEN-R/MW/OBJS/SHUTTER.BIN\n");
     conditions_ = conditions;
@@ -157,7 +157,7 @@ TEST_F(MachineTest, BootsAnObjectOfTheStickAndServesItsClientsOneAfterTheOther) 
   EXPECT_THAT(console_.str(), HasSubstr("EchoServer has gone\n"));
 }
 
-TEST_F(MachineTest, WhatWaitsForABusyObjectIsHandledWhenItHasFinishedThoughNoFrameBegins) {
+TEST_F(MachineTest, MessagesForABusyObjectAreHandledWhenItHasFinishedEvenIfNoFrameBegins) {
   options_.handler_time = [](const std::string&, Entry, std::chrono::nanoseconds) {
     return std::chrono::microseconds(5);
   };
@@ -178,7 +178,7 @@ TEST_F(MachineTest, TheConsoleCanBeListenedTo) {
   EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "image 1\n"; }));
 }
 
-TEST_F(MachineTest, WhatIsTypedAtTheConsoleIsForWhoSetTheMachineUp) {
+TEST_F(MachineTest, LinesTypedAtTheConsoleGoToTheMachinesCallback) {
   options_.on_console_line = [](const std::string& line) { return line + " it is\n"; };
   Machine& machine = boot();
   TestClient listener(machine.hostPort(kConsolePort));
@@ -186,7 +186,7 @@ TEST_F(MachineTest, WhatIsTypedAtTheConsoleIsForWhoSetTheMachineUp) {
   EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "press it is\n"; }));
 }
 
-TEST_F(MachineTest, AsksForAnImageOnceAFrameAndDeliversTheOnesThatAreDue) {
+TEST_F(MachineTest, AsksForAnImageOncePerFrameAndDeliversThoseThatAreDue) {
   boot();
   robot_.frames_with_image = {4, 8, 13};
   stepTo(13);
@@ -196,7 +196,7 @@ TEST_F(MachineTest, AsksForAnImageOnceAFrameAndDeliversTheOnesThatAreDue) {
   EXPECT_EQ(robot_.image()->NumberOfReference(), 1);
 }
 
-TEST_F(MachineTest, FramesMissedByAProcessThatWasHeldUpPassForTheBodyAndAreLeftOutByTheCamera) {
+TEST_F(MachineTest, AfterADelayTheBodyGetsTheMissedFramesAndTheCameraLeavesThemOut) {
   boot();
   machine_->runPending();
   clock_.step(100);
@@ -242,9 +242,9 @@ TEST_F(MachineTest, AnObjectThatFailsToStartEndsTheBootAndTheOthersAreStopped) {
               ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop", "A DoDestroy", "B DoDestroy"));
 }
 
-TEST_F(MachineTest, BootErrorsNameTheStickTheFileAndTheLine) {
+TEST_F(MachineTest, BootErrorsNameStickFileAndLine) {
   stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "# objects\n/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
-  EXPECT_THAT(bootError(), AllOf(HasSubstr("OBJECT.CFG:2: OTHER.BIN is no object"), HasSubstr("ECHO.BIN")));
+  EXPECT_THAT(bootError(), AllOf(HasSubstr("OBJECT.CFG:2: OTHER.BIN is not an object"), HasSubstr("ECHO.BIN")));
   stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "[ERS-210]\n/MS/OPEN-R/MW/OBJS/ECHO.BIN\n");
   EXPECT_THAT(bootError(), HasSubstr("no object for ERS-7"));
   stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", kObjects);
@@ -254,7 +254,7 @@ TEST_F(MachineTest, BootErrorsNameTheStickTheFileAndTheLine) {
   EXPECT_THAT(bootError(), HasSubstr("absent"));
 }
 
-TEST_F(MachineTest, APortInUseIsNamedWithWhatToDo) {
+TEST_F(MachineTest, APortInUseIsNamedWithARemedy) {
   TcpListener other_program("127.0.0.1", 0);
   const std::string port = std::to_string(other_program.port());
   options_.ports[kEchoPort] = other_program.port();
@@ -279,7 +279,7 @@ TEST_F(MachineTest, TwoMachinesRunSideBySide) {
   EXPECT_TRUE(other.runUntil([&] { return other_client.received() == "two"; }));
 }
 
-TEST_F(MachineTest, ReturnsEveryDescriptorAndBootsAgain) {
+TEST_F(MachineTest, ClosesEveryDescriptorAndBootsAgain) {
   const auto open_descriptors = [] {
     int count = 0;
     DIR* folder = opendir("/proc/self/fd");
@@ -302,7 +302,7 @@ TEST_F(MachineTest, ReturnsEveryDescriptorAndBootsAgain) {
   EXPECT_EQ(open_descriptors(), before);
 }
 
-TEST_F(MachineTest, WhenAnObjectShutsTheRobotDownTheMachineIsOffAndItsConsoleSaysSo) {
+TEST_F(MachineTest, AnObjectCanShutTheRobotDownAndTheConsoleSaysSo) {
   Machine& machine = bootAndShutDown({OBootCondition(obcbPAUSE_SW)});
   EXPECT_TRUE(machine.isOn());
   TestClient listener(machine.hostPort(kConsolePort));
@@ -339,7 +339,7 @@ TEST_F(MachineTest, AMachineThatCannotBootAgainIsOffAndSaysWhy) {
   EXPECT_FALSE(machine.isOn());
 }
 
-TEST_F(MachineTest, ATimeToBootAgainOtherThanNowIsRefusedAndTheMachineStaysOn) {
+TEST_F(MachineTest, ALaterTimeToBootAgainIsRefusedAndTheMachineStaysOn) {
   for (const auto& condition : {OBootCondition(obcbBOOT_TIMER, 60, obcbttRELATIVE),
                                 OBootCondition(obcbBOOT_TIMER | obcbPAUSE_SW, 0, obcbttABSOLUTE)}) {
     bootAndShutDown({condition}).runPending();
@@ -348,7 +348,7 @@ TEST_F(MachineTest, ATimeToBootAgainOtherThanNowIsRefusedAndTheMachineStaysOn) {
   }
 }
 
-TEST_F(MachineTest, RunGoesOnWithTheWallsClockUntilItIsStoppedFromAnotherThread) {
+TEST_F(MachineTest, RunFollowsTheWallClockUntilItIsStoppedFromAnotherThread) {
   WallClock clock;
   for (longword frame = 0; frame < 100000; ++frame) {
     robot_.frames_with_image.insert(frame);
@@ -356,7 +356,7 @@ TEST_F(MachineTest, RunGoesOnWithTheWallsClockUntilItIsStoppedFromAnotherThread)
   Machine machine(options_, clock, robot_);
   machine.boot();
   std::thread other([&] {
-    // The echo shows that the machine runs.
+    // The echo shows that the machine is running.
     TestClient client(machine.hostPort(kEchoPort));
     client.send("x");
     while (client.received() != "x") {
@@ -370,7 +370,7 @@ TEST_F(MachineTest, RunGoesOnWithTheWallsClockUntilItIsStoppedFromAnotherThread)
   EXPECT_TRUE(std::is_sorted(robot_.frames_seen.begin(), robot_.frames_seen.end()));
 }
 
-TEST_F(MachineTest, WithoutBootSaysSo) {
+TEST_F(MachineTest, RefusesToRunBeforeBoot) {
   Machine machine(options_, clock_, robot_);
   EXPECT_THROW(machine.runPending(), std::logic_error);
 }

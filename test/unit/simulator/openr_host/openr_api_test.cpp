@@ -28,7 +28,7 @@ class OpenrApiTest : public testing::Test {
 };
 
 // Level2 Reference Guide, pages 80 and 81.
-TEST_F(OpenrApiTest, DesignDataStaysUntilItIsDeleted) {
+TEST_F(OpenrApiTest, DesignDataStaysInMemoryUntilItIsDeleted) {
   stick_.write("OPEN-R/MW/CONF/DESIGNDB.CFG", "TEXT /MS/OPEN-R/MW/DATA/P/A.TXT\nEMPTY /MS/E.TXT\nGONE /MS/G.TXT\n");
   stick_.write("OPEN-R/MW/DATA/P/A.TXT", "first");
   stick_.write("E.TXT", "");
@@ -63,7 +63,7 @@ TEST_F(OpenrApiTest, WithoutADesignDatabaseTheConsoleSaysSo) {
 }
 
 // Level2 Reference Guide, page 48: frames of 8 bytes, 128 bytes of data for each entry.
-TEST_F(OpenrApiTest, ANewCommandVectorHasItsSizesBeforeTheObjectSetsAnything) {
+TEST_F(OpenrApiTest, ANewCommandVectorAlreadyHasItsSizes) {
   asObject([] {
     MemoryRegionID id = 0;
     OCommandVectorData* vector = nullptr;
@@ -76,7 +76,7 @@ TEST_F(OpenrApiTest, ANewCommandVectorHasItsSizesBeforeTheObjectSetsAnything) {
     EXPECT_EQ(info->frameSize, 8U);
     EXPECT_EQ(info->dataSize, 128U);
     EXPECT_EQ(info->dataOffset, 192U + 2 * 32 + 128);
-    EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oFAIL) << "it is of another kind";
+    EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oFAIL) << "it is a command vector";
     EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oSUCCESS);
   });
 }
@@ -99,7 +99,7 @@ TEST_F(OpenrApiTest, ColourTablesCanBeFilledButTheCameraRefusesThem) {
   EXPECT_EQ(test_.output.str(), "WARNING Object: SetCdtVectorData: the camera detects no colours on Linux\n");
 }
 
-TEST_F(OpenrApiTest, ThereAreNoKeysForBeginningTogether) {
+TEST_F(OpenrApiTest, ThereAreNoSyncKeys) {
   asObject([] {
     OVRSyncKey key = 0;
     EXPECT_EQ(OPENR::NewSyncKey(&key), oNO_SYNC_KEY);
@@ -107,14 +107,14 @@ TEST_F(OpenrApiTest, ThereAreNoKeysForBeginningTogether) {
   });
 }
 
-TEST(UnitsTest, AnglesAreCutOffToMillionthsOfARadian) {
+TEST(UnitsTest, AnglesAreTruncatedToMillionthsOfARadian) {
   EXPECT_EQ(oradians(180), 3141592);
   EXPECT_EQ(oradians(-90), -1570796);
   EXPECT_EQ(micro(1.5), 1500000);
   EXPECT_DOUBLE_EQ(degrees(radians(30)), 30);
 }
 
-TEST(OIDTest, ByDefaultItNamesNoObject) {
+TEST(OIDTest, IsInvalidByDefault) {
   EXPECT_FALSE(OID().IsValid());
   EXPECT_EQ(OID(), OID());
   int object = 0;

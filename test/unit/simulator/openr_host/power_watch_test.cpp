@@ -4,7 +4,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
-#include "simulator/openr_host/objects/object_number.h"
+#include "simulator/openr_host/object_description.h"
 #include "test_system.h"
 
 namespace openr_host {
@@ -22,7 +22,7 @@ class PowerWatchTest : public testing::Test {
     return wanted;
   }
 
-  bool tells(const OPowerStatus& wanted, const OPowerStatus& before, const OPowerStatus& now) {
+  bool reports(const OPowerStatus& wanted, const OPowerStatus& before, const OPowerStatus& now) {
     watch_.observe(entry_, wanted, before);
     return !watch_.look(now).empty();
   }
@@ -33,7 +33,7 @@ class PowerWatchTest : public testing::Test {
   OPowerStatus changed_;
 };
 
-TEST_F(PowerWatchTest, ABitIsToldWhenItRisesAndWhenItFalls) {
+TEST_F(PowerWatchTest, ABitIsReportedWhenItRisesAndWhenItFalls) {
   OPowerStatus wanted = nothing();
   wanted.robotStatus = orsbPAUSE;
   changed_.robotStatus = orsbPAUSE | orsbMOTOR_POWER;
@@ -44,48 +44,48 @@ TEST_F(PowerWatchTest, ABitIsToldWhenItRisesAndWhenItFalls) {
   EXPECT_THAT(watch_.look(present_), ElementsAre(entry_));
 }
 
-TEST_F(PowerWatchTest, OnlyTheChosenBitsAreLookedAt) {
+TEST_F(PowerWatchTest, OnlyTheChosenBitsAreWatched) {
   OPowerStatus wanted = nothing();
   wanted.robotStatus = orsbPAUSE;
   wanted.batteryStatus = obsbFULLY_DISCHARGED;
   changed_.robotStatus = orsbBATTERY_CAPACITY_LOW;
   changed_.batteryStatus = obsbOVER_TEMP_ALARM;
-  EXPECT_FALSE(tells(wanted, present_, changed_));
+  EXPECT_FALSE(reports(wanted, present_, changed_));
   changed_.batteryStatus |= obsbFULLY_DISCHARGED;
-  EXPECT_TRUE(tells(wanted, present_, changed_));
+  EXPECT_TRUE(reports(wanted, present_, changed_));
 }
 
-TEST_F(PowerWatchTest, AValueIsToldOnEveryChangeOrWhenItIsReached) {
+TEST_F(PowerWatchTest, AValueIsReportedOnEveryChangeOrWhenItIsReached) {
   present_.remainingCapacity = 50;
   changed_.remainingCapacity = 49;
   OPowerStatus wanted = nothing();
-  EXPECT_FALSE(tells(wanted, present_, changed_));
+  EXPECT_FALSE(reports(wanted, present_, changed_));
   wanted.remainingCapacity = opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE;
-  EXPECT_TRUE(tells(wanted, present_, changed_));
-  EXPECT_FALSE(tells(wanted, changed_, changed_));
+  EXPECT_TRUE(reports(wanted, present_, changed_));
+  EXPECT_FALSE(reports(wanted, changed_, changed_));
   wanted.remainingCapacity = 49;
-  EXPECT_TRUE(tells(wanted, present_, changed_));
-  EXPECT_FALSE(tells(wanted, changed_, present_)) << "leaving the value is not told";
+  EXPECT_TRUE(reports(wanted, present_, changed_));
+  EXPECT_FALSE(reports(wanted, changed_, present_)) << "leaving the value is not reported";
 }
 
-TEST_F(PowerWatchTest, TemperatureTimeAndVolumeAreLookedAt) {
+TEST_F(PowerWatchTest, TemperatureTimeAndVolumeAreWatched) {
   OPowerStatus wanted = nothing();
   wanted.temperature = opsoTEMPERATURE_NOTIFY_EVERY_CHANGE;
   changed_.temperature = 3000;
-  EXPECT_TRUE(tells(wanted, present_, changed_));
+  EXPECT_TRUE(reports(wanted, present_, changed_));
   wanted = nothing();
   wanted.timeDif = opsoTIME_DIF_NOTIFY_EVERY_CHANGE;
   changed_ = OPowerStatus();
   changed_.timeDif = 1;
-  EXPECT_TRUE(tells(wanted, present_, changed_));
+  EXPECT_TRUE(reports(wanted, present_, changed_));
   wanted = nothing();
   wanted.volume = opsoVOLUME_NOTIFY_EVERY_CHANGE;
   changed_ = OPowerStatus();
   changed_.volume = 2;
-  EXPECT_TRUE(tells(wanted, present_, changed_));
+  EXPECT_TRUE(reports(wanted, present_, changed_));
 }
 
-TEST_F(PowerWatchTest, AValueThatIsReachedAgainIsToldAgain) {
+TEST_F(PowerWatchTest, AValueThatIsReachedAgainIsReportedAgain) {
   OPowerStatus wanted = nothing();
   wanted.remainingCapacity = 49;
   changed_.remainingCapacity = 49;
@@ -95,7 +95,7 @@ TEST_F(PowerWatchTest, AValueThatIsReachedAgainIsToldAgain) {
   EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
 }
 
-TEST_F(PowerWatchTest, AnEntryObservesOnceAndUntilItNoLongerDoes) {
+TEST_F(PowerWatchTest, AnEntryObservesOnceUntilItStops) {
   OPowerStatus wanted = nothing();
   wanted.robotStatus = orsbALL;
   watch_.observe(entry_, wanted, present_);

@@ -1,9 +1,9 @@
-// Who may run on the robot's one processor.
+// Which object may run on the robot's only processor.
 #include "simulator/openr_host/processor.h"
 
 #include <gtest/gtest.h>
 
-#include "simulator/openr_host/objects/object_number.h"
+#include "simulator/openr_host/object_description.h"
 
 namespace openr_host {
 namespace {
@@ -33,18 +33,18 @@ TEST_F(ProcessorTest, AnObjectHandlesOneMessageAtATime) {
 }
 
 // Programmer's Guide, section 3.1, SCHED_PRIORITY: the upper four bits are the scheduling class.
-TEST_F(ProcessorTest, ALowerClassWaitsForAHigherOneAndNotTheOtherWayRound) {
+TEST_F(ProcessorTest, ALowerClassWaitsForAHigherOneButNotTheOtherWayRound) {
   processor_.run(kWorker, milliseconds(0), milliseconds(60));
   EXPECT_TRUE(processor_.mayRun(kServer, milliseconds(10)));
   processor_.run(kServer, milliseconds(10), milliseconds(5));
   EXPECT_FALSE(processor_.mayRun(kWorker, milliseconds(12)));
-  EXPECT_EQ(processor_.busyUntil(kWorker), milliseconds(65)) << "it goes on when the higher class has finished";
+  EXPECT_EQ(processor_.busyUntil(kWorker), milliseconds(65)) << "it continues when the higher class has finished";
   EXPECT_EQ(processor_.nextFinish(milliseconds(12)), milliseconds(15));
   EXPECT_EQ(processor_.nextFinish(milliseconds(15)), milliseconds(65));
   EXPECT_FALSE(processor_.nextFinish(milliseconds(65)));
 }
 
-TEST_F(ProcessorTest, ALowerClassDoesNotBeginWhileAHigherOneRuns) {
+TEST_F(ProcessorTest, ALowerClassDoesNotStartWhileAHigherOneRuns) {
   processor_.run(kServer, milliseconds(0), milliseconds(5));
   EXPECT_FALSE(processor_.mayRun(kWorker, milliseconds(4)));
   EXPECT_TRUE(processor_.mayRun(kWorker, milliseconds(5)));

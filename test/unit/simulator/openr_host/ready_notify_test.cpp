@@ -1,4 +1,4 @@
-// How data goes from a subject to its observers (report, section 2.1.1).
+// How data gets from a subject to its observers (report, section 2.1.1).
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ class ReadyNotifyTest : public testing::Test {
 };
 
 // Level2 Reference Guide, page 18: NotifyObservers() keeps data for an observer that is in neither state.
-TEST_F(ReadyNotifyTest, DataForAnObserverThatHasNotSpokenIsKeptUntilItIsReady) {
+TEST_F(ReadyNotifyTest, DataForAnObserverThatHasSaidNothingIsKeptUntilItIsReady) {
   boot();
   notify("kept");
   test_.run();
@@ -73,7 +73,7 @@ TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThroughAndTheNewestOfTh
   test_.as(sender_, [&] { EXPECT_EQ(sender_.subject().ReadyStatus(receiver_.observerId()), 0); });
 }
 
-TEST_F(ReadyNotifyTest, AnObserverThatAsksForALargerBufferGetsAllThatItHolds) {
+TEST_F(ReadyNotifyTest, AnObserverWithALargerBufferGetsEverythingInIt) {
   test_.system.initialize();
   test_.as(receiver_, [&] { receiver_.observer().SetBufCtrlParam(0, 1, 2); });
   test_.system.connect("Sender.Out.Data.S", "Receiver.In.Data.O");
@@ -86,8 +86,8 @@ TEST_F(ReadyNotifyTest, AnObserverThatAsksForALargerBufferGetsAllThatItHolds) {
   EXPECT_THAT(received_, ElementsAre("second", "third"));
 }
 
-// Page 27: "skip" leaves notifications out, "min" collects them.
-TEST_F(ReadyNotifyTest, AnObserverMayLeaveSomeNotificationsOutAndHaveOthersCollected) {
+// Page 27: "skip" leaves notifications out, "min" collects several.
+TEST_F(ReadyNotifyTest, AnObserverMaySkipNotificationsAndHaveOthersCollected) {
   test_.system.initialize();
   test_.as(receiver_, [&] { receiver_.observer().SetBufCtrlParam(1, 2, 2); });
   test_.system.connect("Sender.Out.Data.S", "Receiver.In.Data.O");
@@ -136,7 +136,7 @@ TEST_F(ReadyNotifyTest, OnlyTheObserversThatAreReadyAreNotified) {
 }
 
 // Level2 Reference Guide, pages 18 and 22.
-TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedAndSoIsWhatWasKept) {
+TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedIncludingKeptData) {
   boot();
   notify("kept");
   test_.as(receiver_, [&] { receiver_.observer().DeassertReady(); });
@@ -145,17 +145,17 @@ TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedAndSoIsWhatWasKep
   test_.run();
   test_.as(sender_, [&] {
     EXPECT_LT(sender_.subject().ReadyStatus(receiver_.observerId()), 0);
-    EXPECT_FALSE(sender_.subject().IsAllReady()) << "nobody is ready";
+    EXPECT_FALSE(sender_.subject().IsAllReady()) << "no observer is ready";
   });
   assertReady(other_receiver_);
-  EXPECT_THAT(other_received_, ElementsAre("deleted")) << "it was kept for this one";
+  EXPECT_THAT(other_received_, ElementsAre("deleted")) << "it was kept for this observer";
   assertReady(other_receiver_);
-  test_.as(sender_, [&] { EXPECT_TRUE(sender_.subject().IsAllReady()) << "one is ready, the other wants nothing"; });
+  test_.as(sender_, [&] { EXPECT_TRUE(sender_.subject().IsAllReady()) << "one is ready, the other wants no data"; });
   assertReady(receiver_);
   EXPECT_THAT(received_, IsEmpty());
 }
 
-TEST_F(ReadyNotifyTest, DeassertReadyTakesTheReadinessBack) {
+TEST_F(ReadyNotifyTest, DeassertReadyRevokesReadiness) {
   boot();
   assertReady(receiver_);
   assertReady(other_receiver_);
@@ -168,14 +168,14 @@ TEST_F(ReadyNotifyTest, DeassertReadyTakesTheReadinessBack) {
   EXPECT_THAT(other_received_, ElementsAre("data"));
 }
 
-TEST_F(ReadyNotifyTest, TheSubjectIsToldWhoIsReadyAndWhoIsNoMore) {
+TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) {
   std::vector<std::string> events;
   sender_.on_ready = [&](const OReadyEvent& event) {
     EXPECT_EQ(event.SbjIndex(), 0);
     EXPECT_NE(event.IsAssert(), event.IsDeassert());
     events.push_back(std::string(event.SenderID() == receiver_.observerId() ? "receiver" : "other") +
                      (event.IsAssert() ? " ready" : " not ready"));
-    // The subject knows it already when it is told.
+    // The subject's state is already updated when it is told.
     EXPECT_EQ(sender_.subject().IsReady(event.SenderID()), event.IsAssert());
   };
   boot();
@@ -186,7 +186,7 @@ TEST_F(ReadyNotifyTest, TheSubjectIsToldWhoIsReadyAndWhoIsNoMore) {
   EXPECT_THAT(events, ElementsAre("receiver ready", "other ready", "receiver not ready"));
 }
 
-TEST_F(ReadyNotifyTest, AnObserverAnswersTheSubjectItWasNotifiedBy) {
+TEST_F(ReadyNotifyTest, AnObserverAnswersTheSubjectThatNotifiedIt) {
   receiver_.on_notify = [&](const ONotifyEvent& event) {
     EXPECT_EQ(event.ObsIndex(), 0);
     EXPECT_TRUE(event.SenderID() == sender_.subjectId());
@@ -202,7 +202,7 @@ TEST_F(ReadyNotifyTest, AnObserverAnswersTheSubjectItWasNotifiedBy) {
   EXPECT_THAT(received_, ElementsAre("notified", "notified"));
 }
 
-TEST_F(ReadyNotifyTest, MessagesAreHandledInTheOrderInWhichTheyWereSentAndEachToItsEnd) {
+TEST_F(ReadyNotifyTest, MessagesAreHandledOneByOneInTheOrderOfSending) {
   std::vector<std::string> order;
   receiver_.on_notify = [&](const ONotifyEvent&) {
     order.emplace_back("receiver begins");
@@ -221,7 +221,7 @@ TEST_F(ReadyNotifyTest, MessagesAreHandledInTheOrderInWhichTheyWereSentAndEachTo
   EXPECT_THAT(order, ElementsAre("receiver begins", "receiver ends", "other", "sender"));
 }
 
-TEST_F(ReadyNotifyTest, DataSetSeveralTimesComesInOneNotification) {
+TEST_F(ReadyNotifyTest, DataSetSeveralTimesArrivesInOneNotification) {
   int events = 0;
   boot();
   const auto count = receiver_.on_notify;
@@ -299,7 +299,7 @@ TEST_F(ReadyNotifyTest, ASubjectThatIsNotEnabledSendsNothing) {
   EXPECT_THAT(received_, IsEmpty());
 }
 
-TEST_F(ReadyNotifyTest, ARegionReturnsToItsMakerWhenEveryObserverIsDoneWithIt) {
+TEST_F(ReadyNotifyTest, ARegionIsFreeWhenEveryObserverIsDoneWithIt) {
   boot();
   assertReady(receiver_);
   test_.as(other_receiver_, [&] { other_receiver_.observer().DeassertReady(); });
@@ -324,7 +324,7 @@ TEST_F(ReadyNotifyTest, ARegionReturnsToItsMakerWhenEveryObserverIsDoneWithIt) {
   region->RemoveReference();
 }
 
-TEST_F(ReadyNotifyTest, ARegionThatNobodyWantsReturnsAtOnce) {
+TEST_F(ReadyNotifyTest, ARegionThatNoObserverWantsIsFreeAtOnce) {
   boot();
   for (TestObject* observer : {&receiver_, &other_receiver_}) {
     test_.as(*observer, [&] { observer->observer().DeassertReady(); });
@@ -339,7 +339,7 @@ TEST_F(ReadyNotifyTest, ARegionThatNobodyWantsReturnsAtOnce) {
   region->RemoveReference();
 }
 
-TEST_F(ReadyNotifyTest, BothEndsAreToldOfTheirConnection) {
+TEST_F(ReadyNotifyTest, BothEndsAreToldAboutTheirConnection) {
   std::vector<std::string> events;
   sender_.on_control = [&](const OControlEvent& event) {
     events.emplace_back(event.SenderID() == receiver_.observerId() ? "sender to receiver" : "sender to other");
@@ -362,7 +362,7 @@ TEST_F(ReadyNotifyTest, AnObjectThatHasNotRegisteredItsServicesIsNamed) {
   }
 }
 
-TEST_F(ReadyNotifyTest, PrimitivesAreTheRobots) {
+TEST_F(ReadyNotifyTest, CallsForPrimitivesGoToTheRobot) {
   boot();
   test_.as(sender_, [&] {
     OPrimitiveID camera = 0;
@@ -379,7 +379,7 @@ TEST_F(ReadyNotifyTest, PrimitivesAreTheRobots) {
   });
 }
 
-TEST(OpenrCallTest, WithoutAMachineSaysSo) {
+TEST(OpenrCallTest, FailsWithoutAMachine) {
   OPrimitiveID id = 0;
   EXPECT_THROW(OPENR::OpenPrimitive("PRM:/r1", &id), std::logic_error);
 }

@@ -1,11 +1,10 @@
-// From stub.cfg to def.h, entry.h and the object's description. That the description compiles and works is shown by
-// machine_test.cpp, whose object has a generated one.
+// Reads stub.cfg, and writes def.h, entry.h and the object's description. machine_test.cpp has an object with a
+// generated description, which shows that it compiles and works.
 #include <gmock/gmock.h>
 
 #include <sstream>
 
-#include "simulator/openr_host/configuration/configuration_error.h"
-#include "simulator/openr_host/stub_generator/stub_writer.h"
+#include "simulator/openr_host/stub_generator/stub.h"
 
 namespace openr_host {
 namespace {
@@ -27,7 +26,7 @@ const char kSample[] =
 
 StubConfiguration parse(const std::string& text) {
   std::istringstream stream(text);
-  return StubConfiguration::parse(stream, "stub.cfg");
+  return readStub(stream, "stub.cfg");
 }
 
 std::string errorOf(const std::string& text) {
@@ -57,7 +56,7 @@ TEST(StubConfigurationTest, ReadsEverySetting) {
   EXPECT_THAT(stub.extra_functions, testing::ElementsAre("UpdatePowerStatus", "SendCont"));
 }
 
-TEST(StubConfigurationTest, SkipsLinesThatSetNothing) {
+TEST(StubConfigurationTest, SkipsOtherLines) {
   const StubConfiguration stub = parse(
       "//\r\n// An object: with a remark\r\n//\r\n\r\n  ObjectName : Walker // its class\r\n"
       "NumOfSubject : 1\r\nNumOfObserver : 1\r\n# Service : \"Walker.Old.Data.O\", null, null\r\nanything goes\r\n"
@@ -68,13 +67,13 @@ TEST(StubConfigurationTest, SkipsLinesThatSetNothing) {
   EXPECT_EQ(stub.observers.at(0).name.text(), "Walker.Dummy.DoNotConnect.O");
 }
 
-// Programmer's Guide, 2.3: "usually the core class name", but any.
+// Programmer's Guide, 2.3: "usually the core class name", so another is allowed, too.
 TEST(StubConfigurationTest, AServiceMayBeginWithAnyName) {
   const StubConfiguration stub = parse(replaced(kSample, "SampleObject.Func3", "OtherName.Func3"));
   EXPECT_EQ(stub.observers.at(1).name.text(), "OtherName.Func3.Data.O");
 }
 
-TEST(StubConfigurationTest, AServiceStandsOnOneLineAsForTheRobotsGenerator) {
+TEST(StubConfigurationTest, AServiceIsOneLineAsForTheRobotsGenerator) {
   EXPECT_THAT(errorOf(replaced(kSample, "Connect (), Notify ()", "Connect ()\n, Notify ()")),
               AllOf(StartsWith("stub.cfg:6: "), HasSubstr("on this line")));
   EXPECT_THAT(errorOf(replaced(kSample, "SendCont()", "SendCont ()")), StartsWith("stub.cfg:9: expected a function"));
@@ -86,12 +85,12 @@ TEST(StubConfigurationTest, RefusesNumbersThatDoNotMatchTheServices) {
   EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : 2")), StartsWith("stub.cfg:2: "));
 }
 
-TEST(StubConfigurationTest, ProposesADummyWhereThereIsNoSubject) {
+TEST(StubConfigurationTest, SuggestsADummyIfThereIsNoSubject) {
   EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : 0")),
               AllOf(StartsWith("stub.cfg:2: "), HasSubstr("\"SampleObject.Dummy.DoNotConnect.S\", null, null")));
 }
 
-TEST(StubConfigurationTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
+TEST(StubConfigurationTest, NamesFileAndLineOfAMalformedSetting) {
   EXPECT_THAT(errorOf(replaced(kSample, "Notify ()", "Notify")), StartsWith("stub.cfg:6: expected a function"));
   EXPECT_THAT(errorOf(replaced(kSample, "Func2.int.O", "Func2.O")), StartsWith("stub.cfg:6: expected a service name"));
   EXPECT_THAT(errorOf(replaced(kSample, "int.O\"", "int.O")), StartsWith("stub.cfg:6: expected a service name"));

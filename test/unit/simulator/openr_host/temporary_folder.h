@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-/// A folder that is gone with this.
+/// A folder that is deleted together with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -29,7 +29,7 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the file's folders too.
+  /// Also creates the file's folders.
   void write(const std::string& file, const std::string& text) const {
     std::filesystem::create_directories((path_ / file).parent_path());
     std::ofstream(path_ / file) << text;

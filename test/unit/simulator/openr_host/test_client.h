@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "simulator/openr_host/ip_stack/file_descriptor.h"
+#include "simulator/openr_host/ip_stack/socket.h"
 
 namespace openr_host {
 
@@ -27,7 +27,7 @@ class TestClient {
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    // The kernel connects by itself as long as there is room in the listener's backlog.
+    // The kernel connects without the server as long as there is room in the listener's backlog.
     if (connect(socket_.get(), reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
       throw std::runtime_error("the test client cannot connect");
     }
@@ -46,7 +46,7 @@ class TestClient {
     }
   }
 
-  /// All that has come so far.
+  /// All bytes received so far.
   const std::string& received() {
     char part[65536];
     for (;;) {
@@ -61,7 +61,7 @@ class TestClient {
     }
   }
 
-  /// The server has closed the connection, and all that it sent has come.
+  /// True if the server has closed the connection and everything it sent has arrived.
   bool isAtEnd() {
     received();
     return at_end_;
@@ -74,7 +74,7 @@ class TestClient {
 
   void close() { socket_.close(); }
 
-  /// Says that nothing more will come from here, and still reads.
+  /// Stops sending, but still reads.
   void finishSending() { shutdown(socket_.get(), SHUT_WR); }
 
   void reset() {

@@ -18,8 +18,8 @@
 
 namespace openr_host {
 
-/// An object with one subject "NAME.Out.Data.S", one observer "NAME.In.Data.O" and one entry for answers, which does
-/// what a test tells it to.
+/// An object with one subject "NAME.Out.Data.S", one observer "NAME.In.Data.O" and one entry for answers. Tests set
+/// what it does.
 class TestObject : public OObject {
  public:
   static ObjectDescription describe(const std::string& name) {
@@ -75,10 +75,10 @@ class TestObject : public OObject {
   std::unique_ptr<OObserver> observer_;
 };
 
-/// A system of test objects, run by the test itself.
+/// A system of test objects, which the test runs.
 class TestSystem {
  public:
-  /// @param stick_folder the memory stick; empty is none
+  /// @param stick_folder the memory stick; empty means none
   explicit TestSystem(std::string stick_folder = "") : memory_stick(std::move(stick_folder)) {}
 
   /// @param priority as in an .ocf file
@@ -96,7 +96,7 @@ class TestSystem {
     system.start();
   }
 
-  /// Does something as an object, which only its own functions may do.
+  /// Calls a function as if an object were running it, for calls that only objects may make.
   void as(OObject& object, const std::function<void()>& function) { system.runAs(object, function); }
 
   /// Handles messages until there are none. No sockets.
@@ -106,9 +106,9 @@ class TestSystem {
     }
   }
 
-  /// Handles messages and sockets until `done` says so.
-  /// @param limit safety net
-  /// @return false if that takes longer
+  /// Handles messages and sockets until `done` returns true.
+  /// @param limit in case of an error
+  /// @return false if the limit was reached
   bool runUntil(const std::function<bool()>& done, std::chrono::seconds limit = std::chrono::seconds(20)) {
     const auto end = std::chrono::steady_clock::now() + limit;
     while (!done()) {
@@ -120,7 +120,7 @@ class TestSystem {
     return true;
   }
 
-  /// Handles messages and sockets until there is nothing to be done.
+  /// Handles messages and sockets until there is nothing left to do.
   void runPending() {
     while (round(std::chrono::milliseconds(0))) {
     }
@@ -128,7 +128,7 @@ class TestSystem {
 
   FakeRobot robot;
   std::ostringstream output;
-  std::function<std::string(const std::string&)> on_console_line;  ///< answers what is typed
+  std::function<std::string(const std::string&)> on_console_line;  ///< answers typed lines
   const std::string memory_stick;
   System system{"127.0.0.1", memory_stick, &output, [this](const std::string& line) { return onConsoleLine(line); },
                 robot,       nullptr};

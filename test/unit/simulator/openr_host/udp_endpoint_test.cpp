@@ -100,7 +100,7 @@ TEST_F(UdpEndpointTest, APacketArrivesWithTheAddressOfItsSender) {
   EXPECT_EQ(received_[0].port, client_port);
 }
 
-TEST_F(UdpEndpointTest, WhatDoesNotFitIntoTheBufferIsLost) {
+TEST_F(UdpEndpointTest, BytesThatDoNotFitIntoTheBufferAreLost) {
   const auto server = create();
   const Port port = bind(server);
   const auto client = create();
@@ -150,7 +150,7 @@ TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
                                     Answer{antOperation_UDPReceive, UDP_OPERATION_INVALID}));
 }
 
-TEST_F(UdpEndpointTest, AnEndpointIsBoundFirstAndOnce) {
+TEST_F(UdpEndpointTest, AnEndpointMustBeBoundFirstAndOnlyOnce) {
   const auto endpoint = create();
   receive(endpoint, 1);
   UDPEndpointConnectMsg connect(endpoint, kThisComputer, 7);
@@ -164,7 +164,7 @@ TEST_F(UdpEndpointTest, AnEndpointIsBoundFirstAndOnce) {
   EXPECT_EQ(answers_[0].error, UDP_OPERATION_INVALID);
 }
 
-TEST_F(UdpEndpointTest, APortIsTakenOnce) {
+TEST_F(UdpEndpointTest, APortCanBeTakenOnlyOnce) {
   const auto first = create();
   const Port port = bind(first);
   UDPEndpointBindMsg second(create(), IP_ADDR_ANY, port);
@@ -175,7 +175,7 @@ TEST_F(UdpEndpointTest, APortIsTakenOnce) {
   EXPECT_EQ(bind(create(), port), port);
 }
 
-TEST_F(UdpEndpointTest, AClosedEndpointIsNotBoundAgain) {
+TEST_F(UdpEndpointTest, AClosedEndpointCannotBeBoundAgain) {
   const auto endpoint = create();
   bind(endpoint);
   UDPEndpointCloseMsg close(endpoint);
@@ -201,14 +201,14 @@ TEST_F(UdpEndpointTest, DataOutsideASharedBufferOrTooLargeForAPacketIsRefused) {
                                     Answer{antOperation_UDPSend, UDP_MESSAGE_TOO_LONG}));
 }
 
-TEST_F(UdpEndpointTest, NoEndpointNoOperation) {
+TEST_F(UdpEndpointTest, OperationsNeedAnEndpoint) {
   receive(antModuleRef(), 1);
   antEnvCreateEndpointMsg tcp(EndpointType_TCP, 8192);
   call(tcp);
   receive(tcp.moduleRef, 1);
   ASSERT_TRUE(haveAnswers(2));
   EXPECT_EQ(answers_[0].error, UDP_OPERATION_INVALID);
-  EXPECT_EQ(answers_[1].error, UDP_OPERATION_INVALID) << "it is of another kind";
+  EXPECT_EQ(answers_[1].error, UDP_OPERATION_INVALID) << "it is a TCP endpoint";
 }
 
 }  // namespace

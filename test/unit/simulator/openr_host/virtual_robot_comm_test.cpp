@@ -1,4 +1,4 @@
-// The gates to the robot's body: commands go in frame by frame, what the sensors read comes out every four frames.
+// The gates to the robot's body: commands go in frame by frame, sensor readings come out every four frames.
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
 
 #include <OPENR/OPENRAPI.h>
@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::Pair;
 
-/// What one joint is told, frame by frame.
+/// The commands for one joint, frame by frame.
 using Motion = std::pair<OPrimitiveID, std::vector<slongword>>;
 
 class VirtualRobotCommTest : public testing::Test {
@@ -73,7 +73,7 @@ class VirtualRobotCommTest : public testing::Test {
 
   void send(const std::vector<RegionReference>& regions) { sendAs(mover_, regions); }
 
-  /// The clock shows this frame next, and those in between have been missed.
+  /// Jumps to this frame; the frames in between are missed.
   void jumpTo(longword frame) {
     test_.as(comm_, [&] { comm_.beginFrame(frame); });
     test_.run();
@@ -92,11 +92,11 @@ class VirtualRobotCommTest : public testing::Test {
       static_cast<VirtualRobotComm&>(test_.system.create(VirtualRobotComm::describe(robot_, nullptr)));
   TestObject& mover_ = test_.add("Mover");
   TestObject& other_ = test_.add("Other");
-  longword frame_ = 99;  ///< the last one that has passed
+  longword frame_ = 99;  ///< the last frame that has passed
   int readies_ = 0;
 };
 
-TEST_F(VirtualRobotCommTest, ACommandVectorIsPlayedOneValueAFrameInOrder) {
+TEST_F(VirtualRobotCommTest, ACommandVectorIsPlayedInOrderOneValuePerFrame) {
   send({makeVector({{1, {10, 20, 30}}, {2, {-10, -20, -30}}})});
   EXPECT_THAT(robot_.commanded, IsEmpty());
   pass(5);
@@ -105,7 +105,7 @@ TEST_F(VirtualRobotCommTest, ACommandVectorIsPlayedOneValueAFrameInOrder) {
                                             Pair(102, ElementsAre(Pair(1, 30), Pair(2, -30)))));
 }
 
-TEST_F(VirtualRobotCommTest, AVectorLastsAsLongAsItsLongestEntryAndTheOthersCommandNothingInTheRest) {
+TEST_F(VirtualRobotCommTest, AVectorLastsAsLongAsItsLongestEntryAndShorterOnesThenCommandNothing) {
   const RegionReference vector =
       makeVector({{1, {10}}, {2, std::vector<slongword>(ocommandMAX_FRAMES, 7)}, {3, {1, 2}}});
   send({vector});
@@ -145,7 +145,7 @@ TEST_F(VirtualRobotCommTest, ReadyFollowsTheOutputOfEachVectorSoThatTwoAtFirstLe
   EXPECT_THAT(played, ElementsAre(1, 2, 3, 4, 5));
 }
 
-TEST_F(VirtualRobotCommTest, OneVectorForEachReadyLeavesAGapAsLongAsTheObjectTakesToAnswer) {
+TEST_F(VirtualRobotCommTest, OneVectorForEachReadyLeavesAGapWhileTheObjectAnswers) {
   send({makeVector({{1, {1, 2}}})});
   pass(3);
   EXPECT_EQ(readies_, 2);
@@ -155,8 +155,8 @@ TEST_F(VirtualRobotCommTest, OneVectorForEachReadyLeavesAGapAsLongAsTheObjectTak
                                             Pair(103, ElementsAre(Pair(1, 3)))));
 }
 
-// BlinkingLED7, a sample of the SDK, runs four objects side by side, each with LEDs or ears of its own.
-TEST_F(VirtualRobotCommTest, ObjectsCommandTheirOwnPrimitivesSideBySideAndEachIsToldItsOwnReady) {
+// BlinkingLED7, a sample in the SDK, runs four objects at the same time, each with LEDs or ears of its own.
+TEST_F(VirtualRobotCommTest, SeveralObjectsCommandTheirOwnPrimitivesAndEachGetsItsOwnReady) {
   int other_readies = 0;
   other_.on_ready = [&](const OReadyEvent&) { ++other_readies; };
   send({makeVector({{1, {10, 20}}}), makeVector({{1, {30, 40}}})});
@@ -186,7 +186,7 @@ TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainWhenItsReadyComes) {
 }
 
 // Level2 Reference Guide, page 48: only numFrames frames are processed.
-TEST_F(VirtualRobotCommTest, AnEntryWithoutFramesSaysNothingWhateverElseIsInIt) {
+TEST_F(VirtualRobotCommTest, AnEntryWithoutFramesIsIgnoredWhateverElseIsInIt) {
   const RegionReference vector = makeVector({{1, {10}}, {2, {20}}});
   vectorIn(vector).GetInfo(1)->numFrames = 0;
   vectorIn(vector).GetInfo(1)->primitiveID = 4711;
@@ -197,7 +197,7 @@ TEST_F(VirtualRobotCommTest, AnEntryWithoutFramesSaysNothingWhateverElseIsInIt) 
 }
 
 // Page 45: "wait" delays the commands by frames of 8 ms.
-TEST_F(VirtualRobotCommTest, AVectorWaitsForTheFramesThatItsHeaderNames) {
+TEST_F(VirtualRobotCommTest, AVectorIsDelayedByTheFramesInItsHeader) {
   const RegionReference vector = makeVector({{1, {10}}});
   vectorIn(vector).vectorInfo.wait = 2;
   send({vector});
@@ -223,7 +223,7 @@ TEST_F(VirtualRobotCommTest, AValueForAnLedLastsItsPeriod) {
   EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(5, 1))), Pair(103, ElementsAre(Pair(5, 0)))));
 }
 
-TEST_F(VirtualRobotCommTest, AVectorThatIsWrittenToWhileItIsOutputChangesWhatTheJointsDo) {
+TEST_F(VirtualRobotCommTest, WritingToAVectorDuringOutputChangesTheMovement) {
   const RegionReference vector = makeVector({{1, {10, 20, 30}}});
   send({vector});
   pass(1);
@@ -234,7 +234,7 @@ TEST_F(VirtualRobotCommTest, AVectorThatIsWrittenToWhileItIsOutputChangesWhatThe
                                             Pair(102, ElementsAre(Pair(1, 999)))));
 }
 
-TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNextOneIsPlayed) {
+TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithAReasonAndTheNextOneIsPlayed) {
   struct Case {
     std::string message;
     std::function<void(OCommandVectorData&)> spoil;
@@ -246,21 +246,21 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithWhatIsWrongAndTheNext
       {"its numData is 3, its maxNumData only 2", [](OCommandVectorData& vector) { vector.SetNumData(3); }},
       {"no room for numData 1000000",
        [](OCommandVectorData& vector) { vector.vectorInfo.numData = vector.vectorInfo.maxNumData = 1000000; }},
-      {"entry 1 for primitive 77: that is not open",
+      {"entry 1 for primitive 77: it is not open",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->primitiveID = 77; }},
-      {"takes no commands of type 260",
+      {"does not accept commands of type 260",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->type = odataLED_COMMAND2; }},
       {"numFrames is 17, the most is 16", [](OCommandVectorData& vector) { vector.GetInfo(1)->numFrames = 17; }},
       {"frameSize is 0 instead of 8", [](OCommandVectorData& vector) { vector.GetInfo(1)->frameSize = 0; }},
-      {"dataOffset 0 leads out of the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
-      {"dataOffset 511 leads out of the data",
+      {"dataOffset 0 is outside the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
+      {"dataOffset 511 is outside the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = vector.vectorInfo.totalSize - 1; }},
-      {"dataOffset 392 leads out of the data of its region of 512 bytes",  // by one value, if that has 16 frames
+      {"dataOffset 392 is outside the data of its region of 512 bytes",  // by one value, if it has 16 frames
        [](OCommandVectorData& vector) {
          vector.GetInfo(1)->numFrames = 16;
          vector.GetInfo(1)->dataOffset += 8;
        }},
-      {"dataOffset 4294967295 leads out of the data",
+      {"dataOffset 4294967295 is outside the data",
        [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0xffffffffU; }},
   };
   for (const auto& malformed : cases) {
@@ -290,9 +290,9 @@ TEST_F(VirtualRobotCommTest, ARegionTooSmallForAVectorIsRefused) {
   region->RemoveReference();
 }
 
-TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOnceAFrame) {
+TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOncePerFrame) {
   const RegionReference vector = makeVector({{77, {10}}});
-  int left = 100;  // a safety net
+  int left = 100;  // limit in case of an error
   mover_.on_ready = [&](const OReadyEvent&) {
     if (--left > 0) {
       mover_.subject().SetData(vector.get());
@@ -309,7 +309,7 @@ TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOn
   EXPECT_EQ(refusals(), 4);
 }
 
-TEST_F(VirtualRobotCommTest, WhatTheSensorsReadComesEveryFourFramesToAnObserverThatIsReady) {
+TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {
   std::vector<std::vector<slongword>> received;
   mover_.on_notify = [&](const ONotifyEvent& event) {
     auto* data = const_cast<void*>(event.Data(0));
@@ -327,15 +327,15 @@ TEST_F(VirtualRobotCommTest, WhatTheSensorsReadComesEveryFourFramesToAnObserverT
   EXPECT_EQ(robot_.sensors()->NumberOfReference(), 1);
 }
 
-TEST_F(VirtualRobotCommTest, SensorsAreNotReadWhileNobodyWantsThem) {
+TEST_F(VirtualRobotCommTest, SensorsAreNotReadWhileNoObserverWantsThem) {
   test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
   test_.run();
   pass(8);
   EXPECT_THAT(robot_.calls, Not(testing::Contains(HasSubstr("captureSensors"))));
 }
 
-// Level2 Reference Guide, pages 18 and 27: the newest is kept for an observer that is busy.
-TEST_F(VirtualRobotCommTest, AnObserverThatIsBusyGetsTheNewestReadingWhenItIsReady) {
+// Level2 Reference Guide, pages 18 and 27: the newest data is kept for a busy observer.
+TEST_F(VirtualRobotCommTest, ABusyObserverGetsTheNewestReadingWhenItIsReady) {
   std::vector<longword> received;
   mover_.on_notify = [&](const ONotifyEvent& event) {
     auto* data = const_cast<void*>(event.Data(0));
@@ -347,7 +347,7 @@ TEST_F(VirtualRobotCommTest, AnObserverThatIsBusyGetsTheNewestReadingWhenItIsRea
   EXPECT_THAT(received, ElementsAre(104));
 }
 
-TEST_F(VirtualRobotCommTest, AFramePassesBeforeItsSensorsAreReadAndItsCameraLooks) {
+TEST_F(VirtualRobotCommTest, AFramePassesBeforeSensorsAndCameraAreRead) {
   test_.as(mover_, [&] { mover_.observer().AssertReady(); });
   test_.run();
   frame_ = 102;
@@ -355,14 +355,14 @@ TEST_F(VirtualRobotCommTest, AFramePassesBeforeItsSensorsAreReadAndItsCameraLook
   EXPECT_THAT(robot_.calls, ElementsAre("passFrame 103", "captureSensors 103", "cameraImageDue 103"));
 }
 
-TEST_F(VirtualRobotCommTest, FramesInWhichTheHostHeldTheProcessUpArePassedInTurn) {
+TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn) {
   test_.as(mover_, [&] { mover_.observer().AssertReady(); });
   test_.run();
   send({makeVector({{1, {1, 2, 3}}}), makeVector({{1, {4, 5, 6}}})});
   pass(1);
   robot_.calls.clear();
   jumpTo(110);
-  // The sensors were due in 103 and 107: the newer is what counts.
+  // The sensors were due in frames 103 and 107; only the newer one is delivered.
   EXPECT_THAT(robot_.calls, ElementsAre("passFrame 101", "passFrame 102", "passFrame 103", "passFrame 104",
                                         "passFrame 105", "passFrame 106", "passFrame 107", "captureSensors 107",
                                         "passFrame 108", "passFrame 109", "passFrame 110", "cameraImageDue 110"));
@@ -372,7 +372,7 @@ TEST_F(VirtualRobotCommTest, FramesInWhichTheHostHeldTheProcessUpArePassedInTurn
   EXPECT_TRUE(mover_.subject().IsReady());
 }
 
-TEST_F(VirtualRobotCommTest, AfterAHoldUpOfMoreThanASecondItsLastSecondIsPassedAndTheWaitingCommandsArePlayed) {
+TEST_F(VirtualRobotCommTest, AfterADelayOfMoreThanASecondTheLastSecondIsPassedWithTheWaitingCommands) {
   test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
   test_.run();
   pass(1);
@@ -385,14 +385,14 @@ TEST_F(VirtualRobotCommTest, AfterAHoldUpOfMoreThanASecondItsLastSecondIsPassedA
   EXPECT_EQ(robot_.commanded.size(), 2U);
 }
 
-TEST_F(VirtualRobotCommTest, StoppingDropsTheCommandsThatWait) {
+TEST_F(VirtualRobotCommTest, StoppingDropsWaitingCommands) {
   const RegionReference vector = makeVector({{1, {1, 2}}});
   send({vector});
   test_.as(comm_, [&] { comm_.DoStop(OSystemEvent()); });
   EXPECT_EQ(vector->NumberOfReference(), 1);
 }
 
-TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAnIdOfItsOwn) {
+TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAUniqueId) {
   test_.as(mover_, [&] {
     MemoryRegionID id = 0;
     MemoryRegionID other_id = 0;
@@ -421,7 +421,7 @@ TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAnIdOfItsOwn) 
   });
 }
 
-TEST_F(VirtualRobotCommTest, CallsForJointsAndSensorsAreTheRobots) {
+TEST_F(VirtualRobotCommTest, CallsForJointsAndSensorsGoToTheRobot) {
   test_.as(mover_, [&] {
     OJointValue joint{};
     OSensorValue sensor{};

@@ -1,5 +1,5 @@
 /// @file OCalendarTime.h
-/// A time of the robot's clock as people read it.
+/// A time of the robot's clock as date and time of day.
 #ifndef OPENR_OCALENDARTIME_H
 #define OPENR_OCALENDARTIME_H
 

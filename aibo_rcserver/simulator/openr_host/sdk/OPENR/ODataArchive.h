@@ -1,11 +1,11 @@
 /// @file ODataArchive.h
-/// Kinds of files in an archive of motions, lights and sounds. The calls that read such archives are not here.
+/// Kinds of files in an archive of motions, lights and sounds. The calls that read such archives are not provided.
 #ifndef OPENR_ODATAARCHIVE_H
 #define OPENR_ODATAARCHIVE_H
 
 #include <Types.h>
 
-/// The first four characters of the file, the first one lowest.
+/// The first four characters of the file, the first one in the lowest byte.
 typedef longword ODataArchiveMagic;
 const ODataArchiveMagic odamagicUNDEF = 0xffffffffU;
 const ODataArchiveMagic odamagicODAR = 0x5241444fU;  ///< "ODAR", an archive

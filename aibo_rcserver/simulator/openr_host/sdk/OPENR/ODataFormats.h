@@ -1,6 +1,6 @@
 /// @file ODataFormats.h
-/// Layouts of the data that goes to and from the system's own objects. All of them are vectors: a header, then one
-/// info for each entry, then the data, which an info finds by its offset from the beginning of the header.
+/// Layouts of the data to and from the system's own objects. All of them are vectors: a header, then one info for each
+/// entry, then the data. An info contains the offset of its data from the beginning of the header.
 #ifndef OPENR_ODATAFORMATS_H
 #define OPENR_ODATAFORMATS_H
 
@@ -27,9 +27,9 @@ const ODataType odataSWITCH = 14;            ///< oswitchON or oswitchOFF
 const ODataType odataLED = 15;               ///< oledON or oledOFF
 const ODataType odataSOUND = 16;
 const ODataType odataIMAGE = 17;
-const ODataType odataJOINT_VALUE = 18;    ///< what a joint reports, in millionths of a radian
+const ODataType odataJOINT_VALUE = 18;    ///< a joint's reading, in millionths of a radian
 const ODataType odataFBK_YCrCb = 19;      ///< a picture of the three bands Y, Cr, Cb
-const ODataType odataFBK_CDT = 20;        ///< what the colour detection found
+const ODataType odataFBK_CDT = 20;        ///< the result of the colour detection
 const ODataType odataCDT = 21;            ///< a table for the colour detection
 const ODataType odataFBK_YCrCb_HPF = 24;  ///< the three bands and three of fine detail in Y; ERS-7
 const ODataType odataJOINT_COMMAND = 256;
@@ -53,19 +53,19 @@ typedef longword OLEDValue;
 const OLEDValue oledOFF = 0;
 const OLEDValue oledON = 1;
 
-/// Which of the two patterns of Sony's face LEDs is meant.
+/// One of the two patterns of Sony's face LEDs.
 typedef word OLED3Mode;
 const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 const OLED3Mode oled3_MODE_A = 0;
 const OLED3Mode oled3_MODE_B = 1;
 
-/// The two states of an ear of the ERS-210: let go, and drawn by its magnet.
+/// The two states of an ERS-210's ear: let go, and drawn by its magnet.
 typedef longword OJointValue3;
 const OJointValue3 ojoint3_STATE_UNDEF = 0xffffffffU;
 const OJointValue3 ojoint3_STATE0 = 0;
 const OJointValue3 ojoint3_STATE1 = 1;
 
-/// The same of an ear of the ERS-7.
+/// The same for an ERS-7's ear.
 typedef longword OJointValue4;
 const OJointValue4 ojoint4_STATE_UNDEF = 0xffffffffU;
 const OJointValue4 ojoint4_STATE0 = 0;
@@ -73,24 +73,24 @@ const OJointValue4 ojoint4_STATE1 = 1;
 
 const size_t odataOPTIONAL_MAX = 128;
 
-/// Begins every vector (OPEN-R SDK Level2 Reference Guide, page 45). Sizes and offsets are size_t on the robot, where
-/// that has 32 bits as here.
+/// The header of every vector (OPEN-R SDK Level2 Reference Guide, page 45). Sizes and offsets are size_t on the robot,
+/// which has 32 bits there.
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;
   longword physAddr;   ///< address of the memory for the robot's devices; 0 on Linux
   longword offset;     ///< of this header in its memory region
-  longword totalSize;  ///< bytes, from the first of this header to the last of the data
+  longword totalSize;  ///< bytes, from the beginning of this header to the end of the data
   ODataType type;
   longword infoOffset;  ///< of the first info from this header
   longword infoSize;    ///< bytes of one info
-  longword maxNumData;  ///< entries there is room for
-  longword numData;     ///< entries there are
-  OVRSyncKey syncKey;   ///< of a command vector: it begins together with those that have the same key
-  longword wait;        ///< of a command or sound vector: frames of 8 ms that it begins later
-  longword optOffset;   ///< where in optional the part begins that is passed on
+  longword maxNumData;  ///< capacity in entries
+  longword numData;     ///< number of entries
+  OVRSyncKey syncKey;   ///< command vectors with the same key start together
+  longword wait;        ///< delay of a command or sound vector in frames of 8 ms
+  longword optOffset;   ///< beginning of the part of `optional` that is passed on
   longword optSize;     ///< bytes of that part
   longword padding[3];
-  byte optional[odataOPTIONAL_MAX];  ///< comes back in the sensor vectors
+  byte optional[odataOPTIONAL_MAX];  ///< is copied into the sensor vectors
 };
 
 // ---------------------------------------------------------------------------------------------------------- commands
@@ -107,7 +107,7 @@ struct OCommandInfo {
   longword dataSize;  ///< 128
   longword padding[1];
 
-  /// What the object decides. The rest belongs to the memory's maker.
+  /// Sets the members that objects choose. The others are set by NewCommandVectorData().
   void Set(ODataType dataType, OPrimitiveID id, size_t frames) {
     type = dataType;
     primitiveID = id;
@@ -115,7 +115,7 @@ struct OCommandInfo {
   }
 };
 
-/// What one frame of a command is made of; one of the value types below is laid over it.
+/// One frame of a command. Holds one of the value types below.
 struct OCommandValue {
   slongword value[2];
 };
@@ -169,7 +169,7 @@ struct OCommandVectorData {
 // ----------------------------------------------------------------------------------------------------------- sensors
 
 const word osensorframeINVALID_SIGNAL = 0xffff;
-const slongword opsdINVALID_VALUE = 0;  ///< of a range finder that sees nothing
+const slongword opsdINVALID_VALUE = 0;  ///< reported by a range finder that sees nothing
 
 const size_t osensorframeMAX_FRAMES = 16;  ///< room in an entry; one message carries 4 frames, 32 ms
 
@@ -191,12 +191,12 @@ struct OSensorFrameInfo {
 };
 
 struct OSensorValue {
-  slongword value;  ///< in the unit of its info's type; a touch sensor's as it is, 0..80 on the ERS-7
+  slongword value;  ///< in the unit of its info's type; for a touch sensor 0..80 on the ERS-7, without a unit
   word signal;
   word padding[5];
 };
 
-/// @name An OSensorValue by what it measures, laid over it
+/// @name Views of an OSensorValue, by the measured quantity
 /// @{
 typedef OSensorValue OAcceleration;
 typedef OSensorValue OAngularVelocity;
@@ -206,14 +206,14 @@ typedef OSensorValue OPressure;
 typedef OSensorValue OLength;
 /// @}
 
-/// What a switch reports, laid over an OSensorValue.
+/// A switch's reading. Has the layout of an OSensorValue.
 struct OSwitchStatus {
   OSwitchValue value;
   word signal;
   word padding[5];
 };
 
-/// What a joint reports, laid over an OSensorValue.
+/// A joint's reading. Has the layout of an OSensorValue.
 struct OJointValue {
   slongword value;  ///< micro-radian
   word signal;
@@ -243,11 +243,11 @@ struct OSensorFrameVectorData {
 
 typedef int OFbkImageLayer;
 const OFbkImageLayer ofbkimageLAYER_H = 0;  ///< high resolution: 208x160 on the ERS-7
-const OFbkImageLayer ofbkimageLAYER_M = 1;  ///< half of it each way
-const OFbkImageLayer ofbkimageLAYER_L = 2;  ///< a quarter of it each way
+const OFbkImageLayer ofbkimageLAYER_M = 1;  ///< half of its width and height
+const OFbkImageLayer ofbkimageLAYER_L = 2;  ///< a quarter of its width and height
 const OFbkImageLayer ofbkimageLAYER_C = 3;  ///< colour detection
 
-/// Of one layer.
+/// The info of one layer.
 struct OFbkImageInfo {
   ODataType type;
   OPrimitiveID primitiveID;
@@ -289,13 +289,13 @@ const OCdtChannel ocdtCHANNEL6 = 0x40;
 const OCdtChannel ocdtCHANNEL7 = 0x80;
 
 const int ocdtMAX_Y_SEGMENT = 32;
-const longword ocdtINIT = 0x80808080U;  ///< a segment that no colour is in
+const longword ocdtINIT = 0x80808080U;  ///< a segment that contains no colour
 const longword ocdtCr_MAX_MASK = 0x0000ff00U;
 const longword ocdtCr_MIN_MASK = 0x000000ffU;
 const longword ocdtCb_MAX_MASK = 0xff000000U;
 const longword ocdtCb_MIN_MASK = 0x00ff0000U;
 
-/// What colours one channel detects: for each of 32 steps of brightness a rectangle of Cr and Cb.
+/// The colours that one channel detects: for each of 32 steps of brightness a rectangle of Cr and Cb.
 struct OCdtInfo {
   ODataType type;
   OPrimitiveID primitiveID;  ///< the camera
@@ -303,7 +303,7 @@ struct OCdtInfo {
   longword table[ocdtMAX_Y_SEGMENT];
   longword padding;
 
-  /// No colour at all.
+  /// Clears the table: it detects no colour.
   void Init(OPrimitiveID id, OCdtChannel cdt_channel) {
     type = odataCDT;
     primitiveID = id;

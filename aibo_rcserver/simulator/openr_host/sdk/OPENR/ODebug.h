@@ -1,5 +1,5 @@
 /// @file ODebug.h
-/// Output that only a debug build has: one that is compiled with OPENR_DEBUG.
+/// Output of debug builds, which are compiled with OPENR_DEBUG.
 #ifndef OPENR_ODEBUG_H
 #define OPENR_ODEBUG_H
 

@@ -17,14 +17,14 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 /// A view, without a copy, of one band. The bands of a layer are interleaved row by row: a row of Y, the same row of
 /// Cr, of Cb, and where the layer has them (odataFBK_YCrCb_HPF) of Y_LH, Y_HL and Y_HH; then the next row of Y.
 ///
-/// The first 16 pixels of the last row are no picture but tag bytes: 0-1 the field counter, little-endian, 4-7 and
-/// 8-11 how many sixteenths of a pixel count the colour detection found in its channels 4-7 and 0-3.
+/// The first 16 pixels of the last row are not part of the picture but tag bytes: 0-1 the field counter, little-endian;
+/// 4-7 and 8-11 the results of the colour detection in channels 4-7 and 0-3, each the number of pixels in sixteenths.
 class OFbkImage {
  public:
   /// @param info, data of one layer: OFbkImageVectorData::GetInfo() and GetData(), which must outlive this
   OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
 
-  /// False if the layer has no such band. Nothing else may be asked then.
+  /// False if the layer has no such band. Then no other function may be called.
   bool IsValid() const { return pointer_ != 0; }
 
   /// The first pixel.
@@ -38,10 +38,10 @@ class OFbkImage {
   /// @param y 0..Height()-1, from the top
   byte Pixel(int x, int y) const { return pointer_[y * (width_ + skip_) + x]; }
 
-  /// Counts the camera's fields; from the tag bytes.
+  /// The camera's count of fields, from the tag bytes.
   word FieldCounter() const;
-  /// How many sixteenths of a pixel count the colour detection found in a channel; from the tag bytes.
-  /// @param channel one of ocdtCHANNEL0..ocdtCHANNEL7; any other finds 0
+  /// The number of pixels, in sixteenths, that the colour detection found in a channel; from the tag bytes.
+  /// @param channel one of ocdtCHANNEL0..ocdtCHANNEL7; 0 for any other
   byte ColorFrequency(OCdtChannel channel) const;
 
  private:

@@ -3,17 +3,17 @@
 #ifndef OPENR_OLIST_H
 #define OPENR_OLIST_H
 
-#include <MCOOP.h>  // an object may use it without including it
+#include <MCOOP.h>  // objects may rely on this include
 #include <OPENR/ODebug.h>
 
-/// Result of a change to a list.
+/// The result of a change to a list.
 typedef int OTLStatus;
 const OTLStatus otlSUCCESS = 0;
 const OTLStatus otlFAIL = 3;
-const OTLStatus otlOVERFLOW = 1;   ///< there is no room
-const OTLStatus otlUNDERFLOW = 2;  ///< there is no item
+const OTLStatus otlOVERFLOW = 1;   ///< the list is full
+const OTLStatus otlUNDERFLOW = 2;  ///< the list is empty
 
-/// @tparam MaxSize items it has room for, at least 1
+/// @tparam MaxSize capacity in items, at least 1
 template <class T, int MaxSize>
 class OList {
  public:
@@ -55,7 +55,7 @@ class OList {
     return otlSUCCESS;
   }
 
-  /// Neither may be asked of an empty list.
+  /// Neither function may be called on an empty list.
   T& Front() { return At(0); }
   T& Back() { return At(size_ - 1); }
 
@@ -63,7 +63,7 @@ class OList {
   int GetSize() const { return size_; }
   int GetMaxSize() const { return MaxSize; }
 
-  /// Goes over the items from the first to the last. A change to the list makes it worthless.
+  /// Iterates from the first item to the last. Any change to the list invalidates it.
   class Iterator {
    public:
     Iterator() : list_(0), index_(0) {}
@@ -86,7 +86,7 @@ class OList {
     int index_;
   };
   Iterator Begin() { return Iterator(this, 0); }
-  /// Behind the last item.
+  /// Past the last item.
   Iterator End() { return Iterator(this, size_); }
 
  private:

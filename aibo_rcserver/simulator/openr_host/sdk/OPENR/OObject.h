@@ -1,5 +1,5 @@
 /// @file OObject.h
-/// What every OPEN-R object is.
+/// The base class of all OPEN-R objects.
 #ifndef OPENR_OOBJECT_H
 #define OPENR_OOBJECT_H
 
@@ -10,10 +10,10 @@ namespace openr_host {
 class System;
 }
 
-/// Base of every object. Its derived class has the members `OSubject* subject[numOfSubject]` and
+/// Base of every object. The derived class has the members `OSubject* subject[numOfSubject]` and
 /// `OObserver* observer[numOfObserver]` (def.h) and the functions named in stub.cfg, all public.
 ///
-/// The machine calls one function at a time and waits until it returns: an object needs no locks and must not block.
+/// The machine calls one function at a time and waits until it returns, so objects need no locks and must not block.
 class OObject {
  public:
   OObject();
@@ -28,7 +28,7 @@ class OObject {
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
  protected:
-  OID myOID_;  ///< valid from DoInit on
+  OID myOID_;  ///< valid from DoInit() on
 
  private:
   friend class openr_host::System;

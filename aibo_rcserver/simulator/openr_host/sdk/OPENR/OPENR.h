@@ -7,7 +7,7 @@
 #ifndef OPENR_OPENR_H
 #define OPENR_OPENR_H
 
-// What an object may use without including it: the SDK's headers bring these in too.
+// The SDK's header includes these, too, and objects may rely on that.
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,12 +18,12 @@
 #include <Types.h>
 
 typedef longword OPrimitiveID;       ///< number of an opened joint, sensor, LED, camera...
-typedef longword ODesignDataID;      ///< number of a file of the design database that is in memory
-typedef longword OVRSyncKey;         ///< number of a key by which effectors begin together
-typedef longword OPrimitiveRequest;  ///< what a primitive is asked for (OPrimitiveControl.h)
+typedef longword ODesignDataID;      ///< number of a file of the design database in memory
+typedef longword OVRSyncKey;         ///< number of a key that makes effectors start together
+typedef longword OPrimitiveRequest;  ///< a request to a primitive (OPrimitiveControl.h)
 typedef byte OVolumeSwitch;          ///< position of the volume switch
 
-const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in a call that takes it: all opened primitives
+const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in calls that accept it: all opened primitives
 const ODesignDataID odesigndataID_UNDEF = 0xffffffffU;
 
 const longword oframeMAX_NUMBER = 0x0ffffff0U;  ///< the last frame number; 0 follows

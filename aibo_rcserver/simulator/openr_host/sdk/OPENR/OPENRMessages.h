@@ -1,5 +1,5 @@
 /// @file OPENRMessages.h
-/// What the system tells an `Extra` entry of an object.
+/// Messages from the system to an `Extra` entry of an object.
 #ifndef OPENR_OPENRMESSAGES_H
 #define OPENR_OPENRMESSAGES_H
 

@@ -60,9 +60,9 @@ const word obsbOVER_CHARGED_ALARM = 0x8000;
 const word obsbALL = 0xFFFF;
 /// @}
 
-/// @name For OPENR::ObservePowerStatus(): what is to be told of a value
-/// The guide (page 79) gives 0xFF and 0xFE for the two of timeDif, the header 0x7F and 0x7E. The header is what objects
-/// are compiled with.
+/// @name Special values for OPENR::ObservePowerStatus()
+/// For timeDif, the guide (page 79) gives 0xFF and 0xFE, but the SDK's header 0x7F and 0x7E. Objects are compiled with
+/// the header, so its values count.
 /// @{
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xFFFF;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xFFFE;
@@ -74,7 +74,7 @@ const byte opsoVOLUME_NOTIFY_EVERY_CHANGE = 0xFF;
 const byte opsoVOLUME_NOT_NOTIFY = 0xFE;
 /// @}
 
-/// What OPENR::GetPowerStatus() says, and OPENR::ObservePowerStatus() is asked to look at.
+/// The result of OPENR::GetPowerStatus(), and the argument of OPENR::ObservePowerStatus().
 struct OPowerStatus {
   longword robotStatus;
   word batteryStatus;
@@ -82,7 +82,7 @@ struct OPowerStatus {
   word temperature;           ///< of the battery, in tenths of a kelvin
   word fullyChargedCapacity;  ///< mAh
   word voltage;               ///< mV
-  sword current;              ///< mA; below 0 while it is discharged
+  sword current;              ///< mA; negative while discharging
   sbyte timeDif;              ///< of the robot's time zone
   byte volume;                ///< of the speaker
 
@@ -97,7 +97,7 @@ struct OPowerStatus {
         timeDif(0),
         volume(0) {}
 
-  /// For OPENR::ObservePowerStatus(), which cannot look at the members that are left out.
+  /// For OPENR::ObservePowerStatus(), which ignores the other members.
   void Set(longword robot_bits, word battery_bits, word capacity, word kelvin, sbyte time_zone, byte loudness) {
     robotStatus = robot_bits;
     batteryStatus = battery_bits;
@@ -108,9 +108,9 @@ struct OPowerStatus {
   }
 };
 
-/// @name Bits of OBootCondition::bitmap: what boots the robot again
+/// @name Bits of OBootCondition::bitmap: events that boot the robot again
 /// @{
-const word obcbBOOT_TIMER = 0x0001;  ///< OBootCondition::bootTime has come
+const word obcbBOOT_TIMER = 0x0001;  ///< OBootCondition::bootTime is reached
 const word obcbVIBRATION_DETECTED = 0x0002;
 const word obcbPAUSE_SW = 0x0004;
 const word obcbSTATION_CONNECTED = 0x0008;
@@ -124,7 +124,7 @@ const longword obcbttRELATIVE = 0x00000000;  ///< seconds from now; 0 boots at o
 const longword obcbttABSOLUTE = 0x80000000U;
 /// @}
 
-/// What OPENR::Shutdown() is told: when to boot again.
+/// The argument of OPENR::Shutdown(): when to boot again.
 struct OBootCondition {
   word bitmap;
   time_t bootTime;

@@ -1,5 +1,5 @@
 /// @file OPrimitiveControl.h
-/// What OPENR::ControlPrimitive() can ask of a primitive. Numbers: OPEN-R SDK Level2 Reference Guide.
+/// Requests of OPENR::ControlPrimitive(). Numbers from the OPEN-R SDK Level2 Reference Guide.
 #ifndef OPENR_OPRIMITIVECONTROL_H
 #define OPENR_OPRIMITIVECONTROL_H
 
@@ -33,7 +33,7 @@ struct OPrimitiveControl_CameraParam {
   explicit OPrimitiveControl_CameraParam(longword param) : camparam(param) {}
 };
 
-/// @name The speaker. The simulated robot has none yet.
+/// @name The speaker. The simulated robot has none.
 /// @{
 const OPrimitiveRequest oprmreqSPEAKER_MUTE_ON = 128;
 const OPrimitiveRequest oprmreqSPEAKER_MUTE_OFF = 129;
@@ -62,7 +62,7 @@ struct OPrimitiveControl_SpeakerSoundType {
 };
 /// @}
 
-/// @name The microphone. The simulated robot has none yet.
+/// @name The microphone. The simulated robot has none.
 /// @{
 const OPrimitiveRequest oprmreqMIC_UNI = 256;
 const OPrimitiveRequest oprmreqMIC_OMNI = 257;

@@ -32,6 +32,6 @@ const OStatus oINVALID_SYNC_KEY = 4107;
 const OStatus oGAIN_DISABLED = 4108;  ///< the joint's gain is not effective: EnableJointGain() first
 const OStatus oDESIGNDATA_SIZE_ZERO = 4110;
 
-const OStatus oALERT_JOINT_UNCONTROLLABLE = 8192;  ///< the joint cannot follow what it is told
+const OStatus oALERT_JOINT_UNCONTROLLABLE = 8192;  ///< the joint cannot follow its commands
 
 #endif  // OPENR_OSTATUS_H

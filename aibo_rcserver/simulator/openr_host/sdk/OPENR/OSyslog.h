@@ -5,7 +5,7 @@
 
 #include <OPENR/OPENR.h>
 
-/// Characters of one print, the closing 0 included; the rest is cut off (OPEN-R SDK Programmer's Guide, 5.1).
+/// Characters of one print, including the closing 0; longer texts are cut off (OPEN-R SDK Programmer's Guide, 5.1).
 const size_t osyslogMAX_SIZE = 243;
 
 typedef longword OSyslogPriority;
@@ -13,10 +13,10 @@ const OSyslogPriority osyslogERROR = 1;
 const OSyslogPriority osyslogWARNING = 2;
 const OSyslogPriority osyslogINFO = 3;
 
-/// What OSYSPRINT stands for. Prints as printf does; never waits for a slow reader.
+/// The function behind OSYSPRINT. Formats like printf; never waits for a slow reader.
 OStatus osysprint(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/// What OSYSLOG1 stands for. Prints one line with the priority and the object's name in front.
+/// The function behind OSYSLOG1. Prints one line that begins with the priority and the object's name.
 OStatus osyslog(OSyslogPriority priority, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 /// OSYSPRINT(("format", ...)): note the double parentheses.
@@ -25,7 +25,7 @@ OStatus osyslog(OSyslogPriority priority, const char* format, ...) __attribute__
 /// OSYSLOG1((osyslogERROR, "format", ...)): note the double parentheses.
 #define OSYSLOG1(arguments) (osyslog arguments)
 
-/// @name Lesser logs, which the SDK leaves out unless OSYSLOG_SHOW is 2 or more
+/// @name Less important logs, which the SDK omits unless OSYSLOG_SHOW is 2 or more
 /// @{
 #if defined(OSYSLOG_SHOW) && OSYSLOG_SHOW > 1
 #define OSYSLOG2(arguments) (osyslog arguments)
@@ -44,7 +44,7 @@ OStatus osyslog(OSyslogPriority priority, const char* format, ...) __attribute__
 #endif
 /// @}
 
-/// OSYSDEBUG(("format", ...)): as OSYSPRINT if OPENR_DEBUG is defined, else nothing.
+/// OSYSDEBUG(("format", ...)): like OSYSPRINT if OPENR_DEBUG is defined, otherwise nothing.
 #ifdef OPENR_DEBUG
 #define OSYSDEBUG(arguments) (osysprint arguments)
 #else

@@ -10,7 +10,7 @@
 const sbyte otimeTIME_DIF_UNDEF = 0x7F;
 const int otimeSTART_YEAR = 2000;
 
-/// Universal time, and the difference to it where the robot lives.
+/// Universal time, and the offset of the robot's time zone.
 class OTime {
  public:
   OTime() : clock_(0), timeDif_(0) {}
@@ -26,7 +26,7 @@ class OTime {
     clock_ = clock;
     return oSUCCESS;
   }
-  /// @return oINVALID_ARG, and nothing changes, outside of -12..12
+  /// @return oINVALID_ARG, with nothing changed, outside -12..12
   OStatus SetTimeDif(sbyte timeDif) {
     if (timeDif < -12 || timeDif > 12) {
       return oINVALID_ARG;

@@ -1,5 +1,5 @@
 /// @file OUnits.h
-/// OPEN-R counts in millionths: of a radian, a metre, a degree Celsius...
+/// OPEN-R counts in millionths of a radian, a metre, a degree Celsius...
 #ifndef OPENR_OUNITS_H
 #define OPENR_OUNITS_H
 
@@ -19,7 +19,7 @@ const slongword oradiansPI = 3141592;
 const slongword oradiansPI_2 = 1570796;
 const slongword oradiansPI_4 = 785398;
 
-/// @return `value` in millionths, cut off towards 0
+/// @return `value` in millionths, truncated towards 0
 inline slongword micro(double value) {
   return static_cast<slongword>(value * 1e6);
 }
@@ -37,7 +37,7 @@ inline double degrees(double rad) {
 }
 
 /// @param deg degrees
-/// @return microradians, what a joint takes
+/// @return microradians, as joints take them
 inline slongword oradians(double deg) {
   return micro(radians(deg));
 }

@@ -1,5 +1,5 @@
 /// @file ObjcommEvent.h
-/// What the entry points of an object are called with.
+/// Arguments of an object's entry points.
 #ifndef OPENR_OBJCOMMEVENT_H
 #define OPENR_OBJCOMMEVENT_H
 
@@ -29,7 +29,7 @@ class ONotifyEvent {
   int number_of_data_;
 };
 
-/// An observer has become ready for data, or is ready no more.
+/// An observer has become ready for data, or is no longer ready.
 class OReadyEvent {
  public:
   OReadyEvent(int sbj_index, const ObserverID& sender, bool is_assert)
@@ -46,7 +46,7 @@ class OReadyEvent {
   bool is_assert_;
 };
 
-/// A subject has been connected to an observer. Told to the subject's object.
+/// A subject has been connected to an observer. Sent to the subject's object.
 class OControlEvent {
  public:
   OControlEvent(int sbj_index, const ObserverID& sender) : sbj_index_(sbj_index), sender_(sender) {}
@@ -59,7 +59,7 @@ class OControlEvent {
   ObserverID sender_;
 };
 
-/// An observer has been connected to a subject. Told to the observer's object.
+/// An observer has been connected to a subject. Sent to the observer's object.
 class OConnectEvent {
  public:
   OConnectEvent(int obs_index, const SubjectID& sender) : obs_index_(obs_index), sender_(sender) {}

@@ -1,9 +1,9 @@
 /// @file ObjcommMessages.h
-/// Limits of what objects send to each other.
+/// Limits of the messages between objects.
 #ifndef OPENR_OBJCOMMMESSAGES_H
 #define OPENR_OBJCOMMMESSAGES_H
 
-// What an object may use without including it: the SDK's header brings these in too.
+// The SDK's header includes these, too, and objects may rely on that.
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/OPower.h>
@@ -13,10 +13,10 @@
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 
-/// Pieces of data that one notification carries at most.
+/// Most pieces of data in one notification.
 #define MAX_NUM_DATA 13
 
-/// Bytes of a message between objects.
+/// Bytes in a message between objects.
 #define MAX_MESSAGE_SIZE 256
 
 #endif  // OPENR_OBJCOMMMESSAGES_H

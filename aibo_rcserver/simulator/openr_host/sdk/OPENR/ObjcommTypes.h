@@ -7,10 +7,10 @@
 
 #include <list>
 
-/// Names one subject in the whole system. On Linux its selector is sbjNAME in its object.
+/// Identifies a subject in the whole system. On Linux its selector is sbjNAME in its object.
 typedef OServiceEntry SubjectID;
 
-/// Names one observer in the whole system. On Linux its selector is obsNAME in its object.
+/// Identifies an observer in the whole system. On Linux its selector is obsNAME in its object.
 typedef OServiceEntry ObserverID;
 
 #endif  // OPENR_OBJCOMMTYPES_H

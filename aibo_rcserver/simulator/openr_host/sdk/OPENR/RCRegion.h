@@ -1,27 +1,27 @@
 /// @file RCRegion.h
-/// Memory that several objects read without copying, with a count of how many do.
+/// Reference-counted memory, which several objects can read without copying.
 #ifndef OPENR_RCREGION_H
 #define OPENR_RCREGION_H
 
 #include <OPENR/OPENR.h>
 
-/// A reference-counted piece of memory. It begins with one reference, its maker's, and is deleted with the last one.
+/// A reference-counted piece of memory. It starts with one reference, its creator's, and is deleted with the last one.
 ///
-/// A maker who keeps a reference may fill the region again as soon as NumberOfReference() is 1 again: by then every
-/// observer is done with it.
+/// A creator that keeps its reference may fill the region again as soon as NumberOfReference() is 1: then all observers
+/// are done with it.
 class RCRegion {
  public:
   /// Allocates `size` bytes, all zero, aligned for any type.
   explicit RCRegion(size_t size);
 
-  /// Lends memory that is owned elsewhere and must outlive the region.
-  /// @param memID, offset where the system knows the memory as; kept for the caller only
+  /// Refers to memory that is owned elsewhere and must outlive the region.
+  /// @param memID, offset the system's name for the memory; only stored for the caller
   RCRegion(MemoryRegionID memID, size_t offset, void* base, size_t size);
 
-  /// Whoever keeps a region longer than the event that brought it adds a reference...
+  /// Call this to keep a region longer than the event that delivered it...
   void AddReference();
 
-  /// ...and removes it later. Deletes the region with the last reference.
+  /// ...and this when done with it. Deletes the region with the last reference.
   void RemoveReference();
 
   int NumberOfReference() const { return references_; }

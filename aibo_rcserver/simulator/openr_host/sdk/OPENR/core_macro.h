@@ -1,5 +1,5 @@
 /// @file core_macro.h
-/// What the four life cycle functions of every object do with its subjects and observers. To be used in the member
+/// The standard steps of the four life cycle functions for an object's subjects and observers. For use in the member
 /// functions of a class that has the members `subject` and `observer` and includes its def.h.
 #ifndef OPENR_CORE_MACRO_H
 #define OPENR_CORE_MACRO_H
@@ -24,8 +24,7 @@
   OPENR_FOR_ALL(numOfSubject, subject[i_]->Register(myOID_, i_)); \
   OPENR_FOR_ALL(numOfObserver, observer[i_]->Register(myOID_, i_))
 
-/// DoInit, third. Nothing is left to do on Linux, where the machine has read from the object's description which
-/// function is whose entry.
+/// DoInit, third. Does nothing on Linux, where the machine knows the entry functions from the object's description.
 #define SET_ALL_READY_AND_NOTIFY_ENTRY static_cast<void>(0)
 
 /// DoStart, first.

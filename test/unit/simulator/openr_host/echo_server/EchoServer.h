@@ -1,6 +1,6 @@
 /// @file EchoServer.h
-/// An object as it is written for the robot, in C++98 with the SDK's names alone: prints a line for every camera image,
-/// and sends back whatever a client sends to its port.
+/// An object written for the robot, in C++98 with only the SDK's names. It prints a line for every camera image, and
+/// sends back everything that a client sends to its port.
 #ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_ECHO_SERVER_ECHO_SERVER_H
 #define TEST_UNIT_SIMULATOR_OPENR_HOST_ECHO_SERVER_ECHO_SERVER_H
 

@@ -1,6 +1,6 @@
 /// @file Surveyor.h
-/// An object in the manner of old code for the robot: all of namespace std, and what the SDK's headers bring in by the
-/// way.
+/// An object like old code for the robot: it uses all of namespace std, and relies on indirect includes of the SDK's
+/// headers.
 #ifndef TEST_UNIT_SIMULATOR_OPENR_HOST_SURVEYOR_SURVEYOR_H
 #define TEST_UNIT_SIMULATOR_OPENR_HOST_SURVEYOR_SURVEYOR_H
 

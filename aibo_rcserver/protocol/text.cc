@@ -1,0 +1,130 @@
+#include "protocol/text.h"
+
+#include <string.h>
+
+namespace protocol {
+
+namespace {
+
+const unsigned LAST_CODE_POINT = 0x10ffff;
+
+const char MOTION_ENDING[] = ".MTN";
+const size_t MOTION_ENDING_SIZE = 4;
+const size_t MAX_MOTION_STEM_SIZE = MAX_MOTION_NAME_SIZE - MOTION_ENDING_SIZE;
+
+bool isContinuation(unsigned char byte) {
+  return (byte & 0xc0) == 0x80;
+}
+
+// Bytes of the character that begins with `first`; 0 if none does.
+size_t characterSize(unsigned char first) {
+  if (first < 0x80) {
+    return 1;
+  }
+  if ((first & 0xe0) == 0xc0) {
+    return 2;
+  }
+  if ((first & 0xf0) == 0xe0) {
+    return 3;
+  }
+  return (first & 0xf8) == 0xf0 ? 4 : 0;
+}
+
+bool isPlainCharacter(unsigned code_point, size_t size) {
+  static const unsigned SMALLEST_OF_SIZE[] = {0, 0x20, 0xa0, 0x800, 0x10000};
+  const bool is_surrogate = code_point >= 0xd800 && code_point <= 0xdfff;
+  return code_point >= SMALLEST_OF_SIZE[size] && code_point != 0x7f && !is_surrogate && code_point <= LAST_CODE_POINT;
+}
+
+// Bytes of the first character; 0 if it is not well-formed or a control character.
+size_t plainCharacterAt(const char* bytes, size_t size) {
+  static const unsigned char FIRST_BYTE_MASK[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
+  const unsigned char first = static_cast<unsigned char>(bytes[0]);
+  const size_t character_size = characterSize(first);
+  if (character_size == 0 || character_size > size) {
+    return 0;
+  }
+  unsigned code_point = first & FIRST_BYTE_MASK[character_size];
+  for (size_t i = 1; i < character_size; ++i) {
+    const unsigned char byte = static_cast<unsigned char>(bytes[i]);
+    if (!isContinuation(byte)) {
+      return 0;
+    }
+    code_point = (code_point << 6) | (byte & 0x3fU);
+  }
+  return isPlainCharacter(code_point, character_size) ? character_size : 0;
+}
+
+// Unlike toupper(), the same in every locale.
+char capital(char character) {
+  return character >= 'a' && character <= 'z' ? static_cast<char>(character - 'a' + 'A') : character;
+}
+
+bool isAllowedInName(char character) {
+  return character != '\0' && strchr("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789!#$%&'()-@^_`{}~", character) != NULL;
+}
+
+bool isAllowedInName(const char* stem, size_t size) {
+  for (size_t i = 0; i < size; ++i) {
+    if (!isAllowedInName(capital(stem[i]))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool hasMotionEnding(const char* text, size_t size) {
+  for (size_t i = 0; size >= MOTION_ENDING_SIZE && i < MOTION_ENDING_SIZE; ++i) {
+    if (capital(text[size - MOTION_ENDING_SIZE + i]) != MOTION_ENDING[i]) {
+      return false;
+    }
+  }
+  return size >= MOTION_ENDING_SIZE;
+}
+
+}  // namespace
+
+bool isPlainText(const char* bytes, size_t size) {
+  while (size > 0) {
+    const size_t character_size = plainCharacterAt(bytes, size);
+    if (character_size == 0) {
+      return false;
+    }
+    bytes += character_size;
+    size -= character_size;
+  }
+  return true;
+}
+
+size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit) {
+  if (size <= limit) {
+    return size;
+  }
+  while (limit > 0 && isContinuation(static_cast<unsigned char>(bytes[limit]))) {
+    --limit;
+  }
+  return limit;
+}
+
+const char* readMotionName(const char* text, size_t size, MotionName& name) {
+  if (!hasMotionEnding(text, size)) {
+    return "the name of the motion does not end in .MTN";
+  }
+  const size_t stem_size = size - MOTION_ENDING_SIZE;
+  if (stem_size == 0) {
+    return "the name of the motion has nothing before .MTN";
+  }
+  if (stem_size > MAX_MOTION_STEM_SIZE) {
+    return "the name of the motion has more than 8 characters before .MTN";
+  }
+  if (!isAllowedInName(text, stem_size)) {
+    return "the name of the motion has other characters before .MTN than A to Z, 0 to 9 and !#$%&'()-@^_`{}~";
+  }
+  for (size_t i = 0; i < size; ++i) {
+    name[i] = capital(text[i]);
+  }
+  name[size] = '\0';
+  return NULL;
+}
+
+}  // namespace protocol

@@ -1,0 +1,36 @@
+/// @file text.h
+/// Texts on the wire, in both versions: UTF-8 without control characters, and the names of motion files. Used by both
+/// sides.
+#ifndef AIBO_RCSERVER_PROTOCOL_TEXT_H
+#define AIBO_RCSERVER_PROTOCOL_TEXT_H
+
+#include <stddef.h>
+
+namespace protocol {
+
+/// True if the bytes are well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF) without
+/// control characters (U+0000..U+001F, U+007F..U+009F). Such a text can go into a log or onto a terminal as it is. An
+/// empty text is plain, too.
+bool isPlainText(const char* bytes, size_t size);
+
+/// The largest size, at most `limit`, to which a well-formed text can be cut without splitting a character.
+size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit);
+
+/// Longest name of a motion, in characters: "WALK_FWD.MTN".
+const size_t MAX_MOTION_NAME_SIZE = 12;
+
+/// A name that readMotionName() has accepted, or an empty one. Capital letters; ends in a zero byte.
+typedef char MotionName[MAX_MOTION_NAME_SIZE + 1];
+
+/// Reads the name of a motion file: one to eight characters and ".MTN". The characters are those that a memory stick
+/// accepts: the letters A to Z, digits and !#$%&'()-@^_`{}~. So no name can lead out of a folder. The memory stick does
+/// not distinguish small letters from capitals; here they become capitals.
+///
+/// @param text any bytes; need not end in a zero byte
+/// @param[out] name the name in capital letters; unchanged on an error
+/// @return NULL, or what is wrong in a few words that a user can act on
+const char* readMotionName(const char* text, size_t size, MotionName& name);
+
+}  // namespace protocol
+
+#endif  // AIBO_RCSERVER_PROTOCOL_TEXT_H

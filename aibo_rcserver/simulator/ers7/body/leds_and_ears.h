@@ -1,0 +1,57 @@
+/// @file leds_and_ears.h
+/// The simulated robot's LEDs and ears.
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENR.h>
+
+namespace simulated_ers7 {
+
+/// Keeps its last command. The command's period is ignored, because every frame brings a new command or none.
+struct Led {
+  int intensity = 0;  ///< 0..255; 0 or 255 for an LED that can only be on or off
+  OLED3Mode mode = oled3_MODE_A;
+};
+
+/// A magnet draws the ear while it is energised, which must not be long (Model Information ERS-7). Sony gives no time.
+/// Here a magnet that was energised for a second without a pause becomes too hot: it lets go, and does nothing until it
+/// has cooled down for five seconds.
+class Ear {
+ public:
+  static constexpr longword kMostFramesEnergised = 125;
+  static constexpr longword kFramesToCoolDown = 625;
+
+  /// Takes effect in the next frame, until the next command.
+  void energise(bool on) { told_to_ = on; }
+
+  /// 8 ms pass.
+  /// @return true if the magnet has become too hot in this frame
+  bool passFrame() {
+    if (frames_to_cool_ > 0) {
+      --frames_to_cool_;
+      return false;
+    }
+    frames_energised_ = told_to_ ? frames_energised_ + 1 : 0;
+    const bool became_hot = frames_energised_ > kMostFramesEnergised;
+    if (became_hot) {
+      frames_to_cool_ = kFramesToCoolDown;
+      frames_energised_ = 0;
+    }
+    return became_hot;
+  }
+
+  /// True while the magnet draws the ear.
+  bool isDrawn() const { return frames_energised_ > 0; }
+
+  bool isHot() const { return frames_to_cool_ > 0; }
+
+ private:
+  bool told_to_ = false;
+  longword frames_energised_ = 0;
+  longword frames_to_cool_ = 0;
+};
+
+}  // namespace simulated_ers7
+
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H

@@ -1,0 +1,257 @@
+#include "simulator/ers7/camera/photographs.h"
+
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simulated_ers7 {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+constexpr double kMostPixels = 100e6;
+constexpr int kBytesPerPixel = 3;
+
+// libjpeg-turbo 2.0, in Ubuntu 20.04, cannot limit scans.
+#ifdef TJFLAG_LIMITSCANS
+constexpr int kDecoderFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
+#else
+constexpr int kDecoderFlags = TJFLAG_STOPONWARNING;
+#endif
+
+/// Red, green, blue per pixel, row by row from the upper left.
+struct RgbImage {
+  int width;
+  int height;
+  Bytes pixels;
+};
+
+/// A mistake in a file's content. readPhotograph() adds the name of the file.
+class BadContent : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+std::string lowerCaseEnding(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending;
+}
+
+Bytes readFile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Bytes content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.is_open() || stream.bad()) {
+    throw BadContent("it cannot be read");
+  }
+  return content;
+}
+
+void checkSize(double width, double height) {
+  if (width < 1 || height < 1 || width * height > kMostPixels) {
+    throw BadContent("it has no pixels, or more than 100 million");
+  }
+}
+
+/// The smallest scale of the decoder that makes a JPEG at least as large as the camera's picture. This saves most of
+/// the work on large photographs.
+tjscalingfactor smallestSufficientScale(int width, int height) {
+  int count = 0;
+  const tjscalingfactor* factors = tjGetScalingFactors(&count);
+  tjscalingfactor best{1, 1};
+  for (int i = 0; i < count; ++i) {
+    const bool sufficient =
+        TJSCALED(width, factors[i]) >= kPictureWidth && TJSCALED(height, factors[i]) >= kPictureHeight;
+    if (sufficient && factors[i].num * best.denom < best.num * factors[i].denom) {
+      best = factors[i];
+    }
+  }
+  return best;
+}
+
+RgbImage decodeJpeg(const Bytes& file) {
+  const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
+  const auto check = [&decoder](int result) {
+    if (result != 0) {
+      throw BadContent(std::string("it is not a JPEG, or damaged (") + tjGetErrorStr2(decoder.get()) + ")");
+    }
+  };
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int color_space = 0;
+  check(tjDecompressHeader3(decoder.get(), file.data(), file.size(), &width, &height, &subsampling, &color_space));
+  checkSize(width, height);
+  const tjscalingfactor scale = smallestSufficientScale(width, height);
+  RgbImage image{TJSCALED(width, scale), TJSCALED(height, scale), {}};
+  image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * kBytesPerPixel);
+  check(tjDecompress2(decoder.get(), file.data(), file.size(), image.pixels.data(), image.width, 0, image.height,
+                      TJPF_RGB, kDecoderFlags));
+  return image;
+}
+
+/// Takes the next number from a PPM's header, after any white space and comments.
+int takeNumber(const Bytes& file, std::size_t* position) {
+  constexpr int kLongestNumber = 9;
+  while (*position < file.size() && (std::isspace(file[*position]) != 0 || file[*position] == '#')) {
+    if (file[*position] == '#') {
+      const auto line_end = std::find(file.begin() + static_cast<std::ptrdiff_t>(*position), file.end(), '\n');
+      *position = static_cast<std::size_t>(line_end - file.begin());
+    } else {
+      ++*position;
+    }
+  }
+  std::string digits;
+  while (*position < file.size() && std::isdigit(file[*position]) != 0 && digits.size() < kLongestNumber) {
+    digits += static_cast<char>(file[(*position)++]);
+  }
+  if (digits.empty()) {
+    throw BadContent("its PPM header lacks a number");
+  }
+  return std::stoi(digits);
+}
+
+RgbImage decodePpm(const Bytes& file) {
+  if (file.size() < 2 || file[0] != 'P' || file[1] != '6') {
+    throw BadContent("it is not a binary PPM: it does not begin with P6");
+  }
+  std::size_t position = 2;
+  RgbImage image{};
+  image.width = takeNumber(file, &position);
+  image.height = takeNumber(file, &position);
+  const int brightest = takeNumber(file, &position);
+  checkSize(image.width, image.height);
+  if (brightest != 255) {
+    throw BadContent("its brightest value is " + std::to_string(brightest) + "; only 255 is supported");
+  }
+  ++position;  // the single white space at the end of the header
+  const std::size_t size =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * kBytesPerPixel;
+  if (file.size() < position + size) {
+    throw BadContent("it is cut off: it has fewer pixels than its header says");
+  }
+  const auto begin = file.begin() + static_cast<std::ptrdiff_t>(position);
+  image.pixels.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
+  return image;
+}
+
+/// The contribution of a photograph's pixel to a pixel of the camera, in one direction.
+struct Share {
+  int source;
+  float weight;
+};
+
+/// For each of `count` pixels the source's pixels that it covers, and how much of each. The weights of a pixel sum
+/// to 1.
+std::vector<std::vector<Share>> sharesOf(int count, double begin, double length, int source_size) {
+  std::vector<std::vector<Share>> all(static_cast<std::size_t>(count));
+  const double step = length / count;
+  for (int i = 0; i < count; ++i) {
+    const double low = begin + i * step;
+    const double high = low + step;
+    const int last = std::min(source_size - 1, static_cast<int>(std::ceil(high)) - 1);
+    for (int source = std::max(0, static_cast<int>(low)); source <= last; ++source) {
+      const double overlap = std::min(high, source + 1.0) - std::max(low, static_cast<double>(source));
+      all[static_cast<std::size_t>(i)].push_back({source, static_cast<float>(overlap / step)});
+    }
+  }
+  return all;
+}
+
+YCrCbImage fitToCamera(const RgbImage& image) {
+  const double scale =
+      std::min(static_cast<double>(image.width) / kPictureWidth, static_cast<double>(image.height) / kPictureHeight);
+  const double width = scale * kPictureWidth;
+  const double height = scale * kPictureHeight;
+  const auto columns = sharesOf(kPictureWidth, (image.width - width) / 2, width, image.width);
+  const auto rows = sharesOf(kPictureHeight, (image.height - height) / 2, height, image.height);
+  YCrCbImage fitted;
+  std::size_t pixel = 0;
+  for (const auto& row : rows) {
+    for (const auto& column : columns) {
+      float sum[kBytesPerPixel] = {};
+      for (const Share& down : row) {
+        for (const Share& across : column) {
+          const std::size_t index = static_cast<std::size_t>(down.source) * static_cast<std::size_t>(image.width) +
+                                    static_cast<std::size_t>(across.source);
+          for (std::size_t part = 0; part < kBytesPerPixel; ++part) {
+            sum[part] += down.weight * across.weight * static_cast<float>(image.pixels[kBytesPerPixel * index + part]);
+          }
+        }
+      }
+      const YCrCb color = toYCrCb(sum[0], sum[1], sum[2]);
+      fitted.y[pixel] = toByte(color.y);
+      fitted.cr[pixel] = toByte(color.cr);
+      fitted.cb[pixel] = toByte(color.cb);
+      ++pixel;
+    }
+  }
+  return fitted;
+}
+
+}  // namespace
+
+bool isPhotographName(const std::filesystem::path& file) {
+  const std::string ending = lowerCaseEnding(file);
+  return ending == ".jpg" || ending == ".jpeg" || ending == ".ppm";
+}
+
+YCrCbImage readPhotograph(const std::filesystem::path& file) {
+  try {
+    const Bytes content = readFile(file);
+    return fitToCamera(lowerCaseEnding(file) == ".ppm" ? decodePpm(content) : decodeJpeg(content));
+  } catch (const BadContent& error) {
+    throw PhotographError("cannot show the picture " + file.string() + ": " + error.what() +
+                          ". Repair it or remove it from the folder.");
+  }
+}
+
+namespace {
+
+std::vector<std::filesystem::path> photographsIn(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.is_regular_file() && isPhotographName(entry.path())) {
+      files.push_back(entry.path());
+    }
+  }
+  if (error) {
+    throw PhotographError("cannot open the folder of pictures " + folder + ": " + error.message());
+  }
+  if (files.empty()) {
+    throw PhotographError("no picture in the folder " + folder + ": it needs files that end in .jpg, .jpeg or .ppm");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+PhotoShow::PhotoShow(const std::string& folder, double seconds_per_picture)
+    : seconds_per_picture_(seconds_per_picture) {
+  if (!(seconds_per_picture > 0)) {
+    throw PhotographError("a picture must be shown for more than 0 seconds, not " +
+                          std::to_string(seconds_per_picture));
+  }
+  for (const auto& file : photographsIn(folder)) {
+    pictures_.push_back(readPhotograph(file));
+  }
+}
+
+const YCrCbImage& PhotoShow::picture(double seconds, longword /*image_number*/, const CameraSettings& /*settings*/) {
+  const auto turn = static_cast<std::uint64_t>(seconds / seconds_per_picture_);
+  return pictures_[static_cast<std::size_t>(turn % pictures_.size())];
+}
+
+}  // namespace simulated_ers7

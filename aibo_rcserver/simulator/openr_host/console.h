@@ -1,0 +1,69 @@
+/// @file console.h
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
+
+#include <functional>
+#include <iosfwd>
+#include <list>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "simulator/openr_host/ip_stack/poll_set.h"
+#include "simulator/openr_host/ip_stack/tcp_listener.h"
+
+namespace openr_host {
+
+/// The wireless console: text that objects print goes to a stream and to all telnet connections. Lines typed there are
+/// passed to a callback; objects never see them, as on the robot.
+class Console {
+ public:
+  /// Further listeners get a message and are disconnected.
+  static constexpr std::size_t kMostListeners = 8;
+
+  /// Bytes kept for a listener that does not read. It loses any text beyond that, and is told about it.
+  static constexpr std::size_t kMostUnread = 64 * 1024;
+
+  /// Most characters in a typed line. A longer line is answered by an error.
+  static constexpr std::size_t kLongestLine = 256;
+
+  /// Receives a line that a listener typed, without its end. The result is printed to that listener only.
+  using OnLine = std::function<std::string(const std::string& line)>;
+
+  /// @param output may be null
+  /// @param on_line may be empty: then typed lines are ignored
+  Console(std::ostream* output, OnLine on_line) : output_(output), on_line_(std::move(on_line)) {}
+
+  /// Takes a port of this computer for listeners.
+  /// @return the port taken
+  /// @throw like TcpListener
+  std::uint16_t takePort(const std::string& bind_address, std::uint16_t port);
+
+  /// Prints to the output and to all listeners. Never waits for a listener.
+  void print(const std::string& text);
+
+  void addTo(PollSet& poll_set);
+
+ private:
+  struct Listener {
+    FileDescriptor socket;
+    std::string unsent;
+    std::size_t lost = 0;  ///< number of prints that did not fit
+    std::string typed;     ///< the unfinished line; at most one character too long
+  };
+
+  static void print(Listener& listener, const std::string& text);
+  static void flush(Listener& listener);
+  void read(Listener& listener);
+  void take(Listener& listener, char typed);
+  void acceptListeners();
+
+  std::ostream* const output_;
+  const OnLine on_line_;
+  std::optional<TcpListener> port_;
+  std::list<Listener> listeners_;
+};
+
+}  // namespace openr_host
+
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H

@@ -1,0 +1,123 @@
+#include "protocol/text.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "bytes.h"
+
+namespace protocol {
+namespace {
+
+using ::testing::HasSubstr;
+
+bool isPlain(const std::string& text) {
+  return isPlainText(text.data(), text.size());
+}
+
+TEST(PlainText, IsAnyCharacterOfOneToFourBytes) {
+  for (const char* text :
+       {"", " ~", "caf\xc3\xa9", "\xc2\xa0", "\xdf\xbf", "\xe0\xa0\x80", "\xe2\x82\xac", "\xed\x9f\xbf", "\xee\x80\x80",
+        "\xf0\x90\x80\x80", "\xf0\x9f\x90\xb6", "\xf4\x8f\xbf\xbf"}) {
+    EXPECT_TRUE(isPlain(text)) << text;
+  }
+}
+
+TEST(PlainText, HasNoControlCharacters) {
+  for (const char* text : {"\n", "\t", "\x1b", "a\r", "\x1f", "\x7f", "\xc2\x80", "\xc2\x9f"}) {
+    EXPECT_FALSE(isPlain(text));
+  }
+  EXPECT_FALSE(isPlain(std::string(1, '\0')));
+}
+
+TEST(PlainText, HasNoMalformedUtf8) {
+  for (const char* text :
+       {"\x80", "\xbf", "\xfe", "\xff", "\xf8\x88\x80\x80\x80", "\xc3(", "\xe2\x82(", "\xf0\x9f\x90("}) {
+    EXPECT_FALSE(isPlain(text)) << text;
+  }
+}
+
+TEST(PlainText, HasNoIncompleteCharacter) {
+  for (const std::string character : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x90\xb6"}) {
+    for (size_t size = 1; size < character.size(); ++size) {
+      EXPECT_FALSE(isPlain("a" + character.substr(0, size)));
+    }
+  }
+}
+
+TEST(PlainText, HasNoOverlongFormsSurrogatesOrCodesBeyondUnicode) {
+  for (const char* text : {"\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xf0\x8f\xbf\xbf", "\xed\xa0\x80", "\xed\xbf\xbf",
+                           "\xf4\x90\x80\x80", "\xf7\xbf\xbf\xbf"}) {
+    EXPECT_FALSE(isPlain(text)) << text;
+  }
+}
+
+TEST(PlainText, IsCutBetweenCharacters) {
+  const std::string text =
+      "a\xe2\x82\xac"
+      "b";
+  const size_t expected[] = {0, 1, 1, 1, 4, 5, 5};
+  for (size_t limit = 0; limit < 7; ++limit) {
+    EXPECT_EQ(sizeOfWholeCharacters(text.data(), text.size(), limit), expected[limit]) << limit;
+  }
+}
+
+// The name that was read, or what is wrong with it. The text lies in memory of exactly its size.
+std::string read(const std::string& text) {
+  const Bytes bytes = bytesOf(text);
+  MotionName name = "untouched";
+  const char* const problem = readMotionName(reinterpret_cast<const char*>(bytes.data()), bytes.size(), name);
+  if (problem == nullptr) {
+    return name;
+  }
+  EXPECT_STREQ(name, "untouched");
+  return problem;
+}
+
+TEST(MotionName, IsUpToEightCharactersAndMtn) {
+  EXPECT_EQ(read("NOD.MTN"), "NOD.MTN");
+  EXPECT_EQ(read("A.MTN"), "A.MTN");
+  EXPECT_EQ(read("12345678.MTN"), "12345678.MTN");
+  EXPECT_EQ(read("SIT_AN~1.MTN"), "SIT_AN~1.MTN");
+  EXPECT_EQ(read("!#$%&'()-@.MTN").find("!#$"), std::string::npos);
+  EXPECT_EQ(read("!#$%&'().MTN"), "!#$%&'().MTN");
+  EXPECT_EQ(read("-@^_`{}~.MTN"), "-@^_`{}~.MTN");
+}
+
+TEST(MotionName, MayHaveSmallLetters) {
+  EXPECT_EQ(read("walk_fwd.mtn"), "WALK_FWD.MTN");
+  EXPECT_EQ(read("wAg.mTn"), "WAG.MTN");
+}
+
+TEST(MotionName, MustEndInMtn) {
+  for (const char* text : {"", "M", "MTN", "NOD", "NODMTN", "NOD.MT", "NOD.MTNX", "NOD.BIN", "NOD.MTN ", "NOD.MTN."}) {
+    EXPECT_THAT(read(text), HasSubstr("does not end in .MTN")) << text;
+  }
+  EXPECT_THAT(read(std::string("NOD.MTN\0", 8)), HasSubstr("does not end in .MTN"));
+}
+
+TEST(MotionName, HasOneToEightCharactersBeforeItsEnding) {
+  EXPECT_THAT(read(".MTN"), HasSubstr("nothing before .MTN"));
+  EXPECT_THAT(read("123456789.MTN"), HasSubstr("more than 8 characters"));
+  EXPECT_THAT(read(std::string(100000, 'A') + ".MTN"), HasSubstr("more than 8 characters"));
+}
+
+TEST(MotionName, CannotLeadOutOfAFolder) {
+  for (const char* text :
+       {"../A.MTN", "..\\A.MTN", "A/B.MTN", "/A.MTN", "\\A.MTN", "C:A.MTN", "..MTN", "...MTN", "A.B.MTN", "A.MTN.MTN",
+        " .MTN", "A B.MTN", "*.MTN", "?.MTN", "\"A\".MTN", "A;B.MTN", "A|B.MTN", "<A>.MTN"}) {
+    EXPECT_THAT(read(text), HasSubstr("other characters")) << text;
+  }
+}
+
+TEST(MotionName, HasNoOtherCharacters) {
+  const std::string allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!#$%&'()-@^_`{}~";
+  for (int byte = 0; byte < 256; ++byte) {
+    const char character = static_cast<char>(byte);
+    const bool is_name = read(std::string("A") + character + ".MTN").size() == 6;
+    EXPECT_EQ(is_name, allowed.find(character) != std::string::npos) << byte;
+  }
+}
+
+}  // namespace
+}  // namespace protocol
