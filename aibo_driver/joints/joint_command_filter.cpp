@@ -6,27 +6,27 @@
 namespace aibo_driver::joints {
 namespace {
 
-// Of an approach: for the way of the command to the robot, and for speeding up and braking.
+// Added to the time of an approach: the command has to reach the robot, and the joint speeds up and brakes.
 constexpr std::chrono::milliseconds kMargin{500};
 
-// A joint as near to its target has followed it, and does not jump to the next one.
+// A joint this near to its target has followed it, and will not jump to the next one.
 constexpr double kNear = 0.1;  // rad
 
-// The robot counts speeds in whole units, and not below a few of them.
+// On the wire a speed is a small whole number, so there is a lowest one.
 constexpr double kLowestSpeed = 0.001;  // rad/s
 
 std::chrono::nanoseconds timeFor(double way, double speed) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(way / speed));
 }
 
-std::string describeMismatch(const JointCommand& command) {
-  if (command.names.empty()) {
+std::string describeMismatch(std::size_t names, std::size_t positions, std::size_t velocities) {
+  if (names == 0) {
     return "A joint command names no joint.";
   }
-  if (command.positions.size() != command.names.size()) {
+  if (positions != names) {
     return "A joint command must have as many positions as names.";
   }
-  if (!command.velocities.empty() && command.velocities.size() != command.names.size()) {
+  if (velocities != 0 && velocities != names) {
     return "A joint command must have as many velocities as names, or none.";
   }
   return {};
@@ -37,35 +37,29 @@ std::string describeMismatch(const JointCommand& command) {
 JointCommandFilter::JointCommandFilter(const JointTable& table, const MeasuredJoints& measured, double approach_speed)
     : table_(table), measured_(measured), approach_speed_(approach_speed), approaches_(table.size()) {}
 
-FilteredCommand JointCommandFilter::filter(const JointCommand& command, SteadyTime now) {
-  FilteredCommand result;
-  const std::string mismatch = describeMismatch(command);
+std::vector<std::string> JointCommandFilter::filter(const std::vector<std::string>& names,
+                                                    const std::vector<double>& positions,
+                                                    const std::vector<double>& velocities, SteadyTime now,
+                                                    JointOrders* orders) {
+  const std::string mismatch = describeMismatch(names.size(), positions.size(), velocities.size());
   if (!mismatch.empty()) {
-    result.refusals.push_back(mismatch);
-    return result;
+    return {mismatch};
   }
-  for (std::size_t i = 0; i < command.names.size(); ++i) {
-    const std::string& name = command.names[i];
-    const double velocity = command.velocities.empty() ? 0 : command.velocities[i];
-    const std::optional<std::size_t> index = table_.findByName(name);
+  std::vector<std::string> refusals;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double velocity = velocities.empty() ? 0 : velocities[i];
+    const std::optional<std::size_t> index = table_.findByName(names[i]);
     if (!index) {
-      result.refusals.push_back("The " + table_.design() + " has no joint '" + name + "'.");
-    } else if (!std::isfinite(command.positions[i])) {
-      result.refusals.push_back("The position commanded for " + name + " is no finite number.");
+      refusals.push_back("The " + table_.design() + " has no joint '" + names[i] + "'.");
+    } else if (!std::isfinite(positions[i])) {
+      refusals.push_back("The position commanded for " + names[i] + " is not a finite number.");
     } else if (!std::isfinite(velocity)) {
-      result.refusals.push_back("The velocity commanded for " + name + " is no finite number.");
+      refusals.push_back("The velocity commanded for " + names[i] + " is not a finite number.");
     } else {
-      const JointOrder order = orderFor(*index, command.positions[i], velocity, now);
-      const auto same = std::find_if(result.orders.begin(), result.orders.end(),
-                                     [&order](const JointOrder& other) { return other.id == order.id; });
-      if (same == result.orders.end()) {
-        result.orders.push_back(order);
-      } else {
-        *same = order;
-      }
+      (*orders)[table_[*index].id] = orderFor(*index, positions[i], velocity, now);
     }
   }
-  return result;
+  return refusals;
 }
 
 void JointCommandFilter::startApproach() {
@@ -80,7 +74,7 @@ JointOrder JointCommandFilter::orderFor(std::size_t index, double position, doub
     speed = std::clamp(std::abs(velocity), kLowestSpeed, speed);
   }
   const double slow = std::min(speed, approach_speed_);
-  return {joint.id, target, approaches(index, target, slow, now) ? slow : speed};
+  return {target, approaches(index, target, slow, now) ? slow : speed};
 }
 
 bool JointCommandFilter::approaches(std::size_t index, double target, double speed, SteadyTime now) {

@@ -14,30 +14,18 @@
 
 namespace aibo_driver::joints {
 
-/// What a user asks of some joints, unchecked. Arrays as in sensor_msgs/JointState.
-struct JointCommand {
-  std::vector<std::string> names;
-  std::vector<double> positions;   ///< rad
-  std::vector<double> velocities;  ///< rad/s, or empty; the sign does not matter, 0 means that none is given
-};
-
-/// What is left of a command.
-struct FilteredCommand {
-  std::vector<JointOrder> orders;     ///< each joint once
-  std::vector<std::string> refusals;  ///< what was left out and why, a sentence each, without numbers that vary
-};
-
 /// The guard rails between users and joints.
 ///
-/// - A command whose arrays do not fit together is refused. A joint that is not there, or whose position or velocity is
-///   no finite number, is left out; the others are carried out. Of two positions for one joint the last counts.
-/// - Positions are clamped to the joint's limits. Limits that depend on other joints are the robot's to keep.
-/// - No joint moves faster than its speed limit, or the velocity given.
-/// - Approach: the first command to a joint may come from a program that knows nothing of the robot's posture, such as
-///   joint_state_publisher_gui, which begins by commanding every joint to 0 or to its middle. So the joint goes there
-///   at the approach speed. After the time that this takes, or once it is told to go on from where it is measured near,
-///   its speed limit alone holds. A target that moves on meanwhile makes it last longer, but not longer than the
-///   joint's longest way takes.
+/// - A command whose arrays do not fit together is refused. A joint that the robot does not have, or whose position or
+///   velocity is not a finite number, is left out, and the others move. If a joint is named twice, the last position
+///   counts.
+/// - Positions are clamped to the joint's limits. Limits that depend on other joints are left to the robot.
+/// - No joint moves faster than its speed limit, or than the velocity given.
+/// - Approach: the first command to a joint may come from a program that does not know the robot's posture, such as
+///   joint_state_publisher_gui, which begins by commanding every joint to 0 or to its middle. So the joint moves there
+///   at the approach speed. The approach ends after the time that this way takes, or when a new target comes while the
+///   joint is measured near the old one; from then on only the speed limit holds. A target that changes meanwhile makes
+///   the approach longer, but not longer than the joint's longest way takes.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -46,13 +34,19 @@ class JointCommandFilter {
   /// @param approach_speed rad/s
   JointCommandFilter(const JointTable& table, const MeasuredJoints& measured, double approach_speed);
 
-  FilteredCommand filter(const JointCommand& command, SteadyTime now);
+  /// Filters one command, whose arrays are those of sensor_msgs/JointState.
+  /// @param positions rad, one for each name
+  /// @param velocities rad/s, one for each name, or empty; the sign does not matter, and 0 means that none is given
+  /// @param[in,out] orders gets an order for each joint that may move, in place of an earlier order to that joint
+  /// @return what was left out and why, a sentence each, without numbers that vary
+  std::vector<std::string> filter(const std::vector<std::string>& names, const std::vector<double>& positions,
+                                  const std::vector<double>& velocities, SteadyTime now, JointOrders* orders);
 
-  /// The posture may be any from now on, as after a new connection: all joints are to be approached again.
+  /// From now on the posture may be any, as after a new connection: all joints are approached again.
   void startApproach();
 
  private:
-  /// A joint's way to the first place it was told.
+  /// A joint's way to the first target that it was given.
   struct Approach {
     double target = 0;
     SteadyTime end;

@@ -1,30 +1,26 @@
 #include "joints/joint_link.h"
 
-#include <utility>
-
 namespace aibo_driver::joints {
 
-JointLink::JointLink(Robot robot) : robot_(std::move(robot)) {}
-
-void JointLink::send(const std::vector<JointOrder>& orders, std::chrono::milliseconds duration) {
+void JointLink::send(const JointOrders& orders, std::chrono::milliseconds duration) {
   if (orders.empty()) {
     return;
   }
   std::vector<JointSpeedLimit> limits;
   std::vector<JointTarget> targets;
-  for (const JointOrder& order : orders) {
-    limits.push_back({order.id, order.speed});
-    targets.push_back({order.id, order.position});
+  for (const auto& [id, order] : orders) {
+    limits.push_back({id, order.speed});
+    targets.push_back({id, order.position});
   }
   limitSpeeds(limits);
-  robot_.command(targets, duration);
+  client_.commandJoints(targets, duration);
 }
 
 void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
-  const std::uint64_t connection = robot_.connections();
-  if (connection != speeds_connection_) {
+  const std::uint64_t present = connection();
+  if (present != speeds_connection_) {
     speeds_.clear();
-    speeds_connection_ = connection;
+    speeds_connection_ = present;
   }
   std::vector<JointSpeedLimit> changes;
   for (const JointSpeedLimit& limit : limits) {
@@ -36,7 +32,7 @@ void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
   if (changes.empty()) {
     return;
   }
-  robot_.set_speed_limits(changes);
+  client_.setJointSpeedLimits(changes);
   for (const JointSpeedLimit& limit : changes) {
     speeds_[limit.id] = limit.speed;
   }

@@ -4,54 +4,50 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
 #include "aibo_driver/joints.h"
+#include "aibo_driver/rcserver_client.h"
 
 namespace aibo_driver::joints {
 
-/// What a joint is told: where to go, and how fast at most.
+/// Where a joint is to go, and how fast at most.
 struct JointOrder {
-  int id = 0;
   double position = 0;  ///< rad
   double speed = 0;     ///< rad/s, above 0
 };
 
-/// Passes orders on to the robot: speed limits, where they have to change, then the positions together. A speed limit
-/// is the robot's to keep, so it holds however late a message comes, and with every version of the protocol.
+/// Orders by RCServer identifier: each joint is there once.
+using JointOrders = std::map<int, JointOrder>;
+
+/// Sends orders to the robot: first the speed limits that change, then all positions in one request. The robot itself
+/// keeps the speed limits, so they hold even if a message is late, and with every version of the protocol.
 ///
 /// From one thread at a time.
 class JointLink {
  public:
-  /// What is needed of RcServerClient.
-  struct Robot {
-    std::function<std::uint64_t()> connections;  ///< grows with each connection
-    std::function<void(const std::vector<JointSpeedLimit>&)> set_speed_limits;
-    std::function<void(const std::vector<JointTarget>&, std::chrono::milliseconds)> command;
-  };
+  /// @param client must outlive the link
+  explicit JointLink(RcServerClient& client) : client_(client) {}
 
-  explicit JointLink(Robot robot);
-
-  /// @param orders each joint once; nothing is sent if there are none
+  /// Sends nothing if there are no orders.
   /// @param duration as for RcServerClient::commandJoints()
   /// @throw as RcServerClient::commandJoints()
-  void send(const std::vector<JointOrder>& orders, std::chrono::milliseconds duration);
+  void send(const JointOrders& orders, std::chrono::milliseconds duration);
 
-  /// Tells the robot how fast joints may move, whoever moves them. What it knows already is not sent again.
+  /// Limits how fast joints may move, whoever moves them. Limits that the robot already has are not sent again.
   /// @param limits each joint once
   /// @throw as RcServerClient::setJointSpeedLimits()
   void limitSpeeds(const std::vector<JointSpeedLimit>& limits);
 
-  /// Differs between two calls if a new connection was made in between: what was told to the robot before is not to be
-  /// told again.
-  std::uint64_t connection() const { return robot_.connections(); }
+  /// Counts the connections. If it has changed between two calls, there is a new connection, and nothing that was sent
+  /// over the old one may be repeated.
+  std::uint64_t connection() const { return client_.statistics().connections; }
 
  private:
-  const Robot robot_;
+  RcServerClient& client_;
   std::uint64_t speeds_connection_ = 0;
-  std::map<int, double> speeds_;  ///< in force over that connection, by id
+  std::map<int, double> speeds_;  ///< rad/s, in force over that connection, by id
 };
 
 }  // namespace aibo_driver::joints

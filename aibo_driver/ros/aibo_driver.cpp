@@ -2,16 +2,36 @@
 
 #include <ros/console.h>
 
-#include "ros/driver_namespace.h"
-#include "ros/ros_log_sink.h"
+#include "ros/node.h"
 
 namespace aibo_driver::node {
 namespace {
 
+// How many callers of take_picture may wait at the same time; the next one waits for one of them.
+constexpr int kPictureThreads = 4;
+
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   for (const std::string& name : parameters.unknown) {
-    ROS_WARN_STREAM("Parameter " << name_prefix << "/" << name
-                                 << " is none of the driver's and is ignored: is it misspelt?");
+    ROS_WARN_STREAM("The driver has no parameter " << name_prefix << "/" << name
+                                                   << ", and ignores it: is the name misspelt?");
+  }
+}
+
+// As the logger ros.aibo_driver.client.
+void logForClient(LogLevel level, const std::string& message) {
+  switch (level) {
+    case LogLevel::kDebug:
+      ROS_DEBUG_STREAM_NAMED("client", message);
+      break;
+    case LogLevel::kInfo:
+      ROS_INFO_STREAM_NAMED("client", message);
+      break;
+    case LogLevel::kWarn:
+      ROS_WARN_STREAM_NAMED("client", message);
+      break;
+    case LogLevel::kError:
+      ROS_ERROR_STREAM_NAMED("client", message);
+      break;
   }
 }
 
@@ -21,49 +41,58 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
     : parameters_(readDriverParameters(private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
       handle_(inDriverNamespace(handle, "aibo")),
+      joint_thread_(handle_),
+      body_thread_(handle_),
+      picture_threads_(handle_, kPictureThreads),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
+      joint_table_(parameters_.robot, parameters_.joint_speed_limit),
+      measured_joints_(joint_table_),
       power_(model_),
-      policy_(
-          parameters_.stream_on_start, parameters_.stream_on_demand, [this] { return cameraHasSubscribers(); },
-          [this](bool on) { client_.setStreaming(on); }),
+      policy_(parameters_.stream_on_start, parameters_.stream_on_demand),
       connection_(handle_, parameters_.client),
       camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
               [this] { policy_.subscribersChanged(); }),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
+      telemetry_(handle_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
-      services_(handle_, parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
-      joints_(handle_, parameters_, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
-      body_(handle_, model_, client_, [this](const Telemetry& t) { return telemetry_stamper_.stamp(t); }),
-      settings_(private_handle, settingTargets()),
+      stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
+      joints_(joint_table_, measured_joints_, client_, parameters_),
+      expression_(model_, client_),
+      robot_services_(client_, joints_),
+      settings_(private_handle, client_, joint_table_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
-  policy_.start();
+  joints_.subscribe(joint_thread_.handle());
+  expression_.subscribe(body_thread_.handle());
+  robot_services_.advertise(joint_thread_.handle(), body_thread_.handle());
+  stream_services_.advertise(handle_, picture_threads_.handle());
+  policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
+                [this](bool on) { client_.setStreaming(on); });
   client_.start();
+  joint_thread_.start();
+  body_thread_.start();
+  picture_threads_.start();
 }
 
-// In a nodelet manager, subscribers come and go on other threads to the last: they must not reach what is gone already.
+// In a nodelet manager, subscribers may come and go on other threads until the publishers are gone. First the client:
+// a service that waits for the robot ends with it.
 AiboDriver::~AiboDriver() {
   policy_.stop();
   client_.stop();
+  joint_thread_.stop();
+  body_thread_.stop();
+  picture_threads_.stop();
 }
 
 RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   RcServerClient::Callbacks callbacks;
   callbacks.on_picture = [this](const PicturePtr& picture) { publishPicture(*picture); };
   callbacks.on_status = [this](const ConnectionStatus& status) { updateConnection(status); };
-  callbacks.on_streaming = [this](bool streaming) { services_.publishStreaming(streaming); };
+  callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const Telemetry& telemetry) { publishTelemetry(telemetry); };
-  callbacks.log = makeRosLogSink();
+  callbacks.log = logForClient;
   return callbacks;
-}
-
-LiveSettings::Targets AiboDriver::settingTargets() {
-  LiveSettings::Targets targets;
-  targets.set_jpeg_quality = [this](int quality) { client_.setJpegQuality(quality); };
-  targets.set_telemetry_period = [this](int frames) { client_.setTelemetryPeriod(frames); };
-  targets.set_speed_scale = [this](double scale) { joints_.setSpeedScale(scale); };
-  return targets;
 }
 
 void AiboDriver::publishPicture(const Picture& picture) {
@@ -72,21 +101,20 @@ void AiboDriver::publishPicture(const Picture& picture) {
 }
 
 void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
-  joints_.publishTelemetry(telemetry);
-  body_.publishTelemetry(telemetry);
+  telemetry_.publish(telemetry);
   power_.update(telemetry);
 }
 
 void AiboDriver::updateConnection(const ConnectionStatus& status) {
   connection_.publish(status);
-  joints_.updateConnection(status);
   if (status.state != ConnectionState::kConnected) {
+    measured_joints_.clear();
     power_.clear();
+  } else if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
+    ROS_WARN_STREAM_NAMED("joints", "The robot says that it is an "
+                                        << status.robot.design << ", but the parameter robot is " << parameters_.robot
+                                        << ": its joints will not move correctly. Set the parameter.");
   }
-}
-
-bool AiboDriver::cameraHasSubscribers() const {
-  return camera_.hasSubscribers() || raw_images_.hasSubscribers();
 }
 
 }  // namespace aibo_driver::node

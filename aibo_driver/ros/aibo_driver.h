@@ -7,10 +7,15 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
-#include "ros/body/body_interface.h"
+#include "ros/body/expression_commander.h"
 #include "ros/body/power_status.h"
+#include "ros/body/robot_services.h"
+#include "ros/body/telemetry_publishers.h"
+#include "ros/callback_threads.h"
 #include "ros/camera/camera_publisher.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stream_meter.h"
@@ -19,18 +24,21 @@
 #include "ros/connection_publisher.h"
 #include "ros/driver_diagnostics.h"
 #include "ros/driver_parameters.h"
-#include "ros/joints/joint_interface.h"
+#include "ros/joints/joint_commander.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
 
 namespace aibo_driver::node {
 
-/// The whole driver: what node and nodelet wrap. docs/ros_interface.md tells what it looks like from outside.
+/// The whole driver, which the node and the nodelet wrap. docs/ros_interface.md describes it from outside.
+///
+/// What waits for the robot has a callback queue of its own, so that it delays nothing else. Everything that does not
+/// wait is served by the queue of the handle.
 class AiboDriver {
  public:
-  /// Begins to connect and to publish. A robot that is not there is no error: the driver goes on trying.
+  /// Begins to connect and to publish. If the robot is not there, the driver goes on trying.
   /// @param handle the driver's namespace; the root namespace means /aibo
-  /// @param private_handle where the parameters are
+  /// @param private_handle the namespace of the parameters
   /// @param name of the node or nodelet, with its namespace, for the diagnostics
   /// @throw InvalidArgumentException a parameter is wrong; the message names it and what is allowed
   AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
@@ -43,32 +51,42 @@ class AiboDriver {
 
  private:
   RcServerClient::Callbacks makeCallbacks();
-  LiveSettings::Targets settingTargets();
   void publishPicture(const Picture& picture);
   void publishTelemetry(const Telemetry& telemetry);
   void updateConnection(const ConnectionStatus& status);
-  bool cameraHasSubscribers() const;
 
   /// Null if its time is not to be used.
   robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
 
-  // In the order in which they need each other. Callbacks of ROS may come as soon as a topic is advertised; until
-  // policy_ is started, and once it is stopped, it does nothing about them.
+  // Each member uses only those before it. ROS may call back as soon as a topic or service is advertised.
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
   ros::NodeHandle handle_;
+
+  CallbackThreads joint_thread_;     ///< everything that moves joints, in order
+  CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
+  CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
+
+  // What the client's callbacks need.
   robot_time::RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;
+  joints::JointTable joint_table_;
+  joints::MeasuredJoints measured_joints_;
   PowerStatus power_;
   StreamMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
   RawImagePublisher raw_images_;
+  TelemetryPublishers telemetry_;
+
   RcServerClient client_;
-  StreamServices services_;
-  JointInterface joints_;
-  BodyInterface body_;
+
+  // What needs the client.
+  StreamServices stream_services_;
+  JointCommander joints_;
+  ExpressionCommander expression_;
+  RobotServices robot_services_;
   LiveSettings settings_;
   DriverDiagnostics diagnostics_;
 };

@@ -1,6 +1,7 @@
 #include "ros/connection_publisher.h"
 
 #include <aibo_driver/Connection.h>
+#include <std_msgs/Bool.h>
 
 #include <cstdint>
 
@@ -47,8 +48,13 @@ std::string describeConnection(const ConnectionStatus& status, const ClientOptio
 }
 
 ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const ClientOptions& options)
-    : options_(options), publisher_(ros::NodeHandle(handle).advertise<Connection>("connection", 1, true)) {
+    : options_(options) {
+  ros::NodeHandle topics(handle);
+  constexpr bool kLatched = true;
+  connection_ = topics.advertise<Connection>("connection", 1, kLatched);
+  streaming_ = topics.advertise<std_msgs::Bool>("streaming", 1, kLatched);
   publish(ConnectionStatus());
+  publishStreaming(false);
 }
 
 void ConnectionPublisher::publish(const ConnectionStatus& status) {
@@ -62,7 +68,13 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
   message.reason = status.reason;
   message.advice = status.advice;
-  publisher_.publish(message);
+  connection_.publish(message);
+}
+
+void ConnectionPublisher::publishStreaming(bool streaming) {
+  std_msgs::Bool message;
+  message.data = streaming;
+  streaming_.publish(message);
 }
 
 }  // namespace aibo_driver::node

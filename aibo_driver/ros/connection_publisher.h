@@ -13,21 +13,23 @@ namespace aibo_driver::node {
 /// The robot's address as people write it: host:port.
 std::string robotAddress(const ClientOptions& options);
 
-/// Where the driver stands with the robot, in one line for people: what is the case, why, and what to check.
+/// The state of the connection in one line for people: what it is, why, and what to check.
 std::string describeConnection(const ConnectionStatus& status, const ClientOptions& options);
 
-/// Publishes the latched topic `connection`.
+/// Publishes the latched topics `connection` and `streaming`.
 class ConnectionPublisher {
  public:
-  /// Publishes at once that there is no connection yet.
+  /// Publishes at once that there is no connection and no stream yet.
   ConnectionPublisher(const ros::NodeHandle& handle, const ClientOptions& options);
 
   /// Never blocks. From one thread at a time.
   void publish(const ConnectionStatus& status);
+  void publishStreaming(bool streaming);
 
  private:
   const ClientOptions options_;
-  ros::Publisher publisher_;
+  ros::Publisher connection_;
+  ros::Publisher streaming_;
 };
 
 }  // namespace aibo_driver::node

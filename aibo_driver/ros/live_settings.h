@@ -7,34 +7,29 @@
 #include <ros/node_handle.h>
 
 #include <atomic>
-#include <functional>
 
-#include "ros/driver_parameters.h"
+#include "aibo_driver/rcserver_client.h"
+#include "joints/joint_table.h"
 
 namespace aibo_driver::node {
 
-/// What can be changed while the driver runs, by dynamic_reconfigure: see cfg/AiboDriver.cfg. It begins with what the
-/// parameters of these names say. What is out of range is set to the nearest value in it; the answer, the topic
-/// parameter_updates, the parameters and the log tell what is in force.
+/// What can be changed while the driver runs, with dynamic_reconfigure: see cfg/AiboDriver.cfg. The settings begin with
+/// the parameters of these names. A value out of range is replaced by the nearest value in range; the answer, the topic
+/// parameter_updates, the parameters and the log all show the values in force.
 class LiveSettings {
  public:
-  /// Where the settings go. Called from private_handle's callback queue; must not block.
-  struct Targets {
-    std::function<void(int)> set_jpeg_quality;
-    std::function<void(int)> set_telemetry_period;  ///< in OPEN-R frames; 0: none
-    std::function<void(double)> set_speed_scale;
-  };
+  /// Applies the settings at once, and again from private_handle's callback queue whenever they change.
+  /// @param client, joint_table must outlive the object
+  LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client, joints::JointTable& joint_table);
 
-  /// Calls each target at once.
-  LiveSettings(const ros::NodeHandle& private_handle, Targets targets);
-
-  /// Of joint_states and the sensors, in OPEN-R frames; 0: none. From any thread.
+  /// The period of joint_states and the sensors, in OPEN-R frames; 0: none. From any thread.
   int telemetryPeriod() const { return telemetry_period_; }
 
  private:
   void apply(AiboDriverConfig& config);
 
-  const Targets targets_;
+  RcServerClient& client_;
+  joints::JointTable& joint_table_;
   std::atomic<int> telemetry_period_{0};
   AiboDriverConfig in_force_;
   dynamic_reconfigure::Server<AiboDriverConfig> server_;

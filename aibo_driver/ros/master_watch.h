@@ -2,59 +2,35 @@
 #ifndef AIBO_DRIVER_ROS_MASTER_WATCH_H
 #define AIBO_DRIVER_ROS_MASTER_WATCH_H
 
-#include <xmlrpcpp/XmlRpcValue.h>
-
-#include <condition_variable>
-#include <mutex>
-#include <optional>
+#include <future>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace aibo_driver::node {
 
-/// Tells a restarted ROS master about this process.
+/// Registers this process again when the ROS master was restarted.
 ///
-/// roscpp registers topics and services once. A roscore that was restarted since knows none of them: who listens
-/// already goes on, but who comes later finds nobody. So every few seconds the master is asked whether it knows this
-/// process; if it says no, topics, services and parameters are registered with it again. Robot and subscribers notice
-/// nothing. A master that does not answer is left alone until it does.
+/// roscpp registers topics and services only once. A restarted roscore knows none of them: existing subscribers go on,
+/// but new ones do not find the driver. So every few seconds the master is asked whether it knows this process. If not,
+/// topics, services and parameters are registered again. Neither the robot nor the subscribers notice. While the master
+/// does not answer, nothing is done.
 class MasterWatch {
  public:
-  /// Begins to watch, in a thread of its own, when all services of this process are advertised.
-  /// @param parameters name of the node or nodelet, whose parameters a new master gets unless it has some already
+  /// Begins to watch, in a thread of its own. By now all services of this process must be advertised.
+  /// @param parameters name of the node or nodelet; a new master gets its parameters, unless it already has some
   explicit MasterWatch(const std::string& parameters);
 
-  /// Ends at once, whatever the master does.
+  /// Ends at once, whether the master answers or not.
   ~MasterWatch();
 
   MasterWatch(const MasterWatch&) = delete;
   MasterWatch& operator=(const MasterWatch&) = delete;
 
  private:
-  struct Server {
-    std::string host;
-    int port;
-  };
+  void run(const std::string& parameters);
 
-  void run();
-  void look();
-  void remember(const Server& master);
-  void introduceTo(const Server& master);
-  void registerService(const Server& master, const std::string& name);
-  std::optional<XmlRpc::XmlRpcValue> ask(const Server& server, const char* method,
-                                         const std::vector<XmlRpc::XmlRpcValue>& arguments);
-  bool isEnding();
-
-  const std::string parameters_name_;
-  const std::string sign_;  ///< a service that every node has: while the master knows it, it knows all the others, too
-  XmlRpc::XmlRpcValue parameters_;     ///< as the master last had them
-  std::vector<std::string> services_;  ///< what this process advertised when the watch began, except the sign
-
-  std::mutex mutex_;
-  std::condition_variable ending_changed_;
-  bool ending_ = false;
-
+  std::promise<void> end_;
+  std::shared_future<void> ended_{end_.get_future()};
   std::thread thread_;  // last: it uses all of the above
 };
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "ros/driver_namespace.h"
+#include "ros/node.h"
 
 namespace {
 

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "ros/camera/stream_meter.h"
-#include "ros/driver_namespace.h"
+#include "ros/node.h"
 #include "tools/node_process.h"
 #include "tools/picture_log_reader.h"
 

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "aibo_driver/rcserver_client.h"
 #include "robot_model/robot_model.h"
@@ -16,16 +17,33 @@
 
 namespace aibo_driver::node {
 
-/// Takes commands from leds and ears, and sends them on. Nothing is kept while there is no connection. Everything runs
-/// on the callback queue of the handle, which must be served by one thread.
+/// What a message asks of the LEDs, and what is refused.
+struct LedOrders {
+  std::vector<LedCommand> commands;   ///< each LED once
+  std::vector<std::string> refusals;  ///< sentences for users
+};
+
+/// Finds the LEDs that a message names, by themselves or in groups. If an LED is named twice, the last intensity counts.
+/// A name that belongs to no LED and no group is left out, and so is an intensity outside of 0..1. The whole message is
+/// refused if its arrays do not fit together, or if there is no such mode.
+LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
+
+/// Sends commands from the topics leds and ears to the robot. Nothing is kept while there is no connection.
+///
+/// From one thread at a time.
 class ExpressionCommander {
  public:
   /// @param model, client must outlive the commander
-  ExpressionCommander(const ros::NodeHandle& handle, const robot_model::RobotModel& model, RcServerClient& client);
+  ExpressionCommander(const robot_model::RobotModel& model, RcServerClient& client) : model_(model), client_(client) {}
 
- private:
+  /// @param handle whose callback queue one thread serves
+  void subscribe(const ros::NodeHandle& handle);
+
+  /// What was not sent is logged.
   void receiveLeds(const Leds& message);
   void receiveEars(const Ears& message);
+
+ private:
   void send(const std::string& what, const std::function<void()>& command);
 
   const robot_model::RobotModel& model_;

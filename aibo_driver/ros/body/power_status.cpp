@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "ros/body/sensor_reading.h"
+#include "ros/body/sensor_messages.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -3,7 +3,7 @@
 #include <ros/console.h>
 #include <ros/transport_hints.h>
 
-#include "ros/driver_namespace.h"
+#include "ros/node.h"
 
 namespace aibo_driver::node {
 

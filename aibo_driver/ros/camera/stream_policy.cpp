@@ -4,22 +4,17 @@
 
 namespace aibo_driver::node {
 
-StreamPolicy::StreamPolicy(bool wanted, bool on_demand, std::function<bool()> has_subscriber,
-                           std::function<void(bool)> set_streaming)
-    : on_demand_(on_demand),
-      has_subscriber_(std::move(has_subscriber)),
-      set_streaming_(std::move(set_streaming)),
-      wanted_(wanted) {}
-
-void StreamPolicy::start() {
+void StreamPolicy::start(std::function<bool()> has_subscriber, std::function<void(bool)> set_streaming) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  started_ = true;
+  has_subscriber_ = std::move(has_subscriber);
+  set_streaming_ = std::move(set_streaming);
   decide();
 }
 
 void StreamPolicy::stop() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  started_ = false;
+  has_subscriber_ = nullptr;
+  set_streaming_ = nullptr;
 }
 
 void StreamPolicy::setWanted(bool wanted) {
@@ -51,11 +46,11 @@ bool StreamPolicy::waitsForSubscriber() const {
 }
 
 bool StreamPolicy::demanded() const {
-  return !on_demand_ || has_subscriber_();
+  return !on_demand_ || (has_subscriber_ && has_subscriber_());
 }
 
 void StreamPolicy::decide() {
-  if (started_) {
+  if (set_streaming_) {
     set_streaming_(wanted_ && demanded());
   }
 }

@@ -7,35 +7,33 @@
 
 namespace aibo_driver::node {
 
-/// Decides whether the robot shall stream.
+/// Decides whether the robot streams.
 ///
-/// It shall while the stream is wanted (~stream_on_start, set_streaming, toggle_streaming) and, with
+/// It streams while the stream is wanted (~stream_on_start, set_streaming, toggle_streaming) and, with
 /// ~stream_on_demand, only while a camera topic has a subscriber too. Every function may be called from any thread.
 class StreamPolicy {
  public:
-  /// @param has_subscriber has a camera topic a subscriber at this moment
-  /// @param set_streaming hands each decision on; must not block. Neither may call back into this class
-  StreamPolicy(bool wanted, bool on_demand, std::function<bool()> has_subscriber,
-               std::function<void(bool)> set_streaming);
+  StreamPolicy(bool wanted, bool on_demand) : on_demand_(on_demand), wanted_(wanted) {}
 
-  /// Hands the first decision on, and every later one. Before this, decisions are only remembered.
-  void start();
+  /// Hands on the first decision, and every later one. Before this, decisions are only remembered.
+  /// @param has_subscriber whether a camera topic has a subscriber at this moment
+  /// @param set_streaming takes each decision; must not block. Neither may call back into this class
+  void start(std::function<bool()> has_subscriber, std::function<void(bool)> set_streaming);
 
-  /// Decisions are only remembered again. When it has returned, neither function is running or will be called.
+  /// From now on decisions are only remembered. When it has returned, neither function is running or will be called.
   void stop();
 
   void setWanted(bool wanted);
 
-  /// Wants what was not wanted before.
-  /// @return what is wanted now
+  /// @return whether the stream is wanted now
   bool toggleWanted();
 
-  /// To be called whenever a subscriber of a camera topic came or went.
+  /// To be called whenever a subscriber of a camera topic comes or goes.
   void subscribersChanged();
 
   bool wanted() const;
 
-  /// True if the stream is wanted and only waits for a subscriber.
+  /// True if the stream is wanted and waits only for a subscriber.
   bool waitsForSubscriber() const;
 
  private:
@@ -43,12 +41,11 @@ class StreamPolicy {
   void decide();
 
   const bool on_demand_;
-  const std::function<bool()> has_subscriber_;
-  const std::function<void(bool)> set_streaming_;
 
   mutable std::mutex mutex_;
-  bool started_ = false;
   bool wanted_;
+  std::function<bool()> has_subscriber_;
+  std::function<void(bool)> set_streaming_;  ///< empty unless started
 };
 
 }  // namespace aibo_driver::node

@@ -3,14 +3,12 @@
 #define AIBO_DRIVER_ROS_CAMERA_STREAM_SERVICES_H
 
 #include <aibo_driver/TakePicture.h>
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <ros/spinner.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <functional>
-#include <string>
+#include <vector>
 
 #include "aibo_driver/rcserver_client.h"
 #include "ros/camera/stream_policy.h"
@@ -18,49 +16,37 @@
 
 namespace aibo_driver::node {
 
-/// The services take_picture, set_streaming and toggle_streaming, and the latched topic streaming.
+/// The services take_picture, set_streaming and toggle_streaming.
 ///
-/// Each call is answered: what cannot be done is told by success = false and a message, never by a failed call.
-/// take_picture, which waits for the robot, has threads of its own, so that nobody else waits with it.
+/// Each call is answered: if something cannot be done, success is false and message says why. The call itself never
+/// fails.
 class StreamServices {
  public:
   using ToMessage = std::function<sensor_msgs::CompressedImage(const Picture&)>;
 
-  /// Publishes at once that the stream is off.
   /// @param client, policy must outlive this object
-  /// @param to_message makes the message that take_picture answers with; thread-safe
-  StreamServices(const ros::NodeHandle& handle, const DriverParameters& parameters, RcServerClient& client,
-                 StreamPolicy& policy, ToMessage to_message);
+  /// @param to_message makes the message of take_picture's answer; from any thread
+  StreamServices(const DriverParameters& parameters, RcServerClient& client, StreamPolicy& policy,
+                 ToMessage to_message);
 
-  /// A take_picture() that waits must have been ended before, by stopping the client.
-  ~StreamServices();
+  /// @param handle for set_streaming and toggle_streaming, which do not wait
+  /// @param picture_handle for take_picture, which waits for the robot
+  void advertise(const ros::NodeHandle& handle, const ros::NodeHandle& picture_handle);
 
-  StreamServices(const StreamServices&) = delete;
-  StreamServices& operator=(const StreamServices&) = delete;
-
-  /// Never blocks. From one thread at a time.
-  void publishStreaming(bool streaming);
-
- private:
+  // The services. All of them return true, as roscpp wants. From any thread.
   bool takePicture(TakePicture::Request& request, TakePicture::Response& response);
   bool setStreaming(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool toggleStreaming(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  /// What a call that wanted the stream on or off is answered.
-  /// @return true if it is as wanted, or will be without the caller's doing
-  bool describeStream(bool wanted, std::string* message) const;
+ private:
+  template <typename Response>
+  bool answerStreaming(bool wanted, Response& response) const;
 
   const DriverParameters parameters_;
   RcServerClient& client_;
   StreamPolicy& policy_;
   const ToMessage to_message_;
-
-  ros::Publisher streaming_publisher_;
-  ros::ServiceServer set_streaming_server_;
-  ros::ServiceServer toggle_streaming_server_;
-  ros::CallbackQueue take_picture_queue_;
-  ros::ServiceServer take_picture_server_;
-  ros::AsyncSpinner take_picture_threads_;
+  std::vector<ros::ServiceServer> servers_;
 };
 
 }  // namespace aibo_driver::node

@@ -2,9 +2,6 @@
 
 #include <std_msgs/Float64.h>
 
-#include <chrono>
-#include <utility>
-
 #include "aibo_driver/exceptions.h"
 
 namespace aibo_driver::node {
@@ -15,10 +12,14 @@ constexpr std::uint32_t kQueueSize = 10;
 
 }  // namespace
 
-JointCommander::JointCommander(const ros::NodeHandle& handle, const joints::JointTable& table,
-                               const joints::MeasuredJoints& measured, joints::JointLink& link, double approach_speed,
-                               std::function<void(const std::vector<joints::JointOrder>&)> commanded)
-    : link_(link), commanded_(std::move(commanded)), filter_(table, measured, approach_speed) {
+JointCommander::JointCommander(const joints::JointTable& table, const joints::MeasuredJoints& measured,
+                               RcServerClient& client, const DriverParameters& parameters)
+    : table_(table),
+      link_(client),
+      filter_(table, measured, parameters.approach_speed),
+      trajectories_(table, measured, link_, parameters.slow_down) {}
+
+void JointCommander::subscribe(const ros::NodeHandle& handle) {
   ros::NodeHandle topics(handle);
   constexpr bool kOneShot = true;
   constexpr bool kAutostart = false;
@@ -27,21 +28,32 @@ JointCommander::JointCommander(const ros::NodeHandle& handle, const joints::Join
       [this](const ros::SteadyTimerEvent&) { send(); }, kOneShot, kAutostart);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   using Position = std_msgs::Float64;
-  for (const joints::JointProperties& joint : table.joints()) {
+  for (const joints::JointProperties& joint : table_.joints()) {
     const boost::function<void(const Position::ConstPtr&)> receive =
         [this, name = joint.name](const Position::ConstPtr& message) { receivePosition(name, message->data); };
     subscribers_.push_back(topics.subscribe<Position>(joint.name + "_position_controller/command", 1, receive,
                                                       ros::VoidConstPtr(), hints));
   }
   const boost::function<void(const sensor_msgs::JointState::ConstPtr&)> receive =
-      [this](const sensor_msgs::JointState::ConstPtr& message) { receiveJointState(*message); };
+      [this](const sensor_msgs::JointState::ConstPtr& message) { this->receive(*message); };
   subscribers_.push_back(
       topics.subscribe<sensor_msgs::JointState>("joint_command", kQueueSize, receive, ros::VoidConstPtr(), hints));
+  trajectories_.subscribe(handle);
 }
 
-void JointCommander::receiveJointState(const sensor_msgs::JointState& message) {
-  collect({message.name, message.position, message.velocity});
+void JointCommander::receive(const sensor_msgs::JointState& message) {
+  collect(message.name, message.position, message.velocity);
   send();
+}
+
+void JointCommander::prepareForMotors() {
+  trajectories_.end("the motors are being switched");
+  filter_.startApproach();
+}
+
+void JointCommander::prepareForMotion() {
+  trajectories_.end("play_motion was called");
+  link_.limitSpeeds(table_.speedLimits());
 }
 
 void JointCommander::receivePosition(const std::string& name, double position) {
@@ -49,40 +61,34 @@ void JointCommander::receivePosition(const std::string& name, double position) {
     collecting_.stop();  // a timer that has run out starts again only after this
     collecting_.start();
   }
-  collect({{name}, {position}, {}});
+  collect({name}, {position}, {});
 }
 
-void JointCommander::collect(const joints::JointCommand& command) {
-  if (connection_ != link_.connection()) {
-    connection_ = link_.connection();
+void JointCommander::collect(const std::vector<std::string>& names, const std::vector<double>& positions,
+                             const std::vector<double>& velocities) {
+  const std::uint64_t present = link_.connection();
+  if (connection_ != present) {
+    connection_ = present;
     filter_.startApproach();
     waiting_.clear();
   }
-  const joints::FilteredCommand filtered = filter_.filter(command, std::chrono::steady_clock::now());
-  for (const std::string& refusal : filtered.refusals) {
+  for (const std::string& refusal :
+       filter_.filter(names, positions, velocities, std::chrono::steady_clock::now(), &waiting_)) {
     warnings_.warn(refusal);
-  }
-  for (const joints::JointOrder& order : filtered.orders) {
-    waiting_[order.id] = order;
   }
 }
 
 void JointCommander::send() {
-  std::vector<joints::JointOrder> orders;
-  if (connection_ == link_.connection()) {
-    for (const auto& entry : waiting_) {
-      orders.push_back(entry.second);
-    }
-  }
-  waiting_.clear();
-  if (orders.empty()) {
+  joints::JointOrders orders;
+  orders.swap(waiting_);
+  if (orders.empty() || connection_ != link_.connection()) {
     return;
   }
   try {
-    commanded_(orders);
+    trajectories_.yieldTo(orders);
     link_.send(orders, std::chrono::milliseconds(0));
   } catch (const StoppedException&) {
-    return;  // the driver ends
+    return;  // the driver is ending
   } catch (const Exception& error) {
     filter_.startApproach();
     warnings_.warn(std::string("A joint command was dropped: ") + error.what());

@@ -2,18 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
-#include "ros/joints/trajectory_start.h"
 
 namespace aibo_driver::node {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 2;
 
-// A joint that moves slower than this stands; an encoder's step within 32 ms looks like 0.03 rad/s.
+// A joint slower than this counts as standing: a single step of its encoder within 32 ms looks like 0.03 rad/s.
 constexpr double kStanding = 0.06;  // rad/s
+
+// A message takes time to arrive, and the clocks of two machines differ a little.
+constexpr double kLongestPast = 1.0;  // s
+
+// A stamp further ahead comes from another clock, or is garbage.
+constexpr double kLongestWait = 3600.0;  // s
 
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -30,9 +36,25 @@ joints::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& mess
 
 }  // namespace
 
-TrajectoryExecutor::TrajectoryExecutor(const ros::NodeHandle& handle, const joints::JointTable& table,
-                                       const joints::MeasuredJoints& measured, joints::JointLink& link, bool slow_down)
-    : table_(table), measured_(measured), link_(link), slow_down_(slow_down) {
+std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time& now) {
+  if (stamp.isZero()) {
+    return std::chrono::nanoseconds(0);
+  }
+  // In seconds, because subtracting two ros::Time more than 68 years apart throws.
+  const double wait = stamp.toSec() - now.toSec();
+  if (wait < -kLongestPast || wait > kLongestWait) {
+    throw InvalidArgumentException("Trajectory refused: header.stamp, when it should begin, is " +
+                                   std::to_string(std::abs(wait)) + (wait < 0 ? " s ago" : " s ahead") +
+                                   "; allowed is from 1 s ago to an hour ahead, or 0, which means at once.");
+  }
+  return std::chrono::nanoseconds(std::max<std::int64_t>(0, std::llround(wait * 1e9)));
+}
+
+TrajectoryExecutor::TrajectoryExecutor(const joints::JointTable& table, const joints::MeasuredJoints& measured,
+                                       joints::JointLink& link, bool slow_down)
+    : table_(table), measured_(measured), link_(link), slow_down_(slow_down) {}
+
+void TrajectoryExecutor::subscribe(const ros::NodeHandle& handle) {
   ros::NodeHandle topics(handle);
   constexpr bool kOneShot = false;
   constexpr bool kAutostart = false;
@@ -46,13 +68,12 @@ TrajectoryExecutor::TrajectoryExecutor(const ros::NodeHandle& handle, const join
                                           ros::TransportHints().tcpNoDelay());
 }
 
-void TrajectoryExecutor::yieldTo(const std::vector<joints::JointOrder>& orders) {
+void TrajectoryExecutor::yieldTo(const joints::JointOrders& orders) {
   if (!running_) {
     return;
   }
   for (const std::size_t index : running_->trajectory.joints()) {
-    const int id = table_[index].id;
-    if (std::any_of(orders.begin(), orders.end(), [id](const joints::JointOrder& order) { return order.id == id; })) {
+    if (orders.count(table_[index].id) > 0) {
       end(table_[index].name + " was commanded to go elsewhere");
       return;
     }
@@ -77,7 +98,7 @@ void TrajectoryExecutor::receive(const trajectory_msgs::JointTrajectory& message
   } catch (const InvalidArgumentException& error) {
     warnings_.warn(error.what());
   } catch (const StoppedException&) {
-    return;  // the driver ends
+    return;  // the driver is ending
   } catch (const Exception& error) {
     warnings_.warn(std::string("Trajectory dropped: ") + error.what());
   }
@@ -89,7 +110,7 @@ void TrajectoryExecutor::start(const trajectory_msgs::JointTrajectory& message) 
   joints::Trajectory trajectory(toRequest(message), table_, present(now), slow_down_);
   if (trajectory.stretch() > 1) {
     ROS_INFO_STREAM_NAMED("joints", "The trajectory is slowed down " << trajectory.stretch()
-                                                                     << " times, to keep the joints' speed limits.");
+                                                                     << " times to keep the joints' speed limits.");
   }
   running_ = Running{std::move(trajectory), joints::TrajectoryClock(now + wait, kPeriod), link_.connection(), false};
   timer_.start();
@@ -119,7 +140,7 @@ void TrajectoryExecutor::goOn() {
     return;
   }
   if (link_.connection() != running_->connection) {
-    end("the connection to the robot was lost; it is not taken up again");
+    end("the connection to the robot was lost; it will not be resumed");
     return;
   }
   const joints::Trajectory& trajectory = running_->trajectory;
@@ -168,10 +189,10 @@ std::vector<joints::Trajectory::Start> TrajectoryExecutor::present(SteadyTime no
 
 void TrajectoryExecutor::send(const std::vector<std::size_t>& joints, const std::vector<double>& positions,
                               std::chrono::milliseconds duration) {
-  std::vector<joints::JointOrder> orders;
+  joints::JointOrders orders;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const joints::JointProperties& joint = table_[joints[i]];
-    orders.push_back({joint.id, std::clamp(positions[i], joint.lowest, joint.highest), table_.speedLimit(joints[i])});
+    orders[joint.id] = {std::clamp(positions[i], joint.lowest, joint.highest), table_.speedLimit(joints[i])};
   }
   link_.send(orders, duration);
 }

@@ -5,6 +5,7 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <ros/time.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <chrono>
@@ -17,21 +18,30 @@
 #include "joints/joint_table.h"
 #include "joints/measured_joints.h"
 #include "joints/trajectory.h"
-#include "joints/trajectory_clock.h"
 #include "ros/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
-/// Carries out joint_trajectory. Trajectory tells what is accepted and how it is interpolated.
+/// How long to wait before a trajectory begins. From any thread.
+/// @param stamp header.stamp of the message, whatever it contains; 0 means at once
+/// @param now by the same clock
+/// @return 0 to an hour; 0 also for a stamp of up to 1 s ago
+/// @throw InvalidArgumentException the stamp is more than 1 s ago, or more than an hour ahead
+std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time& now);
+
+/// Carries out the trajectories of the topic joint_trajectory. See Trajectory for what is accepted, and how it is
+/// interpolated.
 ///
-/// Every kPeriod the robot is told where the joints are to be kLookahead later, to arrive by then. So it always knows
-/// what comes next, a message that is late by less does not make it falter, and as it counts each time anew from the
-/// arrival of the message, its clock and ours need not agree. Held up for longer, the trajectory goes on where it was.
-/// If the connection is lost, the joints stop where they were last sent, which is at most kLookahead away, and the
-/// trajectory is over.
+/// Every kPeriod it tells the robot where the joints should be kLookahead later, to arrive by then. So the robot always
+/// knows what comes next, and a message that is late by less than that does not make it falter. The robot counts the
+/// time from the arrival of each message, so its clock and ours need not agree. If the driver is held up for longer, the
+/// trajectory resumes where it was. If the connection is lost, the trajectory is over, and the joints stop where they
+/// were last sent, which is at most kLookahead away.
 ///
-/// A new trajectory replaces the one before, going on from where that one is. One without points stops the joints that
-/// move. Everything runs on the callback queue of the handle, which must be served by one thread.
+/// A new trajectory replaces the one before, beginning where that one is now. A trajectory without points stops the
+/// joints that move.
+///
+/// From one thread at a time.
 class TrajectoryExecutor {
  public:
   static constexpr std::chrono::milliseconds kPeriod{32};
@@ -39,14 +49,20 @@ class TrajectoryExecutor {
 
   /// @param table, measured, link must outlive the executor
   /// @param slow_down as for Trajectory
-  TrajectoryExecutor(const ros::NodeHandle& handle, const joints::JointTable& table,
-                     const joints::MeasuredJoints& measured, joints::JointLink& link, bool slow_down);
+  TrajectoryExecutor(const joints::JointTable& table, const joints::MeasuredJoints& measured, joints::JointLink& link,
+                     bool slow_down);
 
-  /// Ends the trajectory if it moves one of these joints, which are told something else now. From the thread of the
-  /// callback queue.
-  void yieldTo(const std::vector<joints::JointOrder>& orders);
+  /// @param handle whose callback queue one thread serves
+  void subscribe(const ros::NodeHandle& handle);
 
-  /// Ends the trajectory, if there is one. From the thread of the callback queue.
+  /// Begins a trajectory. A refusal is logged.
+  void receive(const trajectory_msgs::JointTrajectory& message);
+
+  /// Ends the trajectory if it moves one of these joints, which are about to be commanded otherwise.
+  void yieldTo(const joints::JointOrders& orders);
+
+  /// Ends the trajectory, if there is one.
+  /// @param reason for the log: completes "The trajectory ends early: "
   void end(const std::string& reason);
 
  private:
@@ -59,7 +75,6 @@ class TrajectoryExecutor {
     bool end_sent = false;
   };
 
-  void receive(const trajectory_msgs::JointTrajectory& message);
   void start(const trajectory_msgs::JointTrajectory& message);
   void hold();
   void goOn();

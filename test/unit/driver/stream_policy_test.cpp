@@ -9,8 +9,8 @@ namespace {
 
 class StreamPolicyTest : public ::testing::Test {
  protected:
-  StreamPolicy makePolicy(bool wanted, bool on_demand) {
-    return {wanted, on_demand, [this] { return has_subscriber_; }, [this](bool on) { streaming_ = on; }};
+  void start(StreamPolicy& policy) {
+    policy.start([this] { return has_subscriber_; }, [this](bool on) { streaming_ = on; });
   }
 
   bool has_subscriber_ = false;
@@ -18,32 +18,32 @@ class StreamPolicyTest : public ::testing::Test {
 };
 
 TEST_F(StreamPolicyTest, StreamsFromTheStartWhenWanted) {
-  StreamPolicy policy = makePolicy(true, false);
+  StreamPolicy policy(true, false);
   EXPECT_FALSE(streaming_.has_value());
-  policy.start();
+  start(policy);
   EXPECT_EQ(streaming_, true);
 }
 
 TEST_F(StreamPolicyTest, DoesNotStreamFromTheStartWhenNotWanted) {
-  StreamPolicy policy = makePolicy(false, false);
-  policy.start();
+  StreamPolicy policy(false, false);
+  start(policy);
   EXPECT_EQ(streaming_, false);
   policy.setWanted(true);
   EXPECT_EQ(streaming_, true);
 }
 
 TEST_F(StreamPolicyTest, RemembersWhatWasWantedBeforeTheStart) {
-  StreamPolicy policy = makePolicy(false, false);
+  StreamPolicy policy(false, false);
   policy.setWanted(true);
   policy.subscribersChanged();
   EXPECT_FALSE(streaming_.has_value());
-  policy.start();
+  start(policy);
   EXPECT_EQ(streaming_, true);
 }
 
-TEST_F(StreamPolicyTest, TogglingTellsWhatIsWantedNow) {
-  StreamPolicy policy = makePolicy(true, false);
-  policy.start();
+TEST_F(StreamPolicyTest, TogglingReturnsWhatIsWantedNow) {
+  StreamPolicy policy(true, false);
+  start(policy);
   EXPECT_FALSE(policy.toggleWanted());
   EXPECT_EQ(streaming_, false);
   EXPECT_TRUE(policy.toggleWanted());
@@ -51,8 +51,8 @@ TEST_F(StreamPolicyTest, TogglingTellsWhatIsWantedNow) {
 }
 
 TEST_F(StreamPolicyTest, OnDemandFollowsTheSubscribers) {
-  StreamPolicy policy = makePolicy(true, true);
-  policy.start();
+  StreamPolicy policy(true, true);
+  start(policy);
   EXPECT_EQ(streaming_, false);
   EXPECT_TRUE(policy.waitsForSubscriber());
   has_subscriber_ = true;
@@ -64,9 +64,9 @@ TEST_F(StreamPolicyTest, OnDemandFollowsTheSubscribers) {
   EXPECT_EQ(streaming_, false);
 }
 
-TEST_F(StreamPolicyTest, OnDemandSubscribersGetNothingThatIsNotWanted) {
-  StreamPolicy policy = makePolicy(true, true);
-  policy.start();
+TEST_F(StreamPolicyTest, OnDemandSubscribersGetNothingWhileTheStreamIsNotWanted) {
+  StreamPolicy policy(true, true);
+  start(policy);
   has_subscriber_ = true;
   policy.setWanted(false);
   policy.subscribersChanged();
@@ -75,16 +75,16 @@ TEST_F(StreamPolicyTest, OnDemandSubscribersGetNothingThatIsNotWanted) {
 }
 
 TEST_F(StreamPolicyTest, WithoutDemandSubscribersDoNotMatter) {
-  StreamPolicy policy = makePolicy(true, false);
-  policy.start();
+  StreamPolicy policy(true, false);
+  start(policy);
   policy.subscribersChanged();
   EXPECT_EQ(streaming_, true);
   EXPECT_FALSE(policy.waitsForSubscriber());
 }
 
 TEST_F(StreamPolicyTest, DecidesNothingAfterStop) {
-  StreamPolicy policy = makePolicy(true, false);
-  policy.start();
+  StreamPolicy policy(true, false);
+  start(policy);
   policy.stop();
   policy.setWanted(false);
   EXPECT_EQ(streaming_, true);

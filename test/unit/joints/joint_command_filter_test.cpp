@@ -19,17 +19,34 @@ using ::testing::SizeIs;
 constexpr double kSpeedLimit = 3.0;
 constexpr double kApproachSpeed = 0.5;
 constexpr int kHeadPan = 2;
+constexpr int kMouth = 4;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// The arrays of sensor_msgs/JointState.
+struct Command {
+  std::vector<std::string> names;
+  std::vector<double> positions;
+  std::vector<double> velocities;
+};
+
+struct Filtered {
+  JointOrders orders;
+  std::vector<std::string> refusals;
+};
+
 class JointCommandFilterTest : public ::testing::Test {
  protected:
-  FilteredCommand filter(const JointCommand& command) { return filter_.filter(command, now_); }
+  Filtered filter(const Command& command) {
+    Filtered result;
+    result.refusals = filter_.filter(command.names, command.positions, command.velocities, now_, &result.orders);
+    return result;
+  }
 
-  JointOrder order(const JointCommand& command) {
-    const FilteredCommand result = filter(command);
+  JointOrder order(const Command& command) {
+    const Filtered result = filter(command);
     EXPECT_THAT(result.orders, SizeIs(1));
-    return result.orders.empty() ? JointOrder() : result.orders.front();
+    return result.orders.empty() ? JointOrder() : result.orders.begin()->second;
   }
 
   // Puts the approach of a joint behind it.
@@ -52,10 +69,10 @@ class JointCommandFilterTest : public ::testing::Test {
 
 TEST_F(JointCommandFilterTest, PassesPositionsWithinTheLimits) {
   arrive("head_pan", 0);
-  const JointOrder result = order({{"head_pan"}, {0.5}, {}});
-  EXPECT_EQ(result.id, kHeadPan);
-  EXPECT_DOUBLE_EQ(result.position, 0.5);
-  EXPECT_DOUBLE_EQ(result.speed, kSpeedLimit);
+  const JointOrders orders = filter({{"head_pan"}, {0.5}, {}}).orders;
+  ASSERT_EQ(orders.count(kHeadPan), 1u);
+  EXPECT_DOUBLE_EQ(orders.at(kHeadPan).position, 0.5);
+  EXPECT_DOUBLE_EQ(orders.at(kHeadPan).speed, kSpeedLimit);
 }
 
 TEST_F(JointCommandFilterTest, ScalesTheSpeed) {
@@ -70,30 +87,30 @@ TEST_F(JointCommandFilterTest, ClampsPositionsToTheLimits) {
   EXPECT_NEAR(order({{"head_pan"}, {-1e300}, {}}).position, -1.53589, 1e-5);
 }
 
-TEST_F(JointCommandFilterTest, LeavesOutWhatIsNoFiniteNumberAndCarriesOutTheRest) {
-  const FilteredCommand result = filter({{"head_pan", "mouth", "neck_tilt"}, {kNan, -0.5, kInfinity}, {}});
+TEST_F(JointCommandFilterTest, LeavesOutWhatIsNotAFiniteNumberAndCarriesOutTheRest) {
+  const Filtered result = filter({{"head_pan", "mouth", "neck_tilt"}, {kNan, -0.5, kInfinity}, {}});
   ASSERT_THAT(result.orders, SizeIs(1));
-  EXPECT_DOUBLE_EQ(result.orders.front().position, -0.5);
+  EXPECT_DOUBLE_EQ(result.orders.begin()->second.position, -0.5);
   EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan"), HasSubstr("neck_tilt")));
 }
 
-TEST_F(JointCommandFilterTest, LeavesOutAJointWhoseVelocityIsNoFiniteNumber) {
-  const FilteredCommand result = filter({{"head_pan"}, {0.5}, {kNan}});
+TEST_F(JointCommandFilterTest, LeavesOutAJointWhoseVelocityIsNotAFiniteNumber) {
+  const Filtered result = filter({{"head_pan"}, {0.5}, {kNan}});
   EXPECT_THAT(result.orders, IsEmpty());
   EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan")));
 }
 
 TEST_F(JointCommandFilterTest, LeavesOutUnknownNames) {
-  const FilteredCommand result = filter({{"left_ear", "head_pan", ""}, {0, 0.5, 0}, {}});
+  const Filtered result = filter({{"left_ear", "head_pan", ""}, {0, 0.5, 0}, {}});
   EXPECT_THAT(result.orders, SizeIs(1));
   EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("'left_ear'"), HasSubstr("''")));
 }
 
 TEST_F(JointCommandFilterTest, RefusesArraysThatDoNotFitTogether) {
-  for (const JointCommand& command :
-       {JointCommand{{"head_pan", "mouth"}, {0.5}, {}}, JointCommand{{"head_pan"}, {}, {}},
-        JointCommand{{"head_pan"}, {0.5, 0.5}, {}}, JointCommand{{"head_pan"}, {0.5}, {1, 1}}, JointCommand{}}) {
-    const FilteredCommand result = filter(command);
+  for (const Command& command :
+       {Command{{"head_pan", "mouth"}, {0.5}, {}}, Command{{"head_pan"}, {}, {}}, Command{{"head_pan"}, {0.5, 0.5}, {}},
+        Command{{"head_pan"}, {0.5}, {1, 1}}, Command{}}) {
+    const Filtered result = filter(command);
     EXPECT_THAT(result.orders, IsEmpty());
     EXPECT_THAT(result.refusals, SizeIs(1));
   }
@@ -180,10 +197,10 @@ TEST_F(JointCommandFilterTest, TakesAJointThatWasNotMeasuredForFarAway) {
 
 TEST_F(JointCommandFilterTest, ApproachesEachJointByItself) {
   arrive("head_pan", 0);
-  const FilteredCommand result = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {}});
+  const Filtered result = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {}});
   ASSERT_THAT(result.orders, SizeIs(2));
-  EXPECT_DOUBLE_EQ(result.orders[0].speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(result.orders[1].speed, kApproachSpeed);
+  EXPECT_DOUBLE_EQ(result.orders.at(kHeadPan).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(result.orders.at(kMouth).speed, kApproachSpeed);
 }
 
 TEST_F(JointCommandFilterTest, ApproachesAgainWhenTold) {

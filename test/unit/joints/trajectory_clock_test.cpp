@@ -1,4 +1,4 @@
-#include "joints/trajectory_clock.h"
+#include "joints/trajectory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,135 @@
+#include "ros/body/robot_services.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+#include "mtn/layout.h"
+#include "ros/files.h"
+
+namespace aibo_driver::node {
+namespace {
+
+/// Answers a call with how it went.
+/// @param failure what was not done: begins the message if `work` throws
+/// @param work does what was asked, and returns the message that says so
+template <typename Response, typename Work>
+bool answer(Response& response, const std::string& failure, const Work& work) {
+  try {
+    response.message = work();
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = failure + ": " + error.what();
+  }
+  return true;
+}
+
+// The client checks whether the robot allows such a name. The empty name stays empty.
+std::string motionFileName(const std::string& name) {
+  std::string file = name;
+  if (!file.empty() && file.find('.') == std::string::npos) {
+    file += ".MTN";
+  }
+  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
+  return file;
+}
+
+std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
+  if (request.file.empty() == request.data.empty()) {
+    throw InvalidArgumentException(request.file.empty() ? "give a file or data" : "give a file or data, not both");
+  }
+  return request.file.empty() ? request.data : loadFile(request.file, mtn::MAX_FILE_SIZE);
+}
+
+std::string nameOf(const UploadMotion::Request& request) {
+  return motionFileName(request.name.empty() ? std::filesystem::path(request.file).filename().string() : request.name);
+}
+
+}  // namespace
+
+void RobotServices::advertise(const ros::NodeHandle& joint_handle, const ros::NodeHandle& handle) {
+  ros::NodeHandle joint_services(joint_handle);
+  servers_.push_back(joint_services.advertiseService("motors", &RobotServices::setMotors, this));
+  servers_.push_back(joint_services.advertiseService("play_motion", &RobotServices::playMotion, this));
+  ros::NodeHandle services(handle);
+  servers_.push_back(services.advertiseService("list_motions", &RobotServices::listMotions, this));
+  servers_.push_back(services.advertiseService("upload_motion", &RobotServices::uploadMotion, this));
+  servers_.push_back(services.advertiseService("delete_motion", &RobotServices::deleteMotion, this));
+  servers_.push_back(services.advertiseService("shut_down", &RobotServices::shutDown, this));
+  servers_.push_back(services.advertiseService("reboot", &RobotServices::reboot, this));
+}
+
+bool RobotServices::setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  return answer(response, "The motors were not switched", [&] {
+    const bool wanted = request.data != 0;
+    joints_.prepareForMotors();
+    const bool on = client_.setMotors(wanted, kMotionTimeout);
+    if (on != wanted) {
+      throw CommandException(std::string("the robot says that they are still ") + (on ? "on." : "off."));
+    }
+    return on ? "The motors are on." : "The motors are off: the joints can be moved by hand.";
+  });
+}
+
+bool RobotServices::playMotion(PlayMotion::Request& request, PlayMotion::Response& response) {
+  const std::string name = motionFileName(request.name);
+  if (request.stop) {
+    return answer(response, "Nothing was stopped", [&] {
+      client_.stopMotion(name, kMotionTimeout);
+      return (name.empty() ? "All motions" : name) + " stopped: the joints hold where they are.";
+    });
+  }
+  return answer(response, "Nothing was played", [&] {
+    if (name.empty()) {
+      throw InvalidArgumentException("give the name of a motion. list_motions lists them.");
+    }
+    const int repetitions = std::max<int>(1, request.repetitions);
+    joints_.prepareForMotion();
+    client_.playMotion(name, repetitions, kMotionTimeout);
+    return name + " has begun and plays " + (repetitions == 1 ? "once." : std::to_string(repetitions) + " times.");
+  });
+}
+
+bool RobotServices::listMotions(ListMotions::Request&, ListMotions::Response& response) {
+  return answer(response, "The motions could not be listed", [&] {
+    response.names = client_.listMotions(kFileTimeout);
+    return "Motions on the robot: " + std::to_string(response.names.size()) + ".";
+  });
+}
+
+bool RobotServices::uploadMotion(UploadMotion::Request& request, UploadMotion::Response& response) {
+  return answer(response, "Nothing was uploaded", [&] {
+    const std::vector<std::uint8_t> content = contentOf(request);
+    const std::string name = nameOf(request);
+    client_.uploadMotion(name, content, kUploadTimeout);
+    return name + " is on the robot, " + std::to_string(content.size()) + " bytes.";
+  });
+}
+
+bool RobotServices::deleteMotion(DeleteMotion::Request& request, DeleteMotion::Response& response) {
+  return answer(response, "Nothing was deleted", [&] {
+    const std::string name = motionFileName(request.name);
+    client_.deleteMotion(name, kFileTimeout);
+    return name + " was deleted from the robot.";
+  });
+}
+
+bool RobotServices::shutDown(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, "The robot does not shut down", [this] {
+    client_.shutDownRobot(kPowerTimeout);
+    return "The robot shuts down. The driver connects again when it is switched on.";
+  });
+}
+
+bool RobotServices::reboot(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, "The robot does not reboot", [this] {
+    client_.rebootRobot(kPowerTimeout);
+    return "The robot reboots. The driver connects again as soon as it answers.";
+  });
+}
+
+}  // namespace aibo_driver::node

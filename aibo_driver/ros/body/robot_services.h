@@ -1,0 +1,61 @@
+/// @file robot_services.h
+#ifndef AIBO_DRIVER_ROS_BODY_ROBOT_SERVICES_H
+#define AIBO_DRIVER_ROS_BODY_ROBOT_SERVICES_H
+
+#include <aibo_driver/DeleteMotion.h>
+#include <aibo_driver/ListMotions.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/UploadMotion.h>
+#include <ros/node_handle.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <chrono>
+#include <vector>
+
+#include "aibo_driver/rcserver_client.h"
+#include "ros/joints/joint_commander.h"
+
+namespace aibo_driver::node {
+
+/// The services that the robot carries out: motors, play_motion, list_motions, upload_motion, delete_motion, shut_down
+/// and reboot.
+///
+/// Each call waits for the robot and is answered: if something cannot be done, success is false and message says why.
+/// The call itself never fails.
+///
+/// A motion may be called by its name alone: "nod", "NOD.MTN" and "nod.mtn" all mean the robot's file NOD.MTN.
+class RobotServices {
+ public:
+  /// How long each kind of call waits for the robot's answer. A memory stick is slow.
+  static constexpr std::chrono::milliseconds kMotionTimeout{2000};
+  static constexpr std::chrono::milliseconds kFileTimeout{5000};
+  static constexpr std::chrono::milliseconds kUploadTimeout{15000};
+  static constexpr std::chrono::milliseconds kPowerTimeout{5000};
+
+  /// @param client, joints must outlive the services
+  RobotServices(RcServerClient& client, JointCommander& joints) : client_(client), joints_(joints) {}
+
+  /// @param joint_handle for motors and play_motion: the handle of the joint commander, so that neither of them and no
+  ///   joint command overtakes another
+  /// @param handle for the others
+  void advertise(const ros::NodeHandle& joint_handle, const ros::NodeHandle& handle);
+
+  // The services. All of them return true, as roscpp wants.
+  bool setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool playMotion(PlayMotion::Request& request, PlayMotion::Response& response);
+  bool listMotions(ListMotions::Request& request, ListMotions::Response& response);
+  bool uploadMotion(UploadMotion::Request& request, UploadMotion::Response& response);
+  bool deleteMotion(DeleteMotion::Request& request, DeleteMotion::Response& response);
+  bool shutDown(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool reboot(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+ private:
+  RcServerClient& client_;
+  JointCommander& joints_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_BODY_ROBOT_SERVICES_H

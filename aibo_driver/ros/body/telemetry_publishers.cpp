@@ -1,0 +1,64 @@
+#include "ros/body/telemetry_publishers.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "ros/body/sensor_messages.h"
+
+namespace aibo_driver::node {
+namespace {
+
+// For each subscriber. At 31 messages a second, one that cannot keep up is at most 160 ms behind.
+constexpr std::uint32_t kQueueSize = 5;
+
+constexpr const char* kBaseFrame = "base_link";
+
+// For sensors that every robot has.
+const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const char* name) {
+  return model.sensors[robot_model::findSensorByName(model, name)];
+}
+
+}  // namespace
+
+TelemetryPublishers::TelemetryPublishers(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
+                                         const joints::JointTable& joint_table, joints::MeasuredJoints& measured_joints,
+                                         RobotStamper& stamper)
+    : handle_(handle), stamper_(stamper) {
+  add("joint_states", "", JointStates(joint_table, measured_joints));
+  const std::string range_prefix = "range_";
+  for (int i = 0; i < model.number_of_sensors; ++i) {
+    const robot_model::Sensor& sensor = model.sensors[i];
+    const std::string name = sensor.name;
+    if (sensor.kind == robot_model::SENSOR_DISTANCE) {
+      add("range/" + name.substr(range_prefix.size()), name + "_link", RangeFinder(sensor));
+    } else if (sensor.kind == robot_model::SENSOR_CHARGE) {
+      add(name, kBaseFrame, Battery(sensor, sensorOf(model, "temperature")));
+    }
+  }
+  add("touch", kBaseFrame, TouchSensors(model));
+  add("imu/data_raw", "imu_link",
+      Accelerometer(sensorOf(model, "acceleration_front_back"), sensorOf(model, "acceleration_right_left"),
+                    sensorOf(model, "acceleration_up_down")));
+}
+
+void TelemetryPublishers::publish(const Telemetry& telemetry) {
+  for (const auto& publisher : publishers_) {
+    publisher(telemetry);
+  }
+}
+
+template <typename Source>
+void TelemetryPublishers::add(const std::string& topic, const std::string& frame_id, Source source) {
+  using Message = typename Source::Message;
+  publishers_.push_back([this, publisher = handle_.advertise<Message>(topic, kQueueSize), frame_id,
+                         source = std::move(source)](const Telemetry& telemetry) mutable {
+    if (auto reading = source.read(telemetry)) {
+      const auto message = boost::make_shared<Message>(std::move(*reading));
+      message->header.stamp = stamper_.stamp(telemetry);
+      message->header.frame_id = frame_id;
+      publisher.publish(boost::shared_ptr<const Message>(message));
+    }
+  });
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,42 @@
+/// @file telemetry_publishers.h
+#ifndef AIBO_DRIVER_ROS_BODY_TELEMETRY_PUBLISHERS_H
+#define AIBO_DRIVER_ROS_BODY_TELEMETRY_PUBLISHERS_H
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/telemetry.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
+#include "robot_model/robot_model.h"
+#include "ros/robot_stamper.h"
+
+namespace aibo_driver::node {
+
+/// Publishes what the robot measures: joint_states, range/NAME, imu/data_raw, touch and battery. A sensor that the robot
+/// does not have gets no topic. A message is published whenever there is something new for it.
+class TelemetryPublishers {
+ public:
+  /// All arguments but the handle must outlive the object.
+  TelemetryPublishers(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
+                      const joints::JointTable& joint_table, joints::MeasuredJoints& measured_joints,
+                      RobotStamper& stamper);
+
+  /// Never blocks. From one thread at a time.
+  void publish(const Telemetry& telemetry);
+
+ private:
+  template <typename Source>
+  void add(const std::string& topic, const std::string& frame_id, Source source);
+
+  ros::NodeHandle handle_;
+  RobotStamper& stamper_;
+  std::vector<std::function<void(const Telemetry&)>> publishers_;  ///< one for each topic
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_BODY_TELEMETRY_PUBLISHERS_H

@@ -1,0 +1,72 @@
+#include "ros/node.h"
+
+#include <ros/callback_queue.h>
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/this_node.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+
+#include "ros/master_watch.h"
+
+namespace aibo_driver::node {
+namespace {
+
+constexpr unsigned kTimeToUnregister = 10;  // s; a master that answers takes less than 1; roslaunch kills after 15
+
+// Does only what a signal handler may do.
+void endAtOnce(int) {
+  constexpr char kReason[] =
+      "This node has not ended within 10 s, most likely because the ROS master does not answer. It ends now, without "
+      "signing off.\n";
+  if (::write(STDERR_FILENO, kReason, sizeof(kReason) - 1) < 0) {
+    // Nobody is there to read it.
+  }
+  ::_exit(EXIT_FAILURE);
+}
+
+void end(int) {
+  ros::requestShutdown();
+  ::alarm(kTimeToUnregister);
+}
+
+// roscpp sets its own handler when the first node handle is made, so this comes after that.
+void endOnInterrupt() {
+  ::signal(SIGALRM, endAtOnce);
+  struct sigaction action = {};
+  action.sa_handler = end;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  ::sigaction(SIGINT, &action, nullptr);
+}
+
+}  // namespace
+
+ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace) {
+  if (handle.getNamespace() != "/") {
+    return handle;
+  }
+  ROS_INFO_STREAM("Started in the root namespace: topics and services are under /" << default_namespace << ".");
+  return {handle, default_namespace};
+}
+
+int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
+  const ros::NodeHandle handle;  // logging ends with the last handle, so this one outlives the try block
+  endOnInterrupt();
+  try {
+    const std::shared_ptr<void> node = make();
+    const MasterWatch master_watch(ros::this_node::getName());
+    while (!ros::isShuttingDown()) {  // unlike ros::spin(), sleeps until there is something to do
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
+    }
+    ros::waitForShutdown();
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("The " << name << " cannot start. " << error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,101 @@
+/// @file fake_client.h
+#ifndef TEST_SUPPORT_FAKE_CLIENT_H
+#define TEST_SUPPORT_FAKE_CLIENT_H
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "aibo_driver/rcserver_client.h"
+
+namespace test_support {
+
+/// A client without a robot: writes down what the robot would be told, and answers as a test wants it. Never started.
+class FakeClient : public aibo_driver::RcServerClient {
+ public:
+  using Milliseconds = std::chrono::milliseconds;
+
+  FakeClient() : RcServerClient(aibo_driver::ClientOptions(), Callbacks()) {}
+
+  std::vector<std::string> told;              ///< requests in short, such as "play NOD.MTN 2"
+  std::string problem;                        ///< unless empty, every request throws a NetworkException with this text
+  std::uint64_t connections = 1;              ///< made so far
+  aibo_driver::ConnectionStatus present;      ///< for status()
+  bool motors_work = true;                    ///< false: the motors stay as they are not wanted
+  std::vector<std::string> motions;           ///< on the robot's memory stick
+  aibo_driver::PicturePtr picture;            ///< for takePicture()
+  int stream_quality = 0;                     ///< of the stream that the picture is from
+  std::vector<aibo_driver::LedCommand> leds;  ///< of the last command
+
+  void setStreaming(bool on) override { tell(on ? "stream" : "no stream"); }
+  int jpegQuality() const override { return 85; }
+  aibo_driver::PicturePtr takePicture(int quality, Milliseconds, int* quality_of_stream) override {
+    tell("picture " + std::to_string(quality));
+    *quality_of_stream = stream_quality;
+    return picture;
+  }
+  void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, Milliseconds duration) override {
+    std::string text = "J";
+    for (const aibo_driver::JointTarget& target : targets) {
+      text += " " + std::to_string(target.id) + ":" + number(target.position);
+    }
+    tell(text + " in " + std::to_string(duration.count()));
+  }
+  void setJointSpeedLimits(const std::vector<aibo_driver::JointSpeedLimit>& limits) override {
+    for (const aibo_driver::JointSpeedLimit& limit : limits) {
+      tell("V " + std::to_string(limit.id) + ":" + number(limit.speed));
+    }
+  }
+  bool setMotors(bool on, Milliseconds) override {
+    tell(on ? "motors on" : "motors off");
+    return on == motors_work;
+  }
+  void commandLeds(const std::vector<aibo_driver::LedCommand>& commands) override {
+    tell("LEDs");
+    leds = commands;
+  }
+  void commandEars(bool left, bool right) override {
+    tell(std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
+  }
+  void playMotion(const std::string& name, int repetitions, Milliseconds) override {
+    tell("play " + name + " " + std::to_string(repetitions));
+  }
+  void stopMotion(const std::string& name, Milliseconds) override { tell("stop " + name); }
+  void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content, Milliseconds) override {
+    tell("upload " + name + " " + std::to_string(content.size()));
+  }
+  void deleteMotion(const std::string& name, Milliseconds) override { tell("delete " + name); }
+  std::vector<std::string> listMotions(Milliseconds) override {
+    tell("list");
+    return motions;
+  }
+  void shutDownRobot(Milliseconds) override { tell("shut down"); }
+  void rebootRobot(Milliseconds) override { tell("reboot"); }
+  aibo_driver::ConnectionStatus status() const override { return present; }
+  aibo_driver::ClientStatistics statistics() const override {
+    aibo_driver::ClientStatistics statistics;
+    statistics.connections = connections;
+    return statistics;
+  }
+
+ private:
+  void tell(const std::string& request) {
+    if (!problem.empty()) {
+      throw aibo_driver::NetworkException(problem);
+    }
+    told.push_back(request);
+  }
+
+  static std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.2f", value);
+    return text;
+  }
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_FAKE_CLIENT_H

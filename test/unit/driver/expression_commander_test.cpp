@@ -1,0 +1,128 @@
+#include "ros/body/expression_commander.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/fake_client.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+using ::testing::SizeIs;
+
+const robot_model::RobotModel& ers7() {
+  return *robot_model::findRobotModel("ERS-7");
+}
+
+LedOrders parse(const std::vector<std::string>& names, const std::vector<float>& intensities, std::uint8_t mode = 0) {
+  Leds message;
+  message.names = names;
+  message.intensities = intensities;
+  message.mode = mode;
+  return parseLeds(message, ers7());
+}
+
+// Intensities by the names of the LEDs.
+std::map<std::string, int> intensitiesOf(const LedOrders& orders) {
+  std::map<std::string, int> intensities;
+  for (const LedCommand& command : orders.commands) {
+    intensities[ers7().leds[robot_model::findLedByIdentifier(ers7(), command.id)].name] = command.intensity;
+  }
+  return intensities;
+}
+
+TEST(ParseLeds, FindsLedsByName) {
+  const LedOrders orders = parse({"face_3", "wireless"}, {0.5F, 1.0F});
+  EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 128), Pair("wireless", 255)));
+  EXPECT_THAT(orders.refusals, IsEmpty());
+}
+
+TEST(ParseLeds, FindsGroupsOfLeds) {
+  EXPECT_THAT(parse({"face"}, {1.0F}).commands, SizeIs(14));
+  EXPECT_THAT(parse({"back"}, {1.0F}).commands, SizeIs(6));
+  EXPECT_THAT(parse({"head"}, {1.0F}).commands, SizeIs(6));
+  EXPECT_THAT(parse({"all"}, {0.0F}).commands, SizeIs(26));
+}
+
+TEST(ParseLeds, TakesOneIntensityForAllNames) {
+  EXPECT_THAT(intensitiesOf(parse({"face_1", "face_2"}, {0.0F})), ElementsAre(Pair("face_1", 0), Pair("face_2", 0)));
+}
+
+TEST(ParseLeds, TakesTheLaterOfTwoForTheSameLed) {
+  const auto intensities = intensitiesOf(parse({"face", "face_1"}, {0.0F, 1.0F}));
+  EXPECT_THAT(intensities, SizeIs(14));
+  EXPECT_EQ(intensities.at("face_1"), 255);
+  EXPECT_EQ(intensities.at("face_2"), 0);
+}
+
+TEST(ParseLeds, PassesTheModeOn) {
+  EXPECT_EQ(parse({"face_1"}, {1.0F}).commands.at(0).mode, LedMode::kA);
+  EXPECT_EQ(parse({"face_1"}, {1.0F}, Leds::MODE_B).commands.at(0).mode, LedMode::kB);
+}
+
+TEST(ParseLeds, LeavesNothingDarkThatIsNotOff) {
+  EXPECT_THAT(intensitiesOf(parse({"face_1"}, {0.001F})), ElementsAre(Pair("face_1", 1)));
+}
+
+TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {
+  const LedOrders orders = parse({"third_eye", "face_1", "face_2", "face_3"}, {1.0F, NAN, 1.5F, 1.0F});
+  EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 255)));
+  EXPECT_THAT(orders.refusals,
+              ElementsAre(HasSubstr("'third_eye'"), HasSubstr("face_1"), HasSubstr("face_2 cannot shine")));
+}
+
+TEST(ParseLeds, RefusesAMessageThatDoesNotFitTogether) {
+  const LedOrders numbers = parse({"face_1", "face_2", "face_3"}, {1.0F, 1.0F});
+  EXPECT_THAT(numbers.commands, IsEmpty());
+  EXPECT_THAT(numbers.refusals, ElementsAre(HasSubstr("3 names and 2 intensities")));
+  const LedOrders mode = parse({"face_1"}, {1.0F}, 2);
+  EXPECT_THAT(mode.commands, IsEmpty());
+  EXPECT_THAT(mode.refusals, ElementsAre(HasSubstr("no mode 2")));
+}
+
+class ExpressionCommanderTest : public ::testing::Test {
+ protected:
+  static Leds face(float intensity) {
+    Leds message;
+    message.names = {"face_1", "third_eye"};
+    message.intensities = {intensity};
+    return message;
+  }
+
+  test_support::FakeClient client_;
+  ExpressionCommander commander_{ers7(), client_};
+};
+
+TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {
+  commander_.receiveLeds(face(1.0F));
+  Ears ears;
+  ears.right = 1;
+  commander_.receiveEars(ears);
+  EXPECT_THAT(client_.told, ElementsAre("LEDs", "ears 01"));
+  ASSERT_THAT(client_.leds, SizeIs(1));
+  EXPECT_EQ(client_.leds.front().intensity, 255);
+}
+
+TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefused) {
+  commander_.receiveLeds(face(2.0F));
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(ExpressionCommanderTest, DropsWhatCannotBeSent) {
+  client_.problem = "not connected";
+  commander_.receiveLeds(face(1.0F));
+  commander_.receiveEars(Ears());
+  client_.problem.clear();
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,182 @@
+#include "ros/body/robot_services.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/fake_client.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class RobotServicesTest : public ::testing::Test {
+ protected:
+  std_srvs::SetBool::Response setMotors(bool on) {
+    std_srvs::SetBool::Request request;
+    std_srvs::SetBool::Response response;
+    request.data = static_cast<std::uint8_t>(on);
+    EXPECT_TRUE(services_.setMotors(request, response));
+    return response;
+  }
+
+  PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 0, bool stop = false) {
+    PlayMotion::Request request;
+    PlayMotion::Response response;
+    request.name = name;
+    request.repetitions = repetitions;
+    request.stop = static_cast<std::uint8_t>(stop);
+    EXPECT_TRUE(services_.playMotion(request, response));
+    return response;
+  }
+
+  UploadMotion::Response upload(const std::string& name, const std::string& file, std::vector<std::uint8_t> data) {
+    UploadMotion::Request request;
+    UploadMotion::Response response;
+    request.name = name;
+    request.file = file;
+    request.data = std::move(data);
+    EXPECT_TRUE(services_.uploadMotion(request, response));
+    return response;
+  }
+
+  const std::string& lastTold() const { return client_.told.back(); }
+
+  test_support::FakeClient client_;
+  joints::JointTable table_{"ERS-7", 3.0};
+  joints::MeasuredJoints measured_{table_};
+  JointCommander joints_{table_, measured_, client_, DriverParameters()};
+  RobotServices services_{client_, joints_};
+};
+
+TEST_F(RobotServicesTest, SwitchTheMotors) {
+  const auto on = setMotors(true);
+  EXPECT_TRUE(on.success);
+  EXPECT_EQ(on.message, "The motors are on.");
+  const auto off = setMotors(false);
+  EXPECT_TRUE(off.success);
+  EXPECT_THAT(off.message, HasSubstr("moved by hand"));
+  EXPECT_THAT(client_.told, ElementsAre("motors on", "motors off"));
+}
+
+TEST_F(RobotServicesTest, SayThatTheMotorsDidNotSwitch) {
+  client_.motors_work = false;
+  const auto answer = setMotors(true);
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still off")));
+}
+
+TEST_F(RobotServicesTest, FindTheSameFileForAllWaysToWriteItsName) {
+  for (const std::string name : {"nod", "Nod.mtn", "NOD.MTN"}) {
+    EXPECT_TRUE(play(name).success);
+    EXPECT_EQ(lastTold(), "play NOD.MTN 1");
+  }
+  play("nod.txt");
+  EXPECT_EQ(lastTold(), "play NOD.TXT 1") << "for the robot to refuse";
+}
+
+TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
+  EXPECT_EQ(play("nod", 0).message, "NOD.MTN has begun and plays once.");
+  EXPECT_EQ(play("nod", 3).message, "NOD.MTN has begun and plays 3 times.");
+  EXPECT_EQ(lastTold(), "play NOD.MTN 3");
+}
+
+TEST_F(RobotServicesTest, LetAMotionMoveAllJointsAsFastAsTheirLimitsAllow) {
+  play("nod");
+  ASSERT_EQ(client_.told.size(), table_.size() + 1);
+  EXPECT_EQ(client_.told.front(), "V 1:3.00");
+  EXPECT_EQ(lastTold(), "play NOD.MTN 1");
+}
+
+TEST_F(RobotServicesTest, StopOneMotionOrAll) {
+  EXPECT_EQ(play("nod", 0, true).message, "NOD.MTN stopped: the joints hold where they are.");
+  EXPECT_EQ(lastTold(), "stop NOD.MTN");
+  EXPECT_EQ(play("", 0, true).message, "All motions stopped: the joints hold where they are.");
+  EXPECT_EQ(lastTold(), "stop ");
+}
+
+TEST_F(RobotServicesTest, DoNotPlayWithoutAName) {
+  const auto answer = play("");
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("list_motions"));
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(RobotServicesTest, ListTheMotions) {
+  client_.motions = {"NOD.MTN", "SIT.MTN"};
+  ListMotions::Request request;
+  ListMotions::Response response;
+  EXPECT_TRUE(services_.listMotions(request, response));
+  EXPECT_TRUE(response.success);
+  EXPECT_EQ(response.message, "Motions on the robot: 2.");
+  EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));
+}
+
+TEST_F(RobotServicesTest, UploadDataUnderItsName) {
+  EXPECT_EQ(upload("wag", "", {1, 2, 3}).message, "WAG.MTN is on the robot, 3 bytes.");
+  EXPECT_THAT(client_.told, ElementsAre("upload WAG.MTN 3"));
+}
+
+TEST_F(RobotServicesTest, UploadAFileUnderItsOwnNameUnlessThereIsAnother) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "robot_services_test.XXXXXX").string();
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  const std::string file = (folder / "bow.mtn").string();
+  std::ofstream(file) << "abc";
+  EXPECT_TRUE(upload("", file, {}).success);
+  EXPECT_TRUE(upload("wag", file, {}).success);
+  std::filesystem::remove_all(folder);
+  EXPECT_THAT(client_.told, ElementsAre("upload BOW.MTN 3", "upload WAG.MTN 3"));
+}
+
+TEST_F(RobotServicesTest, UploadNothingWithoutExactlyOneSource) {
+  EXPECT_EQ(upload("wag", "", {}).message, "Nothing was uploaded: give a file or data");
+  EXPECT_EQ(upload("wag", "bow.mtn", {1}).message, "Nothing was uploaded: give a file or data, not both");
+  EXPECT_THAT(upload("wag", "/no/such/file", {}).message, HasSubstr("there is no such file on the driver's machine"));
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
+  client_.problem = "there is no robot";
+  DeleteMotion::Request request;
+  DeleteMotion::Response response;
+  request.name = "nod";
+  EXPECT_TRUE(services_.deleteMotion(request, response));
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "Nothing was deleted: there is no robot");
+  EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot");
+  EXPECT_EQ(play("nod", 0, true).message, "Nothing was stopped: there is no robot");
+  std_srvs::Trigger::Request trigger;
+  std_srvs::Trigger::Response answer;
+  EXPECT_TRUE(services_.shutDown(trigger, answer));
+  EXPECT_EQ(answer.message, "The robot does not shut down: there is no robot");
+  EXPECT_TRUE(services_.reboot(trigger, answer));
+  EXPECT_EQ(answer.message, "The robot does not reboot: there is no robot");
+}
+
+TEST_F(RobotServicesTest, DeleteAMotionShutDownAndReboot) {
+  DeleteMotion::Request request;
+  DeleteMotion::Response response;
+  request.name = "nod";
+  services_.deleteMotion(request, response);
+  EXPECT_EQ(response.message, "NOD.MTN was deleted from the robot.");
+  std_srvs::Trigger::Request trigger;
+  std_srvs::Trigger::Response answer;
+  services_.shutDown(trigger, answer);
+  EXPECT_TRUE(answer.success);
+  services_.reboot(trigger, answer);
+  EXPECT_TRUE(answer.success);
+  EXPECT_THAT(client_.told, ElementsAre("delete NOD.MTN", "shut down", "reboot"));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

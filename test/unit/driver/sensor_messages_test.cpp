@@ -1,0 +1,226 @@
+#include "ros/body/sensor_messages.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aibo_driver::node {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::ElementsAre;
+using Readings = std::vector<std::pair<std::string, double>>;  // by the names of the robot's sensors
+
+constexpr double kGravity = 9.81;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+const robot_model::RobotModel& ers7() {
+  return *robot_model::findRobotModel("ERS-7");
+}
+
+const robot_model::Sensor& sensorOf(const std::string& name) {
+  return ers7().sensors[robot_model::findSensorByName(ers7(), name.c_str())];
+}
+
+Telemetry telemetryWith(const Readings& readings) {
+  Telemetry telemetry;
+  telemetry.connection_number = 1;
+  for (const auto& reading : readings) {
+    telemetry.sensors.push_back({sensorOf(reading.first).identifier, reading.second});
+  }
+  return telemetry;
+}
+
+TEST(JointStatesTest, NamesTheJointsAndRemembersWhereTheyAre) {
+  const joints::JointTable table("ERS-7", 3.0);
+  joints::MeasuredJoints measured(table);
+  JointStates states(table, measured);
+  constexpr int kHeadPan = 2;
+  Telemetry telemetry;
+  EXPECT_FALSE(states.read(telemetry)) << "no joint in it";
+  telemetry.joints = {{kHeadPan, 0.5}, {255, 0.1}};
+  const auto message = states.read(telemetry);
+  ASSERT_TRUE(message);
+  EXPECT_THAT(message->name, ElementsAre("head_pan"));
+  EXPECT_THAT(message->position, ElementsAre(0.5));
+  EXPECT_THAT(message->velocity, ElementsAre(0.0));
+  EXPECT_EQ(measured.find(*table.findByName("head_pan"))->position, 0.5);
+}
+
+class RangeFinderTest : public ::testing::Test {
+ protected:
+  float rangeAt(double distance) {
+    const auto message = RangeFinder(sensorOf("range_near")).read(telemetryWith({{"range_near", distance}}));
+    return message ? message->range : std::numeric_limits<float>::quiet_NaN();
+  }
+};
+
+TEST_F(RangeFinderTest, HoldsDistanceAndRange) {
+  const auto message = RangeFinder(sensorOf("range_far")).read(telemetryWith({{"range_far", 0.7}}));
+  ASSERT_TRUE(message);
+  EXPECT_FLOAT_EQ(message->range, 0.7F);
+  EXPECT_FLOAT_EQ(message->min_range, 0.2F);  // Model Information ERS-7
+  EXPECT_FLOAT_EQ(message->max_range, 1.5F);
+  EXPECT_EQ(message->radiation_type, sensor_msgs::Range::INFRARED);
+  EXPECT_GT(message->field_of_view, 0);
+}
+
+TEST_F(RangeFinderTest, IsInfiniteOutOfRange) {
+  EXPECT_FLOAT_EQ(rangeAt(0.06), 0.06F);
+  EXPECT_EQ(rangeAt(0.05), -kInfinity);
+  EXPECT_EQ(rangeAt(0.03), -kInfinity);
+  EXPECT_FLOAT_EQ(rangeAt(0.49), 0.49F);
+  EXPECT_EQ(rangeAt(0.5), kInfinity);
+  EXPECT_EQ(rangeAt(0.9), kInfinity);
+}
+
+TEST_F(RangeFinderTest, IsEmptyIfTheSensorWasNotRead) {
+  EXPECT_FALSE(RangeFinder(sensorOf("range_near")).read(telemetryWith({{"range_far", 0.7}})));
+}
+
+class AccelerometerTest : public ::testing::Test {
+ protected:
+  Accelerometer accelerometer_{sensorOf("acceleration_front_back"), sensorOf("acceleration_right_left"),
+                               sensorOf("acceleration_up_down")};
+};
+
+// As Tekkotsu describes real robots, see sensor_messages.h: each posture makes one of Sony's values negative.
+TEST_F(AccelerometerTest, PointsUpwardsInTheAxesOfTheBody) {
+  const auto at = [this](double front_back, double right_left, double up_down) {
+    const auto message = accelerometer_.read(telemetryWith({{"acceleration_front_back", front_back},
+                                                            {"acceleration_right_left", right_left},
+                                                            {"acceleration_up_down", up_down}}));
+    return message ? message->linear_acceleration : geometry_msgs::Vector3();
+  };
+  EXPECT_EQ(at(0, 0, -kGravity).z, kGravity) << "standing: up is where its back points, +z";
+  EXPECT_EQ(at(-kGravity, 0, 0).x, kGravity) << "sitting on its butt: up is where its nose points, +x";
+  EXPECT_EQ(at(0, -kGravity, 0).y, -kGravity) << "lying on its left side: up is where its right side points, -y";
+}
+
+TEST_F(AccelerometerTest, MarksEverythingElseAsNotMeasured) {
+  const auto message = accelerometer_.read(telemetryWith(
+      {{"acceleration_front_back", 0}, {"acceleration_right_left", 0}, {"acceleration_up_down", -kGravity}}));
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->orientation_covariance[0], -1);
+  EXPECT_EQ(message->angular_velocity_covariance[0], -1);
+  EXPECT_EQ(message->linear_acceleration_covariance[0], 0);
+}
+
+TEST_F(AccelerometerTest, WaitsForAllAxesEachTime) {
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_FALSE(accelerometer_.read(telemetryWith({{"acceleration_front_back", 1}})));
+    EXPECT_FALSE(accelerometer_.read(telemetryWith({{"acceleration_right_left", 2}})));
+    EXPECT_FALSE(accelerometer_.read(telemetryWith({{"chin", 1}})));
+    const auto message = accelerometer_.read(telemetryWith({{"acceleration_up_down", 3}}));
+    ASSERT_TRUE(message);
+    EXPECT_EQ(message->linear_acceleration.x, -1);
+    EXPECT_EQ(message->linear_acceleration.y, 2);
+  }
+}
+
+TEST_F(AccelerometerTest, ForgetsAxesOfAnEarlierConnection) {
+  accelerometer_.read(telemetryWith({{"acceleration_front_back", 1}, {"acceleration_right_left", 2}}));
+  Telemetry telemetry = telemetryWith({{"acceleration_up_down", 3}});
+  telemetry.connection_number = 2;
+  EXPECT_FALSE(accelerometer_.read(telemetry));
+}
+
+class TouchSensorsTest : public ::testing::Test {
+ protected:
+  TouchSensors touch_{ers7()};
+};
+
+TEST_F(TouchSensorsTest, HoldsEachSensorUnderItsName) {
+  const std::vector<std::pair<std::string, std::uint8_t Touch::*>> fields = {
+      {"paw_left_front", &Touch::paw_left_front},
+      {"paw_left_hind", &Touch::paw_left_hind},
+      {"paw_right_front", &Touch::paw_right_front},
+      {"paw_right_hind", &Touch::paw_right_hind},
+      {"chin", &Touch::chin},
+      {"head_touch", &Touch::head},
+      {"back_front", &Touch::back_front},
+      {"back_middle", &Touch::back_middle},
+      {"back_rear", &Touch::back_rear}};
+  for (const auto& touched : fields) {
+    Readings readings;
+    for (const auto& field : fields) {
+      const double value = sensorOf(field.first).kind == robot_model::SENSOR_SWITCH ? 1 : 40;
+      readings.emplace_back(field.first, field.first == touched.first ? value : 0);
+    }
+    const auto message = touch_.read(telemetryWith(readings));
+    ASSERT_TRUE(message);
+    for (const auto& field : fields) {
+      EXPECT_EQ((*message).*field.second != 0, field.first == touched.first) << touched.first << " " << field.first;
+    }
+  }
+}
+
+// Model Information ERS-7: the rear of the back is touched from 14 on, and no longer below 10.
+TEST_F(TouchSensorsTest, HoldsATouchUntilItIsClearlyOver) {
+  const auto touchedAt = [this](double strength) {
+    const auto message = touch_.read(telemetryWith({{"back_rear", strength}}));
+    EXPECT_TRUE(message && message->back_rear_strength == static_cast<float>(strength));
+    return message && message->back_rear;
+  };
+  EXPECT_FALSE(touchedAt(12));
+  EXPECT_TRUE(touchedAt(14));
+  EXPECT_TRUE(touchedAt(12));
+  EXPECT_FALSE(touchedAt(9));
+  EXPECT_FALSE(touchedAt(12));
+}
+
+TEST_F(TouchSensorsTest, KeepsEarlierValuesUntilTheNextConnection) {
+  EXPECT_TRUE(touch_.read(telemetryWith({{"chin", 1}}))->chin);
+  EXPECT_FALSE(touch_.read(telemetryWith({{"battery", 0.5}}))) << "nothing new";
+  const auto second = touch_.read(telemetryWith({{"head_touch", 30}}));
+  ASSERT_TRUE(second);
+  EXPECT_TRUE(second->chin);
+  EXPECT_TRUE(second->head);
+  EXPECT_TRUE(std::isnan(second->back_front_strength)) << "not read yet";
+  Telemetry telemetry = telemetryWith({{"paw_left_hind", 1}});
+  telemetry.connection_number = 2;
+  const auto third = touch_.read(telemetry);
+  ASSERT_TRUE(third);
+  EXPECT_FALSE(third->chin);
+  EXPECT_TRUE(std::isnan(third->head_strength));
+}
+
+TEST(BatteryTest, HoldsTheChargeAndMarksEverythingElseAsUnknown) {
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
+  const auto message = battery.read(telemetryWith({{"battery", 0.87}}));
+  ASSERT_TRUE(message);
+  EXPECT_FLOAT_EQ(message->percentage, 0.87F);
+  EXPECT_TRUE(message->present);
+  for (const float unknown : {message->voltage, message->temperature, message->current, message->charge,
+                              message->capacity, message->design_capacity}) {
+    EXPECT_TRUE(std::isnan(unknown));
+  }
+}
+
+TEST(BatteryTest, HoldsTheLastTemperatureOfThisConnection) {
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
+  EXPECT_FALSE(battery.read(telemetryWith({{"temperature", 31.5}}))) << "without the charge";
+  EXPECT_FLOAT_EQ(battery.read(telemetryWith({{"battery", 0.87}}))->temperature, 31.5F);
+  Telemetry after_reconnect = telemetryWith({{"battery", 0.87}});
+  after_reconnect.arrival += 2s;
+  ++after_reconnect.connection_number;
+  EXPECT_TRUE(std::isnan(battery.read(after_reconnect)->temperature));
+}
+
+TEST(BatteryTest, IsPublishedOnceASecond) {
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
+  int messages = 0;
+  for (int i = 0; i < 3 * 31; ++i) {
+    Telemetry telemetry = telemetryWith({{"battery", 0.5}});
+    telemetry.arrival += i * 32ms;
+    messages += battery.read(telemetry) ? 1 : 0;
+  }
+  EXPECT_EQ(messages, 3);
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,111 @@
+#include "ros/camera/stream_services.h"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <string>
+
+#include "support/fake_client.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class StreamServicesTest : public ::testing::Test {
+ protected:
+  StreamServicesTest() {
+    client_.present.state = ConnectionState::kConnected;
+    Picture picture;
+    picture.jpeg = {1, 2, 3};
+    picture.width = 208;
+    picture.height = 160;
+    client_.picture = std::make_shared<Picture>(picture);
+  }
+
+  TakePicture::Response takePicture(std::uint8_t quality, const std::string& save_to = "") {
+    TakePicture::Request request;
+    TakePicture::Response response;
+    request.quality = quality;
+    request.save_to = save_to;
+    EXPECT_TRUE(services_.takePicture(request, response));
+    return response;
+  }
+
+  std_srvs::SetBool::Response setStreaming(bool on) {
+    std_srvs::SetBool::Request request;
+    std_srvs::SetBool::Response response;
+    request.data = static_cast<std::uint8_t>(on);
+    EXPECT_TRUE(services_.setStreaming(request, response));
+    return response;
+  }
+
+  test_support::FakeClient client_;
+  StreamPolicy policy_{false, true};
+  StreamServices services_{DriverParameters(), client_, policy_, [](const Picture& picture) {
+                             sensor_msgs::CompressedImage message;
+                             message.data = picture.jpeg;
+                             return message;
+                           }};
+};
+
+TEST_F(StreamServicesTest, AnswerAPicture) {
+  const auto answer = takePicture(0);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.message, "Took a picture of 208x160 pixels, 3 bytes, at quality 85.");
+  EXPECT_THAT(answer.image.data, ElementsAre(1, 2, 3));
+  takePicture(255);
+  EXPECT_THAT(client_.told, ElementsAre("picture 85", "picture 100"));
+}
+
+TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
+  client_.stream_quality = 85;
+  EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85, from the running stream."));
+  EXPECT_THAT(takePicture(20).message, HasSubstr("quality 20 would need the stream to be off"));
+}
+
+TEST_F(StreamServicesTest, AnswerAPictureThatWasNotSavedAndSayWhy) {
+  const auto answer = takePicture(0, "/no/such/folder/picture.jpg");
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("It was not saved: cannot write /no/such/folder/picture.jpg"));
+  EXPECT_THAT(answer.image.data, ElementsAre(1, 2, 3));
+}
+
+TEST_F(StreamServicesTest, SayWhyThereIsNoPicture) {
+  client_.problem = "there is no robot";
+  const auto answer = takePicture(0);
+  EXPECT_FALSE(answer.success);
+  EXPECT_EQ(answer.message, "There is no picture: there is no robot");
+}
+
+TEST_F(StreamServicesTest, SwitchTheStreamAndSayWhatItWaitsFor) {
+  EXPECT_THAT(setStreaming(true).message, HasSubstr("as soon as a camera topic has a subscriber"));
+  policy_.start([] { return true; }, [this](bool on) { client_.setStreaming(on); });
+  EXPECT_EQ(setStreaming(true).message, "The stream is on.");
+  const auto off = setStreaming(false);
+  EXPECT_TRUE(off.success);
+  EXPECT_EQ(off.message, "The stream is off.");
+  EXPECT_EQ(client_.told.back(), "no stream");
+}
+
+TEST_F(StreamServicesTest, KeepTheWishForAStreamWhileTheRobotDoesNotAnswer) {
+  client_.present.state = ConnectionState::kDisconnected;
+  const auto answer = setStreaming(true);
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("the robot does not answer yet"));
+  EXPECT_TRUE(policy_.wanted());
+}
+
+TEST_F(StreamServicesTest, ToggleTheStream) {
+  std_srvs::Trigger::Request request;
+  std_srvs::Trigger::Response response;
+  EXPECT_TRUE(services_.toggleStreaming(request, response));
+  EXPECT_TRUE(policy_.wanted());
+  EXPECT_TRUE(services_.toggleStreaming(request, response));
+  EXPECT_FALSE(policy_.wanted());
+  EXPECT_EQ(response.message, "The stream is off.");
+}
+
+}  // namespace
+}  // namespace aibo_driver::node
