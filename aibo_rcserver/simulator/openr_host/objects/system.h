@@ -1,7 +1,7 @@
 /// @file system.h
 /// The implementation behind the SDK's classes and calls: one robot's objects and the messages between them.
-#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
-#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
 
 #include <OPENR/OObject.h>
 
@@ -18,7 +18,7 @@
 #include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
-#include "simulator/openr_host/processor.h"
+#include "simulator/openr_host/objects/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -151,4 +151,4 @@ class System {
 
 }  // namespace openr_host
 
-#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
