@@ -57,20 +57,19 @@ const char REQUEST_PICTURE = 'F';       ///< one picture, id = JPEG quality; ans
 const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality; pictures are then pushed
 const char REQUEST_JOINTS = 'J';        ///< moves joints; answered by the accepted targets
 const char REQUEST_SPEED_LIMITS = 'V';  ///< sets or reads speed limits of joints; answered by those in force
-const char REQUEST_TELEMETRY =
-    'T';  ///< sets the telemetry period; answered by the period in force; values are then pushed
-const char REQUEST_MOTORS = 'O';     ///< switches the motors, or reads their state; answered by the state in force
-const char REQUEST_LEDS = 'L';       ///< sets LEDs; answered by the accepted values
-const char REQUEST_EARS = 'K';       ///< draws ears or lets them go; answered by their new state
-const char REQUEST_UPLOAD = 'U';     ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
-const char REQUEST_DELETE = 'D';     ///< deletes a motion
-const char REQUEST_PLAY = 'P';       ///< plays a motion, or stops it
-const char REQUEST_LIST = 'N';       ///< answered by the names of the motions on the robot
-const char REQUEST_SHUT_DOWN = 'Q';  ///< motors off, then shut down; nothing follows the reply
-const char REQUEST_REBOOT = 'R';     ///< motors off, then reboot; nothing follows the reply
+const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force; values are then pushed
+const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their state; answered by the state in force
+const char REQUEST_LEDS = 'L';          ///< sets LEDs; answered by the accepted values
+const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by their new state
+const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
+const char REQUEST_DELETE = 'D';        ///< deletes a motion
+const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
+const char REQUEST_LIST = 'N';          ///< answered by the names of the motions on the robot
+const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down; nothing follows the reply
+const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing follows the reply
 
 const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
-const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; else the reply to `T`, a period
+const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; otherwise the reply to `T`, a period
 const char ERROR_MESSAGE = 'e';   ///< a request was refused; with request_number 0: a joint's fault, a power event,
                                   ///< or why the server closes the connection
 

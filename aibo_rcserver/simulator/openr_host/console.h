@@ -42,6 +42,7 @@ class Console {
   /// Prints to the output and to all listeners. Never waits for a listener.
   void print(const std::string& text);
 
+  /// Adds the port and all listeners' sockets, with handlers that serve them.
   void addTo(PollSet& poll_set);
 
  private:

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/objects/system.h"
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
-#include "simulator/openr_host/system.h"
 
 namespace openr_host {
 namespace {

@@ -19,7 +19,7 @@
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/ip_stack/socket.h"
 #include "simulator/openr_host/object_description.h"
-#include "simulator/openr_host/processor.h"
+#include "simulator/openr_host/objects/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {

@@ -11,7 +11,7 @@
 
 #include "simulator/openr_host/object_description.h"
 #include "simulator/openr_host/objects/gates.h"
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 /// Stands between the machine and an object that gets jobs through its first observer. As long as it is slow, it keeps
 /// the job that comes; all other objects go on.

@@ -103,6 +103,7 @@ class Endpoint {
   /// Whether a request under way uses memory for which `is_concerned` returns true.
   virtual bool uses(const std::function<bool(const void*, std::size_t)>& is_concerned) const = 0;
 
+  /// Adds its socket, if it waits for it, with a handler that serves it.
   virtual void addTo(PollSet& poll_set) = 0;
 };
 

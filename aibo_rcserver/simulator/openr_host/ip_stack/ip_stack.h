@@ -46,6 +46,7 @@ class IpStack {
   /// @param object, entry receiver of the answer
   antError send(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry);
 
+  /// Removes closed endpoints, and adds all sockets that wait for something, with handlers that serve them.
   void addTo(PollSet& poll_set);
 
  private:

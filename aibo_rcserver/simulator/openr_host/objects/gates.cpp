@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 namespace openr_host {
 

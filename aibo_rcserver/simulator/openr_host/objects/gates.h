@@ -21,6 +21,7 @@ using RegionReference = std::shared_ptr<RCRegion>;
 /// The data of a notification.
 using Regions = std::vector<RegionReference>;
 
+/// Adds a reference to the region.
 inline RegionReference reference(RCRegion* region) {
   region->AddReference();
   return {region, [](RCRegion* referenced) { referenced->RemoveReference(); }};
@@ -47,9 +48,11 @@ class ObserverService {
   void setBufferControl(const BufferControl& control) { control_ = control; }
   const BufferControl& bufferControl() const { return control_; }
 
+  /// Adds a connected subject.
   void connect(const SubjectID& subject) { subjects_.push_back(subject); }
   int numberOfSubjects() const { return static_cast<int>(subjects_.size()); }
 
+  /// Tells all subjects, or one of them, whether the observer is ready. Does nothing if the subject is not connected.
   void announceReady(bool ready);
   void announceReady(const SubjectID& subject, bool ready);
 
@@ -73,12 +76,15 @@ class SubjectService {
   SubjectService& operator=(const SubjectService&) = delete;
 
   const SubjectID& id() const { return id_; }
+
+  /// While it is not enabled, the subject sends nothing. It is off at first.
   void enable(bool enabled) { enabled_ = enabled; }
 
   /// @param size notifications to keep for an observer that is not ready, unless it asks for more; not 0
   void setBufferSize(std::size_t size) { buffer_size_ = size; }
   std::size_t bufferSize() const { return buffer_size_; }
 
+  /// Adds a connected observer.
   /// @param control the observer's settings from its DoInit()
   void connect(const ObserverID& observer, const BufferControl& control);
 
@@ -101,9 +107,14 @@ class SubjectService {
   /// The number of notifications that can still be kept for this observer before the oldest one is lost.
   std::size_t roomFor(const ObserverID& observer) const;
 
+  /// Adds data to the next notification of all observers, or of one.
   void setData(RCRegion* region);
   void setData(const ObserverID& observer, RCRegion* region);
+
+  /// Drops all data that has not been sent.
   void clear();
+
+  /// Sends the data that was set to all observers, or to one, or keeps it until they are ready.
   void notifyAll();
   void notify(const ObserverID& observer);
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 using openr_host::System;
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "simulator/openr_host/objects/gates.h"
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 namespace {
 

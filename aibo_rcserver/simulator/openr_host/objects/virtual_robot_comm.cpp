@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 namespace openr_host {
 namespace {

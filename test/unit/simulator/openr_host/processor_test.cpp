@@ -1,5 +1,5 @@
 // Which object may run on the robot's only processor.
-#include "simulator/openr_host/processor.h"
+#include "simulator/openr_host/objects/processor.h"
 
 #include <gtest/gtest.h>
 

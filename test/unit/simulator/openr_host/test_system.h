@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-#include "simulator/openr_host/processor.h"
+#include "simulator/openr_host/objects/processor.h"
 
 #include <algorithm>
 

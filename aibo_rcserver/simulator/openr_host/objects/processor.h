@@ -1,7 +1,7 @@
 /// @file processor.h
 /// The robot's only processor: which object may run, and how long a handler keeps its object busy.
-#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
-#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_PROCESSOR_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_PROCESSOR_H
 
 #include <OPENR/OPENR.h>
 
@@ -61,4 +61,4 @@ class Processor {
 
 }  // namespace openr_host
 
-#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PROCESSOR_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_PROCESSOR_H

@@ -1,7 +1,7 @@
 /// @file system.h
 /// The implementation behind the SDK's classes and calls: one robot's objects and the messages between them.
-#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
-#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
 
 #include <OPENR/OObject.h>
 
@@ -18,7 +18,7 @@
 #include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
-#include "simulator/openr_host/processor.h"
+#include "simulator/openr_host/objects/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -40,6 +40,7 @@ class System {
   /// The system whose object is running on this thread.
   /// @throw std::logic_error if no object is running
   static System& current();
+  /// The same, but null if no object is running.
   static System* currentOrNull();
 
   Console& console() { return console_; }
@@ -62,16 +63,21 @@ class System {
 
   /// @name Life of the objects
   /// @{
+  /// Creates an object, after those created before.
   OObject& create(const ObjectDescription& description);
+  /// The names of all objects' services.
   const std::vector<std::string>& serviceNames() const { return service_names_; }
+  /// Calls DoInit() of all objects.
   /// @throw std::runtime_error if an object fails; the text names it
   void initialize();
+  /// Connects two gates, and calls the functions for that in stub.cfg.
   /// @param subject, observer names from serviceNames()
   /// @throw std::runtime_error if an object has not registered its services
   void connect(const std::string& subject, const std::string& observer);
+  /// Calls DoStart() of all objects.
   /// @throw std::runtime_error like initialize()
   void start();
-  /// For OPENR::Shutdown().
+  /// For OPENR::Shutdown(). Nothing happens until the machine reads shutdownRequest().
   void requestShutdown(bool boot_again) {
     shutdown_requested_ = boot_again ? ShutdownRequest::kBootAgain : ShutdownRequest::kStayOff;
   }
@@ -85,9 +91,13 @@ class System {
 
   /// @name Messages
   /// @{
+  /// Queues a message to a subject: an observer is ready, or no longer is.
   void postReady(const ObserverID& observer, const SubjectID& subject, bool ready);
+  /// Queues data for an observer.
   void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
+  /// Queues an answer of the IPStack for the object that asked.
   void postAnswer(const Envelope& answer);
+  /// Whether the object exists and has this `Extra` entry.
   bool hasEntry(const OID& object, Selector entry) const;
   /// True if a message can be handled now.
   bool hasMessages() const;
@@ -99,6 +109,7 @@ class System {
 
   /// @name For OSubject and OObserver
   /// @{
+  /// Registers a gate until forget(), which its destructor calls.
   void add(SubjectService& subject) { subjects_.push_back(&subject); }
   void add(ObserverService& observer) { observers_.push_back(&observer); }
   void forget(const SubjectService& subject);
@@ -151,4 +162,4 @@ class System {
 
 }  // namespace openr_host
 
-#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_SYSTEM_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H

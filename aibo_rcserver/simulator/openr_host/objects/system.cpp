@@ -1,4 +1,4 @@
-#include "simulator/openr_host/system.h"
+#include "simulator/openr_host/objects/system.h"
 
 #include <OPENR/OPENRMessages.h>
 
