@@ -8,8 +8,8 @@
 #include <ant.h>
 
 #include "picture_encoder/PictureJob.h"
+#include "rcserver/Outbox.h"
 #include "rcserver/Session.h"
-#include "rcserver/commands/Outbox.h"
 
 /// Listens, serves one client and closes, again and again: each time with a new endpoint, because an endpoint of the
 /// IPStack serves one connection.

@@ -11,13 +11,13 @@
 #include <def.h>
 
 #include "rcserver/Connection.h"
+#include "rcserver/Robot.h"
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
-#include "rcserver/body/LieDown.h"
 #include "rcserver/camera/PictureTaker.h"
 #include "rcserver/camera/StreamReport.h"
-#include "rcserver/commands/Robot.h"
-#include "rcserver/settings/FileDesk.h"
+#include "rcserver/motions/FileDesk.h"
+#include "rcserver/motions/LieDown.h"
 #include "rcserver/settings/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.

@@ -8,13 +8,13 @@
 #include "protocol/frame_reader.h"
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/Version1.h"
+#include "rcserver/Version2.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/commands/MotionCommands.h"
-#include "rcserver/commands/Outbox.h"
-#include "rcserver/commands/Robot.h"
+#include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
-#include "rcserver/version1/Version1Commands.h"
-#include "rcserver/version2/Version2Commands.h"
 
 /// Makes requests of the bytes that come, has them carried out in the version of the protocol that the client has
 /// chosen, and keeps the answers until they can be sent. Pure logic: no OPEN-R. Memory of a fixed size: requests that
@@ -108,8 +108,8 @@ class Session {
   ImageObserver camera_;
   Outbox outbox_;
   MotionCommands motions_;
-  Version1Commands version1_;
-  Version2Commands version2_;
+  Version1 version1_;
+  Version2 version2_;
   protocol::RequestReader request_reader_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: of an upload
   protocol::version2::FrameReader frame_reader_;

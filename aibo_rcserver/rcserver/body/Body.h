@@ -34,7 +34,7 @@ class Body {
   /// @{
   const char* Design() const { return design_; }
   JointControl& Joints() { return joint_driver_.Joints(); }
-  Motors& GetMotors() { return joint_driver_; }
+  MotorSwitch& GetMotors() { return joint_driver_; }
   const Sensors& GetSensors() const { return sensor_driver_.GetSensors(); }
   Lights& GetLights() { return light_driver_.GetLights(); }
   PowerOrder& GetPowerOrder() { return power_order_; }

@@ -9,7 +9,7 @@
 
 #include "rcserver/body/Primitives.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/joints/Motors.h"
+#include "rcserver/joints/MotorSwitch.h"
 
 /// Opens the joints of the robot by the table of its design, switches their motors, hands on what they report, and
 /// commands them where the planner wants them.
@@ -17,7 +17,7 @@
 /// Gains go on only after the joints' present positions have been commanded and output, so that nothing moves: first
 /// EnableJointGain, then SetJointGain, since a gain that is set earlier counts for nothing (Level2 Reference Guide,
 /// pages 70 and 71). A joint that gets no gain is a fault of JointControl's.
-class JointDriver : public Motors {
+class JointDriver : public MotorSwitch {
  public:
   JointDriver();
   virtual ~JointDriver();

@@ -5,14 +5,14 @@
 
 #include "protocol/request_reader.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/joints/Motors.h"
+#include "rcserver/joints/MotorSwitch.h"
 #include "rcserver/version1/Version1Replies.h"
 
 /// Carries out `J`, `V` and `A`. Pure logic: no OPEN-R.
 class Version1Joints {
  public:
   /// All must outlive this.
-  Version1Joints(JointControl& joints, const Motors& motors, Version1Replies& replies)
+  Version1Joints(JointControl& joints, const MotorSwitch& motors, Version1Replies& replies)
       : joints_(joints), motors_(motors), replies_(replies) {}
 
   /// @return false: to be refused
@@ -30,7 +30,7 @@ class Version1Joints {
   void SetAccelerationLimit(int joint, short limit);
 
   JointControl& joints_;
-  const Motors& motors_;
+  const MotorSwitch& motors_;
   Version1Replies& replies_;
 };
 

@@ -4,7 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_MOTIONS_H
 
 #include "protocol/request_reader.h"
-#include "rcserver/commands/MotionCommands.h"
+#include "rcserver/motions/MotionCommands.h"
 #include "rcserver/version1/Version1Replies.h"
 
 /// Carries out `U`, `D` and `P`. Pure logic: no OPEN-R.

@@ -4,7 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_REPLIES_H
 
 #include "protocol/version1.h"
-#include "rcserver/commands/Outbox.h"
+#include "rcserver/Outbox.h"
 
 /// Makes messages of answers and puts them into the outbox. Pure logic.
 class Version1Replies {

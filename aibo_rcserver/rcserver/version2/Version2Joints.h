@@ -4,7 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_JOINTS_H
 
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/joints/Motors.h"
+#include "rcserver/joints/MotorSwitch.h"
 #include "rcserver/version2/Version2Replies.h"
 
 /// Carries out `J`, `V` and `O`, and reports joints that do not follow. Pure logic: no OPEN-R. Each function answers
@@ -14,7 +14,7 @@ class Version2Joints {
   typedef Version2Replies::Request Request;
 
   /// All must outlive this.
-  Version2Joints(JointControl& joints, Motors& motors, Version2Replies& replies)
+  Version2Joints(JointControl& joints, MotorSwitch& motors, Version2Replies& replies)
       : joints_(joints), motors_(motors), replies_(replies) {}
 
   void Move(const Request& request, const unsigned char* payload);
@@ -29,7 +29,7 @@ class Version2Joints {
   void RefuseUnknownJoint(const Request& request, unsigned char identifier);
 
   JointControl& joints_;
-  Motors& motors_;
+  MotorSwitch& motors_;
   Version2Replies& replies_;
 };
 

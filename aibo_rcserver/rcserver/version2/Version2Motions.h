@@ -3,8 +3,8 @@
 #ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_MOTIONS_H
 #define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_MOTIONS_H
 
-#include "rcserver/commands/MotionCommands.h"
 #include "rcserver/joints/JointControl.h"
+#include "rcserver/motions/MotionCommands.h"
 #include "rcserver/version2/Version2Replies.h"
 
 /// Carries out `U`, `D`, `P` and `N`, and reports motions that have failed. Pure logic: no OPEN-R.

@@ -4,7 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_REPLIES_H
 
 #include "protocol/version2.h"
-#include "rcserver/commands/Outbox.h"
+#include "rcserver/Outbox.h"
 
 /// Makes frames of payloads and puts them into the outbox. Pure logic.
 class Version2Replies {

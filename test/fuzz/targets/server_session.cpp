@@ -59,7 +59,7 @@ class MemoryStick {
   fs::path motions_;
 };
 
-class MotorSwitch final : public Motors {
+class ObedientMotors final : public MotorSwitch {
  public:
   bool AreOn() const override { return on_; }
   bool Switch(bool on) override {
@@ -259,7 +259,7 @@ class Server {
   HostSettings host_;
   Settings settings_;
   JointControl joints_{kRobot};
-  MotorSwitch motors_;
+  ObedientMotors motors_;
   Sensors sensors_{kRobot};
   Lights lights_{kRobot};
   PowerOrder power_order_ = POWER_STAYS_ON;

@@ -1,13 +1,13 @@
-/// @file Version1Commands.h
+/// @file Version1.h
 /// What the server does for a client of version 1.
-#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_COMMANDS_H
-#define AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_H
 
 #include "protocol/request_reader.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/commands/MotionCommands.h"
-#include "rcserver/commands/Outbox.h"
-#include "rcserver/commands/Robot.h"
+#include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 #include "rcserver/version1/Version1Joints.h"
 #include "rcserver/version1/Version1Lights.h"
@@ -18,11 +18,11 @@
 
 /// Carries out the requests of version 1 and answers them (docs/protocol.md): those for the camera itself, the others
 /// by the class of their concern. Pure logic: no OPEN-R.
-class Version1Commands {
+class Version1 {
  public:
   /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, while version 1 is spoken. All must outlive this.
-  Version1Commands(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
-                   Outbox& outbox, unsigned char* upload_buffer);
+  Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
+           unsigned char* upload_buffer);
 
   /// A new client.
   void Begin();
@@ -41,8 +41,8 @@ class Version1Commands {
   void FileDone(const FileResult& result) { motions_.FileDone(result); }
 
  private:
-  Version1Commands(const Version1Commands&);
-  Version1Commands& operator=(const Version1Commands&);
+  Version1(const Version1&);
+  Version1& operator=(const Version1&);
 
   static bool IsForMotions(const protocol::Request& request);
   bool Execute(const protocol::Request& request);
@@ -56,4 +56,4 @@ class Version1Commands {
   Version1Sensors sensors_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_VERSION1_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_H

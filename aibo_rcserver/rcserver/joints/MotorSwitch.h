@@ -1,12 +1,12 @@
-/// @file Motors.h
+/// @file MotorSwitch.h
 /// The switch of the motors, as a client's commands see it.
-#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTORS_H
-#define AIBO_RCSERVER_RCSERVER_JOINTS_MOTORS_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTOR_SWITCH_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_MOTOR_SWITCH_H
 
 /// Switches the motors of all joints at once.
-class Motors {
+class MotorSwitch {
  public:
-  virtual ~Motors() {}
+  virtual ~MotorSwitch() {}
 
   /// True from the moment they are switched on, although they pull only a little later.
   virtual bool AreOn() const = 0;
@@ -16,4 +16,4 @@ class Motors {
   virtual bool Switch(bool on) = 0;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTORS_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTOR_SWITCH_H

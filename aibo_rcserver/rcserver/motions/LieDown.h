@@ -1,11 +1,11 @@
 /// @file LieDown.h
 /// A robot whose battery is low lies down before its motors go off.
-#ifndef AIBO_RCSERVER_RCSERVER_BODY_LIE_DOWN_H
-#define AIBO_RCSERVER_RCSERVER_BODY_LIE_DOWN_H
+#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_LIE_DOWN_H
+#define AIBO_RCSERVER_RCSERVER_MOTIONS_LIE_DOWN_H
 
 #include "file_keeper/FileJob.h"
-#include "rcserver/commands/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
+#include "rcserver/motions/FileJobs.h"
 
 /// Plays LIE.MTN from the memory stick. Pure logic: no OPEN-R.
 class LieDown {
@@ -41,4 +41,4 @@ class LieDown {
   unsigned ticket_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_BODY_LIE_DOWN_H
+#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_LIE_DOWN_H

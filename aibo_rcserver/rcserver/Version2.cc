@@ -1,4 +1,4 @@
-#include "rcserver/version2/Version2Commands.h"
+#include "rcserver/Version2.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -18,8 +18,8 @@ void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
 
 }  // namespace
 
-Version2Commands::Version2Commands(const Robot& robot, const Settings& settings, MotionCommands& motions,
-                                   ImageObserver& camera, Outbox& outbox)
+Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox)
     : robot_(robot),
       replies_(outbox),
       camera_(camera, replies_),
@@ -32,11 +32,11 @@ Version2Commands::Version2Commands(const Robot& robot, const Settings& settings,
           settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
 }
 
-void Version2Commands::Begin() {
+void Version2::Begin() {
   telemetry_.Begin();
 }
 
-bool Version2Commands::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
+bool Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
   if (request.request_number == 0) {
     Refuse(request, CODE_REFUSED, "bad request: its number is 0, which marks what the server pushes; use 1 to 65535");
     return true;
@@ -90,17 +90,17 @@ bool Version2Commands::Handle(const FrameHeader& request, const unsigned char* p
   return true;
 }
 
-void Version2Commands::Refuse(const FrameHeader& request, unsigned short code, const char* text) {
+void Version2::Refuse(const FrameHeader& request, unsigned short code, const char* text) {
   replies_.Refuse(request, code, text);
 }
 
-void Version2Commands::Measured(unsigned frame) {
+void Version2::Measured(unsigned frame) {
   joints_.PushFaults();
   motions_.PushFailures();
   telemetry_.Measured(frame);
 }
 
-void Version2Commands::Greet(const Request& request, unsigned now) {
+void Version2::Greet(const Request& request, unsigned now) {
   Hello hello;
   CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
@@ -115,7 +115,7 @@ void Version2Commands::Greet(const Request& request, unsigned now) {
   replies_.Reply(request, encodeHello(hello, replies_.Payload()));
 }
 
-void Version2Commands::RefuseUnknownKind(const Request& request) {
+void Version2::RefuseUnknownKind(const Request& request) {
   char text[MAX_ERROR_TEXT_SIZE];
   sprintf(text, "not supported: this server knows the requests %s", capabilities_);
   replies_.Refuse(request, CODE_NOT_SUPPORTED, text);

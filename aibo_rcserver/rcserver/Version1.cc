@@ -1,7 +1,7 @@
-#include "rcserver/version1/Version1Commands.h"
+#include "rcserver/Version1.h"
 
-Version1Commands::Version1Commands(const Robot& robot, const Settings& settings, MotionCommands& motions,
-                                   ImageObserver& camera, Outbox& outbox, unsigned char* upload_buffer)
+Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox, unsigned char* upload_buffer)
     : camera_(camera),
       replies_(outbox),
       joints_(robot.joints, robot.motors, replies_),
@@ -10,12 +10,12 @@ Version1Commands::Version1Commands(const Robot& robot, const Settings& settings,
       power_(robot.power_order, settings, replies_),
       sensors_(robot.joints, robot.sensors, replies_) {}
 
-void Version1Commands::Begin() {
+void Version1::Begin() {
   motions_.Begin();
   sensors_.Begin();
 }
 
-bool Version1Commands::Handle(const protocol::Request& request) {
+bool Version1::Handle(const protocol::Request& request) {
   if (request.valid && IsForMotions(request)) {
     return motions_.Execute(request);
   }
@@ -25,14 +25,14 @@ bool Version1Commands::Handle(const protocol::Request& request) {
   return true;
 }
 
-bool Version1Commands::IsForMotions(const protocol::Request& request) {
+bool Version1::IsForMotions(const protocol::Request& request) {
   return request.basic.command == protocol::REQUEST_UPLOAD_MOTION ||
          request.basic.command == protocol::REQUEST_DELETE_MOTION ||
          request.basic.command == protocol::REQUEST_PLAY_MOTION;
 }
 
 // False: to be refused.
-bool Version1Commands::Execute(const protocol::Request& request) {
+bool Version1::Execute(const protocol::Request& request) {
   const PictureOrder order = {protocol::limitJpegQuality(request.basic.identifier), 0, 0, false};
   switch (request.basic.command) {
     case protocol::REQUEST_PICTURE:

@@ -1,11 +1,11 @@
 /// @file MotionCommands.h
 /// Motions, for clients of both versions.
-#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
-#define AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
+#define AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
 
 #include "mtn/motion.h"
 #include "protocol/motion_name.h"
-#include "rcserver/commands/Robot.h"
+#include "rcserver/Robot.h"
 #include "rcserver/settings/Settings.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. Each function does what is asked, or
@@ -97,4 +97,4 @@ class MotionCommands {
   /// @}
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H

@@ -1,13 +1,13 @@
-/// @file Version2Commands.h
+/// @file Version2.h
 /// What the server does for a client of version 2.
-#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_COMMANDS_H
-#define AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_H
 
 #include "protocol/hello.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/commands/MotionCommands.h"
-#include "rcserver/commands/Outbox.h"
-#include "rcserver/commands/Robot.h"
+#include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 #include "rcserver/version2/Version2Camera.h"
 #include "rcserver/version2/Version2Joints.h"
@@ -19,11 +19,11 @@
 
 /// Carries out the requests of version 2, answers them and pushes telemetry (docs/protocol.md): hello itself, the
 /// others by the class of their concern. Pure logic: no OPEN-R.
-class Version2Commands {
+class Version2 {
  public:
   /// All must outlive this.
-  Version2Commands(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
-                   Outbox& outbox);
+  Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+           Outbox& outbox);
 
   /// A new client.
   void Begin();
@@ -54,8 +54,8 @@ class Version2Commands {
   void Measured(unsigned frame);
 
  private:
-  Version2Commands(const Version2Commands&);
-  Version2Commands& operator=(const Version2Commands&);
+  Version2(const Version2&);
+  Version2& operator=(const Version2&);
 
   typedef Version2Replies::Request Request;
   void Greet(const Request& request, unsigned now);
@@ -72,4 +72,4 @@ class Version2Commands {
   Version2Telemetry telemetry_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_VERSION2_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_H

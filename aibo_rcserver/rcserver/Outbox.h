@@ -1,7 +1,7 @@
 /// @file Outbox.h
 /// What waits to be sent to the client, pictures apart.
-#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_OUTBOX_H
-#define AIBO_RCSERVER_RCSERVER_COMMANDS_OUTBOX_H
+#ifndef AIBO_RCSERVER_RCSERVER_OUTBOX_H
+#define AIBO_RCSERVER_RCSERVER_OUTBOX_H
 
 #include <stddef.h>
 
@@ -57,4 +57,4 @@ class Outbox {
   size_t telemetry_size_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_OUTBOX_H
+#endif  // AIBO_RCSERVER_RCSERVER_OUTBOX_H

@@ -1,12 +1,12 @@
 /// @file FileDesk.h
 /// RCServer's side of the object FileKeeper.
-#ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_FILE_DESK_H
-#define AIBO_RCSERVER_RCSERVER_SETTINGS_FILE_DESK_H
+#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_DESK_H
+#define AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_DESK_H
 
 #include <OPENR/OSubject.h>
 
 #include "objects/RegionSender.h"
-#include "rcserver/commands/FileJobs.h"
+#include "rcserver/motions/FileJobs.h"
 
 /// Sends jobs to FileKeeper.
 class FileDesk : public FileJobs {
@@ -30,4 +30,4 @@ class FileDesk : public FileJobs {
   RegionSender<FileJob> jobs_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_FILE_DESK_H
+#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_DESK_H

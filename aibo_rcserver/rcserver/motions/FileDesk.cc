@@ -1,4 +1,4 @@
-#include "rcserver/settings/FileDesk.h"
+#include "rcserver/motions/FileDesk.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "rcserver/commands/MotionCommands.h"
+#include "rcserver/motions/MotionCommands.h"
 
 #include <stdarg.h>
 #include <stdio.h>

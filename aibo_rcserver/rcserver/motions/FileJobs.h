@@ -1,7 +1,7 @@
 /// @file FileJobs.h
 /// Where the commands of a client have motion files read and written.
-#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_FILE_JOBS_H
-#define AIBO_RCSERVER_RCSERVER_COMMANDS_FILE_JOBS_H
+#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
+#define AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
 
 #include <stddef.h>
 
@@ -26,4 +26,4 @@ class FileJobs {
                         size_t size) = 0;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_FILE_JOBS_H
+#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
