@@ -68,7 +68,6 @@ const longword RCServer::HEARTBEAT_FRAMES;
 RCServer::RCServer()
     : endpoints_(0),
       client_(NULL),
-      robot_(NULL),
       session_(NULL),
       now_(0),
       last_bytes_received_(0),
@@ -91,8 +90,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_.Design(),    body_.Joints(),        body_.GetMotors(), body_.GetSensors(),
                        body_.GetLights(), body_.GetPowerOrder(), file_desk_};
-  robot_ = new Robot(robot);
-  session_ = new Session(*robot_, settings_, hostSettings().newest_version);
+  session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
 
@@ -124,8 +122,6 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   }
   delete session_;
   session_ = NULL;
-  delete robot_;
-  robot_ = NULL;
   file_desk_.Destroy();
   pictures_.Destroy();
   body_.Close();
@@ -377,7 +373,7 @@ void RCServer::JudgeClient() {
   }
   const bool was_silent = was_silent_;
   was_silent_ = IsClientSilent();
-  MotionPlayer& motions = robot_->joints.Motions();
+  MotionPlayer& motions = body_.Joints().Motions();
   if (was_silent_ && !was_silent && motions.IsPlaying()) {
     OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions are not repeated any more\n",
                client_->ClientName(), settings_.silent_client_seconds));

@@ -119,8 +119,7 @@ class RCServer : public OObject {
   StreamReport stream_report_;
   LieDown lie_down_;
   Settings settings_;
-  Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session
-  Session* session_;  ///< with the client
+  Session* session_;  ///< with the client; there is one from DoInit to DoDestroy
   longword now_;
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client

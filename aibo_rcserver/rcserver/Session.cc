@@ -1,6 +1,5 @@
 #include "rcserver/Session.h"
 
-#include <stdio.h>
 #include <string.h>
 
 using protocol::version2::FrameHeader;
@@ -15,9 +14,9 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       version_(1),
       is_over_(false),
       power_reason_(NULL),
-      motions_(robot, settings),
-      version1_(robot, settings, motions_, camera_, outbox_, payload_),
-      version2_(robot, settings, motions_, camera_, outbox_),
+      motions_(robot.joints, robot.motors, robot.files, settings),
+      version1_(robot_, settings, motions_, camera_, outbox_, payload_),
+      version2_(robot_, settings, motions_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
       has_request_(false),
       has_frame_(false),
@@ -89,7 +88,7 @@ void Session::FileDone(const FileResult& result) {
 void Session::RobotGoesOff(const char* reason) {
   power_reason_ = reason;
   if (version_ == protocol::version2::VERSION) {
-    version2_.PushError(protocol::version2::CODE_POWER, reason);
+    version2_.PushPowerOff(reason);
   }
 }
 
@@ -160,9 +159,7 @@ bool Session::ReadFrame() {
       return true;
     }
     if (result == FrameReader::FRAME_TOO_LARGE) {
-      char text[128];
-      sprintf(text, "a request of %u bytes is too large; the server hangs up", frame_reader_.header().payload_size);
-      version2_.Refuse(frame_reader_.header(), protocol::version2::CODE_REFUSED, text);
+      version2_.RefuseTooLarge(frame_reader_.header());
       is_over_ = true;
       return false;
     }

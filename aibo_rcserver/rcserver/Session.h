@@ -31,8 +31,9 @@ class Session {
   static const size_t MAX_PICTURE_HEADER_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
 
-  /// @param settings what clients may do
-  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2. All must outlive this.
+  /// @param robot whose parts must outlive this
+  /// @param settings what clients may do; must outlive this
+  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2
   Session(const Robot& robot, const Settings& settings, int newest_version);
 
   /// A client has come. It speaks version 1 until it asks for another one.
@@ -100,7 +101,7 @@ class Session {
   bool ReadFrame();
   void ChangeToVersion2();
 
-  const Robot& robot_;
+  const Robot robot_;
   const int newest_version_;
   int version_;
   bool is_over_;

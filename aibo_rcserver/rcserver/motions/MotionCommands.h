@@ -5,7 +5,9 @@
 
 #include "mtn/motion.h"
 #include "protocol/motion_name.h"
-#include "rcserver/Robot.h"
+#include "rcserver/joints/JointControl.h"
+#include "rcserver/joints/MotorSwitch.h"
+#include "rcserver/motions/FileJobs.h"
 #include "rcserver/settings/Settings.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. Each function does what is asked, or
@@ -26,7 +28,7 @@ class MotionCommands {
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   /// All must outlive this.
-  MotionCommands(const Robot& robot, const Settings& settings);
+  MotionCommands(JointControl& joints, const MotorSwitch& motors, FileJobs& files, const Settings& settings);
 
   /// A new client: what is pending was another one's, and is forgotten.
   void Begin() { ticket_ = 0; }
@@ -39,7 +41,7 @@ class MotionCommands {
 
   /// True while Play(), Upload(), Delete() and List() must not be called: a request is PENDING, or what another client
   /// has begun is not finished yet.
-  bool IsBusy() const { return IsPending() || (robot_.files.IsThere() && !robot_.files.IsFree()); }
+  bool IsBusy() const { return IsPending() || (files_.IsThere() && !files_.IsFree()); }
 
   /// Begins to play a motion: PENDING until its file has been read.
   /// @param repetitions not below 1
@@ -82,7 +84,9 @@ class MotionCommands {
   Outcome FailOnMemoryStick();
   Outcome Fail(Outcome outcome, const char* format, ...);
 
-  const Robot& robot_;
+  JointControl& joints_;
+  const MotorSwitch& motors_;
+  FileJobs& files_;
   const Settings& settings_;
   mtn::Motion checked_;  ///< what is uploaded
   char problem_[MAX_PROBLEM_SIZE];
