@@ -22,8 +22,6 @@
 /// client that takes longer than CLOSE_PATIENCE is aborted.
 class Connection {
  public:
-  enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
-
   /// Most bytes that are given to the IPStack at once. Nearly every picture fits in there with its header.
   static const size_t MAX_PART_SIZE = 8 * 1024;
 
@@ -46,7 +44,8 @@ class Connection {
   /// Gives the shared buffer back.
   void Destroy();
 
-  State GetState() const { return state_; }
+  bool IsClosed() const { return state_ == CLOSED; }
+  bool IsListening() const { return state_ == LISTENING; }
 
   /// True if an answer with this continuation belongs to the endpoint that this connection has now. Answers that
   /// concern an endpoint of the past are to be ignored.
@@ -126,6 +125,8 @@ class Connection {
   const char* ClientName() const { return client_name_; }
 
  private:
+  enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
+
   Connection(const Connection&);
   Connection& operator=(const Connection&);
 

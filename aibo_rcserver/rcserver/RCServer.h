@@ -14,9 +14,9 @@
 #include "rcserver/Robot.h"
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
+#include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureTaker.h"
-#include "rcserver/camera/StreamReport.h"
-#include "rcserver/motions/FileDesk.h"
+#include "rcserver/motions/FileJobs.h"
 #include "rcserver/motions/LieDown.h"
 #include "rcserver/settings/Settings.h"
 
@@ -93,7 +93,8 @@ class RCServer : public OObject {
   void Obey(PowerSupply::Alarm alarm);
   void GoOff(PowerOrder order, const char* reason);
   void CarryOutPowerOrder();
-  void LieDownFurther();
+  void SwitchOff();
+  void ContinueLyingDown();
   void PassTime(longword frame);
   void JudgeClient();
   bool IsClientSilent() const;
@@ -104,7 +105,6 @@ class RCServer : public OObject {
   void DropClient(const char* reason, bool abort);
   void ServeClient();
   bool SendOutput();
-  void CountImage(OFbkImageVectorData* image_vector);
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   void BeginPicture();
@@ -113,10 +113,11 @@ class RCServer : public OObject {
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;    ///< numbers given so far
   Connection* client_;  ///< the connection that is served; NULL if there is none
-  Body body_;
+  Body* body_;          ///< there is one from DoInit to DoDestroy
+  PowerSupply power_supply_;
+  PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;
   PictureTaker pictures_;  ///< for the client alone
-  StreamReport stream_report_;
   LieDown lie_down_;
   Settings settings_;
   Session* session_;  ///< with the client; there is one from DoInit to DoDestroy
@@ -128,7 +129,6 @@ class RCServer : public OObject {
   longword last_attempt_;         ///< to listen
   unsigned turned_away_;          ///< clients of whom the console has not been told
   longword last_told_turned_away_;
-  unsigned image_count_;  ///< the camera's own count, which has 16 bits, carried on to 32
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

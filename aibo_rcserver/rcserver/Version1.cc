@@ -226,7 +226,7 @@ bool Version1::SetLed() {
   if (led == NO_LED) {
     return false;
   }
-  const Lights::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(led).is_mode_b};
+  const LightDriver::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(led).is_mode_b};
   Reply(robot_.lights.SetLed(led, wanted).intensity);
   return true;
 }
@@ -234,7 +234,7 @@ bool Version1::SetLed() {
 bool Version1::SetAllLeds() {
   const int count = robot_.lights.Robot().number_of_leds;
   for (int i = 0; i < count; ++i) {
-    const Lights::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(i).is_mode_b};
+    const LightDriver::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(i).is_mode_b};
     robot_.lights.SetLed(i, wanted);
   }
   if (count > 0) {
@@ -245,7 +245,7 @@ bool Version1::SetAllLeds() {
 
 bool Version1::SetFace() {
   const int count = robot_.lights.Robot().number_of_leds;
-  const Lights::LedState wanted = {ledIntensity(Value()), Identifier() != FACE_MODE_A};
+  const LightDriver::LedState wanted = {ledIntensity(Value()), Identifier() != FACE_MODE_A};
   for (int i = 0; i < count; ++i) {
     robot_.lights.SetLed(i, wanted);
   }

@@ -329,8 +329,8 @@ void Version2::SetLeds() {
   }
   for (int i = 0; i < values.count; ++i) {
     LedValue& value = values.leds[i];
-    const Lights::LedState wanted = {value.intensity, value.mode == LED_MODE_B};
-    const Lights::LedState accepted = robot_.lights.SetLed(robot_.lights.FindLed(value.id), wanted);
+    const LightDriver::LedState wanted = {value.intensity, value.mode == LED_MODE_B};
+    const LightDriver::LedState accepted = robot_.lights.SetLed(robot_.lights.FindLed(value.id), wanted);
     value.intensity = accepted.intensity;
     value.mode = accepted.is_mode_b ? LED_MODE_B : LED_MODE_A;
   }
@@ -380,7 +380,7 @@ void Version2::PushJointFaults() {
 // Takes the place of telemetry that still waits.
 void Version2::PushTelemetry(unsigned frame) {
   const JointControl& joints = robot_.joints;
-  const Sensors& sensors = robot_.sensors;
+  const SensorDriver& sensors = robot_.sensors;
   Telemetry telemetry;
   telemetry.frame_number = frame;
   telemetry.count = static_cast<unsigned short>(joints.NumberOfJoints());

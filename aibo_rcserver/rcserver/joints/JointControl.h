@@ -3,10 +3,64 @@
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
-#include "rcserver/joints/JointWatch.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
 #include "robot_model/robot_model.h"
+
+/// Switches the motors of all joints at once.
+class MotorSwitch {
+ public:
+  virtual ~MotorSwitch() {}
+
+  /// True from the moment they are switched on, although they pull only a little later.
+  virtual bool AreOn() const = 0;
+
+  /// On: the joints hold where they are. Off: they can be moved by hand.
+  /// @return false if the robot refuses; they are off then
+  virtual bool Switch(bool on) = 0;
+};
+
+/// What a joint reports, 4 frames apart.
+struct JointReading {
+  int position;   ///< measured, in microradian
+  int reference;  ///< where it was told to be then, in microradian
+  int duty;       ///< of its motor: -512..512 is from full power backward to full power forward
+};
+
+/// Watches one joint. Pure logic.
+///
+/// A joint that is off its reference by more than TOLERANCE and has not moved by MOVEMENT for PATIENCE does not follow.
+/// With its motor at HIGH_DUTY or more, something holds it: it is jammed. With less, the robot does not even try. All
+/// four numbers are our choice: large enough for a joint that lags behind in a fast motion or hangs under its load, and
+/// small enough to spare a motor that pushes in vain.
+class JointWatch {
+ public:
+  enum Verdict {
+    FOLLOWS,
+    JAMMED,
+    UNCONTROLLABLE,
+    LIMP  ///< its motor got no gain; Look() never says so
+  };
+
+  static const int TOLERANCE = 174533;  ///< microradian: 10 degrees
+  static const int MOVEMENT = 17453;    ///< microradian: 1 degree
+  static const unsigned PATIENCE = 63;  ///< frames of 8 ms: half a second
+  static const int HIGH_DUTY = 256;     ///< of 512
+
+  JointWatch() : position_(0), since_(0) {}
+
+  /// Starts over: the joint is here, and nothing is known of what was before.
+  void Reset(int position, unsigned frame);
+
+  /// To be called for each reading.
+  /// @param frame of the reading, in frames of 8 ms
+  /// @return FOLLOWS, or what is wrong, which then is said again after another PATIENCE only
+  Verdict Look(const JointReading& reading, unsigned frame);
+
+ private:
+  int position_;    ///< where the joint moved or was where it was to be for the last time
+  unsigned since_;  ///< frame of that
+};
 
 /// What commands work on and what the motors are driven from. Pure logic. Joints go by their index in the robot's table
 /// (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
@@ -24,6 +78,7 @@ class JointControl {
   int Find(int identifier) const { return findJointByIdentifier(robot_, identifier); }
 
   MotionPlanner& Planner() { return planner_; }
+  const MotionPlanner& Planner() const { return planner_; }
   MotionPlayer& Motions() { return motions_; }
 
   /// A client's command: as MotionPlanner::SetTargets(), and motions that move one of these joints are over.

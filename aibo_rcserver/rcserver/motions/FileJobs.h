@@ -3,9 +3,12 @@
 #ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
 #define AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
 
+#include <OPENR/OSubject.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "file_keeper/FileJob.h"
+#include "objects/RegionSender.h"
 
 /// Takes one job at a time. Its FileResult comes later (Session::FileDone()).
 class FileJobs {
@@ -24,6 +27,40 @@ class FileJobs {
   /// @return the job's ticket, which comes back with its result; not 0
   virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
                         size_t size) = 0;
+};
+
+/// Sends jobs to FileKeeper.
+class FileDesk : public FileJobs {
+ public:
+  FileDesk() {}
+
+  /// To be called in DoInit.
+  /// @param gate to FileKeeper; must outlive this
+  /// @return false if the memory could not be allocated
+  bool Create(OSubject* gate) { return jobs_.Create(gate); }
+
+  /// To be called in DoDestroy.
+  void Destroy() { jobs_.Destroy(); }
+
+  virtual bool IsThere() const { return jobs_.HasReceiver(); }
+  virtual bool IsFree() const { return jobs_.IsFree(); }
+  virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
+                        size_t size) {
+    FileJob* const job = jobs_.Memory();
+    job->ticket = jobs_.NewTicket();
+    job->operation = operation;
+    strcpy(job->name, name);
+    job->size = size;
+    if (size > 0) {
+      memcpy(job->content, content, size);
+    }
+    const unsigned ticket = job->ticket;
+    jobs_.Send();
+    return ticket;
+  }
+
+ private:
+  RegionSender<FileJob> jobs_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H

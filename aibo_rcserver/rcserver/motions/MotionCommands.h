@@ -6,7 +6,6 @@
 #include "mtn/motion.h"
 #include "protocol/motion_name.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/joints/MotorSwitch.h"
 #include "rcserver/motions/FileJobs.h"
 #include "rcserver/settings/Settings.h"
 

@@ -260,8 +260,8 @@ class Server {
   Settings settings_;
   JointControl joints_{kRobot};
   ObedientMotors motors_;
-  Sensors sensors_{kRobot};
-  Lights lights_{kRobot};
+  SensorDriver sensors_{kRobot};
+  LightDriver lights_{kRobot};
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
   Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, power_order_, files_};

@@ -13,7 +13,7 @@
 #include "protocol/angles.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/body/Lights.h"
+#include "rcserver/body/LightDriver.h"
 #include "rcserver/settings/Settings.h"
 #include "temporary_memory_stick.h"
 #include "version2_fixture.h"
@@ -256,7 +256,7 @@ TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
   passFrames(kUntilMeasured);
   EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, 0)));
   EXPECT_THAT(robot_.ears, Each(Field(&FakeRobot::FakeEar::drawn, false)));
-  EXPECT_LT(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
 }
 
 TEST_F(BodyTest, LedThatDoesNotOpenIsNamedAndTheOthersShine) {
@@ -306,7 +306,7 @@ TEST_F(BodyTest, MotionIsTheSameWithAndWithoutLeds) {
 TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
   passFrames(100);
-  EXPECT_EQ(framesDrawn(kRightEar), Lights::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kRightEar), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(kLeftEar), 0);
   EXPECT_FALSE(robot_.ears[1].drawn);
 }
@@ -318,7 +318,7 @@ TEST_F(BodyTest, EarThatIsDrawnAgainAndAgainRestsAsLongAsItIsDrawn) {
     passFrames(1);
   }
   EXPECT_GT(framesDrawn(kLeftEar), 100);
-  EXPECT_LE(framesDrawn(kLeftEar), 200 + Lights::EAR_FRAMES);
+  EXPECT_LE(framesDrawn(kLeftEar), 200 + LightDriver::EAR_FRAMES);
 }
 
 TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
@@ -328,7 +328,7 @@ TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 0);
   passFrames(100);
   EXPECT_GT(framesDrawn(kLeftEar), 0);
-  EXPECT_LT(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 1);
 }
 
@@ -357,7 +357,7 @@ TEST_F(BodyTest, EarsOfAnErs210AreDrawnAndLetGo) {
   expectAnswer(request('K', 0, 1), 'k', 0, 1);
   passFrames(100);
   for (const FakeRobot::FakeEar& ear : ers210.ears) {
-    EXPECT_EQ(std::count(ear.path.begin(), ear.path.end(), true), Lights::EAR_FRAMES);
+    EXPECT_EQ(std::count(ear.path.begin(), ear.path.end(), true), LightDriver::EAR_FRAMES);
   }
   client_.reset();
   machine_.reset();
@@ -543,7 +543,7 @@ TEST_F(BodyVersion2Test, EarsAnswerWhatTheyDo) {
   EXPECT_EQ(answer.header.kind, 'k');
   EXPECT_EQ(text(answer), std::string("\1\0", 2));
   passFrames(22);
-  EXPECT_EQ(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(kRightEar), 0);
   EXPECT_EQ(text(answerTo('K', 0, "\1\1")), std::string("\0\1", 2)) << "the left one rests";
 }

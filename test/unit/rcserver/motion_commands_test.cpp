@@ -14,7 +14,7 @@
 #include "protocol/motion_requests.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/joints/JointWatch.h"
+#include "rcserver/joints/JointControl.h"
 #include "rcserver_fixture.h"
 #include "temporary_memory_stick.h"
 

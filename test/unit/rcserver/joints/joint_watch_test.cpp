@@ -1,4 +1,4 @@
-#include "rcserver/joints/JointWatch.h"
+#include "rcserver/joints/JointControl.h"
 
 #include <gtest/gtest.h>
 
