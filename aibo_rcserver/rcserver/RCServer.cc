@@ -9,7 +9,7 @@
 
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
-#include "rcserver/settings/SettingsFile.h"
+#include "rcserver/settings/Settings.h"
 
 namespace {
 

@@ -1,9 +1,10 @@
 #include "rcserver/settings/Settings.h"
 
+#include <OPENR/OSyslog.h>
+#include <ctype.h>
+#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "rcserver/settings/LineReader.h"
 
 namespace {
 
@@ -27,6 +28,41 @@ const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
 }
 
+// Some editors put it in front of a file.
+const char BYTE_ORDER_MARK[] = "\xef\xbb\xbf";
+
+// Reads a file line by line: in capitals, without comments, without spaces at either end, whichever system's line ends
+// the file has.
+class LineReader {
+ public:
+  explicit LineReader(FILE* file) : file_(file), number_(0), size_(0), is_text_(true) { line_[0] = '\0'; }
+
+  // Goes to the next line, which may be empty. False at the end of the file.
+  bool Next();
+
+  // From 1.
+  int Number() const { return number_; }
+
+  // False if the line is too long or has a zero byte in it; Line() is not valid then.
+  bool IsText() const { return is_text_; }
+
+  const char* Line() const { return line_; }
+
+ private:
+  LineReader(const LineReader&);
+  LineReader& operator=(const LineReader&);
+
+  void Add(int character);
+  void Trim();
+
+  FILE* file_;
+  int number_;
+  size_t size_;
+  bool is_text_;
+  char line_[MAX_SETTINGS_LINE_SIZE + 1];
+};
+
+// Reads lines NAME=VALUE into settings.
 class Reader {
  public:
   Reader(Settings* settings, SettingsProblems& problems)
@@ -51,6 +87,45 @@ class Reader {
   int first_passed_over_;  // line; 0: none
   bool is_set_[NUMBER_OF_NAMES];
 };
+
+bool LineReader::Next() {
+  int character = getc(file_);
+  if (character == EOF) {
+    return false;
+  }
+  ++number_;
+  size_ = 0;
+  is_text_ = true;
+  bool is_comment = false;
+  for (; character != EOF && character != '\n'; character = getc(file_)) {
+    is_comment = is_comment || character == '#';
+    if (!is_comment) {
+      Add(character);
+    }
+  }
+  Trim();
+  return true;
+}
+
+void LineReader::Add(int character) {
+  if (size_ == MAX_SETTINGS_LINE_SIZE || character == '\0') {
+    is_text_ = false;
+    return;
+  }
+  line_[size_] = static_cast<char>(toupper(character));
+  ++size_;
+}
+
+void LineReader::Trim() {
+  while (size_ > 0 && isspace(static_cast<unsigned char>(line_[size_ - 1]))) {
+    --size_;
+  }
+  line_[size_] = '\0';
+  const size_t mark_size = strlen(BYTE_ORDER_MARK);
+  const char* begin = number_ == 1 && strncmp(line_, BYTE_ORDER_MARK, mark_size) == 0 ? line_ + mark_size : line_;
+  begin += strspn(begin, " \t");
+  memmove(line_, begin, strlen(begin) + 1);
+}
 
 void Reader::Read(FILE* file) {
   LineReader reader(file);
@@ -168,8 +243,48 @@ void Reader::DoubtAddresses() {
   }
 }
 
+class OnConsole : public SettingsProblems {
+ public:
+  virtual void Tell(int line, const char* text) {
+    OSYSLOG1((osyslogERROR, "RCServer: %s, line %d: %s", SETTINGS_FILE, line, text));
+  }
+};
+
+// Whether there is such a file is not for fopen() to say: it may fail for other reasons.
+bool IsThere(const HostSettings& host) {
+  char path[MAX_PATH_SIZE];
+  DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;
+  if (folder == NULL) {
+    return false;
+  }
+  const dirent* entry = readdir(folder);
+  while (entry != NULL && strcasecmp(entry->d_name, SETTINGS_FILE + sizeof(SETTINGS_FOLDER)) != 0) {
+    entry = readdir(folder);
+  }
+  closedir(folder);
+  return entry != NULL;
+}
+
 }  // namespace
 
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems) {
   Reader(settings, problems).Read(file);
+}
+
+Settings readSettingsFile(const HostSettings& host) {
+  Settings settings;
+  char path[MAX_PATH_SIZE];
+  FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? fopen(path, "rb") : NULL;
+  if (file != NULL) {
+    OnConsole problems;
+    readSettings(file, &settings, problems);
+    fclose(file);
+  } else if (IsThere(host)) {
+    settings.allowed_addresses.AllowNobodyElse();
+    OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; nobody but 127.0.0.1 may connect", SETTINGS_FILE));
+  } else {
+    OSYSPRINT(("RCServer: no %s on the memory stick: upload, delete, shutting down and rebooting are not allowed\n",
+               SETTINGS_FILE));
+  }
+  return settings;
 }

@@ -3,13 +3,18 @@
 #ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H
 #define AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H
 
+#include <stddef.h>
 #include <stdio.h>
 
+#include "objects/HostSettings.h"
 #include "rcserver/settings/AllowedAddresses.h"
 
 /// Where they are on the memory stick.
 const char SETTINGS_FOLDER[] = "OPEN-R/MW/CONF";
 const char SETTINGS_FILE[] = "OPEN-R/MW/CONF/RCSERVER.CFG";
+
+/// Longest line of the file that is read, without its comment.
+const size_t MAX_SETTINGS_LINE_SIZE = 1023;
 
 /// Made with what holds where the file says nothing: nothing dangerous is allowed.
 struct Settings {
@@ -48,5 +53,9 @@ class SettingsProblems {
 /// too. Where a line was passed over and none sets ALLOWED_ADDRESSES, it may have been that one: no address but
 /// 127.0.0.1, too.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
+
+/// Reads RCSERVER.CFG from the memory stick, and names on the console each line that is wrong. Without the file, the
+/// defaults hold; if it cannot be read, only 127.0.0.1 may connect. The console says so.
+Settings readSettingsFile(const HostSettings& host);
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

@@ -9,7 +9,6 @@
 
 #include "fake_robot.h"
 #include "rcserver/settings/AllowedAddresses.h"
-#include "rcserver/settings/LineReader.h"
 #include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
 #include "temporary_memory_stick.h"
@@ -127,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BrokenLine{"SILENT_CLIENT_SECONDS=99999999999999999999", "1 to 3600"},
                       BrokenLine{"ALLOW_UPLOAD=" + std::string(300, 'x'), "neither yes nor no"},
                       BrokenLine{std::string(300, 'x'), "NAME=VALUE"},
-                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(LineReader::MAX_LINE_SIZE, ' ') + "x", "no text"},
+                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(MAX_SETTINGS_LINE_SIZE, ' ') + "x", "no text"},
                       BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "no text"}));
 
 TEST(Settings, NameThatIsThereTwiceIsNotAllowed) {
