@@ -15,7 +15,7 @@ namespace {
 
 const longword FRAMES_PER_SECOND = 125;  // of 8 ms
 
-// OPEN-R gives the data of an event as constant, and its own classes take it as not. Nothing is written there.
+// OPEN-R passes the data of an event as const, but its own classes take it without. Nothing is written there.
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
@@ -33,7 +33,7 @@ const char* ReasonOf(TCPEndpointError error) {
     case TCP_CONNECTION_CLOSED:
       return "it closed the connection";
     case TCP_CONNECTION_RESET:
-      return "it broke the connection off";
+      return "it reset the connection";
     case TCP_CONNECTION_TIMEOUT:
       return "it cannot be reached";
     default:
@@ -58,7 +58,7 @@ RCServer::RCServer()
       last_not_over_(0),
       last_attempt_(0),
       turned_away_(0),
-      last_told_turned_away_(0 - FRAMES_PER_SECOND) {}
+      last_report_(0 - FRAMES_PER_SECOND) {}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -196,7 +196,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   } else if (client_ == NULL) {
     Admit(connection);
   } else if (IsClientSilent()) {
-    DropClient("it was silent and another one came", true);
+    DropClient("it was silent and another client came", true);
     Admit(connection);
   } else {
     char reason[64];
@@ -229,7 +229,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
-    // The client has closed: so an orderly close is answered at once.
+    // If the client has closed, an orderly close is answered at once.
     DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
@@ -247,7 +247,7 @@ void RCServer::CloseCont(ANTENVMSG msg) {
     return;
   }
   connection->Closed();
-  // Where nobody has come because listening failed, trying at once would fail again: PassTime() tries later.
+  // If listening failed, trying again at once would fail as well: PassTime() tries later.
   if (connection->HadClient()) {
     ListenWhereClosed();
   }
@@ -292,7 +292,7 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
   }
 }
 
-// The client is told first, if there is one: DropClient() does the rest.
+// A client is told first; when it has been dropped, DropClient() carries the order out.
 void RCServer::GoOff(PowerOrder order, const char* reason) {
   OSYSPRINT(("RCServer: %s\n", reason));
   power_order_ = order;
@@ -339,14 +339,14 @@ void RCServer::PassTime(longword frame) {
     ListenWhereClosed();
   }
   if (client_ != NULL) {
-    JudgeClient();
+    CheckClient();
   } else if (power_order_ == POWER_LIE_DOWN) {
     ContinueLyingDown();
   }
 }
 
-// A client of version 1 may be silent and well. But it may be lost, too, so what it has begun does not go on for ever.
-void RCServer::JudgeClient() {
+// A silent client of version 1 may be well, or lost. So its motions end, and it loses its place if another one comes.
+void RCServer::CheckClient() {
   if (!session_->IsOver()) {
     last_not_over_ = now_;
   } else if (now_ - last_not_over_ >= FRAMES_PER_SECOND) {
@@ -402,22 +402,22 @@ void RCServer::Admit(Connection* newcomer) {
   ServeClient();
 }
 
-// With an abort, which frees the place at once. However many come, the console is told once a second at most.
+// Aborts, which frees the connection at once. Reports at most once a second, however many clients come.
 void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   newcomer->Close(true, now_);
   ++turned_away_;
-  if (now_ - last_told_turned_away_ < FRAMES_PER_SECOND) {
+  if (now_ - last_report_ < FRAMES_PER_SECOND) {
     return;
   }
   OSYSPRINT(("RCServer: %s is turned away: %s\n", newcomer->ClientName(), reason));
   if (turned_away_ > 1) {
-    OSYSPRINT(("RCServer: %u more have been turned away since it was said last\n", turned_away_ - 1));
+    OSYSPRINT(("RCServer: %u more have been turned away since the last report\n", turned_away_ - 1));
   }
   turned_away_ = 0;
-  last_told_turned_away_ = now_;
+  last_report_ = now_;
 }
 
-// Forgets the client with all that it left behind.
+// Forgets the client and everything it has started.
 void RCServer::DropClient(const char* reason, bool abort) {
   OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
   client_->Close(abort, now_);
@@ -428,7 +428,7 @@ void RCServer::DropClient(const char* reason, bool abort) {
   body_->SendCommands(subject[sbjEffector]);
 }
 
-// Does all that can be done for the client now.
+// Does everything that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
   pictures_.ReportStream(session_->Camera());
@@ -445,7 +445,7 @@ void RCServer::ServeClient() {
   }
 }
 
-// Sends what waits. The picture goes first, while it is fresh.
+// Sends what waits. A picture goes first, while it is fresh.
 bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
@@ -468,9 +468,9 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   }
 }
 
-// What the picture of this image is to be. False: none is due.
+// What kind of picture to make of this image. False if none is due.
 bool RCServer::FindOrder(PictureOrder* order) {
-  // What has waited until this image came is made again of this one, which shows what is now.
+  // A picture that is still waiting is made again from this image, which is newer.
   if (pictures_.IsWaiting()) {
     *order = pictures_.WaitingOrder();
   } else if (client_->HasWaitingPicture()) {
@@ -487,7 +487,7 @@ bool RCServer::FindOrder(PictureOrder* order) {
   return true;
 }
 
-// A picture that is being sent is finished first: the next one would wait behind it.
+// Not while a picture is being sent: the next one would only wait behind it.
 void RCServer::BeginPicture() {
   if (client_ != NULL && !client_->HasPicture() && pictures_.MayBegin()) {
     pictures_.Begin();

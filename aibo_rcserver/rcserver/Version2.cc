@@ -51,7 +51,7 @@ const char* WordsFor(JointWatch::Verdict fault) {
     case JointWatch::LIMP:
       return "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason";
     default:
-      return "does not follow what it is told. It is held where it is until it is commanded again";
+      return "does not follow its commands. It is held where it is until it is commanded again";
   }
 }
 
@@ -82,7 +82,7 @@ bool Version2::Handle(const FrameHeader& request, const unsigned char* payload, 
   request_ = request;
   payload_ = payload;
   if (request.request_number == 0) {
-    Refuse(CODE_REFUSED, "bad request: its number is 0, which marks what the server pushes; use 1 to 65535");
+    Refuse(CODE_REFUSED, "bad request: number 0 is kept for messages that the server pushes; use 1 to 65535");
     return true;
   }
   switch (request.kind) {
@@ -205,7 +205,7 @@ void Version2::TakePicture() {
   Layer layer = LAYER_HIGH;
   if (IsWellFormed(decodePictureRequest(payload_, request_.payload_size, &layer)) && MakesLayer(layer) &&
       !camera_.RequestPicture(OrderOf(request_.id, layer, request_.request_number))) {
-    Refuse(CODE_REFUSED, "too many pictures are owed already; wait for some of them");
+    Refuse(CODE_REFUSED, "too many pictures are owed already; wait until some have come");
   }
 }
 
@@ -287,7 +287,7 @@ bool Version2::HasJoints(const JointValue* joints, int count) {
 
 void Version2::RefuseMissing(const char* part, int identifier) {
   char text[MAX_ERROR_TEXT_SIZE];
-  sprintf(text, "there is no %s %d on this robot, so nothing of the request was done", part, identifier);
+  sprintf(text, "this robot has no %s %d, so nothing of the request was done", part, identifier);
   Refuse(CODE_REFUSED, text);
 }
 
@@ -299,7 +299,7 @@ void Version2::SwitchMotors() {
       return;
     }
     if (!motors.Switch(on)) {
-      Refuse(CODE_REFUSED, "the robot does not switch its motors on; its console says why");
+      Refuse(CODE_REFUSED, "the robot cannot switch its motors on; its console says why");
       return;
     }
   }

@@ -26,7 +26,7 @@ bool JointDriver::Switch(bool on) {
   state_ = OFF;
   joints_.Motions().StopAll();
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
-    Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds");
+    Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds its position");
   }
   return true;
 }
@@ -90,12 +90,12 @@ bool JointDriver::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) 
   return is_any;
 }
 
-// All of them, or none.
+// Opens all joints or none.
 bool JointDriver::OpenPrimitives(const RobotModel& robot) {
   for (int i = 0; i < robot.number_of_joints; ++i) {
     const Joint& joint = robot.joints[i];
     if (!primitives_.Open(i, joint.name, joint.locator)) {
-      OSYSLOG1((osyslogERROR, "RCServer: without %s no joint is moved", joint.name));
+      OSYSLOG1((osyslogERROR, "RCServer: without %s, no joint is moved", joint.name));
       primitives_.Close();
       return false;
     }
@@ -123,7 +123,7 @@ bool JointDriver::HoldPresentPositions() {
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     OJointValue value;
     if (!Check(OPENR::GetJointValue(primitives_.Id(i), &value), i,
-               "does not say where it is, so the motors stay off")) {
+               "does not report its position, so the motors stay off")) {
       return false;
     }
     joints_.Hold(i, value.value, now_);
@@ -143,10 +143,10 @@ void JointDriver::EnableGains() {
 bool JointDriver::EnableGain(int joint) const {
   const PidGains& gains = robot_.joints[joint].gains;
   const OPrimitiveID id = primitives_.Id(joint);
-  return Check(OPENR::EnableJointGain(id), joint, "is limp: its gain does not go on") &&
+  return Check(OPENR::EnableJointGain(id), joint, "is limp: its gain cannot be enabled") &&
          Check(OPENR::SetJointGain(id, gains.proportional, gains.integral, gains.derivative, gains.proportional_shift,
                                    gains.integral_shift, gains.derivative_shift),
-               joint, "is limp: it does not take its gain");
+               joint, "is limp: its gain cannot be set");
 }
 
 bool JointDriver::Check(OStatus status, int joint, const char* otherwise) const {

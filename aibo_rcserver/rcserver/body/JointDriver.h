@@ -36,7 +36,7 @@ class JointDriver : public MotorSwitch {
   void Fill(RCRegion* vector);
 
   /// The vector that was filled has been sent.
-  /// @param vectors_ahead that were sent before it and whose output is not complete
+  /// @param vectors_ahead sent before it, and not completely output yet
   void Sent(int vectors_ahead);
 
   /// The output of the oldest vector that was sent is complete, whether it was filled here or not.

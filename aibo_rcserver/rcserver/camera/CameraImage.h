@@ -5,13 +5,13 @@
 
 #include <stddef.h>
 
-/// Planes Y, Cr and Cb of one layer, each of full width and height. The camera interleaves their rows, so a row of one
-/// plane is `stride` bytes from its next one.
+/// The planes Y, Cr and Cb of one layer, each of full width and height. The camera interleaves their rows, so two rows
+/// of a plane are `stride` bytes apart.
 ///
-/// Where the picture of the last row should begin, the camera puts TAG_SIZE bytes of its own (OPENR/OFbkImage.h):
-/// two of them are the camera's counter of images, the rest belongs to its colour detection.
+/// The camera overwrites the first TAG_SIZE bytes of the last row (OPENR/OFbkImage.h): with its counter of images in
+/// two of them, and with results of its colour detection.
 struct CameraImage {
-  /// Pixels at the beginning of the last row that are no picture.
+  /// Pixels at the beginning of the last row that the camera overwrites.
   static const size_t TAG_SIZE = 16;
 
   const unsigned char* y;
@@ -21,7 +21,7 @@ struct CameraImage {
   size_t height;  ///< pixels
   size_t stride;  ///< bytes from one row to the next of the same plane: width + skip
 
-  /// The camera's counter of images, 0..65535: it goes up by one an image, delivered or not.
+  /// The camera's counter of images, 0..65535. It counts all images, delivered or not.
   unsigned short FieldCounter() const {
     const unsigned char* tag = y + (height - 1) * stride;
     return static_cast<unsigned short>(tag[0] | (tag[1] << 8));

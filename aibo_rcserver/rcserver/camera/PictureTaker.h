@@ -18,12 +18,12 @@ class PictureTaker {
  public:
   PictureTaker();
 
-  /// To be called in DoInit.
+  /// Call in DoInit.
   /// @param gate to the encoder; must outlive this
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
-  /// To be called in DoDestroy.
+  /// Call in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
   /// Call for each image of the camera.
@@ -35,9 +35,10 @@ class PictureTaker {
   /// True if there is room for an image to wait.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
-  /// The image counted last is to become the next picture, and replaces one that waits. Only if HasRoom().
+  /// Keeps the image that was counted last to make the next picture of it, in place of one that waits. Only if
+  /// HasRoom().
   /// @param image is copied
-  /// @return NULL, or why there can be no picture of it
+  /// @return NULL, or why no picture can be made
   const char* Offer(OFbkImageVectorData* image, const PictureOrder& order);
 
   /// True from Offer() to Begin().
@@ -50,17 +51,17 @@ class PictureTaker {
   /// True if an image waits and the encoder is ready for it.
   bool MayBegin() const { return is_waiting_ && jobs_.IsFree(); }
 
-  /// Has the picture made. Only if MayBegin().
+  /// Has the picture of the waiting image made. Only if MayBegin().
   void Begin();
 
   /// The client is gone: drops the picture that is being made and the image that waits, and ends the stream's report.
   void Forget();
 
-  /// A picture has come.
-  /// @return false if it was dropped
+  /// PictureEncoder has finished a picture.
+  /// @return false if the picture was dropped meanwhile
   bool Take(const EncodedPicture& picture);
 
-  /// @name The picture that is being made, or that has come last
+  /// @name The picture that is being made, or the last one
   /// @{
   const PictureOrder& Order() const { return order_; }
   const protocol::version2::ImageHeader& Header() const { return header_; }

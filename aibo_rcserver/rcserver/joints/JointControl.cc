@@ -91,7 +91,7 @@ JointWatch::Verdict JointControl::TakeFault(int joint) {
 }
 
 void JointControl::ClientGone() {
-  // The limits first: with low ones that the client has left, a joint would glide on for long.
+  // The limits go first: with low ones left by the client, a joint would take long to stop.
   for (int i = 0; i < NumberOfJoints(); ++i) {
     planner_.SetSpeedLimit(i, robot_.joints[i].highest_speed);
     planner_.SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));

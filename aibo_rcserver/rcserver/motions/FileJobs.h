@@ -1,5 +1,5 @@
 /// @file FileJobs.h
-/// Where the commands of a client have motion files read and written.
+/// RCServer's side of the object FileKeeper.
 #ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
 #define AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
 
@@ -10,20 +10,20 @@
 #include "file_keeper/FileJob.h"
 #include "objects/RegionSender.h"
 
-/// Takes one job at a time. Its FileResult comes later (Session::FileDone()).
+/// Has motion files read and written, one job at a time. The FileResult comes later (Session::FileDone()).
 class FileJobs {
  public:
   virtual ~FileJobs() {}
 
-  /// False if there is nobody who does jobs.
+  /// False if FileKeeper does not run.
   virtual bool IsThere() const = 0;
 
   /// False while a job is being done.
   virtual bool IsFree() const = 0;
 
-  /// Has a job done. Only if IsFree().
+  /// Begins a job. Only if IsFree().
   /// @param name empty for LIST
-  /// @param content, size up to mtn::MAX_FILE_SIZE bytes, which are copied; NULL and 0 unless it is STORE
+  /// @param content, size for STORE: up to mtn::MAX_FILE_SIZE bytes, which are copied; otherwise NULL and 0
   /// @return the job's ticket, which comes back with its result; not 0
   virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
                         size_t size) = 0;
@@ -34,12 +34,12 @@ class FileDesk : public FileJobs {
  public:
   FileDesk() {}
 
-  /// To be called in DoInit.
+  /// Call in DoInit.
   /// @param gate to FileKeeper; must outlive this
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
-  /// To be called in DoDestroy.
+  /// Call in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
   virtual bool IsThere() const { return jobs_.HasReceiver(); }

@@ -53,7 +53,7 @@ MotionCommands::Outcome MotionCommands::CheckUpload(size_t size) {
     return Fail(REFUSED, "uploads are not allowed; ALLOW_UPLOAD=yes in RCSERVER.CFG on the memory stick allows them");
   }
   if (size > mtn::MAX_FILE_SIZE) {
-    return Fail(REFUSED, "%lu bytes are more than a motion may have, which is %lu", static_cast<unsigned long>(size),
+    return Fail(REFUSED, "%lu bytes are too many: a motion may have %lu", static_cast<unsigned long>(size),
                 static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
   }
   return DONE;
@@ -65,7 +65,7 @@ MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name,
     return REFUSED;
   }
   if (!checked_.read(content, size)) {
-    return Fail(REFUSED, "%s is no motion file: %s", name, checked_.problem());
+    return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
   }
   int joints[mtn::MAX_JOINTS];
   if (const char* missing = FindJoints(checked_, joints_.Robot(), joints)) {
@@ -122,7 +122,7 @@ MotionCommands::Outcome MotionCommands::CheckPlay() {
     return Fail(REFUSED, "the motors are off; switch them on first");
   }
   if (joints_.Motions().FindRoom() == NULL) {
-    return Fail(REFUSED, "%d motions are being played, and no more can be; stop one first", MotionPlayer::MAX_PLAYING);
+    return Fail(REFUSED, "%d motions are being played, which is the most; stop one first", MotionPlayer::MAX_PLAYING);
   }
   return DONE;
 }
@@ -149,7 +149,7 @@ MotionCommands::Outcome MotionCommands::FailOnMemoryStick() {
   }
 }
 
-// Says why; the outcome.
+// Keeps the reason, and returns the outcome.
 MotionCommands::Outcome MotionCommands::Fail(Outcome outcome, const char* format, ...) {
   va_list values;
   va_start(values, format);

@@ -66,7 +66,7 @@ class LineReader {
 class Reader {
  public:
   Reader(Settings* settings, SettingsProblems& problems)
-      : settings_(*settings), problems_(problems), line_(0), first_passed_over_(0) {
+      : settings_(*settings), problems_(problems), line_(0), first_ignored_(0) {
     memset(is_set_, 0, sizeof(is_set_));
   }
 
@@ -78,13 +78,13 @@ class Reader {
   const char* ReadSeconds(const char* value);
   const char* MakeSafe(int name);
   bool* FindSwitch(int name);
-  void PassOver(const char* problem, const char* text);
+  void Ignore(const char* problem, const char* text);
   void DoubtAddresses();
 
   Settings& settings_;
   SettingsProblems& problems_;
   int line_;
-  int first_passed_over_;  // line; 0: none
+  int first_ignored_;  // line; 0: no line was ignored
   bool is_set_[NUMBER_OF_NAMES];
 };
 
@@ -132,14 +132,14 @@ void Reader::Read(FILE* file) {
   while (reader.Next()) {
     line_ = reader.Number();
     if (!reader.IsText()) {
-      PassOver("it is no text, or longer than 1023 characters", "");
+      Ignore("it is not text, or longer than 1023 characters", "");
     } else if (reader.Line()[0] != '\0') {
       ReadLine(reader.Line());
     }
   }
   if (ferror(file)) {
     ++line_;
-    PassOver("it cannot be read", "");
+    Ignore("it cannot be read", "");
   }
   DoubtAddresses();
 }
@@ -148,7 +148,7 @@ void Reader::ReadLine(const char* line) {
   const size_t name_size = strcspn(line, " \t=");
   const char* value = SkipSpaces(line + name_size);
   if (*value != '=') {
-    PassOver("it is no NAME=VALUE", line);
+    Ignore("it is not NAME=VALUE", line);
     return;
   }
   value = SkipSpaces(value + 1);
@@ -157,10 +157,10 @@ void Reader::ReadLine(const char* line) {
     ++name;
   }
   if (name == NUMBER_OF_NAMES) {
-    PassOver("there is no such setting", line);
+    Ignore("there is no such setting", line);
     return;
   }
-  const char* problem = is_set_[name] ? "is there for the second time" : ReadValue(name, value);
+  const char* problem = is_set_[name] ? "appears a second time" : ReadValue(name, value);
   is_set_[name] = true;
   if (problem != NULL) {
     char text[256];
@@ -169,7 +169,7 @@ void Reader::ReadLine(const char* line) {
   }
 }
 
-// What is wrong with the value, or NULL.
+// The problem with the value, or NULL.
 const char* Reader::ReadValue(int name, const char* value) {
   switch (name) {
     case ALLOWED_ADDRESSES:
@@ -186,27 +186,27 @@ const char* Reader::ReadSeconds(const char* value) {
   const size_t digits = strspn(value, "0123456789");
   const int seconds = digits <= 4 ? atoi(value) : 0;
   if (value[digits] != '\0' || seconds < 1 || seconds > MOST_SECONDS) {
-    return "is no whole number from 1 to 3600";
+    return "is not a whole number from 1 to 3600";
   }
   settings_.silent_client_seconds = static_cast<unsigned>(seconds);
   return NULL;
 }
 
-// Says what holds instead.
+// Sets the safe value, and says which it is.
 const char* Reader::MakeSafe(int name) {
   switch (name) {
     case ALLOWED_ADDRESSES:
-      settings_.allowed_addresses.AllowNobodyElse();
-      return "nobody but 127.0.0.1 may connect";
+      settings_.allowed_addresses.AllowOnlyThisComputer();
+      return "only 127.0.0.1 may connect";
     case SILENT_CLIENT_SECONDS:
       settings_.silent_client_seconds = Settings().silent_client_seconds;
-      return "it is 10";
+      return "it is set to 10";
     case POWER_MONITOR:
       settings_.power_monitor = true;
-      return "it is yes";
+      return "it is set to yes";
     default:
       *FindSwitch(name) = false;
-      return "it is no";
+      return "it is set to no";
   }
 }
 
@@ -227,19 +227,20 @@ bool* Reader::FindSwitch(int name) {
   }
 }
 
-void Reader::PassOver(const char* problem, const char* text) {
+void Reader::Ignore(const char* problem, const char* text) {
   char message[256];
-  sprintf(message, "%s, and is passed over: \"%.60s\"", problem, text);
+  sprintf(message, "%s; the line is ignored: \"%.60s\"", problem, text);
   problems_.Tell(line_, message);
-  first_passed_over_ = first_passed_over_ == 0 ? line_ : first_passed_over_;
+  first_ignored_ = first_ignored_ == 0 ? line_ : first_ignored_;
 }
 
-// What was passed over may have been meant to keep others out.
+// A line that was ignored may have been meant to keep others out.
 void Reader::DoubtAddresses() {
-  if (first_passed_over_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
+  if (first_ignored_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
     char text[128];
-    sprintf(text, "was it %s? That is not set; %s", NAMES[ALLOWED_ADDRESSES], MakeSafe(ALLOWED_ADDRESSES));
-    problems_.Tell(first_passed_over_, text);
+    sprintf(text, "%s is not set, and this line may have been meant to: %s", NAMES[ALLOWED_ADDRESSES],
+            MakeSafe(ALLOWED_ADDRESSES));
+    problems_.Tell(first_ignored_, text);
   }
 }
 
@@ -250,7 +251,7 @@ class OnConsole : public SettingsProblems {
   }
 };
 
-// Whether there is such a file is not for fopen() to say: it may fail for other reasons.
+// fopen() cannot tell whether the file exists: it may fail for other reasons.
 bool IsThere(const HostSettings& host) {
   char path[MAX_PATH_SIZE];
   DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;
@@ -280,8 +281,8 @@ Settings readSettingsFile(const HostSettings& host) {
     readSettings(file, &settings, problems);
     fclose(file);
   } else if (IsThere(host)) {
-    settings.allowed_addresses.AllowNobodyElse();
-    OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; nobody but 127.0.0.1 may connect", SETTINGS_FILE));
+    settings.allowed_addresses.AllowOnlyThisComputer();
+    OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; only 127.0.0.1 may connect", SETTINGS_FILE));
   } else {
     OSYSPRINT(("RCServer: no %s on the memory stick: upload, delete, shutting down and rebooting are not allowed\n",
                SETTINGS_FILE));

@@ -127,8 +127,8 @@ TEST_F(JointsTest, JointsThatGetNoGainAreNamedOnTheConsoleAndTheOthersHold) {
   robot_.joint("mouth").refuses_gain = true;
   robot_.joint("tail_pan").refuses_gains = true;
   start();
-  EXPECT_THAT(console_.str(), HasSubstr("mouth is limp: its gain does not go on (status 8192)"));
-  EXPECT_THAT(console_.str(), HasSubstr("tail_pan is limp: it does not take its gain (status 2)"));
+  EXPECT_THAT(console_.str(), HasSubstr("mouth is limp: its gain cannot be enabled (status 8192)"));
+  EXPECT_THAT(console_.str(), HasSubstr("tail_pan is limp: its gain cannot be set (status 2)"));
   EXPECT_NE(robot_.joint("head_pan").gains.proportional, 0);
 }
 

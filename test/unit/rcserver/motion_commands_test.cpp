@@ -273,7 +273,7 @@ TEST_F(Version2MotionsTest, saysWhatCannotBePlayed) {
   stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
   EXPECT_THAT(answerTo(play("MISSING.MTN", 1)), HasSubstr("e1 there is no MISSING.MTN on the memory stick"));
   EXPECT_THAT(answerTo(play("NOD.TXT", 1)), HasSubstr("e0 bad request"));
-  EXPECT_THAT(answerTo(play("BAD.MTN", 1)), HasSubstr("e0 BAD.MTN is no motion file: section 0"));
+  EXPECT_THAT(answerTo(play("BAD.MTN", 1)), HasSubstr("e0 BAD.MTN is not a motion file: section 0"));
   EXPECT_EQ(answerTo(frame('O', std::string(1, '\0'))), std::string("o") + '\0');
   EXPECT_THAT(answerTo(play("NOD.MTN", 1)), HasSubstr("e0 the motors are off"));
 }
@@ -312,9 +312,10 @@ TEST_F(Version2MotionsTest, noNameLeadsOutOfTheFolder) {
 
 TEST_F(Version2MotionsTest, saysWhyAnUploadIsNotKept) {
   startVersion2("ALLOW_UPLOAD=yes\n");
-  EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")), HasSubstr("e0 NEW.MTN is no motion file: it ends before section 0"));
+  EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")),
+              HasSubstr("e0 NEW.MTN is not a motion file: it ends before section 0"));
   EXPECT_THAT(answerTo(upload("NEW.MTN", std::string(mtn::MAX_FILE_SIZE + 1, 'x'))),
-              HasSubstr("e0 64001 bytes are more than a motion may have"));
+              HasSubstr("e0 64001 bytes are too many: a motion may have 64000"));
   std::filesystem::remove_all(stick_.path(kFolder));
   EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("e0 NEW.MTN cannot be written"));
 }

@@ -304,7 +304,7 @@ TEST_F(PowerTest, AnotherMonitorOfThePowerMayDoItInstead) {
 
 TEST_F(PowerTest, AWrongSettingLeavesThePowerMonitored) {
   startWith("POWER_MONITOR=on");
-  EXPECT_THAT(console_.str(), HasSubstr("POWER_MONITOR=ON is neither yes nor no; it is yes"));
+  EXPECT_THAT(console_.str(), HasSubstr("POWER_MONITOR=ON is neither yes nor no; it is set to yes"));
   raise(orsbPAUSE);
   EXPECT_FALSE(machine_->isOn());
 }
@@ -330,7 +330,7 @@ TEST_F(PowerTest, TheMotorsStayOffAtBootIfTheFileSaysSo) {
 TEST_F(PowerTest, AWrongSettingLeavesTheMotorsOff) {
   robot_.powered = false;
   startWith("MOTORS_AT_BOOT=maybe");
-  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT=MAYBE is neither yes nor no; it is no"));
+  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT=MAYBE is neither yes nor no; it is set to no"));
   EXPECT_FALSE(robot_.powered);
 }
 

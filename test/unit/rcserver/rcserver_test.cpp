@@ -323,7 +323,7 @@ TEST_F(RCServerTest, ClientSilentForTenSecondsIsReplacedByTheNext) {
   takeImages(4);
   expectNewClientIsServed();
   EXPECT_TRUE(awaitEnd(*first));
-  EXPECT_THAT(console_.str(), HasSubstr("it was silent and another one came"));
+  EXPECT_THAT(console_.str(), HasSubstr("it was silent and another client came"));
 }
 
 TEST_F(RCServerTest, ClientThatIsSilentButAloneStays) {

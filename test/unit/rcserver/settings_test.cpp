@@ -113,31 +113,31 @@ TEST_P(BrokenLines, AreNamedAndTheSafeValueHolds) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lines, BrokenLines,
-    ::testing::Values(BrokenLine{"ALLOW_UPLOAD", "it is no NAME=VALUE"}, BrokenLine{"ALLOW UPLOAD=yes", "NAME=VALUE"},
+    ::testing::Values(BrokenLine{"ALLOW_UPLOAD", "it is not NAME=VALUE"}, BrokenLine{"ALLOW UPLOAD=yes", "NAME=VALUE"},
                       BrokenLine{"=yes", "no such setting"}, BrokenLine{"ALLOW_UPLOADS=yes", "no such setting"},
                       BrokenLine{"ALLOW_UPLOA=yes", "no such setting"},
-                      BrokenLine{"ALLOW_UPLOAD=", "ALLOW_UPLOAD= is neither yes nor no; it is no"},
+                      BrokenLine{"ALLOW_UPLOAD=", "ALLOW_UPLOAD= is neither yes nor no; it is set to no"},
                       BrokenLine{"ALLOW_UPLOAD=1", "neither yes nor no"},
                       BrokenLine{"ALLOW_UPLOAD=yes, sir", "neither yes nor no"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=0", "1 to 3600; it is 10"},
+                      BrokenLine{"SILENT_CLIENT_SECONDS=0", "1 to 3600; it is set to 10"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=3601", "1 to 3600"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=-5", "1 to 3600"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=5s", "1 to 3600"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=99999999999999999999", "1 to 3600"},
                       BrokenLine{"ALLOW_UPLOAD=" + std::string(300, 'x'), "neither yes nor no"},
                       BrokenLine{std::string(300, 'x'), "NAME=VALUE"},
-                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(MAX_SETTINGS_LINE_SIZE, ' ') + "x", "no text"},
-                      BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "no text"}));
+                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(MAX_SETTINGS_LINE_SIZE, ' ') + "x", "not text"},
+                      BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "not text"}));
 
 TEST(Settings, NameThatIsThereTwiceIsNotAllowed) {
   const Read result = read("ALLOW_UPLOAD=yes\nALLOW_UPLOAD=yes");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(2, HasSubstr("for the second time; it is no"))));
+  EXPECT_THAT(result.problems, ElementsAre(Pair(2, HasSubstr("appears a second time; it is set to no"))));
   EXPECT_FALSE(result.settings.allow_upload);
 }
 
 TEST(Settings, BrokenListOfAddressesLetsNobodyIn) {
   const Read result = read("ALLOWED_ADDRESSES=192.168.1.20, 192.168.1");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("nobody but 127.0.0.1 may connect"))));
+  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("only 127.0.0.1 may connect"))));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
 }
@@ -146,9 +146,11 @@ class MisspeltAddresses : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MisspeltAddresses, LetNobodyIn) {
   const Read result = read("ALLOW_REBOOT=yes\n" + GetParam() + "\nnonsense\n");
-  EXPECT_THAT(result.problems,
-              ElementsAre(Pair(2, HasSubstr("is passed over")), Pair(3, HasSubstr("is passed over")),
-                          Pair(2, "was it ALLOWED_ADDRESSES? That is not set; nobody but 127.0.0.1 may connect")));
+  EXPECT_THAT(
+      result.problems,
+      ElementsAre(
+          Pair(2, HasSubstr("the line is ignored")), Pair(3, HasSubstr("the line is ignored")),
+          Pair(2, "ALLOWED_ADDRESSES is not set, and this line may have been meant to: only 127.0.0.1 may connect")));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
 }
@@ -160,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, MisspeltAddresses,
 
 TEST(Settings, LineThatIsPassedOverChangesNoAddressesThatAreSet) {
   const Read result = read("nonsense\nALLOWED_ADDRESSES=192.168.1.20");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("is passed over"))));
+  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("the line is ignored"))));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(kLoopback));
 }
@@ -243,12 +245,12 @@ TEST_F(SettingsOnTheRobotTest, FileThatCannotBeReadLetsNobodyInAndTheConsoleSays
   std::filesystem::remove(file);
   std::filesystem::create_symlink(file, file);
   boot(robot_);
-  EXPECT_THAT(console_.str(), HasSubstr("CFG cannot be read; nobody but 127.0.0.1 may connect"));
+  EXPECT_THAT(console_.str(), HasSubstr("CFG cannot be read; only 127.0.0.1 may connect"));
   std::filesystem::remove(file);
   std::filesystem::create_directory(file);
   console_.str("");
   boot(robot_);
-  EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("nobody but 127.0.0.1")));
+  EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("only 127.0.0.1")));
 }
 
 TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsNotAllowedIsTurnedAwayAtOnce) {

@@ -199,8 +199,8 @@ TEST_F(MotionPlayerTest, hasRoomForSoMany) {
 }
 
 TEST_F(MotionPlayerTest, refusesWhatIsNoMotion) {
-  EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is no motion file: it ends before section 0"));
-  EXPECT_THAT(play("A.MTN", ""), HasSubstr("is no motion file"));
+  EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is not a motion file: it ends before section 0"));
+  EXPECT_THAT(play("A.MTN", ""), HasSubstr("is not a motion file"));
   EXPECT_FALSE(player_->IsPlaying());
 }
 
