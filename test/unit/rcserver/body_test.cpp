@@ -9,14 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "protocol/angles.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/settings/Settings.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
@@ -57,14 +55,9 @@ constexpr int kFace1 = 7;      // intensity and mode
 constexpr int kLeftEar = 1;
 constexpr int kRightEar = 2;
 
-// Sensor readings come this often, and two command vectors may be waiting.
-constexpr unsigned kUntilMeasured = 12;
-
 // The client of the base speaks version 1 until a test changes that.
-class BodyTest : public Version2Fixture {
+class BodyTest : public FakeRobotFixture {
  protected:
-  BodyTest() { host_.memory_stick = stick_.folder(); }
-
   void SetUp() override {
     robot_.power_status.remainingCapacity = 87;
     robot_.power_status.temperature = 2982;  // 25.05 degrees Celsius
@@ -72,9 +65,7 @@ class BodyTest : public Version2Fixture {
   }
 
   void start() {
-    machine_.reset();
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    FakeRobotFixture::start();
     client_ = connectServed();
   }
 
@@ -83,26 +74,11 @@ class BodyTest : public Version2Fixture {
     start();
   }
 
-  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
-    client_->send(bytes);
-    const std::optional<Reply> reply = await(*client_);
-    machine_->runPending();
-    ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->letter, letter) << bytes;
-    EXPECT_EQ(reply->value.identifier, identifier) << bytes;
-    EXPECT_EQ(reply->value.value, value) << bytes;
-  }
-
-  void expectError(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
-
   // For how many frames an ear was drawn, all together.
   long framesDrawn(int ear) const {
     const std::vector<bool>& path = robot_.ears[static_cast<size_t>(ear - 1)].path;
     return std::count(path.begin(), path.end(), true);
   }
-
-  FakeRobot robot_;
-  TemporaryMemoryStick stick_;
 };
 
 // ------------------------------------------------------------------------------------------------ version 1: sensors
@@ -199,8 +175,7 @@ TEST_F(SensorBlockTest, JointsAndSensorsAreLeftOutAndTakenIn) {
 
 TEST_F(SensorBlockTest, NextClientFindsEverythingInTheBlock) {
   expectAnswer(request('S', kBattery, 0), 's', kBattery, 0);
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   EXPECT_EQ(readBlock(36).size(), 36U);
 }
@@ -251,8 +226,7 @@ TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
   expectAnswer(request('L', 0, 200), 'l', 0, 200);
   expectAnswer(request('K', 0, 1), 'k', 0, 1);
   passFrames(8);
-  client_->close();
-  machine_->runPending();
+  disconnect();
   passFrames(kUntilMeasured);
   EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, 0)));
   EXPECT_THAT(robot_.ears, Each(Field(&FakeRobot::FakeEar::drawn, false)));
@@ -417,8 +391,7 @@ TEST_F(BodyTest, OrderThatTheRobotDoesNotCarryOutIsForgotten) {
     EXPECT_EQ(failing_shutdowns, 0);
     EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot does not "));
     client_ = connectServed();
-    client_->close();
-    machine_->runPending();
+    disconnect();
     EXPECT_TRUE(machine_->isOn()) << "the next client's end carries the order out";
     client_ = connectServed();
   }

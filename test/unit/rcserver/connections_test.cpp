@@ -8,24 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr unsigned kUntilMeasured = 12;
-
-class ConnectionsTest : public Version2Fixture {
+class ConnectionsTest : public FakeRobotFixture {
  protected:
-  ConnectionsTest() { host_.memory_stick = stick_.folder(); }
-
-  void SetUp() override {
-    boot(robot_);
-    passFrames(kUntilMeasured);
-  }
+  void SetUp() override { start(); }
 
   // A client whom the server leaves with a last word, and who does not close.
   std::unique_ptr<TestClient> connectAndBreakTheProtocol() {
@@ -48,9 +39,6 @@ class ConnectionsTest : public Version2Fixture {
     }
     return count;
   }
-
-  FakeRobot robot_;
-  TemporaryMemoryStick stick_;
 };
 
 // ------------------------------------------------------------------------------------------------- those who stay

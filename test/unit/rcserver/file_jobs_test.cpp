@@ -8,35 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "motion_bytes.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr unsigned kUntilMeasured = 12;
-
-class FileJobsTest : public Version2Fixture {
+class FileJobsTest : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    host_.memory_stick = stick_.folder();
-    stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    startWith("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
     connectVersion2();
     file_keeper_.slowDown();
-  }
-
-  static std::string play(const std::string& name, int repetitions) {
-    return std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name;
-  }
-
-  static std::string upload(const std::string& name, const std::string& content) {
-    return static_cast<char>(name.size()) + name + content;
   }
 
   // What has come: kind and request number of each frame, and what an error says.
@@ -70,16 +55,14 @@ class FileJobsTest : public Version2Fixture {
     return has_moved;
   }
 
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
 TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   send(frame('H', 0, 2) + frame('O', 0, 3) + frame('J', 0, 4, std::string(4, '\0')) +
-       frame('P', 0, 5, play("SIT.MTN", 0)));
+       frame('P', 0, 5, playPayload("SIT.MTN", 0)));
   EXPECT_THAT(answers(), ElementsAre("h2", "o3", "j4", "p5"));
   EXPECT_FALSE(moves("tail_pan"));
   finishJobs();
@@ -90,7 +73,7 @@ TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
 // Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the memory stick.
 TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
   const std::string head_pan_to_half_a_radian("\0\0\1\0\2\0\0\0\0\7\241\40", 12);
-  send(frame('P', 0, 1, play("WAG.MTN", 1)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   send(frame('J', 0, 2, head_pan_to_half_a_radian));
   passFrames(300);
   EXPECT_EQ(robot_.joint("head_pan").position, 500000);
@@ -99,7 +82,7 @@ TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
 
 TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
   const std::string tail_pan_to_half_a_radian("\0\0\1\0\63\0\0\0\0\7\241\40", 12);
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   send(frame('J', 0, 2, tail_pan_to_half_a_radian));
   EXPECT_THAT(answers(), ElementsAre("j2"));
@@ -109,15 +92,15 @@ TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
   EXPECT_THAT(got[0], HasSubstr("e1 tail_pan was commanded while the file of WAG.MTN was being read"));
   passFrames(300);
   EXPECT_EQ(robot_.joint("tail_pan").position, 500000);
-  send(frame('P', 0, 3, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 3, playPayload("WAG.MTN", 1000)));
   finishJobs();
   EXPECT_THAT(answers(), ElementsAre("p3")) << "a command of before it does not count";
 }
 
 TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));
-  send(frame('U', 0, 4, upload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
+  send(frame('U', 0, 4, uploadPayload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
   EXPECT_THAT(answers(), ElementsAre());
   file_keeper_.finish();
   passFrames(FakeRobot::kFramesPerImage);
@@ -132,9 +115,9 @@ TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
 TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
   for (const std::string& name : {std::string("WAG.MTN"), std::string()}) {
     file_keeper_.slowDown();
-    send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
-    send(frame('P', 0, 2, play(name, 0)));
+    send(frame('P', 0, 2, playPayload(name, 0)));
     EXPECT_THAT(answers(), ElementsAre("p2"));
     finishJobs();
     EXPECT_THAT(answers(), ElementsAre("e1 WAG.MTN was stopped while its file was being read"));
@@ -145,7 +128,7 @@ TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
 TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
   for (const bool are_on_again : {false, true}) {
     file_keeper_.slowDown();
-    send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
     send(frame('O', 0, 2, std::string(1, '\0')) + (are_on_again ? frame('O', 0, 3, "\1") : ""));
     answers();
@@ -159,14 +142,14 @@ TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
 
 TEST_F(FileJobsTest, JointsThatAreTakenMeanwhileRefuseTheMotion) {
   file_keeper_.speedUp();
-  send(frame('P', 0, 1, play("NOD.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("NOD.MTN", 1000)));
   EXPECT_THAT(answers(), ElementsAre("p1"));
-  send(frame('P', 0, 2, play("SIT.MTN", 1)));
+  send(frame('P', 0, 2, playPayload("SIT.MTN", 1)));
   EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 NOD.MTN is being played and moves neck_tilt")));
 }
 
 TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   reconnect();
   send(frame('D', 0, 1, "NOD.MTN"));
@@ -178,10 +161,9 @@ TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
 }
 
 TEST_F(FileJobsTest, UploadIsFinishedAsAWholeThoughItsClientHasGone) {
-  send(frame('U', 0, 1, upload("NEW.MTN", motion_)));
+  send(frame('U', 0, 1, uploadPayload("NEW.MTN", motion_)));
   ASSERT_TRUE(file_keeper_.hasJob());
-  client_->close();
-  machine_->runPending();
+  disconnect();
   EXPECT_FALSE(hasFile("NEW.MTN"));
   finishJobs();
   EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
@@ -192,11 +174,8 @@ TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
   for (int i = 0; i < 256; ++i) {
     stick_.write("OPEN-R/MW/DATA/P/DANCE" + std::to_string(100 + i) + ".MTN", "");
   }
-  client_->close();
-  machine_->runPending();
-  client_ = connect(4096);
-  send(request('X', 2));
-  ASSERT_TRUE(await(*client_));
+  disconnect();
+  connectVersion2(4096);
   std::string bytes = frame('N', 0, 1);
   for (int i = 0; i < 4096; ++i) {
     bytes += frame('V', 0, 7);
@@ -222,8 +201,7 @@ TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
 }
 
 TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   const std::string play_wag = std::string("P\7WAG.MTN\0\0\0\0\0\1\0\0\0", 18);
   client_->send(play_wag + request('?', 0) + request('X', 3));
@@ -240,16 +218,15 @@ TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
 }
 
 TEST_F(FileJobsTest, ConsoleNamesTheMemoryStickWhenARequestWaitsTooLong) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1)) + frame('P', 0, 2, play("NOD.MTN", 1)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('P', 0, 2, playPayload("NOD.MTN", 1)));
   passFrames(640);
   EXPECT_TRUE(awaitEnd(*client_));
   EXPECT_THAT(console_.str(), HasSubstr("is gone: FileKeeper has not answered its request for 5 s"));
 }
 
 TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLastOnesJob) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
-  client_->close();
-  machine_->runPending();
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
+  disconnect();
   client_ = connect();
   client_->send(request('?', 0));
   machine_->runPending();
@@ -274,7 +251,7 @@ class LonelyServerTest : public FileJobsTest {
 };
 
 TEST_F(LonelyServerTest, WithoutFileKeeperItsRequestsAreRefusedAndOthersAreServed) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
   const std::vector<std::string> got = answers();
   ASSERT_EQ(got.size(), 3U);
   EXPECT_THAT(got[0], HasSubstr("e1 the object FileKeeper does not run on the robot: FILES.BIN is missing"));

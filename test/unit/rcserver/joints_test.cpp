@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "fake_robot.h"
 #include "protocol/angles.h"
 #include "protocol/version1.h"
 #include "rcserver_fixture.h"
@@ -33,47 +32,14 @@ constexpr int kTailPan = 51;
 // More than enough for any motion with the standard limits.
 constexpr unsigned kLongestMotion = 500;
 
-// Sensor readings come this often, and two command vectors may be waiting.
-constexpr unsigned kUntilMeasured = 12;
-
-class JointsTest : public RCServerFixture {
+class JointsTest : public FakeRobotFixture {
  protected:
   void SetUp() override { start(); }
 
   void start() {
-    machine_.reset();
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    FakeRobotFixture::start();
     client_ = connectServed();
   }
-
-  // The answer to a request of version 1 that is answered by four bytes.
-  protocol::ValueReply answerTo(const std::string& bytes) {
-    client_->send(bytes);
-    const std::optional<Reply> reply = await(*client_);
-    machine_->runPending();
-    return reply ? reply->value : protocol::ValueReply{};
-  }
-
-  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
-    const protocol::ValueReply reply = answerTo(bytes);
-    EXPECT_EQ(reply.letter, letter) << bytes;
-    EXPECT_EQ(reply.identifier, identifier) << bytes;
-    EXPECT_EQ(reply.value, value) << bytes;
-  }
-
-  void expectRefusal(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
-
-  std::vector<int> positions() const {
-    std::vector<int> all;
-    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
-      all.push_back(joint.position);
-    }
-    return all;
-  }
-
-  FakeRobot robot_;
-  std::unique_ptr<TestClient> client_;
 };
 
 // ---------------------------------------------------------------------------------------------------------- booting
@@ -113,8 +79,8 @@ TEST_F(JointsTest, RobotWithAJointMissingShowsPicturesAndRefusesToMove) {
   robot_.missing_locator = robot_.model.joints[3].locator;
   start();
   EXPECT_THAT(console_.str(), HasSubstr(robot_.missing_locator));
-  expectRefusal(request('J', kHeadPan));
-  expectRefusal(request('J', kHeadPan, 100));
+  expectError(request('J', kHeadPan));
+  expectError(request('J', kHeadPan, 100));
   client_->send(request('F', 85));
   passFrames(FakeRobot::kFramesPerImage);
   const std::optional<Reply> reply = await(*client_);
@@ -169,14 +135,14 @@ TEST_F(JointsTest, IdentifierZeroSetsAllJointsEachWithinItsLimits) {
     const Joint& joint = robot_.model.joints[i];
     EXPECT_EQ(robot_.joints[i].position, std::min(std::max(174533, joint.lowest), joint.highest)) << joint.name;
   }
-  expectRefusal(request('J', 0));
+  expectError(request('J', 0));
 }
 
 TEST_F(JointsTest, UnknownJointsAreRefused) {
   for (const int identifier : {5, 10, 14, 44, 50, 53, 255}) {
     for (const char letter : {'J', 'V', 'A'}) {
-      expectRefusal(request(letter, identifier));
-      expectRefusal(request(letter, identifier, 1));
+      expectError(request(letter, identifier));
+      expectError(request(letter, identifier, 1));
     }
   }
 }
@@ -250,7 +216,7 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
 TEST_F(JointsTest, TwoBytesAreAReadFourAWriteAndMoreAreRefusedTogether) {
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
   expectAnswer(request('J', kHeadPan, 500), 'j', kHeadPan, 500);
-  expectRefusal(request('J', kHeadPan) + request('J', kHeadPan, 900));
+  expectError(request('J', kHeadPan) + request('J', kHeadPan, 900));
   EXPECT_FALSE(client_->next());
   passFrames(kLongestMotion);
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 500);
@@ -301,8 +267,7 @@ TEST_F(JointsTest, ClientGoneInMidMotionLeavesTheJointsHolding) {
 TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
   answerTo(request('V', kNeckTilt, 1000));
   answerTo(request('A', kNeckTilt, 1000));
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
   expectAnswer(request('A', kNeckTilt), 'a', kNeckTilt, 32767);
@@ -319,7 +284,7 @@ TEST_F(JointsTest, JammedJointIsHeldWhereItIsAndTheNextQuestionAboutItIsAnswered
   EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "it pushes on";
   EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
   expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
-  expectRefusal(request('J', kHeadPan));
+  expectError(request('J', kHeadPan));
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
 }
 
@@ -328,7 +293,7 @@ TEST_F(JointsTest, FreedJointFollowsAgain) {
   answerTo(request('J', kHeadPan, 5000));
   passFrames(kLongestMotion);
   robot_.joint("head_pan").jammed = false;
-  expectRefusal(request('J', kHeadPan, 5000));
+  expectError(request('J', kHeadPan, 5000));
   expectAnswer(request('J', kHeadPan, 5000), 'j', kHeadPan, 5000);
   passFrames(kLongestMotion);
   EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(5000));
@@ -338,8 +303,7 @@ TEST_F(JointsTest, FaultsAreNotToldToTheNextClient) {
   robot_.joint("head_pan").jammed = true;
   answerTo(request('J', kHeadPan, 5000));
   passFrames(kLongestMotion);
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
 }

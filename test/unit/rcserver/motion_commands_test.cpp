@@ -9,33 +9,27 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "motion_bytes.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver_fixture.h"
-#include "temporary_memory_stick.h"
 
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr unsigned kUntilMeasured = 12;
 constexpr unsigned kLongestMotion = 2000;
 constexpr int kHeadPan = 2;
 
 const char kFolder[] = "OPEN-R/MW/DATA/P";
 
-class MotionsTest : public RCServerFixture {
+class MotionsTest : public FakeRobotFixture {
  protected:
   void start(const std::string& settings) {
-    host_.memory_stick = stick_.folder();
-    stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", settings);
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    startWith(settings);
     client_ = connectServed();
   }
 
@@ -59,9 +53,6 @@ class MotionsTest : public RCServerFixture {
 
   double degrees(const std::string& joint) { return robot_.joint(joint).position * 180e-6 / std::acos(-1.0); }
 
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
-  std::unique_ptr<TestClient> client_;
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
@@ -215,25 +206,18 @@ TEST_F(Version1MotionsTest, deletesWhatIsThere) {
 class Version2MotionsTest : public MotionsTest {
  protected:
   void startVersion2(const std::string& settings) {
-    start(settings);
-    client_->send(request('X', protocol::version2::VERSION));
-    ASSERT_TRUE(await(*client_));
-    machine_->runPending();
+    startWith(settings);
+    connectVersion2();
   }
 
-  static std::string frame(char kind, const std::string& payload) {
-    const protocol::version2::FrameHeader header = {kind, 0, 1, static_cast<unsigned>(payload.size())};
-    std::string bytes(protocol::version2::FRAME_HEADER_SIZE, '\0');
-    encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
-    return bytes + payload;
-  }
+  static std::string frame(char kind, const std::string& payload) { return ::frame(kind, 0, 1, payload); }
 
   static std::string play(const std::string& name, int repetitions) {
-    return frame('P', std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name);
+    return frame('P', playPayload(name, repetitions));
   }
 
   static std::string upload(const std::string& name, const std::string& content) {
-    return frame('U', static_cast<char>(name.size()) + name + content);
+    return frame('U', uploadPayload(name, content));
   }
 
   // The next frame: its kind, the code if it is an error, and what it says.

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/CameraImage.h"
+#include "rcserver_fixture.h"
 #include "simulator/object_catalog.h"
-#include "version2_fixture.h"
 
 namespace {
 
@@ -21,8 +20,6 @@ using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Le;
 using ::testing::Not;
-
-constexpr unsigned kUntilMeasured = 12;
 
 const std::string kLayerHigh(1, '\0');
 const std::string kStreamOn = {1, 0, 0, 1};
@@ -36,15 +33,12 @@ std::string moveHeadPan(int microradians) {
   return payload;
 }
 
-class PicturesTest : public Version2Fixture {
+class PicturesTest : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    start();
     connectVersion2();
   }
-
-  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
 
   // The first image is with the encoder then, which keeps it.
   bool startsStreamWithSlowEncoder() {
@@ -92,8 +86,6 @@ class PicturesTest : public Version2Fixture {
     EXPECT_EQ(imageCount(picture), image);
     EXPECT_NEAR(brightness(picture), FakeRobot::brightness(image), 3);
   }
-
-  FakeRobot robot_;
 };
 
 TEST_F(PicturesTest, RedIsRedAndBlueIsBlue) {
@@ -292,8 +284,7 @@ TEST_F(PicturesTest, EachStreamIsCountedByItself) {
 
 // The camera counts its images in 16 bits.
 TEST_F(PicturesTest, TheCountOfImagesGoesOnWhenThatOfTheCameraBeginsAgain) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   clock_.step(FakeRobot::kFramesPerImage * 65532);
   machine_->runPending();
   connectVersion2();
@@ -314,11 +305,8 @@ class StalledClientTest : public PicturesTest {
  protected:
   void SetUp() override {
     PicturesTest::SetUp();
-    client_->close();
-    machine_->runPending();
-    client_ = connect(4096);
-    send(request('X', 2));
-    ASSERT_TRUE(await(*client_));
+    disconnect();
+    connectVersion2(4096);
   }
 
   // Sends a request, and behind it more others than there is room for the answers to.
@@ -418,8 +406,7 @@ TEST_F(PicturesTest, SentPicturesArePutTogetherOfTheirParts) {
 }
 
 TEST_F(PicturesTest, SentPicturesOfVersion1AreFound) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   ask(*client_, request('F', 85));
   takeImage();
@@ -443,12 +430,9 @@ class UnreadPictureTest : public PicturesTest {
   // A client that takes long for the large pictures there are.
   void SetUp() override {
     PicturesTest::SetUp();
-    client_->close();
-    machine_->runPending();
+    disconnect();
     robot_.showNoise();
-    client_ = connect(4096);
-    send(request('X', 2));
-    ASSERT_TRUE(await(*client_));
+    connectVersion2(4096);
   }
 };
 
@@ -492,8 +476,7 @@ TEST_F(UnreadPictureTest, NextClientInThePlaceOfOneThatLeftMeanwhileGetsItsOwn) 
   client_->reset();
   machine_->runPending();
   client_ = connectServed();
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connect();
   client_->send(request('F', 85));
   takeImage();

@@ -8,10 +8,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "fake_robot.h"
 #include "rcserver/settings/Settings.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
@@ -20,27 +18,12 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr unsigned kUntilMeasured = 12;
 constexpr int kPowerCode = 4;
 constexpr unsigned kFramesASecond = 125;
 
-class PowerTest : public Version2Fixture {
+class PowerTest : public FakeRobotFixture {
  protected:
-  PowerTest() { host_.memory_stick = stick_.folder(); }
-
   void SetUp() override { start(); }
-
-  void start() {
-    machine_.reset();
-    console_.str("");
-    boot(robot_);
-    passFrames(kUntilMeasured);
-  }
-
-  void startWith(const std::string& settings) {
-    stick_.write(SETTINGS_FILE, settings);
-    start();
-  }
 
   void raise(longword robot_status) {
     robot_.power_status.robotStatus |= robot_status;
@@ -88,9 +71,6 @@ class PowerTest : public Version2Fixture {
     }
     return client.ended();
   }
-
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
 };
 
 // ------------------------------------------------------------------------------------------------------ pause button

@@ -1,5 +1,5 @@
 /// @file rcserver_fixture.h
-/// A robot with an RCServer, the time of which a test passes itself.
+/// A robot with an RCServer. Time passes only when the test lets it pass.
 #ifndef TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 #define TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 
@@ -12,16 +12,25 @@
 #include <string>
 #include <vector>
 
+#include "fake_robot.h"
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "rcserver/settings/Settings.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
 #include "simulator/openr_host/virtual_robot.h"
 #include "simulator/sent_pictures.h"
 #include "slow_object.h"
+#include "temporary_memory_stick.h"
 #include "test_client.h"
 
+/// Frames until joints and sensors have been measured: they report every 4 frames, and two command vectors of 4 frames
+/// may be waiting.
+constexpr unsigned kUntilMeasured = 12;
+
+/// A request of version 1.
 inline std::string request(char letter, int identifier) {
   return {letter, static_cast<char>(identifier)};
 }
@@ -30,11 +39,39 @@ inline std::string request(char letter, int identifier, int value) {
   return request(letter, identifier) + static_cast<char>(value & 0xff) + static_cast<char>((value >> 8) & 0xff);
 }
 
+/// A request of version 2.
+inline std::string frame(char kind, int id, int request_number, const std::string& payload = {}) {
+  const protocol::version2::FrameHeader header = {kind, static_cast<unsigned char>(id),
+                                                  static_cast<unsigned short>(request_number),
+                                                  static_cast<unsigned>(payload.size())};
+  std::string bytes(protocol::version2::FRAME_HEADER_SIZE, '\0');
+  encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
+  return bytes + payload;
+}
+
+/// A value, encoded as a payload.
+template <typename Encode, typename Value>
+std::string payloadOf(Encode encode, const Value& value, size_t room) {
+  std::string bytes(room, '\0');
+  bytes.resize(encode(value, reinterpret_cast<unsigned char*>(bytes.data())));
+  return bytes;
+}
+
+/// The payload of `P` in version 2.
+inline std::string playPayload(const std::string& name, int repetitions) {
+  return std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name;
+}
+
+/// The payload of `U` in version 2.
+inline std::string uploadPayload(const std::string& name, const std::string& content) {
+  return static_cast<char>(name.size()) + name + content;
+}
+
 class RCServerFixture : public ::testing::Test {
  protected:
   RCServerFixture() { host_.memory_stick = MEMORY_STICK; }
 
-  // The machine speaks to the robot until its end.
+  // The machine uses the robot until its end.
   void TearDown() override { machine_.reset(); }
 
   void boot(openr_host::VirtualRobot& robot) {
@@ -76,7 +113,7 @@ class RCServerFixture : public ::testing::Test {
     return client;
   }
 
-  /// Sends requests and waits until all of them are handled: an unknown one at the end is answered at once.
+  /// Sends requests of version 1 and waits until all have been handled: the unknown one at the end is answered at once.
   void ask(TestClient& client, const std::string& requests) {
     client.send(requests + "??");
     const std::optional<Reply> reply = await(client);
@@ -106,7 +143,8 @@ class RCServerFixture : public ::testing::Test {
 
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
-  std::optional<size_t> refused_entry_;  ///< of stub.cfg: the IPStack refuses what it is to be answered by
+  std::optional<size_t>
+      refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes that the server has given to the IPStack each time
@@ -115,6 +153,113 @@ class RCServerFixture : public ::testing::Test {
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;
+};
+
+/// An RCServer on a FakeRobot, with a memory stick of its own, and one client.
+class FakeRobotFixture : public RCServerFixture {
+ protected:
+  FakeRobotFixture() { host_.memory_stick = stick_.folder(); }
+
+  /// Boots the robot, and waits until its joints and sensors have been measured.
+  void start() {
+    machine_.reset();
+    console_.str("");
+    boot(robot_);
+    passFrames(kUntilMeasured);
+  }
+
+  /// @param settings content of RCSERVER.CFG
+  void startWith(const std::string& settings) {
+    stick_.write(SETTINGS_FILE, settings);
+    start();
+  }
+
+  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
+
+  std::vector<int> positions() const {
+    std::vector<int> all;
+    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+      all.push_back(joint.position);
+    }
+    return all;
+  }
+
+  void disconnect() {
+    client_->close();
+    machine_->runPending();
+  }
+
+  void connectVersion2(int receive_buffer = 0) {
+    client_ = connect(receive_buffer);
+    client_->send(request('X', 2));
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply && protocol::version2::agreesToVersion2(reply->value));
+    machine_->runPending();
+  }
+
+  void reconnect() {
+    disconnect();
+    connectVersion2();
+  }
+
+  /// The answer to a request of version 1 that has four bytes.
+  protocol::ValueReply answerTo(const std::string& bytes) {
+    client_->send(bytes);
+    const std::optional<Reply> reply = await(*client_);
+    machine_->runPending();
+    return reply ? reply->value : protocol::ValueReply{};
+  }
+
+  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
+    const protocol::ValueReply reply = answerTo(bytes);
+    EXPECT_EQ(reply.letter, letter) << bytes;
+    EXPECT_EQ(reply.identifier, identifier) << bytes;
+    EXPECT_EQ(reply.value, value) << bytes;
+  }
+
+  void expectError(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
+
+  void send(const std::string& bytes) {
+    client_->send(bytes);
+    machine_->runPending();
+  }
+
+  std::optional<Frame> nextFrame() {
+    std::optional<Frame> next;
+    EXPECT_TRUE(machine_->runUntil([&] { return (next = client_->nextFrame()).has_value() || client_->ended(); }));
+    machine_->runPending();
+    return next;
+  }
+
+  /// Sends a request of version 2 that is answered at once. Messages that are pushed meanwhile are skipped.
+  Frame answerTo(char kind, int id, const std::string& payload = {}) {
+    const int number = ++last_number_;
+    send(frame(kind, id, number, payload));
+    for (;;) {
+      const std::optional<Frame> answer = nextFrame();
+      if (!answer) {
+        ADD_FAILURE() << "no answer to " << kind;
+        return {};
+      }
+      if (answer->header.request_number != 0) {
+        EXPECT_EQ(answer->header.request_number, number);
+        return *answer;
+      }
+    }
+  }
+
+  void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {
+    protocol::version2::ErrorMessage message = {};
+    EXPECT_EQ(answer.header.kind, protocol::version2::ERROR_MESSAGE);
+    ASSERT_EQ(decodeErrorMessage(answer.payload.data(), answer.payload.size(), &message), nullptr);
+    EXPECT_EQ(message.code, code);
+    EXPECT_THAT(std::string(message.text, message.text_size), ::testing::HasSubstr(text_in_it));
+  }
+
+  TemporaryMemoryStick stick_;
+  FakeRobot robot_;
+  std::unique_ptr<TestClient> client_;
+  int last_number_ = 0;  ///< of a request of version 2
 };
 
 #endif  // TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
 #include "protocol/version1.h"
 #include "rcserver/camera/ImageObserver.h"
@@ -20,12 +19,9 @@ using ::testing::HasSubstr;
 
 constexpr unsigned kImagesUntilSilent = 1250 / FakeRobot::kFramesPerImage;  // 10 s
 
-class RCServerTest : public RCServerFixture {
+class RCServerTest : public FakeRobotFixture {
  protected:
   void SetUp() override { boot(robot_); }
-
-  // Lets the camera take its next image.
-  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
 
   void takeImages(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
@@ -57,8 +53,6 @@ class RCServerTest : public RCServerFixture {
     client->close();
     machine_->runPending();
   }
-
-  FakeRobot robot_;
 };
 
 // ---------------------------------------------------------------------------------------------- the state machine

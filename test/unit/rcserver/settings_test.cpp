@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "fake_robot.h"
 #include "rcserver/settings/AllowedAddresses.h"
 #include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
-#include "temporary_memory_stick.h"
 
 namespace {
 
@@ -215,27 +213,16 @@ TEST(AllowedAddresses, HaveRoomForSoManyAndNoMore) {
 
 // ------------------------------------------------------------------------------------------------------ on the robot
 
-class SettingsOnTheRobotTest : public RCServerFixture {
- protected:
-  SettingsOnTheRobotTest() { host_.memory_stick = stick_.folder(); }
-
-  void bootWith(const std::string& settings) {
-    stick_.write(SETTINGS_FILE, settings);
-    boot(robot_);
-  }
-
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
-};
+class SettingsOnTheRobotTest : public FakeRobotFixture {};
 
 TEST_F(SettingsOnTheRobotTest, BrokenLineIsNamedOnTheConsole) {
-  bootWith("\nALLOW_REBOOT=maybe\n");
+  startWith("\nALLOW_REBOOT=maybe\n");
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: OPEN-R/MW/CONF/RCSERVER.CFG, line 2: ALLOW_REBOOT=MAYBE"));
 }
 
 TEST_F(SettingsOnTheRobotTest, WithoutTheFileTheRobotServesAndSaysWhatIsNotAllowed) {
   std::filesystem::remove(stick_.path(SETTINGS_FILE));
-  boot(robot_);
+  start();
   EXPECT_THAT(console_.str(), HasSubstr("no OPEN-R/MW/CONF/RCSERVER.CFG on the memory stick"));
   connectServed();
 }
@@ -244,17 +231,17 @@ TEST_F(SettingsOnTheRobotTest, FileThatCannotBeReadLetsNobodyInAndTheConsoleSays
   const std::filesystem::path file = stick_.path(SETTINGS_FILE);
   std::filesystem::remove(file);
   std::filesystem::create_symlink(file, file);
-  boot(robot_);
+  start();
   EXPECT_THAT(console_.str(), HasSubstr("CFG cannot be read; only 127.0.0.1 may connect"));
   std::filesystem::remove(file);
   std::filesystem::create_directory(file);
   console_.str("");
-  boot(robot_);
+  start();
   EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("only 127.0.0.1")));
 }
 
 TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsNotAllowedIsTurnedAwayAtOnce) {
-  bootWith("ALLOWED_ADDRESSES=192.168.1.0/24");
+  startWith("ALLOWED_ADDRESSES=192.168.1.0/24");
   auto client = connect();
   EXPECT_TRUE(awaitEnd(*client));
   EXPECT_FALSE(client->next());
@@ -263,12 +250,12 @@ TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsNotAllowedIsTurnedAwayAtOnce)
 }
 
 TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsAllowedIsServed) {
-  bootWith("ALLOWED_ADDRESSES=192.168.1.0/24, 127.0.0.1");
+  startWith("ALLOWED_ADDRESSES=192.168.1.0/24, 127.0.0.1");
   connectServed();
 }
 
 TEST_F(SettingsOnTheRobotTest, HoweverManyStrangersComeTheConsoleTellsOfThemOnceASecond) {
-  bootWith("ALLOWED_ADDRESSES=192.168.1.0/24");
+  startWith("ALLOWED_ADDRESSES=192.168.1.0/24");
   for (int i = 0; i < 5; ++i) {
     auto stranger = connect();
     ASSERT_TRUE(awaitEnd(*stranger));
@@ -281,7 +268,7 @@ TEST_F(SettingsOnTheRobotTest, HoweverManyStrangersComeTheConsoleTellsOfThemOnce
 }
 
 TEST_F(SettingsOnTheRobotTest, SilentClientLosesItsPlaceAfterTheTimeInTheFile) {
-  bootWith("SILENT_CLIENT_SECONDS=2");
+  startWith("SILENT_CLIENT_SECONDS=2");
   auto silent = connectServed();
   passFrames(240);
   auto early = connect();

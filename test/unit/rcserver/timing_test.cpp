@@ -7,19 +7,17 @@
 #include <cmath>
 #include <set>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
 using std::chrono::milliseconds;
 
 constexpr unsigned char kHeadPan = 2;
-constexpr unsigned kUntilMeasured = 12;
 
 /// Parameter: how many milliseconds PictureEncoder needs for a picture.
-class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<int> {
+class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface<int> {
  protected:
   void SetUp() override {
     handler_time_ = [this](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds) {
@@ -29,8 +27,7 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
       return object == "PictureEncoder" ? milliseconds(GetParam())
                                         : milliseconds(object == "FileKeeper" ? file_time_ : 0);
     };
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    start();
     connectVersion2();
     answerTo('T', 0, std::string("\0\4", 2));       // telemetry every 4 frames
     answerTo('W', 85, std::string("\1\0\0\1", 4));  // stream of every image
@@ -105,7 +102,6 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
     return bytes;
   }
 
-  FakeRobot robot_;
   int ready_time_ = 0;  ///< milliseconds that RCServer needs to answer READY
   int file_time_ = 0;   ///< milliseconds that FileKeeper needs for a job
 };

@@ -11,13 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
 #include "protocol/hello.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver_fixture.h"
-#include "version2_fixture.h"
 
 namespace {
 
@@ -36,7 +34,6 @@ constexpr unsigned char kTailPan = 51;
 constexpr unsigned char kNoJoint = 99;
 
 constexpr unsigned kLongestMotion = 500;
-constexpr unsigned kUntilMeasured = 12;
 
 std::string pictureOf(Layer layer) {
   return payloadOf(encodePictureRequest, layer, PICTURE_REQUEST_SIZE);
@@ -78,11 +75,10 @@ struct Picture {
   std::vector<uint8_t> jpeg;
 };
 
-class Version2Test : public Version2Fixture {
+class Version2Test : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    start();
     connectVersion2();
   }
 
@@ -125,9 +121,6 @@ class Version2Test : public Version2Fixture {
     return hello;
   }
 
-  // Lets the camera take its next image.
-  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
-
   Picture nextPicture() {
     Picture picture;
     for (std::optional<Frame> next = nextFrame(); next; next = nextFrame()) {
@@ -156,23 +149,12 @@ class Version2Test : public Version2Fixture {
   }
 
   int positionOf(const std::string& joint) { return robot_.joint(joint).position; }
-
-  std::vector<int> positions() const {
-    std::vector<int> all;
-    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
-      all.push_back(joint.position);
-    }
-    return all;
-  }
-
-  FakeRobot robot_;
 };
 
 // ------------------------------------------------------------------------------------------------- changing to it
 
 TEST_F(Version2Test, BytesBehindTheRequestForItAreItsOwn) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connect();
   const std::string bytes = request('F', 85) + request('X', 2) + frame('H', 0, 7) + frame('O', 0, 8);
   for (const size_t first_piece : {1U, 2U, 3U, 4U, 5U, 11U, 12U, 13U}) {
@@ -186,15 +168,13 @@ TEST_F(Version2Test, BytesBehindTheRequestForItAreItsOwn) {
       ASSERT_TRUE(answer);
       EXPECT_EQ(answer->header.request_number, number);
     }
-    client_->close();
-    machine_->runPending();
+    disconnect();
     client_ = connect();
   }
 }
 
 TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   auto client = connectServed();
   client->send(request('J', kHeadPan));
   const std::optional<Reply> reply = await(*client);
@@ -202,28 +182,18 @@ TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
   EXPECT_EQ(reply->letter, 'j');
 }
 
-TEST(NewestVersion, ServerThatIsToldToSpeakVersion1RefusesVersion2AndGoesOn) {
-  class Version1Robot : public RCServerFixture {
-   public:
-    void TestBody() override {
-      host_.newest_version = 1;
-      boot(robot_);
-      auto client = connectServed();
-      client->send(request('X', 2));
-      const std::optional<Reply> refusal = await(*client);
-      ASSERT_TRUE(refusal);
-      EXPECT_EQ(refusal->letter, 'e');
-      machine_->runPending();
-      client->send(request('F', 85));
-      passFrames(FakeRobot::kFramesPerImage);
-      const std::optional<Reply> picture = await(*client);
-      ASSERT_TRUE(picture);
-      EXPECT_EQ(picture->letter, 'f');
-      TearDown();
-    }
-    FakeRobot robot_;
-  };
-  Version1Robot().TestBody();
+class NewestVersionTest : public FakeRobotFixture {};
+
+TEST_F(NewestVersionTest, ServerForVersion1RefusesVersion2AndServesOn) {
+  host_.newest_version = 1;
+  start();
+  client_ = connectServed();
+  EXPECT_EQ(answerTo(request('X', 2)).letter, 'e');
+  client_->send(request('F', 85));
+  takeImage();
+  const std::optional<Reply> picture = await(*client_);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->letter, 'f');
 }
 
 // --------------------------------------------------------------------------------------------------------------- H
@@ -515,8 +485,7 @@ TEST_F(Version2Test, TelemetryAndRepliesCostTheStreamNoPicture) {
 }
 
 TEST_F(Version2Test, ClientThatDoesNotReadGetsNewTelemetryNotAllThatItMissed) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   robot_.showNoise();
   client_ = connect(4096);
   send(request('X', 2) + frame('T', 0, 1, period(4)) + frame('W', 100, 2, stream(true)));
@@ -717,11 +686,8 @@ TEST_F(Version2Test, RequestsAreUnderstoodHoweverTheirBytesAreSplitAndJoined) {
 constexpr size_t kFlood = 256 * 1024;
 
 TEST_F(Version2Test, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply) {
-  client_->close();
-  machine_->runPending();
-  client_ = connect(4096);
-  send(request('X', 2));
-  ASSERT_TRUE(await(*client_));
+  disconnect();
+  connectVersion2(4096);
   std::string flood;
   for (int i = 0; i < 1024; ++i) {
     flood += frame('V', 0, 7);
