@@ -1,4 +1,4 @@
-// Requests that need the memory stick, while it is at work.
+// Requests that need the memory stick, while FileKeeper is at work.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class FileJobsTest : public FakeRobotFixture {
     file_keeper_.slowDown();
   }
 
-  // What has come: kind and request number of each frame, and what an error says.
+  // The frames that have arrived: kind and request number, and the text of an error.
   std::vector<std::string> answers() {
     std::vector<std::string> all;
     machine_->runPending();
@@ -37,7 +37,7 @@ class FileJobsTest : public FakeRobotFixture {
     return all;
   }
 
-  // The memory stick does its job, and the next one that may come does not take any time.
+  // Finishes the job; later jobs take no time.
   void finishJobs() {
     file_keeper_.speedUp();
     passFrames(FakeRobot::kFramesPerImage);
@@ -70,7 +70,8 @@ TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
   EXPECT_TRUE(moves("tail_pan"));
 }
 
-// Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the memory stick.
+// Level2 Reference Guide, chapter 1: an object handles one message at a time. So RCServer must not wait for the memory
+// stick.
 TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
   const std::string head_pan_to_half_a_radian("\0\0\1\0\2\0\0\0\0\7\241\40", 12);
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
@@ -80,7 +81,7 @@ TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
   EXPECT_TRUE(file_keeper_.hasJob());
 }
 
-TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
+TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
   const std::string tail_pan_to_half_a_radian("\0\0\1\0\63\0\0\0\0\7\241\40", 12);
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
@@ -94,10 +95,10 @@ TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
   EXPECT_EQ(robot_.joint("tail_pan").position, 500000);
   send(frame('P', 0, 3, playPayload("WAG.MTN", 1000)));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p3")) << "a command of before it does not count";
+  EXPECT_THAT(answers(), ElementsAre("p3")) << "an earlier command does not matter";
 }
 
-TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
+TEST_F(FileJobsTest, SecondFileRequestAndThoseBehindItWait) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));
   send(frame('U', 0, 4, uploadPayload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
@@ -112,7 +113,7 @@ TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
   EXPECT_TRUE(hasFile("NEW.MTN"));
 }
 
-TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
+TEST_F(FileJobsTest, MotionStoppedWhileItsFileIsReadIsNotPlayed) {
   for (const std::string& name : {std::string("WAG.MTN"), std::string()}) {
     file_keeper_.slowDown();
     send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
@@ -125,7 +126,7 @@ TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
   }
 }
 
-TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
+TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWentOffWhileItsFileWasRead) {
   for (const bool are_on_again : {false, true}) {
     file_keeper_.slowDown();
     send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
@@ -140,7 +141,7 @@ TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
   }
 }
 
-TEST_F(FileJobsTest, JointsThatAreTakenMeanwhileRefuseTheMotion) {
+TEST_F(FileJobsTest, MotionIsRefusedIfAnotherOneMovesItsJointsMeanwhile) {
   file_keeper_.speedUp();
   send(frame('P', 0, 1, playPayload("NOD.MTN", 1000)));
   EXPECT_THAT(answers(), ElementsAre("p1"));
@@ -148,7 +149,7 @@ TEST_F(FileJobsTest, JointsThatAreTakenMeanwhileRefuseTheMotion) {
   EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 NOD.MTN is being played and moves neck_tilt")));
 }
 
-TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
+TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotUsedForTheNextOne) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   reconnect();
@@ -160,7 +161,7 @@ TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
   EXPECT_FALSE(moves("tail_pan"));
 }
 
-TEST_F(FileJobsTest, UploadIsFinishedAsAWholeThoughItsClientHasGone) {
+TEST_F(FileJobsTest, UploadIsCompletedThoughItsClientHasGone) {
   send(frame('U', 0, 1, uploadPayload("NEW.MTN", motion_)));
   ASSERT_TRUE(file_keeper_.hasJob());
   disconnect();
@@ -169,20 +170,14 @@ TEST_F(FileJobsTest, UploadIsFinishedAsAWholeThoughItsClientHasGone) {
   EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
 }
 
-// 256 names of 12 letters make the longest answer there is.
-TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
+// 256 names of 12 letters make the longest answer.
+TEST_F(FileJobsTest, LongestAnswerFindsRoomWhileOthersWait) {
   for (int i = 0; i < 256; ++i) {
     stick_.write("OPEN-R/MW/DATA/P/DANCE" + std::to_string(100 + i) + ".MTN", "");
   }
   disconnect();
   connectVersion2(4096);
-  std::string bytes = frame('N', 0, 1);
-  for (int i = 0; i < 4096; ++i) {
-    bytes += frame('V', 0, 7);
-  }
-  for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
-    sent += client_->send(bytes.substr(sent));
-  }
+  stallBehind(frame('N', 0, 1));
   ASSERT_TRUE(file_keeper_.hasJob());
   finishJobs();
   int limits = 0;
@@ -191,7 +186,7 @@ TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
     const std::optional<Frame> next = nextFrame();
     ASSERT_TRUE(next);
     if (next->header.kind == 'n') {
-      list.assign(next->payload.begin(), next->payload.end());
+      list = textOf(*next);
     } else {
       ASSERT_EQ(next->header.kind, 'v') << "after " << limits;
       ++limits;
@@ -200,11 +195,10 @@ TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 255);
 }
 
-TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
+TEST_F(FileJobsTest, AnswersOfVersion1KeepTheOrderOfTheRequests) {
   disconnect();
   client_ = connectServed();
-  const std::string play_wag = std::string("P\7WAG.MTN\0\0\0\0\0\1\0\0\0", 18);
-  client_->send(play_wag + request('?', 0) + request('X', 3));
+  client_->send(fileRequest('P', "WAG.MTN", 1) + request('?', 0) + request('X', 3));
   machine_->runPending();
   ASSERT_TRUE(file_keeper_.hasJob());
   passFrames(100);
@@ -224,7 +218,7 @@ TEST_F(FileJobsTest, ConsoleNamesTheMemoryStickWhenARequestWaitsTooLong) {
   EXPECT_THAT(console_.str(), HasSubstr("is gone: FileKeeper has not answered its request for 5 s"));
 }
 
-TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLastOnesJob) {
+TEST_F(FileJobsTest, NextClientOfVersion1IsServedAfterTheLastOnesFileJob) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   disconnect();
   client_ = connect();
@@ -237,7 +231,7 @@ TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLas
 
 // ---------------------------------------------------------------------------------------------- missing objects
 
-// A memory stick whose owner has forgotten the two helpers.
+// A memory stick without PictureEncoder and FileKeeper.
 class LonelyServerTest : public FileJobsTest {
  protected:
   void SetUp() override {
@@ -250,7 +244,7 @@ class LonelyServerTest : public FileJobsTest {
   }
 };
 
-TEST_F(LonelyServerTest, WithoutFileKeeperItsRequestsAreRefusedAndOthersAreServed) {
+TEST_F(LonelyServerTest, WithoutFileKeeperOnlyFileRequestsAreRefused) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
   const std::vector<std::string> got = answers();
   ASSERT_EQ(got.size(), 3U);
@@ -259,7 +253,7 @@ TEST_F(LonelyServerTest, WithoutFileKeeperItsRequestsAreRefusedAndOthersAreServe
   EXPECT_EQ(got[2], "h3");
 }
 
-TEST_F(LonelyServerTest, WithoutPictureEncoderTheConsoleNamesIt) {
+TEST_F(LonelyServerTest, MissingPictureEncoderIsNamedOnTheConsole) {
   send(frame('F', 85, 1, std::string(1, '\0')));
   passFrames(FakeRobot::kFramesPerImage);
   EXPECT_TRUE(awaitEnd(*client_));

@@ -1,4 +1,4 @@
-// Joints, as version 1 moves them, and what the server does of its own accord.
+// Joints in version 1, and the motors at boot.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   for (FakeRobot::FakeJoint& joint : robot_.joints) {
     joint.gain = false;
     joint.gains = {};
-    joint.reference = 12345;  // what some program commanded last
+    joint.reference = 12345;  // an earlier program's last command
     joint.path.clear();
   }
   start();
@@ -74,7 +74,7 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   }
 }
 
-TEST_F(JointsTest, RobotWithAJointMissingShowsPicturesAndRefusesToMove) {
+TEST_F(JointsTest, RobotWithAMissingJointSendsPicturesAndRefusesToMove) {
   machine_.reset();
   robot_.missing_locator = robot_.model.joints[3].locator;
   start();
@@ -128,7 +128,7 @@ TEST_F(JointsTest, TargetBeyondTheLimitsIsClampedAndTheReplySaysSo) {
   expectAnswer(request('J', kNeckTilt, 100), 'j', kNeckTilt, 0);
 }
 
-TEST_F(JointsTest, IdentifierZeroSetsAllJointsEachWithinItsLimits) {
+TEST_F(JointsTest, IdentifierZeroSetsAllJointsWithinTheirLimits) {
   expectAnswer(request('J', 0, 1000), 'j', 0, 1000);
   passFrames(kLongestMotion);
   for (size_t i = 0; i < robot_.joints.size(); ++i) {
@@ -188,12 +188,12 @@ TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
   }
 }
 
-TEST_F(JointsTest, SpeedLimitIsTakenIntoWhatTheJointCanDo) {
+TEST_F(JointsTest, SpeedLimitIsClampedToTheJointsRange) {
   expectAnswer(request('V', kNeckTilt, 32767), 'v', kNeckTilt, 18250);
   expectAnswer(request('V', kNeckTilt, -1), 'v', kNeckTilt, 1);
 }
 
-TEST_F(JointsTest, LimitsAboveWhatVersion1CanSayReadAsItsLargestValue) {
+TEST_F(JointsTest, LimitsTooLargeForVersion1ReadAsItsLargestValue) {
   expectAnswer(request('V', kHeadPan), 'v', kHeadPan, 32767);
   expectAnswer(request('A', kHeadPan), 'a', kHeadPan, 32767);
 }
@@ -222,14 +222,14 @@ TEST_F(JointsTest, TwoBytesAreAReadFourAWriteAndMoreAreRefusedTogether) {
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 500);
 }
 
-TEST_F(JointsTest, RequestsByteByByteAreUnderstoodWhereVersion1Can) {
-  // A read has its second byte when nothing more is there; a write comes as two bytes and two would be read as a read.
+TEST_F(JointsTest, RequestsByteByByteAreUnderstoodAsFarAsVersion1Allows) {
+  // A read is complete after two bytes; so the first two bytes of a write are taken for a read.
   client_->send("J");
   machine_->runPending();
   expectAnswer(std::string{static_cast<char>(kHeadPan)}, 'j', kHeadPan, 0);
 }
 
-TEST_F(JointsTest, StreamAndJointsGoTogether) {
+TEST_F(JointsTest, StreamAndJointsWorkTogether) {
   client_->send(request('W', 85));
   int pictures = 0;
   int answers = 0;
@@ -275,13 +275,13 @@ TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
 
 // --------------------------------------------------------------------------------------------------------------- jam
 
-TEST_F(JointsTest, JammedJointIsHeldWhereItIsAndTheNextQuestionAboutItIsAnsweredByAnError) {
+TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
   robot_.joint("head_pan").jammed = true;
   answerTo(request('J', kHeadPan, 5000));
   answerTo(request('J', kTailPan, 3000));
   passFrames(kLongestMotion);
   EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
-  EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "it pushes on";
+  EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "its motor still pushes";
   EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
   expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
   expectError(request('J', kHeadPan));
@@ -299,7 +299,7 @@ TEST_F(JointsTest, FreedJointFollowsAgain) {
   EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(5000));
 }
 
-TEST_F(JointsTest, FaultsAreNotToldToTheNextClient) {
+TEST_F(JointsTest, FaultsAreNotReportedToTheNextClient) {
   robot_.joint("head_pan").jammed = true;
   answerTo(request('J', kHeadPan, 5000));
   passFrames(kLongestMotion);
@@ -337,7 +337,7 @@ class SimulatedJointsTest : public RCServerFixture {
   std::unique_ptr<TestClient> client_;
 };
 
-// Enough for a good part of any joint's range, and short because the camera renders what nobody looks at.
+// Enough for a good part of any joint's range, and short because rendering camera images takes time.
 constexpr unsigned kMotionOfOneSecond = 125;
 
 // The encoders are off by up to a step of 0.05 degree.
@@ -371,7 +371,7 @@ TEST_F(SimulatedJointsTest, ReachTheirTargetsOneByOneAndLeaveTheOthersAlone) {
   }
 }
 
-TEST_F(SimulatedJointsTest, MoveAllAtOnceWithoutAFalseAlarm) {
+TEST_F(SimulatedJointsTest, AllMoveAtOnceWithoutAFalseAlarm) {
   for (const int angle : {12000, -12000, 12000, 0}) {
     client_->send(request('J', 0, angle));
     const std::optional<Reply> reply = await(*client_);
@@ -382,7 +382,7 @@ TEST_F(SimulatedJointsTest, MoveAllAtOnceWithoutAFalseAlarm) {
   EXPECT_EQ(console_.str().find("follow"), std::string::npos) << console_.str();
 }
 
-TEST_F(SimulatedJointsTest, JamIsFoundAndTheMotorSpared) {
+TEST_F(SimulatedJointsTest, JamIsDetectedAndTheMotorSpared) {
   robot_.jam("head_pan", true);
   client_->send(request('J', kHeadPan, 8000));
   ASSERT_TRUE(await(*client_));

@@ -39,6 +39,17 @@ inline std::string request(char letter, int identifier, int value) {
   return request(letter, identifier) + static_cast<char>(value & 0xff) + static_cast<char>((value >> 8) & 0xff);
 }
 
+/// A request of version 1 that names a file.
+inline std::string fileRequest(char letter, const std::string& name, unsigned short a, unsigned short b = 0) {
+  protocol::FileRequest file = {};
+  name.copy(file.name, protocol::MAX_MOTION_NAME_SIZE);
+  file.a = a;
+  file.b = b;
+  unsigned char payload[protocol::FILE_PAYLOAD_SIZE];
+  encodeFileRequest(file, payload);
+  return request(letter, 7) + std::string(payload, payload + sizeof(payload));
+}
+
 /// A request of version 2.
 inline std::string frame(char kind, int id, int request_number, const std::string& payload = {}) {
   const protocol::version2::FrameHeader header = {kind, static_cast<unsigned char>(id),
@@ -67,6 +78,29 @@ inline std::string uploadPayload(const std::string& name, const std::string& con
   return static_cast<char>(name.size()) + name + content;
 }
 
+/// The payload of `W` in version 2: a stream of every image, at full resolution.
+inline const std::string kStreamOn = {1, 0, 0, 1};
+
+inline std::string textOf(const Frame& frame) {
+  return {frame.payload.begin(), frame.payload.end()};
+}
+
+/// A picture of version 2.
+struct Picture {
+  protocol::version2::FrameHeader frame{};
+  protocol::version2::ImageHeader image{};
+  std::vector<uint8_t> jpeg;
+};
+
+inline Picture pictureIn(const Frame& frame) {
+  Picture picture;
+  size_t size = 0;
+  picture.frame = frame.header;
+  EXPECT_EQ(decodePicture(frame.payload.data(), frame.payload.size(), &picture.image, &size), nullptr);
+  picture.jpeg.assign(frame.payload.end() - static_cast<std::ptrdiff_t>(size), frame.payload.end());
+  return picture;
+}
+
 class RCServerFixture : public ::testing::Test {
  protected:
   RCServerFixture() { host_.memory_stick = MEMORY_STICK; }
@@ -82,8 +116,8 @@ class RCServerFixture : public ::testing::Test {
     if (refused_entry_) {
       options.catalog.at("RCSERVER.BIN").extra_entries.at(*refused_entry_) = nullptr;
     }
-    encoder_.standBefore(options.catalog.at("ENCODER.BIN"));
-    file_keeper_.standBefore(options.catalog.at("FILES.BIN"));
+    encoder_.intercept(options.catalog.at("ENCODER.BIN"));
+    file_keeper_.intercept(options.catalog.at("FILES.BIN"));
     options.on_camera_image = [this] {
       encoder_.obey();
       file_keeper_.obey();
@@ -122,7 +156,7 @@ class RCServerFixture : public ::testing::Test {
     machine_->runPending();
   }
 
-  /// The next reply, whenever it comes; empty if the server closes instead.
+  /// Waits for the next reply; empty if the server closes instead.
   std::optional<Reply> await(TestClient& client) {
     std::optional<Reply> reply;
     EXPECT_TRUE(machine_->runUntil([&] { return (reply = client.next()).has_value() || client.ended(); }))
@@ -147,7 +181,7 @@ class RCServerFixture : public ::testing::Test {
       refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
   SlowObject encoder_;
   SlowObject file_keeper_;
-  std::vector<size_t> sends_;  ///< bytes that the server has given to the IPStack each time
+  std::vector<size_t> sends_;  ///< bytes of each send to the IPStack
   SentPictures sent_pictures_;
   int begun_pictures_ = 0;
   std::ostringstream console_;
@@ -222,6 +256,23 @@ class FakeRobotFixture : public RCServerFixture {
   void send(const std::string& bytes) {
     client_->send(bytes);
     machine_->runPending();
+  }
+
+  /// Sends more than the kernel may take at once.
+  void sendAll(const std::string& bytes) {
+    for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
+      sent += client_->send(bytes.substr(sent));
+    }
+  }
+
+  /// Sends a request, and after it more requests than there is room for answers, so that the server has to wait until
+  /// the client reads.
+  void stallBehind(const std::string& request) {
+    std::string bytes = request;
+    for (int i = 0; i < 4096; ++i) {
+      bytes += frame('V', 0, 7);
+    }
+    sendAll(bytes);
   }
 
   std::optional<Frame> nextFrame() {

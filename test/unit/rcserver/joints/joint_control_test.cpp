@@ -8,7 +8,7 @@ const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
-TEST(JointControl, JointsStopAsFastAsTheRobotAllowsWhenTheClientGoesWhateverLimitsItHasLeft) {
+TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
   JointControl joints(ers7());
   const int pan = findJointByName(ers7(), "head_pan");
   joints.Planner().SetAccelerationLimit(pan, 300000);

@@ -9,7 +9,7 @@ constexpr unsigned kPeriod = 4;
 
 class JointWatchTest : public ::testing::Test {
  protected:
-  // Readings for so many frames, with positions that go on by `step` each time.
+  // Looks at readings for a number of frames; the position grows by `step` from one to the next.
   JointWatch::Verdict look(unsigned frames, int reference, int duty, int step = 0) {
     JointWatch::Verdict verdict = JointWatch::FOLLOWS;
     for (unsigned passed = 0; passed < frames && verdict == JointWatch::FOLLOWS; passed += kPeriod) {
@@ -34,7 +34,7 @@ TEST_F(JointWatchTest, DirectionDoesNotMatter) {
   EXPECT_EQ(look(2 * JointWatch::PATIENCE, -kFar, -512), JointWatch::JAMMED);
 }
 
-TEST_F(JointWatchTest, JointThatDoesNotEvenPushDoesNotFollow) {
+TEST_F(JointWatchTest, JointThatDoesNotPushDoesNotFollow) {
   EXPECT_EQ(look(2 * JointWatch::PATIENCE, kFar, 0), JointWatch::UNCONTROLLABLE);
 }
 
@@ -46,7 +46,7 @@ TEST_F(JointWatchTest, JointThatHangsALittleUnderItsLoadFollows) {
   EXPECT_EQ(look(10 * JointWatch::PATIENCE, JointWatch::TOLERANCE, 512), JointWatch::FOLLOWS);
 }
 
-TEST_F(JointWatchTest, FaultIsSaidAgainOnlyAfterAnotherHalfSecond) {
+TEST_F(JointWatchTest, FaultIsReportedAgainOnlyAfterAnotherHalfSecond) {
   ASSERT_EQ(look(2 * JointWatch::PATIENCE, kFar, 512), JointWatch::JAMMED);
   EXPECT_EQ(look(JointWatch::PATIENCE - kPeriod, kFar, 512), JointWatch::FOLLOWS);
   EXPECT_EQ(look(2 * kPeriod, kFar, 512), JointWatch::JAMMED);
