@@ -8,19 +8,21 @@
 
 namespace {
 
-enum Name {
-  ALLOW_UPLOAD,
-  ALLOW_DELETE,
-  ALLOW_SHUT_DOWN,
-  ALLOW_REBOOT,
-  MOTORS_AT_BOOT,
-  POWER_MONITOR,
-  ALLOWED_ADDRESSES,
-  SILENT_CLIENT_SECONDS
-};
-const char* const NAMES[] = {"ALLOW_UPLOAD",   "ALLOW_DELETE",  "ALLOW_SHUT_DOWN",   "ALLOW_REBOOT",
-                             "MOTORS_AT_BOOT", "POWER_MONITOR", "ALLOWED_ADDRESSES", "SILENT_CLIENT_SECONDS"};
-const int NUMBER_OF_NAMES = static_cast<int>(sizeof(NAMES) / sizeof(NAMES[0]));
+// The settings. Those with a value are yes or no; the others are the first ones, at these indices.
+enum { ALLOWED_ADDRESSES, SILENT_CLIENT_SECONDS };
+const struct {
+  const char* name;
+  bool Settings::*value;
+  bool safe_value;
+} SETTINGS[] = {{"ALLOWED_ADDRESSES", 0, false},
+                {"SILENT_CLIENT_SECONDS", 0, false},
+                {"ALLOW_UPLOAD", &Settings::allow_upload, false},
+                {"ALLOW_DELETE", &Settings::allow_delete, false},
+                {"ALLOW_SHUT_DOWN", &Settings::allow_shut_down, false},
+                {"ALLOW_REBOOT", &Settings::allow_reboot, false},
+                {"MOTORS_AT_BOOT", &Settings::motors_at_boot, false},
+                {"POWER_MONITOR", &Settings::power_monitor, true}};
+const int NUMBER_OF_SETTINGS = static_cast<int>(sizeof(SETTINGS) / sizeof(SETTINGS[0]));
 
 const int MOST_SECONDS = 3600;
 
@@ -74,10 +76,9 @@ class Reader {
 
  private:
   void ReadLine(const char* line);
-  const char* ReadValue(int name, const char* value);
+  const char* ReadValue(int setting, const char* value);
   const char* ReadSeconds(const char* value);
-  const char* MakeSafe(int name);
-  bool* FindSwitch(int name);
+  const char* MakeSafe(int setting);
   void Ignore(const char* problem, const char* text);
   void DoubtAddresses();
 
@@ -85,7 +86,7 @@ class Reader {
   SettingsProblems& problems_;
   int line_;
   int first_ignored_;  // line; 0: no line was ignored
-  bool is_set_[NUMBER_OF_NAMES];
+  bool is_set_[NUMBER_OF_SETTINGS];
 };
 
 bool LineReader::Next() {
@@ -152,34 +153,35 @@ void Reader::ReadLine(const char* line) {
     return;
   }
   value = SkipSpaces(value + 1);
-  int name = 0;
-  while (name < NUMBER_OF_NAMES && (strlen(NAMES[name]) != name_size || strncmp(NAMES[name], line, name_size) != 0)) {
-    ++name;
+  int setting = 0;
+  while (setting < NUMBER_OF_SETTINGS &&
+         (strlen(SETTINGS[setting].name) != name_size || strncmp(SETTINGS[setting].name, line, name_size) != 0)) {
+    ++setting;
   }
-  if (name == NUMBER_OF_NAMES) {
+  if (setting == NUMBER_OF_SETTINGS) {
     Ignore("there is no such setting", line);
     return;
   }
-  const char* problem = is_set_[name] ? "appears a second time" : ReadValue(name, value);
-  is_set_[name] = true;
+  const char* problem = is_set_[setting] ? "appears a second time" : ReadValue(setting, value);
+  is_set_[setting] = true;
   if (problem != NULL) {
     char text[256];
-    sprintf(text, "%s=%.40s %s; %s", NAMES[name], value, problem, MakeSafe(name));
+    sprintf(text, "%s=%.40s %s; %s", SETTINGS[setting].name, value, problem, MakeSafe(setting));
     problems_.Tell(line_, text);
   }
 }
 
 // The problem with the value, or NULL.
-const char* Reader::ReadValue(int name, const char* value) {
-  switch (name) {
-    case ALLOWED_ADDRESSES:
-      return settings_.allowed_addresses.Read(value);
-    case SILENT_CLIENT_SECONDS:
-      return ReadSeconds(value);
-    default:
-      *FindSwitch(name) = strcmp(value, "YES") == 0;
-      return *FindSwitch(name) || strcmp(value, "NO") == 0 ? NULL : "is neither yes nor no";
+const char* Reader::ReadValue(int setting, const char* value) {
+  if (setting == ALLOWED_ADDRESSES) {
+    return settings_.allowed_addresses.Read(value);
   }
+  if (setting == SILENT_CLIENT_SECONDS) {
+    return ReadSeconds(value);
+  }
+  const bool is_yes = strcmp(value, "YES") == 0;
+  settings_.*SETTINGS[setting].value = is_yes;
+  return is_yes || strcmp(value, "NO") == 0 ? NULL : "is neither yes nor no";
 }
 
 const char* Reader::ReadSeconds(const char* value) {
@@ -193,38 +195,17 @@ const char* Reader::ReadSeconds(const char* value) {
 }
 
 // Sets the safe value, and says which it is.
-const char* Reader::MakeSafe(int name) {
-  switch (name) {
-    case ALLOWED_ADDRESSES:
-      settings_.allowed_addresses.AllowOnlyThisComputer();
-      return "only 127.0.0.1 may connect";
-    case SILENT_CLIENT_SECONDS:
-      settings_.silent_client_seconds = Settings().silent_client_seconds;
-      return "it is set to 10";
-    case POWER_MONITOR:
-      settings_.power_monitor = true;
-      return "it is set to yes";
-    default:
-      *FindSwitch(name) = false;
-      return "it is set to no";
+const char* Reader::MakeSafe(int setting) {
+  if (setting == ALLOWED_ADDRESSES) {
+    settings_.allowed_addresses.AllowOnlyThisComputer();
+    return "only 127.0.0.1 may connect";
   }
-}
-
-bool* Reader::FindSwitch(int name) {
-  switch (name) {
-    case ALLOW_UPLOAD:
-      return &settings_.allow_upload;
-    case ALLOW_DELETE:
-      return &settings_.allow_delete;
-    case ALLOW_SHUT_DOWN:
-      return &settings_.allow_shut_down;
-    case MOTORS_AT_BOOT:
-      return &settings_.motors_at_boot;
-    case POWER_MONITOR:
-      return &settings_.power_monitor;
-    default:
-      return &settings_.allow_reboot;
+  if (setting == SILENT_CLIENT_SECONDS) {
+    settings_.silent_client_seconds = Settings().silent_client_seconds;
+    return "it is set to 10";
   }
+  settings_.*SETTINGS[setting].value = SETTINGS[setting].safe_value;
+  return SETTINGS[setting].safe_value ? "it is set to yes" : "it is set to no";
 }
 
 void Reader::Ignore(const char* problem, const char* text) {
@@ -238,7 +219,7 @@ void Reader::Ignore(const char* problem, const char* text) {
 void Reader::DoubtAddresses() {
   if (first_ignored_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
     char text[128];
-    sprintf(text, "%s is not set, and this line may have been meant to: %s", NAMES[ALLOWED_ADDRESSES],
+    sprintf(text, "%s is not set, and this line may have been meant to: %s", SETTINGS[ALLOWED_ADDRESSES].name,
             MakeSafe(ALLOWED_ADDRESSES));
     problems_.Tell(first_ignored_, text);
   }
