@@ -1,7 +1,7 @@
 /// @file CameraImage.h
 /// One layer of a camera image, as the robot delivers it.
-#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_IMAGE_H
-#define AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_IMAGE_H
+#ifndef AIBO_RCSERVER_PICTURE_ENCODER_CAMERA_IMAGE_H
+#define AIBO_RCSERVER_PICTURE_ENCODER_CAMERA_IMAGE_H
 
 #include <stddef.h>
 
@@ -28,4 +28,4 @@ struct CameraImage {
   }
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_IMAGE_H
+#endif  // AIBO_RCSERVER_PICTURE_ENCODER_CAMERA_IMAGE_H

@@ -12,7 +12,7 @@ extern "C" {
 #include <jpeglib.h>
 }
 
-#include "rcserver/camera/CameraImage.h"
+#include "picture_encoder/CameraImage.h"
 
 /// Encodes camera images as baseline JPEG, YCbCr 4:2:0, with the calls that libjpeg 6b and libjpeg-turbo share.
 ///

@@ -4,7 +4,7 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
-#include "rcserver/camera/CameraImage.h"
+#include "picture_encoder/CameraImage.h"
 
 namespace {
 

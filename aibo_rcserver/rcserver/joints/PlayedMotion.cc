@@ -12,7 +12,7 @@ using robot_model::RobotModel;
 
 const int PlayedMotion::APPROACH_SPEED;
 
-const char* FindJoints(const mtn::Motion& motion, const RobotModel& robot, int* joints) {
+const char* findJoints(const mtn::Motion& motion, const RobotModel& robot, int* joints) {
   for (int i = 0; i < motion.numberOfJoints(); ++i) {
     joints[i] = findJointByLocator(robot, motion.locator(i));
     if (joints[i] == NO_JOINT) {
@@ -33,7 +33,7 @@ bool PlayedMotion::Load(const protocol::MotionName& name, size_t size, const Rob
     sprintf(problem_, "is not a motion file: %s", motion_.problem());
     return false;
   }
-  if (const char* missing = FindJoints(motion_, robot, joints_)) {
+  if (const char* missing = findJoints(motion_, robot, joints_)) {
     sprintf(problem_, "moves the joint %s, which this robot does not have", missing);
     return false;
   }

@@ -13,7 +13,7 @@
 /// Finds the joints of a motion on a robot by their locators.
 /// @param[out] joints their indices in the robot's table; room for mtn::MAX_JOINTS
 /// @return NULL, or the locator of one that the robot does not have
-const char* FindJoints(const mtn::Motion& motion, const robot_model::RobotModel& robot, int* joints);
+const char* findJoints(const mtn::Motion& motion, const robot_model::RobotModel& robot, int* joints);
 
 /// Plays one motion file a number of times: sets the targets of its joints, frame by frame.
 ///

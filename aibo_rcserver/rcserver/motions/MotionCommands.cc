@@ -68,7 +68,7 @@ MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name,
     return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
   }
   int joints[mtn::MAX_JOINTS];
-  if (const char* missing = FindJoints(checked_, joints_.Robot(), joints)) {
+  if (const char* missing = findJoints(checked_, joints_.Robot(), joints)) {
     return Fail(REFUSED, "%s moves the joint %s, which this robot does not have", name, missing);
   }
   return Post(FileJob::STORE, name, content, size);

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "rcserver/camera/CameraImage.h"
+#include "picture_encoder/CameraImage.h"
 
 /// Owns the bytes of a CameraImage: rows of Y, Cr, Cb and three more bands in turn, as on the ERS-7 (stride 6 x width).
 class CameraImageFixture {

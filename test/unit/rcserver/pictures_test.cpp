@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "picture_checks.h"
+#include "picture_encoder/CameraImage.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
-#include "rcserver/camera/CameraImage.h"
 #include "rcserver_fixture.h"
 #include "simulator/object_catalog.h"
 
