@@ -8,7 +8,7 @@
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/motions/FileJobs.h"
 
-/// What is to become of the robot's power. The RCServer carries an order out when the client has been told and is gone.
+/// An order about the robot's power. RCServer carries it out when the client has been told and is gone.
 enum PowerOrder {
   POWER_STAYS_ON,
   POWER_SHUT_DOWN,

@@ -73,7 +73,7 @@ class Session {
   /// @param[out] out room for Outbox::CAPACITY bytes
   size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
 
-  /// True if the connection is to be closed when the output has been sent: the client broke the protocol, or the robot
+  /// True if the connection has to be closed when the output has been sent: the client broke the protocol, or the robot
   /// is going off.
   bool IsOver() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
 

@@ -61,7 +61,7 @@ class Version1 {
   void Refuse(protocol::ErrorCode code);
   void Send(char letter, unsigned char identifier, short value);
 
-  /// @name Requests. False: it is to be refused
+  /// @name Requests. They return false if the request has to be refused
   /// @{
   bool Execute();
   bool MoveOrReadJoint();

@@ -74,7 +74,7 @@ class Version2 {
   void GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting);
   /// @}
 
-  /// @name Requests that need the memory stick. False: nothing was done because it is busy
+  /// @name Requests that need the memory stick. They return false if nothing was done because it is busy
   /// @{
   bool Upload();
   bool Delete();

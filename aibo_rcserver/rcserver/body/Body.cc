@@ -17,7 +17,7 @@ Body::Body()
   sensor_driver_.Open();
 }
 
-// The robot's table, with vectors for commands to all that is in it.
+// The robot's table; also creates the command vectors.
 const RobotModel& Body::FindModel() {
   design_[0] = '\0';
   OPENR::GetRobotDesign(design_);

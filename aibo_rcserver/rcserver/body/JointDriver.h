@@ -10,8 +10,8 @@
 #include "rcserver/body/Primitives.h"
 #include "rcserver/joints/JointControl.h"
 
-/// Opens the joints by the table of the robot's design, switches their motors, passes on what they report to
-/// JointControl, and commands them to where its planner wants them.
+/// Opens the joints by the table of the robot's design, switches their motors, passes their reports on to JointControl,
+/// and commands them to where its planner wants them.
 ///
 /// Gains go on only after the joints' present positions have been commanded and output, so that nothing moves: first
 /// EnableJointGain, then SetJointGain, because OPEN-R ignores a gain that is set earlier (Level2 Reference Guide, pages
@@ -42,7 +42,7 @@ class JointDriver : public MotorSwitch {
   /// The output of the oldest vector that was sent is complete, whether it was filled here or not.
   void OutputIsComplete();
 
-  /// Passes on what the joints report.
+  /// Passes the joints' reports on.
   /// @param[out] frame the last frame in the vector; untouched if no joint reports
   /// @return false if no joint reports
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);

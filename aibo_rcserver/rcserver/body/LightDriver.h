@@ -9,8 +9,8 @@
 #include "rcserver/body/Primitives.h"
 #include "robot_model/robot_model.h"
 
-/// Keeps what LEDs and ears are to do, and commands those that change. They are numbered by their index in the robot's
-/// table; time is in OPEN-R frames of 8 ms.
+/// Keeps the wanted state of LEDs and ears, and commands those that change. They are numbered by their index in the
+/// robot's table; time is in OPEN-R frames of 8 ms.
 ///
 /// An ear is moved by a magnet, which must not stay energised (Model Information ERS-7). So an ear is drawn for 128 ms,
 /// as in Sony's samples, and let go; then it rests for as long before it can be drawn again.

@@ -62,8 +62,8 @@ class JointWatch {
   unsigned since_;  ///< frame of that
 };
 
-/// Takes clients' commands and tells the motors where to be. Needs nothing of OPEN-R. Joints are numbered by their
-/// index in the robot's table (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
+/// Connects clients' commands and motions with the motors; independent of OPEN-R. Joints are numbered by their index in
+/// the robot's table (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
 class JointControl {
  public:
   /// @param robot must outlive this

@@ -86,7 +86,7 @@ class JointMotion {
   int step_limit_;
   int acceleration_;         ///< limit in force
   int wanted_acceleration_;  ///< limit asked for
-  double fraction_of_step_;  ///< what the joint is behind by rounding, in steps, 0..1
+  double fraction_of_step_;  ///< how far rounding has put the joint behind, in steps, 0..1
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H

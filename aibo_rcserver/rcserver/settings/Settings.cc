@@ -167,7 +167,7 @@ void Reader::ReadLine(const char* line) {
   if (problem != NULL) {
     char text[256];
     sprintf(text, "%s=%.40s %s; %s", SETTINGS[setting].name, value, problem, MakeSafe(setting));
-    problems_.Tell(line_, text);
+    problems_.Report(line_, text);
   }
 }
 
@@ -211,7 +211,7 @@ const char* Reader::MakeSafe(int setting) {
 void Reader::Ignore(const char* problem, const char* text) {
   char message[256];
   sprintf(message, "%s; the line is ignored: \"%.60s\"", problem, text);
-  problems_.Tell(line_, message);
+  problems_.Report(line_, message);
   first_ignored_ = first_ignored_ == 0 ? line_ : first_ignored_;
 }
 
@@ -221,13 +221,13 @@ void Reader::DoubtAddresses() {
     char text[128];
     sprintf(text, "%s is not set, and this line may have been meant to: %s", SETTINGS[ALLOWED_ADDRESSES].name,
             MakeSafe(ALLOWED_ADDRESSES));
-    problems_.Tell(first_ignored_, text);
+    problems_.Report(first_ignored_, text);
   }
 }
 
 class OnConsole : public SettingsProblems {
  public:
-  virtual void Tell(int line, const char* text) {
+  virtual void Report(int line, const char* text) {
     OSYSLOG1((osyslogERROR, "RCServer: %s, line %d: %s", SETTINGS_FILE, line, text));
   }
 };

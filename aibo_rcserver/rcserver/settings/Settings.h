@@ -37,14 +37,14 @@ struct Settings {
   unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: then a client counts as silent
 };
 
-/// Is told the problems in the file, line by line.
+/// Receives the problems in the file, line by line.
 class SettingsProblems {
  public:
   virtual ~SettingsProblems() {}
 
   /// @param line from 1
   /// @param text the problem, and what is done instead
-  virtual void Tell(int line, const char* text) = 0;
+  virtual void Report(int line, const char* text) = 0;
 };
 
 /// Reads lines NAME=VALUE. Empty lines and comments after a # are skipped, upper and lower case are the same, and lines

@@ -24,7 +24,7 @@ constexpr unsigned kLoopback = 0x7f000001;
 
 class Problems : public SettingsProblems {
  public:
-  void Tell(int line, const char* text) override { all.emplace_back(line, text); }
+  void Report(int line, const char* text) override { all.emplace_back(line, text); }
   std::vector<std::pair<int, std::string>> all;
 };
 
@@ -95,7 +95,7 @@ TEST(Settings, DistributedFileAllowsNothingDangerousAndHasNoProblems) {
 
 struct BrokenLine {
   std::string line;
-  std::string told;
+  std::string problem;
 };
 
 class BrokenLines : public ::testing::TestWithParam<BrokenLine> {};
@@ -103,7 +103,7 @@ class BrokenLines : public ::testing::TestWithParam<BrokenLine> {};
 TEST_P(BrokenLines, AreReportedAndTheSafeValueIsSet) {
   const Read result = read("# comment\n" + GetParam().line + "\nALLOW_REBOOT=yes");
   ASSERT_FALSE(result.problems.empty());
-  EXPECT_THAT(result.problems.front(), Pair(2, HasSubstr(GetParam().told))) << GetParam().line;
+  EXPECT_THAT(result.problems.front(), Pair(2, HasSubstr(GetParam().problem))) << GetParam().line;
   EXPECT_FALSE(result.settings.allow_upload);
   EXPECT_EQ(result.settings.silent_client_seconds, 10U);
   EXPECT_TRUE(result.settings.allow_reboot) << "later lines are read";
