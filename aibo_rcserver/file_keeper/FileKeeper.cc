@@ -18,7 +18,7 @@ OStatus FileKeeper::DoInit(const OSystemEvent&) {
   return oSUCCESS;
 }
 
-// ReadyResult() is where the first job is asked for.
+// ReadyResult() asks for the first job.
 OStatus FileKeeper::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   return oSUCCESS;

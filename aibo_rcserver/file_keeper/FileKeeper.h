@@ -14,8 +14,8 @@
 
 /// Does one job at a time.
 ///
-/// It is an object of its own because the memory stick makes its caller wait, and an object handles one message at a
-/// time. Its scheduling class is below that of RCServer (FileKeeper.ocf), which interrupts it.
+/// This is a separate object because the memory stick makes its caller wait, and an object handles one message at a
+/// time. Its scheduling class is below RCServer's (FileKeeper.ocf), so RCServer interrupts it.
 ///
 /// It asks for a job only when RCServer is ready for the result, so there is always room for the result.
 class FileKeeper : public OObject {
@@ -34,7 +34,7 @@ class FileKeeper : public OObject {
   /// RCServer is ready for a result (gate Result).
   void ReadyResult(const OReadyEvent& event);
 
-  /// A job has come (gate Job).
+  /// RCServer has sent a job (gate Job).
   void NotifyJob(const ONotifyEvent& event);
 
  private:

@@ -12,10 +12,10 @@ using protocol::version2::MotionList;
 
 namespace {
 
-// Where an upload grows. It is no motion's name.
+// An upload is written to this file, whose name is not a motion's.
 const char TEMPORARY_FILE[] = "UPLOAD.TMP";
 
-/// The names of the motions in a folder, one after the other.
+// Goes through the names of the motions on the memory stick.
 class FolderReader {
  public:
   explicit FolderReader(const HostSettings& host) : folder_(NULL) {
@@ -30,8 +30,7 @@ class FolderReader {
     }
   }
 
-  /// @param[out] name in capitals
-  /// @return the name as it is spelled; NULL at the end
+  // The next motion's name, in capitals. Returns it as it is spelled, or NULL at the end.
   const char* Next(MotionName& name) {
     const dirent* entry = NULL;
     while (folder_ != NULL && (entry = readdir(folder_)) != NULL) {
@@ -64,7 +63,7 @@ bool WriteFile(const char* path, const unsigned char* bytes, size_t size) {
   return fclose(file) == 0 && is_written;
 }
 
-// Not every file system renames a file to a name that is taken.
+// Some file systems cannot rename a file to a name that exists.
 bool Rename(const char* from, const char* to) {
   if (rename(from, to) == 0) {
     return true;

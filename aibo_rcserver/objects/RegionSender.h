@@ -1,5 +1,5 @@
 /// @file RegionSender.h
-/// How one object of ours hands another one a job, or its result.
+/// Sends a job, or its result, from one of our objects to another.
 #ifndef AIBO_RCSERVER_OBJECTS_REGION_SENDER_H
 #define AIBO_RCSERVER_OBJECTS_REGION_SENDER_H
 
@@ -8,10 +8,11 @@
 
 /// Sends a Content, a plain struct without pointers, through a gate to one other object, in shared memory.
 ///
-/// What has been sent belongs to the receiver until it has said that it is ready for more. Nothing is ever queued.
+/// A Content belongs to the receiver from Send() until the receiver is ready for the next one. Nothing is queued.
 ///
-/// @tparam REGIONS pieces of memory, which take turns. With 1, the next Content can be written when the receiver is
-/// ready for it; with 2, while it is still at work on the last one
+/// @tparam REGIONS regions of memory that take turns. With 1, the next Content can be written when the receiver is
+/// ready
+///   for it; with 2, already while the receiver works on the last one
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
@@ -21,7 +22,7 @@ class RegionSender {
     }
   }
 
-  /// To be called in DoInit, behind NEW_ALL_SUBJECT_AND_OBSERVER.
+  /// Call in DoInit, after NEW_ALL_SUBJECT_AND_OBSERVER.
   /// @param subject a gate with one observer; must outlive this
   /// @return false if the memory could not be allocated
   bool Create(OSubject* subject) {
@@ -34,7 +35,7 @@ class RegionSender {
     return succeeds;
   }
 
-  /// To be called in DoDestroy.
+  /// Call in DoDestroy.
   void Destroy() {
     for (int i = 0; i < REGIONS; ++i) {
       if (regions_[i] != NULL) {
@@ -47,24 +48,24 @@ class RegionSender {
   /// False if the receiver has never been ready: OBJECT.CFG or CONNECT.CFG does not name it.
   bool HasReceiver() const { return has_sent_ || subject_->IsReady(); }
 
-  /// True if the receiver is ready, and there is Memory(): what is written there may be sent.
+  /// True if the receiver is ready and there is Memory(), so that Send() may be called.
   bool IsFree() const { return subject_->IsReady() && Memory() != NULL; }
 
-  /// Where the next Content goes: the same place until Send(), even if the receiver gives another one back meanwhile.
-  /// @return NULL if the receiver still has it
+  /// Where the next Content goes: the same region until Send(), even if the receiver returns another one meanwhile.
+  /// @return NULL if the receiver still has the region
   Content* Memory() const {
     RCRegion* const region = regions_[next_];
     return region->NumberOfReference() > 1 ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
   }
 
-  /// A number for a job by which its result is known. No job of late has had it; not 0.
+  /// A new number for a job, by which its result is recognised; not 0.
   unsigned NewTicket() {
     ++last_ticket_;
     last_ticket_ += last_ticket_ == 0 ? 1 : 0;
     return last_ticket_;
   }
 
-  /// Sends what has been written to Memory(). Only if IsFree().
+  /// Sends the Content in Memory(). Only if IsFree().
   void Send() {
     subject_->SetData(regions_[next_]);
     subject_->NotifyObservers();

@@ -19,7 +19,7 @@ size_t RoundUp(size_t size) {
   return (size + MACROBLOCK - 1) / MACROBLOCK * MACROBLOCK;
 }
 
-// Each sample of the half row is the mean of four. Pointers that step cost the robot's old compiler less than indices.
+// Each sample of the half row is the mean of four. With the robot's old compiler, pointers are faster than indices.
 void HalveRows(const unsigned char* upper, const unsigned char* lower, size_t half_width, unsigned char* half) {
   unsigned char* const end = half + half_width;
   for (; half != end; ++half) {
@@ -75,7 +75,7 @@ size_t JpegEncoder::Encode(const CameraImage& image, int quality, unsigned char*
   }
   destination_.buffer = jpeg;
   destination_.capacity = capacity;
-  // No object with a destructor may live below: Fail() jumps over it.
+  // There must be no object with a destructor below: Fail() would skip the destructor.
   if (setjmp(errors_.escape) != 0) {
     jpeg_abort_compress(&compress_);
     return 0;
@@ -124,9 +124,9 @@ void JpegEncoder::WriteStrips(const CameraImage& image) {
   }
 }
 
-// Points to 16 rows of a plane. They are the camera's own where libjpeg can read those. Copies take the place of the
-// last row, because of the tag, and of all rows if 16 does not divide the width, because libjpeg wants whole
-// macroblocks. Below the image, the last row is repeated.
+// Points to 16 rows of a plane, in the camera image where libjpeg can read them there. The last row is copied because
+// of the tag, and all rows if 16 does not divide the width, because libjpeg needs whole macroblocks. Below the image,
+// the last row is repeated.
 void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane, size_t top, Strip copies,
                            JSAMPROW rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;
@@ -135,7 +135,7 @@ void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane,
     const size_t source_row = top + row < last ? top + row : last;
     const unsigned char* source = plane + source_row * image.stride;
     if (source_row < last && has_whole_macroblocks) {
-      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg knows no const, and does not write there
+      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg lacks const, but does not write there
     } else {
       CopyRow(source, source_row == last ? source - image.stride : source, image.width, copies[row]);
       rows[row] = copies[row];
@@ -143,8 +143,8 @@ void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane,
   }
 }
 
-// Copies a row, with the pixels in place of the tag from another one, and repeats its last pixel up to whole
-// macroblocks.
+// Copies a row, takes the pixels in place of the tag from another one, and repeats the last pixel to fill the
+// macroblock.
 void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* source_of_tag, size_t width,
                           JSAMPROW copy) {
   memcpy(copy, source, width);

@@ -1,5 +1,5 @@
 /// @file JpegEncoder.h
-/// From a camera image to a JPEG file in memory.
+/// Encodes a camera image as a JPEG file in memory.
 #ifndef AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H
 #define AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H
 
@@ -12,13 +12,13 @@ extern "C" {
 #include <jpeglib.h>
 }
 
-#include "rcserver/camera/CameraImage.h"
+#include "picture_encoder/CameraImage.h"
 
 /// Encodes camera images as baseline JPEG, YCbCr 4:2:0, with the calls that libjpeg 6b and libjpeg-turbo share.
 ///
-/// The planes go into the encoder as they are: no RGB in between, and no copy if 16 divides the width. The camera's tag
-/// bytes are painted over with the row above, in the encoder's own copy of the row. libjpeg takes its working memory
-/// for each picture and gives it back. No libjpeg error ends the process: each makes Encode() fail. Not thread-safe.
+/// The planes go into libjpeg as they are: without a conversion to RGB, and without a copy if 16 divides the width. The
+/// camera's tag bytes are replaced by the row above, in a copy of the row. libjpeg allocates its working memory for
+/// each picture and frees it. An error in libjpeg makes Encode() fail and does not end the process. Not thread-safe.
 class JpegEncoder {
  public:
   /// Largest width and height, in pixels: twice the camera's, for pictures of double resolution.
@@ -28,25 +28,26 @@ class JpegEncoder {
   JpegEncoder();
   ~JpegEncoder();
 
-  /// Bytes that hold a picture of this size whatever it shows and whatever its quality: three bytes a pixel, with
-  /// width and height rounded up to 16, and 2048 for the headers. This is libjpeg-turbo's own bound (tjBufSize) for
-  /// 4:2:0. The report's 64 KB (section 3.3.3) are not enough: noise at quality 100 takes up to 77 KB.
+  /// Bytes that hold any picture of this size at any quality: three bytes per pixel, with width and height rounded up
+  /// to 16, and 2048 for the headers. This is libjpeg-turbo's own bound (tjBufSize) for 4:2:0. The report's 64 KB
+  /// (section 3.3.3) are not enough: noise at quality 100 takes up to 77 KB.
   static size_t WorstCaseSize(size_t width, size_t height);
 
   /// Encodes one image.
   /// @param quality 0..100
   /// @param[out] jpeg the JPEG file
   /// @param capacity bytes that fit into `jpeg`
-  /// @return bytes of the JPEG file; 0 on failure, whose reason LastError() tells: an image that is empty or larger
-  ///         than MAX_WIDTH x MAX_HEIGHT, a buffer too small, no memory
+  /// @return bytes of the JPEG file; 0 on failure: the image is empty or larger than MAX_WIDTH x MAX_HEIGHT, the buffer
+  /// is
+  ///   too small, or there is no memory. LastError() says which
   size_t Encode(const CameraImage& image, int quality, unsigned char* jpeg, size_t capacity);
 
-  /// Why Encode() failed the last time, in words.
+  /// Why Encode() last failed, in words.
   const char* LastError() const { return errors_.message; }
 
  private:
-  // What libjpeg reports errors to. Its first member is libjpeg's, so that a pointer to the one is a pointer to the
-  // other; the same goes for Destination.
+  // libjpeg reports errors to this. The first member is libjpeg's own struct, so a pointer to one is a pointer to the
+  // other; the same holds for Destination.
   struct Errors {
     jpeg_error_mgr manager;
     jmp_buf escape;
@@ -67,7 +68,7 @@ class JpegEncoder {
   JpegEncoder(const JpegEncoder&);
   JpegEncoder& operator=(const JpegEncoder&);
 
-  // One row of macroblocks: what libjpeg takes at once.
+  // One row of macroblocks, which libjpeg takes at once.
   static const size_t STRIP_HEIGHT = 16;
   typedef unsigned char Strip[STRIP_HEIGHT][MAX_WIDTH];
   typedef unsigned char HalfStrip[STRIP_HEIGHT / 2][MAX_WIDTH / 2];

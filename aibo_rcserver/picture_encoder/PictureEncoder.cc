@@ -27,7 +27,7 @@ OStatus PictureEncoder::DoInit(const OSystemEvent&) {
   return oSUCCESS;
 }
 
-// ReadyPicture() is where the first job is asked for.
+// ReadyPicture() asks for the first job.
 OStatus PictureEncoder::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   return oSUCCESS;

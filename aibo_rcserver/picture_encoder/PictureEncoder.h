@@ -14,8 +14,8 @@
 
 /// Encodes one picture at a time.
 ///
-/// It is an object of its own because encoding takes longer than a frame of the joints, and an object handles one
-/// message at a time. Its scheduling class is below that of RCServer (PictureEncoder.ocf), which interrupts it.
+/// This is a separate object because encoding takes longer than a frame of the joints, and an object handles one
+/// message at a time. Its scheduling class is below RCServer's (PictureEncoder.ocf), so RCServer interrupts it.
 ///
 /// It asks for a job only when RCServer is ready for the picture, so there is always room for the picture.
 class PictureEncoder : public OObject {
@@ -34,7 +34,7 @@ class PictureEncoder : public OObject {
   /// RCServer is ready for a picture (gate Picture).
   void ReadyPicture(const OReadyEvent& event);
 
-  /// A job has come (gate Job).
+  /// RCServer has sent a job (gate Job).
   void NotifyJob(const ONotifyEvent& event);
 
  private:

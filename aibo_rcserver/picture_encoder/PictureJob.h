@@ -1,5 +1,5 @@
 /// @file PictureJob.h
-/// What RCServer and PictureEncoder send each other.
+/// The messages between RCServer and PictureEncoder.
 #ifndef AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_JOB_H
 #define AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_JOB_H
 
@@ -18,7 +18,7 @@ struct PictureJob {
   int quality;      ///< JPEG quality, 0..100
   size_t width;     ///< pixels, 1..MAX_IMAGE_WIDTH
   size_t height;    ///< pixels, 1..MAX_IMAGE_HEIGHT
-  /// Rows of Y, Cr and Cb in turn, `width` bytes each, as the camera lays them out; the camera's tag included.
+  /// Rows of Y, Cr and Cb in turn, `width` bytes each, as in the camera image, with the camera's tag.
   unsigned char pixels[3 * MAX_IMAGE_WIDTH * MAX_IMAGE_HEIGHT];
 };
 
@@ -27,8 +27,8 @@ struct EncodedPicture {
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   unsigned ticket;                 ///< of the job
-  size_t size;                     ///< bytes of the JPEG file; 0: it could not be made
-  char problem[MAX_PROBLEM_SIZE];  ///< why not, in words; empty if it was made
+  size_t size;                     ///< bytes of the JPEG file; 0: there is none
+  char problem[MAX_PROBLEM_SIZE];  ///< why there is none, in words; empty if there is one
   unsigned char jpeg[ENCODED_PICTURE_CAPACITY];
 };
 

@@ -7,8 +7,8 @@
 
 namespace {
 
-// What the IPStack may hold of what was sent: slightly more than a part (Internet Protocol Version4, 1.3: 10 KB for
-// packets of 8 KB). It is what a client that stops reading still gets when it goes on, so it is small: two or three
+// Bytes that the IPStack may hold to be sent: slightly more than a part (Internet Protocol Version4, 1.3: 10 KB for
+// packets of 8 KB). A client that stops reading for a while gets these old bytes first, so there are few: two or three
 // pictures.
 const size_t ENDPOINT_POOL_SIZE = 10 * 1024;
 
@@ -59,7 +59,7 @@ void Connection::Destroy() {
     return;
   }
   buffer_ = NULL;
-  // Where a client is still connected the IPStack refuses. That is no harm: the robot goes off, and its memory with it.
+  // The IPStack refuses while a client is still connected. That does no harm: the robot is going off.
   shared_buffer_.UnMap();
   antEnvDestroySharedBufferMsg destroy(shared_buffer_);
   destroy.Call(stack_, sizeof(destroy));
@@ -168,7 +168,7 @@ bool Connection::SendPart() {
   return sending_;
 }
 
-// Sends a message to the IPStack, whose answer will say by endpoint_number_ which endpoint it concerns.
+// Sends a message to the IPStack. Its answer comes with endpoint_number_ as the continuation.
 bool Connection::Post(antEnvMsg& message, Selector entry, size_t size) {
   message.continuation = reinterpret_cast<void*>(endpoint_number_);
   return message.Send(stack_, object_, entry, size) == ANT_SUCCESS;

@@ -1,5 +1,5 @@
 /// @file Connection.h
-/// One place for a client at the IPStack.
+/// A TCP connection at the IPStack.
 #ifndef AIBO_RCSERVER_RCSERVER_CONNECTION_H
 #define AIBO_RCSERVER_RCSERVER_CONNECTION_H
 
@@ -8,23 +8,21 @@
 #include <ant.h>
 
 #include "picture_encoder/PictureJob.h"
+#include "rcserver/Outbox.h"
 #include "rcserver/Session.h"
-#include "rcserver/commands/Outbox.h"
 
-/// Listens, serves one client and closes, again and again: each time with a new endpoint, because an endpoint of the
-/// IPStack serves one connection.
+/// Listens, serves one client, closes and listens again, each time with a new endpoint, because an endpoint of the
+/// IPStack serves only one connection.
 ///
-/// At most one message or picture and one receive are under way at a time. What is sent goes in parts of at most
-/// MAX_PART_SIZE bytes, each when the IPStack has taken the one before. A picture may be handed over while a message is
-/// under way, and waits: so answers and telemetry cost the stream no picture.
+/// At most one send and one receive are under way at a time. Messages and pictures are sent in parts of at most
+/// MAX_PART_SIZE bytes, each when the IPStack has taken the one before. A picture that is handed over while a message
+/// is being sent waits, so that answers and telemetry cost the stream no picture.
 ///
-/// An orderly close is answered only when the client has closed, too (Internet Protocol Version4, 2.2 and 2.7). A
-/// client that takes longer than CLOSE_PATIENCE is aborted.
+/// The IPStack answers an orderly close only when the client has closed, too (Internet Protocol Version4, 2.2 and 2.7).
+/// The connection to a client that takes longer than CLOSE_PATIENCE is aborted.
 class Connection {
  public:
-  enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
-
-  /// Most bytes that are given to the IPStack at once. Nearly every picture fits in there with its header.
+  /// Most bytes that are passed to the IPStack at once. Nearly every picture fits with its header.
   static const size_t MAX_PART_SIZE = 8 * 1024;
 
   /// Frames that an orderly close may take: 2 s.
@@ -33,12 +31,12 @@ class Connection {
   /// Bytes of a picture that can be sent.
   static const size_t PICTURE_CAPACITY = ENCODED_PICTURE_CAPACITY;
 
-  /// Bytes of messages that can be sent at once: all that an outbox holds.
+  /// Bytes of messages that can be sent at once: everything that an outbox holds.
   static const size_t MESSAGE_CAPACITY = Outbox::CAPACITY;
 
   Connection();
 
-  /// Gets the shared buffer. To be called in DoInit, before anything else.
+  /// Gets the shared buffer. Call in DoInit, before anything else.
   /// @param object whose entries ListenCont, SendCont, ReceiveCont and CloseCont are called
   /// @return false if the IPStack has no memory for it
   bool Create(OID object);
@@ -46,22 +44,24 @@ class Connection {
   /// Gives the shared buffer back.
   void Destroy();
 
-  State GetState() const { return state_; }
+  bool IsClosed() const { return state_ == CLOSED; }
+  bool IsListening() const { return state_ == LISTENING; }
 
-  /// True if an answer with this continuation belongs to the endpoint that this connection has now. Answers that
-  /// concern an endpoint of the past are to be ignored.
+  /// True if an answer with this continuation belongs to this connection's present endpoint. Answers to earlier
+  /// endpoints have to be ignored.
   bool Owns(const void* continuation) const;
 
-  /// From CLOSED to LISTENING.
-  /// @param endpoint_number that no other endpoint of the object has had
-  /// @return false if the IPStack refuses; it may be tried again later
+  /// Starts to listen. Only if IsClosed().
+  /// @param endpoint_number different from those of all earlier endpoints
+  /// @return false if the IPStack refuses; try again later
   bool Listen(Port port, size_t endpoint_number);
 
-  /// The answer to Listen(): from LISTENING to CONNECTED.
+  /// The answer to Listen(): a client is connected.
   void Accepted(const TCPEndpointListenMsg& answer);
 
-  /// From any state to CLOSING; to CLOSED if the IPStack refuses.
-  /// @param abort true: with a reset, for a client taken for dead or turned away; false: what was sent still arrives
+  /// Begins to close; if the IPStack refuses, the connection counts as closed.
+  /// @param abort true: with a reset, for a client that is turned away or taken for dead; false: what was sent still
+  ///   arrives
   /// @param now OPEN-R frame
   void Close(bool abort, longword now);
 
@@ -69,30 +69,30 @@ class Connection {
   /// @param now OPEN-R frame
   void PassTime(longword now);
 
-  /// The answer to Close(): from CLOSING to CLOSED.
+  /// The answer to Close().
   void Closed();
 
   /// True while a message or a picture is being sent.
   bool IsSending() const { return sending_; }
 
-  /// Where to put the next message, MESSAGE_CAPACITY bytes. Not while IsSending().
+  /// Where the next message goes, MESSAGE_CAPACITY bytes. Not while IsSending().
   byte* MessageBuffer() const { return buffer_; }
 
   /// Sends the message in MessageBuffer(). Not while IsSending().
   /// @return false if the IPStack refuses
   bool SendMessage(size_t size) { return Send(MessageBuffer(), size); }
 
-  /// True while there is a picture that has not been sent to its end.
+  /// True while there is a picture that has not been sent completely.
   bool HasPicture() const { return picture_size_ > 0; }
 
-  /// True while there is a picture of which nothing has been sent.
+  /// True while there is a picture whose sending has not begun.
   bool HasWaitingPicture() const { return HasPicture() && !is_sending_picture_; }
 
-  /// Where to put the next picture, PICTURE_CAPACITY bytes. Not while HasPicture().
+  /// Where the next picture goes, PICTURE_CAPACITY bytes. Not while HasPicture().
   byte* PictureBuffer() const { return MessageBuffer() + MESSAGE_CAPACITY + Session::MAX_PICTURE_HEADER_SIZE; }
 
-  /// Hands over the picture in PictureBuffer(): it waits.
-  /// @param header, header_size what goes before it, up to Session::MAX_PICTURE_HEADER_SIZE bytes
+  /// Hands over the picture in PictureBuffer(), which then waits.
+  /// @param header, header_size goes before the picture, up to Session::MAX_PICTURE_HEADER_SIZE bytes
   void PutPicture(const byte* header, size_t header_size, size_t size);
 
   /// Drops the picture that waits.
@@ -106,8 +106,8 @@ class Connection {
   /// @return false if the IPStack refuses
   bool Sent();
 
-  /// Asks the IPStack for bytes, unless it has been asked already.
-  /// @return false if it refuses
+  /// Asks the IPStack for bytes, unless a receive is under way.
+  /// @return false if the IPStack refuses
   bool Receive();
 
   /// The answer to Receive().
@@ -116,7 +116,7 @@ class Connection {
   /// The bytes that Received() has brought, until the next Receive().
   const byte* ReceivedBytes() const { return ReceiveBuffer(); }
 
-  /// True if a client has come since Listen().
+  /// True if a client has connected since Listen().
   bool HadClient() const { return client_name_[0] != '\0'; }
 
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.
@@ -126,10 +126,12 @@ class Connection {
   const char* ClientName() const { return client_name_; }
 
  private:
+  enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
+
   Connection(const Connection&);
   Connection& operator=(const Connection&);
 
-  // Parts of the shared buffer, in this order: a message, a picture with its header, what is received.
+  // The shared buffer holds, in this order: a message, a picture with its header, received bytes.
   static const size_t PICTURE_SIZE = Session::MAX_PICTURE_HEADER_SIZE + PICTURE_CAPACITY;
   static const size_t RECEIVE_SIZE = Session::INPUT_CAPACITY;
 
@@ -148,12 +150,12 @@ class Connection {
   bool aborting_;         ///< in CLOSING
   longword close_began_;  ///< in CLOSING: the frame in which it began
   bool sending_;
-  byte* unsent_;  ///< what is left of the message or picture that is being sent
+  byte* unsent_;  ///< the rest of the message or picture that is being sent
   size_t unsent_size_;
   bool receiving_;
   byte* picture_;            ///< with its header
-  size_t picture_size_;      ///< 0: there is none
-  bool is_sending_picture_;  ///< else it waits
+  size_t picture_size_;      ///< 0: there is no picture
+  bool is_sending_picture_;  ///< false: it waits
   unsigned client_address_;
   char client_name_[sizeof("255.255.255.255:65535")];
 };

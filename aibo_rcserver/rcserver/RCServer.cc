@@ -1,6 +1,5 @@
 #include "rcserver/RCServer.h"
 
-#include <OPENR/OFbkImage.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
@@ -10,39 +9,20 @@
 
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
-#include "rcserver/settings/SettingsFile.h"
+#include "rcserver/settings/Settings.h"
 
 namespace {
 
 const longword FRAMES_PER_SECOND = 125;  // of 8 ms
 
-// Puts the bands of a layer together.
-bool FindPlanes(OFbkImageVectorData* image_vector, OFbkImageLayer layer, CameraImage* image) {
-  OFbkImageInfo* info = image_vector->GetInfo(layer);
-  byte* data = image_vector->GetData(layer);
-  OFbkImage y(info, data, ofbkimageBAND_Y);
-  OFbkImage cr(info, data, ofbkimageBAND_Cr);
-  OFbkImage cb(info, data, ofbkimageBAND_Cb);
-  if (!y.IsValid() || !cr.IsValid() || !cb.IsValid()) {
-    return false;
-  }
-  image->y = y.Pointer();
-  image->cr = cr.Pointer();
-  image->cb = cb.Pointer();
-  image->width = static_cast<size_t>(y.Width());
-  image->height = static_cast<size_t>(y.Height());
-  image->stride = static_cast<size_t>(y.Width() + y.Skip());
-  return true;
-}
-
-// OPEN-R gives the data of an event as constant, and its own classes take it as not. Nothing is written there.
+// OPEN-R passes the data of an event as const, but its own classes take it without. Nothing is written there.
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
-// Tells the console why the robot does not lie down. NULL: it does.
-void Tell(const char* problem) {
+// A problem that keeps the robot from lying down; NULL if there is none.
+void ReportLyingDown(const char* problem) {
   if (problem != NULL) {
     OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
   }
@@ -53,7 +33,7 @@ const char* ReasonOf(TCPEndpointError error) {
     case TCP_CONNECTION_CLOSED:
       return "it closed the connection";
     case TCP_CONNECTION_RESET:
-      return "it broke the connection off";
+      return "it reset the connection";
     case TCP_CONNECTION_TIMEOUT:
       return "it cannot be reached";
     default:
@@ -68,7 +48,8 @@ const longword RCServer::HEARTBEAT_FRAMES;
 RCServer::RCServer()
     : endpoints_(0),
       client_(NULL),
-      robot_(NULL),
+      body_(NULL),
+      power_order_(POWER_STAYS_ON),
       session_(NULL),
       now_(0),
       last_bytes_received_(0),
@@ -77,8 +58,7 @@ RCServer::RCServer()
       last_not_over_(0),
       last_attempt_(0),
       turned_away_(0),
-      last_told_turned_away_(0 - FRAMES_PER_SECOND),
-      image_count_(0) {}
+      last_report_(0 - FRAMES_PER_SECOND) {}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -87,12 +67,11 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   if (!CreateRegions()) {
     return oFAIL;
   }
-  body_.Open();
+  body_ = new Body();
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_.Design(),    body_.Joints(),        body_.GetMotors(), body_.GetSensors(),
-                       body_.GetLights(), body_.GetPowerOrder(), file_desk_};
-  robot_ = new Robot(robot);
-  session_ = new Session(*robot_, settings_, hostSettings().newest_version);
+  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(),
+                       body_->Lights(), power_order_,    file_desk_};
+  session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
 
@@ -100,11 +79,11 @@ OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
   if (settings_.motors_at_boot) {
-    body_.GetMotors().Switch(true);
+    body_->Motors().Switch(true);
   } else {
     OSYSPRINT(("RCServer: the motors stay off until a client switches them on (MOTORS_AT_BOOT in RCSERVER.CFG)\n"));
   }
-  body_.SendCommands(subject[sbjEffector]);
+  body_->SendCommands(subject[sbjEffector]);
   ListenWhereClosed();
   OSYSPRINT(("RCServer: waiting for a client on port %d\n", protocol::RCSERVER_PORT));
   ObservePower();
@@ -112,7 +91,7 @@ OStatus RCServer::DoStart(const OSystemEvent&) {
 }
 
 OStatus RCServer::DoStop(const OSystemEvent&) {
-  body_.GetPowerSupply().Unobserve();
+  power_supply_.Unobserve();
   DISABLE_ALL_SUBJECT;
   DEASSERT_READY_TO_ALL_OBSERVER;
   return oSUCCESS;
@@ -124,11 +103,10 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   }
   delete session_;
   session_ = NULL;
-  delete robot_;
-  robot_ = NULL;
   file_desk_.Destroy();
   pictures_.Destroy();
-  body_.Close();
+  delete body_;
+  body_ = NULL;
   DELETE_ALL_SUBJECT_AND_OBSERVER;
   return oSUCCESS;
 }
@@ -136,7 +114,7 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
 void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
-  CountImage(image_vector);
+  pictures_.CountImage(image_vector);
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
     BeginPicture();
@@ -160,7 +138,7 @@ void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   const FileResult& result = *static_cast<const FileResult*>(event.Data(0));
   session_->FileDone(result);
   if (lie_down_.Awaits(result)) {
-    Tell(lie_down_.Play(result, body_.Joints()));
+    ReportLyingDown(lie_down_.Play(result, body_->Joints()));
   }
   if (client_ != NULL) {
     ServeClient();
@@ -176,32 +154,32 @@ void RCServer::ReadyFileJob(const OReadyEvent&) {
 
 void RCServer::NotifySensor(const ONotifyEvent& event) {
   longword frame = 0;
-  if (body_.ReadSensors(VectorOf<OSensorFrameVectorData>(event), &frame)) {
+  if (body_->ReadSensors(VectorOf<OSensorFrameVectorData>(event), &frame)) {
     PassTime(frame);
     session_->Measured(frame);
   }
   if (client_ != NULL) {
     ServeClient();
   }
-  body_.SendCommands(subject[sbjEffector]);
+  body_->SendCommands(subject[sbjEffector]);
   observer[event.ObsIndex()]->AssertReady();
 }
 
 void RCServer::ReadyEffector(const OReadyEvent& event) {
   if (event.IsAssert()) {
-    body_.EffectorIsReady(subject[sbjEffector]);
+    body_->EffectorIsReady(subject[sbjEffector]);
   }
 }
 
 void RCServer::PowerChanged(ANTENVMSG msg) {
   const OPowerStatusMessage* message = static_cast<const OPowerStatusMessage*>(msg);
-  Obey(body_.GetPowerSupply().Look(message->powerStatus));
+  Obey(power_supply_.Look(message->powerStatus));
 }
 
 void RCServer::ListenCont(ANTENVMSG msg) {
   const TCPEndpointListenMsg* answer = static_cast<const TCPEndpointListenMsg*>(antEnvMsg::Receive(msg));
   Connection* connection = FindConnection(answer->continuation);
-  if (connection == NULL || connection->GetState() != Connection::LISTENING) {
+  if (connection == NULL || !connection->IsListening()) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
@@ -213,12 +191,12 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   connection->Accepted(*answer);
   if (!settings_.allowed_addresses.Allow(connection->ClientAddress())) {
     TurnAway(connection, "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it");
-  } else if (body_.GetPowerOrder() != POWER_STAYS_ON) {
+  } else if (power_order_ != POWER_STAYS_ON) {
     TurnAway(connection, "the robot goes off");
   } else if (client_ == NULL) {
     Admit(connection);
   } else if (IsClientSilent()) {
-    DropClient("it was silent and another one came", true);
+    DropClient("it was silent and another client came", true);
     Admit(connection);
   } else {
     char reason[64];
@@ -251,7 +229,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
-    // The client has closed: so an orderly close is answered at once.
+    // If the client has closed, an orderly close is answered at once.
     DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
@@ -269,7 +247,7 @@ void RCServer::CloseCont(ANTENVMSG msg) {
     return;
   }
   connection->Closed();
-  // Where nobody has come because listening failed, trying at once would fail again: PassTime() tries later.
+  // If listening failed, trying again at once would fail as well: PassTime() tries later.
   if (connection->HadClient()) {
     ListenWhereClosed();
   }
@@ -294,8 +272,8 @@ void RCServer::ObservePower() {
     OSYSPRINT(("RCServer: pause button and battery are left to POWERMON.BIN (POWER_MONITOR in RCSERVER.CFG)\n"));
     return;
   }
-  body_.GetPowerSupply().Observe(OServiceEntry(myOID_, Extra_Entry[entryPowerChanged]));
-  Obey(body_.GetPowerSupply().LookNow());
+  power_supply_.Observe(OServiceEntry(myOID_, Extra_Entry[entryPowerChanged]));
+  Obey(power_supply_.LookNow());
 }
 
 void RCServer::Obey(PowerSupply::Alarm alarm) {
@@ -303,21 +281,21 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
     case PowerSupply::NO_ALARM:
       break;
     case PowerSupply::PAUSE_PRESSED:
-      body_.CutMotors();
+      body_->CutMotors();
       GoOff(POWER_SHUT_DOWN, "the pause button was pressed: motors off, the robot shuts down");
       break;
     case PowerSupply::BATTERY_LOW:
-      if (body_.GetPowerOrder() == POWER_STAYS_ON) {
+      if (power_order_ == POWER_STAYS_ON) {
         GoOff(POWER_LIE_DOWN, "the battery is low: the robot lies down and shuts down");
       }
       break;
   }
 }
 
-// The client is told first, if there is one: DropClient() does the rest.
+// A client is told first; when it has been dropped, DropClient() carries the order out.
 void RCServer::GoOff(PowerOrder order, const char* reason) {
   OSYSPRINT(("RCServer: %s\n", reason));
-  body_.GetPowerOrder() = order;
+  power_order_ = order;
   if (client_ == NULL) {
     CarryOutPowerOrder();
     return;
@@ -327,20 +305,26 @@ void RCServer::GoOff(PowerOrder order, const char* reason) {
 }
 
 void RCServer::CarryOutPowerOrder() {
-  PowerOrder& order = body_.GetPowerOrder();
-  if (order == POWER_LIE_DOWN && body_.GetMotors().AreOn()) {
+  if (power_order_ == POWER_LIE_DOWN && body_->Motors().AreOn()) {
     lie_down_.Begin(now_);
-    return;
+  } else if (power_order_ != POWER_STAYS_ON) {
+    SwitchOff();
   }
-  order = order == POWER_LIE_DOWN ? POWER_SHUT_DOWN : order;
-  body_.CarryOutPowerOrder();
 }
 
-void RCServer::LieDownFurther() {
-  Tell(lie_down_.Continue(now_, file_desk_, body_.IsAtRest()));
+// The order stays until the robot is off, unless the robot refuses it.
+void RCServer::SwitchOff() {
+  const bool reboots = power_order_ == POWER_REBOOT;
+  power_order_ = reboots ? POWER_REBOOT : POWER_SHUT_DOWN;
+  if (!body_->SwitchOff(reboots)) {
+    power_order_ = POWER_STAYS_ON;
+  }
+}
+
+void RCServer::ContinueLyingDown() {
+  ReportLyingDown(lie_down_.Continue(now_, file_desk_, body_->IsAtRest()));
   if (!lie_down_.IsUnderWay()) {
-    body_.GetPowerOrder() = POWER_SHUT_DOWN;
-    body_.CarryOutPowerOrder();
+    SwitchOff();
   }
 }
 
@@ -355,14 +339,14 @@ void RCServer::PassTime(longword frame) {
     ListenWhereClosed();
   }
   if (client_ != NULL) {
-    JudgeClient();
-  } else if (body_.GetPowerOrder() == POWER_LIE_DOWN) {
-    LieDownFurther();
+    CheckClient();
+  } else if (power_order_ == POWER_LIE_DOWN) {
+    ContinueLyingDown();
   }
 }
 
-// A client of version 1 may be silent and well. But it may be lost, too, so what it has begun does not go on for ever.
-void RCServer::JudgeClient() {
+// A silent client of version 1 may be well, or lost. So its motions end, and it loses its place if another one comes.
+void RCServer::CheckClient() {
   if (!session_->IsOver()) {
     last_not_over_ = now_;
   } else if (now_ - last_not_over_ >= FRAMES_PER_SECOND) {
@@ -377,7 +361,7 @@ void RCServer::JudgeClient() {
   }
   const bool was_silent = was_silent_;
   was_silent_ = IsClientSilent();
-  MotionPlayer& motions = robot_->joints.Motions();
+  MotionPlayer& motions = body_->Joints().Motions();
   if (was_silent_ && !was_silent && motions.IsPlaying()) {
     OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions are not repeated any more\n",
                client_->ClientName(), settings_.silent_client_seconds));
@@ -392,8 +376,7 @@ bool RCServer::IsClientSilent() const {
 void RCServer::ListenWhereClosed() {
   last_attempt_ = now_;
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
-    if (connections_[i].GetState() == Connection::CLOSED &&
-        !connections_[i].Listen(protocol::RCSERVER_PORT, ++endpoints_)) {
+    if (connections_[i].IsClosed() && !connections_[i].Listen(protocol::RCSERVER_PORT, ++endpoints_)) {
       OSYSLOG1((osyslogERROR, "RCServer: the IPStack has no endpoint to listen on port %d", protocol::RCSERVER_PORT));
     }
   }
@@ -419,41 +402,40 @@ void RCServer::Admit(Connection* newcomer) {
   ServeClient();
 }
 
-// With an abort, which frees the place at once. However many come, the console is told once a second at most.
+// Aborts, which frees the connection at once. Reports at most once a second, however many clients come.
 void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   newcomer->Close(true, now_);
   ++turned_away_;
-  if (now_ - last_told_turned_away_ < FRAMES_PER_SECOND) {
+  if (now_ - last_report_ < FRAMES_PER_SECOND) {
     return;
   }
   OSYSPRINT(("RCServer: %s is turned away: %s\n", newcomer->ClientName(), reason));
   if (turned_away_ > 1) {
-    OSYSPRINT(("RCServer: %u more have been turned away since it was said last\n", turned_away_ - 1));
+    OSYSPRINT(("RCServer: %u more have been turned away since the last report\n", turned_away_ - 1));
   }
   turned_away_ = 0;
-  last_told_turned_away_ = now_;
+  last_report_ = now_;
 }
 
-// Forgets the client with all that it left behind.
+// Forgets the client and everything it has started.
 void RCServer::DropClient(const char* reason, bool abort) {
   OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
   client_->Close(abort, now_);
   client_ = NULL;
   session_->End();
   pictures_.Forget();
-  stream_report_.ClientGone();
   CarryOutPowerOrder();
-  body_.SendCommands(subject[sbjEffector]);
+  body_->SendCommands(subject[sbjEffector]);
 }
 
-// Does all that can be done for the client now.
+// Does everything that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
-  stream_report_.Update(session_->Camera());
+  pictures_.ReportStream(session_->Camera());
   if (client_->HasWaitingPicture() && !session_->Camera().Wants(pictures_.Order())) {
     client_->DropWaitingPicture();
   }
-  body_.SendCommands(subject[sbjEffector]);
+  body_->SendCommands(subject[sbjEffector]);
   if (!SendOutput()) {
     DropClient("the IPStack does not send", true);
   } else if (session_->IsOver() && !client_->IsSending()) {
@@ -463,23 +445,16 @@ void RCServer::ServeClient() {
   }
 }
 
-// Sends what waits. The picture goes first, while it is fresh.
+// Sends what waits. A picture goes first, while it is fresh.
 bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
   if (client_->HasWaitingPicture()) {
-    stream_report_.PictureIsSent(pictures_.Header().image_count);
+    pictures_.CountSent();
     return client_->SendWaitingPicture();
   }
   return !session_->HasOutput() || client_->SendMessage(session_->TakeOutput(client_->MessageBuffer()));
-}
-
-void RCServer::CountImage(OFbkImageVectorData* image_vector) {
-  CameraImage image;
-  if (FindPlanes(image_vector, ofbkimageLAYER_H, &image)) {
-    image_count_ += static_cast<unsigned short>(image.FieldCounter() - image_count_);
-  }
 }
 
 void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
@@ -487,52 +462,32 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   if (!FindOrder(&order)) {
     return;
   }
-  if (!pictures_.HasEncoder()) {
-    OSYSLOG1((osyslogERROR,
-              "RCServer: no picture: the object PictureEncoder does not run: ENCODER.BIN is missing on the "
-              "memory stick, or in its OBJECT.CFG or CONNECT.CFG"));
-    DropClient("there is no picture for it", true);
-    return;
-  }
-  CameraImage image;
-  if (!FindPlanes(image_vector, order.layer, &image)) {
-    OSYSLOG1((osyslogERROR, "RCServer: the camera image has no Y, Cr and Cb bands"));
-    DropClient("there is no picture for it", true);
-    return;
-  }
-  const protocol::version2::ImageHeader header = {image_count_,
-                                                  image_vector->GetInfo(order.layer)->frameNumber,
-                                                  static_cast<unsigned short>(image.width),
-                                                  static_cast<unsigned short>(image.height),
-                                                  order.quality,
-                                                  static_cast<protocol::version2::Layer>(order.layer)};
-  if (!pictures_.Offer(image, order, header)) {
-    OSYSLOG1((osyslogERROR, "RCServer: the camera image is larger than %ux%u", static_cast<unsigned>(MAX_IMAGE_WIDTH),
-              static_cast<unsigned>(MAX_IMAGE_HEIGHT)));
+  if (const char* problem = pictures_.Offer(image_vector, order)) {
+    OSYSLOG1((osyslogERROR, "RCServer: %s", problem));
     DropClient("there is no picture for it", true);
   }
 }
 
-// What the picture of this image is to be. False: none is due.
+// What kind of picture to make of this image. False if none is due.
 bool RCServer::FindOrder(PictureOrder* order) {
-  // What has waited until this image came is made again of this one, which shows what is now.
+  // A picture that is still waiting is made again from this image, which is newer.
   if (pictures_.IsWaiting()) {
     *order = pictures_.WaitingOrder();
   } else if (client_->HasWaitingPicture()) {
     client_->DropWaitingPicture();
     *order = pictures_.Order();
   } else {
-    return !client_->HasPicture() && session_->Camera().ImageArrived(image_count_, order);
+    return !client_->HasPicture() && session_->Camera().ImageArrived(pictures_.ImageCount(), order);
   }
   if (!session_->Camera().Wants(*order)) {
     pictures_.DropWaiting();
     return false;
   }
-  session_->Camera().TakeAgain(*order, image_count_);
+  session_->Camera().TakeAgain(*order, pictures_.ImageCount());
   return true;
 }
 
-// A picture that is being sent is finished first: the next one would wait behind it.
+// Not while a picture is being sent: the next one would only wait behind it.
 void RCServer::BeginPicture() {
   if (client_ != NULL && !client_->HasPicture() && pictures_.MayBegin()) {
     pictures_.Begin();

@@ -1,5 +1,5 @@
 /// @file RCServer.h
-/// The OPEN-R object that lets one client at a time see what the robot sees.
+/// The OPEN-R object that serves one client at a time.
 #ifndef AIBO_RCSERVER_RCSERVER_RCSERVER_H
 #define AIBO_RCSERVER_RCSERVER_RCSERVER_H
 
@@ -11,26 +11,25 @@
 #include <def.h>
 
 #include "rcserver/Connection.h"
+#include "rcserver/Robot.h"
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
-#include "rcserver/body/LieDown.h"
+#include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureTaker.h"
-#include "rcserver/camera/StreamReport.h"
-#include "rcserver/commands/Robot.h"
-#include "rcserver/settings/FileDesk.h"
+#include "rcserver/motions/FileJobs.h"
+#include "rcserver/motions/LieDown.h"
 #include "rcserver/settings/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
-/// Everything happens in one of the entry points below, each of which returns without waiting: while one runs, no joint
-/// is commanded. What takes longer than a frame is done by objects of a lower scheduling class: PictureEncoder makes
-/// the pictures, FileKeeper reads and writes motion files.
+/// All work happens in the entry points below. Each returns without waiting, because no joint is commanded while one
+/// runs. Work that takes longer than a frame is done by objects of a lower scheduling class: PictureEncoder makes the
+/// pictures, FileKeeper reads and writes motion files.
 ///
-/// The robot's time is the number of the frame, of 8 ms, in which joints were measured or the camera took an image
-/// last.
+/// Time is counted in OPEN-R frames of 8 ms: the frame of the latest camera image or joint measurement.
 ///
-/// When the robot starts, all joints hold where they are, unless RCSERVER.CFG says that the motors stay off. LEDs and
-/// ears are left alone.
+/// When the robot starts, all joints hold where they are, unless RCSERVER.CFG keeps the motors off. LEDs and ears are
+/// left alone.
 ///
 /// The pause button cuts the motors and shuts the robot down; a low battery makes it lie down first (PowerSupply.h).
 class RCServer : public OObject {
@@ -49,16 +48,16 @@ class RCServer : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// A camera image has come (gate Image).
+  /// The camera has taken an image (gate Image).
   void NotifyImage(const ONotifyEvent& event);
 
-  /// A picture has been made, or could not be made (gate Picture).
+  /// PictureEncoder has made a picture, or failed to (gate Picture).
   void NotifyPicture(const ONotifyEvent& event);
 
   /// PictureEncoder is ready for an image (gate EncodeJob).
   void ReadyEncodeJob(const OReadyEvent& event);
 
-  /// The memory stick has done a job (gate FileResult).
+  /// FileKeeper has done a job (gate FileResult).
   void NotifyFileResult(const ONotifyEvent& event);
 
   /// FileKeeper is ready for a job (gate FileJob).
@@ -67,7 +66,7 @@ class RCServer : public OObject {
   /// Joints have been measured (gate Sensor).
   void NotifySensor(const ONotifyEvent& event);
 
-  /// The robot takes one more command vector (gate Effector).
+  /// The robot is ready for one more command vector (gate Effector).
   void ReadyEffector(const OReadyEvent& event);
 
   /// The power status has changed (OPENR::ObservePowerStatus()).
@@ -82,7 +81,7 @@ class RCServer : public OObject {
   /// @}
 
  private:
-  // One for the client, one to turn the next one away, or to let it in when the first has gone silent.
+  // One for the client, and one for the next client: to turn it away, or to let it in if the first is silent.
   static const int NUMBER_OF_CONNECTIONS = 2;
 
   RCServer(const RCServer&);
@@ -93,9 +92,10 @@ class RCServer : public OObject {
   void Obey(PowerSupply::Alarm alarm);
   void GoOff(PowerOrder order, const char* reason);
   void CarryOutPowerOrder();
-  void LieDownFurther();
+  void SwitchOff();
+  void ContinueLyingDown();
   void PassTime(longword frame);
-  void JudgeClient();
+  void CheckClient();
   bool IsClientSilent() const;
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
@@ -104,32 +104,30 @@ class RCServer : public OObject {
   void DropClient(const char* reason, bool abort);
   void ServeClient();
   bool SendOutput();
-  void CountImage(OFbkImageVectorData* image_vector);
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   void BeginPicture();
   void SendPicture(const EncodedPicture& picture);
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
-  size_t endpoints_;    ///< numbers given so far
-  Connection* client_;  ///< the connection that is served; NULL if there is none
-  Body body_;
+  size_t endpoints_;    ///< how many have been numbered
+  Connection* client_;  ///< the client's connection; NULL if there is no client
+  Body* body_;          ///< from DoInit to DoDestroy
+  PowerSupply power_supply_;
+  PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;
-  PictureTaker pictures_;  ///< for the client alone
-  StreamReport stream_report_;
+  PictureTaker pictures_;
   LieDown lie_down_;
   Settings settings_;
-  Robot* robot_;      ///< there is one from DoInit to DoDestroy, as there is a session
-  Session* session_;  ///< with the client
+  Session* session_;  ///< from DoInit to DoDestroy
   longword now_;
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client
-  bool was_silent_;               ///< the client, when it was judged last
-  longword last_not_over_;        ///< when the session with the client was not over yet
+  bool was_silent_;               ///< the client, at the last look
+  longword last_not_over_;        ///< last frame in which the session was not over
   longword last_attempt_;         ///< to listen
-  unsigned turned_away_;          ///< clients of whom the console has not been told
-  longword last_told_turned_away_;
-  unsigned image_count_;  ///< the camera's own count, which has 16 bits, carried on to 32
+  unsigned turned_away_;          ///< clients turned away since the last report on the console
+  longword last_report_;          ///< of clients turned away
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

@@ -1,6 +1,5 @@
 #include "rcserver/Session.h"
 
-#include <stdio.h>
 #include <string.h>
 
 using protocol::version2::FrameHeader;
@@ -15,9 +14,9 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       version_(1),
       is_over_(false),
       power_reason_(NULL),
-      motions_(robot, settings),
-      version1_(robot, settings, motions_, camera_, outbox_, payload_),
-      version2_(robot, settings, motions_, camera_, outbox_),
+      motions_(robot.joints, robot.motors, robot.files, settings),
+      version1_(robot_, settings, motions_, camera_, outbox_, payload_),
+      version2_(robot_, settings, motions_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
       has_request_(false),
       has_frame_(false),
@@ -85,11 +84,11 @@ void Session::FileDone(const FileResult& result) {
   outbox_.Reserve(false);
 }
 
-// Version 1 has no words, and would take a reply that it has not asked for as the answer to its next request.
+// A client of version 1 would take an unasked message for the answer to its next request.
 void Session::RobotGoesOff(const char* reason) {
   power_reason_ = reason;
   if (version_ == protocol::version2::VERSION) {
-    version2_.PushError(protocol::version2::CODE_POWER, reason);
+    version2_.PushPowerOff(reason);
   }
 }
 
@@ -112,7 +111,7 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 }
 
 void Session::HandleVersion1() {
-  // The end of an upload, and what the memory stick has done, are answered in the room that was there at the beginning.
+  // The answer to an upload, or to a request that waits for the memory stick, goes into room that is reserved for it.
   while (version_ == 1 && !IsOver() && has_requests_) {
     has_requests_ = version1_.TakeContent(request_reader_);
     outbox_.Reserve(motions_.IsPending());
@@ -122,7 +121,7 @@ void Session::HandleVersion1() {
   }
 }
 
-// False if there is no whole request, or if it has to wait for the memory stick.
+// False if there is no complete request, or if it has to wait for the memory stick.
 bool Session::HandleRequestOfVersion1() {
   has_requests_ = has_request_ || request_reader_.next(&request_);
   if (!has_requests_) {
@@ -150,7 +149,7 @@ void Session::HandleVersion2(unsigned now) {
   }
 }
 
-// False if there is no whole frame, or one that is too large, which ends the session.
+// False if there is no complete frame, or if it is too large, which ends the session.
 bool Session::ReadFrame() {
   while (input_begin_ < input_end_) {
     size_t taken = 0;
@@ -160,9 +159,7 @@ bool Session::ReadFrame() {
       return true;
     }
     if (result == FrameReader::FRAME_TOO_LARGE) {
-      char text[128];
-      sprintf(text, "a request of %u bytes is too large; the server hangs up", frame_reader_.header().payload_size);
-      version2_.Refuse(frame_reader_.header(), protocol::version2::CODE_REFUSED, text);
+      version2_.RefuseTooLarge(frame_reader_.header());
       is_over_ = true;
       return false;
     }
@@ -170,7 +167,7 @@ bool Session::ReadFrame() {
   return false;
 }
 
-// Bytes that have come behind the request are version 2's.
+// Bytes after the request belong to version 2.
 void Session::ChangeToVersion2() {
   unsigned char message[protocol::VALUE_REPLY_SIZE];
   protocol::encodeValueReply(protocol::version2::versionReply(), message);

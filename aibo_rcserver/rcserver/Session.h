@@ -1,5 +1,5 @@
 /// @file Session.h
-/// What one client and the server say to each other.
+/// The conversation with one client.
 #ifndef AIBO_RCSERVER_RCSERVER_SESSION_H
 #define AIBO_RCSERVER_RCSERVER_SESSION_H
 
@@ -8,57 +8,58 @@
 #include "protocol/frame_reader.h"
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/Version1.h"
+#include "rcserver/Version2.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/commands/MotionCommands.h"
-#include "rcserver/commands/Outbox.h"
-#include "rcserver/commands/Robot.h"
+#include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
-#include "rcserver/version1/Version1Commands.h"
-#include "rcserver/version2/Version2Commands.h"
 
-/// Makes requests of the bytes that come, has them carried out in the version of the protocol that the client has
-/// chosen, and keeps the answers until they can be sent. Pure logic: no OPEN-R. Memory of a fixed size: requests that
-/// have come wait while there is no room for their answers, and meanwhile nothing more is received.
+/// Splits received bytes into requests, has them carried out in the version of the protocol that the client has chosen,
+/// and keeps the answers until they can be sent. Its memory has a fixed size: while there is no room for an answer,
+/// requests wait and nothing more is received.
 ///
-/// What needs the memory stick is answered when that has done its work (FileDone()). Meanwhile requests of version 2
-/// are handled until there is a second one of that kind; those of version 1 wait, so that replies keep their order.
+/// A request that needs the memory stick is answered by FileDone(). Meanwhile, requests of version 2 are handled until
+/// a second one needs the memory stick; requests of version 1 wait, so that replies keep their order.
 class Session {
  public:
-  /// Most bytes that AddInput() takes.
+  /// Most bytes for one AddInput().
   static const size_t INPUT_CAPACITY = protocol::RequestReader::MAX_APPENDED;
 
   /// Largest header of a picture, in either version.
   static const size_t MAX_PICTURE_HEADER_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
 
-  /// @param settings what clients may do
-  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2. All must outlive this.
+  /// @param robot whose parts must outlive this
+  /// @param settings what clients may do; must outlive this
+  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2
   Session(const Robot& robot, const Settings& settings, int newest_version);
 
-  /// A client has come. It speaks version 1 until it asks for another one.
+  /// A client has connected. It speaks version 1 until it asks for version 2.
   void Begin();
 
-  /// The client is gone, and with it all that it left behind: the camera idles, the joints hold, LEDs are off.
+  /// The client is gone. Everything it has started ends: the camera idles, the joints hold, LEDs are off.
   void End();
 
-  /// True if bytes may be added: there is no request left to be handled.
+  /// True if bytes may be added: all requests have been handled.
   bool WantsInput() const;
 
-  /// True if a request has to wait for the memory stick, so that nothing is received.
+  /// True if a request waits for the memory stick, so that nothing is received.
   bool AwaitsFiles() const { return has_request_ || has_frame_; }
 
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
-  /// Handles requests as long as there is room for the answers. To be called when bytes were added or taken, and when
-  /// the memory stick has become free.
+  /// Handles requests as long as there is room for the answers. Call when bytes were added or taken, and when the
+  /// memory stick has become free.
   /// @param now OPEN-R frame
   void HandleRequests(unsigned now);
 
-  /// The memory stick has done a job. A result that nobody waits for any more is passed over.
+  /// FileKeeper has done a job. A result that no request waits for is ignored.
   void FileDone(const FileResult& result);
 
-  /// The robot goes off whatever the client does, which is told so, if its version has words for it. It is over then.
+  /// The robot goes off, which ends the session. A client of version 2 is told the reason.
   /// @param reason in words; must outlive this
   void RobotGoesOff(const char* reason);
 
@@ -68,23 +69,23 @@ class Session {
 
   bool HasOutput() const { return !outbox_.IsEmpty(); }
 
-  /// Takes out what is to be sent, pictures apart.
+  /// Takes out everything that is to be sent, except pictures.
   /// @param[out] out room for Outbox::CAPACITY bytes
   size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
 
-  /// True if the client is to be left as soon as it has got the last output: it broke the protocol, or the power order
-  /// is to be carried out.
+  /// True if the connection has to be closed when the output has been sent: the client broke the protocol, or the robot
+  /// is going off.
   bool IsOver() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
 
   /// Why it is over.
   const char* EndReason() const { return is_over_ ? "it broke the protocol" : power_reason_; }
 
-  /// True if a client that says nothing is to be left (version 2).
+  /// True if a silent client has to be dropped (version 2).
   bool ExpectsHeartbeat() const { return version_ == protocol::version2::VERSION; }
 
   ImageObserver& Camera() { return camera_; }
 
-  /// Writes what goes before a picture, in the client's version.
+  /// Writes the bytes that go before a picture, in the client's version.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
   /// @return how many bytes it is
   size_t EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image, size_t jpeg_size,
@@ -100,7 +101,7 @@ class Session {
   bool ReadFrame();
   void ChangeToVersion2();
 
-  const Robot& robot_;
+  const Robot robot_;
   const int newest_version_;
   int version_;
   bool is_over_;
@@ -108,15 +109,15 @@ class Session {
   ImageObserver camera_;
   Outbox outbox_;
   MotionCommands motions_;
-  Version1Commands version1_;
-  Version2Commands version2_;
+  Version1 version1_;
+  Version2 version2_;
   protocol::RequestReader request_reader_;
-  unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: of an upload
+  unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: the content of an upload
   protocol::version2::FrameReader frame_reader_;
   protocol::Request request_;
-  bool has_request_;   ///< in request_, that has to wait for the memory stick
-  bool has_frame_;     ///< in frame_reader_, that has to wait for the memory stick
-  bool has_requests_;  ///< of version 1 that may be whole
+  bool has_request_;                                           ///< in request_: it waits for the memory stick
+  bool has_frame_;                                             ///< in frame_reader_: it waits for the memory stick
+  bool has_requests_;                                          ///< of version 1, possibly complete ones
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
   size_t input_begin_;
   size_t input_end_;

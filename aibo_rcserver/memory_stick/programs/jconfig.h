@@ -1,11 +1,10 @@
 /// @file jconfig.h
-/// Tells libjpeg 6b what the robot's compiler and C library have: GCC 3.3.6 with newlib. libjpeg's configure script
-/// would write this file, but it stops with the SDK's compiler: the script has to link programs, and that compiler
-/// links none by itself.
+/// Tells libjpeg 6b what the robot's compiler and C library support: GCC 3.3.6 with newlib. libjpeg's configure script
+/// cannot write this file, because it has to link programs, which the SDK's compiler cannot do by itself.
 #ifndef AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 #define AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 
-// ISO C: prototypes, types and headers. Macros that are not defined here say no.
+// ISO C: prototypes, types and headers. A macro that is not defined here means no.
 #define HAVE_PROTOTYPES
 #define HAVE_UNSIGNED_CHAR
 #define HAVE_UNSIGNED_SHORT

@@ -2,37 +2,35 @@
 
 #include <OPENR/OSyslog.h>
 
-#include "rcserver/body/EmptyRobot.h"
-
 using robot_model::MAX_EARS;
 using robot_model::MAX_JOINTS;
 using robot_model::MAX_LEDS;
 using robot_model::RobotModel;
 
-Body::Body() : vectors_on_their_way_(0), power_order_(POWER_STAYS_ON) {
+Body::Body()
+    : model_(FindModel()),
+      joint_driver_(model_),
+      light_driver_(model_),
+      sensor_driver_(model_),
+      vectors_on_their_way_(0) {
+  light_driver_.Open();
+  sensor_driver_.Open();
+}
+
+// The robot's table; also creates the command vectors.
+const RobotModel& Body::FindModel() {
   design_[0] = '\0';
-}
-
-void Body::Open() {
   OPENR::GetRobotDesign(design_);
-  const RobotModel* robot = robot_model::findRobotModel(design_);
-  if (robot == NULL) {
+  const RobotModel* const model = robot_model::findRobotModel(design_);
+  if (model == NULL) {
     OSYSLOG1((osyslogERROR, "RCServer: no joints, sensors and LEDs: the design \"%s\" is not known", design_));
-    robot = &EMPTY_ROBOT;
-  } else if (!vectors_.Create(MAX_JOINTS + MAX_LEDS + MAX_EARS)) {
-    OSYSLOG1((osyslogERROR, "RCServer: no memory for commands to joints and LEDs"));
-    robot = &EMPTY_ROBOT;
+    return EMPTY_ROBOT;
   }
-  joint_driver_.Open(*robot);
-  light_driver_.Open(*robot);
-  sensor_driver_.Open(*robot);
-}
-
-void Body::Close() {
-  vectors_.Destroy();
-  sensor_driver_.Close();
-  light_driver_.Close();
-  joint_driver_.Close();
+  if (!vectors_.Create(MAX_JOINTS + MAX_LEDS + MAX_EARS)) {
+    OSYSLOG1((osyslogERROR, "RCServer: no memory for commands to joints and LEDs"));
+    return EMPTY_ROBOT;
+  }
+  return *model;
 }
 
 void Body::SendCommands(OSubject* effector) {
@@ -57,7 +55,7 @@ void Body::EffectorIsReady(OSubject* effector) {
   SendCommands(effector);
 }
 
-// Adds what is to be said now to the next notification.
+// Adds one vector to the next notification. False if nothing has to be commanded.
 bool Body::AddVector(OSubject* effector) {
   const bool joints_are_due = joint_driver_.HasCommand();
   RCRegion* vector = joints_are_due || light_driver_.HasCommand() ? vectors_.FindFree() : NULL;
@@ -86,19 +84,14 @@ void Body::CutMotors() {
   OPENR::SetMotorPower(opowerOFF);
 }
 
-void Body::CarryOutPowerOrder() {
-  const PowerOrder order = power_order_;
-  if (order == POWER_STAYS_ON) {
-    return;
-  }
+bool Body::SwitchOff(bool reboots) {
   CutMotors();
-  // Shut down, it boots when somebody presses its button.
   const OBootCondition condition =
-      order == POWER_REBOOT ? OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE) : OBootCondition(obcbPAUSE_SW);
+      reboots ? OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE) : OBootCondition(obcbPAUSE_SW);
   const OStatus status = OPENR::Shutdown(condition);
   if (status != oSUCCESS) {
-    power_order_ = POWER_STAYS_ON;
-    OSYSLOG1((osyslogERROR, "RCServer: the robot does not %s (status %u)",
-              order == POWER_REBOOT ? "reboot" : "shut down", static_cast<unsigned>(status)));
+    OSYSLOG1((osyslogERROR, "RCServer: the robot does not %s (status %u)", reboots ? "reboot" : "shut down",
+              static_cast<unsigned>(status)));
   }
+  return status == oSUCCESS;
 }

@@ -7,77 +7,69 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
 
-#include "rcserver/body/CommandVectors.h"
 #include "rcserver/body/JointDriver.h"
 #include "rcserver/body/LightDriver.h"
-#include "rcserver/body/PowerOrder.h"
-#include "rcserver/body/PowerSupply.h"
+#include "rcserver/body/Primitives.h"
 #include "rcserver/body/SensorDriver.h"
 
-/// Joints, sensors, LEDs and ears, opened by the table of the robot's design; and the two gates that they share.
+/// Joints, sensors, LEDs and ears, opened by the table of the robot's design, and the two gates that they share.
 ///
-/// Commands are sent while there is something to say: at rest none are, joints hold and LEDs shine as they were
-/// commanded last. So the first command after a rest is output from the next frame on. It takes two vectors at once,
-/// and each READY brings one more, so that the next vector always waits when one has been output, and an answer to
-/// READY may take as long as a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same).
-/// Commands to LEDs and ears go with those to joints, and delay none.
+/// Commands are sent only while something changes: at rest, joints hold and LEDs shine as they were last commanded, and
+/// the first command after a rest is output from the next frame on. It takes two vectors at once, and each READY brings
+/// one more, so that the next vector always waits when one has been output, and an answer to READY may take as long as
+/// a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same). Commands to LEDs and ears go
+/// with those to joints and delay none.
 class Body {
  public:
+  /// Opens everything. Parts that do not open are left out, and the console says why: a robot whose design has no table
+  /// has no parts at all.
   Body();
 
-  /// Opens all there is. What is missing is left out, and the log says why: a robot whose design has no table has
-  /// nothing.
-  void Open();
-  void Close();
-
-  /// @name What commands work on; valid between Open() and Close()
-  /// @{
+  /// The design's name, as OPEN-R has it.
   const char* Design() const { return design_; }
-  JointControl& Joints() { return joint_driver_.Joints(); }
-  Motors& GetMotors() { return joint_driver_; }
-  const Sensors& GetSensors() const { return sensor_driver_.GetSensors(); }
-  Lights& GetLights() { return light_driver_.GetLights(); }
-  PowerOrder& GetPowerOrder() { return power_order_; }
-  PowerSupply& GetPowerSupply() { return power_supply_; }
-  /// @}
 
-  /// Sends the next command vectors if they are due and the robot can take them. To be called when something was
-  /// commanded.
+  JointControl& Joints() { return joint_driver_.Joints(); }
+  MotorSwitch& Motors() { return joint_driver_; }
+  const SensorDriver& Sensors() const { return sensor_driver_; }
+  LightDriver& Lights() { return light_driver_; }
+
+  /// Sends the next command vectors if they are due and the robot can take them. Call when something was commanded.
   /// @param effector gate to OVirtualRobotComm.Effector
   void SendCommands(OSubject* effector);
 
-  /// READY has come: goes on sending.
+  /// READY has come: sends the next vectors.
   void EffectorIsReady(OSubject* effector);
 
-  /// Takes over what joints and sensors report.
+  /// Reads what joints and sensors report.
   /// @param[out] frame the last frame in the vector
-  /// @return false if it reports nothing
+  /// @return false if there is no report in it
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
 
-  /// True if nothing moves, and no command is on its way to the motors.
+  /// True if nothing moves and no command is on its way to the motors.
   bool IsAtRest() { return vectors_on_their_way_ == 0 && !Joints().AreMoving(); }
 
-  /// Motors off at once, whatever they do.
+  /// Switches the motors off at once, whatever they do.
   void CutMotors();
 
-  /// Motors off, then what the order says, unless the power stays on. The order stays until the robot is off. If the
-  /// robot refuses, the order is forgotten, and the log says so.
-  void CarryOutPowerOrder();
+  /// Switches the motors off, then shuts the robot down. A button press boots it again; with `reboots`, it boots by
+  /// itself.
+  /// @return false if the robot refuses; the console says so
+  bool SwitchOff(bool reboots);
 
  private:
-  bool AddVector(OSubject* effector);
-
   Body(const Body&);
   Body& operator=(const Body&);
 
+  const robot_model::RobotModel& FindModel();
+  bool AddVector(OSubject* effector);
+
   char design_[orobotdesignNAME_MAX + 1];
+  CommandVectors vectors_;
+  const robot_model::RobotModel& model_;
   JointDriver joint_driver_;
   LightDriver light_driver_;
   SensorDriver sensor_driver_;
-  CommandVectors vectors_;
   int vectors_on_their_way_;  ///< sent, and their output is not complete
-  PowerOrder power_order_;
-  PowerSupply power_supply_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_BODY_H

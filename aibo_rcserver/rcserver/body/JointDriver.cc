@@ -4,36 +4,17 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
-#include "rcserver/body/CommandVectors.h"
-#include "rcserver/body/EmptyRobot.h"
-#include "rcserver/body/SensorReports.h"
-
 using robot_model::Joint;
 using robot_model::MAX_JOINTS;
 using robot_model::PidGains;
 using robot_model::RobotModel;
 
-JointDriver::JointDriver() : joints_(NULL), state_(OFF), robot_(&EMPTY_ROBOT), vectors_until_gains_(0), now_(0) {}
-
-JointDriver::~JointDriver() {
-  delete joints_;
-}
-
-void JointDriver::Open(const RobotModel& robot) {
-  const bool are_open = OpenPrimitives(robot);
-  if (!are_open) {
-    primitives_.Close();
-  }
-  robot_ = are_open ? &robot : &EMPTY_ROBOT;
-  joints_ = new JointControl(*robot_);
-}
-
-void JointDriver::Close() {
-  primitives_.Close();
-  delete joints_;
-  joints_ = NULL;
-  state_ = OFF;
-}
+JointDriver::JointDriver(const RobotModel& robot)
+    : robot_(OpenPrimitives(robot) ? robot : EMPTY_ROBOT),
+      joints_(robot_),
+      state_(OFF),
+      vectors_until_gains_(0),
+      now_(0) {}
 
 bool JointDriver::Switch(bool on) {
   if (on == AreOn()) {
@@ -43,9 +24,9 @@ bool JointDriver::Switch(bool on) {
     return SwitchOn();
   }
   state_ = OFF;
-  joints_->Motions().StopAll();
-  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds");
+  joints_.Motions().StopAll();
+  for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
+    Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds its position");
   }
   return true;
 }
@@ -54,11 +35,11 @@ bool JointDriver::HasCommand() const {
   if (state_ == OFF) {
     return false;
   }
-  if (state_ == GOING_ON || joints_->AreMoving()) {
+  if (state_ == GOING_ON || joints_.AreMoving()) {
     return true;
   }
-  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-    if (joints_->Planner().Position(i) != commanded_[i]) {
+  for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
+    if (joints_.Planner().Position(i) != commanded_[i]) {
       return true;
     }
   }
@@ -67,15 +48,15 @@ bool JointDriver::HasCommand() const {
 
 void JointDriver::Fill(RCRegion* vector) {
   OCommandData* data[MAX_JOINTS];
-  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
+  for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     data[i] = CommandVectors::Add(vector, odataJOINT_COMMAND2, primitives_.Id(i), CommandVectors::FRAMES);
   }
   for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
     if (state_ == ON) {
-      joints_->NextFrame();
+      joints_.NextFrame();
     }
-    for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
-      commanded_[i] = joints_->Planner().Position(i);
+    for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
+      commanded_[i] = joints_.Planner().Position(i);
       OJointCommandValue2 value = {commanded_[i], 0};
       memcpy(&data[i]->value[frame], &value, sizeof(value));
     }
@@ -104,17 +85,18 @@ bool JointDriver::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) 
     OJointValue report;
     reports.Read(&report);
     const JointReading reading = {report.value, report.refValue, report.pwmDuty};
-    Report(reports.Row(), joints_->Measured(reports.Row(), reading, now_, state_ == ON));
+    Report(reports.Row(), joints_.Measured(reports.Row(), reading, now_, state_ == ON));
   }
   return is_any;
 }
 
-// False if not all of them are open now.
+// Opens all joints or none.
 bool JointDriver::OpenPrimitives(const RobotModel& robot) {
   for (int i = 0; i < robot.number_of_joints; ++i) {
     const Joint& joint = robot.joints[i];
     if (!primitives_.Open(i, joint.name, joint.locator)) {
-      OSYSLOG1((osyslogERROR, "RCServer: without %s no joint is moved", joint.name));
+      OSYSLOG1((osyslogERROR, "RCServer: without %s, no joint is moved", joint.name));
+      primitives_.Close();
       return false;
     }
   }
@@ -122,7 +104,7 @@ bool JointDriver::OpenPrimitives(const RobotModel& robot) {
 }
 
 bool JointDriver::SwitchOn() {
-  if (joints_->NumberOfJoints() == 0) {
+  if (joints_.NumberOfJoints() == 0) {
     return false;
   }
   if (OPENR::SetMotorPower(opowerON) != oSUCCESS) {
@@ -138,46 +120,46 @@ bool JointDriver::SwitchOn() {
 }
 
 bool JointDriver::HoldPresentPositions() {
-  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
+  for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     OJointValue value;
     if (!Check(OPENR::GetJointValue(primitives_.Id(i), &value), i,
-               "does not say where it is, so the motors stay off")) {
+               "does not report its position, so the motors stay off")) {
       return false;
     }
-    joints_->Hold(i, value.value, now_);
+    joints_.Hold(i, value.value, now_);
   }
   return true;
 }
 
 void JointDriver::EnableGains() {
-  for (int i = 0; i < joints_->NumberOfJoints(); ++i) {
+  for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     if (!EnableGain(i)) {
-      joints_->Failed(i, JointWatch::LIMP);
+      joints_.Failed(i, JointWatch::LIMP);
     }
   }
   state_ = ON;
 }
 
 bool JointDriver::EnableGain(int joint) const {
-  const PidGains& gains = robot_->joints[joint].gains;
+  const PidGains& gains = robot_.joints[joint].gains;
   const OPrimitiveID id = primitives_.Id(joint);
-  return Check(OPENR::EnableJointGain(id), joint, "is limp: its gain does not go on") &&
+  return Check(OPENR::EnableJointGain(id), joint, "is limp: its gain cannot be enabled") &&
          Check(OPENR::SetJointGain(id, gains.proportional, gains.integral, gains.derivative, gains.proportional_shift,
                                    gains.integral_shift, gains.derivative_shift),
-               joint, "is limp: it does not take its gain");
+               joint, "is limp: its gain cannot be set");
 }
 
 bool JointDriver::Check(OStatus status, int joint, const char* otherwise) const {
   if (status != oSUCCESS) {
     OSYSLOG1(
-        (osyslogERROR, "RCServer: %s %s (status %u)", joints_->Name(joint), otherwise, static_cast<unsigned>(status)));
+        (osyslogERROR, "RCServer: %s %s (status %u)", joints_.Name(joint), otherwise, static_cast<unsigned>(status)));
   }
   return status == oSUCCESS;
 }
 
 void JointDriver::Report(int joint, JointWatch::Verdict verdict) const {
   if (verdict != JointWatch::FOLLOWS) {
-    OSYSLOG1((osyslogERROR, "RCServer: %s %s; it is held where it is", joints_->Name(joint),
+    OSYSLOG1((osyslogERROR, "RCServer: %s %s; it is held where it is", joints_.Name(joint),
               verdict == JointWatch::JAMMED ? "is jammed" : "does not follow"));
   }
 }

@@ -1,5 +1,5 @@
 /// @file JointDriver.h
-/// Between JointControl and the motors of the robot.
+/// The robot's joints and their motors.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H
 
@@ -9,47 +9,42 @@
 
 #include "rcserver/body/Primitives.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/joints/Motors.h"
 
-/// Opens the joints of the robot by the table of its design, switches their motors, hands on what they report, and
-/// commands them where the planner wants them.
+/// Opens the joints by the table of the robot's design, switches their motors, passes their reports on to JointControl,
+/// and commands them to where its planner wants them.
 ///
 /// Gains go on only after the joints' present positions have been commanded and output, so that nothing moves: first
-/// EnableJointGain, then SetJointGain, since a gain that is set earlier counts for nothing (Level2 Reference Guide,
-/// pages 70 and 71). A joint that gets no gain is a fault of JointControl's.
-class JointDriver : public Motors {
+/// EnableJointGain, then SetJointGain, because OPEN-R ignores a gain that is set earlier (Level2 Reference Guide, pages
+/// 70 and 71). A joint that gets no gain is reported as a fault.
+class JointDriver : public MotorSwitch {
  public:
-  JointDriver();
-  virtual ~JointDriver();
-
-  /// Opens the robot's joints. If one does not open, the robot counts as one without joints, and the log says why.
+  /// Opens the joints. If one does not open, the robot counts as one without joints, and the console says why.
   /// @param robot must outlive this
-  void Open(const robot_model::RobotModel& robot);
-  void Close();
+  explicit JointDriver(const robot_model::RobotModel& robot);
+  virtual ~JointDriver() {}
 
-  /// Valid between Open() and Close().
-  JointControl& Joints() { return *joints_; }
+  JointControl& Joints() { return joints_; }
 
   virtual bool AreOn() const { return state_ != OFF; }
   virtual bool Switch(bool on);
 
-  /// True if there is something to be commanded.
+  /// True if the joints have to be commanded.
   bool HasCommand() const;
 
-  /// Adds it, for all joints.
+  /// Adds commands to all joints.
   /// @param vector of CommandVectors
   void Fill(RCRegion* vector);
 
   /// The vector that was filled has been sent.
-  /// @param vectors_ahead that were sent before it and whose output is not complete
+  /// @param vectors_ahead sent before it, and not completely output yet
   void Sent(int vectors_ahead);
 
-  /// The output of a vector is complete, the oldest of those that were sent, whether it was filled here or not.
+  /// The output of the oldest vector that was sent is complete, whether it was filled here or not.
   void OutputIsComplete();
 
-  /// Takes over what the joints report.
-  /// @param[out] frame the last frame in the vector; untouched if it reports nothing
-  /// @return false if it reports nothing
+  /// Passes the joints' reports on.
+  /// @param[out] frame the last frame in the vector; untouched if no joint reports
+  /// @return false if no joint reports
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
 
  private:
@@ -70,13 +65,13 @@ class JointDriver : public Motors {
   bool Check(OStatus status, int joint, const char* otherwise) const;
   void Report(int joint, JointWatch::Verdict verdict) const;
 
-  JointControl* joints_;
   Primitives primitives_;
+  const robot_model::RobotModel& robot_;
+  JointControl joints_;
   State state_;
-  const robot_model::RobotModel* robot_;
-  int vectors_until_gains_;  ///< in GOING_ON: whose output is still to be completed; 0: none has been sent
+  int vectors_until_gains_;  ///< in GOING_ON: vectors that must be output first; 0: none has been sent
   int commanded_[robot_model::MAX_JOINTS];
-  longword now_;
+  longword now_;  ///< frame of the last report
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H

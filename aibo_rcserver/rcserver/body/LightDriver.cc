@@ -2,18 +2,18 @@
 
 #include <string.h>
 
-#include "rcserver/body/CommandVectors.h"
-
-using robot_model::Ear;
 using robot_model::EAR_JOINT4;
 using robot_model::LED2;
 using robot_model::MAX_EARS;
-using robot_model::RobotModel;
+using robot_model::MAX_LEDS;
 
 namespace {
 
-// LEDs need one command, which lasts as long as the commands of joints that go with it.
-OCommandValue CommandOf(const Lights::LedState& state, robot_model::LedKind kind) {
+const LightDriver::LedState OFF = {0, false};
+const unsigned char FULL = 255;
+
+// LEDs need one command, which lasts as long as the commands to joints in the same vector.
+OCommandValue CommandOf(const LightDriver::LedState& state, robot_model::LedKind kind) {
   OCommandValue command;
   if (kind == LED2) {
     OLEDCommandValue2 value = {state.intensity > 0 ? oledON : oledOFF, CommandVectors::FRAMES, 0};
@@ -37,40 +37,64 @@ OCommandValue CommandOf(bool is_drawn, robot_model::EarKind kind) {
 
 }  // namespace
 
-LightDriver::LightDriver() : lights_(NULL) {
-  memset(commanded_, 0, sizeof(commanded_));
-}
+const int LightDriver::EAR_FRAMES;
 
-LightDriver::~LightDriver() {
-  delete lights_;
-}
-
-void LightDriver::Open(const RobotModel& robot) {
-  lights_ = new Lights(robot);
-  for (int i = 0; i < robot.number_of_leds; ++i) {
-    leds_.Open(i, robot.leds[i].name, robot.leds[i].locator);
-    commanded_[i] = lights_->Led(i);
+LightDriver::LightDriver(const robot_model::RobotModel& robot) : robot_(robot) {
+  for (int i = 0; i < MAX_LEDS; ++i) {
+    leds_[i] = OFF;
+    commanded_[i] = OFF;
   }
-  for (int i = 0; i < robot.number_of_ears; ++i) {
-    ears_.Open(i, robot.ears[i].name, robot.ears[i].locator);
+  for (int i = 0; i < MAX_EARS; ++i) {
+    frames_drawn_[i] = 0;
+    frames_to_rest_[i] = 0;
   }
 }
 
-void LightDriver::Close() {
-  leds_.Close();
-  ears_.Close();
-  delete lights_;
-  lights_ = NULL;
+void LightDriver::Open() {
+  for (int i = 0; i < robot_.number_of_leds; ++i) {
+    led_primitives_.Open(i, robot_.leds[i].name, robot_.leds[i].locator);
+  }
+  for (int i = 0; i < robot_.number_of_ears; ++i) {
+    ear_primitives_.Open(i, robot_.ears[i].name, robot_.ears[i].locator);
+  }
+}
+
+LightDriver::LedState LightDriver::SetLed(int led, const LedState& wanted) {
+  leds_[led] = wanted;
+  if (robot_.leds[led].kind == LED2) {
+    leds_[led].intensity = wanted.intensity > 0 ? FULL : OFF.intensity;
+    leds_[led].is_mode_b = false;
+  }
+  return leds_[led];
+}
+
+bool LightDriver::SetEar(int ear, bool draw) {
+  if (draw && !IsBusy(ear)) {
+    frames_drawn_[ear] = EAR_FRAMES;
+  } else if (!draw && IsDrawn(ear)) {
+    frames_drawn_[ear] = 0;
+    frames_to_rest_[ear] = EAR_FRAMES;
+  }
+  return IsDrawn(ear);
+}
+
+void LightDriver::ClientGone() {
+  for (int i = 0; i < robot_.number_of_leds; ++i) {
+    leds_[i] = OFF;
+  }
+  for (int i = 0; i < robot_.number_of_ears; ++i) {
+    SetEar(i, false);
+  }
 }
 
 bool LightDriver::HasCommand() const {
-  for (int i = 0; i < lights_->Robot().number_of_leds; ++i) {
-    if (IsToChange(i)) {
+  for (int i = 0; i < robot_.number_of_leds; ++i) {
+    if (HasChanged(i)) {
       return true;
     }
   }
-  for (int i = 0; i < lights_->Robot().number_of_ears; ++i) {
-    if (ears_.IsOpen(i) && lights_->IsBusy(i)) {
+  for (int i = 0; i < robot_.number_of_ears; ++i) {
+    if (ear_primitives_.IsOpen(i) && IsBusy(i)) {
       return true;
     }
   }
@@ -78,42 +102,51 @@ bool LightDriver::HasCommand() const {
 }
 
 void LightDriver::Fill(RCRegion* vector) {
-  for (int i = 0; i < lights_->Robot().number_of_leds; ++i) {
-    if (IsToChange(i)) {
+  for (int i = 0; i < robot_.number_of_leds; ++i) {
+    if (HasChanged(i)) {
       CommandLed(vector, i);
     }
   }
   CommandEars(vector);
 }
 
-bool LightDriver::IsToChange(int led) const {
-  return leds_.IsOpen(led) && !(lights_->Led(led) == commanded_[led]);
+void LightDriver::NextFrame() {
+  for (int i = 0; i < robot_.number_of_ears; ++i) {
+    if (frames_to_rest_[i] > 0) {
+      --frames_to_rest_[i];
+    } else if (frames_drawn_[i] > 0 && --frames_drawn_[i] == 0) {
+      frames_to_rest_[i] = EAR_FRAMES;
+    }
+  }
+}
+
+bool LightDriver::HasChanged(int led) const {
+  return led_primitives_.IsOpen(led) && !(leds_[led] == commanded_[led]);
 }
 
 void LightDriver::CommandLed(RCRegion* vector, int led) {
-  const robot_model::LedKind kind = lights_->Robot().leds[led].kind;
-  commanded_[led] = lights_->Led(led);
+  const robot_model::LedKind kind = robot_.leds[led].kind;
+  commanded_[led] = leds_[led];
   const ODataType type = kind == LED2 ? odataLED_COMMAND2 : odataLED_COMMAND3;
-  OCommandData* data = CommandVectors::Add(vector, type, leds_.Id(led), 1);
+  OCommandData* data = CommandVectors::Add(vector, type, led_primitives_.Id(led), 1);
   data->value[0] = CommandOf(commanded_[led], kind);
 }
 
-// Also while they rest, so that an ear is let go even if a command is lost.
+// Ears that rest are commanded too, so that an ear is let go even if a command is lost.
 void LightDriver::CommandEars(RCRegion* vector) {
-  const RobotModel& robot = lights_->Robot();
   OCommandData* data[MAX_EARS] = {};
-  for (int i = 0; i < robot.number_of_ears; ++i) {
-    if (ears_.IsOpen(i) && lights_->IsBusy(i)) {
-      const ODataType type = robot.ears[i].kind == EAR_JOINT4 ? odataJOINT_COMMAND4 : odataJOINT_COMMAND3;
-      data[i] = CommandVectors::Add(vector, type, ears_.Id(i), CommandVectors::FRAMES);
+  for (int i = 0; i < robot_.number_of_ears; ++i) {
+    if (ear_primitives_.IsOpen(i) && IsBusy(i)) {
+      const ODataType type = robot_.ears[i].kind == EAR_JOINT4 ? odataJOINT_COMMAND4 : odataJOINT_COMMAND3;
+      data[i] = CommandVectors::Add(vector, type, ear_primitives_.Id(i), CommandVectors::FRAMES);
     }
   }
   for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
-    for (int i = 0; i < robot.number_of_ears; ++i) {
+    for (int i = 0; i < robot_.number_of_ears; ++i) {
       if (data[i] != NULL) {
-        data[i]->value[frame] = CommandOf(lights_->IsDrawn(i), robot.ears[i].kind);
+        data[i]->value[frame] = CommandOf(IsDrawn(i), robot_.ears[i].kind);
       }
     }
-    lights_->NextFrame();
+    NextFrame();
   }
 }

@@ -1,48 +1,84 @@
 /// @file LightDriver.h
-/// Between Lights and the LEDs and ears of the robot.
+/// What the robot shows: its LEDs and ears.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
 
 #include <OPENR/ODataFormats.h>
-#include <OPENR/OPENR.h>
 #include <OPENR/RCRegion.h>
 
-#include "rcserver/body/Lights.h"
 #include "rcserver/body/Primitives.h"
+#include "robot_model/robot_model.h"
 
-/// Opens the LEDs and ears of the robot by the table of its design, and commands them where they are to change. What
-/// does not open is left out, and the log names it.
+/// Keeps the wanted state of LEDs and ears, and commands those that change. They are numbered by their index in the
+/// robot's table; time is in OPEN-R frames of 8 ms.
+///
+/// An ear is moved by a magnet, which must not stay energised (Model Information ERS-7). So an ear is drawn for 128 ms,
+/// as in Sony's samples, and let go; then it rests for as long before it can be drawn again.
 class LightDriver {
  public:
-  LightDriver();
-  ~LightDriver();
+  /// How an LED shines.
+  struct LedState {
+    unsigned char intensity;  ///< 0..255; 0 or 255 for an LED that is only on or off
+    bool is_mode_b;           ///< always false for an LED that is only on or off
 
+    bool operator==(const LedState& other) const {
+      return intensity == other.intensity && is_mode_b == other.is_mode_b;
+    }
+  };
+
+  static const int EAR_FRAMES = 16;  ///< for which an ear is drawn, and for which it rests
+
+  /// All LEDs are off, all ears let go.
   /// @param robot must outlive this
-  void Open(const robot_model::RobotModel& robot);
-  void Close();
+  explicit LightDriver(const robot_model::RobotModel& robot);
 
-  /// Valid between Open() and Close().
-  Lights& GetLights() { return *lights_; }
+  /// Opens LEDs and ears. One that does not open is never commanded, and the console names it.
+  void Open();
 
-  /// True if there is something to be commanded.
+  const robot_model::RobotModel& Robot() const { return robot_; }
+
+  /// @return the LED or ear with this identifier of docs/protocol.md, or robot_model::NO_LED, NO_EAR
+  int FindLed(int identifier) const { return findLedByIdentifier(robot_, identifier); }
+  int FindEar(int identifier) const { return findEarByIdentifier(robot_, identifier); }
+
+  /// @return what the LED can show of it
+  LedState SetLed(int led, const LedState& wanted);
+  const LedState& Led(int led) const { return leds_[led]; }
+
+  /// Draws an ear or lets it go.
+  /// @return true if the ear is drawn now; while it rests, it cannot be
+  bool SetEar(int ear, bool draw);
+
+  /// Switches all LEDs off and lets all ears go, for the next client.
+  void ClientGone();
+
+  /// True if an LED or ear has to be commanded.
   bool HasCommand() const;
 
-  /// Adds all of it.
+  /// Adds all commands to a vector. CommandVectors::FRAMES frames pass for the ears.
   /// @param vector of CommandVectors
   void Fill(RCRegion* vector);
+
+  /// One frame passes for the ears.
+  void NextFrame();
 
  private:
   LightDriver(const LightDriver&);
   LightDriver& operator=(const LightDriver&);
 
-  bool IsToChange(int led) const;
+  bool IsDrawn(int ear) const { return frames_drawn_[ear] > 0; }
+  bool IsBusy(int ear) const { return IsDrawn(ear) || frames_to_rest_[ear] > 0; }
+  bool HasChanged(int led) const;
   void CommandLed(RCRegion* vector, int led);
   void CommandEars(RCRegion* vector);
 
-  Lights* lights_;
-  Primitives leds_;
-  Primitives ears_;
-  Lights::LedState commanded_[robot_model::MAX_LEDS];
+  const robot_model::RobotModel& robot_;
+  Primitives led_primitives_;
+  Primitives ear_primitives_;
+  LedState leds_[robot_model::MAX_LEDS];
+  LedState commanded_[robot_model::MAX_LEDS];  ///< as each LED was last commanded
+  int frames_drawn_[robot_model::MAX_EARS];    ///< frames left until the ear is let go
+  int frames_to_rest_[robot_model::MAX_EARS];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H

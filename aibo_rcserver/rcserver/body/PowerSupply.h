@@ -6,24 +6,26 @@
 #include <OPENR/OPENR.h>
 #include <OPENR/OPower.h>
 
-/// Observes what has to switch the robot off, as POWERMON.BIN of the SDK does: without one of the two, nobody obeys the
-/// pause button, and nobody spares an empty battery. A battery that is being charged is not low.
+/// Observes the pause button and the battery, either of which switches the robot off, as POWERMON.BIN of the SDK does:
+/// without one of the two programs, the pause button does nothing and the battery is run down. A battery that is being
+/// charged is never low.
 class PowerSupply {
  public:
   enum Alarm { NO_ALARM, PAUSE_PRESSED, BATTERY_LOW };
 
   PowerSupply() : was_pressed_(false), was_low_(false), is_observing_(false) {}
 
-  /// Asks OPEN-R to call an entry at every change of what Look() looks at (Level2 Reference Guide, page 79). If it
-  /// refuses, the log says so.
+  /// Asks OPEN-R to call an entry whenever button or battery change (Level2 Reference Guide, page 79). If it refuses,
+  /// the console says so.
   void Observe(const OServiceEntry& entry);
   void Unobserve();
 
-  /// Looks at the present status. To be called once at first, because OPEN-R calls at changes only. A button that is
-  /// pressed already counts only when it is pressed again: it may be what has booted the robot.
+  /// Checks the present status. Call once at the start, because OPEN-R reports only changes. A button that is pressed
+  /// already is ignored until it is pressed again: it may have booted the robot.
   Alarm LookNow();
 
-  /// @return an alarm when it begins; of two, the button
+  /// Checks a status.
+  /// @return an alarm when it begins; if both begin, the button's
   Alarm Look(const OPowerStatus& status);
 
  private:

@@ -3,8 +3,19 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 
+namespace {
+
+OCommandVectorData* VectorIn(RCRegion* region) {
+  void* base = region->Base();
+  return static_cast<OCommandVectorData*>(base);
+}
+
+}  // namespace
+
 const int Primitives::MAX_ROWS;
 const int Primitives::NOT_OPEN;
+const int CommandVectors::FRAMES;
+const int CommandVectors::NUMBER_OF_VECTORS;
 
 Primitives::Primitives() {
   for (int i = 0; i < MAX_ROWS; ++i) {
@@ -40,4 +51,65 @@ int Primitives::Find(OPrimitiveID id) const {
     }
   }
   return NOT_OPEN;
+}
+
+bool SensorReports::Next() {
+  while (++entry_ < static_cast<int>(vector_->vectorInfo.numData)) {
+    row_ = primitives_.Find(Info().primitiveID);
+    if (row_ != Primitives::NOT_OPEN && Info().numFrames > 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+CommandVectors::CommandVectors() {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    memories_[i] = MemoryRegionID();
+    regions_[i] = NULL;
+  }
+}
+
+bool CommandVectors::Create(int most_entries) {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    OCommandVectorData* vector = NULL;
+    if (OPENR::NewCommandVectorData(static_cast<size_t>(most_entries), &memories_[i], &vector) != oSUCCESS) {
+      Destroy();
+      return false;
+    }
+    regions_[i] =
+        new RCRegion(vector->vectorInfo.memRegionID, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
+  }
+  return true;
+}
+
+void CommandVectors::Destroy() {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    if (regions_[i] != NULL) {
+      regions_[i]->RemoveReference();
+      OPENR::DeleteCommandVectorData(memories_[i]);
+      regions_[i] = NULL;
+    }
+  }
+}
+
+RCRegion* CommandVectors::FindFree() {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    if (regions_[i] != NULL && regions_[i]->NumberOfReference() == 1) {
+      return regions_[i];
+    }
+  }
+  return NULL;
+}
+
+void CommandVectors::Clear(RCRegion* vector) {
+  VectorIn(vector)->SetNumData(0);
+}
+
+OCommandData* CommandVectors::Add(RCRegion* vector, ODataType type, OPrimitiveID primitive, int frames) {
+  OCommandVectorData* data = VectorIn(vector);
+  const longword entry = data->vectorInfo.numData;
+  data->SetNumData(entry + 1);
+  data->GetInfo(static_cast<int>(entry))->Set(type, primitive, static_cast<size_t>(frames));
+  return data->GetData(static_cast<int>(entry));
 }

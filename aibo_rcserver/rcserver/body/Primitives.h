@@ -1,9 +1,18 @@
 /// @file Primitives.h
-/// Primitives of OPEN-R that have been opened.
+/// The robot's primitives, as OPEN-R calls its joints, sensors, LEDs and ears: opening them, reading their reports,
+/// commanding them.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H
 #define AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H
 
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
+#include <OPENR/RCRegion.h>
+#include <string.h>
+
+#include "robot_model/robot_model.h"
+
+/// Stands for a robot whose parts cannot be opened: without joints, sensors, LEDs and ears.
+const robot_model::RobotModel EMPTY_ROBOT = {"", 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
 /// Opens the primitives of a table and finds them again.
 class Primitives {
@@ -11,14 +20,16 @@ class Primitives {
   /// Most rows of a table.
   static const int MAX_ROWS = 32;
 
-  /// What Find() returns when there is none.
+  /// What Find() returns for a primitive that is not one of these.
   static const int NOT_OPEN = -1;
 
   Primitives();
+  ~Primitives() { Close(); }
 
-  /// Opens one; if it does not open, the log says so.
+  /// Opens a primitive. If it does not open, the console names it.
   /// @param row in the table, 0..MAX_ROWS - 1
-  /// @param name for the log
+  /// @param name for the console
+  /// @return false if it does not open
   bool Open(int row, const char* name, const char* locator);
 
   /// Closes all.
@@ -31,7 +42,86 @@ class Primitives {
   int Find(OPrimitiveID id) const;
 
  private:
+  Primitives(const Primitives&);
+  Primitives& operator=(const Primitives&);
+
   OPrimitiveID ids_[MAX_ROWS];
+};
+
+/// Goes through the reports in a sensor vector that come from the primitives of one table; skips all others.
+class SensorReports {
+ public:
+  /// Both must outlive this.
+  SensorReports(OSensorFrameVectorData* vector, const Primitives& primitives)
+      : vector_(vector), primitives_(primitives), entry_(-1), row_(Primitives::NOT_OPEN) {}
+
+  /// Goes to the next report; the first call goes to the first one.
+  /// @return false if there are no more
+  bool Next();
+
+  /// The row in the table of the primitive that reports.
+  int Row() const { return row_; }
+
+  /// The last frame in the report.
+  longword Frame() const { return Info().frameNumber + LastIndex(); }
+
+  /// The report's value for that frame.
+  /// @param[out] value OJointValue of a joint, OSensorValue of a sensor
+  template <typename Value>
+  void Read(Value* value) const {
+    memcpy(value, &vector_->GetData(entry_)->frame[LastIndex()], sizeof(*value));
+  }
+
+ private:
+  SensorReports(const SensorReports&);
+  SensorReports& operator=(const SensorReports&);
+
+  const OSensorFrameInfo& Info() const { return *vector_->GetInfo(entry_); }
+  longword LastIndex() const { return Info().numFrames - 1; }
+
+  OSensorFrameVectorData* const vector_;
+  const Primitives& primitives_;
+  int entry_;  ///< in the vector
+  int row_;
+};
+
+/// Two command vectors that take turns: one is filled while the other is output. Each covers FRAMES frames of 8 ms.
+/// OPEN-R would take 16 frames at once; the fewer, the sooner a new command takes effect.
+class CommandVectors {
+ public:
+  static const int FRAMES = 4;
+  static const int NUMBER_OF_VECTORS = 2;
+
+  CommandVectors();
+  ~CommandVectors() { Destroy(); }
+
+  /// @param most_entries that a vector can have, one for each primitive that is commanded
+  /// @return false if OPEN-R refuses
+  bool Create(int most_entries);
+
+  /// A vector that is not being output.
+  /// @return NULL if both are
+  RCRegion* FindFree();
+
+  /// Removes all entries.
+  /// @param vector from FindFree()
+  static void Clear(RCRegion* vector);
+
+  /// Adds an entry.
+  /// @param vector from FindFree()
+  /// @param type such as odataJOINT_COMMAND2
+  /// @param frames 1..FRAMES
+  /// @return where the commands go, one for each frame
+  static OCommandData* Add(RCRegion* vector, ODataType type, OPrimitiveID primitive, int frames);
+
+ private:
+  CommandVectors(const CommandVectors&);
+  CommandVectors& operator=(const CommandVectors&);
+
+  void Destroy();
+
+  MemoryRegionID memories_[NUMBER_OF_VECTORS];
+  RCRegion* regions_[NUMBER_OF_VECTORS];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H

@@ -4,45 +4,36 @@
 
 #include <algorithm>
 
-#include "rcserver/body/SensorReports.h"
-
-using robot_model::Sensor;
-
 namespace {
 
 const longword FRAMES_BETWEEN_POWER = 125;  // 1 s
 
-// Per cent in millionths of all.
+// From per cent to millionths.
 int ChargeOf(const OPowerStatus& status) {
   return std::min<int>(status.remainingCapacity, 100) * 10000;
 }
 
-// Tenths of a kelvin in millionths of a degree Celsius. Nothing that is hotter than 1000 kelvin tells it.
+// From tenths of a kelvin to millionths of a degree Celsius. No battery is hotter than 1000 kelvin.
 int TemperatureOf(const OPowerStatus& status) {
   return (std::min<int>(status.temperature, 10000) * 2 - 5463) * 50000;
 }
 
 }  // namespace
 
-SensorDriver::SensorDriver() : sensors_(NULL), last_power_(0 - FRAMES_BETWEEN_POWER) {}
-
-SensorDriver::~SensorDriver() {
-  delete sensors_;
-}
-
-void SensorDriver::Open(const robot_model::RobotModel& robot) {
-  sensors_ = new Sensors(robot);
-  for (int i = 0; i < robot.number_of_sensors; ++i) {
-    if (robot.sensors[i].locator != NULL) {
-      primitives_.Open(i, robot.sensors[i].name, robot.sensors[i].locator);
-    }
+SensorDriver::SensorDriver(const robot_model::RobotModel& robot)
+    : robot_(robot), last_power_(0 - FRAMES_BETWEEN_POWER) {
+  for (int i = 0; i < robot_model::MAX_SENSORS; ++i) {
+    has_value_[i] = false;
+    values_[i] = 0;
   }
 }
 
-void SensorDriver::Close() {
-  primitives_.Close();
-  delete sensors_;
-  sensors_ = NULL;
+void SensorDriver::Open() {
+  for (int i = 0; i < robot_.number_of_sensors; ++i) {
+    if (robot_.sensors[i].locator != NULL) {
+      primitives_.Open(i, robot_.sensors[i].name, robot_.sensors[i].locator);
+    }
+  }
 }
 
 bool SensorDriver::Read(OSensorFrameVectorData* vector, longword* frame) {
@@ -53,7 +44,7 @@ bool SensorDriver::Read(OSensorFrameVectorData* vector, longword* frame) {
     *frame = reports.Frame();
     OSensorValue report;
     reports.Read(&report);
-    sensors_->Measured(reports.Row(), report.value);
+    Measured(reports.Row(), report.value);
   }
   if (is_any && *frame - last_power_ >= FRAMES_BETWEEN_POWER) {
     ReadPower(*frame);
@@ -61,17 +52,21 @@ bool SensorDriver::Read(OSensorFrameVectorData* vector, longword* frame) {
   return is_any;
 }
 
-// What is no primitive comes from the power supply.
+void SensorDriver::Measured(int sensor, int value) {
+  has_value_[sensor] = true;
+  values_[sensor] = value;
+}
+
+// Sensors that are not primitives get their values from the power supply.
 void SensorDriver::ReadPower(longword now) {
   last_power_ = now;
   OPowerStatus status;
   if (OPENR::GetPowerStatus(&status) != oSUCCESS) {
     return;
   }
-  for (int i = 0; i < sensors_->NumberOfSensors(); ++i) {
-    const Sensor& sensor = sensors_->Sensor(i);
-    if (sensor.locator == NULL) {
-      sensors_->Measured(i, sensor.kind == robot_model::SENSOR_CHARGE ? ChargeOf(status) : TemperatureOf(status));
+  for (int i = 0; i < robot_.number_of_sensors; ++i) {
+    if (robot_.sensors[i].locator == NULL) {
+      Measured(i, robot_.sensors[i].kind == robot_model::SENSOR_CHARGE ? ChargeOf(status) : TemperatureOf(status));
     }
   }
 }

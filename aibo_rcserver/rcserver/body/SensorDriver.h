@@ -1,33 +1,39 @@
 /// @file SensorDriver.h
-/// Between Sensors and what the robot measures.
+/// The robot's sensors.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
 
 #include <OPENR/ODataFormats.h>
-#include <OPENR/OPENR.h>
 
 #include "rcserver/body/Primitives.h"
-#include "rcserver/body/Sensors.h"
+#include "robot_model/robot_model.h"
 
-/// Opens the sensors of the robot by the table of its design and hands on what they report; the battery is asked once a
-/// second.
+/// Keeps the latest value of each sensor, in the units of robot_model::SensorKind. Sensors are numbered by their index
+/// in the robot's table. The battery is read once a second.
 class SensorDriver {
  public:
-  SensorDriver();
-  ~SensorDriver();
-
-  /// A sensor that does not open never has a value, and the log names it.
   /// @param robot must outlive this
-  void Open(const robot_model::RobotModel& robot);
-  void Close();
+  explicit SensorDriver(const robot_model::RobotModel& robot);
 
-  /// Valid between Open() and Close().
-  const Sensors& GetSensors() const { return *sensors_; }
+  /// Opens the sensors. One that does not open never has a value, and the console names it.
+  void Open();
 
-  /// Takes over what the sensors report.
-  /// @param[out] frame the last frame in the vector; untouched if it reports nothing
-  /// @return false if it reports nothing
+  int NumberOfSensors() const { return robot_.number_of_sensors; }
+  const robot_model::Sensor& Sensor(int sensor) const { return robot_.sensors[sensor]; }
+
+  /// False as long as the sensor has measured nothing.
+  bool HasValue(int sensor) const { return has_value_[sensor]; }
+
+  /// 0 as long as the sensor has measured nothing.
+  int Value(int sensor) const { return values_[sensor]; }
+
+  /// Keeps the values that the sensors report.
+  /// @param[out] frame the last frame in the vector; untouched if no sensor reports
+  /// @return false if no sensor reports
   bool Read(OSensorFrameVectorData* vector, longword* frame);
+
+  /// Keeps one value.
+  void Measured(int sensor, int value);
 
  private:
   SensorDriver(const SensorDriver&);
@@ -35,9 +41,11 @@ class SensorDriver {
 
   void ReadPower(longword now);
 
-  Sensors* sensors_;
+  const robot_model::RobotModel& robot_;
   Primitives primitives_;
-  longword last_power_;  ///< frame in which the battery was asked
+  bool has_value_[robot_model::MAX_SENSORS];
+  int values_[robot_model::MAX_SENSORS];
+  longword last_power_;  ///< frame in which the battery was last read
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H

@@ -91,7 +91,7 @@ void ImageObserver::TakeOldestOwed(PictureOrder* order) {
 }
 
 bool ImageObserver::TakeStreamPicture(unsigned image_count, PictureOrder* order) {
-  // The count is of no matter for who wants every image: a camera whose count stands still streams all the same.
+  // The count matters only if images are left out, so a camera whose count stands still can stream every image.
   if (every_nth_image_ > 1 && stream_has_begun_ && image_count - last_of_stream_ < every_nth_image_) {
     return false;
   }

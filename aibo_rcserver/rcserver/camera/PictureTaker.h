@@ -3,79 +3,92 @@
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
 
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OSubject.h>
 
 #include "objects/RegionSender.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
-#include "rcserver/camera/CameraImage.h"
 #include "rcserver/camera/ImageObserver.h"
 
-/// Has pictures made of camera images, one at a time. While one is being made, the newest image waits to be the next:
-/// so an encoder that takes longer than the camera is never idle.
+/// Counts camera images, has pictures made of them one at a time, and reports on the console when a stream begins and
+/// stops. While a picture is being made, the newest image waits to be the next, so that an encoder that takes longer
+/// than the camera is never idle.
 class PictureTaker {
  public:
   PictureTaker();
 
-  /// To be called in DoInit.
+  /// Call in DoInit.
   /// @param gate to the encoder; must outlive this
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
-  /// To be called in DoDestroy.
+  /// Call in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
-  /// False if there is no encoder: no picture will ever be made.
-  bool HasEncoder() const { return jobs_.HasReceiver(); }
+  /// Call for each image of the camera.
+  void CountImage(OFbkImageVectorData* image);
 
-  /// True if there is room for an image that waits.
+  /// The camera's own count of images, which has 16 bits, continued to 32.
+  unsigned ImageCount() const { return image_count_; }
+
+  /// True if there is room for an image to wait.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
-  /// An image is to become the next picture, in the place of one that waits. Only if HasRoom().
+  /// Keeps the image that was counted last to make the next picture of it, in place of one that waits. Only if
+  /// HasRoom().
   /// @param image is copied
-  /// @return false if it is larger than MAX_IMAGE_WIDTH x MAX_IMAGE_HEIGHT
-  bool Offer(const CameraImage& image, const PictureOrder& order, const protocol::version2::ImageHeader& header);
+  /// @return NULL, or why no picture can be made
+  const char* Offer(OFbkImageVectorData* image, const PictureOrder& order);
 
   /// True from Offer() to Begin().
   bool IsWaiting() const { return is_waiting_; }
   const PictureOrder& WaitingOrder() const { return waiting_order_; }
 
-  /// The image that waits is not wanted any more.
+  /// Drops the image that waits.
   void DropWaiting() { is_waiting_ = false; }
 
-  /// True if there is an image that waits, and the encoder takes it now.
+  /// True if an image waits and the encoder is ready for it.
   bool MayBegin() const { return is_waiting_ && jobs_.IsFree(); }
 
-  /// Has the picture made. Only if MayBegin().
+  /// Has the picture of the waiting image made. Only if MayBegin().
   void Begin();
 
-  /// Neither the picture that is being made nor the image that waits is wanted any more.
-  void Forget() {
-    ticket_ = 0;
-    is_waiting_ = false;
-  }
+  /// The client is gone: drops the picture that is being made and the image that waits, and ends the stream's report.
+  void Forget();
 
-  /// A picture has come.
-  /// @return false if it is not wanted any more
+  /// PictureEncoder has finished a picture.
+  /// @return false if the picture was dropped meanwhile
   bool Take(const EncodedPicture& picture);
 
-  /// @name The picture that is being made, or that has come last
+  /// @name The picture that is being made, or the last one
   /// @{
   const PictureOrder& Order() const { return order_; }
   const protocol::version2::ImageHeader& Header() const { return header_; }
+  void CountSent();  ///< it is being sent
   /// @}
+
+  /// Reports on the console if the stream has begun, or stopped: with how many pictures, and how many camera images
+  /// were left out. Call when requests have been handled.
+  void ReportStream(const ImageObserver& camera);
 
  private:
   PictureTaker(const PictureTaker&);
   PictureTaker& operator=(const PictureTaker&);
 
   RegionSender<PictureJob, 2> jobs_;
+  unsigned image_count_;
   bool is_waiting_;
   PictureOrder waiting_order_;
   protocol::version2::ImageHeader waiting_header_;
-  unsigned ticket_;  ///< of the picture that is being made; 0: none is
+  unsigned ticket_;  ///< of the picture that is being made; 0: there is none
   PictureOrder order_;
   protocol::version2::ImageHeader header_;
+
+  bool is_streaming_;              ///< as last reported
+  unsigned last_sent_;             ///< image count of the stream's last picture
+  unsigned long pictures_sent_;    ///< in the stream
+  unsigned long images_left_out_;  ///< of the camera, in the stream
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H

@@ -1,5 +1,31 @@
 #include "rcserver/joints/JointControl.h"
 
+#include <stdlib.h>
+
+const int JointWatch::TOLERANCE;
+const int JointWatch::MOVEMENT;
+const unsigned JointWatch::PATIENCE;
+const int JointWatch::HIGH_DUTY;
+
+void JointWatch::Reset(int position, unsigned frame) {
+  position_ = position;
+  since_ = frame;
+}
+
+JointWatch::Verdict JointWatch::Look(const JointReading& reading, unsigned frame) {
+  const bool is_there = abs(reading.reference - reading.position) <= TOLERANCE;
+  const bool has_moved = abs(reading.position - position_) >= MOVEMENT;
+  if (is_there || has_moved) {
+    Reset(reading.position, frame);
+    return FOLLOWS;
+  }
+  if (frame - since_ < PATIENCE) {
+    return FOLLOWS;
+  }
+  Reset(reading.position, frame);
+  return abs(reading.duty) >= HIGH_DUTY ? JAMMED : UNCONTROLLABLE;
+}
+
 JointControl::JointControl(const robot_model::RobotModel& robot)
     : robot_(robot), planner_(robot), motions_(planner_, robot) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
@@ -65,7 +91,7 @@ JointWatch::Verdict JointControl::TakeFault(int joint) {
 }
 
 void JointControl::ClientGone() {
-  // The limits first: with low ones that the client has left, a joint would glide on for long.
+  // The limits go first: with low ones left by the client, a joint would take long to stop.
   for (int i = 0; i < NumberOfJoints(); ++i) {
     planner_.SetSpeedLimit(i, robot_.joints[i].highest_speed);
     planner_.SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));

@@ -1,15 +1,69 @@
 /// @file JointControl.h
-/// The robot's joints: where they are to be, where they are, and what is wrong with them.
+/// The robot's joints: where they should be, where they are, and their faults.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
-#include "rcserver/joints/JointWatch.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
 #include "robot_model/robot_model.h"
 
-/// What commands work on and what the motors are driven from. Pure logic. Joints go by their index in the robot's table
-/// (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
+/// Switches the motors of all joints at once.
+class MotorSwitch {
+ public:
+  virtual ~MotorSwitch() {}
+
+  /// True from the moment they are switched on, although it takes them a little longer to pull.
+  virtual bool AreOn() const = 0;
+
+  /// When on, the joints hold where they are; when off, they can be moved by hand.
+  /// @return false if the robot refuses; they are off then
+  virtual bool Switch(bool on) = 0;
+};
+
+/// A joint's report, one every 4 frames.
+struct JointReading {
+  int position;   ///< measured, in microradian
+  int reference;  ///< where it was commanded to be at that time, in microradian
+  int duty;       ///< of its motor: -512 is full power backward, 512 full power forward
+};
+
+/// Finds out when one joint does not follow its commands.
+///
+/// A joint that is off its reference by more than TOLERANCE and has not moved by MOVEMENT for PATIENCE does not follow.
+/// With its motor at HIGH_DUTY or more, something holds it: it is jammed. With less, the robot does not even try. All
+/// four numbers are our choice: large enough for a joint that lags behind in a fast motion or hangs under its load, and
+/// small enough to spare a motor that pushes in vain.
+class JointWatch {
+ public:
+  enum Verdict {
+    FOLLOWS,
+    JAMMED,
+    UNCONTROLLABLE,
+    LIMP  ///< its motor got no gain; Look() never returns this
+  };
+
+  static const int TOLERANCE = 174533;  ///< microradian: 10 degrees
+  static const int MOVEMENT = 17453;    ///< microradian: 1 degree
+  static const unsigned PATIENCE = 63;  ///< frames of 8 ms: half a second
+  static const int HIGH_DUTY = 256;     ///< of 512
+
+  JointWatch() : position_(0), since_(0) {}
+
+  /// Starts again with the joint at this position.
+  void Reset(int position, unsigned frame);
+
+  /// Call for each reading.
+  /// @param frame of the reading, in frames of 8 ms
+  /// @return FOLLOWS, or the fault, which is returned again only after another PATIENCE
+  Verdict Look(const JointReading& reading, unsigned frame);
+
+ private:
+  int position_;    ///< where the joint last moved or was at its reference
+  unsigned since_;  ///< frame of that
+};
+
+/// Connects clients' commands and motions with the motors; independent of OPEN-R. Joints are numbered by their index in
+/// the robot's table (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
 class JointControl {
  public:
   /// @param robot must outlive this
@@ -24,43 +78,46 @@ class JointControl {
   int Find(int identifier) const { return findJointByIdentifier(robot_, identifier); }
 
   MotionPlanner& Planner() { return planner_; }
+  const MotionPlanner& Planner() const { return planner_; }
   MotionPlayer& Motions() { return motions_; }
 
-  /// A client's command: as MotionPlanner::SetTargets(), and motions that move one of these joints are over.
+  /// A client's command: as MotionPlanner::SetTargets(), but motions that move one of these joints end.
   void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
 
-  /// @name Joints that clients have commanded since ForgetCommands(). A motion whose file was being read meanwhile must
-  /// not move them. One element a joint
+  /// @name Joints that clients have commanded since ForgetCommands(), one element for each joint. A motion whose file
+  /// was being read meanwhile must not move them
   /// @{
   void ForgetCommands();
   const bool* CommandedSince() const { return commanded_; }
   /// @}
 
-  /// One frame passes for motions and planner.
+  /// One frame passes: the planner's positions are those at its end.
   void NextFrame();
 
-  /// True if there is a joint that has not arrived, or a motion that goes on.
+  /// True if a joint has not arrived yet or a motion is being played.
   bool AreMoving() const;
 
-  /// The joint was found at this place and is to hold it.
+  /// The joint is at this position, at rest, and holds it.
   void Hold(int joint, int position, unsigned frame);
 
   /// A joint has reported.
-  /// @param driven its motor pulls: it is watched. One that does not follow is held where it is; its motion ends
-  /// @return what the watch says
+  /// @param driven its motor pulls, so the joint is watched: if it does not follow, it is held where it is and its
+  /// motion
+  ///   ends
+  /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
-  /// Records a fault of a joint that the watch does not find itself. TakeFault() returns it.
+  /// Records a fault that JointWatch cannot find. TakeFault() returns it.
   void Failed(int joint, JointWatch::Verdict fault) { faults_[joint] = fault; }
 
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
 
-  /// What was found to be wrong with a joint since this was asked last.
+  /// The fault found since the last call.
   JointWatch::Verdict TakeFault(int joint);
 
-  /// Forgets what the client has left behind: motions are over, all joints stop and hold, limits are the robot's own,
-  /// faults are no longer worth telling.
+  /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults
+  /// are forgotten.
   void ClientGone();
 
  private:

@@ -7,13 +7,13 @@
 
 namespace {
 
-// How many speeds lie strictly between two that are `difference` apart if each frame adds `acceleration`.
+// The number of speeds strictly between two that are `difference` apart, if each frame adds `acceleration`.
 int FramesOfRamp(int difference, int acceleration) {
   return difference > 0 ? (difference - 1) / acceleration : 0;
 }
 
-// 1 + 2 + ... + n. Distances are doubles on their way, because their sums can pass 32 bits; they are whole numbers all
-// the same, and exact far beyond any motion.
+// 1 + 2 + ... + n. Sums of distances can exceed 32 bits, so they are doubles. They are still whole numbers, and exact
+// far beyond any motion.
 double SumUpTo(int n) {
   return 0.5 * n * (n + 1.0);
 }
@@ -65,7 +65,7 @@ int JointMotion::WantedStep() {
   const double distance = DistanceIn(frames_left_, cruise);
   const double missing = target_ - position_ - distance;
   if (missing > 0) {
-    // The right speed lies between this one and the next: every so many frames, one takes the next.
+    // The right speed lies between this one and the next, so some frames take the next.
     fraction_of_step_ += missing / (DistanceIn(frames_left_, cruise + 1) - distance);
     if (fraction_of_step_ >= 1) {
       fraction_of_step_ -= 1;
@@ -99,7 +99,7 @@ void JointMotion::Advance(int step) {
   Review();
 }
 
-// Takes a lower acceleration limit into force once that is possible, and plans a later arrival if the one planned has
+// Applies a lower acceleration limit as soon as that is possible, and plans a later arrival if the planned one has
 // become impossible.
 void JointMotion::Review() {
   const bool stops_within_a_frame = step_ >= -wanted_acceleration_ && step_ <= wanted_acceleration_;
@@ -111,10 +111,10 @@ void JointMotion::Review() {
   }
 }
 
-// How far the joint gets in so many frames, at the end of which it stands, with this cruising speed. A higher speed
-// never gets it less far. Right only if it can stop in so many frames.
+// The distance to where the joint stands after this number of frames, with this cruising speed. It grows with the
+// speed. Valid only if the joint can stop in that many frames.
 double JointMotion::DistanceIn(int frames, int cruise) const {
-  // Moving back is moving forth in a mirror.
+  // Backward motion is mirrored forward motion.
   const int sign = cruise < 0 ? -1 : 1;
   const int speed = sign * step_;
   const int top = sign * cruise;
@@ -122,7 +122,7 @@ double JointMotion::DistanceIn(int frames, int cruise) const {
   int first_ramp = FramesOfRamp(abs(top - speed), acceleration_);
   int last_ramp = FramesOfRamp(top, acceleration_);
   if (speed < top) {
-    // Without the time to reach the cruising speed, the ramps meet below it.
+    // If there is no time to reach the cruising speed, the ramps meet below it.
     const double meeting = floor(((frames + 1.0) * acceleration_ - speed) / (2.0 * acceleration_));
     const int rising = meeting < frames ? static_cast<int>(meeting) : frames;
     first_ramp = std::min(first_ramp, rising);
@@ -135,7 +135,7 @@ double JointMotion::DistanceIn(int frames, int cruise) const {
   return sign * (first + middle + last);
 }
 
-// True for every number of frames above one for which it is true.
+// If this is true for a number of frames, it is true for all greater ones.
 bool JointMotion::CanArriveIn(int frames) const {
   const bool can_stop = abs(step_) <= (frames + 1.0) * acceleration_;
   const double distance = target_ - position_;
@@ -159,7 +159,7 @@ int JointMotion::FewestFrames() const {
   return enough;
 }
 
-// The highest cruising speed that does not get the joint past its target by the time of its arrival.
+// The highest cruising speed that does not take the joint past its target by the time of its arrival.
 int JointMotion::CruisingStep() const {
   const double distance = target_ - position_;
   int low = -step_limit_;

@@ -11,7 +11,7 @@ namespace {
 
 const int FRAMES_PER_SECOND = 1000 / MotionPlanner::FRAME_MILLISECONDS;
 
-// Microradian/s and microradian/s^2 that make one microradian a frame, and a frame a frame.
+// One microradian per frame, in microradian/s, and per frame squared, in microradian/s^2.
 const int SPEED_UNIT = FRAMES_PER_SECOND;
 const int ACCELERATION_UNIT = FRAMES_PER_SECOND * FRAMES_PER_SECOND;
 
@@ -19,7 +19,7 @@ int Clamped(int value, int low, int high) {
   return std::min(std::max(value, low), high);
 }
 
-// The follower's lower limit while the leader may be anywhere in the span. It is highest at one of its ends: see
+// The follower's lower limit while the leader may be anywhere in the span. It is highest at one end of the span: see
 // robot_model::Coupling.
 int CoupledLowest(const Coupling& coupling, const JointMotion::Span& leader) {
   return std::max(coupledLowest(coupling, leader.low), coupledLowest(coupling, leader.high));
@@ -124,7 +124,7 @@ void MotionPlanner::NextFrame() {
     const int wanted = motions_[i].WantedStep();
     const int allowed = AllowedStep(i, wanted);
     if (allowed != wanted) {
-      // It may wait for one of its own company, which therefore must not wait for it.
+      // It may wait for another joint of the same command, which must not wait for it in turn.
       LeaveCommand(i);
     }
     motions_[i].Advance(allowed);
@@ -140,7 +140,7 @@ void MotionPlanner::LeaveCommand(int joint) {
   commands_[joint] = ++last_command_;
 }
 
-// A joint's target has become the place where it stands or stops. Where its partners were going to may not fit to that.
+// The joint's target is now where it stands or stops. The targets of its partners may no longer fit.
 void MotionPlanner::MakePartnersFit(int joint) {
   for (int i = 0; i < robot_.number_of_couplings; ++i) {
     const Coupling& coupling = robot_.couplings[i];
@@ -151,7 +151,7 @@ void MotionPlanner::MakePartnersFit(int joint) {
     if (coupling.follower == joint) {
       Hold(coupling.leader);
     } else if (coupling.leader == joint) {
-      // A follower that was bent out of its limits by hand is not made to move.
+      // A follower that was bent out of its limits by hand is left where it is.
       const int stops_at = motions_[coupling.follower].BrakingSpan().low;
       if (Target(coupling.follower) < stops_at) {
         motions_[coupling.follower].Aim(std::min(lowest, stops_at));
@@ -161,7 +161,7 @@ void MotionPlanner::MakePartnersFit(int joint) {
   }
 }
 
-// Who cannot arrive in time delays the others of the same command.
+// A joint that cannot arrive in time delays the others of the same command.
 void MotionPlanner::ArriveTogether() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     for (int j = 0; j < robot_.number_of_joints; ++j) {
@@ -172,7 +172,7 @@ void MotionPlanner::ArriveTogether() {
   }
 }
 
-// The step nearest to the one the joint wants that hits nothing. Braking never does.
+// The step that hits nothing and is nearest to the wanted one. Braking never hits anything.
 int MotionPlanner::AllowedStep(int joint, int wanted) const {
   if (IsAllowed(joint, motions_[joint].SpanAfter(wanted))) {
     return wanted;
@@ -186,7 +186,7 @@ int MotionPlanner::AllowedStep(int joint, int wanted) const {
   return allowed;
 }
 
-// Where two joints already touch, as after SetPosition(), neither may go deeper.
+// If two joints touch already, as they may after SetPosition(), neither may go deeper.
 bool MotionPlanner::IsAllowed(int joint, const JointMotion::Span& next) const {
   const JointMotion::Span now = motions_[joint].BrakingSpan();
   for (int i = 0; i < robot_.number_of_couplings; ++i) {

@@ -114,7 +114,7 @@ PlayedMotion* MotionPlayer::FindFree() {
   return NULL;
 }
 
-// Says who moves one of the joints already.
+// False if another motion moves one of the joints; problem_ names it.
 bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     int joint = NO_JOINT;
@@ -130,15 +130,15 @@ bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
 bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded) {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     if (commanded[i] && motion.Moves(i)) {
-      sprintf(problem_, "%s was commanded while the file of %s was being read, and that counts", robot_.joints[i].name,
-              motion.Name());
+      sprintf(problem_, "%s was commanded while the file of %s was being read; that command counts",
+              robot_.joints[i].name, motion.Name());
       return false;
     }
   }
   return true;
 }
 
-// The motion that is played on a joint: there is one at most.
+// The motion that moves a joint: there is one at most.
 PlayedMotion* MotionPlayer::FindMoving(int joint) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying() && motions_[i].Moves(joint)) {

@@ -8,64 +8,65 @@
 #include "rcserver/joints/PlayedMotion.h"
 #include "robot_model/robot_model.h"
 
-/// Plays motion files on the joints of a robot, several at once as long as no joint is in two of them. Pure logic.
+/// Plays motion files on the joints of a robot, several at once as long as no joint is in two of them.
 ///
-/// Memory of a fixed size: MAX_PLAYING files of mtn::MAX_FILE_SIZE, 256 KiB.
+/// Its memory has a fixed size: MAX_PLAYING files of mtn::MAX_FILE_SIZE, 256 KiB.
 ///
-/// A motion ends by itself, when it is stopped, when one of its joints is commanded by somebody else, whose command
-/// counts, or when one of its joints does not follow. It always ends as a whole: half a motion can throw a robot over.
+/// A motion is over when it has been played or stopped, when one of its joints is commanded otherwise, or when one of
+/// its joints does not follow. It always ends as a whole: half a motion can make the robot fall.
 class MotionPlayer {
  public:
   /// Most motions at once: head, tail, mouth and legs.
   static const int MAX_PLAYING = 4;
 
-  /// Room for what Play() has against a motion.
+  /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   /// Both must outlive this.
   MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot);
 
-  /// Where to put the file that Play() is to play: room for mtn::MAX_FILE_SIZE bytes.
+  /// Where the file for Play() goes: room for mtn::MAX_FILE_SIZE bytes.
   /// @return NULL if MAX_PLAYING motions are being played
   unsigned char* FindRoom();
 
-  /// Begins to play what is in FindRoom().
+  /// Begins to play the file in FindRoom().
   /// @param size of the file, 1..mtn::MAX_FILE_SIZE
   /// @param repetitions not below 1
-  /// @param commanded one element a joint: true if somebody has commanded it after the motion was asked for, whose
-  ///   command counts. NULL: nobody has
-  /// @return NULL, or why not, in words that a user can act on
+  /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
+  /// command
+  ///   has precedence over the motion. NULL: no joint was
+  /// @return NULL, or why it is not played, in words that a user can act on
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, const bool* commanded);
 
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
   void Stop(const protocol::MotionName& name);
   void StopAll();
 
-  /// Every motion ends when its present repetition does.
+  /// Every motion ends with its present repetition.
   void EndRepetitions();
 
   bool IsPlaying() const;
 
-  /// A joint gets another command now: the motion that moves it is over.
+  /// A joint gets another command: stops the motion that moves it.
   void JointIsCommanded(int joint);
 
-  /// A joint does not follow: the motion that moves it is over.
+  /// A joint does not follow: stops the motion that moves it, which TakeFailure() then returns.
   void JointFails(int joint);
 
-  /// A motion that has been stopped because one of its joints does not follow.
+  /// A motion that was stopped because one of its joints does not follow.
   struct Failure {
     protocol::MotionName name;
     int joint;
   };
 
-  /// What has failed since this was asked last.
-  /// @return false if nothing has
+  /// Returns each failed motion once.
+  /// @return false if there is none
   bool TakeFailure(Failure* failure);
 
-  /// All motions are over, and failures no longer worth telling.
+  /// Stops all motions and forgets failures.
   void ClientGone();
 
-  /// To be called before MotionPlanner::NextFrame(), once in each frame.
+  /// Call once in each frame, before MotionPlanner::NextFrame().
   void NextFrame();
 
  private:
@@ -80,7 +81,7 @@ class MotionPlayer {
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
   PlayedMotion motions_[MAX_PLAYING];
-  Failure failures_[MAX_PLAYING];  ///< each of them with NO_JOINT if there is nothing to tell
+  Failure failures_[MAX_PLAYING];  ///< with NO_JOINT where there is no failure
   char problem_[MAX_PROBLEM_SIZE];
 };
 

@@ -12,7 +12,7 @@ using robot_model::RobotModel;
 
 const int PlayedMotion::APPROACH_SPEED;
 
-const char* FindJoints(const mtn::Motion& motion, const RobotModel& robot, int* joints) {
+const char* findJoints(const mtn::Motion& motion, const RobotModel& robot, int* joints) {
   for (int i = 0; i < motion.numberOfJoints(); ++i) {
     joints[i] = findJointByLocator(robot, motion.locator(i));
     if (joints[i] == NO_JOINT) {
@@ -30,10 +30,10 @@ PlayedMotion::PlayedMotion() : phase_(OVER), repetitions_left_(0), key_frame_(0)
 bool PlayedMotion::Load(const protocol::MotionName& name, size_t size, const RobotModel& robot) {
   strcpy(name_, name);
   if (!motion_.read(file_, size)) {
-    sprintf(problem_, "is no motion file: %s", motion_.problem());
+    sprintf(problem_, "is not a motion file: %s", motion_.problem());
     return false;
   }
-  if (const char* missing = FindJoints(motion_, robot, joints_)) {
+  if (const char* missing = findJoints(motion_, robot, joints_)) {
     sprintf(problem_, "moves the joint %s, which this robot does not have", missing);
     return false;
   }
@@ -97,7 +97,7 @@ void PlayedMotion::Approach(MotionPlanner& planner) {
   planner.SetTargets(targets, motion_.numberOfJoints(), static_cast<int>(seconds * 1000));
 }
 
-// Goes on along the key frames: to the one that comes after this time, or, past the last one, to the end.
+// Finds the next key frame for this time, or the end of the repetition after the last one.
 void PlayedMotion::PassTime() {
   milliseconds_ += MotionPlanner::FRAME_MILLISECONDS;
   while (phase_ == PLAYING) {

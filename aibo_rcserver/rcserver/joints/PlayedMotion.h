@@ -1,5 +1,5 @@
 /// @file PlayedMotion.h
-/// One motion on its way.
+/// One motion that is being played.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H
 
@@ -13,35 +13,35 @@
 /// Finds the joints of a motion on a robot by their locators.
 /// @param[out] joints their indices in the robot's table; room for mtn::MAX_JOINTS
 /// @return NULL, or the locator of one that the robot does not have
-const char* FindJoints(const mtn::Motion& motion, const robot_model::RobotModel& robot, int* joints);
+const char* findJoints(const mtn::Motion& motion, const robot_model::RobotModel& robot, int* joints);
 
-/// Plays one motion file as often as it is told: gives its joints their targets, frame by frame. Pure logic.
+/// Plays one motion file a number of times: sets the targets of its joints, frame by frame.
 ///
-/// First the joints go from where they are to the first key frame, all together, none faster than APPROACH_SPEED. Then,
-/// in each frame of 8 ms, their targets are where the straight line between two key frames is at that time. As the
-/// planner can stop at every target, the joints follow this line by up to 50 ms, and round a corner by the distance
-/// they need to stop. When they have arrived at the last key frame, the next repetition begins like the first; a motion
-/// whose last key frame is its first one goes on without a stop.
+/// First the joints move to the first key frame, all together, none faster than APPROACH_SPEED. Then, in each frame of
+/// 8 ms, their targets are on the straight line between two key frames. Because the planner can stop at every target,
+/// the joints lag behind this line by up to 50 ms, and cut corners by the distance they need to stop. When they have
+/// arrived at the last key frame, the next repetition begins like the first; a motion whose last key frame equals its
+/// first one continues without a stop.
 class PlayedMotion {
  public:
-  /// Greatest speed on the way to the first key frame, in microradian/s: 90 degrees a second, so that nobody is
-  /// frightened or thrown over, wherever the joints have been. Our choice.
+  /// Greatest speed on the way to the first key frame, in microradian/s: 90 degrees a second, so that the robot neither
+  /// frightens people nor falls, wherever its joints were. Our choice.
   static const int APPROACH_SPEED = 1570796;
 
   PlayedMotion();
 
-  /// Where to put the file that Load() is to read. Not while IsPlaying().
+  /// Where the file for Load() goes. Not while IsPlaying().
   unsigned char* Room() { return file_; }
 
   /// Reads the motion that is in Room().
   /// @param size of the file, 0..mtn::MAX_FILE_SIZE
-  /// @return false if it is no motion, or if it moves a joint that the robot does not have
+  /// @return false if it is not a motion, or moves a joint that the robot does not have
   bool Load(const protocol::MotionName& name, size_t size, const robot_model::RobotModel& robot);
 
-  /// What Load() had against the file; to be read as "NOD.MTN ...".
+  /// Why Load() failed; follows the name, as in "NOD.MTN ...".
   const char* Problem() const { return problem_; }
 
-  /// Begins to play what has been loaded, with the next frame.
+  /// Begins to play the loaded motion with the next frame.
   /// @param repetitions not below 1
   void Start(int repetitions);
 
@@ -56,19 +56,19 @@ class PlayedMotion {
   /// @param[out] joint that one
   bool SharesJoint(const PlayedMotion& other, int* joint) const;
 
-  /// Sets the targets of the frame that comes next. Only if IsPlaying().
+  /// Sets the targets for the next frame. Only if IsPlaying().
   void NextFrame(MotionPlanner& planner);
 
-  /// It is over. Its joints brake, stop and hold.
+  /// Ends the motion. Its joints brake, stop and hold.
   void Stop(MotionPlanner& planner);
 
  private:
   enum Phase {
     OVER,
-    BEGINNING,    ///< nothing is moved yet
+    BEGINNING,    ///< nothing has moved yet
     APPROACHING,  ///< the first key frame
     PLAYING,      ///< on the way to key_frame_
-    ARRIVING      ///< at the last one
+    ARRIVING      ///< at the last key frame
   };
 
   PlayedMotion(const PlayedMotion&);
@@ -85,10 +85,10 @@ class PlayedMotion {
   Phase phase_;
   protocol::MotionName name_;
   mtn::Motion motion_;
-  int joints_[mtn::MAX_JOINTS];  ///< of the robot, one for each of the motion
-  int repetitions_left_;         ///< the present one included
-  int key_frame_;                ///< in PLAYING: that the joints are on their way to, not the first one
-  int milliseconds_;             ///< in PLAYING: since the key frame before that one
+  int joints_[mtn::MAX_JOINTS];  ///< the robot's joint for each joint of the motion
+  int repetitions_left_;         ///< with the present one
+  int key_frame_;                ///< in PLAYING: the one that the joints move to, from 1
+  int milliseconds_;             ///< in PLAYING: since the previous key frame
   char problem_[mtn::Motion::MAX_PROBLEM_SIZE + 32];
   unsigned char file_[mtn::MAX_FILE_SIZE];
 };

@@ -7,7 +7,7 @@ namespace {
 const unsigned LOOPBACK = 0x7f000001;
 const unsigned ALL_BITS = 0xffffffff;
 
-const char NO_ADDRESS[] = "is no list of addresses such as 192.168.1.20, 192.168.2.0/24";
+const char NO_ADDRESS[] = "is not a list of addresses such as 192.168.1.20, 192.168.2.0/24";
 
 const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
@@ -48,7 +48,7 @@ unsigned MaskOf(unsigned bits) {
 
 const int AllowedAddresses::MAX_RANGES;
 
-void AllowedAddresses::AllowNobodyElse() {
+void AllowedAddresses::AllowOnlyThisComputer() {
   is_any_ = false;
   ranges_[0].address = LOOPBACK;
   ranges_[0].mask = ALL_BITS;
@@ -97,7 +97,7 @@ const char* AllowedAddresses::ReadRange(const char** text, Range* range) {
   if (**text == '/') {
     ++*text;
     if (!ReadNumber(text, 32, &bits)) {
-      return "has no number from 0 to 32 behind a /";
+      return "needs a number from 0 to 32 after the /";
     }
   }
   range->mask = MaskOf(bits);

@@ -1,9 +1,9 @@
 /// @file AllowedAddresses.h
-/// Who may connect.
+/// The addresses that may connect.
 #ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 #define AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 
-/// Internet addresses of version 4, as numbers: 127.0.0.1 is 0x7f000001. Pure logic, memory of a fixed size.
+/// A list of IPv4 addresses, which are numbers here: 127.0.0.1 is 0x7f000001. Its memory has a fixed size.
 class AllowedAddresses {
  public:
   /// Most entries of a list.
@@ -12,13 +12,13 @@ class AllowedAddresses {
   /// Any address.
   AllowedAddresses() : is_any_(true), number_of_ranges_(0) {}
 
-  /// No address but 127.0.0.1.
-  void AllowNobodyElse();
+  /// Only 127.0.0.1.
+  void AllowOnlyThisComputer();
 
-  /// Takes a list as RCSERVER.CFG has it: "ANY", or addresses with commas between them, each a.b.c.d or a.b.c.d/n,
-  /// which is all addresses that agree with it in the first n bits, 0 to 32. Spaces beside a comma do not count.
+  /// Reads a list as in RCSERVER.CFG: "ANY", or addresses separated by commas, each a.b.c.d or a.b.c.d/n. The latter
+  /// means all addresses that have the same first n bits, 0 to 32. Spaces around a comma are ignored.
   /// @param list ends in a zero byte
-  /// @return what is wrong in a few words, or NULL; nothing has changed if anything is wrong
+  /// @return the problem in a few words, or NULL; if there is a problem, nothing has changed
   const char* Read(const char* list);
 
   bool Allow(unsigned address) const;

@@ -1,25 +1,28 @@
 #include "rcserver/settings/Settings.h"
 
+#include <OPENR/OSyslog.h>
+#include <ctype.h>
+#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "rcserver/settings/LineReader.h"
-
 namespace {
 
-enum Name {
-  ALLOW_UPLOAD,
-  ALLOW_DELETE,
-  ALLOW_SHUT_DOWN,
-  ALLOW_REBOOT,
-  MOTORS_AT_BOOT,
-  POWER_MONITOR,
-  ALLOWED_ADDRESSES,
-  SILENT_CLIENT_SECONDS
-};
-const char* const NAMES[] = {"ALLOW_UPLOAD",   "ALLOW_DELETE",  "ALLOW_SHUT_DOWN",   "ALLOW_REBOOT",
-                             "MOTORS_AT_BOOT", "POWER_MONITOR", "ALLOWED_ADDRESSES", "SILENT_CLIENT_SECONDS"};
-const int NUMBER_OF_NAMES = static_cast<int>(sizeof(NAMES) / sizeof(NAMES[0]));
+// The settings. Those with a value are yes or no; the others are the first ones, at these indices.
+enum { ALLOWED_ADDRESSES, SILENT_CLIENT_SECONDS };
+const struct {
+  const char* name;
+  bool Settings::*value;
+  bool safe_value;
+} SETTINGS[] = {{"ALLOWED_ADDRESSES", 0, false},
+                {"SILENT_CLIENT_SECONDS", 0, false},
+                {"ALLOW_UPLOAD", &Settings::allow_upload, false},
+                {"ALLOW_DELETE", &Settings::allow_delete, false},
+                {"ALLOW_SHUT_DOWN", &Settings::allow_shut_down, false},
+                {"ALLOW_REBOOT", &Settings::allow_reboot, false},
+                {"MOTORS_AT_BOOT", &Settings::motors_at_boot, false},
+                {"POWER_MONITOR", &Settings::power_monitor, true}};
+const int NUMBER_OF_SETTINGS = static_cast<int>(sizeof(SETTINGS) / sizeof(SETTINGS[0]));
 
 const int MOST_SECONDS = 3600;
 
@@ -27,10 +30,45 @@ const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
 }
 
+// Some editors put it in front of a file.
+const char BYTE_ORDER_MARK[] = "\xef\xbb\xbf";
+
+// Reads a file line by line: in capitals, without comments, without spaces at either end, whichever system's line ends
+// the file has.
+class LineReader {
+ public:
+  explicit LineReader(FILE* file) : file_(file), number_(0), size_(0), is_text_(true) { line_[0] = '\0'; }
+
+  // Goes to the next line, which may be empty. False at the end of the file.
+  bool Next();
+
+  // From 1.
+  int Number() const { return number_; }
+
+  // False if the line is too long or has a zero byte in it; Line() is not valid then.
+  bool IsText() const { return is_text_; }
+
+  const char* Line() const { return line_; }
+
+ private:
+  LineReader(const LineReader&);
+  LineReader& operator=(const LineReader&);
+
+  void Add(int character);
+  void Trim();
+
+  FILE* file_;
+  int number_;
+  size_t size_;
+  bool is_text_;
+  char line_[MAX_SETTINGS_LINE_SIZE + 1];
+};
+
+// Reads lines NAME=VALUE into settings.
 class Reader {
  public:
   Reader(Settings* settings, SettingsProblems& problems)
-      : settings_(*settings), problems_(problems), line_(0), first_passed_over_(0) {
+      : settings_(*settings), problems_(problems), line_(0), first_ignored_(0) {
     memset(is_set_, 0, sizeof(is_set_));
   }
 
@@ -38,33 +76,71 @@ class Reader {
 
  private:
   void ReadLine(const char* line);
-  const char* ReadValue(int name, const char* value);
+  const char* ReadValue(int setting, const char* value);
   const char* ReadSeconds(const char* value);
-  const char* MakeSafe(int name);
-  bool* FindSwitch(int name);
-  void PassOver(const char* problem, const char* text);
+  const char* MakeSafe(int setting);
+  void Ignore(const char* problem, const char* text);
   void DoubtAddresses();
 
   Settings& settings_;
   SettingsProblems& problems_;
   int line_;
-  int first_passed_over_;  // line; 0: none
-  bool is_set_[NUMBER_OF_NAMES];
+  int first_ignored_;  // line; 0: no line was ignored
+  bool is_set_[NUMBER_OF_SETTINGS];
 };
+
+bool LineReader::Next() {
+  int character = getc(file_);
+  if (character == EOF) {
+    return false;
+  }
+  ++number_;
+  size_ = 0;
+  is_text_ = true;
+  bool is_comment = false;
+  for (; character != EOF && character != '\n'; character = getc(file_)) {
+    is_comment = is_comment || character == '#';
+    if (!is_comment) {
+      Add(character);
+    }
+  }
+  Trim();
+  return true;
+}
+
+void LineReader::Add(int character) {
+  if (size_ == MAX_SETTINGS_LINE_SIZE || character == '\0') {
+    is_text_ = false;
+    return;
+  }
+  line_[size_] = static_cast<char>(toupper(character));
+  ++size_;
+}
+
+void LineReader::Trim() {
+  while (size_ > 0 && isspace(static_cast<unsigned char>(line_[size_ - 1]))) {
+    --size_;
+  }
+  line_[size_] = '\0';
+  const size_t mark_size = strlen(BYTE_ORDER_MARK);
+  const char* begin = number_ == 1 && strncmp(line_, BYTE_ORDER_MARK, mark_size) == 0 ? line_ + mark_size : line_;
+  begin += strspn(begin, " \t");
+  memmove(line_, begin, strlen(begin) + 1);
+}
 
 void Reader::Read(FILE* file) {
   LineReader reader(file);
   while (reader.Next()) {
     line_ = reader.Number();
     if (!reader.IsText()) {
-      PassOver("it is no text, or longer than 1023 characters", "");
+      Ignore("it is not text, or longer than 1023 characters", "");
     } else if (reader.Line()[0] != '\0') {
       ReadLine(reader.Line());
     }
   }
   if (ferror(file)) {
     ++line_;
-    PassOver("it cannot be read", "");
+    Ignore("it cannot be read", "");
   }
   DoubtAddresses();
 }
@@ -73,103 +149,124 @@ void Reader::ReadLine(const char* line) {
   const size_t name_size = strcspn(line, " \t=");
   const char* value = SkipSpaces(line + name_size);
   if (*value != '=') {
-    PassOver("it is no NAME=VALUE", line);
+    Ignore("it is not NAME=VALUE", line);
     return;
   }
   value = SkipSpaces(value + 1);
-  int name = 0;
-  while (name < NUMBER_OF_NAMES && (strlen(NAMES[name]) != name_size || strncmp(NAMES[name], line, name_size) != 0)) {
-    ++name;
+  int setting = 0;
+  while (setting < NUMBER_OF_SETTINGS &&
+         (strlen(SETTINGS[setting].name) != name_size || strncmp(SETTINGS[setting].name, line, name_size) != 0)) {
+    ++setting;
   }
-  if (name == NUMBER_OF_NAMES) {
-    PassOver("there is no such setting", line);
+  if (setting == NUMBER_OF_SETTINGS) {
+    Ignore("there is no such setting", line);
     return;
   }
-  const char* problem = is_set_[name] ? "is there for the second time" : ReadValue(name, value);
-  is_set_[name] = true;
+  const char* problem = is_set_[setting] ? "appears a second time" : ReadValue(setting, value);
+  is_set_[setting] = true;
   if (problem != NULL) {
     char text[256];
-    sprintf(text, "%s=%.40s %s; %s", NAMES[name], value, problem, MakeSafe(name));
-    problems_.Tell(line_, text);
+    sprintf(text, "%s=%.40s %s; %s", SETTINGS[setting].name, value, problem, MakeSafe(setting));
+    problems_.Report(line_, text);
   }
 }
 
-// What is wrong with the value, or NULL.
-const char* Reader::ReadValue(int name, const char* value) {
-  switch (name) {
-    case ALLOWED_ADDRESSES:
-      return settings_.allowed_addresses.Read(value);
-    case SILENT_CLIENT_SECONDS:
-      return ReadSeconds(value);
-    default:
-      *FindSwitch(name) = strcmp(value, "YES") == 0;
-      return *FindSwitch(name) || strcmp(value, "NO") == 0 ? NULL : "is neither yes nor no";
+// The problem with the value, or NULL.
+const char* Reader::ReadValue(int setting, const char* value) {
+  if (setting == ALLOWED_ADDRESSES) {
+    return settings_.allowed_addresses.Read(value);
   }
+  if (setting == SILENT_CLIENT_SECONDS) {
+    return ReadSeconds(value);
+  }
+  const bool is_yes = strcmp(value, "YES") == 0;
+  settings_.*SETTINGS[setting].value = is_yes;
+  return is_yes || strcmp(value, "NO") == 0 ? NULL : "is neither yes nor no";
 }
 
 const char* Reader::ReadSeconds(const char* value) {
   const size_t digits = strspn(value, "0123456789");
   const int seconds = digits <= 4 ? atoi(value) : 0;
   if (value[digits] != '\0' || seconds < 1 || seconds > MOST_SECONDS) {
-    return "is no whole number from 1 to 3600";
+    return "is not a whole number from 1 to 3600";
   }
   settings_.silent_client_seconds = static_cast<unsigned>(seconds);
   return NULL;
 }
 
-// Says what holds instead.
-const char* Reader::MakeSafe(int name) {
-  switch (name) {
-    case ALLOWED_ADDRESSES:
-      settings_.allowed_addresses.AllowNobodyElse();
-      return "nobody but 127.0.0.1 may connect";
-    case SILENT_CLIENT_SECONDS:
-      settings_.silent_client_seconds = Settings().silent_client_seconds;
-      return "it is 10";
-    case POWER_MONITOR:
-      settings_.power_monitor = true;
-      return "it is yes";
-    default:
-      *FindSwitch(name) = false;
-      return "it is no";
+// Sets the safe value, and says which it is.
+const char* Reader::MakeSafe(int setting) {
+  if (setting == ALLOWED_ADDRESSES) {
+    settings_.allowed_addresses.AllowOnlyThisComputer();
+    return "only 127.0.0.1 may connect";
   }
+  if (setting == SILENT_CLIENT_SECONDS) {
+    settings_.silent_client_seconds = Settings().silent_client_seconds;
+    return "it is set to 10";
+  }
+  settings_.*SETTINGS[setting].value = SETTINGS[setting].safe_value;
+  return SETTINGS[setting].safe_value ? "it is set to yes" : "it is set to no";
 }
 
-bool* Reader::FindSwitch(int name) {
-  switch (name) {
-    case ALLOW_UPLOAD:
-      return &settings_.allow_upload;
-    case ALLOW_DELETE:
-      return &settings_.allow_delete;
-    case ALLOW_SHUT_DOWN:
-      return &settings_.allow_shut_down;
-    case MOTORS_AT_BOOT:
-      return &settings_.motors_at_boot;
-    case POWER_MONITOR:
-      return &settings_.power_monitor;
-    default:
-      return &settings_.allow_reboot;
-  }
-}
-
-void Reader::PassOver(const char* problem, const char* text) {
+void Reader::Ignore(const char* problem, const char* text) {
   char message[256];
-  sprintf(message, "%s, and is passed over: \"%.60s\"", problem, text);
-  problems_.Tell(line_, message);
-  first_passed_over_ = first_passed_over_ == 0 ? line_ : first_passed_over_;
+  sprintf(message, "%s; the line is ignored: \"%.60s\"", problem, text);
+  problems_.Report(line_, message);
+  first_ignored_ = first_ignored_ == 0 ? line_ : first_ignored_;
 }
 
-// What was passed over may have been meant to keep others out.
+// A line that was ignored may have been meant to keep others out.
 void Reader::DoubtAddresses() {
-  if (first_passed_over_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
+  if (first_ignored_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
     char text[128];
-    sprintf(text, "was it %s? That is not set; %s", NAMES[ALLOWED_ADDRESSES], MakeSafe(ALLOWED_ADDRESSES));
-    problems_.Tell(first_passed_over_, text);
+    sprintf(text, "%s is not set, and this line may have been meant to: %s", SETTINGS[ALLOWED_ADDRESSES].name,
+            MakeSafe(ALLOWED_ADDRESSES));
+    problems_.Report(first_ignored_, text);
   }
+}
+
+class OnConsole : public SettingsProblems {
+ public:
+  virtual void Report(int line, const char* text) {
+    OSYSLOG1((osyslogERROR, "RCServer: %s, line %d: %s", SETTINGS_FILE, line, text));
+  }
+};
+
+// fopen() cannot tell whether the file exists: it may fail for other reasons.
+bool IsThere(const HostSettings& host) {
+  char path[MAX_PATH_SIZE];
+  DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;
+  if (folder == NULL) {
+    return false;
+  }
+  const dirent* entry = readdir(folder);
+  while (entry != NULL && strcasecmp(entry->d_name, SETTINGS_FILE + sizeof(SETTINGS_FOLDER)) != 0) {
+    entry = readdir(folder);
+  }
+  closedir(folder);
+  return entry != NULL;
 }
 
 }  // namespace
 
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems) {
   Reader(settings, problems).Read(file);
+}
+
+Settings readSettingsFile(const HostSettings& host) {
+  Settings settings;
+  char path[MAX_PATH_SIZE];
+  FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? fopen(path, "rb") : NULL;
+  if (file != NULL) {
+    OnConsole problems;
+    readSettings(file, &settings, problems);
+    fclose(file);
+  } else if (IsThere(host)) {
+    settings.allowed_addresses.AllowOnlyThisComputer();
+    OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; only 127.0.0.1 may connect", SETTINGS_FILE));
+  } else {
+    OSYSPRINT(("RCServer: no %s on the memory stick: upload, delete, shutting down and rebooting are not allowed\n",
+               SETTINGS_FILE));
+  }
+  return settings;
 }

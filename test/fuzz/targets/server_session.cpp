@@ -59,7 +59,7 @@ class MemoryStick {
   fs::path motions_;
 };
 
-class MotorSwitch final : public Motors {
+class ObedientMotors final : public MotorSwitch {
  public:
   bool AreOn() const override { return on_; }
   bool Switch(bool on) override {
@@ -259,9 +259,9 @@ class Server {
   HostSettings host_;
   Settings settings_;
   JointControl joints_{kRobot};
-  MotorSwitch motors_;
-  Sensors sensors_{kRobot};
-  Lights lights_{kRobot};
+  ObedientMotors motors_;
+  SensorDriver sensors_{kRobot};
+  LightDriver lights_{kRobot};
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
   Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, power_order_, files_};

@@ -9,7 +9,7 @@ namespace {
 
 class Listener final : public SettingsProblems {
  public:
-  void Tell(int line, const char* text) override {
+  void Report(int line, const char* text) override {
     require(line > 0 && text[0] != '\0', "a problem has a line and a text");
   }
 };

@@ -1,4 +1,4 @@
-// The executable, as scripts and roslaunch use it.
+// The executable aibo_rcserver.
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <netinet/in.h>
@@ -35,12 +35,12 @@ std::string restOfLine(ChildProcess& robot, const std::string& text) {
   return line.substr(std::min(line.size(), text.size()));
 }
 
-// Waits until it listens.
+// Waits until the server listens.
 std::string portOf(ChildProcess& robot, const std::string& address = "127.0.0.1") {
   return restOfLine(robot, "RCServer listening on " + address + ":");
 }
 
-// By another address of this computer than that on which it listens unless told otherwise.
+// Tries an address of this computer other than 127.0.0.1.
 bool isReachableByAnotherAddress(const std::string& port) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -70,7 +70,7 @@ TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
   }
 }
 
-TEST(AiboRCServer, PassesOverTheArgumentsThatRoslaunchAdds) {
+TEST(AiboRCServer, IgnoresTheArgumentsThatRoslaunchAdds) {
   std::vector<std::string> options = kFreePorts;
   options.insert(options.end(), {"__name:=robot", "__log:=/nowhere/robot.log"});
   ChildProcess robot(command(options));
@@ -114,7 +114,7 @@ TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
   }
 }
 
-TEST(AiboRCServer, ListensAndHasItsConsoleOnLoopbackUnlessItIsToldOtherwise) {
+TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
   for (const auto& [address, reachable] : std::map<std::string, bool>{{"127.0.0.1", false}, {"0.0.0.0", true}}) {
     std::vector<std::string> options = kFreePorts;
     if (reachable) {
@@ -128,7 +128,7 @@ TEST(AiboRCServer, ListensAndHasItsConsoleOnLoopbackUnlessItIsToldOtherwise) {
   }
 }
 
-TEST(AiboRCServer, SaysWhichPortIsInUse) {
+TEST(AiboRCServer, NamesThePortThatIsInUse) {
   ChildProcess first(command(kFreePorts));
   const std::string port = portOf(first);
   ChildProcess second(command({"--port", port, "--console-port", "0"}));
@@ -136,7 +136,7 @@ TEST(AiboRCServer, SaysWhichPortIsInUse) {
   EXPECT_THAT(second.printed(), HasSubstr(port));
 }
 
-TEST(AiboRCServer, SaysWhichMemoryStickIsNotThere) {
+TEST(AiboRCServer, NamesTheMemoryStickThatIsMissing) {
   ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
   EXPECT_EQ(robot.wait(), 1);
   EXPECT_THAT(robot.printed(), HasSubstr("/nowhere"));

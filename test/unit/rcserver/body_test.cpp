@@ -9,22 +9,20 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "protocol/units.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/body/Lights.h"
+#include "rcserver/body/LightDriver.h"
 #include "rcserver/settings/Settings.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
-int failing_shutdowns = 0;  // calls of OPENR::Shutdown() that are to fail
+int failing_shutdowns = 0;  // this many calls of OPENR::Shutdown() fail
 
 }  // namespace
 
-// The linker puts this in the place of OPENR::Shutdown(), and the original into the place of the other.
+// The linker replaces OPENR::Shutdown() by __wrap..., which can call the original as __real....
 extern "C" OStatus __real__ZN5OPENR8ShutdownERK14OBootCondition(const OBootCondition& condition);
 extern "C" OStatus __wrap__ZN5OPENR8ShutdownERK14OBootCondition(const OBootCondition& condition) {
   if (failing_shutdowns > 0) {
@@ -57,14 +55,9 @@ constexpr int kFace1 = 7;      // intensity and mode
 constexpr int kLeftEar = 1;
 constexpr int kRightEar = 2;
 
-// Sensor readings come this often, and two command vectors may be waiting.
-constexpr unsigned kUntilMeasured = 12;
-
-// The client of the base speaks version 1 until a test changes that.
-class BodyTest : public Version2Fixture {
+// The client speaks version 1 until a test changes that.
+class BodyTest : public FakeRobotFixture {
  protected:
-  BodyTest() { host_.memory_stick = stick_.folder(); }
-
   void SetUp() override {
     robot_.power_status.remainingCapacity = 87;
     robot_.power_status.temperature = 2982;  // 25.05 degrees Celsius
@@ -72,9 +65,7 @@ class BodyTest : public Version2Fixture {
   }
 
   void start() {
-    machine_.reset();
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    FakeRobotFixture::start();
     client_ = connectServed();
   }
 
@@ -83,26 +74,11 @@ class BodyTest : public Version2Fixture {
     start();
   }
 
-  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
-    client_->send(bytes);
-    const std::optional<Reply> reply = await(*client_);
-    machine_->runPending();
-    ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->letter, letter) << bytes;
-    EXPECT_EQ(reply->value.identifier, identifier) << bytes;
-    EXPECT_EQ(reply->value.value, value) << bytes;
-  }
-
-  void expectError(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
-
-  // For how many frames an ear was drawn, all together.
+  // The number of frames in which an ear was drawn.
   long framesDrawn(int ear) const {
     const std::vector<bool>& path = robot_.ears[static_cast<size_t>(ear - 1)].path;
     return std::count(path.begin(), path.end(), true);
   }
-
-  FakeRobot robot_;
-  TemporaryMemoryStick stick_;
 };
 
 // ------------------------------------------------------------------------------------------------ version 1: sensors
@@ -119,13 +95,13 @@ TEST_F(BodyTest, SensorIsReadInTheUnitsOfVersion1) {
   expectAnswer(request('S', kPawLeftFront), 's', kPawLeftFront, 1);
 }
 
-TEST_F(BodyTest, BatteryThatSaysMoreThanFullIsFull) {
+TEST_F(BodyTest, BatteryAboveFullIsReportedAsFull) {
   robot_.power_status.remainingCapacity = 101;
   passFrames(125 + 4);
   expectAnswer(request('S', kBattery), 's', kBattery, 100);
 }
 
-TEST_F(BodyTest, BatteryIsAskedOnceASecond) {
+TEST_F(BodyTest, BatteryIsReadOnceASecond) {
   expectAnswer(request('S', kBattery), 's', kBattery, 87);
   expectAnswer(request('S', kTemperature), 's', kTemperature, 2505);
   robot_.power_status.remainingCapacity = 86;
@@ -135,7 +111,7 @@ TEST_F(BodyTest, BatteryIsAskedOnceASecond) {
   expectAnswer(request('S', kTemperature), 's', kTemperature, 32767);
 }
 
-TEST_F(BodyTest, JointReadAsASensorIsItsAngle) {
+TEST_F(BodyTest, JointReadAsASensorGivesItsAngle) {
   const int angle = protocol::centidegreesFromMicroradians(robot_.joint("tail_tilt").position);
   expectAnswer(request('S', 52), 's', 52, angle);
 }
@@ -151,7 +127,7 @@ TEST_F(BodyTest, SensorThatDoesNotOpenIsNamedAndReadsAsZero) {
 
 class SensorBlockTest : public BodyTest {
  protected:
-  // The values of S 0; the reply behind them is checked.
+  // The values of S 0; checks the reply after them.
   std::vector<int> readBlock(size_t values) {
     client_->send(request('S', 0));
     const size_t size = values * protocol::VALUE_SIZE + protocol::VALUE_REPLY_SIZE;
@@ -165,7 +141,7 @@ class SensorBlockTest : public BodyTest {
     return block;
   }
 
-  // What S answers to each identifier in turn.
+  // The values that S returns for each identifier in turn.
   std::vector<int> readOneByOne(const std::vector<int>& left_out) {
     std::vector<int> all;
     for (int identifier = 1; identifier < 256; ++identifier) {
@@ -188,7 +164,7 @@ TEST_F(SensorBlockTest, HoldsAllJointsAndSensorsByAscendingIdentifier) {
   EXPECT_EQ(readBlock(36), readOneByOne({}));
 }
 
-TEST_F(SensorBlockTest, JointsAndSensorsAreLeftOutAndTakenIn) {
+TEST_F(SensorBlockTest, JointsAndSensorsCanBeLeftOutAndTakenIn) {
   expectAnswer(request('S', 2, 0), 's', 2, 0);
   expectAnswer(request('S', kBattery, 0), 's', kBattery, 0);
   EXPECT_EQ(readBlock(34), readOneByOne({2, kBattery}));
@@ -199,13 +175,12 @@ TEST_F(SensorBlockTest, JointsAndSensorsAreLeftOutAndTakenIn) {
 
 TEST_F(SensorBlockTest, NextClientFindsEverythingInTheBlock) {
   expectAnswer(request('S', kBattery, 0), 's', kBattery, 0);
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   EXPECT_EQ(readBlock(36).size(), 36U);
 }
 
-TEST_F(SensorBlockTest, RefusesWhatIsNoSensorAndWhatIsNeitherInNorOut) {
+TEST_F(SensorBlockTest, RefusesUnknownSensorsAndValuesOtherThanZeroAndOne) {
   for (const int identifier : {10, 50, 68, 91, 92, 93, 255}) {
     expectError(request('S', identifier));
     expectError(request('S', identifier, 1));
@@ -241,7 +216,7 @@ TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
   expectAnswer(request('L', kFace1, 50), 'l', kFace1, 50);
   passFrames(kUntilMeasured);
-  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B) << "L leaves the mode as it is";
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B) << "L does not change the mode";
   expectAnswer(request('Y', 1, 100), 'y', 1, 100);
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_A);
@@ -251,12 +226,11 @@ TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
   expectAnswer(request('L', 0, 200), 'l', 0, 200);
   expectAnswer(request('K', 0, 1), 'k', 0, 1);
   passFrames(8);
-  client_->close();
-  machine_->runPending();
+  disconnect();
   passFrames(kUntilMeasured);
   EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, 0)));
   EXPECT_THAT(robot_.ears, Each(Field(&FakeRobot::FakeEar::drawn, false)));
-  EXPECT_LT(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
 }
 
 TEST_F(BodyTest, LedThatDoesNotOpenIsNamedAndTheOthersShine) {
@@ -306,19 +280,19 @@ TEST_F(BodyTest, MotionIsTheSameWithAndWithoutLeds) {
 TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
   passFrames(100);
-  EXPECT_EQ(framesDrawn(kRightEar), Lights::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kRightEar), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(kLeftEar), 0);
   EXPECT_FALSE(robot_.ears[1].drawn);
 }
 
-TEST_F(BodyTest, EarThatIsDrawnAgainAndAgainRestsAsLongAsItIsDrawn) {
+TEST_F(BodyTest, EarDrawnAgainAndAgainRestsAsLongAsItIsDrawn) {
   for (int i = 0; i < 400; ++i) {
     client_->send(request('K', 0, 1));
     ASSERT_TRUE(await(*client_));
     passFrames(1);
   }
   EXPECT_GT(framesDrawn(kLeftEar), 100);
-  EXPECT_LE(framesDrawn(kLeftEar), 200 + Lights::EAR_FRAMES);
+  EXPECT_LE(framesDrawn(kLeftEar), 200 + LightDriver::EAR_FRAMES);
 }
 
 TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
@@ -328,11 +302,11 @@ TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 0);
   passFrames(100);
   EXPECT_GT(framesDrawn(kLeftEar), 0);
-  EXPECT_LT(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 1);
 }
 
-TEST_F(BodyTest, WhatIsNoLedAndNoEarIsRefused) {
+TEST_F(BodyTest, UnknownLedsAndEarsAreRefused) {
   expectError(request('L', 27, 1));
   expectError(request('L', 255, 1));
   expectError(request('K', 3, 1));
@@ -357,7 +331,7 @@ TEST_F(BodyTest, EarsOfAnErs210AreDrawnAndLetGo) {
   expectAnswer(request('K', 0, 1), 'k', 0, 1);
   passFrames(100);
   for (const FakeRobot::FakeEar& ear : ers210.ears) {
-    EXPECT_EQ(std::count(ear.path.begin(), ear.path.end(), true), Lights::EAR_FRAMES);
+    EXPECT_EQ(std::count(ear.path.begin(), ear.path.end(), true), LightDriver::EAR_FRAMES);
   }
   client_.reset();
   machine_.reset();
@@ -365,7 +339,7 @@ TEST_F(BodyTest, EarsOfAnErs210AreDrawnAndLetGo) {
 
 // --------------------------------------------------------------------------------------------------- version 1: power
 
-TEST_F(BodyTest, ShuttingDownAndRebootingAreRefusedUnlessTheFileAllowsThem) {
+TEST_F(BodyTest, ShuttingDownAndRebootingAreRefusedUnlessTheSettingsAllowThem) {
   expectError(request('Q', 0, 0));
   expectError(request('R', 0, 0));
   passFrames(10);
@@ -408,7 +382,7 @@ TEST_F(BodyTest, RebootAnswersAndServesTheNextClient) {
   expectAnswer(request('S', kBattery), 's', kBattery, 87);
 }
 
-TEST_F(BodyTest, OrderThatTheRobotDoesNotCarryOutIsForgotten) {
+TEST_F(BodyTest, PowerOrderThatTheRobotRefusesIsForgotten) {
   startWith("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes");
   for (const char letter : {'Q', 'R'}) {
     failing_shutdowns = 1;
@@ -417,14 +391,13 @@ TEST_F(BodyTest, OrderThatTheRobotDoesNotCarryOutIsForgotten) {
     EXPECT_EQ(failing_shutdowns, 0);
     EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot does not "));
     client_ = connectServed();
-    client_->close();
-    machine_->runPending();
-    EXPECT_TRUE(machine_->isOn()) << "the next client's end carries the order out";
+    disconnect();
+    EXPECT_TRUE(machine_->isOn()) << "the order is still carried out";
     client_ = connectServed();
   }
 }
 
-TEST_F(BodyTest, WhatFollowsAShutDownIsNotCarriedOut) {
+TEST_F(BodyTest, RequestsAfterAShutDownAreNotCarriedOut) {
   startWith("ALLOW_SHUT_DOWN=yes");
   client_->send(request('Q', 0, 0) + request('L', kHeadColor, 1));
   machine_->runUntil([&] { return !machine_->isOn(); });
@@ -452,8 +425,6 @@ class BodyVersion2Test : public BodyTest {
     std::copy(values.begin(), values.end(), all.leds);
     return payloadOf(encodeLedValues, all, MAX_LED_VALUES_SIZE);
   }
-
-  static std::string text(const Frame& frame) { return {frame.payload.begin(), frame.payload.end()}; }
 
   // The next telemetry: values of sensors by identifier.
   std::vector<TelemetryEntry> sensorTelemetry() {
@@ -487,7 +458,7 @@ TEST_F(BodyVersion2Test, TelemetryHasAllSensorsInMillionths) {
   EXPECT_THAT(sensors, Contains(IsSensor(kTemperature, 25050000)));
 }
 
-TEST_F(BodyVersion2Test, TelemetryLeavesOutWhatHasMeasuredNothing) {
+TEST_F(BodyVersion2Test, TelemetryLeavesOutSensorsWithoutAValue) {
   robot_.missing_locator = "PRM:/p1-Sensor:p1";
   start();
   reconnect();
@@ -496,24 +467,24 @@ TEST_F(BodyVersion2Test, TelemetryLeavesOutWhatHasMeasuredNothing) {
   EXPECT_THAT(sensors, Not(Contains(Field(&TelemetryEntry::id, Eq(55)))));
 }
 
-TEST_F(BodyVersion2Test, LedsAreSetTogetherAndWhatIsAcceptedIsAnswered) {
+TEST_F(BodyVersion2Test, LedsAreSetTogetherAndAnsweredByTheAcceptedValues) {
   const Frame answer = answerTo('L', 0, leds({{kHeadColor, 3, LED_MODE_B}, {kFace1, 77, LED_MODE_B}}));
   EXPECT_EQ(answer.header.kind, 'l');
-  EXPECT_EQ(text(answer), leds({{kHeadColor, 255, LED_MODE_A}, {kFace1, 77, LED_MODE_B}}));
+  EXPECT_EQ(textOf(answer), leds({{kHeadColor, 255, LED_MODE_A}, {kFace1, 77, LED_MODE_B}}));
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("head_color").intensity, 1);
   EXPECT_EQ(robot_.led("face_1").intensity, 77);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
 }
 
-TEST_F(BodyVersion2Test, UnknownLedRefusesAllOfIt) {
+TEST_F(BodyVersion2Test, UnknownLedRefusesTheWholeRequest) {
   expectRefusal(answerTo('L', 0, leds({{kHeadColor, 255, LED_MODE_A}, {99, 1, LED_MODE_A}})), CODE_REFUSED, "LED 99");
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("head_color").intensity, 0);
 }
 
-// Vectors for an ear that are under way are output before the one with the present positions.
-TEST_F(BodyVersion2Test, GainsGoOnAfterThePresentPositionsAlsoBehindVectorsForAnEar) {
+// Vectors for an ear are output before the one with the present positions.
+TEST_F(BodyVersion2Test, GainsGoOnAfterThePresentPositionsEvenBehindVectorsForAnEar) {
   answerTo('O', 0, std::string(1, '\0'));
   FakeRobot::FakeJoint& tail = robot_.joint("tail_pan");
   tail.reference = tail.position + 100000;
@@ -524,8 +495,8 @@ TEST_F(BodyVersion2Test, GainsGoOnAfterThePresentPositionsAlsoBehindVectorsForAn
   EXPECT_EQ(tail.error_when_gain_went_on, 0);
 }
 
-// Somebody turns a limp joint.
-TEST_F(BodyVersion2Test, MotorsThatAreSwitchedOffAndOnWhileTheyGoOnHoldWhereTheJointsAreThen) {
+// A limp joint is turned by hand.
+TEST_F(BodyVersion2Test, MotorsSwitchedOffAndOnWhileGoingOnHoldThePresentPositions) {
   answerTo('O', 0, std::string(1, '\0'));
   passFrames(kUntilMeasured);
   answerTo('O', 0, "\1");
@@ -538,24 +509,24 @@ TEST_F(BodyVersion2Test, MotorsThatAreSwitchedOffAndOnWhileTheyGoOnHoldWhereTheJ
   EXPECT_EQ(tail.error_when_gain_went_on, 0);
 }
 
-TEST_F(BodyVersion2Test, EarsAnswerWhatTheyDo) {
+TEST_F(BodyVersion2Test, EarsAreAnsweredByTheirState) {
   Frame answer = answerTo('K', 0, std::string("\1\0", 2));
   EXPECT_EQ(answer.header.kind, 'k');
-  EXPECT_EQ(text(answer), std::string("\1\0", 2));
+  EXPECT_EQ(textOf(answer), std::string("\1\0", 2));
   passFrames(22);
-  EXPECT_EQ(framesDrawn(kLeftEar), Lights::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(kRightEar), 0);
-  EXPECT_EQ(text(answerTo('K', 0, "\1\1")), std::string("\0\1", 2)) << "the left one rests";
+  EXPECT_EQ(textOf(answerTo('K', 0, "\1\1")), std::string("\0\1", 2)) << "the left one rests";
 }
 
-TEST_F(BodyVersion2Test, PowerThatIsNotAllowedNamesWhatWouldAllowIt) {
+TEST_F(BodyVersion2Test, PowerRequestThatIsNotAllowedNamesTheSetting) {
   expectRefusal(answerTo('Q', 0), CODE_REFUSED, "ALLOW_SHUT_DOWN=yes in RCSERVER.CFG");
   expectRefusal(answerTo('R', 0), CODE_REFUSED, "ALLOW_REBOOT=yes in RCSERVER.CFG");
   expectRefusal(answerTo('Q', 0, "x"), CODE_REFUSED, "bad request");
   EXPECT_TRUE(machine_->isOn());
 }
 
-TEST_F(BodyVersion2Test, ShutDownIsTheLastThatIsAnswered) {
+TEST_F(BodyVersion2Test, ShutDownIsTheLastRequestAnswered) {
   startWith("ALLOW_SHUT_DOWN=yes");
   reconnect();
   client_->send(frame('Q', 0, 1) + frame('H', 0, 2));
@@ -569,10 +540,10 @@ TEST_F(BodyVersion2Test, ShutDownIsTheLastThatIsAnswered) {
   EXPECT_FALSE(robot_.powered);
 }
 
-TEST_F(BodyVersion2Test, ClientThatIsAllowedToRebootSeesItInTheCapabilities) {
+TEST_F(BodyVersion2Test, CapabilitiesHaveRebootIfItIsAllowed) {
   startWith("ALLOW_REBOOT=yes");
   reconnect();
-  EXPECT_THAT(text(answerTo('H', 0)), HasSubstr(" R\n"));
+  EXPECT_THAT(textOf(answerTo('H', 0)), HasSubstr(" R\n"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// @file camera_image_fixture.h
-/// Camera images for the encoder's tests and benchmarks, laid out as the robot lays them out.
+/// Camera images for the encoder's tests and benchmarks, in the robot's layout.
 #ifndef TEST_UNIT_RCSERVER_CAMERA_IMAGE_FIXTURE_H
 #define TEST_UNIT_RCSERVER_CAMERA_IMAGE_FIXTURE_H
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "rcserver/camera/CameraImage.h"
+#include "picture_encoder/CameraImage.h"
 
 /// Owns the bytes of a CameraImage: rows of Y, Cr, Cb and three more bands in turn, as on the ERS-7 (stride 6 x width).
 class CameraImageFixture {
@@ -35,7 +35,7 @@ class CameraImageFixture {
     }
   }
 
-  /// Smooth shading with some sensor noise: 4 to 6 KB at quality 85, as the report's pictures.
+  /// Smooth shading with some sensor noise: 4 to 6 KB at quality 85, like the pictures in the report.
   static CameraImageFixture scene(size_t width = 208, size_t height = 160, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, 1.5);

@@ -1,5 +1,5 @@
 /// @file child_process.h
-/// A program that a test runs, with what it prints.
+/// A program that a test runs, and its output.
 #ifndef TEST_UNIT_RCSERVER_CHILD_PROCESS_H
 #define TEST_UNIT_RCSERVER_CHILD_PROCESS_H
 
@@ -48,7 +48,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Reads what it prints until that has a whole line with `text`, or until it ends.
+  /// Reads the output until it has a complete line with `text`, or until the program ends.
   /// @return that line from `text` on; empty if there is none
   std::string readLineWith(const std::string& text) {
     for (;;) {
@@ -65,7 +65,7 @@ class ChildProcess {
 
   void signal(int number) { ::kill(process_, number); }
 
-  /// Reads all that it prints, and waits for its end.
+  /// Reads all output, and waits for the program's end.
   /// @return its exit code; -1 if a signal ended it
   int wait() {
     while (readSome()) {

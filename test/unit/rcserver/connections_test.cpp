@@ -1,4 +1,4 @@
-// Places for clients, and clients that are lost.
+// Connections, and clients that are lost.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,26 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr unsigned kUntilMeasured = 12;
-
-class ConnectionsTest : public Version2Fixture {
+class ConnectionsTest : public FakeRobotFixture {
  protected:
-  ConnectionsTest() { host_.memory_stick = stick_.folder(); }
+  void SetUp() override { start(); }
 
-  void SetUp() override {
-    boot(robot_);
-    passFrames(kUntilMeasured);
-  }
-
-  // A client whom the server leaves with a last word, and who does not close.
+  // A client that gets a last message before the server closes, and does not close itself.
   std::unique_ptr<TestClient> connectAndBreakTheProtocol() {
     auto client = connect();
     client->send(request('X', 2) + std::string("Z\0\0\1\0\1\0\1", 8));
@@ -48,15 +39,12 @@ class ConnectionsTest : public Version2Fixture {
     }
     return count;
   }
-
-  FakeRobot robot_;
-  TemporaryMemoryStick stick_;
 };
 
-// ------------------------------------------------------------------------------------------------- those who stay
+// ------------------------------------------------------------------------------------------------- closing
 
-// Internet Protocol Version4, 2.7: an orderly close lasts until the other side has closed, too; one that takes too much
-// time is aborted.
+// Internet Protocol Version4, 2.7: an orderly close lasts until the other side has closed, too. The server aborts one
+// that takes too long.
 TEST_F(ConnectionsTest, ClientsThatNeverCloseAreForgottenWithinTwoSeconds) {
   const auto first = connectAndBreakTheProtocol();
   const auto second = connectAndBreakTheProtocol();
@@ -65,7 +53,7 @@ TEST_F(ConnectionsTest, ClientsThatNeverCloseAreForgottenWithinTwoSeconds) {
   EXPECT_TRUE(isServed(*third));
 }
 
-TEST_F(ConnectionsTest, LastWordOfTheServerArrivesThoughItCloses) {
+TEST_F(ConnectionsTest, LastMessageArrivesThoughTheServerCloses) {
   const auto client = connectAndBreakTheProtocol();
   passFrames(1000);
   EXPECT_TRUE(client->next()) << "the agreement to version 2";
@@ -75,7 +63,7 @@ TEST_F(ConnectionsTest, LastWordOfTheServerArrivesThoughItCloses) {
   EXPECT_TRUE(awaitEnd(*client));
 }
 
-TEST_F(ConnectionsTest, ClientThatIsSlowToCloseIsNotBrokenOffForTwoSeconds) {
+TEST_F(ConnectionsTest, ClientThatIsSlowToCloseIsNotAbortedForTwoSeconds) {
   const auto client = connectAndBreakTheProtocol();
   passFrames(240);
   EXPECT_TRUE(awaitEnd(*client));
@@ -85,8 +73,8 @@ TEST_F(ConnectionsTest, ClientThatIsSlowToCloseIsNotBrokenOffForTwoSeconds) {
   EXPECT_TRUE(another->wasReset());
 }
 
-// A camera that says later than the joints which frame it was.
-TEST_F(ConnectionsTest, ImageThatIsOlderThanTheLastReadingOfTheJointsDropsNobody) {
+// The camera delivers an image after the joints have reported a later frame.
+TEST_F(ConnectionsTest, ImageOlderThanTheLastJointReadingDropsNoClient) {
   robot_.image_lag = 2;  // it comes a frame after the joints
   connectVersion2();
   for (int i = 0; i < 40; ++i) {
@@ -95,7 +83,7 @@ TEST_F(ConnectionsTest, ImageThatIsOlderThanTheLastReadingOfTheJointsDropsNobody
   }
 }
 
-TEST_F(ConnectionsTest, ThoseWhoAreTurnedAwayAndStayDoNotKeepOthersOut) {
+TEST_F(ConnectionsTest, ClientsTurnedAwayThatDoNotCloseDoNotKeepOthersOut) {
   auto served = connectServed();
   std::vector<std::unique_ptr<TestClient>> strangers;
   for (int i = 0; i < 10; ++i) {
@@ -109,7 +97,7 @@ TEST_F(ConnectionsTest, ThoseWhoAreTurnedAwayAndStayDoNotKeepOthersOut) {
   EXPECT_TRUE(isServed(*next));
 }
 
-TEST_F(ConnectionsTest, PlaceOfOneWhoIsTurnedAwayAndStaysIsFreeAtOnce) {
+TEST_F(ConnectionsTest, ConnectionOfAClientTurnedAwayIsFreeAtOnce) {
   auto silent = connectServed();
   passFrames(1250 - 20);
   auto too_early = connect();
@@ -119,17 +107,12 @@ TEST_F(ConnectionsTest, PlaceOfOneWhoIsTurnedAwayAndStaysIsFreeAtOnce) {
   EXPECT_TRUE(isServed(*next));
 }
 
-// ------------------------------------------------------------------------------------------------- those who vanish
+// ------------------------------------------------------------------------------------------------- silent clients
 
 class PlayingClientTest : public ConnectionsTest {
  protected:
-  static std::string playWag(int repetitions) {
-    return std::string("P\7WAG.MTN\0\0\0\0\0", 14) + static_cast<char>(repetitions & 0xff) +
-           static_cast<char>(repetitions >> 8) + std::string(2, '\0');
-  }
-
   void startPlaying(TestClient& client) {
-    client.send(playWag(1000));
+    client.send(fileRequest('P', "WAG.MTN", 1000));
     const std::optional<Reply> reply = await(client);
     ASSERT_TRUE(reply && reply->letter == 'p');
     machine_->runPending();
@@ -144,7 +127,7 @@ class PlayingClientTest : public ConnectionsTest {
 };
 
 // WAG.MTN takes less than 2 s.
-TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsAndItIsServedOn) {
+TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsButTheClientStays) {
   auto client = connectServed();
   startPlaying(*client);
   passFrames(1250 - 420);
@@ -163,7 +146,7 @@ TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatReadsItsStreamGoesOn) {
   auto client = connectServed();
   client->send(request('W', 85));
   machine_->runPending();
-  client->send(playWag(1000));
+  client->send(fileRequest('P', "WAG.MTN", 1000));
   for (int i = 0; i < 400; ++i) {
     passFrames(4);
     while (client->next()) {
@@ -172,7 +155,7 @@ TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatReadsItsStreamGoesOn) {
   EXPECT_TRUE(tailMoves());
 }
 
-TEST_F(PlayingClientTest, TimeOfSilenceIsTheOneOfTheSettings) {
+TEST_F(PlayingClientTest, TimeOfSilenceComesFromTheSettings) {
   machine_.reset();
   stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "SILENT_CLIENT_SECONDS=20\n");
   boot(robot_);
@@ -187,7 +170,7 @@ TEST_F(PlayingClientTest, TimeOfSilenceIsTheOneOfTheSettings) {
 
 // -------------------------------------------------------------------------------------------------------- motors
 
-TEST_F(PlayingClientTest, MotionThatTheMotorsEndedDoesNotGoOnWhenTheyAreOnAgain) {
+TEST_F(PlayingClientTest, MotionEndedByTheMotorsDoesNotContinueWhenTheyAreOnAgain) {
   connectVersion2();
   EXPECT_EQ(answerTo('P', 0, std::string("\3\350WAG.MTN")).header.kind, 'p');
   passFrames(200);
@@ -201,8 +184,8 @@ TEST_F(PlayingClientTest, MotionThatTheMotorsEndedDoesNotGoOnWhenTheyAreOnAgain)
 
 // -------------------------------------------------------------------------------------------- the IPStack refuses
 
-// Parameter: the number of an `Extra` entry in stub.cfg, and what the console says when the IPStack takes no message
-// that is to be answered by it.
+// Parameter: the number of an `Extra` entry in stub.cfg, and the console's message when the IPStack refuses requests
+// that it would answer to this entry.
 class RefusedByTheIpStackTest : public ConnectionsTest,
                                 public ::testing::WithParamInterface<std::pair<size_t, const char*>> {
  protected:
@@ -212,13 +195,13 @@ class RefusedByTheIpStackTest : public ConnectionsTest,
   }
 };
 
-TEST_P(RefusedByTheIpStackTest, ItIsSaidAndNobodyWaitsForAnAnswer) {
+TEST_P(RefusedByTheIpStackTest, ConsoleReportsItAndTheServerGoesOn) {
   const auto client = connect();
   client->send(request('S', 66) + request('?', 0));
   passFrames(130);
   EXPECT_THAT(console_.str(), HasSubstr(GetParam().second));
   passFrames(300);
-  EXPECT_THAT(robot_.joint("head_pan").gains.proportional, ::testing::Ne(0)) << "the robot goes on";
+  EXPECT_THAT(robot_.joint("head_pan").gains.proportional, ::testing::Ne(0)) << "the robot still works";
   EXPECT_LE(timesSaid("no endpoint to listen"), 10U) << "it is tried once a second, with two connections";
 }
 

@@ -1,5 +1,5 @@
 /// @file fake_robot.h
-/// A robot whose camera images tell which ones they are, and whose joints are always where they are to be.
+/// A robot whose camera images can be told apart, and whose joints are always where they were commanded to be.
 #ifndef TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 #define TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 
@@ -15,12 +15,12 @@
 #include "robot_model/robot_model.h"
 #include "simulator/openr_host/virtual_robot.h"
 
-/// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each has one brightness all
-/// over, which is another one than that of the ten images before and after.
+/// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each image has the same
+/// brightness all over, which differs from that of the ten images before and after.
 ///
-/// Has the joints of an ERS-7, beginning in a posture that is allowed. A joint that has its gains is in each frame
-/// where it was commanded last, unless it is jammed; what it reports is exact. Sensors report what the test says; LEDs
-/// and ears keep what they were commanded.
+/// Begins in an allowed posture. In each frame, a joint with gains moves to the position it was last commanded to,
+/// unless it is jammed. Joints report their exact positions, sensors the values that the test has set. LEDs and ears
+/// keep their last commands.
 class FakeRobot : public openr_host::VirtualRobot {
  public:
   static constexpr longword kFramesPerImage = 4;
@@ -44,7 +44,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   struct FakeLed {
     int intensity = 0;  ///< of one that is only on or off: 0 or 1
     int mode = 0;
-    int commands = 0;  ///< that it has got
+    int commands = 0;  ///< received
   };
 
   struct FakeEar {
@@ -75,7 +75,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// Number of the image that was taken last.
   unsigned lastImage() const { return image_; }
 
-  /// From now on images are noise, which makes the largest pictures there are.
+  /// From now on images are noise, which makes the largest pictures.
   void showNoise() { noise_ = true; }
 
   /// From now on images are taken in the frames in which the joints are measured.
@@ -193,7 +193,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     return sensors_;
   }
 
-  /// What a sensor reports from now on, in the units of robot_model::SensorKind.
+  /// The value that a sensor reports, in the units of robot_model::SensorKind.
   int& sensor(const std::string& name) {
     return sensor_values[static_cast<size_t>(robot_model::findSensorByName(model, name.c_str()))];
   }
@@ -206,7 +206,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   const robot_model::RobotModel& model;
-  std::string design_name = model.design;  ///< that OPEN-R tells
+  std::string design_name = model.design;  ///< for OPEN-R
   std::vector<FakeJoint> joints = std::vector<FakeJoint>(static_cast<size_t>(model.number_of_joints));
   std::vector<int> sensor_values = std::vector<int>(static_cast<size_t>(model.number_of_sensors));
   std::vector<FakeLed> leds = std::vector<FakeLed>(static_cast<size_t>(model.number_of_leds));
@@ -215,11 +215,11 @@ class FakeRobot : public openr_host::VirtualRobot {
   int open_primitives = 0;
   int times_switched_off = 0;
   bool powered = false;
-  longword image_lag = 0;  ///< frames that images say they are older
+  longword image_lag = 0;  ///< frames by which the frame number of an image is too low
   byte cr = 128;           ///< of images
   byte cb = 128;
-  bool counts_images = true;    ///< in the field counter; else it stands still
-  std::string missing_locator;  ///< of what does not open
+  bool counts_images = true;    ///< in the field counter; false: it does not change
+  std::string missing_locator;  ///< of a primitive that does not open
 
   bool cameraImageDue(longword frame) override {
     const longword image = (frame + first_frame_of_image_) / kFramesPerImage;

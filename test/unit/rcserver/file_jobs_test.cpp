@@ -1,4 +1,4 @@
-// Requests that need the memory stick, while it is at work.
+// Requests that need the memory stick, while FileKeeper is at work.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,38 +8,23 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "motion_bytes.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr unsigned kUntilMeasured = 12;
-
-class FileJobsTest : public Version2Fixture {
+class FileJobsTest : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    host_.memory_stick = stick_.folder();
-    stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    startWith("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
     connectVersion2();
     file_keeper_.slowDown();
   }
 
-  static std::string play(const std::string& name, int repetitions) {
-    return std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name;
-  }
-
-  static std::string upload(const std::string& name, const std::string& content) {
-    return static_cast<char>(name.size()) + name + content;
-  }
-
-  // What has come: kind and request number of each frame, and what an error says.
+  // The frames that have arrived: kind and request number, and the text of an error.
   std::vector<std::string> answers() {
     std::vector<std::string> all;
     machine_->runPending();
@@ -52,7 +37,7 @@ class FileJobsTest : public Version2Fixture {
     return all;
   }
 
-  // The memory stick does its job, and the next one that may come does not take any time.
+  // Finishes the job; later jobs take no time.
   void finishJobs() {
     file_keeper_.speedUp();
     passFrames(FakeRobot::kFramesPerImage);
@@ -70,16 +55,14 @@ class FileJobsTest : public Version2Fixture {
     return has_moved;
   }
 
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
 TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   send(frame('H', 0, 2) + frame('O', 0, 3) + frame('J', 0, 4, std::string(4, '\0')) +
-       frame('P', 0, 5, play("SIT.MTN", 0)));
+       frame('P', 0, 5, playPayload("SIT.MTN", 0)));
   EXPECT_THAT(answers(), ElementsAre("h2", "o3", "j4", "p5"));
   EXPECT_FALSE(moves("tail_pan"));
   finishJobs();
@@ -87,19 +70,20 @@ TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
   EXPECT_TRUE(moves("tail_pan"));
 }
 
-// Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the memory stick.
+// Level2 Reference Guide, chapter 1: an object handles one message at a time. So RCServer must not wait for the memory
+// stick.
 TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
   const std::string head_pan_to_half_a_radian("\0\0\1\0\2\0\0\0\0\7\241\40", 12);
-  send(frame('P', 0, 1, play("WAG.MTN", 1)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   send(frame('J', 0, 2, head_pan_to_half_a_radian));
   passFrames(300);
   EXPECT_EQ(robot_.joint("head_pan").position, 500000);
   EXPECT_TRUE(file_keeper_.hasJob());
 }
 
-TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
+TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
   const std::string tail_pan_to_half_a_radian("\0\0\1\0\63\0\0\0\0\7\241\40", 12);
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   send(frame('J', 0, 2, tail_pan_to_half_a_radian));
   EXPECT_THAT(answers(), ElementsAre("j2"));
@@ -109,15 +93,15 @@ TEST_F(FileJobsTest, JointThatIsCommandedWhileAFileIsReadGoesWhereItWasTold) {
   EXPECT_THAT(got[0], HasSubstr("e1 tail_pan was commanded while the file of WAG.MTN was being read"));
   passFrames(300);
   EXPECT_EQ(robot_.joint("tail_pan").position, 500000);
-  send(frame('P', 0, 3, play("WAG.MTN", 1000)));
+  send(frame('P', 0, 3, playPayload("WAG.MTN", 1000)));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p3")) << "a command of before it does not count";
+  EXPECT_THAT(answers(), ElementsAre("p3")) << "an earlier command does not matter";
 }
 
-TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1)));
+TEST_F(FileJobsTest, SecondFileRequestAndThoseBehindItWait) {
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));
-  send(frame('U', 0, 4, upload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
+  send(frame('U', 0, 4, uploadPayload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
   EXPECT_THAT(answers(), ElementsAre());
   file_keeper_.finish();
   passFrames(FakeRobot::kFramesPerImage);
@@ -129,12 +113,12 @@ TEST_F(FileJobsTest, SecondFileRequestWaitsForItsTurnAndWhatFollowsItToo) {
   EXPECT_TRUE(hasFile("NEW.MTN"));
 }
 
-TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
+TEST_F(FileJobsTest, MotionStoppedWhileItsFileIsReadIsNotPlayed) {
   for (const std::string& name : {std::string("WAG.MTN"), std::string()}) {
     file_keeper_.slowDown();
-    send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
-    send(frame('P', 0, 2, play(name, 0)));
+    send(frame('P', 0, 2, playPayload(name, 0)));
     EXPECT_THAT(answers(), ElementsAre("p2"));
     finishJobs();
     EXPECT_THAT(answers(), ElementsAre("e1 WAG.MTN was stopped while its file was being read"));
@@ -142,10 +126,10 @@ TEST_F(FileJobsTest, MotionThatIsStoppedWhileItsFileIsReadIsNotPlayed) {
   }
 }
 
-TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
+TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWentOffWhileItsFileWasRead) {
   for (const bool are_on_again : {false, true}) {
     file_keeper_.slowDown();
-    send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
     send(frame('O', 0, 2, std::string(1, '\0')) + (are_on_again ? frame('O', 0, 3, "\1") : ""));
     answers();
@@ -157,16 +141,16 @@ TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWereOffWhileItsFileWasRead) {
   }
 }
 
-TEST_F(FileJobsTest, JointsThatAreTakenMeanwhileRefuseTheMotion) {
+TEST_F(FileJobsTest, MotionIsRefusedIfAnotherOneMovesItsJointsMeanwhile) {
   file_keeper_.speedUp();
-  send(frame('P', 0, 1, play("NOD.MTN", 1000)));
+  send(frame('P', 0, 1, playPayload("NOD.MTN", 1000)));
   EXPECT_THAT(answers(), ElementsAre("p1"));
-  send(frame('P', 0, 2, play("SIT.MTN", 1)));
+  send(frame('P', 0, 2, playPayload("SIT.MTN", 1)));
   EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 NOD.MTN is being played and moves neck_tilt")));
 }
 
-TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
+TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotUsedForTheNextOne) {
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   ASSERT_TRUE(file_keeper_.hasJob());
   reconnect();
   send(frame('D', 0, 1, "NOD.MTN"));
@@ -177,33 +161,23 @@ TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotTakenForTheNextOnes) {
   EXPECT_FALSE(moves("tail_pan"));
 }
 
-TEST_F(FileJobsTest, UploadIsFinishedAsAWholeThoughItsClientHasGone) {
-  send(frame('U', 0, 1, upload("NEW.MTN", motion_)));
+TEST_F(FileJobsTest, UploadIsCompletedThoughItsClientHasGone) {
+  send(frame('U', 0, 1, uploadPayload("NEW.MTN", motion_)));
   ASSERT_TRUE(file_keeper_.hasJob());
-  client_->close();
-  machine_->runPending();
+  disconnect();
   EXPECT_FALSE(hasFile("NEW.MTN"));
   finishJobs();
   EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
 }
 
-// 256 names of 12 letters make the longest answer there is.
-TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
+// 256 names of 12 letters make the longest answer.
+TEST_F(FileJobsTest, LongestAnswerFindsRoomWhileOthersWait) {
   for (int i = 0; i < 256; ++i) {
     stick_.write("OPEN-R/MW/DATA/P/DANCE" + std::to_string(100 + i) + ".MTN", "");
   }
-  client_->close();
-  machine_->runPending();
-  client_ = connect(4096);
-  send(request('X', 2));
-  ASSERT_TRUE(await(*client_));
-  std::string bytes = frame('N', 0, 1);
-  for (int i = 0; i < 4096; ++i) {
-    bytes += frame('V', 0, 7);
-  }
-  for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
-    sent += client_->send(bytes.substr(sent));
-  }
+  disconnect();
+  connectVersion2(4096);
+  stallBehind(frame('N', 0, 1));
   ASSERT_TRUE(file_keeper_.hasJob());
   finishJobs();
   int limits = 0;
@@ -212,7 +186,7 @@ TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
     const std::optional<Frame> next = nextFrame();
     ASSERT_TRUE(next);
     if (next->header.kind == 'n') {
-      list.assign(next->payload.begin(), next->payload.end());
+      list = textOf(*next);
     } else {
       ASSERT_EQ(next->header.kind, 'v') << "after " << limits;
       ++limits;
@@ -221,12 +195,10 @@ TEST_F(FileJobsTest, LongestAnswerFindsRoomHoweverManyOthersWait) {
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 255);
 }
 
-TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
-  client_->close();
-  machine_->runPending();
+TEST_F(FileJobsTest, AnswersOfVersion1KeepTheOrderOfTheRequests) {
+  disconnect();
   client_ = connectServed();
-  const std::string play_wag = std::string("P\7WAG.MTN\0\0\0\0\0\1\0\0\0", 18);
-  client_->send(play_wag + request('?', 0) + request('X', 3));
+  client_->send(fileRequest('P', "WAG.MTN", 1) + request('?', 0) + request('X', 3));
   machine_->runPending();
   ASSERT_TRUE(file_keeper_.hasJob());
   passFrames(100);
@@ -240,16 +212,15 @@ TEST_F(FileJobsTest, Version1AnswersInTheOrderOfTheRequests) {
 }
 
 TEST_F(FileJobsTest, ConsoleNamesTheMemoryStickWhenARequestWaitsTooLong) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1)) + frame('P', 0, 2, play("NOD.MTN", 1)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('P', 0, 2, playPayload("NOD.MTN", 1)));
   passFrames(640);
   EXPECT_TRUE(awaitEnd(*client_));
   EXPECT_THAT(console_.str(), HasSubstr("is gone: FileKeeper has not answered its request for 5 s"));
 }
 
-TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLastOnesJob) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1000)));
-  client_->close();
-  machine_->runPending();
+TEST_F(FileJobsTest, NextClientOfVersion1IsServedAfterTheLastOnesFileJob) {
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
+  disconnect();
   client_ = connect();
   client_->send(request('?', 0));
   machine_->runPending();
@@ -260,7 +231,7 @@ TEST_F(FileJobsTest, NextClientOfVersion1IsServedWhenTheMemoryStickHasDoneTheLas
 
 // ---------------------------------------------------------------------------------------------- missing objects
 
-// A memory stick whose owner has forgotten the two helpers.
+// A memory stick without PictureEncoder and FileKeeper.
 class LonelyServerTest : public FileJobsTest {
  protected:
   void SetUp() override {
@@ -273,8 +244,8 @@ class LonelyServerTest : public FileJobsTest {
   }
 };
 
-TEST_F(LonelyServerTest, WithoutFileKeeperItsRequestsAreRefusedAndOthersAreServed) {
-  send(frame('P', 0, 1, play("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
+TEST_F(LonelyServerTest, WithoutFileKeeperOnlyFileRequestsAreRefused) {
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
   const std::vector<std::string> got = answers();
   ASSERT_EQ(got.size(), 3U);
   EXPECT_THAT(got[0], HasSubstr("e1 the object FileKeeper does not run on the robot: FILES.BIN is missing"));
@@ -282,7 +253,7 @@ TEST_F(LonelyServerTest, WithoutFileKeeperItsRequestsAreRefusedAndOthersAreServe
   EXPECT_EQ(got[2], "h3");
 }
 
-TEST_F(LonelyServerTest, WithoutPictureEncoderTheConsoleNamesIt) {
+TEST_F(LonelyServerTest, MissingPictureEncoderIsNamedOnTheConsole) {
   send(frame('F', 85, 1, std::string(1, '\0')));
   passFrames(FakeRobot::kFramesPerImage);
   EXPECT_TRUE(awaitEnd(*client_));

@@ -198,7 +198,7 @@ TEST_F(ImageObserverTest, OwedPicturesKeepTheirOrderAndTheirQualities) {
   }
 }
 
-TEST_F(ImageObserverTest, OwesNoMoreThanItsLimitAndForgetsNoneOfThose) {
+TEST_F(ImageObserverTest, OwesNoMoreThanItsLimitAndForgetsNone) {
   for (size_t i = 0; i < ImageObserver::MAX_OWED; ++i) {
     ASSERT_TRUE(observer_.RequestPicture(ofQuality(static_cast<unsigned char>(i % 101))));
   }
@@ -212,7 +212,7 @@ TEST_F(ImageObserverTest, OwesNoMoreThanItsLimitAndForgetsNoneOfThose) {
   EXPECT_EQ(observer_.State(), IOS_IDLE);
 }
 
-// What version 2 adds.
+// Additions of version 2.
 
 TEST_F(ImageObserverTest, StreamOfEveryThirdImageLeavesOutTheOthers) {
   observer_.StartStream(ofQuality(60), 3);
@@ -231,7 +231,7 @@ TEST_F(ImageObserverTest, StreamOfEveryImageGoesOnThoughTheCameraDoesNotCount) {
   }
 }
 
-TEST_F(ImageObserverTest, ImageThatCameTooEarlyToBeSentCountsForEveryNth) {
+TEST_F(ImageObserverTest, ImageThatWasTooEarlyToBeSentCountsForEveryNth) {
   observer_.StartStream(ofQuality(60), 3);
   EXPECT_EQ(imageArrives(), picture(60));
   image_count_ += 10;
@@ -239,7 +239,7 @@ TEST_F(ImageObserverTest, ImageThatCameTooEarlyToBeSentCountsForEveryNth) {
   EXPECT_EQ(imageArrives(), kNothing);
 }
 
-TEST_F(ImageObserverTest, StreamGoesOnWithNewSettings) {
+TEST_F(ImageObserverTest, StreamContinuesWithNewSettings) {
   observer_.StartStream(ofQuality(60), 3);
   EXPECT_EQ(imageArrives(), picture(60));
   observer_.StartStream(ofQuality(61), 1);
@@ -247,7 +247,7 @@ TEST_F(ImageObserverTest, StreamGoesOnWithNewSettings) {
   EXPECT_EQ(imageArrives(), picture(61));
 }
 
-TEST_F(ImageObserverTest, StoppingWhereThereIsNoStreamChangesNothing) {
+TEST_F(ImageObserverTest, StoppingWithoutAStreamChangesNothing) {
   observer_.StopStream();
   EXPECT_EQ(observer_.State(), IOS_IDLE);
   bringTo(IOS_PICTURE);
@@ -255,7 +255,7 @@ TEST_F(ImageObserverTest, StoppingWhereThereIsNoStreamChangesNothing) {
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
 }
 
-TEST_F(ImageObserverTest, PictureIsOfTheLayerAndForTheRequestThatAskedForIt) {
+TEST_F(ImageObserverTest, PictureHasTheLayerAndTheNumberOfItsRequest) {
   observer_.RequestPicture({60, 2, 4711, false});
   PictureOrder order = {};
   ASSERT_TRUE(observer_.ImageArrived(1, &order));

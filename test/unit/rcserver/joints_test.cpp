@@ -1,4 +1,4 @@
-// Joints, as version 1 moves them, and what the server does of its own accord.
+// Joints in version 1, and the motors at boot.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "fake_robot.h"
 #include "protocol/units.h"
 #include "protocol/version1.h"
 #include "rcserver_fixture.h"
@@ -33,47 +32,14 @@ constexpr int kTailPan = 51;
 // More than enough for any motion with the standard limits.
 constexpr unsigned kLongestMotion = 500;
 
-// Sensor readings come this often, and two command vectors may be waiting.
-constexpr unsigned kUntilMeasured = 12;
-
-class JointsTest : public RCServerFixture {
+class JointsTest : public FakeRobotFixture {
  protected:
   void SetUp() override { start(); }
 
   void start() {
-    machine_.reset();
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    FakeRobotFixture::start();
     client_ = connectServed();
   }
-
-  // The answer to a request of version 1 that is answered by four bytes.
-  protocol::ValueReply answerTo(const std::string& bytes) {
-    client_->send(bytes);
-    const std::optional<Reply> reply = await(*client_);
-    machine_->runPending();
-    return reply ? reply->value : protocol::ValueReply{};
-  }
-
-  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
-    const protocol::ValueReply reply = answerTo(bytes);
-    EXPECT_EQ(reply.letter, letter) << bytes;
-    EXPECT_EQ(reply.identifier, identifier) << bytes;
-    EXPECT_EQ(reply.value, value) << bytes;
-  }
-
-  void expectRefusal(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
-
-  std::vector<int> positions() const {
-    std::vector<int> all;
-    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
-      all.push_back(joint.position);
-    }
-    return all;
-  }
-
-  FakeRobot robot_;
-  std::unique_ptr<TestClient> client_;
 };
 
 // ---------------------------------------------------------------------------------------------------------- booting
@@ -97,7 +63,7 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   for (FakeRobot::FakeJoint& joint : robot_.joints) {
     joint.gain = false;
     joint.gains = {};
-    joint.reference = 12345;  // what some program commanded last
+    joint.reference = 12345;  // an earlier program's last command
     joint.path.clear();
   }
   start();
@@ -108,13 +74,13 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   }
 }
 
-TEST_F(JointsTest, RobotWithAJointMissingShowsPicturesAndRefusesToMove) {
+TEST_F(JointsTest, RobotWithAMissingJointSendsPicturesAndRefusesToMove) {
   machine_.reset();
   robot_.missing_locator = robot_.model.joints[3].locator;
   start();
   EXPECT_THAT(console_.str(), HasSubstr(robot_.missing_locator));
-  expectRefusal(request('J', kHeadPan));
-  expectRefusal(request('J', kHeadPan, 100));
+  expectError(request('J', kHeadPan));
+  expectError(request('J', kHeadPan, 100));
   client_->send(request('F', 85));
   passFrames(FakeRobot::kFramesPerImage);
   const std::optional<Reply> reply = await(*client_);
@@ -127,8 +93,8 @@ TEST_F(JointsTest, JointsThatGetNoGainAreNamedOnTheConsoleAndTheOthersHold) {
   robot_.joint("mouth").refuses_gain = true;
   robot_.joint("tail_pan").refuses_gains = true;
   start();
-  EXPECT_THAT(console_.str(), HasSubstr("mouth is limp: its gain does not go on (status 8192)"));
-  EXPECT_THAT(console_.str(), HasSubstr("tail_pan is limp: it does not take its gain (status 2)"));
+  EXPECT_THAT(console_.str(), HasSubstr("mouth is limp: its gain cannot be enabled (status 8192)"));
+  EXPECT_THAT(console_.str(), HasSubstr("tail_pan is limp: its gain cannot be set (status 2)"));
   EXPECT_NE(robot_.joint("head_pan").gains.proportional, 0);
 }
 
@@ -162,21 +128,21 @@ TEST_F(JointsTest, TargetBeyondTheLimitsIsClampedAndTheReplySaysSo) {
   expectAnswer(request('J', kNeckTilt, 100), 'j', kNeckTilt, 0);
 }
 
-TEST_F(JointsTest, IdentifierZeroSetsAllJointsEachWithinItsLimits) {
+TEST_F(JointsTest, IdentifierZeroSetsAllJointsWithinTheirLimits) {
   expectAnswer(request('J', 0, 1000), 'j', 0, 1000);
   passFrames(kLongestMotion);
   for (size_t i = 0; i < robot_.joints.size(); ++i) {
     const Joint& joint = robot_.model.joints[i];
     EXPECT_EQ(robot_.joints[i].position, std::min(std::max(174533, joint.lowest), joint.highest)) << joint.name;
   }
-  expectRefusal(request('J', 0));
+  expectError(request('J', 0));
 }
 
 TEST_F(JointsTest, UnknownJointsAreRefused) {
   for (const int identifier : {5, 10, 14, 44, 50, 53, 255}) {
     for (const char letter : {'J', 'V', 'A'}) {
-      expectRefusal(request(letter, identifier));
-      expectRefusal(request(letter, identifier, 1));
+      expectError(request(letter, identifier));
+      expectError(request(letter, identifier, 1));
     }
   }
 }
@@ -222,12 +188,12 @@ TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
   }
 }
 
-TEST_F(JointsTest, SpeedLimitIsTakenIntoWhatTheJointCanDo) {
+TEST_F(JointsTest, SpeedLimitIsClampedToTheJointsRange) {
   expectAnswer(request('V', kNeckTilt, 32767), 'v', kNeckTilt, 18250);
   expectAnswer(request('V', kNeckTilt, -1), 'v', kNeckTilt, 1);
 }
 
-TEST_F(JointsTest, LimitsAboveWhatVersion1CanSayReadAsItsLargestValue) {
+TEST_F(JointsTest, LimitsTooLargeForVersion1ReadAsItsLargestValue) {
   expectAnswer(request('V', kHeadPan), 'v', kHeadPan, 32767);
   expectAnswer(request('A', kHeadPan), 'a', kHeadPan, 32767);
 }
@@ -250,20 +216,20 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
 TEST_F(JointsTest, TwoBytesAreAReadFourAWriteAndMoreAreRefusedTogether) {
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
   expectAnswer(request('J', kHeadPan, 500), 'j', kHeadPan, 500);
-  expectRefusal(request('J', kHeadPan) + request('J', kHeadPan, 900));
+  expectError(request('J', kHeadPan) + request('J', kHeadPan, 900));
   EXPECT_FALSE(client_->next());
   passFrames(kLongestMotion);
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 500);
 }
 
-TEST_F(JointsTest, RequestsByteByByteAreUnderstoodWhereVersion1Can) {
-  // A read has its second byte when nothing more is there; a write comes as two bytes and two would be read as a read.
+TEST_F(JointsTest, RequestsByteByByteAreUnderstoodAsFarAsVersion1Allows) {
+  // A read is complete after two bytes; so the first two bytes of a write are taken for a read.
   client_->send("J");
   machine_->runPending();
   expectAnswer(std::string{static_cast<char>(kHeadPan)}, 'j', kHeadPan, 0);
 }
 
-TEST_F(JointsTest, StreamAndJointsGoTogether) {
+TEST_F(JointsTest, StreamAndJointsWorkTogether) {
   client_->send(request('W', 85));
   int pictures = 0;
   int answers = 0;
@@ -301,8 +267,7 @@ TEST_F(JointsTest, ClientGoneInMidMotionLeavesTheJointsHolding) {
 TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
   answerTo(request('V', kNeckTilt, 1000));
   answerTo(request('A', kNeckTilt, 1000));
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
   expectAnswer(request('A', kNeckTilt), 'a', kNeckTilt, 32767);
@@ -310,16 +275,16 @@ TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
 
 // --------------------------------------------------------------------------------------------------------------- jam
 
-TEST_F(JointsTest, JammedJointIsHeldWhereItIsAndTheNextQuestionAboutItIsAnsweredByAnError) {
+TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
   robot_.joint("head_pan").jammed = true;
   answerTo(request('J', kHeadPan, 5000));
   answerTo(request('J', kTailPan, 3000));
   passFrames(kLongestMotion);
   EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
-  EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "it pushes on";
+  EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "its motor still pushes";
   EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
   expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
-  expectRefusal(request('J', kHeadPan));
+  expectError(request('J', kHeadPan));
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
 }
 
@@ -328,18 +293,17 @@ TEST_F(JointsTest, FreedJointFollowsAgain) {
   answerTo(request('J', kHeadPan, 5000));
   passFrames(kLongestMotion);
   robot_.joint("head_pan").jammed = false;
-  expectRefusal(request('J', kHeadPan, 5000));
+  expectError(request('J', kHeadPan, 5000));
   expectAnswer(request('J', kHeadPan, 5000), 'j', kHeadPan, 5000);
   passFrames(kLongestMotion);
   EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(5000));
 }
 
-TEST_F(JointsTest, FaultsAreNotToldToTheNextClient) {
+TEST_F(JointsTest, FaultsAreNotReportedToTheNextClient) {
   robot_.joint("head_pan").jammed = true;
   answerTo(request('J', kHeadPan, 5000));
   passFrames(kLongestMotion);
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
 }
@@ -373,7 +337,7 @@ class SimulatedJointsTest : public RCServerFixture {
   std::unique_ptr<TestClient> client_;
 };
 
-// Enough for a good part of any joint's range, and short because the camera renders what nobody looks at.
+// Enough for a good part of any joint's range, and short because rendering camera images takes time.
 constexpr unsigned kMotionOfOneSecond = 125;
 
 // The encoders are off by up to a step of 0.05 degree.
@@ -407,7 +371,7 @@ TEST_F(SimulatedJointsTest, ReachTheirTargetsOneByOneAndLeaveTheOthersAlone) {
   }
 }
 
-TEST_F(SimulatedJointsTest, MoveAllAtOnceWithoutAFalseAlarm) {
+TEST_F(SimulatedJointsTest, AllMoveAtOnceWithoutAFalseAlarm) {
   for (const int angle : {12000, -12000, 12000, 0}) {
     client_->send(request('J', 0, angle));
     const std::optional<Reply> reply = await(*client_);
@@ -418,7 +382,7 @@ TEST_F(SimulatedJointsTest, MoveAllAtOnceWithoutAFalseAlarm) {
   EXPECT_EQ(console_.str().find("follow"), std::string::npos) << console_.str();
 }
 
-TEST_F(SimulatedJointsTest, JamIsFoundAndTheMotorSpared) {
+TEST_F(SimulatedJointsTest, JamIsDetectedAndTheMotorSpared) {
   robot_.jam("head_pan", true);
   client_->send(request('J', kHeadPan, 8000));
   ASSERT_TRUE(await(*client_));

@@ -66,7 +66,7 @@ double psnr(const CameraImage& image, const Decoded& decoded) {
   return 10 * std::log10(255.0 * 255.0 * 3.0 * static_cast<double>(image.width * image.height) / error);
 }
 
-// One plane as 4:2:0 has it: each sample is the mean of four.
+// One plane at 4:2:0: each sample is the mean of four.
 std::vector<uint8_t> halved(const unsigned char* plane, const CameraImage& image) {
   std::vector<uint8_t> half;
   for (size_t y = 0; y < image.height; y += 2) {
@@ -79,7 +79,7 @@ std::vector<uint8_t> halved(const unsigned char* plane, const CameraImage& image
   return half;
 }
 
-// What libjpeg-turbo makes of the same planes with its accurate transform (JDCT_ISLOW).
+// The picture that libjpeg-turbo makes of the same planes with its accurate transform (JDCT_ISLOW).
 std::vector<uint8_t> encodeAccurately(const CameraImage& image, int quality) {
   const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitCompress(), tjDestroy);
   const int width = static_cast<int>(image.width);
@@ -146,7 +146,7 @@ TEST_F(JpegEncoderTest, HigherQualityMeansMoreBytesAndABetterPicture) {
   }
 }
 
-TEST_F(JpegEncoderTest, PicturesAreWithinATenthOfADecibelOfTheAccurateTransforms) {
+TEST_F(JpegEncoderTest, PicturesAreWithinATenthOfADecibelOfTheAccurateTransform) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const CameraImageFixture scene = CameraImageFixture::scene(208, 160, seed);
     for (const int quality : {10, 25, 50, 60, 70, 75, 80, 83, 85, 86, 90, 92, 95, 98, 100}) {
@@ -184,14 +184,14 @@ TEST_F(JpegEncoderTest, RedIsRedAndBlueIsBlue) {
   EXPECT_GT(blue.at(100, 80)[2], 245);
 }
 
-TEST_F(JpegEncoderTest, EachPlaceOfThePictureShowsThatPlaceOfTheImage) {
+TEST_F(JpegEncoderTest, EachPartOfThePictureShowsThatPartOfTheImage) {
   const CameraImageFixture quadrants(208, 160, [](size_t x, size_t y) {
     return Pixel{static_cast<uint8_t>(x < 104 ? 60 : 200), static_cast<uint8_t>(y < 80 ? 90 : 160), 128};
   });
   EXPECT_GT(psnr(quadrants.image(), decode(encode(quadrants.image(), 90))), 35.0);
 }
 
-TEST_F(JpegEncoderTest, PictureIsTheSameWhateverTheSkipBetweenRows) {
+TEST_F(JpegEncoderTest, PictureDoesNotDependOnTheSkipBetweenRows) {
   const CameraImageFixture scene = CameraImageFixture::scene();
   const CameraImage interleaved = scene.image();
   const size_t size = interleaved.width * interleaved.height;
@@ -209,7 +209,7 @@ TEST_F(JpegEncoderTest, PictureIsTheSameWhateverTheSkipBetweenRows) {
   EXPECT_EQ(encode(packed, 85), encode(interleaved, 85));
 }
 
-TEST_F(JpegEncoderTest, TagIsPaintedOverInThePictureAndUntouchedInTheImage) {
+TEST_F(JpegEncoderTest, TagIsReplacedInThePictureAndUntouchedInTheImage) {
   CameraImageFixture tagged = CameraImageFixture::plain({100, 128, 128});
   tagged.setTag(255, 0xffff);
   const std::vector<uint8_t> before = tagged.bytes();
@@ -217,7 +217,7 @@ TEST_F(JpegEncoderTest, TagIsPaintedOverInThePictureAndUntouchedInTheImage) {
   EXPECT_EQ(tagged.bytes(), before);
 }
 
-TEST_F(JpegEncoderTest, NothingButTheTagIsPaintedOver) {
+TEST_F(JpegEncoderTest, NothingButTheTagIsReplaced) {
   const CameraImageFixture edge(208, 160, [](size_t x, size_t y) {
     return Pixel{static_cast<uint8_t>(y == 159 && x >= CameraImage::TAG_SIZE ? 240 : 20), 128, 128};
   });
@@ -240,7 +240,7 @@ struct Size {
 
 class JpegEncoderSizes : public ::testing::TestWithParam<Size> {};
 
-TEST_P(JpegEncoderSizes, AreEncodedWholeWithoutReadingBeyondTheImage) {
+TEST_P(JpegEncoderSizes, AreEncodedCompletelyWithoutReadingBeyondTheImage) {
   const auto [width, height] = GetParam();
   CameraImageFixture scene = CameraImageFixture::scene(width, height);
   if (width >= CameraImage::TAG_SIZE) {
@@ -274,7 +274,7 @@ TEST_F(JpegEncoderTest, NoiseAtQuality100FitsIntoTheWorstCaseSize) {
   const CameraImageFixture binary(208, 160, [&](size_t, size_t) {
     return Pixel{black_or_white(), black_or_white(), black_or_white()};
   });
-  // Noise that survives the halving of chroma, too: squares of two by two.
+  // Squares of two by two pixels: noise that survives the halving of chroma.
   std::vector<Pixel> squares(104 * 80);
   for (Pixel& square : squares) {
     square = {0, black_or_white(), black_or_white()};
@@ -299,7 +299,7 @@ TEST_F(JpegEncoderTest, FailsWithAReasonWhenTheBufferIsTooSmallAndWorksAgainAfte
   EXPECT_EQ(encode(scene.image(), 85).size(), size);
 }
 
-TEST_F(JpegEncoderTest, RefusesSizesNoCameraHas) {
+TEST_F(JpegEncoderTest, RefusesSizesThatNoCameraHas) {
   const CameraImageFixture scene = CameraImageFixture::scene();
   std::vector<uint8_t> jpeg(1000);
   for (const Size size : {Size{0, 160}, Size{208, 0}, Size{208, 1}, Size{417, 320}, Size{416, 321}}) {

@@ -10,7 +10,7 @@
 
 #include "motion_tool/motion_tool.h"
 
-/// A motion file of its text form (docs/motions.md), for an ERS-7 unless it says something else.
+/// A motion file made from its text form (docs/motions.md), for an ERS-7 unless the text names another robot.
 inline std::string motionBytes(const std::string& text) {
   std::istringstream stream("robot ERS-7\n" + text);
   return motion_tool::encodeMtn(motion_tool::parseTextForm(stream));

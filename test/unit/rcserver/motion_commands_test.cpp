@@ -1,4 +1,4 @@
-// Motions, as clients of both versions ask for them.
+// Requests about motions, in both versions.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -9,33 +9,27 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "motion_bytes.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "rcserver/joints/JointWatch.h"
+#include "rcserver/joints/JointControl.h"
 #include "rcserver_fixture.h"
-#include "temporary_memory_stick.h"
 
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr unsigned kUntilMeasured = 12;
 constexpr unsigned kLongestMotion = 2000;
 constexpr int kHeadPan = 2;
 
 const char kFolder[] = "OPEN-R/MW/DATA/P";
 
-class MotionsTest : public RCServerFixture {
+class MotionsTest : public FakeRobotFixture {
  protected:
   void start(const std::string& settings) {
-    host_.memory_stick = stick_.folder();
-    stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", settings);
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    startWith(settings);
     client_ = connectServed();
   }
 
@@ -48,10 +42,10 @@ class MotionsTest : public RCServerFixture {
     return names;
   }
 
-  // A motion beside the folder, for those who would leave it.
+  // A motion outside the folder.
   void writeOutside() { stick_.write("OPEN-R/MW/DATA/OUT.MTN", motion_); }
 
-  // Everything on the stick is as it was.
+  // Everything on the stick is unchanged.
   void expectNothingTouchedOutside() const {
     EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/OUT.MTN")), motion_);
     EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
@@ -59,9 +53,6 @@ class MotionsTest : public RCServerFixture {
 
   double degrees(const std::string& joint) { return robot_.joint(joint).position * 180e-6 / std::acos(-1.0); }
 
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
-  std::unique_ptr<TestClient> client_;
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
@@ -69,16 +60,6 @@ class MotionsTest : public RCServerFixture {
 
 class Version1MotionsTest : public MotionsTest {
  protected:
-  static std::string fileRequest(char letter, const std::string& name, unsigned short a, unsigned short b = 0) {
-    protocol::FileRequest file = {};
-    name.copy(file.name, protocol::MAX_MOTION_NAME_SIZE);
-    file.a = a;
-    file.b = b;
-    unsigned char payload[protocol::FILE_PAYLOAD_SIZE];
-    encodeFileRequest(file, payload);
-    return request(letter, 7) + std::string(payload, payload + sizeof(payload));
-  }
-
   static std::string upload(const std::string& name, const std::string& content) {
     return fileRequest('U', name, static_cast<unsigned short>(content.size() / 512),
                        static_cast<unsigned short>(content.size() % 512)) +
@@ -109,7 +90,7 @@ TEST_F(Version1MotionsTest, playsAMotionFromTheMemoryStick) {
   EXPECT_NEAR(degrees("neck_tilt"), -10, 0.01);
 }
 
-TEST_F(Version1MotionsTest, tellsWhatCannotBePlayedByItsCodes) {
+TEST_F(Version1MotionsTest, reportsMotionsThatCannotBePlayedByErrorCode) {
   start("");
   stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
   EXPECT_EQ(answerTo(fileRequest('P', "MISSING.MTN", 1)), "e0 1");
@@ -119,7 +100,7 @@ TEST_F(Version1MotionsTest, tellsWhatCannotBePlayedByItsCodes) {
   EXPECT_EQ(answerTo(fileRequest('P', "BAD.MTN", 1)), "e0 0");
 }
 
-TEST_F(Version1MotionsTest, stopsAMotionByRepetitionsOfNone) {
+TEST_F(Version1MotionsTest, stopsAMotionWithZeroRepetitions) {
   start("");
   for (const char* const name : {"WAG.MTN", ""}) {
     EXPECT_EQ(answerTo(fileRequest('P', "WAG.MTN", 1000)), "p7 0");
@@ -133,7 +114,7 @@ TEST_F(Version1MotionsTest, stopsAMotionByRepetitionsOfNone) {
   EXPECT_EQ(answerTo(fileRequest('P', "WAG.MTN", 0)), "p7 0") << "it is over already";
 }
 
-TEST_F(Version1MotionsTest, aJointThatIsCommandedEndsTheMotion) {
+TEST_F(Version1MotionsTest, commandingAJointEndsItsMotion) {
   start("");
   EXPECT_EQ(answerTo(fileRequest('P', "WAG.MTN", 1000)), "p7 0");
   passFrames(400);
@@ -143,7 +124,7 @@ TEST_F(Version1MotionsTest, aJointThatIsCommandedEndsTheMotion) {
   EXPECT_NEAR(degrees("tail_pan"), 10, 0.01);
 }
 
-TEST_F(Version1MotionsTest, nothingIsUploadedOrDeletedUnlessItIsAllowed) {
+TEST_F(Version1MotionsTest, uploadsAndDeletesOnlyIfAllowed) {
   start("");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "e0 0");
   EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 0");
@@ -151,7 +132,7 @@ TEST_F(Version1MotionsTest, nothingIsUploadedOrDeletedUnlessItIsAllowed) {
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
-TEST_F(Version1MotionsTest, uploadsInWhateverPiecesItComes) {
+TEST_F(Version1MotionsTest, uploadsInPiecesOfAnySize) {
   start("ALLOW_UPLOAD=yes\n");
   std::string text = "at 0 head_pan 0\n";
   for (int i = 1; i < 200; ++i) {
@@ -165,12 +146,12 @@ TEST_F(Version1MotionsTest, uploadsInWhateverPiecesItComes) {
     machine_->runPending();
   }
   EXPECT_EQ(answer(), "u7 0");
-  EXPECT_EQ(answer().substr(0, 2), "j2") << "what follows the content is a request";
+  EXPECT_EQ(answer().substr(0, 2), "j2") << "bytes after the content are a request";
   EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), content);
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NEW.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
-TEST_F(Version1MotionsTest, anUploadThatIsCutOffLeavesNothing) {
+TEST_F(Version1MotionsTest, anUploadThatIsCutOffLeavesNoFile) {
   start("ALLOW_UPLOAD=yes\n");
   const std::string bytes = upload("NEW.MTN", motion_);
   client_->send(bytes.substr(0, bytes.size() - 1));
@@ -182,13 +163,13 @@ TEST_F(Version1MotionsTest, anUploadThatIsCutOffLeavesNothing) {
   EXPECT_EQ(answerTo(fileRequest('P', "NEW.MTN", 1)), "e0 1");
 }
 
-TEST_F(Version1MotionsTest, whatIsNoMotionIsNotKept) {
+TEST_F(Version1MotionsTest, aFileThatIsNotAMotionIsNotStored) {
   start("ALLOW_UPLOAD=yes\n");
   EXPECT_EQ(answerTo(upload("NEW.MTN", "no motion")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.MTN", "")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.TXT", motion_)), "e0 2");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n"))), "e0 0");
-  EXPECT_EQ(answerTo(fileRequest('U', "NEW.MTN", 1000)), "e0 0") << "at once, although nothing of it has come";
+  EXPECT_EQ(answerTo(fileRequest('U', "NEW.MTN", 1000)), "e0 0") << "at once, before any of the content has arrived";
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
@@ -203,7 +184,7 @@ TEST_F(Version1MotionsTest, noNameLeadsOutOfTheFolder) {
   expectNothingTouchedOutside();
 }
 
-TEST_F(Version1MotionsTest, deletesWhatIsThere) {
+TEST_F(Version1MotionsTest, deletesExistingMotions) {
   start("ALLOW_DELETE=yes\n");
   EXPECT_EQ(answerTo(fileRequest('D', "nod.mtn", 0)), "d7 0");
   EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 1");
@@ -215,28 +196,21 @@ TEST_F(Version1MotionsTest, deletesWhatIsThere) {
 class Version2MotionsTest : public MotionsTest {
  protected:
   void startVersion2(const std::string& settings) {
-    start(settings);
-    client_->send(request('X', protocol::version2::VERSION));
-    ASSERT_TRUE(await(*client_));
-    machine_->runPending();
+    startWith(settings);
+    connectVersion2();
   }
 
-  static std::string frame(char kind, const std::string& payload) {
-    const protocol::version2::FrameHeader header = {kind, 0, 1, static_cast<unsigned>(payload.size())};
-    std::string bytes(protocol::version2::FRAME_HEADER_SIZE, '\0');
-    encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
-    return bytes + payload;
-  }
+  static std::string frame(char kind, const std::string& payload) { return ::frame(kind, 0, 1, payload); }
 
   static std::string play(const std::string& name, int repetitions) {
-    return frame('P', std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name);
+    return frame('P', playPayload(name, repetitions));
   }
 
   static std::string upload(const std::string& name, const std::string& content) {
-    return frame('U', static_cast<char>(name.size()) + name + content);
+    return frame('U', uploadPayload(name, content));
   }
 
-  // The next frame: its kind, the code if it is an error, and what it says.
+  // The next frame: its kind, the code if it is an error, and its payload.
   std::string answer() {
     std::optional<Frame> frame;
     EXPECT_TRUE(machine_->runUntil([&] { return (frame = client_->nextFrame()).has_value(); }));
@@ -244,7 +218,7 @@ class Version2MotionsTest : public MotionsTest {
     if (!frame) {
       return "none";
     }
-    const std::string payload(frame->payload.begin(), frame->payload.end());
+    const std::string payload = textOf(*frame);
     if (frame->header.kind != 'e') {
       return frame->header.kind + payload;
     }
@@ -268,17 +242,17 @@ TEST_F(Version2MotionsTest, listsPlaysAndStops) {
   EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
 }
 
-TEST_F(Version2MotionsTest, saysWhatCannotBePlayed) {
+TEST_F(Version2MotionsTest, reportsWhyAMotionCannotBePlayed) {
   startVersion2("");
   stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
   EXPECT_THAT(answerTo(play("MISSING.MTN", 1)), HasSubstr("e1 there is no MISSING.MTN on the memory stick"));
   EXPECT_THAT(answerTo(play("NOD.TXT", 1)), HasSubstr("e0 bad request"));
-  EXPECT_THAT(answerTo(play("BAD.MTN", 1)), HasSubstr("e0 BAD.MTN is no motion file: section 0"));
+  EXPECT_THAT(answerTo(play("BAD.MTN", 1)), HasSubstr("e0 BAD.MTN is not a motion file: section 0"));
   EXPECT_EQ(answerTo(frame('O', std::string(1, '\0'))), std::string("o") + '\0');
   EXPECT_THAT(answerTo(play("NOD.MTN", 1)), HasSubstr("e0 the motors are off"));
 }
 
-TEST_F(Version2MotionsTest, saysInWhichLineOfTheSettingsItWouldBeAllowed) {
+TEST_F(Version2MotionsTest, namesTheSettingThatWouldAllowARequest) {
   startVersion2("");
   EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("ALLOW_UPLOAD=yes in RCSERVER.CFG"));
   EXPECT_THAT(answerTo(frame('D', "NOD.MTN")), HasSubstr("ALLOW_DELETE=yes in RCSERVER.CFG"));
@@ -294,7 +268,7 @@ TEST_F(Version2MotionsTest, uploadsAndDeletes) {
   EXPECT_EQ(answerTo(frame('D', "NEW.MTN")), "d");
   EXPECT_THAT(answerTo(frame('D', "NEW.MTN")), HasSubstr("e1 there is no NEW.MTN"));
   passFrames(kLongestMotion);
-  EXPECT_NEAR(degrees("head_pan"), 30, 0.01) << "it was played to its end all the same";
+  EXPECT_NEAR(degrees("head_pan"), 30, 0.01) << "it was still played to its end";
 }
 
 TEST_F(Version2MotionsTest, noNameLeadsOutOfTheFolder) {
@@ -310,16 +284,17 @@ TEST_F(Version2MotionsTest, noNameLeadsOutOfTheFolder) {
   expectNothingTouchedOutside();
 }
 
-TEST_F(Version2MotionsTest, saysWhyAnUploadIsNotKept) {
+TEST_F(Version2MotionsTest, reportsWhyAnUploadIsRefused) {
   startVersion2("ALLOW_UPLOAD=yes\n");
-  EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")), HasSubstr("e0 NEW.MTN is no motion file: it ends before section 0"));
+  EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")),
+              HasSubstr("e0 NEW.MTN is not a motion file: it ends before section 0"));
   EXPECT_THAT(answerTo(upload("NEW.MTN", std::string(mtn::MAX_FILE_SIZE + 1, 'x'))),
-              HasSubstr("e0 64001 bytes are more than a motion may have"));
+              HasSubstr("e0 64001 bytes are too many: a motion may have 64000"));
   std::filesystem::remove_all(stick_.path(kFolder));
   EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("e0 NEW.MTN cannot be written"));
 }
 
-TEST_F(Version2MotionsTest, tellsOfAMotionThatAFaultyJointStops) {
+TEST_F(Version2MotionsTest, reportsAMotionThatAFaultyJointStops) {
   startVersion2("");
   EXPECT_EQ(answerTo(play("NOD.MTN", 100)), "p");
   passFrames(100);

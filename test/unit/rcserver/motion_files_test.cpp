@@ -73,7 +73,7 @@ TEST_F(MotionFilesTest, storesReadsAndDeletes) {
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
-TEST_F(MotionFilesTest, anUploadTakesThePlaceOfTheFileThatWasThere) {
+TEST_F(MotionFilesTest, anUploadReplacesAnExistingFile) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
   EXPECT_TRUE(store("HOP.MTN", "new one"));
   std::string content;
@@ -82,7 +82,7 @@ TEST_F(MotionFilesTest, anUploadTakesThePlaceOfTheFileThatWasThere) {
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
 }
 
-TEST_F(MotionFilesTest, knowsAFileHoweverItIsSpelled) {
+TEST_F(MotionFilesTest, findsAFileInUpperOrLowerCase) {
   stick_.write(std::string(MOTION_FOLDER) + "/Hop.mtn", "content");
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
@@ -93,14 +93,14 @@ TEST_F(MotionFilesTest, knowsAFileHoweverItIsSpelled) {
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
-TEST_F(MotionFilesTest, listsMotionsOnlyInTheOrderOfTheirNames) {
+TEST_F(MotionFilesTest, listsOnlyMotionsSortedByName) {
   for (const char* name : {"B.MTN", "C.MTN", "A.MTN", "README.TXT", "TOOLONGNAME.MTN", "UPLOAD.TMP"}) {
     stick_.write(std::string(MOTION_FOLDER) + "/" + name, "");
   }
   EXPECT_THAT(listed(), ElementsAre("A.MTN", "B.MTN", "C.MTN"));
 }
 
-TEST_F(MotionFilesTest, saysWhatIsNotThere) {
+TEST_F(MotionFilesTest, reportsMissingFiles) {
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
   EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::MISSING);
@@ -110,7 +110,7 @@ TEST_F(MotionFilesTest, saysWhatIsNotThere) {
   EXPECT_FALSE(store("HOP.MTN", "content"));
 }
 
-TEST_F(MotionFilesTest, saysWhatIsTooLargeOrNoFile) {
+TEST_F(MotionFilesTest, reportsWhatIsTooLargeOrNotAFile) {
   std::string content;
   EXPECT_TRUE(store("HOP.MTN", "123456"));
   EXPECT_EQ(read("HOP.MTN", &content, 6), FileResult::DONE);
@@ -119,7 +119,7 @@ TEST_F(MotionFilesTest, saysWhatIsTooLargeOrNoFile) {
   EXPECT_EQ(read("DIR.MTN", &content), FileResult::FAILED);
 }
 
-// A limit on the size of files stands in for a memory stick that is full: writing fails halfway.
+// A limit on the size of files acts like a full memory stick: writing fails halfway.
 TEST_F(MotionFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
   rlimit before{};

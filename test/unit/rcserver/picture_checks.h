@@ -1,5 +1,5 @@
 /// @file picture_checks.h
-/// What a JPEG shows and how it was made.
+/// Checks of the content and the quality of a JPEG.
 #ifndef TEST_UNIT_RCSERVER_PICTURE_CHECKS_H
 #define TEST_UNIT_RCSERVER_PICTURE_CHECKS_H
 
@@ -11,8 +11,8 @@
 #include <memory>
 #include <vector>
 
-/// What the JPEG says of its quality: the first number of its first quantisation table, which libjpeg makes 16 at
-// quality 50 and less above.
+/// The first number of the JPEG's first quantisation table, which depends on its quality: libjpeg sets it to 16 at
+/// quality 50, and lower above.
 inline int quantizerOf(const std::vector<uint8_t>& jpeg) {
   const std::vector<uint8_t> marker = {0xff, 0xdb};
   const auto table = std::search(jpeg.begin(), jpeg.end(), marker.begin(), marker.end());

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
+#include "picture_encoder/CameraImage.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
-#include "rcserver/camera/CameraImage.h"
+#include "rcserver_fixture.h"
 #include "simulator/object_catalog.h"
-#include "version2_fixture.h"
 
 namespace {
 
@@ -22,10 +21,7 @@ using ::testing::HasSubstr;
 using ::testing::Le;
 using ::testing::Not;
 
-constexpr unsigned kUntilMeasured = 12;
-
 const std::string kLayerHigh(1, '\0');
-const std::string kStreamOn = {1, 0, 0, 1};
 const std::string kStreamOff = {0, 0, 0, 1};
 
 std::string moveHeadPan(int microradians) {
@@ -36,17 +32,14 @@ std::string moveHeadPan(int microradians) {
   return payload;
 }
 
-class PicturesTest : public Version2Fixture {
+class PicturesTest : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    start();
     connectVersion2();
   }
 
-  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
-
-  // The first image is with the encoder then, which keeps it.
+  // Afterwards the encoder is at work on the first image.
   bool startsStreamWithSlowEncoder() {
     encoder_.slowDown();
     answerTo('W', 85, kStreamOn);
@@ -54,7 +47,7 @@ class PicturesTest : public Version2Fixture {
     return encoder_.hasJob();
   }
 
-  // What has come of a kind; anything else that has come is passed over.
+  // The frames of one kind that have arrived; others are skipped.
   std::vector<Frame> framesOf(char kind) {
     std::vector<Frame> frames;
     machine_->runPending();
@@ -77,23 +70,14 @@ class PicturesTest : public Version2Fixture {
     return next;
   }
 
-  static unsigned imageCount(const Frame& picture) {
-    protocol::version2::ImageHeader image{};
-    size_t size = 0;
-    EXPECT_EQ(decodePicture(picture.payload.data(), picture.payload.size(), &image, &size), nullptr);
-    return image.image_count;
-  }
+  static unsigned imageCount(const Frame& picture) { return pictureIn(picture).image.image_count; }
 
-  static int brightness(const Frame& picture) {
-    return brightnessOf({picture.payload.begin() + protocol::version2::IMAGE_HEADER_SIZE, picture.payload.end()}).level;
-  }
+  static int brightness(const Frame& picture) { return brightnessOf(pictureIn(picture).jpeg).level; }
 
   void expectPictureOfImage(const Frame& picture, unsigned image) {
     EXPECT_EQ(imageCount(picture), image);
     EXPECT_NEAR(brightness(picture), FakeRobot::brightness(image), 3);
   }
-
-  FakeRobot robot_;
 };
 
 TEST_F(PicturesTest, RedIsRedAndBlueIsBlue) {
@@ -122,7 +106,7 @@ TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {
 
 // ------------------------------------------------------------------------------------------------ a slow encoder
 
-TEST_F(PicturesTest, OfTheImagesThatComeWhileTheEncoderWorksTheNewestIsTheNextPicture) {
+TEST_F(PicturesTest, NewestImageDuringEncodingIsTheNextPicture) {
   ASSERT_TRUE(startsStreamWithSlowEncoder());
   const unsigned first = robot_.lastImage();
   takeImage();
@@ -141,7 +125,7 @@ TEST_F(PicturesTest, OfTheImagesThatComeWhileTheEncoderWorksTheNewestIsTheNextPi
   expectPictureOfImage(next[0], robot_.lastImage());
 }
 
-TEST_F(PicturesTest, ImageThatWaitedIsTheNextPictureThoughNoOtherImageComes) {
+TEST_F(PicturesTest, WaitingImageIsTheNextPictureEvenIfNoOtherImageComes) {
   ASSERT_TRUE(startsStreamWithSlowEncoder());
   const unsigned first = robot_.lastImage();
   takeImage();
@@ -153,7 +137,8 @@ TEST_F(PicturesTest, ImageThatWaitedIsTheNextPictureThoughNoOtherImageComes) {
   expectPictureOfImage(made[1], first + 1);
 }
 
-// Level2 Reference Guide, chapter 1: an object handles one message at a time. So nothing may wait for the encoder.
+// Level2 Reference Guide, chapter 1: an object handles one message at a time. So RCServer must not wait for the
+// encoder.
 TEST_F(PicturesTest, JointsMoveAndRequestsAreAnsweredWhileTheEncoderWorks) {
   ASSERT_TRUE(startsStreamWithSlowEncoder());
   EXPECT_EQ(answerTo('J', 0, moveHeadPan(500000)).header.kind, 'j');
@@ -163,7 +148,7 @@ TEST_F(PicturesTest, JointsMoveAndRequestsAreAnsweredWhileTheEncoderWorks) {
   EXPECT_TRUE(encoder_.hasJob());
 }
 
-TEST_F(PicturesTest, PictureInTheMakingGoesWithItsClient) {
+TEST_F(PicturesTest, PictureInTheMakingIsDroppedWithItsClient) {
   encoder_.slowDown();
   send(frame('F', 85, 7, kLayerHigh));
   takeImage();
@@ -179,7 +164,7 @@ TEST_F(PicturesTest, PictureInTheMakingGoesWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage() - 1);
 }
 
-TEST_F(PicturesTest, ImageThatWaitsForTheEncoderGoesWithItsClient) {
+TEST_F(PicturesTest, WaitingImageIsDroppedWithItsClient) {
   encoder_.slowDown();
   send(frame('F', 85, 7, kLayerHigh) + frame('F', 85, 8, kLayerHigh));
   takeImage();
@@ -192,7 +177,7 @@ TEST_F(PicturesTest, ImageThatWaitsForTheEncoderGoesWithItsClient) {
   EXPECT_TRUE(pictures().empty());
 }
 
-TEST_F(PicturesTest, EveryThirdImageIsCountedFromTheOneThatWasSent) {
+TEST_F(PicturesTest, EveryThirdImageIsCountedFromTheOneSent) {
   encoder_.slowDown();
   answerTo('W', 85, std::string("\1\0\0\3", 4));
   for (int i = 0; i < 6; ++i) {
@@ -210,7 +195,7 @@ TEST_F(PicturesTest, EveryThirdImageIsCountedFromTheOneThatWasSent) {
   EXPECT_EQ(pictures().size(), 1U);
 }
 
-TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
+TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatStopsIt) {
   ASSERT_TRUE(startsStreamWithSlowEncoder());
   answerTo('W', 85, kStreamOff);
   encoder_.speedUp();
@@ -219,7 +204,7 @@ TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatItIsOff) {
   EXPECT_TRUE(pictures().empty());
 }
 
-TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatItIsChanged) {
+TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatChangesIt) {
   ASSERT_TRUE(startsStreamWithSlowEncoder());
   answerTo('W', 20, kStreamOn);
   encoder_.speedUp();
@@ -231,7 +216,7 @@ TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatItIsChanged) {
   EXPECT_EQ(made[1].header.id, 20);
 }
 
-TEST_F(PicturesTest, PictureInTheMakingIsStillOwedWhenTheStreamIsOff) {
+TEST_F(PicturesTest, PictureInTheMakingIsStillOwedAfterTheStreamStops) {
   encoder_.slowDown();
   answerTo('W', 85, kStreamOn);
   send(frame('F', 20, 1001, kLayerHigh));
@@ -247,7 +232,7 @@ TEST_F(PicturesTest, PictureInTheMakingIsStillOwedWhenTheStreamIsOff) {
   expectPictureOfImage(owed[0], image);
 }
 
-TEST_F(PicturesTest, EncoderThatFailsIsNamedAndItsClientIsDropped) {
+TEST_F(PicturesTest, FailureOfTheEncoderIsReportedAndTheClientDropped) {
   encoder_.slowDown();
   send(frame('F', 85, 7, kLayerHigh));
   takeImage();
@@ -264,7 +249,7 @@ TEST_F(PicturesTest, EncoderThatFailsIsNamedAndItsClientIsDropped) {
   EXPECT_EQ(pictures().size(), 1U);
 }
 
-TEST_F(PicturesTest, StreamCountsTheImagesThatTheEncoderMissed) {
+TEST_F(PicturesTest, ConsoleCountsTheImagesThatTheEncoderMissed) {
   answerTo('W', 85, kStreamOn);
   takeImage();
   encoder_.slowDown();
@@ -291,9 +276,8 @@ TEST_F(PicturesTest, EachStreamIsCountedByItself) {
 }
 
 // The camera counts its images in 16 bits.
-TEST_F(PicturesTest, TheCountOfImagesGoesOnWhenThatOfTheCameraBeginsAgain) {
-  client_->close();
-  machine_->runPending();
+TEST_F(PicturesTest, CountOfImagesContinuesWhenTheCamerasCountWraps) {
+  disconnect();
   clock_.step(FakeRobot::kFramesPerImage * 65532);
   machine_->runPending();
   connectVersion2();
@@ -309,31 +293,17 @@ TEST_F(PicturesTest, TheCountOfImagesGoesOnWhenThatOfTheCameraBeginsAgain) {
 
 // --------------------------------------------------------------------------------------------- a busy connection
 
-// A client that asks for far more than it reads, so that a message is under way until it reads on.
+// A client that asks for more than it reads, so that a message is being sent until it reads on.
 class StalledClientTest : public PicturesTest {
  protected:
   void SetUp() override {
     PicturesTest::SetUp();
-    client_->close();
-    machine_->runPending();
-    client_ = connect(4096);
-    send(request('X', 2));
-    ASSERT_TRUE(await(*client_));
-  }
-
-  // Sends a request, and behind it more others than there is room for the answers to.
-  void stallBehind(const std::string& request) {
-    std::string bytes = request;
-    for (int i = 0; i < 4096; ++i) {
-      bytes += frame('V', 0, 7);
-    }
-    for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
-      sent += client_->send(bytes.substr(sent));
-    }
+    disconnect();
+    connectVersion2(4096);
   }
 };
 
-TEST_F(StalledClientTest, OwedPictureThatHasWaitedShowsTheNewestImage) {
+TEST_F(StalledClientTest, DelayedOwedPictureShowsTheNewestImage) {
   stallBehind(frame('F', 85, 1001, kLayerHigh));
   for (int i = 0; i < 10; ++i) {
     takeImage();
@@ -346,7 +316,7 @@ TEST_F(StalledClientTest, OwedPictureThatHasWaitedShowsTheNewestImage) {
   EXPECT_TRUE(pictures().empty());
 }
 
-TEST_F(StalledClientTest, PictureThatHasWaitedGoesWithItsClient) {
+TEST_F(StalledClientTest, DelayedPictureIsDroppedWithItsClient) {
   stallBehind(frame('F', 85, 1001, kLayerHigh));
   takeImage();
   client_->reset();
@@ -362,8 +332,8 @@ TEST_F(StalledClientTest, PictureThatHasWaitedGoesWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage());
 }
 
-// A robot has two places for clients, which take turns.
-TEST_F(StalledClientTest, PictureThatHasWaitedIsNotForTheNextClientInItsPlace) {
+// The server has two connections, which take turns.
+TEST_F(StalledClientTest, DelayedPictureIsNotSentToTheNextClient) {
   stallBehind(frame('F', 85, 1001, kLayerHigh));
   takeImage();
   client_->reset();
@@ -374,7 +344,7 @@ TEST_F(StalledClientTest, PictureThatHasWaitedIsNotForTheNextClientInItsPlace) {
   EXPECT_TRUE(pictures().empty());
 }
 
-TEST_F(StalledClientTest, PictureOfTheStreamThatHasWaitedShowsTheNewestImage) {
+TEST_F(StalledClientTest, DelayedPictureOfAStreamShowsTheNewestImage) {
   stallBehind(frame('W', 85, 5, kStreamOn));
   for (int i = 0; i < 10; ++i) {
     takeImage();
@@ -386,7 +356,7 @@ TEST_F(StalledClientTest, PictureOfTheStreamThatHasWaitedShowsTheNewestImage) {
 
 // -------------------------------------------------------------------------------------------------------- parts
 
-// Internet Protocol Version4, 1.3: an endpoint's pool is to be slightly larger than the largest packet.
+// Internet Protocol Version4, 1.3: an endpoint's pool should be slightly larger than the largest packet.
 TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
   robot_.showNoise();
   sends_.clear();
@@ -400,8 +370,8 @@ TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
   EXPECT_EQ(sends_.size(), (picture->payload.size() + 8 + 8191) / 8192);
 }
 
-// The picture log and the radio campaign know pictures by what is given to the IPStack.
-TEST_F(PicturesTest, SentPicturesArePutTogetherOfTheirParts) {
+// The picture log and the radio campaign recognise pictures in the data that is passed to the IPStack.
+TEST_F(PicturesTest, SentPicturesAreAssembledFromTheirParts) {
   robot_.showNoise();
   for (const int quality : {100, 1}) {
     begun_pictures_ = 0;
@@ -418,8 +388,7 @@ TEST_F(PicturesTest, SentPicturesArePutTogetherOfTheirParts) {
 }
 
 TEST_F(PicturesTest, SentPicturesOfVersion1AreFound) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connectServed();
   ask(*client_, request('F', 85));
   takeImage();
@@ -440,19 +409,16 @@ TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {
 
 class UnreadPictureTest : public PicturesTest {
  protected:
-  // A client that takes long for the large pictures there are.
+  // A client with small buffers, and large pictures.
   void SetUp() override {
     PicturesTest::SetUp();
-    client_->close();
-    machine_->runPending();
+    disconnect();
     robot_.showNoise();
-    client_ = connect(4096);
-    send(request('X', 2));
-    ASSERT_TRUE(await(*client_));
+    connectVersion2(4096);
   }
 };
 
-TEST_F(UnreadPictureTest, ItIsFinishedAndTheNextOneIsTheNewest) {
+TEST_F(UnreadPictureTest, PictureIsFinishedAndTheNextOneIsTheNewest) {
   send(frame('W', 100, 5, kStreamOn));
   takeImage();
   const unsigned first = robot_.lastImage();
@@ -468,7 +434,7 @@ TEST_F(UnreadPictureTest, ItIsFinishedAndTheNextOneIsTheNewest) {
   EXPECT_EQ(imageCount(*next), robot_.lastImage());
 }
 
-TEST_F(UnreadPictureTest, ImageThatWaitsForTheEncoderIsMadeWhenItIsFinished) {
+TEST_F(UnreadPictureTest, WaitingImageIsEncodedWhenThePictureIsFinished) {
   encoder_.slowDown();
   send(frame('W', 100, 5, kStreamOn));
   takeImage();
@@ -486,14 +452,13 @@ TEST_F(UnreadPictureTest, ImageThatWaitsForTheEncoderIsMadeWhenItIsFinished) {
   EXPECT_EQ(imageCount(*next), robot_.lastImage());
 }
 
-TEST_F(UnreadPictureTest, NextClientInThePlaceOfOneThatLeftMeanwhileGetsItsOwn) {
+TEST_F(UnreadPictureTest, NextClientGetsItsOwnPictures) {
   send(frame('F', 100, 7, kLayerHigh));
   takeImage();
   client_->reset();
   machine_->runPending();
   client_ = connectServed();
-  client_->close();
-  machine_->runPending();
+  disconnect();
   client_ = connect();
   client_->send(request('F', 85));
   takeImage();

@@ -1,5 +1,5 @@
-// What switches the robot off by itself: its pause button and its battery. POWERMON.BIN, a sample of the SDK, does the
-// same: motors off, then OPENR::Shutdown() until the pause button is pressed again.
+// The pause button and a low battery switch the robot off, as POWERMON.BIN of the SDK does: motors off, then
+// OPENR::Shutdown() until the pause button is pressed again.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,10 +8,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "fake_robot.h"
 #include "rcserver/settings/Settings.h"
-#include "temporary_memory_stick.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
@@ -20,34 +18,19 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr unsigned kUntilMeasured = 12;
 constexpr int kPowerCode = 4;
 constexpr unsigned kFramesASecond = 125;
 
-class PowerTest : public Version2Fixture {
+class PowerTest : public FakeRobotFixture {
  protected:
-  PowerTest() { host_.memory_stick = stick_.folder(); }
-
   void SetUp() override { start(); }
-
-  void start() {
-    machine_.reset();
-    console_.str("");
-    boot(robot_);
-    passFrames(kUntilMeasured);
-  }
-
-  void startWith(const std::string& settings) {
-    stick_.write(SETTINGS_FILE, settings);
-    start();
-  }
 
   void raise(longword robot_status) {
     robot_.power_status.robotStatus |= robot_status;
     passUntilOff(1);
   }
 
-  /// @return how many frames it took until the robot was off
+  /// @return the number of frames until the robot was off
   unsigned passUntilOff(unsigned most) {
     unsigned passed = 0;
     while (passed < most && machine_->isOn()) {
@@ -75,12 +58,12 @@ class PowerTest : public Version2Fixture {
   void connectAndDoNotRead() {
     robot_.showNoise();
     connectVersion2();
-    send(frame('W', 100, 1, std::string("\1\0\0\1", 4)));
+    send(frame('W', 100, 1, kStreamOn));
     passFrames(600);  // its buffers are full
     send(frame('H', 0, 2));
   }
 
-  // The machine may be off already, and the end on its way.
+  // The machine may be off already, and the end of the connection still under way.
   static bool endsFor(TestClient& client) {
     const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (!client.ended() && std::chrono::steady_clock::now() < limit) {
@@ -88,9 +71,6 @@ class PowerTest : public Version2Fixture {
     }
     return client.ended();
   }
-
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
 };
 
 // ------------------------------------------------------------------------------------------------------ pause button
@@ -113,7 +93,7 @@ TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
   EXPECT_THAT(console_.str(), HasSubstr("the pause button was pressed"));
 }
 
-TEST_F(PowerTest, PauseEndsTheConnectionOfAClientOfVersion1WithoutAWord) {
+TEST_F(PowerTest, PauseEndsTheConnectionOfAVersion1ClientWithoutAMessage) {
   client_ = connectServed();
   raise(orsbPAUSE);
   EXPECT_TRUE(isLimp());
@@ -123,8 +103,8 @@ TEST_F(PowerTest, PauseEndsTheConnectionOfAClientOfVersion1WithoutAWord) {
   EXPECT_FALSE(client_->next());
 }
 
-// The press that has booted the robot is not one that switches it off.
-TEST_F(PowerTest, PauseThatIsPressedWhenTheRobotBootsCountsWhenItIsPressedAgain) {
+// The press that has booted the robot must not switch it off.
+TEST_F(PowerTest, PauseButtonPressedAtBootIsIgnoredUntilItIsPressedAgain) {
   robot_.power_status.robotStatus = orsbPAUSE;
   start();
   passFrames(kFramesASecond);
@@ -141,7 +121,7 @@ TEST_F(PowerTest, PauseShutsDownWithoutAClient) {
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, AClientThatDoesNotReadDelaysTheShutdownByASecondAtMost) {
+TEST_F(PowerTest, ClientThatDoesNotReadDelaysTheShutdownByAtMostASecond) {
   connectAndDoNotRead();
   raise(orsbPAUSE);
   EXPECT_TRUE(isLimp());
@@ -149,7 +129,7 @@ TEST_F(PowerTest, AClientThatDoesNotReadDelaysTheShutdownByASecondAtMost) {
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, ABatteryThatGetsLowAfterThePauseButtonChangesNothing) {
+TEST_F(PowerTest, BatteryThatGetsLowAfterThePauseButtonChangesNothing) {
   connectAndDoNotRead();
   raise(orsbPAUSE);
   ASSERT_TRUE(machine_->isOn());
@@ -160,7 +140,7 @@ TEST_F(PowerTest, ABatteryThatGetsLowAfterThePauseButtonChangesNothing) {
 
 // ----------------------------------------------------------------------------------------------------------- battery
 
-TEST_F(PowerTest, ALowBatteryIsToldAtOnceAndTheRobotLiesDownBeforeItsMotorsGoOff) {
+TEST_F(PowerTest, LowBatteryIsReportedAtOnceAndTheRobotLiesDownBeforeItsMotorsGoOff) {
   connectVersion2();
   playSitForEver();
   raise(orsbBATTERY_CAPACITY_LOW);
@@ -182,7 +162,7 @@ TEST_F(PowerTest, ALowBatteryIsToldAtOnceAndTheRobotLiesDownBeforeItsMotorsGoOff
   EXPECT_EQ(degreesOf("right_front_knee"), 30);
 }
 
-TEST_F(PowerTest, WhileItLiesDownNobodyIsServed) {
+TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
   raise(orsbBATTERY_CAPACITY_LOW);
   passFrames(10);
   ASSERT_TRUE(machine_->isOn());
@@ -192,7 +172,7 @@ TEST_F(PowerTest, WhileItLiesDownNobodyIsServed) {
   EXPECT_THAT(console_.str(), HasSubstr("is turned away: the robot goes off"));
 }
 
-TEST_F(PowerTest, WithoutTheMotionItShutsDownAllTheSame) {
+TEST_F(PowerTest, RobotShutsDownEvenWithoutTheMotion) {
   std::filesystem::remove(std::filesystem::path(stick_.folder()) / "OPEN-R/MW/DATA/P/LIE.MTN");
   raise(orsbBATTERY_CAPACITY_LOW);
   passUntilOff(kFramesASecond);
@@ -201,7 +181,7 @@ TEST_F(PowerTest, WithoutTheMotionItShutsDownAllTheSame) {
   EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: LIE.MTN cannot be read"));
 }
 
-TEST_F(PowerTest, AJointThatIsHeldFastDoesNotKeepItOn) {
+TEST_F(PowerTest, JammedJointDoesNotPreventTheShutdown) {
   robot_.joint("left_front_rotator").jammed = true;
   raise(orsbBATTERY_CAPACITY_LOW);
   passUntilOff(11 * kFramesASecond);
@@ -209,7 +189,7 @@ TEST_F(PowerTest, AJointThatIsHeldFastDoesNotKeepItOn) {
   EXPECT_TRUE(isLimp());
 }
 
-TEST_F(PowerTest, ABatteryThatIsLowNowAndThenIsToldOnce) {
+TEST_F(PowerTest, BatteryThatIsLowNowAndThenIsReportedOnce) {
   raise(orsbBATTERY_CAPACITY_LOW);
   const std::string told = console_.str();
   EXPECT_THAT(told, HasSubstr("the battery is low"));
@@ -220,13 +200,13 @@ TEST_F(PowerTest, ABatteryThatIsLowNowAndThenIsToldOnce) {
   EXPECT_EQ(console_.str(), told);
 }
 
-TEST_F(PowerTest, ALimpRobotWhoseBatteryIsLowShutsDownAtOnce) {
+TEST_F(PowerTest, LimpRobotWithALowBatteryShutsDownAtOnce) {
   startWith("MOTORS_AT_BOOT=no");
   raise(orsbBATTERY_CAPACITY_LOW);
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, TheMotionIsReadWhenTheMemoryStickHasDoneTheClientsJob) {
+TEST_F(PowerTest, MotionIsReadAfterTheClientsFileJob) {
   connectVersion2();
   file_keeper_.slowDown();
   send(frame('P', 0, 1, std::string("\0\1", 2) + "SIT.MTN"));
@@ -241,7 +221,7 @@ TEST_F(PowerTest, TheMotionIsReadWhenTheMemoryStickHasDoneTheClientsJob) {
   EXPECT_EQ(degreesOf("right_hind_rotator"), -65);
 }
 
-TEST_F(PowerTest, AMemoryStickThatDoesNotAnswerKeepsItOnForTenSecondsAtMost) {
+TEST_F(PowerTest, MemoryStickThatDoesNotAnswerDelaysTheShutdownByAtMostTenSeconds) {
   file_keeper_.slowDown();
   raise(orsbBATTERY_CAPACITY_LOW);
   EXPECT_FALSE(isLimp());
@@ -253,7 +233,7 @@ TEST_F(PowerTest, AMemoryStickThatDoesNotAnswerKeepsItOnForTenSecondsAtMost) {
   EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: FileKeeper has not read LIE.MTN within 10 s"));
 }
 
-TEST_F(PowerTest, PauseCutsTheMotorsOfARobotThatLiesDown) {
+TEST_F(PowerTest, PauseCutsTheMotorsWhileTheRobotLiesDown) {
   raise(orsbBATTERY_CAPACITY_LOW);
   passFrames(20);
   ASSERT_TRUE(machine_->isOn());
@@ -262,7 +242,7 @@ TEST_F(PowerTest, PauseCutsTheMotorsOfARobotThatLiesDown) {
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, ARobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) {
+TEST_F(PowerTest, RobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) {
   robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING;
   start();
   passFrames(10 * kFramesASecond);
@@ -274,7 +254,7 @@ TEST_F(PowerTest, ARobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) 
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, ARobotThatIsTakenFromItsStationWithALowBatteryLiesDown) {
+TEST_F(PowerTest, RobotTakenFromItsStationWithALowBatteryLiesDown) {
   robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING;
   start();
   passFrames(kFramesASecond);
@@ -285,7 +265,7 @@ TEST_F(PowerTest, ARobotThatIsTakenFromItsStationWithALowBatteryLiesDown) {
   EXPECT_EQ(degreesOf("left_front_rotator"), 65);
 }
 
-TEST_F(PowerTest, ARobotWhoseMotorsAreOffShutsDownAtOnceWhenItsBatteryIsLow) {
+TEST_F(PowerTest, RobotWithItsMotorsOffShutsDownAtOnceWhenItsBatteryIsLow) {
   connectVersion2();
   EXPECT_EQ(answerTo('O', 0, std::string(1, '\0')).header.kind, 'o');
   raise(orsbBATTERY_CAPACITY_LOW);
@@ -293,7 +273,7 @@ TEST_F(PowerTest, ARobotWhoseMotorsAreOffShutsDownAtOnceWhenItsBatteryIsLow) {
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, AnotherMonitorOfThePowerMayDoItInstead) {
+TEST_F(PowerTest, PowerMonitorCanBeSwitchedOff) {
   startWith("POWER_MONITOR=no");
   EXPECT_THAT(console_.str(), HasSubstr("POWERMON.BIN"));
   raise(orsbPAUSE | orsbBATTERY_CAPACITY_LOW);
@@ -302,16 +282,16 @@ TEST_F(PowerTest, AnotherMonitorOfThePowerMayDoItInstead) {
   EXPECT_TRUE(robot_.powered);
 }
 
-TEST_F(PowerTest, AWrongSettingLeavesThePowerMonitored) {
+TEST_F(PowerTest, WrongSettingLeavesThePowerMonitorOn) {
   startWith("POWER_MONITOR=on");
-  EXPECT_THAT(console_.str(), HasSubstr("POWER_MONITOR=ON is neither yes nor no; it is yes"));
+  EXPECT_THAT(console_.str(), HasSubstr("POWER_MONITOR=ON is neither yes nor no; it is set to yes"));
   raise(orsbPAUSE);
   EXPECT_FALSE(machine_->isOn());
 }
 
 // ------------------------------------------------------------------------------------------------------ motors at boot
 
-TEST_F(PowerTest, TheMotorsStayOffAtBootIfTheFileSaysSo) {
+TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
   for (FakeRobot::FakeJoint& joint : robot_.joints) {
     joint.gain = false;
   }
@@ -327,10 +307,10 @@ TEST_F(PowerTest, TheMotorsStayOffAtBootIfTheFileSaysSo) {
   EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
 }
 
-TEST_F(PowerTest, AWrongSettingLeavesTheMotorsOff) {
+TEST_F(PowerTest, WrongSettingLeavesTheMotorsOff) {
   robot_.powered = false;
   startWith("MOTORS_AT_BOOT=maybe");
-  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT=MAYBE is neither yes nor no; it is no"));
+  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT=MAYBE is neither yes nor no; it is set to no"));
   EXPECT_FALSE(robot_.powered);
 }
 

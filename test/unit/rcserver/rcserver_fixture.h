@@ -1,5 +1,5 @@
 /// @file rcserver_fixture.h
-/// A robot with an RCServer, the time of which a test passes itself.
+/// A robot with an RCServer. Time passes only when the test lets it pass.
 #ifndef TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 #define TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 
@@ -12,16 +12,25 @@
 #include <string>
 #include <vector>
 
+#include "fake_robot.h"
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "rcserver/settings/Settings.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
 #include "simulator/openr_host/virtual_robot.h"
 #include "simulator/sent_pictures.h"
 #include "slow_object.h"
+#include "temporary_memory_stick.h"
 #include "test_client.h"
 
+/// Frames until joints and sensors have been measured: they report every 4 frames, and two command vectors of 4 frames
+/// may be waiting.
+constexpr unsigned kUntilMeasured = 12;
+
+/// A request of version 1.
 inline std::string request(char letter, int identifier) {
   return {letter, static_cast<char>(identifier)};
 }
@@ -30,11 +39,73 @@ inline std::string request(char letter, int identifier, int value) {
   return request(letter, identifier) + static_cast<char>(value & 0xff) + static_cast<char>((value >> 8) & 0xff);
 }
 
+/// A request of version 1 that names a file.
+inline std::string fileRequest(char letter, const std::string& name, unsigned short a, unsigned short b = 0) {
+  protocol::FileRequest file = {};
+  name.copy(file.name, protocol::MAX_MOTION_NAME_SIZE);
+  file.a = a;
+  file.b = b;
+  unsigned char payload[protocol::FILE_PAYLOAD_SIZE];
+  encodeFileRequest(file, payload);
+  return request(letter, 7) + std::string(payload, payload + sizeof(payload));
+}
+
+/// A request of version 2.
+inline std::string frame(char kind, int id, int request_number, const std::string& payload = {}) {
+  const protocol::version2::FrameHeader header = {kind, static_cast<unsigned char>(id),
+                                                  static_cast<unsigned short>(request_number),
+                                                  static_cast<unsigned>(payload.size())};
+  std::string bytes(protocol::version2::FRAME_HEADER_SIZE, '\0');
+  encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
+  return bytes + payload;
+}
+
+/// A value, encoded as a payload.
+template <typename Encode, typename Value>
+std::string payloadOf(Encode encode, const Value& value, size_t room) {
+  std::string bytes(room, '\0');
+  bytes.resize(encode(value, reinterpret_cast<unsigned char*>(bytes.data())));
+  return bytes;
+}
+
+/// The payload of `P` in version 2.
+inline std::string playPayload(const std::string& name, int repetitions) {
+  return std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name;
+}
+
+/// The payload of `U` in version 2.
+inline std::string uploadPayload(const std::string& name, const std::string& content) {
+  return static_cast<char>(name.size()) + name + content;
+}
+
+/// The payload of `W` in version 2: a stream of every image, at full resolution.
+inline const std::string kStreamOn = {1, 0, 0, 1};
+
+inline std::string textOf(const Frame& frame) {
+  return {frame.payload.begin(), frame.payload.end()};
+}
+
+/// A picture of version 2.
+struct Picture {
+  protocol::version2::FrameHeader frame{};
+  protocol::version2::ImageHeader image{};
+  std::vector<uint8_t> jpeg;
+};
+
+inline Picture pictureIn(const Frame& frame) {
+  Picture picture;
+  size_t size = 0;
+  picture.frame = frame.header;
+  EXPECT_EQ(decodePicture(frame.payload.data(), frame.payload.size(), &picture.image, &size), nullptr);
+  picture.jpeg.assign(frame.payload.end() - static_cast<std::ptrdiff_t>(size), frame.payload.end());
+  return picture;
+}
+
 class RCServerFixture : public ::testing::Test {
  protected:
   RCServerFixture() { host_.memory_stick = MEMORY_STICK; }
 
-  // The machine speaks to the robot until its end.
+  // The machine uses the robot until its end.
   void TearDown() override { machine_.reset(); }
 
   void boot(openr_host::VirtualRobot& robot) {
@@ -45,8 +116,8 @@ class RCServerFixture : public ::testing::Test {
     if (refused_entry_) {
       options.catalog.at("RCSERVER.BIN").extra_entries.at(*refused_entry_) = nullptr;
     }
-    encoder_.standBefore(options.catalog.at("ENCODER.BIN"));
-    file_keeper_.standBefore(options.catalog.at("FILES.BIN"));
+    encoder_.intercept(options.catalog.at("ENCODER.BIN"));
+    file_keeper_.intercept(options.catalog.at("FILES.BIN"));
     options.on_camera_image = [this] {
       encoder_.obey();
       file_keeper_.obey();
@@ -76,7 +147,7 @@ class RCServerFixture : public ::testing::Test {
     return client;
   }
 
-  /// Sends requests and waits until all of them are handled: an unknown one at the end is answered at once.
+  /// Sends requests of version 1 and waits until all have been handled: the unknown one at the end is answered at once.
   void ask(TestClient& client, const std::string& requests) {
     client.send(requests + "??");
     const std::optional<Reply> reply = await(client);
@@ -85,7 +156,7 @@ class RCServerFixture : public ::testing::Test {
     machine_->runPending();
   }
 
-  /// The next reply, whenever it comes; empty if the server closes instead.
+  /// Waits for the next reply; empty if the server closes instead.
   std::optional<Reply> await(TestClient& client) {
     std::optional<Reply> reply;
     EXPECT_TRUE(machine_->runUntil([&] { return (reply = client.next()).has_value() || client.ended(); }))
@@ -106,15 +177,140 @@ class RCServerFixture : public ::testing::Test {
 
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
-  std::optional<size_t> refused_entry_;  ///< of stub.cfg: the IPStack refuses what it is to be answered by
+  std::optional<size_t>
+      refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
   SlowObject encoder_;
   SlowObject file_keeper_;
-  std::vector<size_t> sends_;  ///< bytes that the server has given to the IPStack each time
+  std::vector<size_t> sends_;  ///< bytes of each send to the IPStack
   SentPictures sent_pictures_;
   int begun_pictures_ = 0;
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;
+};
+
+/// An RCServer on a FakeRobot, with a memory stick of its own, and one client.
+class FakeRobotFixture : public RCServerFixture {
+ protected:
+  FakeRobotFixture() { host_.memory_stick = stick_.folder(); }
+
+  /// Boots the robot, and waits until its joints and sensors have been measured.
+  void start() {
+    machine_.reset();
+    console_.str("");
+    boot(robot_);
+    passFrames(kUntilMeasured);
+  }
+
+  /// @param settings content of RCSERVER.CFG
+  void startWith(const std::string& settings) {
+    stick_.write(SETTINGS_FILE, settings);
+    start();
+  }
+
+  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
+
+  std::vector<int> positions() const {
+    std::vector<int> all;
+    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
+      all.push_back(joint.position);
+    }
+    return all;
+  }
+
+  void disconnect() {
+    client_->close();
+    machine_->runPending();
+  }
+
+  void connectVersion2(int receive_buffer = 0) {
+    client_ = connect(receive_buffer);
+    client_->send(request('X', 2));
+    const std::optional<Reply> reply = await(*client_);
+    ASSERT_TRUE(reply && protocol::version2::agreesToVersion2(reply->value));
+    machine_->runPending();
+  }
+
+  void reconnect() {
+    disconnect();
+    connectVersion2();
+  }
+
+  /// The answer to a request of version 1 that has four bytes.
+  protocol::ValueReply answerTo(const std::string& bytes) {
+    client_->send(bytes);
+    const std::optional<Reply> reply = await(*client_);
+    machine_->runPending();
+    return reply ? reply->value : protocol::ValueReply{};
+  }
+
+  void expectAnswer(const std::string& bytes, char letter, int identifier, int value) {
+    const protocol::ValueReply reply = answerTo(bytes);
+    EXPECT_EQ(reply.letter, letter) << bytes;
+    EXPECT_EQ(reply.identifier, identifier) << bytes;
+    EXPECT_EQ(reply.value, value) << bytes;
+  }
+
+  void expectError(const std::string& bytes) { expectAnswer(bytes, 'e', 0, protocol::ERROR_REFUSED); }
+
+  void send(const std::string& bytes) {
+    client_->send(bytes);
+    machine_->runPending();
+  }
+
+  /// Sends more than the kernel may take at once.
+  void sendAll(const std::string& bytes) {
+    for (size_t sent = 0; sent < bytes.size(); machine_->runPending()) {
+      sent += client_->send(bytes.substr(sent));
+    }
+  }
+
+  /// Sends a request, and after it more requests than there is room for answers, so that the server has to wait until
+  /// the client reads.
+  void stallBehind(const std::string& request) {
+    std::string bytes = request;
+    for (int i = 0; i < 4096; ++i) {
+      bytes += frame('V', 0, 7);
+    }
+    sendAll(bytes);
+  }
+
+  std::optional<Frame> nextFrame() {
+    std::optional<Frame> next;
+    EXPECT_TRUE(machine_->runUntil([&] { return (next = client_->nextFrame()).has_value() || client_->ended(); }));
+    machine_->runPending();
+    return next;
+  }
+
+  /// Sends a request of version 2 that is answered at once. Messages that are pushed meanwhile are skipped.
+  Frame answerTo(char kind, int id, const std::string& payload = {}) {
+    const int number = ++last_number_;
+    send(frame(kind, id, number, payload));
+    for (;;) {
+      const std::optional<Frame> answer = nextFrame();
+      if (!answer) {
+        ADD_FAILURE() << "no answer to " << kind;
+        return {};
+      }
+      if (answer->header.request_number != 0) {
+        EXPECT_EQ(answer->header.request_number, number);
+        return *answer;
+      }
+    }
+  }
+
+  void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {
+    protocol::version2::ErrorMessage message = {};
+    EXPECT_EQ(answer.header.kind, protocol::version2::ERROR_MESSAGE);
+    ASSERT_EQ(decodeErrorMessage(answer.payload.data(), answer.payload.size(), &message), nullptr);
+    EXPECT_EQ(message.code, code);
+    EXPECT_THAT(std::string(message.text, message.text_size), ::testing::HasSubstr(text_in_it));
+  }
+
+  TemporaryMemoryStick stick_;
+  FakeRobot robot_;
+  std::unique_ptr<TestClient> client_;
+  int last_number_ = 0;  ///< of a request of version 2
 };
 
 #endif  // TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
 #include "protocol/version1.h"
 #include "rcserver/camera/ImageObserver.h"
@@ -20,12 +19,9 @@ using ::testing::HasSubstr;
 
 constexpr unsigned kImagesUntilSilent = 1250 / FakeRobot::kFramesPerImage;  // 10 s
 
-class RCServerTest : public RCServerFixture {
+class RCServerTest : public FakeRobotFixture {
  protected:
   void SetUp() override { boot(robot_); }
-
-  // Lets the camera take its next image.
-  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
 
   void takeImages(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
@@ -33,7 +29,7 @@ class RCServerTest : public RCServerFixture {
     }
   }
 
-  // Takes an image, and from the client the picture of it.
+  // Takes an image, and checks the picture of it that the client gets.
   void expectPictureOfNextImage(TestClient& client, int quality) {
     takeImage();
     const std::optional<Reply> reply = await(client);
@@ -57,8 +53,6 @@ class RCServerTest : public RCServerFixture {
     client->close();
     machine_->runPending();
   }
-
-  FakeRobot robot_;
 };
 
 // ---------------------------------------------------------------------------------------------- the state machine
@@ -67,12 +61,12 @@ struct Cell {
   const char* name;
   std::string before;          // requests that lead to the state
   std::string event;           // a request; empty for a camera image
-  std::vector<int> qualities;  // of the pictures that the next camera images become; 0 for an image that becomes none
+  std::vector<int> qualities;  // of the pictures of the next camera images; 0: no picture of it
 };
 
 class StateMachine : public RCServerTest, public ::testing::WithParamInterface<Cell> {};
 
-TEST_P(StateMachine, SendsWhatTheTableSays) {
+TEST_P(StateMachine, SendsPicturesAsInTheTable) {
   auto client = connectServed();
   ask(*client, GetParam().before + GetParam().event);
   for (const int quality : GetParam().qualities) {
@@ -144,7 +138,7 @@ TEST_F(RCServerTest, QualityAboveHundredMeansHundred) {
   }
 }
 
-TEST_F(RCServerTest, EveryPictureRequestIsAnsweredByAnImageOfItsOwn) {
+TEST_F(RCServerTest, EveryPictureRequestIsAnsweredWithADifferentImage) {
   auto client = connectServed();
   std::string requests;
   for (int quality = 51; quality <= 90; ++quality) {
@@ -179,7 +173,7 @@ TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
 
 // ------------------------------------------------------------------------------------------------------ requests
 
-TEST_F(RCServerTest, RequestsMayComeByteByByte) {
+TEST_F(RCServerTest, RequestsMayArriveByteByByte) {
   auto client = connectServed();
   for (const char byte : request('F', 60) + request('F', 61)) {
     client->send(std::string{byte});
@@ -190,7 +184,7 @@ TEST_F(RCServerTest, RequestsMayComeByteByByte) {
   expectPictureOfNextImage(*client, 61);
 }
 
-TEST_F(RCServerTest, WhatItDoesNotSpeakIsAnsweredByErrorZero) {
+TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
   auto client = connectServed();
   for (const std::string& bytes :
        {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 10), request('V', 0), request('A', 60),
@@ -238,7 +232,7 @@ TEST_F(RCServerTest, ErrorsAreNotLostWhileAPictureIsUnderWay) {
 
 TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply) {
   auto client = connect(4096);
-  // Until nothing more fits in: into the server, which stops to receive, and into the kernel.
+  // Until both the server, which stops receiving, and the kernel are full.
   const std::string flood(8192, '?');
   size_t sent = 0;
   for (int idle_rounds = 0; idle_rounds < 100;) {
@@ -255,7 +249,7 @@ TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply
   }
 }
 
-TEST_F(RCServerTest, ServesTheNextClientWhateverBytesTheLastOneSent) {
+TEST_F(RCServerTest, NextClientIsServedWhateverBytesTheLastOneSent) {
   std::mt19937 random(54321);
   std::uniform_int_distribution<int> byte(0, 255);
   std::uniform_int_distribution<size_t> length(1, 3000);
@@ -308,7 +302,7 @@ TEST_F(RCServerTest, HalfARequestIsForgottenWithItsClient) {
     machine_->runPending();
     client->close();
     machine_->runPending();
-    // The server has two places for clients. One of these two gets the same as the one before.
+    // The server has two connections, so one of these two clients gets the same one as the client before.
     expectNewClientIsServed();
     expectNewClientIsServed();
   }
@@ -323,7 +317,7 @@ TEST_F(RCServerTest, ClientSilentForTenSecondsIsReplacedByTheNext) {
   takeImages(4);
   expectNewClientIsServed();
   EXPECT_TRUE(awaitEnd(*first));
-  EXPECT_THAT(console_.str(), HasSubstr("it was silent and another one came"));
+  EXPECT_THAT(console_.str(), HasSubstr("it was silent and another client came"));
 }
 
 TEST_F(RCServerTest, ClientThatIsSilentButAloneStays) {
@@ -355,7 +349,7 @@ TEST_F(RCServerTest, ClientThatDoesNotReadItsStreamIsReplacedByTheNext) {
   EXPECT_TRUE(awaitEnd(*first));
 }
 
-TEST_F(RCServerTest, ClientGoneInTheMiddleOfAPictureMakesRoomForTheNext) {
+TEST_F(RCServerTest, ClientGoneDuringAPictureMakesRoomForTheNext) {
   for (int round = 0; round < 10; ++round) {
     robot_.showNoise();
     auto client = connect(4096);
@@ -373,7 +367,7 @@ TEST_F(RCServerTest, ClientGoneInTheMiddleOfAPictureMakesRoomForTheNext) {
 
 // --------------------------------------------------------------------------------------------------- slow clients
 
-TEST_F(RCServerTest, SlowClientGetsNewPicturesNotAllThatItMissed) {
+TEST_F(RCServerTest, SlowClientGetsTheNewestPicturesAndMissesOthers) {
   robot_.showNoise();
   auto client = connect(4096);
   client->send(request('W', 100));
@@ -387,7 +381,7 @@ TEST_F(RCServerTest, SlowClientGetsNewPicturesNotAllThatItMissed) {
   EXPECT_TRUE(await(*client)) << "the stream does not go on";
 }
 
-TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesStreamsThemAll) {
+TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesCanStreamThem) {
   robot_.counts_images = false;
   auto client = connectServed();
   ask(*client, request('W', 85));
@@ -398,7 +392,7 @@ TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesStreamsThemAll) {
   EXPECT_THAT(console_.str(), HasSubstr("stream off after 2 pictures, 0 camera images left out\n"));
 }
 
-TEST_F(RCServerTest, ConsoleTellsWhatHappens) {
+TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
   auto client = connectServed();
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: client 127.0.0.1:"));
@@ -406,7 +400,7 @@ TEST_F(RCServerTest, ConsoleTellsWhatHappens) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: stream on, quality 85\n"));
   expectPictureOfNextImage(*client, 85);
   expectPictureOfNextImage(*client, 85);
-  clock_.step(3 * FakeRobot::kFramesPerImage - 1);  // the host is held up, and two camera images are lost
+  clock_.step(3 * FakeRobot::kFramesPerImage - 1);  // the host is delayed, and two camera images are lost
   expectPictureOfNextImage(*client, 85);
   ask(*client, request('W', 85));
   expectNoPictureOfNextImage(*client);

@@ -1,4 +1,4 @@
-// RCSERVER.CFG: what it sets, what is wrong with it, and who may connect.
+// RCSERVER.CFG: its settings, its problems, and the addresses that may connect.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -7,12 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "fake_robot.h"
 #include "rcserver/settings/AllowedAddresses.h"
-#include "rcserver/settings/LineReader.h"
 #include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
-#include "temporary_memory_stick.h"
 
 namespace {
 
@@ -27,7 +24,7 @@ constexpr unsigned kLoopback = 0x7f000001;
 
 class Problems : public SettingsProblems {
  public:
-  void Tell(int line, const char* text) override { all.emplace_back(line, text); }
+  void Report(int line, const char* text) override { all.emplace_back(line, text); }
   std::vector<std::pair<int, std::string>> all;
 };
 
@@ -39,7 +36,7 @@ struct Read {
 Read read(std::string text) {
   Read result;
   Problems problems;
-  text.push_back('\n');  // fmemopen() takes no empty file
+  text.push_back('\n');  // fmemopen() does not accept an empty file
   std::FILE* file = fmemopen(text.data(), text.size(), "rb");
   readSettings(file, &result.settings, problems);
   std::fclose(file);
@@ -59,7 +56,7 @@ TEST(Settings, NothingDangerousIsAllowedUnlessTheFileSaysSo) {
   EXPECT_TRUE(settings.allowed_addresses.Allow(0x01020304));
 }
 
-TEST(Settings, EachIsSetByItsName) {
+TEST(Settings, EachSettingIsSetByItsName) {
   EXPECT_TRUE(read("ALLOW_UPLOAD=yes").settings.allow_upload);
   EXPECT_TRUE(read("ALLOW_DELETE=yes").settings.allow_delete);
   EXPECT_TRUE(read("ALLOW_SHUT_DOWN=yes").settings.allow_shut_down);
@@ -68,7 +65,7 @@ TEST(Settings, EachIsSetByItsName) {
   EXPECT_FALSE(read("ALLOWED_ADDRESSES=192.168.1.2").settings.allowed_addresses.Allow(0x01020304));
 }
 
-TEST(Settings, SpacesCommentsCapitalsLineEndsAndAMarkInFrontDoNotMatter) {
+TEST(Settings, SpacesCommentsCaseLineEndsAndByteOrderMarkDoNotMatter) {
   const Read result = read(
       "\xef\xbb\xbf# written on another system\r\n"
       "\r\n"
@@ -84,7 +81,7 @@ TEST(Settings, SpacesCommentsCapitalsLineEndsAndAMarkInFrontDoNotMatter) {
                   .settings.allow_upload);
 }
 
-TEST(Settings, FileThatGoesWithTheServerAllowsNothingDangerousAndIsWithoutFault) {
+TEST(Settings, DistributedFileAllowsNothingDangerousAndHasNoProblems) {
   std::FILE* file = std::fopen((std::string(MEMORY_STICK) + "/" + SETTINGS_FILE).c_str(), "rb");
   ASSERT_NE(file, nullptr);
   Settings settings;
@@ -98,58 +95,60 @@ TEST(Settings, FileThatGoesWithTheServerAllowsNothingDangerousAndIsWithoutFault)
 
 struct BrokenLine {
   std::string line;
-  std::string told;
+  std::string problem;
 };
 
 class BrokenLines : public ::testing::TestWithParam<BrokenLine> {};
 
-TEST_P(BrokenLines, AreNamedAndTheSafeValueHolds) {
+TEST_P(BrokenLines, AreReportedAndTheSafeValueIsSet) {
   const Read result = read("# comment\n" + GetParam().line + "\nALLOW_REBOOT=yes");
   ASSERT_FALSE(result.problems.empty());
-  EXPECT_THAT(result.problems.front(), Pair(2, HasSubstr(GetParam().told))) << GetParam().line;
+  EXPECT_THAT(result.problems.front(), Pair(2, HasSubstr(GetParam().problem))) << GetParam().line;
   EXPECT_FALSE(result.settings.allow_upload);
   EXPECT_EQ(result.settings.silent_client_seconds, 10U);
-  EXPECT_TRUE(result.settings.allow_reboot) << "lines after it count";
+  EXPECT_TRUE(result.settings.allow_reboot) << "later lines are read";
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Lines, BrokenLines,
-    ::testing::Values(BrokenLine{"ALLOW_UPLOAD", "it is no NAME=VALUE"}, BrokenLine{"ALLOW UPLOAD=yes", "NAME=VALUE"},
+    ::testing::Values(BrokenLine{"ALLOW_UPLOAD", "it is not NAME=VALUE"}, BrokenLine{"ALLOW UPLOAD=yes", "NAME=VALUE"},
                       BrokenLine{"=yes", "no such setting"}, BrokenLine{"ALLOW_UPLOADS=yes", "no such setting"},
                       BrokenLine{"ALLOW_UPLOA=yes", "no such setting"},
-                      BrokenLine{"ALLOW_UPLOAD=", "ALLOW_UPLOAD= is neither yes nor no; it is no"},
+                      BrokenLine{"ALLOW_UPLOAD=", "ALLOW_UPLOAD= is neither yes nor no; it is set to no"},
                       BrokenLine{"ALLOW_UPLOAD=1", "neither yes nor no"},
                       BrokenLine{"ALLOW_UPLOAD=yes, sir", "neither yes nor no"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=0", "1 to 3600; it is 10"},
+                      BrokenLine{"SILENT_CLIENT_SECONDS=0", "1 to 3600; it is set to 10"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=3601", "1 to 3600"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=-5", "1 to 3600"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=5s", "1 to 3600"},
                       BrokenLine{"SILENT_CLIENT_SECONDS=99999999999999999999", "1 to 3600"},
                       BrokenLine{"ALLOW_UPLOAD=" + std::string(300, 'x'), "neither yes nor no"},
                       BrokenLine{std::string(300, 'x'), "NAME=VALUE"},
-                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(LineReader::MAX_LINE_SIZE, ' ') + "x", "no text"},
-                      BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "no text"}));
+                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(MAX_SETTINGS_LINE_SIZE, ' ') + "x", "not text"},
+                      BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "not text"}));
 
-TEST(Settings, NameThatIsThereTwiceIsNotAllowed) {
+TEST(Settings, NameThatAppearsTwiceIsNotAllowed) {
   const Read result = read("ALLOW_UPLOAD=yes\nALLOW_UPLOAD=yes");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(2, HasSubstr("for the second time; it is no"))));
+  EXPECT_THAT(result.problems, ElementsAre(Pair(2, HasSubstr("appears a second time; it is set to no"))));
   EXPECT_FALSE(result.settings.allow_upload);
 }
 
-TEST(Settings, BrokenListOfAddressesLetsNobodyIn) {
+TEST(Settings, WrongListOfAddressesAllowsOnlyThisComputer) {
   const Read result = read("ALLOWED_ADDRESSES=192.168.1.20, 192.168.1");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("nobody but 127.0.0.1 may connect"))));
+  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("only 127.0.0.1 may connect"))));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
 }
 
 class MisspeltAddresses : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(MisspeltAddresses, LetNobodyIn) {
+TEST_P(MisspeltAddresses, AllowOnlyThisComputer) {
   const Read result = read("ALLOW_REBOOT=yes\n" + GetParam() + "\nnonsense\n");
-  EXPECT_THAT(result.problems,
-              ElementsAre(Pair(2, HasSubstr("is passed over")), Pair(3, HasSubstr("is passed over")),
-                          Pair(2, "was it ALLOWED_ADDRESSES? That is not set; nobody but 127.0.0.1 may connect")));
+  EXPECT_THAT(
+      result.problems,
+      ElementsAre(
+          Pair(2, HasSubstr("the line is ignored")), Pair(3, HasSubstr("the line is ignored")),
+          Pair(2, "ALLOWED_ADDRESSES is not set, and this line may have been meant to: only 127.0.0.1 may connect")));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
 }
@@ -159,16 +158,16 @@ INSTANTIATE_TEST_SUITE_P(Lines, MisspeltAddresses,
                                            "ALLOWED_ADDRESSES=192.168.1.20," + std::string(1024, ' ') +
                                                "192.168.1.21"));
 
-TEST(Settings, LineThatIsPassedOverChangesNoAddressesThatAreSet) {
+TEST(Settings, IgnoredLineDoesNotChangeAddressesThatAreSet) {
   const Read result = read("nonsense\nALLOWED_ADDRESSES=192.168.1.20");
-  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("is passed over"))));
+  EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("the line is ignored"))));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(kLoopback));
 }
 
 // ---------------------------------------------------------------------------------------------------------- addresses
 
-TEST(AllowedAddresses, AreAddressesAndRanges) {
+TEST(AllowedAddresses, ContainAddressesAndRanges) {
   AllowedAddresses addresses;
   ASSERT_EQ(addresses.Read("192.168.1.20 ,\t10.0.0.7/8,172.16.5.0/31"), nullptr);
   EXPECT_TRUE(addresses.Allow(0xc0a80114));
@@ -180,7 +179,7 @@ TEST(AllowedAddresses, AreAddressesAndRanges) {
   EXPECT_FALSE(addresses.Allow(kLoopback)) << "what a list does not name";
 }
 
-TEST(AllowedAddresses, AllBitsAndNoBits) {
+TEST(AllowedAddresses, AcceptRangesOfAllBitsAndOfNone) {
   AllowedAddresses addresses;
   ASSERT_EQ(addresses.Read("1.2.3.4/32"), nullptr);
   EXPECT_TRUE(addresses.Allow(0x01020304));
@@ -189,7 +188,7 @@ TEST(AllowedAddresses, AllBitsAndNoBits) {
   EXPECT_TRUE(addresses.Allow(0xffffffff));
 }
 
-TEST(AllowedAddresses, WhatIsNoListIsRefusedAndChangesNothing) {
+TEST(AllowedAddresses, WrongListIsRefusedAndChangesNothing) {
   AllowedAddresses addresses;
   ASSERT_EQ(addresses.Read("1.2.3.4"), nullptr);
   for (const char* list : {"", ",", "1.2.3", "1.2.3.4.5", "1.2.3.256", "1.2.3.4/", "1.2.3.4/33", "1.2.3.4/-1",
@@ -201,7 +200,7 @@ TEST(AllowedAddresses, WhatIsNoListIsRefusedAndChangesNothing) {
   EXPECT_FALSE(addresses.Allow(0x01020305));
 }
 
-TEST(AllowedAddresses, HaveRoomForSoManyAndNoMore) {
+TEST(AllowedAddresses, HaveRoomForUpTo32Entries) {
   std::string list = "10.0.0.0";
   for (int i = 1; i < AllowedAddresses::MAX_RANGES; ++i) {
     list += ",10.0.0." + std::to_string(i);
@@ -214,46 +213,35 @@ TEST(AllowedAddresses, HaveRoomForSoManyAndNoMore) {
 
 // ------------------------------------------------------------------------------------------------------ on the robot
 
-class SettingsOnTheRobotTest : public RCServerFixture {
- protected:
-  SettingsOnTheRobotTest() { host_.memory_stick = stick_.folder(); }
+class SettingsOnTheRobotTest : public FakeRobotFixture {};
 
-  void bootWith(const std::string& settings) {
-    stick_.write(SETTINGS_FILE, settings);
-    boot(robot_);
-  }
-
-  TemporaryMemoryStick stick_;
-  FakeRobot robot_;
-};
-
-TEST_F(SettingsOnTheRobotTest, BrokenLineIsNamedOnTheConsole) {
-  bootWith("\nALLOW_REBOOT=maybe\n");
+TEST_F(SettingsOnTheRobotTest, WrongLineIsNamedOnTheConsole) {
+  startWith("\nALLOW_REBOOT=maybe\n");
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: OPEN-R/MW/CONF/RCSERVER.CFG, line 2: ALLOW_REBOOT=MAYBE"));
 }
 
-TEST_F(SettingsOnTheRobotTest, WithoutTheFileTheRobotServesAndSaysWhatIsNotAllowed) {
+TEST_F(SettingsOnTheRobotTest, WithoutTheFileTheRobotServesAndReportsWhatIsNotAllowed) {
   std::filesystem::remove(stick_.path(SETTINGS_FILE));
-  boot(robot_);
+  start();
   EXPECT_THAT(console_.str(), HasSubstr("no OPEN-R/MW/CONF/RCSERVER.CFG on the memory stick"));
   connectServed();
 }
 
-TEST_F(SettingsOnTheRobotTest, FileThatCannotBeReadLetsNobodyInAndTheConsoleSaysSo) {
+TEST_F(SettingsOnTheRobotTest, UnreadableFileAllowsOnlyThisComputerAndIsReported) {
   const std::filesystem::path file = stick_.path(SETTINGS_FILE);
   std::filesystem::remove(file);
   std::filesystem::create_symlink(file, file);
-  boot(robot_);
-  EXPECT_THAT(console_.str(), HasSubstr("CFG cannot be read; nobody but 127.0.0.1 may connect"));
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("CFG cannot be read; only 127.0.0.1 may connect"));
   std::filesystem::remove(file);
   std::filesystem::create_directory(file);
   console_.str("");
-  boot(robot_);
-  EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("nobody but 127.0.0.1")));
+  start();
+  EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("only 127.0.0.1")));
 }
 
-TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsNotAllowedIsTurnedAwayAtOnce) {
-  bootWith("ALLOWED_ADDRESSES=192.168.1.0/24");
+TEST_F(SettingsOnTheRobotTest, ClientWithoutAnAllowedAddressIsTurnedAwayAtOnce) {
+  startWith("ALLOWED_ADDRESSES=192.168.1.0/24");
   auto client = connect();
   EXPECT_TRUE(awaitEnd(*client));
   EXPECT_FALSE(client->next());
@@ -261,13 +249,13 @@ TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsNotAllowedIsTurnedAwayAtOnce)
   EXPECT_THAT(console_.str(), Not(HasSubstr("is connected")));
 }
 
-TEST_F(SettingsOnTheRobotTest, ClientWhoseAddressIsAllowedIsServed) {
-  bootWith("ALLOWED_ADDRESSES=192.168.1.0/24, 127.0.0.1");
+TEST_F(SettingsOnTheRobotTest, ClientWithAnAllowedAddressIsServed) {
+  startWith("ALLOWED_ADDRESSES=192.168.1.0/24, 127.0.0.1");
   connectServed();
 }
 
-TEST_F(SettingsOnTheRobotTest, HoweverManyStrangersComeTheConsoleTellsOfThemOnceASecond) {
-  bootWith("ALLOWED_ADDRESSES=192.168.1.0/24");
+TEST_F(SettingsOnTheRobotTest, ClientsTurnedAwayAreReportedOnceASecond) {
+  startWith("ALLOWED_ADDRESSES=192.168.1.0/24");
   for (int i = 0; i < 5; ++i) {
     auto stranger = connect();
     ASSERT_TRUE(awaitEnd(*stranger));
@@ -279,8 +267,8 @@ TEST_F(SettingsOnTheRobotTest, HoweverManyStrangersComeTheConsoleTellsOfThemOnce
   EXPECT_THAT(console_.str(), AllOf(HasSubstr("is turned away"), HasSubstr("4 more have been turned away")));
 }
 
-TEST_F(SettingsOnTheRobotTest, SilentClientLosesItsPlaceAfterTheTimeInTheFile) {
-  bootWith("SILENT_CLIENT_SECONDS=2");
+TEST_F(SettingsOnTheRobotTest, SilentClientLosesItsPlaceAfterTheTimeInTheSettings) {
+  startWith("SILENT_CLIENT_SECONDS=2");
   auto silent = connectServed();
   passFrames(240);
   auto early = connect();

@@ -1,5 +1,5 @@
 /// @file slow_object.h
-/// Makes a helper object of the RCServer as slow as a test likes.
+/// Delays the jobs of PictureEncoder or FileKeeper.
 #ifndef TEST_UNIT_RCSERVER_SLOW_OBJECT_H
 #define TEST_UNIT_RCSERVER_SLOW_OBJECT_H
 
@@ -13,12 +13,12 @@
 #include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/objects/system.h"
 
-/// Stands between the machine and an object that gets jobs through its first observer. As long as it is slow, it keeps
-/// the job that comes; all other objects go on.
+/// Intercepts the jobs of an object, which it gets through its first observer. While it is slow, it holds a job back;
+/// all other objects go on.
 class SlowObject {
  public:
-  /// To be called before the machine is made.
-  void standBefore(openr_host::ObjectDescription& description) {
+  /// Call before the machine is constructed.
+  void intercept(openr_host::ObjectDescription& description) {
     notify_ = std::exchange(description.observers.at(0).notify, [this](OObject& object, const ONotifyEvent& event) {
       job_ = Job{&openr_host::System::current(), &object, event.ObsIndex(), event.SenderID(),
                  openr_host::reference(event.RCData(0))};
@@ -32,7 +32,7 @@ class SlowObject {
 
   bool hasJob() const { return job_.has_value(); }
 
-  /// The memory of the job that has come.
+  /// The memory of the job that is held back.
   template <typename Content>
   Content& job() {
     void* const base = job_->region->Base();
@@ -48,7 +48,7 @@ class SlowObject {
     finish();
   }
 
-  /// Carries out the job if it is done. To be called again and again, or when a job is to be done now.
+  /// Carries the job out if its time is over. Call again and again.
   void obey() {
     if (!job_ || !is_done_) {
       return;

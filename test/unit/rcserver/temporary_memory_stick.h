@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-/// A copy of the memory stick that goes with the server, in a folder of its own until the end.
+/// A copy of the server's memory stick in a temporary folder, which is removed at the end.
 class TemporaryMemoryStick {
  public:
   TemporaryMemoryStick() {
@@ -26,7 +26,7 @@ class TemporaryMemoryStick {
 
   const char* folder() const { return folder_.c_str(); }
 
-  /// @param name from the stick on
+  /// @param name relative to the stick
   std::filesystem::path path(const std::string& name) const { return folder_ + "/" + name; }
 
   void write(const std::string& name, const std::string& content) {

@@ -1,5 +1,5 @@
 /// @file test_client.h
-/// A TCP client that never waits: the test runs the machine until the client has what it waits for.
+/// A TCP client that never waits: the test runs the machine until the client has got what it needs.
 #ifndef TEST_UNIT_RCSERVER_TEST_CLIENT_H
 #define TEST_UNIT_RCSERVER_TEST_CLIENT_H
 
@@ -20,14 +20,14 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-/// What a server sent: a picture or a reply of four bytes.
+/// A message of version 1: a picture or a reply of four bytes.
 struct Reply {
   char letter = '\0';
   std::vector<uint8_t> jpeg;     ///< of a picture
-  protocol::ValueReply value{};  ///< of all else
+  protocol::ValueReply value{};  ///< of other replies
 };
 
-/// What a server sent in version 2.
+/// A message of version 2.
 struct Frame {
   protocol::version2::FrameHeader header{};
   std::vector<uint8_t> payload;
@@ -35,7 +35,7 @@ struct Frame {
 
 class TestClient {
  public:
-  /// @param receive_buffer bytes the kernel may hold for this client; 0 for the kernel's own choice
+  /// @param receive_buffer bytes that the kernel may hold for this client; 0: the kernel's default
   /// @throw std::system_error if the server refuses
   explicit TestClient(uint16_t port, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     if (receive_buffer > 0) {
@@ -65,7 +65,7 @@ class TestClient {
     return sent > 0 ? static_cast<size_t>(sent) : 0;
   }
 
-  /// The next whole reply, if it is here already.
+  /// The next reply, if it has arrived completely.
   std::optional<Reply> next() {
     receive();
     if (received_.empty()) {
@@ -97,7 +97,7 @@ class TestClient {
     return reply;
   }
 
-  /// The next `size` bytes, whatever they are; nothing if they are not all here.
+  /// The next `size` bytes; empty if they have not all arrived.
   std::vector<uint8_t> take(size_t size) {
     receive();
     std::vector<uint8_t> bytes;
@@ -108,7 +108,7 @@ class TestClient {
     return bytes;
   }
 
-  /// The next whole frame of version 2, if it is here already.
+  /// The next frame of version 2, if it has arrived completely.
   std::optional<Frame> nextFrame() {
     using protocol::version2::FRAME_HEADER_SIZE;
     receive();
@@ -126,16 +126,16 @@ class TestClient {
     return frame;
   }
 
-  /// True if the server has closed the connection; next() may still find what it sent before.
+  /// True if the server has closed the connection; next() may still return earlier messages.
   bool ended() {
     receive();
     return ended_;
   }
 
-  /// True if ended() because the server broke off, which loses what was on its way.
+  /// True if ended() because of a reset, which loses bytes under way.
   bool wasReset() {
     receive();
-    int error = 0;  // of a reset behind an orderly end
+    int error = 0;  // from a reset after an orderly end
     socklen_t size = sizeof(error);
     ::getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
     return was_reset_ || error != 0;

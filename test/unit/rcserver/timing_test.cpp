@@ -1,5 +1,5 @@
-// Joints keep time whatever the camera does, on a processor as slow as the robot's. An ERS-7 needs 9 to 14 ms to
-// compress a picture, by counted instructions; the report of 2006 measured 32 to 64 ms.
+// Joints are commanded in time whatever the camera does, on a processor as slow as the robot's. An ERS-7 needs 9 to
+// 14 ms to compress a picture, by counted instructions; the report of 2006 measured 32 to 64 ms.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -7,19 +7,17 @@
 #include <cmath>
 #include <set>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
-#include "version2_fixture.h"
+#include "rcserver_fixture.h"
 
 namespace {
 
 using std::chrono::milliseconds;
 
 constexpr unsigned char kHeadPan = 2;
-constexpr unsigned kUntilMeasured = 12;
 
-/// Parameter: how many milliseconds PictureEncoder needs for a picture.
-class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<int> {
+/// Parameter: milliseconds that PictureEncoder needs for a picture.
+class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface<int> {
  protected:
   void SetUp() override {
     handler_time_ = [this](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds) {
@@ -29,11 +27,10 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
       return object == "PictureEncoder" ? milliseconds(GetParam())
                                         : milliseconds(object == "FileKeeper" ? file_time_ : 0);
     };
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    start();
     connectVersion2();
-    answerTo('T', 0, std::string("\0\4", 2));       // telemetry every 4 frames
-    answerTo('W', 85, std::string("\1\0\0\1", 4));  // stream of every image
+    answerTo('T', 0, std::string("\0\4", 2));  // telemetry every 4 frames
+    answerTo('W', 85, kStreamOn);
     passFrames(25);
     count();
   }
@@ -56,13 +53,9 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
     return counts;
   }
 
-  // Each image of the fake robot has a brightness of its own.
-  static void expectPictureOfItsImage(const Frame& picture) {
-    protocol::version2::ImageHeader image{};
-    size_t size = 0;
-    ASSERT_EQ(decodePicture(picture.payload.data(), picture.payload.size(), &image, &size), nullptr);
-    const auto jpeg = picture.payload.begin() + protocol::version2::IMAGE_HEADER_SIZE;
-    EXPECT_NEAR(brightnessOf({jpeg, picture.payload.end()}).level, FakeRobot::brightness(image.image_count), 3);
+  static void expectPictureOfItsImage(const Frame& frame) {
+    const Picture picture = pictureIn(frame);
+    EXPECT_NEAR(brightnessOf(picture.jpeg).level, FakeRobot::brightness(picture.image.image_count), 3);
   }
 
   /// Passes this many seconds, with a heartbeat in each.
@@ -105,12 +98,11 @@ class TimingTest : public Version2Fixture, public ::testing::WithParamInterface<
     return bytes;
   }
 
-  FakeRobot robot_;
   int ready_time_ = 0;  ///< milliseconds that RCServer needs to answer READY
   int file_time_ = 0;   ///< milliseconds that FileKeeper needs for a job
 };
 
-TEST_P(TimingTest, AMotionOfTwoSecondsTakesTwoSecondsWithoutAStutterWhileItStreams) {
+TEST_P(TimingTest, AMotionOfTwoSecondsRunsSmoothlyInTwoSecondsDuringAStream) {
   EXPECT_NEAR(moveHead(1000000, 2000), 2000, 60);
   const std::vector<int>& path = robot_.joint("head_pan").path;
   const int fastest = 1000000 / 200;  // of a trapezoid that takes 250 frames
@@ -120,22 +112,22 @@ TEST_P(TimingTest, AMotionOfTwoSecondsTakesTwoSecondsWithoutAStutterWhileItStrea
   }
 }
 
-// Two vectors at first, so that an answer to READY may take as long as a vector lasts (Level2 Reference Guide, page
-// 44).
-TEST_P(TimingTest, AServerThatTakesTwoFramesToAnswerReadyLeavesNoGap) {
+// RCServer sends two vectors at first, so an answer to READY may take as long as a vector lasts (Level2 Reference
+// Guide, page 44).
+TEST_P(TimingTest, AnsweringReadyTwoFramesLateLeavesNoGap) {
   ready_time_ = 16;
   EXPECT_NEAR(moveHead(1000000, 2000), 2000, 60);
 }
 
-TEST_P(TimingTest, TelemetryKeepsItsRateAndTheStreamHasWhatTheEncoderCanDo) {
+TEST_P(TimingTest, TelemetryKeepsItsRateAndTheStreamTheEncodersRate) {
   const Counts counts = pass(4);
   EXPECT_NEAR(counts.telemetry, 125, 1);
-  // The fake robot's camera has an image every 4 frames of 8 ms. The newest waits for an encoder that is busy.
+  // The fake robot's camera takes an image every 4 frames of 8 ms. The newest one waits for an encoder that is busy.
   const int frames_a_picture = std::max(4, (GetParam() + 7) / 8);
   EXPECT_NEAR(counts.pictures, 500 / frames_a_picture, 2);
 }
 
-TEST_P(TimingTest, AMotionFileIsPlayedAsWithoutTheStream) {
+TEST_P(TimingTest, AMotionFileIsPlayedAsWithoutAStream) {
   const auto play = [&] {
     std::vector<int>& path = robot_.joint("tail_pan").path;
     path.clear();
@@ -153,7 +145,7 @@ TEST_P(TimingTest, AMotionFileIsPlayedAsWithoutTheStream) {
   EXPECT_EQ(streaming, undisturbed);
 }
 
-TEST_P(TimingTest, ReadingAMotionFromASlowMemoryStickHoldsUpNoJoint) {
+TEST_P(TimingTest, ReadingAMotionFromASlowMemoryStickDelaysNoJoint) {
   file_time_ = 400;
   send(frame('J', 0, 1001, bytesOf(2000, 2) + std::string("\1\0\2\0\0\0", 6) + bytesOf(1000000, 4)));
   passFrames(20);

@@ -1,4 +1,4 @@
-// Version 2 of the protocol, as a client sees it.
+// Version 2 of the protocol.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,13 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "fake_robot.h"
 #include "picture_checks.h"
 #include "protocol/hello.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver_fixture.h"
-#include "version2_fixture.h"
 
 namespace {
 
@@ -36,7 +34,6 @@ constexpr unsigned char kTailPan = 51;
 constexpr unsigned char kNoJoint = 99;
 
 constexpr unsigned kLongestMotion = 500;
-constexpr unsigned kUntilMeasured = 12;
 
 std::string pictureOf(Layer layer) {
   return payloadOf(encodePictureRequest, layer, PICTURE_REQUEST_SIZE);
@@ -68,21 +65,10 @@ std::string period(unsigned short frames) {
   return payloadOf(encodeTelemetryPeriod, frames, TELEMETRY_PERIOD_SIZE);
 }
 
-std::string text(const Frame& frame) {
-  return {frame.payload.begin(), frame.payload.end()};
-}
-
-struct Picture {
-  FrameHeader frame{};
-  ImageHeader image{};
-  std::vector<uint8_t> jpeg;
-};
-
-class Version2Test : public Version2Fixture {
+class Version2Test : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    boot(robot_);
-    passFrames(kUntilMeasured);
+    start();
     connectVersion2();
   }
 
@@ -125,25 +111,17 @@ class Version2Test : public Version2Fixture {
     return hello;
   }
 
-  // Lets the camera take its next image.
-  void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
-
   Picture nextPicture() {
-    Picture picture;
     for (std::optional<Frame> next = nextFrame(); next; next = nextFrame()) {
       if (next->header.kind == PICTURE) {
-        size_t size = 0;
-        picture.frame = next->header;
-        EXPECT_EQ(decodePicture(next->payload.data(), next->payload.size(), &picture.image, &size), nullptr);
-        picture.jpeg.assign(next->payload.begin() + IMAGE_HEADER_SIZE, next->payload.end());
-        return picture;
+        return pictureIn(*next);
       }
     }
     ADD_FAILURE() << "no picture";
-    return picture;
+    return {};
   }
 
-  // Takes what has come, all of it telemetry.
+  // Everything that has arrived, which must be telemetry.
   std::vector<Telemetry> telemetry() {
     std::vector<Telemetry> all;
     for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
@@ -156,23 +134,13 @@ class Version2Test : public Version2Fixture {
   }
 
   int positionOf(const std::string& joint) { return robot_.joint(joint).position; }
-
-  std::vector<int> positions() const {
-    std::vector<int> all;
-    for (const FakeRobot::FakeJoint& joint : robot_.joints) {
-      all.push_back(joint.position);
-    }
-    return all;
-  }
-
-  FakeRobot robot_;
 };
 
-// ------------------------------------------------------------------------------------------------- changing to it
+// ------------------------------------------------------------------------------------------------- changing to version
+// 2
 
-TEST_F(Version2Test, BytesBehindTheRequestForItAreItsOwn) {
-  client_->close();
-  machine_->runPending();
+TEST_F(Version2Test, BytesAfterTheRequestForVersion2BelongToIt) {
+  disconnect();
   client_ = connect();
   const std::string bytes = request('F', 85) + request('X', 2) + frame('H', 0, 7) + frame('O', 0, 8);
   for (const size_t first_piece : {1U, 2U, 3U, 4U, 5U, 11U, 12U, 13U}) {
@@ -186,15 +154,13 @@ TEST_F(Version2Test, BytesBehindTheRequestForItAreItsOwn) {
       ASSERT_TRUE(answer);
       EXPECT_EQ(answer->header.request_number, number);
     }
-    client_->close();
-    machine_->runPending();
+    disconnect();
     client_ = connect();
   }
 }
 
 TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
-  client_->close();
-  machine_->runPending();
+  disconnect();
   auto client = connectServed();
   client->send(request('J', kHeadPan));
   const std::optional<Reply> reply = await(*client);
@@ -202,33 +168,23 @@ TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
   EXPECT_EQ(reply->letter, 'j');
 }
 
-TEST(NewestVersion, ServerThatIsToldToSpeakVersion1RefusesVersion2AndGoesOn) {
-  class Version1Robot : public RCServerFixture {
-   public:
-    void TestBody() override {
-      host_.newest_version = 1;
-      boot(robot_);
-      auto client = connectServed();
-      client->send(request('X', 2));
-      const std::optional<Reply> refusal = await(*client);
-      ASSERT_TRUE(refusal);
-      EXPECT_EQ(refusal->letter, 'e');
-      machine_->runPending();
-      client->send(request('F', 85));
-      passFrames(FakeRobot::kFramesPerImage);
-      const std::optional<Reply> picture = await(*client);
-      ASSERT_TRUE(picture);
-      EXPECT_EQ(picture->letter, 'f');
-      TearDown();
-    }
-    FakeRobot robot_;
-  };
-  Version1Robot().TestBody();
+class NewestVersionTest : public FakeRobotFixture {};
+
+TEST_F(NewestVersionTest, ServerForVersion1RefusesVersion2AndServesOn) {
+  host_.newest_version = 1;
+  start();
+  client_ = connectServed();
+  EXPECT_EQ(answerTo(request('X', 2)).letter, 'e');
+  client_->send(request('F', 85));
+  takeImage();
+  const std::optional<Reply> picture = await(*client_);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->letter, 'f');
 }
 
 // --------------------------------------------------------------------------------------------------------------- H
 
-TEST_F(Version2Test, HelloTellsRobotServerCapabilitiesAndLimits) {
+TEST_F(Version2Test, HelloHasRobotServerCapabilitiesAndLimits) {
   const Hello said = hello();
   EXPECT_STREQ(said.robot, "ERS-7");
   EXPECT_THAT(said.server, HasSubstr("aibo_rcserver"));
@@ -247,7 +203,7 @@ TEST_F(Version2Test, HelloTellsRobotServerCapabilitiesAndLimits) {
   }
 }
 
-TEST_F(Version2Test, HelloTellsTheTime) {
+TEST_F(Version2Test, HelloHasTheTime) {
   const unsigned before = hello().frame_number;
   passFrames(100);
   EXPECT_NEAR(hello().frame_number, before + 100, 4);
@@ -282,7 +238,7 @@ TEST_F(Version2Test, HeartbeatKeepsTheConnection) {
 
 // ---------------------------------------------------------------------------------------------------------- F and W
 
-TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureAlsoDuringAStream) {
+TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureEvenDuringAStream) {
   answerTo('W', 80, stream(true));
   send(frame('F', 20, 1001, pictureOf(LAYER_HIGH)) + frame('F', 30, 1002, pictureOf(LAYER_HIGH)));
   const std::vector<std::pair<int, int>> expected = {{1001, 20}, {1002, 30}, {0, 80}, {0, 80}};
@@ -329,7 +285,7 @@ TEST_F(Version2Test, QualityIsTheServersDefaultOrAtMostHundred) {
   }
 }
 
-TEST_F(Version2Test, ImageHeaderTellsCountAndFrameOfTheImage) {
+TEST_F(Version2Test, ImageHeaderHasCountAndFrameOfTheImage) {
   answerTo('W', 85, stream(true));
   takeImage();
   const ImageHeader first = nextPicture().image;
@@ -355,11 +311,11 @@ TEST_F(Version2Test, PictureRequestsBeyondTheLimitAreRefusedAndTheOthersServed) 
   }
 }
 
-TEST_F(Version2Test, StreamSettingsAreAnsweredByWhatIsAccepted) {
+TEST_F(Version2Test, StreamSettingsAreAnsweredByTheAcceptedOnes) {
   const Frame answer = answerTo('W', 255, stream(true, LAYER_MIDDLE, 3));
   EXPECT_EQ(answer.header.kind, 'w');
   EXPECT_EQ(answer.header.id, 85);
-  EXPECT_EQ(text(answer), stream(true, LAYER_MIDDLE, 3));
+  EXPECT_EQ(textOf(answer), stream(true, LAYER_MIDDLE, 3));
 }
 
 TEST_F(Version2Test, StreamOfEveryThirdImageLeavesOutTheOthers) {
@@ -399,7 +355,7 @@ TEST_F(Version2Test, JointsMoveToTheirTargets) {
             before[static_cast<size_t>(robot_model::findJointByName(robot_.model, "left_front_knee"))]);
 }
 
-TEST_F(Version2Test, JointsToldTogetherArriveTogether) {
+TEST_F(Version2Test, JointsCommandedTogetherArriveTogether) {
   answerTo('J', 0, targets({{kLeftFrontKnee, 1000000}, {kHeadPan, 100000}, {kTailPan, -300000}}, 2000));
   const size_t begin = robot_.joint("head_pan").path.size();
   passFrames(kLongestMotion);
@@ -458,7 +414,7 @@ TEST_F(Version2Test, TelemetryPeriodIsRoundedUpToWhatTheRobotCanMeasure) {
   for (const auto& [asked, answered] : expected) {
     const Frame answer = answerTo('T', 0, period(static_cast<unsigned short>(asked)));
     EXPECT_EQ(answer.header.kind, 't');
-    EXPECT_EQ(text(answer), period(static_cast<unsigned short>(answered))) << asked;
+    EXPECT_EQ(textOf(answer), period(static_cast<unsigned short>(answered))) << asked;
   }
 }
 
@@ -514,9 +470,8 @@ TEST_F(Version2Test, TelemetryAndRepliesCostTheStreamNoPicture) {
   EXPECT_GE(measurements, 199);
 }
 
-TEST_F(Version2Test, ClientThatDoesNotReadGetsNewTelemetryNotAllThatItMissed) {
-  client_->close();
-  machine_->runPending();
+TEST_F(Version2Test, ClientThatDoesNotReadGetsOnlyTheNewestTelemetry) {
+  disconnect();
   robot_.showNoise();
   client_ = connect(4096);
   send(request('X', 2) + frame('T', 0, 1, period(4)) + frame('W', 100, 2, stream(true)));
@@ -551,7 +506,7 @@ TEST_F(Version2Test, MotorsAreOnFromTheStartAndSwitchedOffAndOn) {
   EXPECT_EQ(positionOf("head_pan"), 1000000);
 }
 
-TEST_F(Version2Test, AJointThatGetsNoGainIsNamed) {
+TEST_F(Version2Test, JointThatGetsNoGainIsNamed) {
   motorsAfter(std::string(1, '\0'));
   robot_.joint("mouth").refuses_gains = true;
   motorsAfter("\1");
@@ -619,7 +574,7 @@ TEST_F(Version2Test, JammedJointIsNamedOnceAndTheOthersGoOn) {
   EXPECT_EQ(robot_.joint("head_pan").reference, positionOf("head_pan"));
 }
 
-TEST_F(Version2Test, JointWhoseGainWentOffIsSaidNotToFollow) {
+TEST_F(Version2Test, JointWhoseGainWentOffIsReportedAsNotFollowing) {
   robot_.joint("head_pan").gain = false;
   robot_.joint("head_pan").reports_no_duty = true;
   answerTo('J', 0, targets({{kHeadPan, 1000000}}));
@@ -631,7 +586,7 @@ TEST_F(Version2Test, JointWhoseGainWentOffIsSaidNotToFollow) {
 
 // ----------------------------------------------------------------------------------------------------- bad requests
 
-TEST_F(Version2Test, WhatItDoesNotKnowIsNotSupported) {
+TEST_F(Version2Test, UnknownRequestsAreNotSupported) {
   for (int kind = 0; kind < 256; ++kind) {
     if (std::string("HFWJVTOLKPNUDQR").find(static_cast<char>(kind)) == std::string::npos) {
       expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O L K P N");
@@ -658,12 +613,9 @@ TEST_F(Version2Test, RequestWithoutANumberIsRefused) {
   expectRefusal(*answer, CODE_REFUSED, "number");
 }
 
-TEST_F(Version2Test, LargestFrameIsTakenAndALargerOneEndsTheConnectionWithAReason) {
+TEST_F(Version2Test, LargestFrameIsAcceptedAndALargerOneEndsTheConnectionWithAReason) {
   const std::string largest = frame('Z', 0, 41, std::string(MAX_PAYLOAD_TOWARDS_ROBOT, 'z'));
-  for (size_t sent = 0; sent < largest.size();) {
-    sent += client_->send(largest.substr(sent));
-    machine_->runPending();
-  }
+  sendAll(largest);
   const std::optional<Frame> not_supported = nextFrame();
   ASSERT_TRUE(not_supported);
   expectRefusal(*not_supported, CODE_NOT_SUPPORTED, "not supported");
@@ -682,7 +634,7 @@ TEST_F(Version2Test, LargestFrameIsTakenAndALargerOneEndsTheConnectionWithAReaso
 
 // --------------------------------------------------------------------------------------------- splitting and joining
 
-TEST_F(Version2Test, RequestsAreUnderstoodHoweverTheirBytesAreSplitAndJoined) {
+TEST_F(Version2Test, RequestsAreUnderstoodHoweverTheirBytesAreSplitOrJoined) {
   std::string requests;
   std::vector<std::pair<char, int>> expected;
   const std::vector<std::pair<char, std::string>> kinds = {{'H', ""},
@@ -717,16 +669,13 @@ TEST_F(Version2Test, RequestsAreUnderstoodHoweverTheirBytesAreSplitAndJoined) {
 constexpr size_t kFlood = 256 * 1024;
 
 TEST_F(Version2Test, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply) {
-  client_->close();
-  machine_->runPending();
-  client_ = connect(4096);
-  send(request('X', 2));
-  ASSERT_TRUE(await(*client_));
+  disconnect();
+  connectVersion2(4096);
   std::string flood;
   for (int i = 0; i < 1024; ++i) {
     flood += frame('V', 0, 7);
   }
-  // Far more than server and kernel hold of the replies, so that the server has to stop receiving.
+  // The replies are far more than server and kernel can hold, so the server has to stop receiving.
   size_t sent = 0;
   while (sent < kFlood) {
     const size_t now = client_->send(flood.substr(sent % flood.size()));
@@ -749,7 +698,7 @@ TEST_F(Version2Test, NextClientIsServedWhateverBytesTheLastOneSent) {
     std::string bytes(1 + random() % 3000, '\0');
     std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(random() & 0xff); });
     if (round % 2 == 0) {
-      // So that frames are small, and many are looked at.
+      // Keeps frames small, so that there are many.
       for (size_t i = 0; i + FRAME_HEADER_SIZE < bytes.size(); i += FRAME_HEADER_SIZE + 3) {
         bytes.replace(i, FRAME_HEADER_SIZE, frame("HFWJVTO"[random() % 7], 1, 1, "").replace(7, 1, "\3"));
       }
@@ -763,7 +712,7 @@ TEST_F(Version2Test, NextClientIsServedWhateverBytesTheLastOneSent) {
 
 // -------------------------------------------------------------------------------------------------------- client gone
 
-TEST_F(Version2Test, ClientGoneLeavesJointsHoldingAndNothingElse) {
+TEST_F(Version2Test, WhenTheClientGoesOnlyTheJointsHold) {
   answerTo('V', 0, limits({{kHeadPan, 500000}}));
   answerTo('T', 0, period(4));
   answerTo('W', 85, stream(true));

@@ -33,7 +33,7 @@ std::vector<int> stepsOf(JointMotion& motion) {
   return steps;
 }
 
-// Fewest frames in which a joint gets over a distance, by trying all that it could do. Only for small numbers.
+// The fewest frames for a distance, found by trying all possible motions. Only for small numbers.
 int fewestFramesBySearch(int step, int distance, int step_limit, int acceleration, int frames) {
   std::vector<std::vector<int>> reachable{{0, step}};
   for (int frame = 0; frame <= frames; ++frame) {
@@ -73,7 +73,7 @@ TEST(JointMotion, SpeedsUpCruisesAndBrakes) {
   EXPECT_EQ(motion.Position(), 150);
 }
 
-TEST(JointMotion, TurnsRoundWithoutAJump) {
+TEST(JointMotion, ReversesWithoutAJump) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(960);
   for (int i = 0; i < 5; ++i) {
@@ -85,7 +85,7 @@ TEST(JointMotion, TurnsRoundWithoutAJump) {
   EXPECT_EQ(motion.Position(), 0);
 }
 
-TEST(JointMotion, ComesBackToATargetThatIsTooNearToStopAt) {
+TEST(JointMotion, ReturnsToATargetThatIsTooNearToStopAt) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(960);
   for (int i = 0; i < 3; ++i) {
@@ -137,7 +137,7 @@ TEST(JointMotion, BrakesToALowerSpeedLimit) {
   EXPECT_EQ(motion.Position(), 300);
 }
 
-TEST(JointMotion, PutsALowerAccelerationOffUntilItStands) {
+TEST(JointMotion, AppliesALowerAccelerationWhenItStands) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(150);
   for (int i = 0; i < 3; ++i) {
@@ -160,7 +160,7 @@ TEST(JointMotion, TakesAHigherAccelerationAtTheNextTarget) {
   EXPECT_THAT(stepsOf(motion), ElementsAre(11, 21, 28, 28, 28, 20, 10));
 }
 
-TEST(JointMotion, SaysWhereItCanStillGetToWhileItBrakes) {
+TEST(JointMotion, GivesThePositionsThatItPassesWhileItBrakes) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(-960);
   for (int i = 0; i < 3; ++i) {
@@ -176,7 +176,7 @@ TEST(JointMotion, SaysWhereItCanStillGetToWhileItBrakes) {
   EXPECT_EQ(motion.SpanAfter(-30).high, -90);
 }
 
-TEST(JointMotion, TakesNoFrameMoreThanItMust) {
+TEST(JointMotion, ArrivesInTheFewestFramesPossible) {
   std::mt19937 random(2);
   const auto between = [&random](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   for (int round = 0; round < 300; ++round) {
@@ -198,7 +198,7 @@ TEST(JointMotion, TakesNoFrameMoreThanItMust) {
   }
 }
 
-TEST(JointMotion, ArrivesInExactlyAsManyFramesAsItIsGiven) {
+TEST(JointMotion, ArrivesInExactlyTheNumberOfFramesGiven) {
   std::mt19937 random(3);
   const auto between = [&random](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   for (int round = 0; round < 2000; ++round) {

@@ -49,7 +49,7 @@ bool isFollower(int joint) {
                      [joint](const robot_model::Coupling& coupling) { return coupling.follower == joint; });
 }
 
-// Where all joints are.
+// The positions of all joints.
 std::vector<int> postureOf(const MotionPlanner& planner) {
   std::vector<int> posture;
   for (const int i : allJoints()) {
@@ -101,19 +101,19 @@ void run(MotionPlanner& planner, int frames) {
   }
 }
 
-// Random commands, the same again for the same seed.
+// Random commands, which depend only on the seed.
 class RandomClient {
  public:
   explicit RandomClient(unsigned seed) : random_(seed) {}
 
   int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
 
-  // From slow to fast, each order of magnitude as often as another.
+  // From slow to fast, each order of magnitude equally often.
   int magnitude(double low, double high) {
     return static_cast<int>(std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random_)));
   }
 
-  // Somewhat more than the joint's range; for a follower, mostly where its leaders matter.
+  // Somewhat more than the joint's range; for a follower, mostly where it depends on its leaders.
   int position(int joint) {
     const robot_model::Joint& limits = ers7().joints[joint];
     const bool low = isFollower(joint) && between(0, 3) > 0;
@@ -170,7 +170,7 @@ class RandomClient {
   std::mt19937 random_;
 };
 
-// Lets frames pass and checks in each what must hold in each.
+// Lets frames pass and checks the guarantees of MotionPlanner in each.
 class Inspector {
  public:
   explicit Inspector(MotionPlanner& planner)
@@ -181,7 +181,7 @@ class Inspector {
     noteLimits();
   }
 
-  // To be called after every command.
+  // Call after every command.
   void noteLimits() {
     for (const int i : allJoints()) {
       noteAcceleration(i);
@@ -208,7 +208,7 @@ class Inspector {
  private:
   static int framesLimit(int acceleration) { return acceleration / (kFramesPerSecond * kFramesPerSecond); }
 
-  // A lower limit waits until the joint can stop with it from one frame to the next.
+  // A lower limit takes effect when the joint can stop with it within one frame.
   void noteAcceleration(int i) {
     const auto index = static_cast<size_t>(i);
     const int limit = planner_.AccelerationLimit(i);
@@ -237,7 +237,7 @@ class Inspector {
   std::vector<int> accelerations_;  // in force
 };
 
-TEST(MotionPlanner, StandsInAnAllowedPostureAtFirst) {
+TEST(MotionPlanner, BeginsInAnAllowedPosture) {
   MotionPlanner planner(ers7());
   planner.NextFrame();
   EXPECT_EQ(planner.Position(joint("neck_tilt")), 0);
@@ -294,7 +294,7 @@ TEST(MotionPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
     resetLimits(planner);
     std::vector<JointTarget> targets = client.targetsForAll();
     planner.SetTargets(targets.data(), static_cast<int>(targets.size()), 0);
-    // Three seconds are enough for every joint to wait for another one's whole way.
+    // Within three seconds, every joint can wait for the whole way of another one.
     ASSERT_LE(runUntilAllHaveArrived(planner), 3 * kFramesPerSecond);
     for (const JointTarget& target : targets) {
       ASSERT_EQ(planner.Position(target.joint), target.position) << ers7().joints[target.joint].name;
@@ -305,7 +305,7 @@ TEST(MotionPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
   }
 }
 
-TEST(MotionPlanner, NeedsNoMoreTimeThanTheLimitsAsk) {
+TEST(MotionPlanner, NeedsNoMoreTimeThanTheLimitsRequire) {
   MotionPlanner planner(ers7());
   const int pan = joint("head_pan");
   planner.SetSpeedLimit(pan, 1000000);
@@ -349,7 +349,7 @@ TEST(MotionPlanner, StretchesADurationThatIsTooShortForOneOfTheJoints) {
   EXPECT_EQ(planner.Position(joint("tail_pan")), 500000);
 }
 
-TEST(MotionPlanner, LetsEveryJointGoAsFastAsItCanWithoutADuration) {
+TEST(MotionPlanner, MovesEveryJointAsFastAsItCanWithoutADuration) {
   MotionPlanner planner(ers7());
   std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("neck_tilt"), -1000000}};
   planner.SetTargets(targets.data(), 2, 0);
@@ -441,7 +441,7 @@ TEST(MotionPlanner, MovesTheSameForTheSameCommands) {
   EXPECT_EQ(postures[0], postures[1]);
 }
 
-TEST(MotionPlanner, TakesTheJointsOfACommandInAnyOrder) {
+TEST(MotionPlanner, AcceptsTheJointsOfACommandInAnyOrder) {
   RandomClient client(6);
   for (int i = 0; i < 200; ++i) {
     std::vector<JointTarget> targets = client.targets();
@@ -470,7 +470,7 @@ TEST(MotionPlanner, TakesTheLastOfTwoPositionsForOneJoint) {
   EXPECT_EQ(targets[1].position, 2000);
 }
 
-TEST(MotionPlanner, DoesWhatOneSetOfTargetsSaysWhereTheyFitTogether) {
+TEST(MotionPlanner, TakesASetOfTargetsThatFitTogetherAsItIs) {
   MotionPlanner planner(ers7());
   std::vector<JointTarget> targets = {{joint("left_front_elevator"), microradians(-10)},
                                       {joint("left_front_rotator"), microradians(100)},
@@ -483,13 +483,13 @@ TEST(MotionPlanner, DoesWhatOneSetOfTargetsSaysWhereTheyFitTogether) {
   EXPECT_EQ(targets[3].position, microradians(10));
 }
 
-TEST(MotionPlanner, AcceptsNoElevatorBelowItsLimitForWhereTheRotatorIsGoing) {
+TEST(MotionPlanner, ClampsTheElevatorToItsLimitForTheRotatorsTarget) {
   MotionPlanner planner(ers7());
   planner.SetTarget(joint("left_front_rotator"), microradians(-60));
   EXPECT_EQ(planner.SetTarget(joint("left_front_elevator"), microradians(-10)), microradians(-2));
 }
 
-TEST(MotionPlanner, AcceptsNoHeadTiltBelowItsLimitForNeckAndMouth) {
+TEST(MotionPlanner, ClampsTheHeadTiltToItsLimitForNeckAndMouth) {
   MotionPlanner planner(ers7());
   EXPECT_EQ(planner.SetTarget(joint("head_tilt"), microradians(-15)), microradians(-5));
   planner.SetTarget(joint("neck_tilt"), microradians(-50));
@@ -500,7 +500,7 @@ TEST(MotionPlanner, AcceptsNoHeadTiltBelowItsLimitForNeckAndMouth) {
   EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
 }
 
-// The rotator is on its way up to where the elevator, which is slow, is not yet high enough.
+// The rotator moves to where the slow elevator is not yet high enough.
 TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
@@ -511,14 +511,14 @@ TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
   planner.SetTarget(rotator, microradians(100));
   EXPECT_EQ(planner.Target(elevator), microradians(-2));
   const int frames = runUntilAllHaveArrived(planner);
-  // Two seconds for the elevator's 8 degrees, and a third of one for the last of the rotator's way.
+  // Two seconds for the elevator's 8 degrees, and a third of a second for the rest of the rotator's way.
   EXPECT_GT(frames, 2 * kFramesPerSecond);
   EXPECT_LT(frames, 2 * kFramesPerSecond + kFramesPerSecond / 3);
   EXPECT_EQ(planner.Position(rotator), microradians(100));
   EXPECT_EQ(planner.Position(elevator), microradians(-2));
 }
 
-TEST(MotionPlanner, LetsAWaitingJointGoAsNearAsItMay) {
+TEST(MotionPlanner, LetsAWaitingJointMoveAsFarAsItCan) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
@@ -548,7 +548,7 @@ TEST(MotionPlanner, LowersTheElevatorOnlyAsTheRotatorMakesRoom) {
   EXPECT_EQ(planner.Position(elevator), microradians(-10));
 }
 
-TEST(MotionPlanner, DelaysNobodyForAJointThatHasToWaitForAnother) {
+TEST(MotionPlanner, DelaysNoJointForOneThatHasToWaitForAnother) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
@@ -570,7 +570,7 @@ TEST(MotionPlanner, DelaysNobodyForAJointThatHasToWaitForAnother) {
   EXPECT_EQ(planner.Position(rotator), microradians(50));
 }
 
-TEST(MotionPlanner, StopsTheRotatorThatIsOnItsWayToWhereAHeldElevatorIs) {
+TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
@@ -583,7 +583,7 @@ TEST(MotionPlanner, StopsTheRotatorThatIsOnItsWayToWhereAHeldElevatorIs) {
   EXPECT_LT(planner.Position(rotator), microradians(40));
 }
 
-TEST(MotionPlanner, DoesNotLowerAnElevatorToWhereAHeldRotatorStands) {
+TEST(MotionPlanner, DoesNotLowerAnElevatorOntoAHeldRotator) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
@@ -618,7 +618,7 @@ TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {
   EXPECT_EQ(postureOf(planner), found);
 }
 
-TEST(MotionPlanner, TakesNoMeasurementBeyondTheMechanicalLimits) {
+TEST(MotionPlanner, ClampsMeasurementsToTheMechanicalLimits) {
   MotionPlanner planner(ers7());
   planner.SetPosition(joint("head_pan"), 2000000000);
   EXPECT_EQ(planner.Position(joint("head_pan")), microradians(93));
@@ -626,12 +626,12 @@ TEST(MotionPlanner, TakesNoMeasurementBeyondTheMechanicalLimits) {
   EXPECT_EQ(planner.Position(joint("head_pan")), microradians(-93));
 }
 
-// How far a joint is below where it may be.
+// How far a joint is below its lower limit.
 int depth(const std::vector<int>& posture, int joint) {
   return std::max(0, robot_model::lowestPosition(ers7(), joint, posture.data()) - posture[static_cast<size_t>(joint)]);
 }
 
-TEST(MotionPlanner, ComesOutOfAForbiddenPostureWithoutGoingDeeper) {
+TEST(MotionPlanner, LeavesAForbiddenPostureWithoutGoingDeeper) {
   RandomClient client(8);
   for (int i = 0; i < 300; ++i) {
     MotionPlanner planner(ers7());

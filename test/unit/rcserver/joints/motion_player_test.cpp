@@ -22,7 +22,7 @@ constexpr int kFrame = MotionPlanner::FRAME_MILLISECONDS;
 // Longer than any motion here.
 constexpr int kPatience = 100000;
 
-// A joint is behind by as much, at most.
+// The greatest lag of a joint.
 constexpr int kLag = 50;  // ms
 
 double degrees(int microradians) {
@@ -34,7 +34,7 @@ class MotionPlayerTest : public ::testing::Test {
   int joint(const std::string& name) const { return findJointByName(robot_, name.c_str()); }
   double at(const std::string& name) const { return degrees(planner_.Position(joint(name))); }
 
-  // What Play() says; empty if it plays.
+  // The problem from Play(); empty if the motion is played.
   std::string play(const std::string& name, const std::string& bytes, int repetitions = 1) {
     unsigned char* const room = player_->FindRoom();
     if (room == nullptr) {
@@ -64,7 +64,7 @@ class MotionPlayerTest : public ::testing::Test {
     }
   }
 
-  // Where a joint is at the end of each frame until nothing is played any more.
+  // The position of a joint at the end of each frame until no motion is played any more.
   std::vector<double> pathOf(const std::string& name) {
     std::vector<double> path;
     while (player_->IsPlaying() && path.size() < kPatience) {
@@ -88,7 +88,7 @@ double greatestStep(const std::vector<double>& path) {
   return greatest;
 }
 
-// How near a path, of one position a frame, comes to a position at that time or within kLag after it.
+// The smallest distance of a path, with one position per frame, from a position at that time or within kLag after it.
 double distance(const std::vector<double>& path, int milliseconds, double position) {
   double nearest = 1e9;
   for (int time = milliseconds; time <= milliseconds + kLag + kFrame; time += kFrame) {
@@ -137,13 +137,13 @@ TEST_F(MotionPlayerTest, playsAsOftenAsItIsTold) {
   }
 }
 
-TEST_F(MotionPlayerTest, aMotionThatEndsWhereItBeganGoesOnWithoutAStop) {
+TEST_F(MotionPlayerTest, aMotionThatEndsWhereItBeganRepeatsWithoutAStop) {
   planner_.SetPosition(joint("head_pan"), 0);
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 160 head_pan 10\nat 320 head_pan 0\n"), 10), "");
   EXPECT_NEAR(static_cast<double>(pathOf("head_pan").size()), 10 * 320.0 / kFrame, 5);
 }
 
-TEST_F(MotionPlayerTest, aMotionThatEndsElsewhereGoesBackAsSlowlyAsItCame) {
+TEST_F(MotionPlayerTest, aMotionThatEndsElsewhereReturnsToItsBeginningSlowly) {
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan -40\nat 1600 head_pan 40\n"), 2), "");
   const std::vector<double> path = pathOf("head_pan");
   EXPECT_EQ(countPasses(path), 2);
@@ -157,7 +157,7 @@ TEST_F(MotionPlayerTest, aSingleKeyFrameIsAPosture) {
   EXPECT_NEAR(at("tail_pan"), -20, 1e-4);
 }
 
-TEST_F(MotionPlayerTest, joinsStayWithinTheirLimitsWhateverTheFileSays) {
+TEST_F(MotionPlayerTest, jointsStayWithinTheirLimitsWhateverTheFileSays) {
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 neck_tilt 0 head_tilt 0\n"
                                       "at 16 head_pan 300 neck_tilt -300 head_tilt -300\n"
                                       "at 2000\n")),
@@ -166,7 +166,7 @@ TEST_F(MotionPlayerTest, joinsStayWithinTheirLimitsWhateverTheFileSays) {
   EXPECT_LE(greatestStep(path), degrees(robot_.joints[joint("head_pan")].highest_speed) * kFrame / 1000);
   EXPECT_NEAR(at("head_pan"), 88, 1e-4);
   EXPECT_NEAR(at("neck_tilt"), -75, 1e-4);
-  EXPECT_NEAR(at("head_tilt"), 5, 1e-4) << "what goes with the neck";
+  EXPECT_NEAR(at("head_tilt"), 5, 1e-4) << "its limit for this neck";
 }
 
 TEST_F(MotionPlayerTest, playsMotionsOfOtherJointsAtOnce) {
@@ -188,7 +188,7 @@ TEST_F(MotionPlayerTest, refusesAMotionOfAJointThatIsMovedAlready) {
   EXPECT_EQ(play("B.MTN", motionBytes("at 0 head_pan 5\n")), "") << "it is over now";
 }
 
-TEST_F(MotionPlayerTest, hasRoomForSoMany) {
+TEST_F(MotionPlayerTest, playsUpToItsMaximumAtOnce) {
   const char* const joints[] = {"head_pan", "mouth", "tail_pan", "tail_tilt"};
   for (int i = 0; i < MotionPlayer::MAX_PLAYING; ++i) {
     ASSERT_EQ(play(std::to_string(i) + ".MTN", motionBytes(std::string("at 0 ") + joints[i] + " 0\nat 800\n")), "");
@@ -198,9 +198,9 @@ TEST_F(MotionPlayerTest, hasRoomForSoMany) {
   EXPECT_NE(player_->FindRoom(), nullptr);
 }
 
-TEST_F(MotionPlayerTest, refusesWhatIsNoMotion) {
-  EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is no motion file: it ends before section 0"));
-  EXPECT_THAT(play("A.MTN", ""), HasSubstr("is no motion file"));
+TEST_F(MotionPlayerTest, refusesAFileThatIsNotAMotion) {
+  EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is not a motion file: it ends before section 0"));
+  EXPECT_THAT(play("A.MTN", ""), HasSubstr("is not a motion file"));
   EXPECT_FALSE(player_->IsPlaying());
 }
 
@@ -209,7 +209,7 @@ TEST_F(MotionPlayerTest, refusesAMotionOfAnotherRobotsJointByItsName) {
               StrEq("A.MTN moves the joint PRM:/r1/c1/c2/c3-Joint2:j3, which this robot does not have"));
 }
 
-// -------------------------------------------------------------------------------------------------- before its end
+// -------------------------------------------------------------------------------------------------- stopped early
 
 class StoppedMotionTest : public MotionPlayerTest {
  protected:
@@ -220,7 +220,7 @@ class StoppedMotionTest : public MotionPlayerTest {
     EXPECT_GT(planner_.Speed(joint("head_pan")), 0);
   }
 
-  // The joints of A.MTN stop where they can.
+  // The joints of A.MTN brake and stop.
   void expectStopped() {
     const double at_first = at("head_pan");
     const double highest = robot_.joints[joint("head_pan")].highest_speed;
@@ -246,7 +246,7 @@ TEST_F(StoppedMotionTest, allAreStoppedAtOnce) {
   expectStopped();
 }
 
-TEST_F(StoppedMotionTest, whoCommandsAJointEndsItsMotion) {
+TEST_F(StoppedMotionTest, commandingAJointEndsItsMotion) {
   player_->JointIsCommanded(joint("head_tilt"));
   planner_.SetTarget(joint("head_tilt"), 0);
   passFrames(200);
@@ -262,11 +262,11 @@ TEST_F(StoppedMotionTest, endsWhenOneOfItsJointsFails) {
   ASSERT_TRUE(player_->TakeFailure(&failure));
   EXPECT_THAT(failure.name, StrEq("A.MTN"));
   EXPECT_EQ(failure.joint, joint("head_tilt"));
-  EXPECT_FALSE(player_->TakeFailure(&failure)) << "told once";
+  EXPECT_FALSE(player_->TakeFailure(&failure)) << "reported once";
   EXPECT_TRUE(player_->IsPlaying());
 }
 
-TEST_F(StoppedMotionTest, aFailureIsToldByItsNameWhateverIsPlayedMeanwhile) {
+TEST_F(StoppedMotionTest, reportsAFailureByNameEvenIfAnotherMotionIsPlayedMeanwhile) {
   player_->JointFails(joint("head_tilt"));
   ASSERT_EQ(play("C.MTN", motionBytes("at 0 mouth -10\n")), "");
   MotionPlayer::Failure failure;
@@ -302,7 +302,7 @@ class ShippedMotionsPlayedTest : public MotionPlayerTest, public ::testing::With
     return true;
   }
 
-  // What a joint needs to stop from the speed with which it comes to a key frame.
+  // The distance a joint needs to stop from its speed at a key frame.
   double roundingAt(int key_frame, int i) const {
     const double way = degrees(motion_.position(key_frame, i) - motion_.position(key_frame - 1, i));
     const double speed = way * 1000 / motion_.milliseconds(key_frame);
@@ -313,7 +313,7 @@ class ShippedMotionsPlayedTest : public MotionPlayerTest, public ::testing::With
   mtn::Motion motion_;
 };
 
-TEST_P(ShippedMotionsPlayedTest, goesThroughAllKeyFrames) {
+TEST_P(ShippedMotionsPlayedTest, passesThroughAllKeyFrames) {
   for (int frame = 0; frame < kPatience && !isAtFirstKeyFrame(); ++frame) {
     passFrame();
   }

@@ -1,4 +1,4 @@
-#include "rcserver/commands/Outbox.h"
+#include "rcserver/Outbox.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "rcserver/commands/MotionCommands.h"
+#include "rcserver/motions/MotionCommands.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -6,8 +6,16 @@
 
 const size_t MotionCommands::MAX_PROBLEM_SIZE;
 
-MotionCommands::MotionCommands(const Robot& robot, const Settings& settings)
-    : robot_(robot), settings_(settings), ticket_(0), operation_(FileJob::LIST), repetitions_(0), cancelled_why_(NULL) {
+MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, FileJobs& files,
+                               const Settings& settings)
+    : joints_(joints),
+      motors_(motors),
+      files_(files),
+      settings_(settings),
+      ticket_(0),
+      operation_(FileJob::LIST),
+      repetitions_(0),
+      cancelled_why_(NULL) {
   problem_[0] = '\0';
   name_[0] = '\0';
 }
@@ -18,16 +26,16 @@ MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, i
   }
   repetitions_ = repetitions;
   cancelled_why_ = NULL;
-  robot_.joints.ForgetCommands();
+  joints_.ForgetCommands();
   return Post(FileJob::READ, name, NULL, 0);
 }
 
 void MotionCommands::Stop(const protocol::MotionName& name) {
   const bool is_all = name[0] == '\0';
   if (is_all) {
-    robot_.joints.Motions().StopAll();
+    joints_.Motions().StopAll();
   } else {
-    robot_.joints.Motions().Stop(name);
+    joints_.Motions().Stop(name);
   }
   if (is_all || strcmp(name, name_) == 0) {
     cancelled_why_ = "was stopped while its file was being read";
@@ -35,7 +43,7 @@ void MotionCommands::Stop(const protocol::MotionName& name) {
 }
 
 void MotionCommands::NoticeMotors() {
-  if (!robot_.motors.AreOn()) {
+  if (!motors_.AreOn()) {
     cancelled_why_ = "is not played: the motors were switched off while its file was being read";
   }
 }
@@ -45,7 +53,7 @@ MotionCommands::Outcome MotionCommands::CheckUpload(size_t size) {
     return Fail(REFUSED, "uploads are not allowed; ALLOW_UPLOAD=yes in RCSERVER.CFG on the memory stick allows them");
   }
   if (size > mtn::MAX_FILE_SIZE) {
-    return Fail(REFUSED, "%lu bytes are more than a motion may have, which is %lu", static_cast<unsigned long>(size),
+    return Fail(REFUSED, "%lu bytes are too many: a motion may have %lu", static_cast<unsigned long>(size),
                 static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
   }
   return DONE;
@@ -57,10 +65,10 @@ MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name,
     return REFUSED;
   }
   if (!checked_.read(content, size)) {
-    return Fail(REFUSED, "%s is no motion file: %s", name, checked_.problem());
+    return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
   }
   int joints[mtn::MAX_JOINTS];
-  if (const char* missing = FindJoints(checked_, robot_.joints.Robot(), joints)) {
+  if (const char* missing = findJoints(checked_, joints_.Robot(), joints)) {
     return Fail(REFUSED, "%s moves the joint %s, which this robot does not have", name, missing);
   }
   return Post(FileJob::STORE, name, content, size);
@@ -98,23 +106,23 @@ MotionCommands::Outcome MotionCommands::Finish(const FileResult& result) {
 
 MotionCommands::Outcome MotionCommands::Post(FileJob::Operation operation, const protocol::MotionName& name,
                                              const unsigned char* content, size_t size) {
-  if (!robot_.files.IsThere()) {
+  if (!files_.IsThere()) {
     return Fail(REFUSED,
                 "the object FileKeeper does not run on the robot: FILES.BIN is missing on the memory stick, or "
                 "in its OBJECT.CFG or CONNECT.CFG");
   }
   operation_ = operation;
   strcpy(name_, name);
-  ticket_ = robot_.files.Post(operation, name, content, size);
+  ticket_ = files_.Post(operation, name, content, size);
   return PENDING;
 }
 
 MotionCommands::Outcome MotionCommands::CheckPlay() {
-  if (!robot_.motors.AreOn()) {
+  if (!motors_.AreOn()) {
     return Fail(REFUSED, "the motors are off; switch them on first");
   }
-  if (robot_.joints.Motions().FindRoom() == NULL) {
-    return Fail(REFUSED, "%d motions are being played, and no more can be; stop one first", MotionPlayer::MAX_PLAYING);
+  if (joints_.Motions().FindRoom() == NULL) {
+    return Fail(REFUSED, "%d motions are being played, which is the most; stop one first", MotionPlayer::MAX_PLAYING);
   }
   return DONE;
 }
@@ -123,9 +131,9 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   if (CheckPlay() != DONE) {
     return REFUSED;
   }
-  MotionPlayer& player = robot_.joints.Motions();
+  MotionPlayer& player = joints_.Motions();
   memcpy(player.FindRoom(), result.content, result.size);
-  const char* const problem = player.Play(name_, result.size, repetitions_, robot_.joints.CommandedSince());
+  const char* const problem = player.Play(name_, result.size, repetitions_, joints_.CommandedSince());
   return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
 }
 
@@ -141,7 +149,7 @@ MotionCommands::Outcome MotionCommands::FailOnMemoryStick() {
   }
 }
 
-// Says why; the outcome.
+// Keeps the reason, and returns the outcome.
 MotionCommands::Outcome MotionCommands::Fail(Outcome outcome, const char* format, ...) {
   va_list values;
   va_start(values, format);

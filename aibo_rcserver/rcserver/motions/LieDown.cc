@@ -1,4 +1,4 @@
-#include "rcserver/body/LieDown.h"
+#include "rcserver/motions/LieDown.h"
 
 #include <string.h>
 

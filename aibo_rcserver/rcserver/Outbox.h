@@ -1,7 +1,7 @@
 /// @file Outbox.h
-/// What waits to be sent to the client, pictures apart.
-#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_OUTBOX_H
-#define AIBO_RCSERVER_RCSERVER_COMMANDS_OUTBOX_H
+/// Messages that wait to be sent to the client; pictures are not among them.
+#ifndef AIBO_RCSERVER_RCSERVER_OUTBOX_H
+#define AIBO_RCSERVER_RCSERVER_OUTBOX_H
 
 #include <stddef.h>
 
@@ -9,7 +9,7 @@
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
-/// Keeps replies in order, and of the telemetry only the latest. Memory of a fixed size; pure logic.
+/// Keeps replies in order, and only the latest telemetry. Its memory has a fixed size.
 class Outbox {
  public:
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
@@ -19,34 +19,34 @@ class Outbox {
   static const size_t MAX_TELEMETRY_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
 
-  /// Most bytes that can wait in all.
+  /// Most bytes that can wait.
   static const size_t CAPACITY = 4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE;
 
   Outbox() : replies_size_(0), reserved_(0), telemetry_size_(0) {}
 
   void Clear();
 
-  /// True if one more message of MAX_REPLY_SIZE can wait. To be asked before a request is handled.
+  /// True if there is room for one more message of MAX_REPLY_SIZE. Ask before a request is handled.
   bool HasRoom() const { return replies_size_ + reserved_ + MAX_REPLY_SIZE <= sizeof(replies_); }
 
-  /// Keeps room for one message that comes later, or gives it up.
-  /// @param reserved true only if there is room that has been kept already, or HasRoom()
+  /// Reserves room for one later message, or releases it.
+  /// @param reserved true only if HasRoom(), or if room is reserved already
   void Reserve(bool reserved) { reserved_ = reserved ? MAX_REPLY_SIZE : 0; }
 
-  /// Adds a message; only if HasRoom(), or if it is the one that room was kept for.
+  /// Adds a message; only if HasRoom(), or if it is the one that room was reserved for.
   void Add(const unsigned char* message, size_t size);
 
-  /// Takes the place of telemetry that still waits.
+  /// Replaces telemetry that still waits.
   void SetTelemetry(const unsigned char* message, size_t size);
 
-  /// Telemetry that still waits is not wanted any more.
+  /// Drops telemetry that still waits.
   void DropTelemetry() { telemetry_size_ = 0; }
 
   bool IsEmpty() const { return replies_size_ == 0 && telemetry_size_ == 0; }
 
-  /// Takes out all that waits. Room that is kept stays so.
+  /// Takes out everything that waits. Reserved room stays reserved.
   /// @param[out] out room for CAPACITY bytes
-  /// @return how many bytes there were
+  /// @return the number of bytes
   size_t Take(unsigned char* out);
 
  private:
@@ -57,4 +57,4 @@ class Outbox {
   size_t telemetry_size_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_OUTBOX_H
+#endif  // AIBO_RCSERVER_RCSERVER_OUTBOX_H

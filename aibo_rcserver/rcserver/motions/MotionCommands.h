@@ -1,34 +1,34 @@
 /// @file MotionCommands.h
-/// Motions, for clients of both versions.
-#ifndef AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
-#define AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
+/// The requests about motions, for both versions of the protocol.
+#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
+#define AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
 
 #include "mtn/motion.h"
 #include "protocol/text.h"
-#include "rcserver/commands/Robot.h"
+#include "rcserver/joints/JointControl.h"
+#include "rcserver/motions/FileJobs.h"
 #include "rcserver/settings/Settings.h"
 
-/// Plays, stops, stores, deletes and lists the motions on the memory stick. Each function does what is asked, or
-/// nothing and says why.
+/// Plays, stops, stores, deletes and lists the motions on the memory stick. A request that fails changes nothing, and
+/// Problem() says why.
 ///
-/// What needs the memory stick is only begun: its outcome is PENDING until Finish(). One such request is done at a
-/// time.
+/// A request that needs the memory stick is PENDING until Finish(). There is one such request at a time.
 class MotionCommands {
  public:
   enum Outcome {
     DONE,
-    PENDING,      ///< the memory stick is at work: Finish() gives the outcome
-    REFUSED,      ///< not allowed, no motion, joints taken, anything else
+    PENDING,      ///< FileKeeper is at work; Finish() returns the outcome
+    REFUSED,      ///< not allowed, not a motion, its joints are in use, anything else
     FILE_MISSING  ///< there is no such file, or it cannot be read
   };
 
-  /// Room for what Problem() says.
+  /// Room for the text of Problem().
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   /// All must outlive this.
-  MotionCommands(const Robot& robot, const Settings& settings);
+  MotionCommands(JointControl& joints, const MotorSwitch& motors, FileJobs& files, const Settings& settings);
 
-  /// A new client: what is pending was another one's, and is forgotten.
+  /// A new client: forgets the request that an earlier client left pending.
   void Begin() { ticket_ = 0; }
 
   /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
@@ -37,9 +37,9 @@ class MotionCommands {
   /// True while a request is PENDING.
   bool IsPending() const { return ticket_ != 0; }
 
-  /// True while Play(), Upload(), Delete() and List() must not be called: a request is PENDING, or what another client
-  /// has begun is not finished yet.
-  bool IsBusy() const { return IsPending() || (robot_.files.IsThere() && !robot_.files.IsFree()); }
+  /// True while Play(), Upload(), Delete() and List() must not be called: a request is PENDING, or FileKeeper is still
+  /// at work for an earlier client.
+  bool IsBusy() const { return IsPending() || (files_.IsThere() && !files_.IsFree()); }
 
   /// Begins to play a motion: PENDING until its file has been read.
   /// @param repetitions not below 1
@@ -49,11 +49,11 @@ class MotionCommands {
   /// @param name empty: all of them
   void Stop(const protocol::MotionName& name);
 
-  /// To be called when a request may have switched the motors off: a motion whose file is still being read will then be
-  /// REFUSED, even if they are on again when it has been read.
+  /// Call when a request may have switched the motors off: a motion whose file is still being read is then REFUSED,
+  /// even if the motors are on again when it has been read.
   void NoticeMotors();
 
-  /// Whether a file of that size may be uploaded, whatever is in it.
+  /// Checks whether a file of this size may be uploaded, whatever its content: DONE or REFUSED.
   Outcome CheckUpload(size_t size);
 
   /// Stores a file, if it is a motion for this robot.
@@ -61,7 +61,7 @@ class MotionCommands {
 
   Outcome Delete(const protocol::MotionName& name);
 
-  /// Lists the motions there are: FileResult::list, if it is DONE.
+  /// Lists all motions: in FileResult::list when it is DONE.
   Outcome List();
 
   /// True if this is the result that the pending request waits for.
@@ -82,9 +82,11 @@ class MotionCommands {
   Outcome FailOnMemoryStick();
   Outcome Fail(Outcome outcome, const char* format, ...);
 
-  const Robot& robot_;
+  JointControl& joints_;
+  const MotorSwitch& motors_;
+  FileJobs& files_;
   const Settings& settings_;
-  mtn::Motion checked_;  ///< what is uploaded
+  mtn::Motion checked_;  ///< the upload that is checked
   char problem_[MAX_PROBLEM_SIZE];
 
   /// @name The pending request
@@ -92,9 +94,9 @@ class MotionCommands {
   unsigned ticket_;  ///< of its job; 0: there is none
   FileJob::Operation operation_;
   protocol::MotionName name_;
-  int repetitions_;            ///< of READ, which is for playing
-  const char* cancelled_why_;  ///< of READ; NULL: it is not cancelled
+  int repetitions_;            ///< READ: how often the motion is to be played
+  const char* cancelled_why_;  ///< READ: why the motion is not to be played after all, or NULL
   /// @}
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_COMMANDS_MOTION_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H

@@ -1,0 +1,30 @@
+/// @file Robot.h
+/// All of the robot that a client's requests work on.
+#ifndef AIBO_RCSERVER_RCSERVER_ROBOT_H
+#define AIBO_RCSERVER_RCSERVER_ROBOT_H
+
+#include "rcserver/body/LightDriver.h"
+#include "rcserver/body/SensorDriver.h"
+#include "rcserver/joints/JointControl.h"
+#include "rcserver/motions/FileJobs.h"
+
+/// An order about the robot's power. RCServer carries it out when the client has been told and is gone.
+enum PowerOrder {
+  POWER_STAYS_ON,
+  POWER_SHUT_DOWN,
+  POWER_REBOOT,
+  POWER_LIE_DOWN  ///< lie down, then shut down
+};
+
+/// Everything here outlives the session.
+struct Robot {
+  const char* design;  ///< as OPEN-R names it
+  JointControl& joints;
+  MotorSwitch& motors;
+  const SensorDriver& sensors;
+  LightDriver& lights;
+  PowerOrder& power_order;
+  FileJobs& files;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_ROBOT_H

@@ -1,0 +1,361 @@
+#include "rcserver/Version1.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include <algorithm>
+
+#include "protocol/units.h"
+
+using namespace protocol;
+using robot_model::NO_JOINT;
+using robot_model::NO_LED;
+
+const int Version1::MAX_SOURCES;
+
+Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox, unsigned char* upload_buffer)
+    : robot_(robot),
+      settings_(settings),
+      motions_(motions),
+      camera_(camera),
+      outbox_(outbox),
+      request_(),
+      number_of_sources_(0),
+      upload_buffer_(upload_buffer) {
+  for (int i = 0; i < robot.joints.NumberOfJoints(); ++i) {
+    AddSource(robot.joints.Identifier(i), true, i);
+  }
+  for (int i = 0; i < robot.sensors.NumberOfSensors(); ++i) {
+    AddSource(robot.sensors.Sensor(i).identifier, false, i);
+  }
+  std::sort(sources_, sources_ + number_of_sources_);
+  Begin();
+}
+
+void Version1::Begin() {
+  is_uploading_ = false;
+  upload_name_[0] = '\0';
+  uploaded_ = 0;
+  for (int i = 0; i < number_of_sources_; ++i) {
+    sources_[i].is_in_block = true;
+  }
+}
+
+bool Version1::Handle(const Request& request) {
+  request_ = request;
+  if (request.valid && IsForMotions()) {
+    return HandleMotion();
+  }
+  if (!request.valid || !Execute()) {
+    Refuse(ERROR_REFUSED);
+  }
+  return true;
+}
+
+// The small letter of the request, its identifier and a value.
+void Version1::Reply(short value) {
+  Send(static_cast<char>(tolower(request_.basic.command)), request_.basic.identifier, value);
+}
+
+void Version1::Refuse(ErrorCode code) {
+  Send(REPLY_ERROR, 0, static_cast<short>(code));
+}
+
+void Version1::Send(char letter, unsigned char identifier, short value) {
+  const ValueReply reply = {letter, identifier, value};
+  unsigned char message[VALUE_REPLY_SIZE];
+  encodeValueReply(reply, message);
+  outbox_.Add(message, sizeof(message));
+}
+
+bool Version1::Execute() {
+  const PictureOrder order = {limitJpegQuality(request_.basic.identifier), 0, 0, false};
+  switch (request_.basic.command) {
+    case REQUEST_PICTURE:
+      return camera_.RequestPicture(order);
+    case REQUEST_STREAM_TOGGLE:
+      camera_.ToggleStream(order);
+      return true;
+    case REQUEST_JOINT:
+      return Identifier() == ALL_IDENTIFIERS ? MoveAllJoints() : MoveOrReadJoint();
+    case REQUEST_MAX_VELOCITY:
+    case REQUEST_MAX_ACCELERATION:
+      return LimitJoint();
+    case REQUEST_SENSOR:
+      return ReadOrSelectSource();
+    case REQUEST_LED:
+      return Identifier() == ALL_IDENTIFIERS ? SetAllLeds() : SetLed();
+    case REQUEST_FACE_LEDS:
+      return SetFace();
+    case REQUEST_EARS:
+      return SetEars();
+    case REQUEST_SHUT_DOWN:
+      return GoOff(POWER_SHUT_DOWN, settings_.allow_shut_down);
+    case REQUEST_REBOOT:
+      return GoOff(POWER_REBOOT, settings_.allow_reboot);
+    default:
+      return false;
+  }
+}
+
+bool Version1::MoveOrReadJoint() {
+  const int joint = robot_.joints.Find(Identifier());
+  if (joint == NO_JOINT || HasFault(joint)) {
+    return false;
+  }
+  if (!IsWrite()) {
+    Reply(centidegreesFromMicroradians(robot_.joints.Position(joint)));
+    return true;
+  }
+  if (!robot_.motors.AreOn()) {
+    return false;
+  }
+  MotionPlanner::JointTarget target = {joint, microradiansFromCentidegrees(Value())};
+  robot_.joints.SetTargets(&target, 1, 0);
+  Reply(centidegreesFromMicroradians(target.position));
+  return true;
+}
+
+bool Version1::MoveAllJoints() {
+  if (!IsWrite()) {
+    return false;
+  }
+  const int count = robot_.joints.NumberOfJoints();
+  bool has_fault = false;
+  for (int i = 0; i < count; ++i) {
+    has_fault = HasFault(i) || has_fault;
+  }
+  if (has_fault || !robot_.motors.AreOn()) {
+    return false;
+  }
+  MotionPlanner::JointTarget targets[robot_model::MAX_JOINTS];
+  for (int i = 0; i < count; ++i) {
+    targets[i].joint = i;
+    targets[i].position = microradiansFromCentidegrees(Value());
+  }
+  robot_.joints.SetTargets(targets, count, 0);
+  Reply(Value());
+  return true;
+}
+
+// Version 1 has no messages that the server sends unasked, so the next request about the joint is refused, once.
+bool Version1::HasFault(int joint) {
+  return robot_.joints.TakeFault(joint) != JointWatch::FOLLOWS;
+}
+
+bool Version1::LimitJoint() {
+  const int joint = Identifier() == ALL_IDENTIFIERS ? NO_JOINT : robot_.joints.Find(Identifier());
+  if (joint == NO_JOINT) {
+    return false;
+  }
+  MotionPlanner& planner = robot_.joints.Planner();
+  const bool is_speed = request_.basic.command == REQUEST_MAX_VELOCITY;
+  if (IsWrite()) {
+    const int limit = microradiansFromCentidegrees(Value());
+    is_speed ? planner.SetSpeedLimit(joint, limit) : planner.SetAccelerationLimit(joint, limit);
+  }
+  Reply(centidegreesFromMicroradians(is_speed ? planner.SpeedLimit(joint) : planner.AccelerationLimit(joint)));
+  return true;
+}
+
+// Reads a value, or takes it into the block or out of it.
+bool Version1::ReadOrSelectSource() {
+  if (Identifier() == ALL_IDENTIFIERS) {
+    if (!IsWrite()) {
+      ReadBlock();
+    }
+    return !IsWrite();
+  }
+  Source* source = FindSource(Identifier());
+  if (source == NULL) {
+    return false;
+  }
+  if (!IsWrite()) {
+    Reply(ValueOf(*source));
+    return true;
+  }
+  if (Value() != 0 && Value() != 1) {
+    return false;
+  }
+  source->is_in_block = Value() == 1;
+  Reply(Value());
+  return true;
+}
+
+// Values without a header. A sensor that has measured nothing yet reads as 0, so that each value keeps its place.
+void Version1::ReadBlock() {
+  unsigned char block[MAX_SOURCES * VALUE_SIZE];
+  size_t size = 0;
+  for (int i = 0; i < number_of_sources_; ++i) {
+    if (sources_[i].is_in_block) {
+      encodeValue(ValueOf(sources_[i]), block + size);
+      size += VALUE_SIZE;
+    }
+  }
+  outbox_.Add(block, size);
+  Reply(0);
+}
+
+void Version1::AddSource(unsigned char identifier, bool is_joint, int index) {
+  const Source source = {identifier, is_joint, index, true};
+  sources_[number_of_sources_] = source;
+  ++number_of_sources_;
+}
+
+Version1::Source* Version1::FindSource(int identifier) {
+  for (int i = 0; i < number_of_sources_; ++i) {
+    if (sources_[i].identifier == identifier) {
+      return &sources_[i];
+    }
+  }
+  return NULL;
+}
+
+short Version1::ValueOf(const Source& source) const {
+  if (source.is_joint) {
+    return centidegreesFromMicroradians(robot_.joints.Position(source.index));
+  }
+  return version1SensorValue(robot_.sensors.Sensor(source.index).kind, robot_.sensors.Value(source.index));
+}
+
+// The mode stays as it is.
+bool Version1::SetLed() {
+  const int led = robot_.lights.FindLed(Identifier());
+  if (led == NO_LED) {
+    return false;
+  }
+  const LightDriver::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(led).is_mode_b};
+  Reply(robot_.lights.SetLed(led, wanted).intensity);
+  return true;
+}
+
+bool Version1::SetAllLeds() {
+  const int count = robot_.lights.Robot().number_of_leds;
+  for (int i = 0; i < count; ++i) {
+    const LightDriver::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(i).is_mode_b};
+    robot_.lights.SetLed(i, wanted);
+  }
+  if (count > 0) {
+    Reply(ledIntensity(Value()));
+  }
+  return count > 0;
+}
+
+bool Version1::SetFace() {
+  const int count = robot_.lights.Robot().number_of_leds;
+  const LightDriver::LedState wanted = {ledIntensity(Value()), Identifier() != FACE_MODE_A};
+  for (int i = 0; i < count; ++i) {
+    robot_.lights.SetLed(i, wanted);
+  }
+  if (count > 0) {
+    Reply(wanted.intensity);
+  }
+  return count > 0;
+}
+
+// For both ears, the reply says whether both are drawn.
+bool Version1::SetEars() {
+  if (Value() != 0 && Value() != 1) {
+    return false;
+  }
+  const robot_model::RobotModel& robot = robot_.lights.Robot();
+  bool is_any = false;
+  bool are_drawn = true;
+  for (int i = 0; i < robot.number_of_ears; ++i) {
+    if (Identifier() == ALL_IDENTIFIERS || robot.ears[i].identifier == Identifier()) {
+      is_any = true;
+      are_drawn = robot_.lights.SetEar(i, Value() == 1) && are_drawn;
+    }
+  }
+  if (is_any) {
+    Reply(are_drawn ? 1 : 0);
+  }
+  return is_any;
+}
+
+bool Version1::GoOff(PowerOrder order, bool is_allowed) {
+  if (is_allowed) {
+    robot_.power_order = order;
+    Reply(0);
+  }
+  return is_allowed;
+}
+
+bool Version1::IsForMotions() const {
+  return request_.basic.command == REQUEST_UPLOAD_MOTION || request_.basic.command == REQUEST_DELETE_MOTION ||
+         request_.basic.command == REQUEST_PLAY_MOTION;
+}
+
+// False if nothing was done because the memory stick is busy.
+bool Version1::HandleMotion() {
+  const FileRequest file = decodeFileRequest(request_.payload);
+  const bool stops = request_.basic.command == REQUEST_PLAY_MOTION && file.a == 0;
+  const bool is_for_all = stops && file.name[0] == '\0';
+  MotionName name = "";
+  if (!is_for_all && readMotionName(file.name, strlen(file.name), name) != NULL) {
+    Refuse(ERROR_NOT_A_MOTION);
+    return true;
+  }
+  if (stops) {
+    motions_.Stop(name);
+    Answer(MotionCommands::DONE);
+    return true;
+  }
+  if (motions_.IsBusy()) {
+    return false;
+  }
+  switch (request_.basic.command) {
+    case REQUEST_UPLOAD_MOTION:
+      BeginUpload(name, contentSize(file));
+      break;
+    case REQUEST_DELETE_MOTION:
+      Answer(motions_.Delete(name));
+      break;
+    default:
+      Answer(motions_.Play(name, file.a));
+      break;
+  }
+  return true;
+}
+
+// The reader skips the content of an upload that is refused here.
+void Version1::BeginUpload(const MotionName& name, size_t size) {
+  const MotionCommands::Outcome outcome = motions_.CheckUpload(size);
+  if (outcome != MotionCommands::DONE) {
+    Answer(outcome);
+    return;
+  }
+  is_uploading_ = true;
+  strcpy(upload_name_, name);
+  uploaded_ = 0;
+}
+
+bool Version1::TakeContent(RequestReader& reader) {
+  if (!is_uploading_) {
+    return true;
+  }
+  uploaded_ += reader.takeContent(upload_buffer_ + uploaded_, mtn::MAX_FILE_SIZE - uploaded_);
+  if (reader.contentLeft() > 0) {
+    return false;
+  }
+  is_uploading_ = false;
+  Answer(motions_.Upload(upload_name_, upload_buffer_, uploaded_));
+  return true;
+}
+
+void Version1::Answer(MotionCommands::Outcome outcome) {
+  switch (outcome) {
+    case MotionCommands::DONE:
+      Reply(0);
+      break;
+    case MotionCommands::PENDING:
+      break;
+    case MotionCommands::REFUSED:
+      Refuse(ERROR_REFUSED);
+      break;
+    case MotionCommands::FILE_MISSING:
+      Refuse(ERROR_FILE_MISSING);
+      break;
+  }
+}

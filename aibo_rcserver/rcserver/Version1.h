@@ -1,0 +1,103 @@
+/// @file Version1.h
+/// What the server does for a client of version 1 of the protocol.
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_H
+#define AIBO_RCSERVER_RCSERVER_VERSION1_H
+
+#include "protocol/request_reader.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/motions/MotionCommands.h"
+#include "rcserver/settings/Settings.h"
+
+/// Carries out the requests of version 1 and answers them (docs/protocol.md).
+///
+/// TCP delivers the content of an upload in pieces of any size. They are collected in memory, and the file is stored
+/// when it is complete, so that an upload that is cut off leaves nothing behind.
+class Version1 {
+ public:
+  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only while version 1 is spoken. All must outlive this.
+  Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
+           unsigned char* upload_buffer);
+
+  /// A new client: no upload is under way, and the block that `S` reads holds all joints and sensors.
+  void Begin();
+
+  /// Carries out a request and adds at most one message to the outbox. TakeContent() answers an upload, FileDone() a
+  /// request that needs the memory stick, the camera a request for a picture.
+  /// @return false if nothing was done because the memory stick is busy: call again when it is free
+  bool Handle(const protocol::Request& request);
+
+  /// Takes what has arrived of an upload. Call before each request; adds at most one message to the outbox, which is
+  /// the answer to the upload.
+  /// @return false if more of the upload is still to come
+  bool TakeContent(protocol::RequestReader& reader);
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that MotionCommands awaits
+  void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
+
+ private:
+  // What `S` can read: a sensor, or a joint's angle.
+  struct Source {
+    unsigned char identifier;
+    bool is_joint;
+    int index;  ///< in the robot's table
+    bool is_in_block;
+
+    bool operator<(const Source& other) const { return identifier < other.identifier; }
+  };
+
+  static const int MAX_SOURCES = robot_model::MAX_JOINTS + robot_model::MAX_SENSORS;
+
+  Version1(const Version1&);
+  Version1& operator=(const Version1&);
+
+  int Identifier() const { return request_.basic.identifier; }
+  bool IsWrite() const { return request_.payload_size > 0; }
+  short Value() const { return protocol::decodeValue(request_.payload); }
+
+  void Reply(short value);
+  void Refuse(protocol::ErrorCode code);
+  void Send(char letter, unsigned char identifier, short value);
+
+  /// @name Requests. They return false if the request has to be refused
+  /// @{
+  bool Execute();
+  bool MoveOrReadJoint();
+  bool MoveAllJoints();
+  bool LimitJoint();
+  bool ReadOrSelectSource();
+  void ReadBlock();
+  bool SetLed();
+  bool SetAllLeds();
+  bool SetFace();
+  bool SetEars();
+  bool GoOff(PowerOrder order, bool is_allowed);
+  /// @}
+
+  bool HasFault(int joint);
+  void AddSource(unsigned char identifier, bool is_joint, int index);
+  Source* FindSource(int identifier);
+  short ValueOf(const Source& source) const;
+
+  bool IsForMotions() const;
+  bool HandleMotion();
+  void BeginUpload(const protocol::MotionName& name, size_t size);
+  void Answer(MotionCommands::Outcome outcome);
+
+  const Robot& robot_;
+  const Settings& settings_;
+  MotionCommands& motions_;
+  ImageObserver& camera_;
+  Outbox& outbox_;
+  protocol::Request request_;    ///< that is being handled, or that waits for its content or the memory stick
+  Source sources_[MAX_SOURCES];  ///< in ascending order of the identifiers
+  int number_of_sources_;
+  unsigned char* const upload_buffer_;
+  bool is_uploading_;
+  protocol::MotionName upload_name_;
+  size_t uploaded_;  ///< bytes in the buffer
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_H

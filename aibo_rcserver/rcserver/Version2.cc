@@ -1,0 +1,404 @@
+#include "rcserver/Version2.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "protocol/units.h"
+
+using namespace protocol::version2;
+using robot_model::NO_EAR;
+using robot_model::NO_JOINT;
+using robot_model::NO_LED;
+
+namespace {
+
+const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
+const char CAPABILITIES[] = "H F W J V T O L K P N";  // whatever the settings are
+
+// Joints and sensors report every 4 frames.
+const unsigned short SENSOR_PERIOD = 4;
+const unsigned short LONGEST_PERIOD = 65532;
+
+// Identifiers of the two ears.
+const int LEFT = 1;
+const int RIGHT = 2;
+
+void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
+  strncpy(out, text, MAX_HELLO_TEXT_SIZE);
+  out[MAX_HELLO_TEXT_SIZE] = '\0';
+}
+
+unsigned char JpegQuality(unsigned char id) {
+  return id == SERVER_DEFAULT_QUALITY ? protocol::DEFAULT_JPEG_QUALITY : protocol::limitJpegQuality(id);
+}
+
+PictureOrder OrderOf(unsigned char id, Layer layer, unsigned short request_number) {
+  const PictureOrder order = {JpegQuality(id), static_cast<unsigned char>(layer), request_number, false};
+  return order;
+}
+
+unsigned short WholeSensorPeriods(unsigned short frames) {
+  if (frames > LONGEST_PERIOD) {
+    return LONGEST_PERIOD;
+  }
+  return static_cast<unsigned short>((frames + SENSOR_PERIOD - 1) / SENSOR_PERIOD * SENSOR_PERIOD);
+}
+
+const char* WordsFor(JointWatch::Verdict fault) {
+  switch (fault) {
+    case JointWatch::JAMMED:
+      return "is jammed: its motor pushes and it does not move. It is held where it is until it is commanded again";
+    case JointWatch::LIMP:
+      return "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason";
+    default:
+      return "does not follow its commands. It is held where it is until it is commanded again";
+  }
+}
+
+}  // namespace
+
+Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox)
+    : robot_(robot),
+      settings_(settings),
+      motions_(motions),
+      camera_(camera),
+      outbox_(outbox),
+      request_(),
+      payload_(NULL),
+      pending_() {
+  sprintf(capabilities_, "%s%s%s%s%s", CAPABILITIES, settings.allow_upload ? " U" : "",
+          settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
+  Begin();
+}
+
+void Version2::Begin() {
+  telemetry_period_ = 0;
+  has_pushed_telemetry_ = false;
+  last_telemetry_ = 0;
+}
+
+bool Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
+  request_ = request;
+  payload_ = payload;
+  if (request.request_number == 0) {
+    Refuse(CODE_REFUSED, "bad request: number 0 is kept for messages that the server pushes; use 1 to 65535");
+    return true;
+  }
+  switch (request.kind) {
+    case REQUEST_UPLOAD:
+      return Upload();
+    case REQUEST_DELETE:
+      return Delete();
+    case REQUEST_PLAY:
+      return Play();
+    case REQUEST_LIST:
+      return List();
+    default:
+      Execute(now);
+      return true;
+  }
+}
+
+void Version2::Execute(unsigned now) {
+  switch (request_.kind) {
+    case REQUEST_HELLO:
+      return Greet(now);
+    case REQUEST_PICTURE:
+      return TakePicture();
+    case REQUEST_STREAM:
+      return SetStream();
+    case REQUEST_JOINTS:
+      return MoveJoints();
+    case REQUEST_SPEED_LIMITS:
+      return LimitSpeeds();
+    case REQUEST_MOTORS:
+      return SwitchMotors();
+    case REQUEST_TELEMETRY:
+      return SetTelemetry();
+    case REQUEST_LEDS:
+      return SetLeds();
+    case REQUEST_EARS:
+      return SetEars();
+    case REQUEST_SHUT_DOWN:
+      return GoOff(POWER_SHUT_DOWN, settings_.allow_shut_down, "shutting down", "ALLOW_SHUT_DOWN");
+    case REQUEST_REBOOT:
+      return GoOff(POWER_REBOOT, settings_.allow_reboot, "rebooting", "ALLOW_REBOOT");
+    default:
+      break;
+  }
+  char text[MAX_ERROR_TEXT_SIZE];
+  sprintf(text, "not supported: this server knows the requests %s", capabilities_);
+  Refuse(CODE_NOT_SUPPORTED, text);
+}
+
+void Version2::RefuseTooLarge(const FrameHeader& request) {
+  request_ = request;
+  char text[MAX_ERROR_TEXT_SIZE];
+  sprintf(text, "a request of %u bytes is too large; the server hangs up", request.payload_size);
+  Refuse(CODE_REFUSED, text);
+}
+
+void Version2::PushPowerOff(const char* reason) {
+  if (outbox_.HasRoom()) {
+    SendError(0, CODE_POWER, reason);
+  }
+}
+
+void Version2::Measured(unsigned frame) {
+  PushJointFaults();
+  PushMotionFailures();
+  if (telemetry_period_ != 0 && (!has_pushed_telemetry_ || frame - last_telemetry_ >= telemetry_period_)) {
+    has_pushed_telemetry_ = true;
+    last_telemetry_ = frame;
+    PushTelemetry(frame);
+  }
+}
+
+// Answers the request with what has been written to Payload().
+void Version2::Reply(size_t payload_size) {
+  const FrameHeader header = {replyKind(request_.kind), request_.id, request_.request_number,
+                              static_cast<unsigned>(payload_size)};
+  encodeFrameHeader(header, message_);
+  outbox_.Add(message_, FRAME_HEADER_SIZE + payload_size);
+}
+
+void Version2::Refuse(unsigned short code, const char* text) {
+  SendError(request_.request_number, code, text);
+}
+
+void Version2::SendError(unsigned short request_number, unsigned short code, const char* text) {
+  const ErrorMessage error = {code, text, strlen(text)};
+  const size_t size = encodeErrorMessage(error, Payload());
+  const FrameHeader header = {ERROR_MESSAGE, 0, request_number, static_cast<unsigned>(size)};
+  encodeFrameHeader(header, message_);
+  outbox_.Add(message_, FRAME_HEADER_SIZE + size);
+}
+
+// Refuses the request if its decoder has found a problem.
+bool Version2::IsWellFormed(const char* problem) {
+  if (problem != NULL) {
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "bad request: %.200s", problem);
+    Refuse(CODE_REFUSED, text);
+  }
+  return problem == NULL;
+}
+
+void Version2::Greet(unsigned now) {
+  const JointControl& joints = robot_.joints;
+  Hello hello;
+  CopyText(robot_.design, hello.robot);
+  CopyText(SERVER_NAME, hello.server);
+  CopyText(capabilities_, hello.capabilities);
+  hello.frame_number = now;
+  hello.joint_count = static_cast<unsigned char>(joints.NumberOfJoints());
+  for (int i = 0; i < joints.NumberOfJoints(); ++i) {
+    const robot_model::Joint& joint = joints.Robot().joints[i];
+    const JointLimits limits = {joint.identifier, joint.lowest, joint.highest, joint.highest_speed};
+    hello.joints[i] = limits;
+  }
+  Reply(encodeHello(hello, Payload()));
+}
+
+void Version2::TakePicture() {
+  Layer layer = LAYER_HIGH;
+  if (IsWellFormed(decodePictureRequest(payload_, request_.payload_size, &layer)) && MakesLayer(layer) &&
+      !camera_.RequestPicture(OrderOf(request_.id, layer, request_.request_number))) {
+    Refuse(CODE_REFUSED, "too many pictures are owed already; wait until some have come");
+  }
+}
+
+void Version2::SetStream() {
+  StreamSettings stream;
+  if (!IsWellFormed(decodeStreamSettings(payload_, request_.payload_size, &stream)) || !MakesLayer(stream.layer)) {
+    return;
+  }
+  if (stream.on) {
+    camera_.StartStream(OrderOf(request_.id, stream.layer, 0), stream.every_nth_image);
+  } else {
+    camera_.StopStream();
+  }
+  request_.id = JpegQuality(request_.id);  // the reply has the quality in use
+  Reply(encodeStreamSettings(stream, Payload()));
+}
+
+bool Version2::MakesLayer(Layer layer) {
+  if (layer == LAYER_DOUBLE) {
+    Refuse(CODE_NOT_SUPPORTED, "not supported: pictures of double resolution");
+  }
+  return layer != LAYER_DOUBLE;
+}
+
+void Version2::MoveJoints() {
+  JointTargets wanted;
+  if (!IsWellFormed(decodeJointTargets(payload_, request_.payload_size, &wanted))) {
+    return;
+  }
+  if (!robot_.motors.AreOn()) {
+    Refuse(CODE_REFUSED, "the motors are off; switch them on first");
+    return;
+  }
+  if (!HasJoints(wanted.joints, wanted.count)) {
+    return;
+  }
+  MotionPlanner::JointTarget targets[MAX_JOINTS];
+  for (int i = 0; i < wanted.count; ++i) {
+    targets[i].joint = robot_.joints.Find(wanted.joints[i].id);
+    targets[i].position = wanted.joints[i].value;
+  }
+  robot_.joints.SetTargets(targets, wanted.count, wanted.duration_ms);
+  for (int i = 0; i < wanted.count; ++i) {
+    wanted.joints[i].value = targets[i].position;
+  }
+  Reply(encodeJointTargets(wanted, Payload()));
+}
+
+void Version2::LimitSpeeds() {
+  SpeedLimits limits;
+  if (!IsWellFormed(decodeSpeedLimits(payload_, request_.payload_size, &limits)) ||
+      !HasJoints(limits.joints, limits.count)) {
+    return;
+  }
+  JointControl& joints = robot_.joints;
+  for (int i = 0; i < limits.count; ++i) {
+    limits.joints[i].value = joints.Planner().SetSpeedLimit(joints.Find(limits.joints[i].id), limits.joints[i].value);
+  }
+  if (limits.count == 0) {
+    limits.count = static_cast<unsigned char>(joints.NumberOfJoints());
+    for (int i = 0; i < joints.NumberOfJoints(); ++i) {
+      limits.joints[i].id = joints.Identifier(i);
+      limits.joints[i].value = joints.Planner().SpeedLimit(i);
+    }
+  }
+  Reply(encodeSpeedLimits(limits, Payload()));
+}
+
+// Refuses the request if the robot does not have one of these joints.
+bool Version2::HasJoints(const JointValue* joints, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (robot_.joints.Find(joints[i].id) == NO_JOINT) {
+      RefuseMissing("joint", joints[i].id);
+      return false;
+    }
+  }
+  return true;
+}
+
+void Version2::RefuseMissing(const char* part, int identifier) {
+  char text[MAX_ERROR_TEXT_SIZE];
+  sprintf(text, "this robot has no %s %d, so nothing of the request was done", part, identifier);
+  Refuse(CODE_REFUSED, text);
+}
+
+void Version2::SwitchMotors() {
+  MotorSwitch& motors = robot_.motors;
+  if (request_.payload_size > 0) {
+    bool on = false;
+    if (!IsWellFormed(decodeMotorState(payload_, request_.payload_size, &on))) {
+      return;
+    }
+    if (!motors.Switch(on)) {
+      Refuse(CODE_REFUSED, "the robot cannot switch its motors on; its console says why");
+      return;
+    }
+  }
+  Reply(encodeMotorState(motors.AreOn(), Payload()));
+}
+
+void Version2::SetTelemetry() {
+  unsigned short frames = 0;
+  if (IsWellFormed(decodeTelemetryPeriod(payload_, request_.payload_size, &frames))) {
+    telemetry_period_ = WholeSensorPeriods(frames);
+    has_pushed_telemetry_ = false;
+    outbox_.DropTelemetry();
+    Reply(encodeTelemetryPeriod(telemetry_period_, Payload()));
+  }
+}
+
+void Version2::SetLeds() {
+  LedValues values;
+  if (!IsWellFormed(decodeLedValues(payload_, request_.payload_size, &values))) {
+    return;
+  }
+  for (int i = 0; i < values.count; ++i) {
+    if (robot_.lights.FindLed(values.leds[i].id) == NO_LED) {
+      RefuseMissing("LED", values.leds[i].id);
+      return;
+    }
+  }
+  for (int i = 0; i < values.count; ++i) {
+    LedValue& value = values.leds[i];
+    const LightDriver::LedState wanted = {value.intensity, value.mode == LED_MODE_B};
+    const LightDriver::LedState accepted = robot_.lights.SetLed(robot_.lights.FindLed(value.id), wanted);
+    value.intensity = accepted.intensity;
+    value.mode = accepted.is_mode_b ? LED_MODE_B : LED_MODE_A;
+  }
+  Reply(encodeLedValues(values, Payload()));
+}
+
+void Version2::SetEars() {
+  EarPositions ears;
+  if (IsWellFormed(decodeEarPositions(payload_, request_.payload_size, &ears))) {
+    ears.left = SetEar(LEFT, ears.left);
+    ears.right = SetEar(RIGHT, ears.right);
+    Reply(encodeEarPositions(ears, Payload()));
+  }
+}
+
+bool Version2::SetEar(int identifier, bool draw) {
+  const int ear = robot_.lights.FindEar(identifier);
+  return ear != NO_EAR && robot_.lights.SetEar(ear, draw);
+}
+
+void Version2::GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting) {
+  if (!IsWellFormed(checkNoPayload(request_.payload_size))) {
+    return;
+  }
+  if (!is_allowed) {
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "%s is not allowed; %s=yes in RCSERVER.CFG on the memory stick allows it", activity, setting);
+    Refuse(CODE_REFUSED, text);
+    return;
+  }
+  robot_.power_order = order;
+  Reply(0);
+}
+
+// A fault for which there is no room is pushed the next time.
+void Version2::PushJointFaults() {
+  for (int i = 0; i < robot_.joints.NumberOfJoints() && outbox_.HasRoom(); ++i) {
+    const JointWatch::Verdict fault = robot_.joints.TakeFault(i);
+    if (fault != JointWatch::FOLLOWS) {
+      char text[MAX_ERROR_TEXT_SIZE];
+      sprintf(text, "%s %s", robot_.joints.Name(i), WordsFor(fault));
+      SendError(0, CODE_JOINT_FAULT, text);
+    }
+  }
+}
+
+// Takes the place of telemetry that still waits.
+void Version2::PushTelemetry(unsigned frame) {
+  const JointControl& joints = robot_.joints;
+  const SensorDriver& sensors = robot_.sensors;
+  Telemetry telemetry;
+  telemetry.frame_number = frame;
+  telemetry.count = static_cast<unsigned short>(joints.NumberOfJoints());
+  for (int i = 0; i < joints.NumberOfJoints(); ++i) {
+    const TelemetryEntry entry = {GROUP_JOINT, joints.Identifier(i), joints.Position(i)};
+    telemetry.entries[i] = entry;
+  }
+  for (int i = 0; i < sensors.NumberOfSensors(); ++i) {
+    if (sensors.HasValue(i)) {
+      const robot_model::Sensor& sensor = sensors.Sensor(i);
+      const TelemetryEntry entry = {GROUP_SENSOR, sensor.identifier,
+                                    protocol::version2SensorValue(sensor.kind, sensors.Value(i))};
+      telemetry.entries[telemetry.count] = entry;
+      ++telemetry.count;
+    }
+  }
+  const size_t size = encodeTelemetry(telemetry, Payload());
+  const FrameHeader header = {TELEMETRY_PUSH, 0, 0, static_cast<unsigned>(size)};
+  encodeFrameHeader(header, message_);
+  outbox_.SetTelemetry(message_, FRAME_HEADER_SIZE + size);
+}

@@ -1,0 +1,105 @@
+/// @file Version2.h
+/// What the server does for a client of version 2 of the protocol.
+#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_H
+#define AIBO_RCSERVER_RCSERVER_VERSION2_H
+
+#include "protocol/hello.h"
+#include "protocol/version2.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/Robot.h"
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/motions/MotionCommands.h"
+#include "rcserver/settings/Settings.h"
+
+/// Carries out the requests of version 2, answers them, and pushes telemetry and faults (docs/protocol.md).
+class Version2 {
+ public:
+  /// All must outlive this.
+  Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+           Outbox& outbox);
+
+  /// A new client: no telemetry is pushed.
+  void Begin();
+
+  /// Carries out a request and adds one message to the outbox. FileDone() answers a request that needs the memory
+  /// stick, the camera a request for a picture.
+  /// @param payload as many bytes as the header says
+  /// @param now OPEN-R frame
+  /// @return false if nothing was done because the memory stick is busy: call again when it is free
+  bool Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that MotionCommands awaits
+  void FileDone(const FileResult& result);
+
+  /// Answers a request whose payload is larger than MAX_PAYLOAD_TOWARDS_ROBOT.
+  void RefuseTooLarge(const protocol::version2::FrameHeader& request);
+
+  /// Tells the client why the robot goes off, if there is room in the outbox.
+  void PushPowerOff(const char* reason);
+
+  /// All joints have been measured: pushes faults, and telemetry if it is due.
+  /// @param frame in which they were measured
+  void Measured(unsigned frame);
+
+ private:
+  Version2(const Version2&);
+  Version2& operator=(const Version2&);
+
+  /// @name Messages. Payload() is where the payload of the next one goes
+  /// @{
+  unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
+  void Reply(size_t payload_size);
+  void Refuse(unsigned short code, const char* text);
+  void SendError(unsigned short request_number, unsigned short code, const char* text);
+  bool IsWellFormed(const char* problem);
+  /// @}
+
+  /// @name Requests
+  /// @{
+  void Execute(unsigned now);
+  void Greet(unsigned now);
+  void TakePicture();
+  void SetStream();
+  bool MakesLayer(protocol::version2::Layer layer);
+  void MoveJoints();
+  void LimitSpeeds();
+  bool HasJoints(const protocol::version2::JointValue* joints, int count);
+  void RefuseMissing(const char* part, int identifier);
+  void SwitchMotors();
+  void SetTelemetry();
+  void SetLeds();
+  void SetEars();
+  bool SetEar(int identifier, bool draw);
+  void GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting);
+  /// @}
+
+  /// @name Requests that need the memory stick. They return false if nothing was done because it is busy
+  /// @{
+  bool Upload();
+  bool Delete();
+  bool Play();
+  bool List();
+  /// @}
+  void Answer(MotionCommands::Outcome outcome);
+
+  void PushJointFaults();
+  void PushMotionFailures();
+  void PushTelemetry(unsigned frame);
+
+  const Robot& robot_;
+  const Settings& settings_;
+  MotionCommands& motions_;
+  ImageObserver& camera_;
+  Outbox& outbox_;
+  char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
+  protocol::version2::FrameHeader request_;  ///< that is being handled
+  const unsigned char* payload_;             ///< of the request
+  protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick
+  unsigned char message_[Outbox::MAX_REPLY_SIZE];
+  unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
+  bool has_pushed_telemetry_;        ///< since the period was set
+  unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_H
