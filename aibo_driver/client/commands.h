@@ -6,7 +6,7 @@
 
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
-#include "client/joint_commands.h"
+#include "client/command_outbox.h"
 #include "client/latest_by_id.h"
 
 namespace aibo_driver {

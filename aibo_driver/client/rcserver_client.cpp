@@ -13,7 +13,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "client/client_options.h"
-#include "client/command_checks.h"
+#include "client/argument_checks.h"
 #include "client/counters.h"
 #include "client/fault.h"
 #include "client/notifier.h"

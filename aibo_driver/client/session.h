@@ -16,9 +16,9 @@
 #include "client/counters.h"
 #include "client/notifier.h"
 #include "client/picture_requests.h"
-#include "client/robot_request.h"
+#include "client/call.h"
 #include "client/stall_detector.h"
-#include "client/stream_control.h"
+#include "client/picture_intake.h"
 
 namespace aibo_driver {
 

@@ -1,6 +1,6 @@
-/// @file joint_commands.h
-#ifndef AIBO_DRIVER_CLIENT_JOINT_COMMANDS_H
-#define AIBO_DRIVER_CLIENT_JOINT_COMMANDS_H
+/// @file command_outbox.h
+#ifndef AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H
+#define AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H
 
 #include <chrono>
 #include <deque>
@@ -47,4 +47,4 @@ class JointCommands {
 
 }  // namespace aibo_driver
 
-#endif  // AIBO_DRIVER_CLIENT_JOINT_COMMANDS_H
+#endif  // AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H

@@ -1,4 +1,4 @@
-#include "client/command_checks.h"
+#include "client/argument_checks.h"
 
 #include <cmath>
 #include <set>

@@ -1,4 +1,4 @@
-#include "client/joint_commands.h"
+#include "client/command_outbox.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
-/// @file robot_request.h
-#ifndef AIBO_DRIVER_CLIENT_ROBOT_REQUEST_H
-#define AIBO_DRIVER_CLIENT_ROBOT_REQUEST_H
+/// @file call.h
+#ifndef AIBO_DRIVER_CLIENT_CALL_H
+#define AIBO_DRIVER_CLIENT_CALL_H
 
 #include <chrono>
 #include <cstdint>
@@ -60,4 +60,4 @@ RobotRequest::Bytes encodeForVersion2(const RobotRequest& request);
 
 }  // namespace aibo_driver
 
-#endif  // AIBO_DRIVER_CLIENT_ROBOT_REQUEST_H
+#endif  // AIBO_DRIVER_CLIENT_CALL_H

@@ -1,8 +1,8 @@
-/// @file command_checks.h
+/// @file argument_checks.h
 /// What RcServerClient's commands to the body take. Everything here throws InvalidArgumentException naming what is
 /// wrong.
-#ifndef AIBO_DRIVER_CLIENT_COMMAND_CHECKS_H
-#define AIBO_DRIVER_CLIENT_COMMAND_CHECKS_H
+#ifndef AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
+#define AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
 
 #include <chrono>
 #include <cstdint>
@@ -24,4 +24,4 @@ std::string checkedMotionName(const std::string& name);
 
 }  // namespace aibo_driver
 
-#endif  // AIBO_DRIVER_CLIENT_COMMAND_CHECKS_H
+#endif  // AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H

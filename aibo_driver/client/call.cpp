@@ -1,4 +1,4 @@
-#include "client/robot_request.h"
+#include "client/call.h"
 
 #include <algorithm>
 

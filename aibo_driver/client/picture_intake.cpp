@@ -1,4 +1,4 @@
-#include "client/stream_control.h"
+#include "client/picture_intake.h"
 
 namespace aibo_driver {
 

@@ -1,6 +1,6 @@
-/// @file stream_control.h
-#ifndef AIBO_DRIVER_CLIENT_STREAM_CONTROL_H
-#define AIBO_DRIVER_CLIENT_STREAM_CONTROL_H
+/// @file picture_intake.h
+#ifndef AIBO_DRIVER_CLIENT_PICTURE_INTAKE_H
+#define AIBO_DRIVER_CLIENT_PICTURE_INTAKE_H
 
 #include <chrono>
 
@@ -50,4 +50,4 @@ class StreamControl {
 
 }  // namespace aibo_driver
 
-#endif  // AIBO_DRIVER_CLIENT_STREAM_CONTROL_H
+#endif  // AIBO_DRIVER_CLIENT_PICTURE_INTAKE_H
