@@ -1,6 +1,6 @@
 /// @file argument_checks.h
-/// What RcServerClient's commands to the body take. Everything here throws InvalidArgumentException naming what is
-/// wrong.
+/// Checks what RcServerClient is given. Every function throws InvalidArgumentException if a value is not allowed; the
+/// message names the value and its range.
 #ifndef AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
 #define AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
 
@@ -9,17 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/joints.h"
-#include "aibo_driver/leds.h"
+#include "aibo_driver/rcserver_client.h"
 
 namespace aibo_driver {
 
+void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit = "");
+
+void checkClientOptions(const ClientOptions& options);
 void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
 void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkMotionContent(const std::vector<std::uint8_t>& content);
 
-/// @return the name as it goes over the wire
+/// @return the name as it is sent: in capitals
 std::string checkedMotionName(const std::string& name);
 
 }  // namespace aibo_driver

@@ -1,62 +1,132 @@
 /// @file call.h
+/// Calls of RcServerClient that wait for the robot's answer: take a picture, switch the motors, motions, shutting down.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <future>
+#include <list>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "client/call_outcome.h"
+#include "aibo_driver/exceptions.h"
+#include "aibo_driver/picture.h"
 
 namespace aibo_driver {
 
-/// What a RobotRequest waits for.
-struct RobotAnswer {
+/// How a call has ended. A failure is a value until it has reached the caller's thread, and is thrown there.
+enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
+
+/// What a call waits for.
+struct Answer {
   CallOutcome outcome = CallOutcome::kDone;
-  std::string problem;             ///< empty if done
-  bool motors_on = false;          ///< answers `O`: what is now the case
+  std::string problem;                 ///< empty if done
+  FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call has failed
+
+  PicturePtr picture;              ///< answers `F`
+  int stream_quality = 0;          ///< answers `F`: of the running stream that the picture is from; 0 = from none
+  bool motors_on = false;          ///< answers `O`
   std::vector<std::string> names;  ///< answers `N`: of the motions
 };
 
-/// Something that the robot is asked to do once, and a call that waits until it has: motors, motions, shutting down.
-/// (Pictures and commands have rules of their own.)
-struct RobotRequest {
-  using Answer = RobotAnswer;
+/// The answer of a call that has failed.
+Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fault = FaultKind::kNone);
+
+/// One call in progress: a request that is sent once, and the caller's promise.
+struct Call {
   using Bytes = std::vector<std::uint8_t>;
+  using TimePoint = std::chrono::steady_clock::time_point;
 
-  char letter = 0;   ///< the same in both versions of the protocol
+  char letter = 0;   ///< of the request; the same in both versions of the protocol
+  int number = 0;    ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
   std::string name;  ///< of a motion; `P` alone may go without
-  int number = 0;    ///< `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
-  Bytes content;     ///< of the motion that is to be uploaded
+  Bytes content;     ///< of the motion to upload
 
-  std::chrono::milliseconds timeout{0};            ///< what the caller allowed, for messages
-  std::chrono::steady_clock::time_point deadline;  ///< the caller waits no longer
+  std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
+  TimePoint deadline;                    ///< when the caller stops waiting
+  TimePoint since;                       ///< a picture of the stream answers only if it began later
+  int request_number = 0;                ///< of the request that was sent; 0 = none was
   std::promise<Answer> promise;
 
-  void answer(const Answer& answer) { promise.set_value(answer); }
-  void fail(CallOutcome outcome, const std::string& problem) { promise.set_value({outcome, problem, false, {}}); }
+  bool isForPicture() const;
+
+  /// True if it decides where joints are from then on, as a motion does and the motors' switch: commands that the
+  /// joints were given before it no longer count.
+  bool takesOverJoints() const;
 };
 
 /// What is asked for, in words that follow "refused to ".
-std::string describe(const RobotRequest& request);
+std::string describe(const Call& call);
 
-/// What an error code of version 1 means in answer to this request, and what the user can do.
-std::string explainRefusal(const RobotRequest& request, int code);
-
-/// True if it decides where joints are from then on, as a motion does and the motors' switch: what they were told
-/// before counts no more.
-bool takesOverJoints(const RobotRequest& request);
+/// Why a version 1 server has answered this call with an error code, and what the user can do.
+std::string explainRefusal(const Call& call, int code);
 
 /// True if version 1 of the protocol has this request.
-bool isKnownToVersion1(const RobotRequest& request);
+bool isKnownToVersion1(const Call& call);
 
-/// The whole request, of version 1.
-RobotRequest::Bytes encodeForVersion1(const RobotRequest& request);
+/// The whole request of version 1. Not for pictures.
+Call::Bytes encodeForVersion1(const Call& call);
 
-/// The payload of the request, of version 2.
-RobotRequest::Bytes encodeForVersion2(const RobotRequest& request);
+/// Bytes that encodeForVersion2() writes at most.
+std::size_t largestPayload(const Call& call);
+
+/// The payload of the request of version 2. Not for pictures.
+/// @return the bytes written
+std::size_t encodeForVersion2(const Call& call, unsigned char* out);
+
+/// The calls of one connection, in the order in which they were made.
+class PendingCalls {
+ public:
+  using TimePoint = Call::TimePoint;
+
+  void add(Call call) { calls_.push_back(std::move(call)); }
+
+  /// The oldest call for a picture that has not been sent; null if there is none.
+  Call* nextForPicture() { return nextUnsent(true); }
+  /// The oldest other call that has not been sent; null if there is none.
+  Call* nextForRobot() { return nextUnsent(false); }
+
+  /// The call whose request was sent with this number; null if there is none. A request of number 0 was never sent.
+  Call* find(int request_number);
+  const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
+
+  /// Ends the call whose request was sent with this number, if there is one.
+  void answer(int request_number, Answer answer);
+
+  /// Answers the unsent calls for a picture that were made before this picture of the stream began.
+  void answerFromStream(const PicturePtr& picture, int quality);
+
+  /// The deadline that passes first; TimePoint::max() if nobody waits.
+  TimePoint nextDeadline() const;
+
+  /// Ends the calls whose deadline has passed.
+  /// @param remark added to the problem of those for a picture
+  void expire(TimePoint now, const std::string& remark);
+
+  /// Ends all calls.
+  void failAll(const Answer& failure);
+
+  /// A call's request goes off. A large one is an upload: until it is through, pictures and answers take their time.
+  void transferBegins(std::size_t size, TimePoint now);
+  /// It has been answered.
+  void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
+  /// When the transfer will have gone through at the latest, or went through.
+  TimePoint transferEnd() const { return transfer_end_; }
+
+ private:
+  Call* nextUnsent(bool for_picture);
+
+  /// Ends the calls that the condition holds for.
+  template <typename Condition, typename MakeAnswer>
+  void endIf(const Condition& condition, const MakeAnswer& makeAnswer);
+
+  std::list<Call> calls_;
+  TimePoint transfer_end_;
+};
 
 }  // namespace aibo_driver
 

@@ -1,4 +1,4 @@
-#include "client/sensor_readings.h"
+#include "client/units.h"
 
 #include "protocol/sensor_values.h"
 #include "robot_model/robot_model.h"

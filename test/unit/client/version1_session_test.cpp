@@ -59,7 +59,7 @@ class Version1SessionTest : public SessionFixture {
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
 
   ServerHabits habits_;
-  Version1Session session_{context(), habits_, Version1Session::VersionAnswer::kNotAsked, now_};
+  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
 };
 
 TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
@@ -86,7 +86,7 @@ TEST_F(Version1SessionTest, RapidTogglesNeverLoseTheParity) {
     wish_.streaming = i % 3 != 0;
     toggles += command().empty() ? 0 : 1;
     EXPECT_EQ(wish_.streaming, toggles % 2 == 1);
-    EXPECT_EQ(wish_.streaming, session_.streaming());
+    EXPECT_EQ(wish_.streaming, connection_.pictures.streaming());
   }
 }
 
@@ -172,8 +172,8 @@ TEST_F(Version1SessionTest, AServerThatDoesNotStopIsGivenUp) {
     pass(milliseconds(33));
     try {
       receivePicture(1);
-    } catch (const Fault& fault) {
-      why = fault.what();
+    } catch (const ProtocolException& error) {
+      why = error.what();
     }
   }
   EXPECT_THAT(why, HasSubstr("it goes on sending pictures although it was told to stop"));
@@ -186,7 +186,7 @@ TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality)
   EXPECT_EQ("", command());
   receivePicture(1);
   ASSERT_TRUE(done(answer));
-  const PictureAnswer got = answer.get();
+  const Answer got = answer.get();
   EXPECT_EQ(test_pictures::makeNumbered(1), got.picture->jpeg);
   EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(1u, pictures_.size()) << "it is published like any other";
@@ -228,7 +228,7 @@ TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBegi
   receivePicture(2);
   ASSERT_TRUE(done(first));
   ASSERT_TRUE(done(second));
-  const PictureAnswer got = first.get();
+  const Answer got = first.get();
   EXPECT_EQ(85, got.stream_quality);
   EXPECT_EQ(test_pictures::makeNumbered(2), got.picture->jpeg);
   EXPECT_EQ(got.picture, second.get().picture);
@@ -285,16 +285,17 @@ TEST_F(Version1SessionTest, ARefusedPictureEndsTheCallWithTheRobotsCode) {
   auto answer = takePicture(30);
   command();
   receive({'e', 0, 1, 0});
-  const PictureAnswer refusal = answer.get();
+  const Answer refusal = answer.get();
   EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
   EXPECT_EQ("robot:54321 refused to take a picture: error code 1.", refusal.problem);
+  EXPECT_EQ(1u, counters_.refusals);
   pass(milliseconds(5000));
 }
 
 TEST_F(Version1SessionTest, ARefusedStreamEndsTheConnectionWithTheRobotsCode) {
   wish_.streaming = true;
   command();
-  EXPECT_THROW(receive({'e', 0, 0, 0}), Fault);
+  EXPECT_THROW(receive({'e', 0, 0, 0}), ProtocolException);
 }
 
 TEST_F(Version1SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
@@ -550,7 +551,8 @@ TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
 TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOnly) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 3; ++i) {
-    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+    Connection connection(context(), now_);
+    Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
     session.nextRequest(wish_, now_);
     const Bytes joint = {'j', 1, 0, 0};
     session.bytesArrived(joint.data(), joint.size(), now_);
@@ -559,7 +561,8 @@ TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOn
     EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
   }
   EXPECT_EQ(1, logged("does not answer when it is asked for its sensors"));
-  Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+  Connection connection(context(), now_);
+  Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
   for (int i = 0; i < 10; ++i) {
     const Bytes request = session.nextRequest(wish_, now_);
     EXPECT_EQ('J', request.at(0));
@@ -572,7 +575,8 @@ TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOn
 TEST_F(Version1SessionTest, AServerThatSaysNothingAtAllIsAskedAgainAndAgain) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 10; ++i) {
-    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kOwed, now_);
+    Connection connection(context(), now_);
+    Version1Session session(connection, habits_, Version1Session::VersionAnswer::kOwed, now_);
     ASSERT_FALSE(session.nextRequest(wish_, now_).empty()) << "it was out of reach, and may be back";
     EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
   }
@@ -687,7 +691,7 @@ TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
     auto answer = ask(letter, name, number, letter == 'U' ? Bytes(10) : Bytes());
     EXPECT_FALSE(bytes().empty());
     receive({'e', 0, code, 0});
-    const RobotAnswer refusal = answer.get();
+    const Answer refusal = answer.get();
     EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
     return refusal.problem;
   };
@@ -695,11 +699,11 @@ TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
       "robot:54321 refused to play the motion NOD.MTN: there is no such file in OPEN-R/MW/DATA/P on its memory stick, "
       "or it cannot be read (error code 1).",
       refuse('P', "NOD.MTN", 1, 1));
-  EXPECT_THAT(refuse('U', "NOD.MTN", 0, 0), HasSubstr("has to have a line ALLOW_UPLOAD=yes"));
+  EXPECT_THAT(refuse('U', "NOD.MTN", 0, 0), HasSubstr("needs a line ALLOW_UPLOAD=yes"));
   EXPECT_THAT(refuse('D', "NOD.MTN", 0, 0), HasSubstr("ALLOW_DELETE=yes"));
   EXPECT_THAT(refuse('Q', "", 0, 0), HasSubstr("refused to shut down: is it allowed?"));
   EXPECT_THAT(refuse('R', "", 0, 0), HasSubstr("ALLOW_REBOOT=yes"));
-  EXPECT_THAT(refuse('D', "NOD.MTN", 0, 2), HasSubstr("does not take this for the name of a motion"));
+  EXPECT_THAT(refuse('D', "NOD.MTN", 0, 2), HasSubstr("does not accept this as the name of a motion"));
   EXPECT_EQ(6u, counters_.refusals);
 }
 
@@ -722,7 +726,7 @@ TEST_F(Version1SessionTest, ACallThatHasNotBeenSentInTimeLeavesTheConnectionAlon
 }
 
 TEST_F(Version1SessionTest, WhatVersion1DoesNotKnowIsRefused) {
-  const RobotAnswer motors = ask('O', "", 0).get();
+  const Answer motors = ask('O', "", 0).get();
   EXPECT_EQ(CallOutcome::kRefused, motors.outcome);
   EXPECT_THAT(motors.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors off"));
   EXPECT_THAT(ask('N').get().problem, HasSubstr("which cannot list its motions"));
@@ -733,7 +737,7 @@ class LateVersionAnswerTest : public Version1SessionTest {
  protected:
   Session& session() override { return late_; }
 
-  Version1Session late_{context(), habits_, Version1Session::VersionAnswer::kOwed, now_};
+  Version1Session late_{connection_, habits_, Version1Session::VersionAnswer::kOwed, now_};
 };
 
 TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {

@@ -59,14 +59,14 @@ class Version2SessionTest : public SessionFixture {
   std::string faultOf(const Bytes& bytes) {
     try {
       receive(bytes);
-    } catch (const Fault& fault) {
-      return fault.what();
+    } catch (const ProtocolException& error) {
+      return error.what();
     }
     return "";
   }
 
   version2_frames::Frame frame_;  // that was sent last
-  Version2Session session_{context(), now_};
+  Version2Session session_{connection_, now_};
 };
 
 Bytes makeError(int number, int code, const std::string& text) {
@@ -78,7 +78,7 @@ Bytes makePicture(int number, unsigned seed, unsigned frame_number = 0) {
 }
 
 TEST_F(Version2SessionTest, TheHelloTellsWhoIsThere) {
-  const RobotInfo& robot = session_.robot();
+  const RobotInfo& robot = connection_.robot;
   EXPECT_EQ("ERS-7", robot.design);
   EXPECT_EQ("a test 1.0", robot.server);
   EXPECT_TRUE(robot.hasCapability("J"));
@@ -94,7 +94,8 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   const Notifier notifier{RcServerClient::Callbacks()};
   Counters counters;
   const Session::TimePoint now = Session::TimePoint() + milliseconds(1000);
-  Version2Session session({"robot:54321", milliseconds(500), notifier, counters}, now);
+  Connection connection({"robot:54321", milliseconds(500), notifier, counters}, now);
+  Version2Session session(connection, now);
   const Wish wish = {true, 85, 4};
   EXPECT_FALSE(session.nextRequest(wish, now).empty());
   EXPECT_TRUE(session.nextRequest(wish, now).empty());
@@ -134,11 +135,11 @@ TEST_F(Version2SessionTest, TheStreamIsToldOnceForEachChangeOfWishOrQuality) {
   EXPECT_EQ("W3", request());
   EXPECT_EQ(40, frame_.header.id);
   EXPECT_EQ("", request());
-  EXPECT_TRUE(session_.streaming());
+  EXPECT_TRUE(connection_.pictures.streaming());
   wish_.streaming = false;
   EXPECT_EQ("W4", request());
   EXPECT_EQ(Bytes({0, 0, 0, 1}), frame_.payload);
-  EXPECT_FALSE(session_.streaming());
+  EXPECT_FALSE(connection_.pictures.streaming());
   wish_.jpeg_quality = 50;
   EXPECT_EQ("", request());
 }
@@ -187,7 +188,7 @@ TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQu
   receive(makePicture(4, 2));
   receive(makePicture(3, 3));
   EXPECT_EQ(test_pictures::makeNumbered(2), second.get().picture->jpeg);
-  const PictureAnswer got = first.get();
+  const Answer got = first.get();
   EXPECT_EQ(test_pictures::makeNumbered(3), got.picture->jpeg);
   EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(3u, pictures_.size());
@@ -220,7 +221,7 @@ TEST_F(Version2SessionTest, AnErrorBelongsToTheRequestWithItsNumber) {
   EXPECT_EQ("J4", request());
   receive(makeError(3, 0, "no more film"));
   EXPECT_FALSE(done(first));
-  const PictureAnswer refusal = second.get();
+  const Answer refusal = second.get();
   EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
   EXPECT_EQ("robot:54321 refused to take a picture: no more film (error code 0).", refusal.problem);
   receive(makeError(4, 0, "there is no joint 77"));
@@ -538,7 +539,7 @@ TEST_F(Version2SessionTest, AListThatIsNoneIsAProtocolError) {
 
 TEST_F(Version2SessionTest, WhatTheRobotReportsByItselfIsLoggedAndKept) {
   receive(makeError(0, 3, "joint head_pan does not move"));
-  EXPECT_EQ("joint head_pan does not move (error code 3)", session_.robotMessage());
+  EXPECT_EQ("joint head_pan does not move (error code 3)", connection_.robot_message);
   EXPECT_EQ(1, logged("reports: joint head_pan does not move"));
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "aibo_driver/exceptions.h"
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
 #include "aibo_driver/log.h"
@@ -19,7 +20,8 @@
 
 namespace aibo_driver {
 
-class Transport;
+class ConnectionLoop;
+class TcpTransport;
 
 /// How to reach the robot, and how patient to be with it. Checked by the constructor of RcServerClient.
 struct ClientOptions {
@@ -38,10 +40,11 @@ enum class ConnectionState { kDisconnected, kConnecting, kConnected };
 /// Where the client stands with the robot.
 struct ConnectionStatus {
   ConnectionState state = ConnectionState::kDisconnected;
-  int protocol_version = 0;  ///< 1 or 2 once connected; 0 while not
-  std::string reason;        ///< why the last connection or attempt ended; empty when all is well
-  std::string advice;        ///< what the user should check; empty when all is well
-  RobotInfo robot;           ///< who is there, once connected to a version 2 server; else empty
+  int protocol_version = 0;            ///< 1 or 2 once connected; 0 while not
+  std::string reason;                  ///< why the last connection or attempt ended; empty when all is well
+  std::string advice;                  ///< what the user should check; empty when all is well
+  FaultKind fault = FaultKind::kNone;  ///< the same as `reason`, for programs; kNone when all is well
+  RobotInfo robot;                     ///< who is there, once connected to a version 2 server; else empty
   /// What a version 2 server has last reported by itself, such as a joint that does not move or why it hangs up. Stays
   /// until the next connection; empty if there was nothing.
   std::string robot_message;
@@ -102,7 +105,7 @@ class RcServerClient {
   RcServerClient(const ClientOptions& options, Callbacks callbacks);
 
   /// The same over another transport than TCP: for tests.
-  RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<Transport> transport);
+  RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
   /// Calls stop().
   ~RcServerClient();
@@ -273,8 +276,7 @@ class RcServerClient {
   ClientStatistics statistics() const;
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<ConnectionLoop> loop_;
 };
 
 }  // namespace aibo_driver
