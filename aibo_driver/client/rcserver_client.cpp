@@ -91,7 +91,7 @@ RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks
 }
 
 RcServerClient::~RcServerClient() {
-  stop();
+  RcServerClient::stop();
 }
 
 void RcServerClient::start() {

@@ -74,7 +74,8 @@ struct ClientStatistics {
 /// request for a single picture does not, and a command never does: what moves, shines or is written is done once or
 /// not at all. All waiting is done on the steady clock and ends at once when stop() is called.
 ///
-/// Every member function may be called from any thread, except where it says otherwise.
+/// Every member function may be called from any thread, except where it says otherwise. All of them are virtual, so
+/// that a test can put a fake in the client's place.
 class RcServerClient {
  public:
   /// Called on the client's thread with every good picture of the stream, and with those taken by takePicture().
@@ -108,34 +109,34 @@ class RcServerClient {
   RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
   /// Calls stop().
-  ~RcServerClient();
+  virtual ~RcServerClient();
 
   RcServerClient(const RcServerClient&) = delete;
   RcServerClient& operator=(const RcServerClient&) = delete;
 
   /// Begins to connect. Does nothing if it has begun already.
   /// @throw Exception after stop(): a client that was stopped stays stopped
-  void start();
+  virtual void start();
 
   /// Ends the connection and the thread, within a second in every state; a takePicture() in progress ends with
   /// StoppedException. No callback runs after it has returned. Does nothing the second time.
-  void stop() noexcept;
+  virtual void stop() noexcept;
 
   /// What is wanted: pictures all the time, or none. Takes effect at once when connected, otherwise as soon as a
   /// connection stands, and again after each reconnect. Idempotent: wanting what is wanted already sends nothing.
-  void setStreaming(bool on);
+  virtual void setStreaming(bool on);
 
   /// The quality of the stream's pictures. A running stream of a version 2 server changes at once; that of a version 1
   /// server keeps the quality it was started with until it is next started.
   /// @param quality 1..100
   /// @throw InvalidArgumentException outside of the range
-  void setJpegQuality(int quality);
+  virtual void setJpegQuality(int quality);
 
   /// What setJpegQuality() was last told, or the option at first.
-  int jpegQuality() const;
+  virtual int jpegQuality() const;
 
   /// True while a stream has been asked for over the present connection and has not been stopped since.
-  bool streaming() const;
+  virtual bool streaming() const;
 
   /// Waits for a picture that was taken after this call.
   ///
@@ -159,7 +160,7 @@ class RcServerClient {
   /// @throw CommandException the robot answered with an error
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
-  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr);
+  virtual PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr);
 
   /// Sends joints to positions: together, in one request, and at once. Returns without waiting for the answer, which
   /// comes through on_joints_accepted, or through the log if the robot refuses.
@@ -177,13 +178,13 @@ class RcServerClient {
   /// @throw NetworkException not connected; the message says why and what to check
   /// @throw CommandException the server says that it has no joints to command
   /// @throw StoppedException stop() was called
-  void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
+  virtual void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
 
   /// Sets how fast joints may move. Sent before later commands to the joints, under the same rules: after a reconnect
   /// it is not set again.
   /// @param limits 1..32 joints, each once
   /// @throw as commandJoints()
-  void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
+  virtual void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 
   /// Switches the gains of all joints on or off: off, the joints can be moved by hand.
   /// @param timeout longest time to wait, 1 ms..1 h
@@ -194,7 +195,7 @@ class RcServerClient {
   /// @throw CommandException the robot refused, or its server cannot do it: no version 1 server can
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
-  bool setMotors(bool on, std::chrono::milliseconds timeout);
+  virtual bool setMotors(bool on, std::chrono::milliseconds timeout);
 
   /// Lets LEDs shine. Returns without waiting, under the same rules as commandJoints(): if commands come faster than
   /// the robot answers, each LED gets its latest one.
@@ -207,14 +208,14 @@ class RcServerClient {
   /// @throw NetworkException not connected; the message says why and what to check
   /// @throw CommandException the server says that it has no LEDs
   /// @throw StoppedException stop() was called
-  void commandLeds(const std::vector<LedCommand>& leds);
+  virtual void commandLeds(const std::vector<LedCommand>& leds);
 
   /// Flicks the ears: one that is drawn is let go again by the robot after 128 ms, because its magnet must not be held
   /// energised. Returns without waiting, as commandLeds().
   /// @param left true = draw it, false = let it go at once
   /// @param right the same
   /// @throw NetworkException, CommandException, StoppedException as commandLeds()
-  void commandEars(bool left, bool right);
+  virtual void commandEars(bool left, bool right);
 
   /// Plays a motion from the robot's memory stick (MTN, Sony's format). Returns when the robot has begun. Motions that
   /// move different joints play at the same time.
@@ -232,32 +233,32 @@ class RcServerClient {
   /// @param name of the file, such as NOD.MTN: 8 characters at most, then .MTN; large and small letters are the same
   /// @param repetitions 1..65535
   /// @param timeout longest time to wait, 1 ms..1 h
-  void playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
+  virtual void playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
 
   /// Stops a motion: its joints hold where they are.
   /// @param name of the motion; empty = all that are playing
-  void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
+  virtual void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Writes a motion to the robot's memory stick, in the place of one of this name. The robot's RCSERVER.CFG has to
   /// allow it (ALLOW_UPLOAD). Pictures go on meanwhile; a version 1 server is asked for nothing else until it is done.
   /// @param content the file's bytes, 1..65523: what a request of version 2 holds beside a name. This project's
   /// RCServer
   ///   takes no motion of more than 64000.
-  void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
-                    std::chrono::milliseconds timeout);
+  virtual void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
+                            std::chrono::milliseconds timeout);
 
   /// Deletes a motion from the robot's memory stick. RCSERVER.CFG has to allow it (ALLOW_DELETE).
-  void deleteMotion(const std::string& name, std::chrono::milliseconds timeout);
+  virtual void deleteMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// The names of the motions on the robot's memory stick. No version 1 server tells them.
-  std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
+  virtual std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
 
   /// Switches the motors off, so that the robot sinks down, and then the robot. RCSERVER.CFG has to allow it
   /// (ALLOW_SHUT_DOWN). The connection ends after the answer; this client goes on trying to connect.
-  void shutDownRobot(std::chrono::milliseconds timeout);
+  virtual void shutDownRobot(std::chrono::milliseconds timeout);
 
   /// The same, and the robot starts anew (ALLOW_REBOOT).
-  void rebootRobot(std::chrono::milliseconds timeout);
+  virtual void rebootRobot(std::chrono::milliseconds timeout);
 
   /// What is wanted: telemetry each so many OPEN-R frames of 8 ms, or none. Takes effect as setStreaming() does.
   ///
@@ -267,13 +268,13 @@ class RcServerClient {
   ///
   /// @param frames 0..65535; 0 = none; 4 (32 ms) is as often as the robot measures
   /// @throw InvalidArgumentException outside of the range
-  void setTelemetryPeriod(int frames);
+  virtual void setTelemetryPeriod(int frames);
 
   /// A snapshot of the connection's status.
-  ConnectionStatus status() const;
+  virtual ConnectionStatus status() const;
 
   /// A snapshot of the counters.
-  ClientStatistics statistics() const;
+  virtual ClientStatistics statistics() const;
 
  private:
   std::unique_ptr<ConnectionLoop> loop_;
