@@ -1,6 +1,6 @@
 /// @file command_outbox.h
 /// Commands to the body that have not been sent yet. If they come faster than the robot answers, each part of the body
-/// gets the latest one only, so the outbox never grows without end, and nothing waits for ever.
+/// gets only the latest one, so the outbox stays small, and nothing waits for ever.
 #ifndef AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H
 #define AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H
 

@@ -6,10 +6,10 @@
 namespace aibo_driver {
 namespace {
 
-// However impatient the user is with pictures: an answer may have to wait behind one.
+// However short the time allowed for pictures is, an answer may have to wait behind one.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
-// Commands to the joints are for now. Whoever gave one has seen by then that nothing moves.
+// Commands to the joints are meant for now. By then the user has seen that nothing moves.
 constexpr std::chrono::milliseconds kLongestJointWait{500};
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kLongestJointWait{500};
 void RefusalLog::refused(char letter, const std::string& problem) {
   ++context_.counters.refusals;
   if (problem != std::exchange(last_problems_[letter], problem)) {
-    context_.notifier.log(LogLevel::kWarn, context_.address + " refused " + problem + ".");
+    context_.warn("refused " + problem);
   }
 }
 

@@ -35,8 +35,9 @@ class RefusalLog {
   std::map<char, std::string> last_problems_;  // by the request's letter
 };
 
-/// The state of one connection from the moment it stands to its end. It belongs to the client's thread: the loop puts
-/// calls and commands in, the session of the protocol's version takes them out. It does no I/O and reads no clock.
+/// The state of one connection, from its beginning to its end. It belongs to the client's thread: the loop puts calls
+/// and commands in, and the session, which speaks one version of the protocol, takes them out. It does no I/O and reads
+/// no clock.
 struct Connection {
   using TimePoint = std::chrono::steady_clock::time_point;
 
@@ -46,12 +47,11 @@ struct Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Gives telemetry to the client's owner.
+  /// Gives telemetry to the client's user.
   void publish(Telemetry telemetry);
 
   /// To be called whenever commands to the joints could be sent, before they are. If that was not possible for long,
-  /// because the robot was busy or the link stood still, the commands from before are dropped: nobody expects them any
-  /// more.
+  /// because the robot was busy or the link stood still, it drops the commands from before: they are out of date.
   void dropStaleJointCommands(TimePoint now);
 
   /// True if this call has to wait until the speed limits have been sent: they hold for the motion that it begins.

@@ -1,5 +1,5 @@
 /// @file fault.h
-/// Everything that can end a connection or an attempt to make one, in words a user can act on.
+/// The reasons that end a connection or an attempt to make one, in words that a user can act on.
 #ifndef AIBO_DRIVER_CLIENT_FAULT_H
 #define AIBO_DRIVER_CLIENT_FAULT_H
 

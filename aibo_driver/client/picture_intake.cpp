@@ -43,8 +43,7 @@ std::shared_ptr<Picture> PictureIntake::inspect(std::vector<std::uint8_t> jpeg, 
   if (!inspection.good()) {
     ++context_.counters.corrupt_pictures;
     if (inspection.problem != std::exchange(last_damage_, inspection.problem)) {
-      context_.notifier.log(
-          LogLevel::kWarn, context_.address + " sent a damaged picture, which is dropped: " + inspection.problem + ".");
+      context_.warn("sent a damaged picture, which is dropped: " + inspection.problem);
     }
     return nullptr;
   }

@@ -18,13 +18,16 @@ namespace aibo_driver {
 /// What the parts of a connection need to know of the client that they belong to.
 struct ConnectionContext {
   std::string address;                     ///< of the server, for messages
-  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture and is silent for so long is given up
+  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture and is silent for longer is given up
   const Notifier& notifier;
   Counters& counters;
   std::uint64_t number = 0;  ///< of the connection: 1 for the client's first
+
+  /// Logs what the server did, as in "ADDRESS sent something strange.".
+  void warn(const std::string& what) const { notifier.log(LogLevel::kWarn, address + " " + what + "."); }
 };
 
-/// The pictures of one connection: whether a stream is on, which pictures are good and fresh, and who gets them.
+/// The pictures of one connection: whether a stream is on, and which pictures are good and fresh.
 ///
 /// For a version 1 server the number of toggles sent is all that is known of the stream: the same request starts and
 /// stops it, and is never acknowledged. A new connection begins without a stream.
@@ -66,7 +69,7 @@ class PictureIntake {
   /// @return null if it is damaged, which is counted and logged
   std::shared_ptr<Picture> inspect(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time);
 
-  /// Gives a picture to the client's owner.
+  /// Gives a picture to the client's user.
   void deliver(const PicturePtr& picture);
 
   /// The same with a picture of the stream, unless the stream is off or the picture has waited unread for too long.

@@ -18,7 +18,7 @@ struct Wish {
   int telemetry_period = 0;  ///< OPEN-R frames of 8 ms; 0 = no telemetry
 };
 
-/// One version of the protocol, spoken over one Connection: what to send, what to make of what arrives, and when to
+/// Speaks one version of the protocol over one Connection: what to send, how to take apart what arrives, and when to
 /// give up. It does no I/O and reads no clock: bytes and times are handed in. Used by one thread.
 class Session {
  public:
@@ -41,8 +41,9 @@ class Session {
   /// Takes over a call.
   virtual void add(Call call) = 0;
 
-  /// The request to send now, taken for sent; empty if there is none. To be asked for until there is none, whenever
-  /// anything may have changed. Send it in one piece: some servers tell requests apart by how many bytes come at once.
+  /// The request to send now, empty if there is none; from then on it counts as sent. Whenever anything may have
+  /// changed, call this until nothing is left. Each request has to be sent in one piece: some servers recognise a
+  /// request by the number of bytes that arrive at once.
   virtual Bytes nextRequest(const Wish& wish, TimePoint now) = 0;
 
   /// Bytes were read at this time.

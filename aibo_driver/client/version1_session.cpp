@@ -263,9 +263,7 @@ void Version1Session::onError(int code) {
   } else if (connection_.pictures.streaming()) {
     throw ProtocolException("it refused to stream pictures: " + describeError(code));
   } else {
-    connection_.context.notifier.log(
-        LogLevel::kWarn,
-        connection_.context.address + " sent an error that answers no request: " + describeError(code) + ".");
+    connection_.context.warn("sent an error that answers no request: " + describeError(code));
   }
 }
 
@@ -298,8 +296,8 @@ void Version1Session::onAnswer(const protocol::ValueReply& reply) {
   } else if (value_owed_ && answers(value_owed_->letter) && reply.identifier == value_owed_->id) {
     onValue(reply);
   } else {
-    connection_.context.notifier.log(LogLevel::kWarn, connection_.context.address + " sent an answer to no request: '" +
-                                                          reply.letter + "', " + std::to_string(reply.value) + ".");
+    connection_.context.warn(std::string("sent an answer to no request: '") + reply.letter + "', " +
+                             std::to_string(reply.value));
   }
 }
 
@@ -377,14 +375,14 @@ void Version1Session::checkCalls(TimePoint now) {
 }
 
 void Version1Session::failUnanswered() {
+  const ConnectionContext& context = connection_.context;
   const char letter = value_owed_->letter;
-  const std::string& address = connection_.context.address;
   if (heard_ && !value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
-    connection_.context.notifier.log(LogLevel::kWarn, address + " does not answer when it is asked for its " +
-                                                          partOf(letter) +
-                                                          "s. It is not asked again: there is no telemetry of them.");
+    const std::string parts = std::string(partOf(letter)) + "s";
+    context.warn("does not answer when it is asked for its " + parts +
+                 ". It is not asked again, so there will be no telemetry of its " + parts);
   }
-  throw Fault::unanswered(address, describe(letter, value_owed_->id), connection_.answerLimit());
+  throw Fault::unanswered(context.address, describe(letter, value_owed_->id), connection_.answerLimit());
 }
 
 Session::TimePoint Version1Session::nextDeadline() const {

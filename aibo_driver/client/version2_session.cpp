@@ -424,8 +424,7 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
 
 void Version2Session::onReport(const Payload& payload) {
   connection_.robot_message = describeError(payload.data, payload.size);
-  connection_.context.notifier.log(LogLevel::kWarn,
-                                   connection_.context.address + " reports: " + connection_.robot_message + ".");
+  connection_.context.warn("reports: " + connection_.robot_message);
 }
 
 Session::TimePoint Version2Session::answerDeadline() const {

@@ -97,7 +97,7 @@ class Version2Session final : public Session {
 
   bool ready_ = false;
   TimePoint next_hello_;
-  int telemetry_period_ = 0;            // that the server was told last
+  int telemetry_period_ = 0;            // as last requested
   std::optional<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart
 };
 

@@ -37,6 +37,8 @@ int main(int argc, char** argv) {
     }
     robot.setMotors(true, 5s);
     robot.playMotion(argv[2], 1, 5s);  // returns when the robot has begun
+    std::cout << "Press Enter to end. The robot stops its motions when this program disconnects.\n";
+    std::cin.get();
     return EXIT_SUCCESS;
   } catch (const aibo_driver::NetworkException& error) {
     const bool off = error.kind() == aibo_driver::FaultKind::kRefused;

@@ -35,7 +35,7 @@ class Client {
  public:
   explicit Client(FuzzInput& input) : input_(input) {}
 
-  // A fault ends a connection; whoever waits gets an answer all the same.
+  // A fault ends the connection; every caller gets an answer all the same.
   void run() {
     try {
       begin();

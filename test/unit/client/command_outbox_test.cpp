@@ -31,7 +31,7 @@ std::vector<std::string> takeAll(JointCommands commands) {
   return taken;
 }
 
-TEST(JointCommandsTest, JointsThatAreToldTogetherStayTogetherAndInOrder) {
+TEST(JointCommandsTest, JointsCommandedTogetherStayTogetherAndInOrder) {
   JointCommands commands;
   commands.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
   commands.add({milliseconds(200), {{3, 0.3}}});
@@ -68,7 +68,7 @@ TEST(JointCommandsTest, OneByOneEachJointHasItsTurnHoweverFastCommandsCome) {
   EXPECT_EQ("1:0 2:1 3:2 1:3 2:4 3:5 ", taken);
 }
 
-TEST(JointCommandsTest, WhatCameLaterIsAppended) {
+TEST(JointCommandsTest, NewerCommandsAreAppended) {
   JointCommands commands;
   commands.add({milliseconds(100), {{1, 0.1}}});
   JointCommands newer;
@@ -77,7 +77,7 @@ TEST(JointCommandsTest, WhatCameLaterIsAppended) {
   EXPECT_THAT(takeAll(commands), testing::ElementsAre("1:2 in 200"));
 }
 
-TEST(JointCommandsTest, WhatHasWaitedForLongCanBeDroppedAndTheRestStays) {
+TEST(JointCommandsTest, OldCommandsCanBeDroppedAndNewerOnesStay) {
   const auto at = [](int time) { return JointCommands::TimePoint(milliseconds(time)); };
   JointCommands old;
   old.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});

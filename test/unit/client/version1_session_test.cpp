@@ -62,7 +62,7 @@ class Version1SessionTest : public SessionFixture {
   Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
 };
 
-TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
+TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilent) {
   EXPECT_EQ("", command());
   pass(milliseconds(3600 * 1000));
   EXPECT_EQ("", command());
@@ -333,7 +333,7 @@ TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoes
   EXPECT_EQ(1u, counters_.pictures);
 }
 
-TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerToldInRadian) {
+TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReportedInRadian) {
   commandJoints({{2, -0.5}});
   EXPECT_EQ("J2=-2865", command());
   receive({'j', 2, 0xCF, 0xF4});  // -2865
@@ -423,7 +423,7 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
   EXPECT_EQ(40u, counters_.telemetry);
 }
 
-TEST_F(Version1SessionTest, SensorsAreToldInTheirUnits) {
+TEST_F(Version1SessionTest, SensorsAreReportedInTheirUnits) {
   wish_.telemetry_period = 4;
   std::map<int, double> values;
   for (int i = 0; i < 36; ++i) {
@@ -501,7 +501,7 @@ TEST_F(Version1SessionTest, PollsDoNotHoldUpAPictureAfterTheStream) {
   EXPECT_THAT(run(milliseconds(250)), HasSubstr("F30"));
 }
 
-TEST_F(Version1SessionTest, WhatTheRobotRefusesToTellIsNotAskedForAgain) {
+TEST_F(Version1SessionTest, AValueThatTheRobotRefusesIsNotAskedForAgain) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("J1", command());
   receive({'e', 0, 0, 0});
@@ -548,7 +548,7 @@ TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOnly) {
+TEST_F(Version1SessionTest, AServerIsAskedForUnansweredValuesOnThreeConnectionsOnly) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 3; ++i) {
     Connection connection(context(), now_);
@@ -594,7 +594,7 @@ TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, AllLedsThatAreToShineAlikeAreSetTogetherWithTheirMode) {
+TEST_F(Version1SessionTest, AllLedsWithTheSameCommandAreSetTogetherWithTheirMode) {
   std::vector<LedCommand> leds;
   for (int id = 1; id <= 26; ++id) {
     leds.push_back({id, 100, LedMode::kA});
@@ -653,7 +653,7 @@ TEST_F(Version1SessionTest, JointCommandsFromBeforeAMotionAreDroppedAndSpeedLimi
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndAllElseWaits) {
+TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseWaits) {
   wish_ = {true, 85, 4};
   EXPECT_EQ("W85", command());
   auto upload = ask('U', "NOD.MTN", 0, Bytes(1234, 7), milliseconds(20000));
@@ -686,7 +686,7 @@ TEST_F(Version1SessionTest, ASlowUploadDoesNotMakeTheStreamSeemDead) {
   EXPECT_THROW(pass(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
 }
 
-TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
+TEST_F(Version1SessionTest, ErrorCodesAreExplained) {
   const auto refuse = [this](char letter, const std::string& name, int number, std::uint8_t code) {
     auto answer = ask(letter, name, number, letter == 'U' ? Bytes(10) : Bytes());
     EXPECT_FALSE(bytes().empty());
@@ -707,7 +707,7 @@ TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
   EXPECT_EQ(6u, counters_.refusals);
 }
 
-TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionForTheNextAnswerCouldBeAnybodys) {
+TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionBecauseTheNextAnswerCouldBelongToAnyRequest) {
   auto answer = ask('P', "NOD.MTN", 1, {}, milliseconds(3000));
   EXPECT_FALSE(bytes().empty());
   pass(milliseconds(2999));
@@ -725,7 +725,7 @@ TEST_F(Version1SessionTest, ACallThatHasNotBeenSentInTimeLeavesTheConnectionAlon
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, WhatVersion1DoesNotKnowIsRefused) {
+TEST_F(Version1SessionTest, RequestsThatVersion1LacksAreRefused) {
   const Answer motors = ask('O', "", 0).get();
   EXPECT_EQ(CallOutcome::kRefused, motors.outcome);
   EXPECT_THAT(motors.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors off"));
@@ -750,7 +750,7 @@ TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {
   EXPECT_TRUE(log_.empty());
 }
 
-TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestIsNoAnswerToTheQuestion) {
+TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestDoesNotAnswerTheQuestionForTheVersion) {
   auto first = takePicture(30);
   auto second = takePicture(30);
   late_.nextRequest(wish_, now_);

@@ -77,7 +77,7 @@ Bytes makePicture(int number, unsigned seed, unsigned frame_number = 0) {
   return makeFrame('f', number, version2_frames::makePicture(test_pictures::makeNumbered(seed), frame_number));
 }
 
-TEST_F(Version2SessionTest, TheHelloTellsWhoIsThere) {
+TEST_F(Version2SessionTest, TheHelloIntroducesTheRobot) {
   const RobotInfo& robot = connection_.robot;
   EXPECT_EQ("ERS-7", robot.design);
   EXPECT_EQ("a test 1.0", robot.server);
@@ -103,7 +103,7 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
 }
 
-TEST_F(Version2SessionTest, AHeartbeatIsSentTwiceASecondForEver) {
+TEST_F(Version2SessionTest, AHeartbeatIsSentTwiceASecond) {
   const TimePoint begin = now_;
   int heartbeats = 0;
   while (now_ < begin + std::chrono::minutes(10)) {
@@ -125,7 +125,7 @@ TEST_F(Version2SessionTest, AServerThatDoesNotAnswerTheHeartbeatIsGivenUpAlsoWhi
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(Version2SessionTest, TheStreamIsToldOnceForEachChangeOfWishOrQuality) {
+TEST_F(Version2SessionTest, TheStreamIsRequestedOnceForEachChangeOfWishOrQuality) {
   wish_.streaming = true;
   EXPECT_EQ("W2", request());
   EXPECT_EQ(85, frame_.header.id);
@@ -163,7 +163,7 @@ TEST_F(Version2SessionTest, AStreamThatIsSilentIsGivenUpThoughTheHeartbeatIsAnsw
   EXPECT_THROW(live(milliseconds(1)), Fault);
 }
 
-TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndThoseThatDoNotEndAreAFault) {
+TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoNotEnd) {
   receive(makePicture(0, 1));
   EXPECT_TRUE(pictures_.empty());
   EXPECT_EQ(1u, counters_.unexpected_pictures);
@@ -246,7 +246,7 @@ TEST_F(Version2SessionTest, RefusedTelemetryIsLoggedAndNotAskedForAgain) {
   live(milliseconds(5000));
 }
 
-TEST_F(Version2SessionTest, TelemetryIsToldInUnitsWithTheRobotsTime) {
+TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("T2", request());
   EXPECT_EQ(Bytes({0, 4}), frame_.payload);
@@ -289,7 +289,7 @@ TEST_F(Version2SessionTest, TelemetryAndPicturesHaveTheTimeOfTheirFirstByteAndTh
   }
 }
 
-TEST_F(Version2SessionTest, PicturesThatArrivedTogetherCanBeToldApartByTheirTime) {
+TEST_F(Version2SessionTest, PicturesThatArrivedTogetherHaveDifferentTimes) {
   wish_.streaming = true;
   request();
   Bytes bytes = makePicture(0, 1);
@@ -301,7 +301,7 @@ TEST_F(Version2SessionTest, PicturesThatArrivedTogetherCanBeToldApartByTheirTime
   EXPECT_LT(pictures_[0]->first_byte_time, pictures_[1]->first_byte_time);
 }
 
-TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
+TEST_F(Version2SessionTest, OnlyTheNewestTelemetryOfThoseThatArrivedTogetherIsReported) {
   Bytes bytes;
   for (unsigned frame = 1; frame <= 5; ++frame) {
     const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(frame, {{'J', 1, 0}}));
@@ -312,7 +312,7 @@ TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
   EXPECT_EQ(5u, telemetry_[0].frame_number);
 }
 
-TEST_F(Version2SessionTest, JointsThatAreToldTogetherAreSentInOneRequest) {
+TEST_F(Version2SessionTest, JointsCommandedTogetherAreSentInOneRequest) {
   commandJoints({{2, -0.5}, {3, 0.25}}, milliseconds(300));
   EXPECT_EQ("J2", request());
   version2::JointTargets targets;
@@ -382,7 +382,7 @@ TEST_F(Version2SessionTest, MotorsAndMotionsDropTheJointCommandsThatAreQueuedBef
   commandJoints({{2, 0.5}});
   auto stop = ask('P');
   EXPECT_EQ('P', request().at(0));
-  EXPECT_EQ('J', request().at(0)) << "stopping a motion is no reason";
+  EXPECT_EQ('J', request().at(0)) << "stopping a motion drops nothing";
 }
 
 TEST_F(Version2SessionTest, SpeedLimitsGoFirst) {
@@ -403,7 +403,7 @@ TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(live(milliseconds(1)), Fault);
 }
 
-TEST_F(Version2SessionTest, LedsThatAreToldTogetherAreSentTogether) {
+TEST_F(Version2SessionTest, LedsCommandedTogetherAreSentTogether) {
   commandLeds({{7, 255, LedMode::kB}, {8, 1}});
   EXPECT_EQ("L2", request());
   EXPECT_EQ(Bytes({7, 255, 1, 0, 8, 1, 0, 0}), frame_.payload);
@@ -449,7 +449,7 @@ TEST_F(Version2SessionTest, ARefusalIsLoggedAgainOnlyAfterSuchACommandWasTaken) 
   EXPECT_EQ(2, logged("refused to set LEDs: there is no LED 99"));
 }
 
-TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateTold) {
+TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateReported) {
   auto answer = ask('O', "", 1);
   EXPECT_EQ("O2", request());
   EXPECT_EQ(Bytes({1}), frame_.payload);
@@ -490,7 +490,7 @@ TEST_F(Version2SessionTest, MotionsAreUploadedPlayedStoppedListedAndDeleted) {
             deletion.get().problem);
 }
 
-TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreAskedFor) {
+TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreRequested) {
   auto shut_down = ask('Q');
   auto reboot = ask('R');
   EXPECT_EQ("Q2", request());
@@ -501,7 +501,7 @@ TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreAskedFor) {
   EXPECT_FALSE(done(reboot));
 }
 
-TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsPassedOver) {
+TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsIgnored) {
   auto answer = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(4000));
   EXPECT_EQ("U2", request());
   live(milliseconds(3999));
@@ -531,19 +531,19 @@ TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
   EXPECT_THROW(live(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
 }
 
-TEST_F(Version2SessionTest, AListThatIsNoneIsAProtocolError) {
+TEST_F(Version2SessionTest, AMalformedListIsAProtocolError) {
   auto answer = ask('N');
   request();
   EXPECT_THAT(faultOf(makeFrame('n', 2, {'A', '/', '.', '.'})), HasSubstr("bad list of motions: "));
 }
 
-TEST_F(Version2SessionTest, WhatTheRobotReportsByItselfIsLoggedAndKept) {
+TEST_F(Version2SessionTest, UnrequestedReportsAreLoggedAndKept) {
   receive(makeError(0, 3, "joint head_pan does not move"));
   EXPECT_EQ("joint head_pan does not move (error code 3)", connection_.robot_message);
   EXPECT_EQ(1, logged("reports: joint head_pan does not move"));
 }
 
-TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersArePassedOver) {
+TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
   receive(makeFrame('z', 0, {1, 2, 3}));
   receive(makeFrame('j', 4711, {1, 2, 3}));
   receive(makeError(4711, 0, "too late"));
@@ -564,7 +564,7 @@ TEST_F(Version2SessionTest, AReplyOfAnotherKindThanTheRequestIsAProtocolError) {
   EXPECT_THAT(faultOf(makeFrame('v', 2, {})), HasSubstr("a reply 'v' to the request 'J'"));
 }
 
-TEST_F(Version2SessionTest, APayloadThatIsNotWhatItsKindSaysIsAProtocolError) {
+TEST_F(Version2SessionTest, APayloadThatDoesNotFitItsKindIsAProtocolError) {
   EXPECT_THAT(faultOf(makeFrame('t', 0, {1, 2, 3})), HasSubstr("bad telemetry: "));
   EXPECT_THAT(faultOf(makeFrame('f', 0, {1, 2, 3})), HasSubstr("bad picture: "));
   EXPECT_THAT(faultOf(makeFrame('e', 0, {1})), HasSubstr("bad error message: "));
@@ -593,7 +593,7 @@ TEST_F(Version2SessionTest, FramesAreFoundHoweverTheyAreSplitAndJoined) {
   EXPECT_EQ(20u, telemetry_.back().frame_number);
 }
 
-TEST_F(Version2SessionTest, RequestNumbersBeginAgainAndNoneIsUsedThatIsStillAwaited) {
+TEST_F(Version2SessionTest, RequestNumbersBeginAgainAndSkipThoseStillAwaited) {
   auto answer = takePicture(10, std::chrono::hours(1));
   EXPECT_EQ("F2", request());
   for (int i = 0; i < 65532; ++i) {
