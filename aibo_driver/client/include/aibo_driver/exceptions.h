@@ -47,8 +47,8 @@ class NetworkException : public Exception {
   FaultKind kind_;
 };
 
-/// There was no answer in the time allowed. kind() is FaultKind::kNone if the connection goes on, and
-/// FaultKind::kSilent if it was given up because of that.
+/// There was no answer in the time allowed. kind() is FaultKind::kNone if the time of this call has passed, and
+/// FaultKind::kSilent if the whole connection was given up for its silence while the call waited.
 class TimeoutException : public NetworkException {
  public:
   using NetworkException::NetworkException;
