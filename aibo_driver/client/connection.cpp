@@ -35,11 +35,20 @@ void Connection::dropStaleJointCommands(TimePoint now) {
   }
 }
 
-void Connection::requestGoesOff(const Call& call, std::size_t size, TimePoint now) {
+void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   if (call.takesOverJoints()) {
     commands.joints.clear();
   }
   calls.transferBegins(size, now);
+}
+
+void Connection::refuse(const Call& call, const std::string& why, TimePoint now) {
+  ++context.counters.refusals;
+  if (!call.isForPicture()) {
+    calls.transferEnds(now);
+  }
+  const std::string problem = context.address + " refused to " + describe(call) + ": " + why + ".";
+  calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
 }
 
 Connection::TimePoint Connection::pictureDeadline() const {

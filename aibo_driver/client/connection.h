@@ -59,8 +59,12 @@ struct Connection {
     return call.takesOverJoints() && !commands.speed_limits.empty();
   }
 
-  /// To be called when a call's request of this size is sent.
-  void requestGoesOff(const Call& call, std::size_t size, TimePoint now);
+  /// To be called when a call's request, of this many bytes, is sent.
+  void callSent(const Call& call, std::size_t size, TimePoint now);
+
+  /// The robot refused a call.
+  /// @param why in words, without a full stop
+  void refuse(const Call& call, const std::string& why, TimePoint now);
 
   /// When a picture that is due now is overdue.
   TimePoint pictureDeadline() const;

@@ -140,7 +140,8 @@ void ConnectionLoop::beginSession() {
     default:
       beginVersion1(Version1Session::VersionAnswer::kOwed);
   }
-  bytesArrived(negotiation.rest().data(), negotiation.rest().size(), steady_clock::now());
+  counters_.bytes_received += negotiation.rest().size();
+  session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), steady_clock::now());
 }
 
 VersionNegotiation ConnectionLoop::negotiate() {
@@ -148,7 +149,9 @@ VersionNegotiation ConnectionLoop::negotiate() {
   VersionNegotiation negotiation(steady_clock::now());
   while (negotiation.result() == VersionNegotiation::Result::kOpen) {
     const bool readable = transport_->wait(negotiation.deadline());
-    negotiation.bytesArrived(buffer_.data(), readable ? receive() : 0);
+    const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+    heard_ = heard_ || size > 0;
+    negotiation.bytesArrived(buffer_.data(), size);
     negotiation.checkDeadline(steady_clock::now());
   }
   return negotiation;
@@ -196,27 +199,18 @@ Wish ConnectionLoop::takeNews(TimePoint now) {
 void ConnectionLoop::listen() {
   const bool readable = transport_->wait(session_->nextDeadline());
   const TimePoint now = steady_clock::now();
-  const std::size_t size = readable ? receive() : 0;
+  const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
   if (size > 0) {
-    bytesArrived(buffer_.data(), size, now);
+    heard_ = true;
+    counters_.bytes_received += size;
+    connection_->pictures.bytesArrived(now);
+    session_->bytesArrived(buffer_.data(), size, now);
     updateStatus([this](ConnectionStatus& status) { status.robot_message = connection_->robot_message; });
   }
   if (size < buffer_.size()) {
     connection_->pictures.foundEmpty(now);
   }
   session_->checkDeadlines(now);
-}
-
-std::size_t ConnectionLoop::receive() {
-  const std::size_t size = transport_->receive(buffer_.data(), buffer_.size());
-  heard_ = heard_ || size > 0;
-  return size;
-}
-
-void ConnectionLoop::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
-  counters_.bytes_received += size;
-  connection_->pictures.bytesArrived(now);
-  session_->bytesArrived(data, size, now);
 }
 
 void ConnectionLoop::onReady() {

@@ -86,8 +86,6 @@ class ConnectionLoop {
   void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }
   Wish takeNews(TimePoint now);
   void listen();
-  std::size_t receive();
-  void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now);
   void onReady();
   void onSettled();
   void onFault(const Fault& cause);

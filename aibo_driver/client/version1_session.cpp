@@ -137,7 +137,7 @@ Session::Bytes Version1Session::requestPicture(const Wish& wish, Call* call, Tim
 Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
   call->request_number = kOwed;
   Bytes bytes = encodeForVersion1(*call);
-  connection_.requestGoesOff(*call, bytes.size(), now);
+  connection_.callSent(*call, bytes.size(), now);
   return bytes;
 }
 
@@ -208,7 +208,7 @@ void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
     return;
   }
   connection_.pictures.signOfPicture(now);
-  if (!connection_.pictures.streaming() && !isPictureOwed()) {
+  if (!connection_.pictures.streaming() && owedPicture() == nullptr) {
     connection_.pictures.lateBytes(now);
   }
 }
@@ -217,7 +217,7 @@ void Version1Session::onPicture() {
   PictureIntake& pictures = connection_.pictures;
   pictures.signOfPicture(now_);
   version_answer_owed_ = false;
-  Call* const owed = isPictureOwed() ? owedCall() : nullptr;
+  Call* const owed = owedPicture();
   if (!pictures.streaming() && owed == nullptr) {
     pictures.lateBytes(now_);
   }
@@ -256,8 +256,9 @@ void Version1Session::onValueReply() {
 }
 
 void Version1Session::onError(int code) {
-  if (owedCall() != nullptr) {
-    onCallRefused(code);
+  if (const Call* const call = owedCall()) {
+    settled_ = true;
+    connection_.refuse(*call, explainRefusal(*call, code), now_);
   } else if (value_owed_) {
     onValueRefused(code);
   } else if (connection_.pictures.streaming()) {
@@ -265,18 +266,6 @@ void Version1Session::onError(int code) {
   } else {
     connection_.context.warn("sent an error that answers no request: " + describeError(code));
   }
-}
-
-void Version1Session::onCallRefused(int code) {
-  settled_ = true;
-  const Call& call = *owedCall();
-  if (!call.isForPicture()) {
-    connection_.calls.transferEnds(now_);
-  }
-  ++connection_.context.counters.refusals;
-  const std::string sentence =
-      connection_.context.address + " refused to " + describe(call) + ": " + explainRefusal(call, code) + ".";
-  connection_.calls.answer(kOwed, makeFailure(CallOutcome::kRefused, sentence));
 }
 
 void Version1Session::onValueRefused(int code) {
@@ -329,13 +318,13 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
   connection_.publish(telemetry);
 }
 
-bool Version1Session::isPictureOwed() const {
-  const Call* const owed = owedCall();
-  return owed != nullptr && owed->isForPicture();
+Call* Version1Session::owedPicture() const {
+  Call* const owed = owedCall();
+  return owed != nullptr && owed->isForPicture() ? owed : nullptr;
 }
 
 bool Version1Session::isPictureDue() const {
-  return connection_.pictures.streaming() || isPictureOwed() || !parser_.betweenReplies();
+  return connection_.pictures.streaming() || owedPicture() != nullptr || !parser_.betweenReplies();
 }
 
 Session::TimePoint Version1Session::silenceLimit() const {

@@ -54,8 +54,9 @@ class Version1Session final : public Session {
     TimePoint sent;
   };
 
+  // The call that has been sent and not been answered, of any kind or for a picture; null if there is none:
   Call* owedCall() const { return connection_.calls.find(kOwed); }
-  bool isPictureOwed() const;
+  Call* owedPicture() const;
   bool isAnswerOwed() const { return value_owed_ || owedCall() != nullptr; }
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
@@ -73,7 +74,6 @@ class Version1Session final : public Session {
   void onCallAnswered();
   void onValue(const protocol::ValueReply& reply);
   void onError(int code);
-  void onCallRefused(int code);
   void onValueRefused(int code);
 
   bool isPictureDue() const;

@@ -77,16 +77,14 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
   next_hello_ = now + kHeartbeatPeriod;
-  return request(
-      version2::REQUEST_HELLO, 0, 0, [](unsigned char*) { return std::size_t{0}; }, now);
+  return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
 }
 
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
   const version2::StreamSettings settings = {wish.streaming, version2::LAYER_HIGH, 1};
-  return request(
-      version2::REQUEST_STREAM, wish.jpeg_quality, version2::STREAM_SETTINGS_SIZE,
-      [&](unsigned char* out) { return version2::encodeStreamSettings(settings, out); }, now);
+  return request(version2::REQUEST_STREAM, wish.jpeg_quality, now, version2::STREAM_SETTINGS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeStreamSettings(settings, out); });
 }
 
 Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
@@ -100,16 +98,15 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
-  return request(
-      version2::REQUEST_TELEMETRY, 0, version2::TELEMETRY_PERIOD_SIZE,
-      [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); }, now);
+  return request(version2::REQUEST_TELEMETRY, 0, now, version2::TELEMETRY_PERIOD_SIZE,
+                 [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
   Bytes frame = makeFrame(call->letter, 0, largestPayload(*call),
                           [&](unsigned char* out) { return encodeForVersion2(*call, out); });
   call->request_number = last_number_;
-  connection_.requestGoesOff(*call, frame.size(), now);
+  connection_.callSent(*call, frame.size(), now);
   return frame;
 }
 
@@ -148,9 +145,8 @@ Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
   for (const JointSpeedLimit& limit : connection_.commands.speed_limits.take(version2::MAX_JOINTS)) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
-  return request(
-      version2::REQUEST_SPEED_LIMITS, 0, version2::MAX_SPEED_LIMITS_SIZE,
-      [&](unsigned char* out) { return version2::encodeSpeedLimits(limits, out); }, now);
+  return request(version2::REQUEST_SPEED_LIMITS, 0, now, version2::MAX_SPEED_LIMITS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeSpeedLimits(limits, out); });
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
@@ -160,9 +156,8 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
   for (const JointTarget& target : command.targets) {
     targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
   }
-  return request(
-      version2::REQUEST_JOINTS, 0, version2::MAX_JOINT_TARGETS_SIZE,
-      [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); }, now);
+  return request(version2::REQUEST_JOINTS, 0, now, version2::MAX_JOINT_TARGETS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); });
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
@@ -171,9 +166,8 @@ Session::Bytes Version2Session::requestLeds(TimePoint now) {
     values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
                                    led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
   }
-  return request(
-      version2::REQUEST_LEDS, 0, version2::MAX_LED_VALUES_SIZE,
-      [&](unsigned char* out) { return version2::encodeLedValues(values, out); }, now);
+  return request(version2::REQUEST_LEDS, 0, now, version2::MAX_LED_VALUES_SIZE,
+                 [&](unsigned char* out) { return version2::encodeLedValues(values, out); });
 }
 
 // Both ears are always commanded together.
@@ -182,15 +176,14 @@ Session::Bytes Version2Session::requestEars(TimePoint now) {
   for (const EarCommand& ear : connection_.commands.ears.take(2)) {
     (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
-  return request(
-      version2::REQUEST_EARS, 0, version2::EAR_POSITIONS_SIZE,
-      [&](unsigned char* out) { return version2::encodeEarPositions(positions, out); }, now);
+  return request(version2::REQUEST_EARS, 0, now, version2::EAR_POSITIONS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeEarPositions(positions, out); });
 }
 
 /// A request whose answer is due soon.
 template <typename Encode>
-Session::Bytes Version2Session::request(char kind, int id, std::size_t largest_payload, const Encode& encode,
-                                        TimePoint now) {
+Session::Bytes Version2Session::request(char kind, int id, TimePoint now, std::size_t largest_payload,
+                                        const Encode& encode) {
   Bytes frame = makeFrame(kind, id, largest_payload, encode);
   exchanges_[last_number_] = {kind, now, connection_.answerDeadline(now)};
   return frame;
@@ -289,7 +282,7 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   if (kind == version2::ERROR_MESSAGE) {
     const std::string problem = describeError(payload.data, payload.size);
     const Call* const call = connection_.calls.find(number);
-    call != nullptr ? onCallRefused(*call, problem) : onRefusal(*request_kind, problem);
+    call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(*request_kind, problem);
   } else if (kind == version2::replyKind(*request_kind)) {
     onAnswer(*request_kind, number, payload);
   } else {
@@ -391,15 +384,6 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   }
   connection_.calls.transferEnds(now_);
   connection_.calls.answer(call.request_number, std::move(answer));
-}
-
-void Version2Session::onCallRefused(const Call& call, const std::string& problem) {
-  ++connection_.context.counters.refusals;
-  if (!call.isForPicture()) {
-    connection_.calls.transferEnds(now_);
-  }
-  const std::string sentence = connection_.context.address + " refused to " + describe(call) + ": " + problem + ".";
-  connection_.calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, sentence));
 }
 
 void Version2Session::onRefusal(char request_kind, const std::string& problem) {

@@ -61,7 +61,7 @@ class Version2Session final : public Session {
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
   template <typename Encode>
-  Bytes request(char kind, int id, std::size_t largest_payload, const Encode& encode, TimePoint now);
+  Bytes request(char kind, int id, TimePoint now, std::size_t largest_payload, const Encode& encode);
   template <typename Encode>
   Bytes makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode);
   int nextNumber();
@@ -76,7 +76,6 @@ class Version2Session final : public Session {
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
-  void onCallRefused(const Call& call, const std::string& problem);
   void onRefusal(char request_kind, const std::string& problem);
   void onReport(const Payload& payload);
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
