@@ -1,5 +1,6 @@
 /// @file call.h
-/// Calls of RcServerClient that wait for the robot's answer: take a picture, switch the motors, motions, shutting down.
+/// Calls of RcServerClient that wait for the robot's answer. The letters are those of the requests: `F` take a picture,
+/// `O` switch the motors, `P` play a motion, `U` upload, `D` delete and `N` list motions, `Q` shut down, `R` reboot.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
@@ -25,7 +26,7 @@ enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
 struct Answer {
   CallOutcome outcome = CallOutcome::kDone;
   std::string problem;                 ///< empty if done
-  FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call has failed
+  FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call failed
 
   PicturePtr picture;              ///< answers `F`
   int stream_quality = 0;          ///< answers `F`: of the running stream that the picture is from; 0 = from none
@@ -49,20 +50,20 @@ struct Call {
   std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
   TimePoint deadline;                    ///< when the caller stops waiting
   TimePoint since;                       ///< a picture of the stream answers only if it began later
-  int request_number = 0;                ///< of the request that was sent; 0 = none was
+  int request_number = 0;                ///< of the request once it was sent; 0 = not sent
   std::promise<Answer> promise;
 
   bool isForPicture() const;
 
-  /// True if it decides where joints are from then on, as a motion does and the motors' switch: commands that the
-  /// joints were given before it no longer count.
+  /// True if from then on it decides the positions of joints, as a motion and the motors' switch do. Commands that the
+  /// joints were given before it are dropped.
   bool takesOverJoints() const;
 };
 
 /// What is asked for, in words that follow "refused to ".
 std::string describe(const Call& call);
 
-/// Why a version 1 server has answered this call with an error code, and what the user can do.
+/// Why a version 1 server answered this call with an error code, and what the user can do.
 std::string explainRefusal(const Call& call, int code);
 
 /// True if version 1 of the protocol has this request.
@@ -110,11 +111,11 @@ class PendingCalls {
   /// Ends all calls.
   void failAll(const Answer& failure);
 
-  /// A call's request goes off. A large one is an upload: until it is through, pictures and answers take their time.
+  /// A call's request is sent. A large one is an upload: until it is through, pictures and answers are late.
   void transferBegins(std::size_t size, TimePoint now);
-  /// It has been answered.
+  /// The request has been answered.
   void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
-  /// When the transfer will have gone through at the latest, or went through.
+  /// When the last transfer will be through at the latest, or was.
   TimePoint transferEnd() const { return transfer_end_; }
 
  private:

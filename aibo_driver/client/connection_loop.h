@@ -32,7 +32,7 @@ class ConnectionLoop {
   /// Used by any thread, through read() and change() only.
   struct Shared {
     bool stopped = false;
-    bool streaming = false;  ///< the server has been told to stream
+    bool streaming = false;  ///< a stream has been requested over the present connection
     Wish wish;
     ConnectionStatus status;
     std::vector<Call> calls;  ///< that the client's thread has not taken over yet
@@ -43,7 +43,7 @@ class ConnectionLoop {
   ConnectionLoop(const ClientOptions& options, RcServerClient::Callbacks callbacks,
                  std::unique_ptr<TcpTransport> transport);
 
-  // As RcServerClient has them:
+  // The functions of RcServerClient:
   void start();
   void stop() noexcept;
 
@@ -116,10 +116,10 @@ class ConnectionLoop {
   ServerHabits habits_;
   TimePoint connected_ = TimePoint::max();  // since when; max if not
   bool heard_ = false;                      // the server has sent something
-  TimePoint attempt_began_;                 // the present or last one to connect
+  TimePoint attempt_began_;                 // the present or last attempt to connect
   TimePoint next_attempt_;
   ReconnectBackoff backoff_;
-  std::set<FaultKind> logged_faults_;  // since a connection has worked
+  std::set<FaultKind> logged_faults_;  // since the last connection that worked
   std::array<std::uint8_t, 64 * 1024> buffer_;
 };
 

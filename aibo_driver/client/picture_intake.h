@@ -46,7 +46,7 @@ class PictureIntake {
   /// Of the stream's pictures, 1..100; 0 = there has been no stream.
   int streamQuality() const { return quality_; }
 
-  /// The server has been told to stream or not, and at which quality.
+  /// To be called when the stream is switched on or off, or gets another quality.
   void streamRequested(bool on, int quality, TimePoint now);
 
   /// Bytes of any kind were read.
@@ -85,8 +85,8 @@ class PictureIntake {
   StallDetector stall_detector_;
   bool streaming_ = false;
   int quality_ = 0;
-  TimePoint off_since_;    // the stream
-  TimePoint quiet_since_;  // no late bytes; TimePoint::min() if there was no stream
+  TimePoint off_since_;    // of the stream
+  TimePoint quiet_since_;  // of the last late bytes; TimePoint::min() if there were none
   TimePoint last_sign_;
   TimePoint last_first_byte_;
   std::string last_damage_;

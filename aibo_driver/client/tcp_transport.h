@@ -50,7 +50,7 @@ class TcpTransport {
   /// Ends the wait() in progress, or the next one.
   void wakeUp() noexcept;
 
-  /// Ends connect() and wait() now and for ever.
+  /// Ends connect() and wait(), now and whenever they are called again.
   void abort() noexcept;
 
  private:
@@ -68,7 +68,7 @@ class TcpTransport {
   std::atomic<bool> aborted_{false};
   std::string address_;  // "host:port", for messages
   FileDescriptor socket_;
-  std::vector<std::uint8_t> unsent_;  // of what send() was given
+  std::vector<std::uint8_t> unsent_;  // the part of what send() was given that the network has not taken
 };
 
 }  // namespace aibo_driver

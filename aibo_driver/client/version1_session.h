@@ -14,7 +14,7 @@
 
 namespace aibo_driver {
 
-/// What is known of a version 1 server beyond one connection.
+/// What is remembered of a version 1 server from one connection to the next.
 struct ServerHabits {
   /// After this many unanswered polls in a row for joints, or for sensors, from a server that does send other things,
   /// it is not asked for them any more.
@@ -92,8 +92,8 @@ class Version1Session final : public Session {
   TimePoint now_;  // when the bytes were read that are being taken apart
   std::optional<ValueRequest> value_owed_;
   bool version_answer_owed_;
-  int last_target_ = 0;      // id of the joint that was sent somewhere last
-  bool joints_turn_ = true;  // else that of LEDs and ears, if any wait
+  int last_target_ = 0;      // id of the joint that was commanded last
+  bool joints_turn_ = true;  // else it is the turn of LEDs and ears, if any wait
   ValuePoll poll_;
   bool poll_wanted_ = false;
   bool settled_;

@@ -84,7 +84,7 @@ class SessionFixture : public testing::Test {
                          [&text](const std::string& line) { return line.find(text) != std::string::npos; });
   }
 
-  /// Of the client's third connection.
+  /// The context of the client's third connection.
   aibo_driver::ConnectionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
 
   std::vector<aibo_driver::PicturePtr> pictures_;

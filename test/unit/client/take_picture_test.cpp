@@ -46,7 +46,7 @@ TEST_F(TakePictureTest, DuringTheStreamItIsTheNextPictureOfTheStream) {
   }
   EXPECT_NE(test_pictures::makeNumbered(1), taken.get()->jpeg);
   EXPECT_EQ(85, stream_quality);
-  EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F into the own stream";
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F while the stream runs";
 }
 
 TEST_F(TakePictureTest, SeveralCallersGetAPictureOfTheirOwnQualityEach) {
@@ -165,7 +165,7 @@ class FaultKindTest : public TakePictureTest {
     return kindOf([this] { client_.takePicture(0, seconds(20)); });
   }
 
-  /// The kind with which a call ends that waits while the server does this.
+  /// The kind of fault that ends a waiting call when the server does this.
   template <typename Act>
   FaultKind kindOfWaitingCall(const Act& act) {
     ScriptedPeer peer = connect();

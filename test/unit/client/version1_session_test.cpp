@@ -33,7 +33,7 @@ class Version1SessionTest : public SessionFixture {
   }
 
   /// Lets time pass, and answers requests for joints and sensors.
-  /// @return all requests, a blank behind each
+  /// @return all requests, each followed by a blank
   std::string run(milliseconds time) {
     std::string requests;
     const TimePoint end = now_ + time;
@@ -49,7 +49,7 @@ class Version1SessionTest : public SessionFixture {
     return requests;
   }
 
-  /// The answer to a request for a value, or that sets one.
+  /// Receives the answer to a request that reads or sets a value.
   void receiveValue(const std::string& request, int value = 0) {
     const auto bits = static_cast<unsigned>(value);
     receive({static_cast<std::uint8_t>(request[0] - 'A' + 'a'), static_cast<std::uint8_t>(std::stoi(request.substr(1))),
@@ -223,7 +223,7 @@ TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBegi
   pass(milliseconds(1));
   receive(Bytes(reply.begin() + 100, reply.end()));
   EXPECT_FALSE(done(first)) << "this one had begun before the call";
-  EXPECT_EQ("", command()) << "no F into the own stream";
+  EXPECT_EQ("", command()) << "no F while the stream runs";
   pass(milliseconds(32));
   receivePicture(2);
   ASSERT_TRUE(done(first));
@@ -394,7 +394,7 @@ TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
   limitSpeed({{1, 0.5}, {2, 20}});
   EXPECT_EQ("V1=2865", command());
   receive({'v', 1, 0x31, 0x0B});
-  EXPECT_EQ("V2=32767", command()) << "faster than version 1 can say";
+  EXPECT_EQ("V2=32767", command()) << "the fastest that version 1 can express";
   receive({'v', 2, 0xFF, 0x7F});
   EXPECT_EQ("J1=573", command());
 }
@@ -407,7 +407,7 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
     asked += request + " ";
     EXPECT_EQ("", command()) << "one at a time";
     receiveValue(request, -1000);
-    EXPECT_EQ("", command()) << "not at once again";
+    EXPECT_EQ("", command()) << "the next one is not due yet";
     pass(milliseconds(25));
   }
   EXPECT_EQ(
@@ -605,7 +605,7 @@ TEST_F(Version1SessionTest, AllLedsWithTheSameCommandAreSetTogetherWithTheirMode
   EXPECT_EQ("", command());
   leds.back().mode = LedMode::kB;
   commandLeds(leds);
-  EXPECT_EQ("L1=100", command()) << "they are not alike";
+  EXPECT_EQ("L1=100", command()) << "one mode differs";
 }
 
 TEST_F(Version1SessionTest, EarsAreMovedOneByOne) {

@@ -272,7 +272,7 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   EXPECT_DOUBLE_EQ(1, telemetry_[0].sensors[1].value) << "paw_left_front, a switch";
   EXPECT_DOUBLE_EQ(80, telemetry_[0].sensors[2].value) << "head_touch, a strength";
   EXPECT_DOUBLE_EQ(0.87, telemetry_[0].sensors[3].value) << "battery";
-  EXPECT_DOUBLE_EQ(-1e-6, telemetry_[0].sensors[4].value) << "of a newer robot";
+  EXPECT_DOUBLE_EQ(-1e-6, telemetry_[0].sensors[4].value) << "a sensor of a newer robot";
 }
 
 TEST_F(Version2SessionTest, TelemetryAndPicturesHaveTheTimeOfTheirFirstByteAndTheNumberOfTheirConnection) {
@@ -325,7 +325,7 @@ TEST_F(Version2SessionTest, JointsCommandedTogetherAreSentInOneRequest) {
   receive(makeFrame('j', 2, version2_frames::makeTargets(targets)));
   ASSERT_EQ(1u, accepted_.size());
   EXPECT_DOUBLE_EQ(-0.5, accepted_[0][0].position);
-  EXPECT_DOUBLE_EQ(0.2, accepted_[0][1].position) << "what the robot has accepted";
+  EXPECT_DOUBLE_EQ(0.2, accepted_[0][1].position) << "as the robot accepted it";
 }
 
 TEST_F(Version2SessionTest, NoMoreThanFourCommandsAreUnderWayAndThenTheLatestIsNext) {
