@@ -177,11 +177,11 @@ Call* PendingCalls::find(int request_number) {
 }
 
 template <typename Condition, typename MakeAnswer>
-void PendingCalls::endIf(const Condition& condition, const MakeAnswer& makeAnswer) {
+void PendingCalls::endIf(const Condition& condition, const MakeAnswer& make_answer) {
   calls_.remove_if([&](Call& call) {
     const bool ends = condition(call);
     if (ends) {
-      call.promise.set_value(makeAnswer(call));
+      call.promise.set_value(make_answer(call));
     }
     return ends;
   });

@@ -123,7 +123,7 @@ class PendingCalls {
 
   /// Ends the calls that the condition holds for.
   template <typename Condition, typename MakeAnswer>
-  void endIf(const Condition& condition, const MakeAnswer& makeAnswer);
+  void endIf(const Condition& condition, const MakeAnswer& make_answer);
 
   std::list<Call> calls_;
   TimePoint transfer_end_;
