@@ -51,18 +51,18 @@ void reportSize(benchmark::State& state) {
   state.counters["bytes"] = static_cast<double>(makeStream().size()) / kPictures;
 }
 
-class Discard final : public aibo_driver::ReplyHandler {
- public:
-  void onPicture(Bytes jpeg, TimePoint) override { benchmark::DoNotOptimize(jpeg.data()); }
-  void onValueReply(const protocol::ValueReply&, TimePoint) override {}
-};
-
 void BM_Parse(benchmark::State& state) {
   const Bytes stream = makeStream();
   aibo_driver::ReplyParser parser;
-  Discard discard;
+  const auto parse = [&parser](const std::uint8_t* data, std::size_t size) {
+    for (std::size_t taken = 0; size > 0; data += taken, size -= taken) {
+      if (parser.append(data, size, {}, &taken) == aibo_driver::ReplyParser::Result::kPicture) {
+        benchmark::DoNotOptimize(parser.takeJpeg().data());
+      }
+    }
+  };
   while (state.KeepRunningBatch(kPictures)) {
-    feedInReads(stream, [&](const std::uint8_t* data, std::size_t size) { parser.feed(data, size, {}, discard); });
+    feedInReads(stream, parse);
   }
   reportSize(state);
 }
@@ -88,13 +88,16 @@ void BM_Session(benchmark::State& state) {
   const aibo_driver::Notifier notifier(callbacks);
   aibo_driver::Counters counters;
   aibo_driver::ServerHabits habits;
-  aibo_driver::Version1Session session({"robot", std::chrono::milliseconds(500), notifier, counters}, habits,
-                                       aibo_driver::Version1Session::VersionAnswer::kNotAsked, now);
+  aibo_driver::Connection connection({"robot", std::chrono::milliseconds(500), notifier, counters}, now);
+  aibo_driver::Version1Session session(connection, habits, aibo_driver::Version1Session::VersionAnswer::kNotAsked, now);
   aibo_driver::Wish wish;
   wish.streaming = true;
   session.nextRequest(wish, now);
   while (state.KeepRunningBatch(kPictures)) {
-    feedInReads(stream, [&](const std::uint8_t* data, std::size_t size) { session.bytesArrived(data, size, now); });
+    feedInReads(stream, [&](const std::uint8_t* data, std::size_t size) {
+      connection.pictures.bytesArrived(now);
+      session.bytesArrived(data, size, now);
+    });
   }
   if (counters.pictures == 0 || counters.corrupt_pictures + counters.stale_pictures > 0) {
     state.SkipWithError("pictures were lost");

@@ -9,7 +9,7 @@
 
 namespace aibo_driver {
 
-/// ClientStatistics that one thread counts while others look.
+/// ClientStatistics that one thread counts while others read them.
 struct Counters {
   std::atomic<std::uint64_t> connections{0};
   std::atomic<std::uint64_t> failed_attempts{0};

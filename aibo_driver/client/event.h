@@ -2,21 +2,35 @@
 #ifndef AIBO_DRIVER_CLIENT_EVENT_H
 #define AIBO_DRIVER_CLIENT_EVENT_H
 
+#include <sys/eventfd.h>
+
+#include <cerrno>
+#include <system_error>
+
 #include "client/file_descriptor.h"
 
 namespace aibo_driver {
 
-/// Something that one thread raises and another waits for with poll(), among its sockets.
+/// One thread raises it; another waits for it with poll(), among its sockets.
 class Event {
  public:
   /// @throw std::system_error if the process has no file descriptor left
-  Event();
+  Event() : descriptor_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+    if (!descriptor_.valid()) {
+      throw std::system_error(errno, std::generic_category(), "eventfd");
+    }
+  }
+
+  // Neither call below can fail in a way that matters: a full counter is readable, and an empty one is clear.
 
   /// Makes descriptor() readable. Any thread.
-  void raise() noexcept;
+  void raise() noexcept { static_cast<void>(::eventfd_write(descriptor_.get(), 1)); }
 
   /// Makes descriptor() unreadable again.
-  void clear() noexcept;
+  void clear() noexcept {
+    eventfd_t ignored = 0;
+    static_cast<void>(::eventfd_read(descriptor_.get(), &ignored));
+  }
 
   /// Readable from raise() until clear().
   int descriptor() const { return descriptor_.get(); }

@@ -5,7 +5,7 @@
 namespace aibo_driver {
 
 Fault::Fault(FaultKind kind, const std::string& reason, std::string advice)
-    : NetworkException(reason), kind_(kind), advice_(std::move(advice)) {}
+    : NetworkException(reason, kind), advice_(std::move(advice)) {}
 
 Fault Fault::nameNotFound(const std::string& host, const std::string& detail) {
   return Fault(FaultKind::kNameNotFound, "the name '" + host + "' cannot be looked up: " + detail,
@@ -20,7 +20,7 @@ Fault Fault::refused(const std::string& address) {
 
 Fault Fault::unreachable(const std::string& address, const std::string& detail) {
   return Fault(FaultKind::kUnreachable, address + " cannot be reached: " + detail,
-               "Check the robot's address, its WLAN, and this machine's network.");
+               "Check the robot's address, its WLAN, and this computer's network.");
 }
 
 Fault Fault::noAnswer(const std::string& address, std::chrono::milliseconds limit) {
@@ -66,7 +66,8 @@ Fault Fault::protocol(const std::string& address, const std::string& detail) {
 }
 
 Fault Fault::internal(const std::string& detail) {
-  return Fault(FaultKind::kInternal, "this side failed: " + detail, "Check the memory and open files of this machine.");
+  return Fault(FaultKind::kInternal, "this computer failed: " + detail,
+               "Check its memory and its limit of open files.");
 }
 
 }  // namespace aibo_driver

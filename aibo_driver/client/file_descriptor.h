@@ -8,7 +8,7 @@
 
 namespace aibo_driver {
 
-/// Owns a file descriptor, or none, and closes it on every way out.
+/// Owns a file descriptor, or none, and closes it.
 class FileDescriptor {
  public:
   FileDescriptor() = default;

@@ -75,9 +75,9 @@ class MarkerWalk {
 
   bool nextSegment() {
     if (remaining() < 1 || *position_ != 0xFF) {
-      return fail(remaining() < 1 ? "cut off in its header" : "no marker where one has to be");
+      return fail(remaining() < 1 ? "cut off in its header" : "no marker where one is required");
     }
-    while (remaining() > 0 && *position_ == 0xFF) {  // any number of fill bytes may stand before a marker
+    while (remaining() > 0 && *position_ == 0xFF) {  // any number of fill bytes may precede a marker
       ++position_;
     }
     if (remaining() < 3) {
@@ -114,11 +114,11 @@ class MarkerWalk {
         if (marker > kSof0 && marker < kRst0) {
           return fail("not a baseline JPEG (progressive, arithmetic, or another process)");
         }
-        return fail("a marker that no camera picture has");
+        return fail("a marker that no camera writes");
     }
   }
 
-  // Adobe's segment says how the components are to be taken: 0 = RGB, 1 = YCbCr.
+  // Adobe's segment gives the meaning of the components: 0 = RGB, 1 = YCbCr.
   bool checkAdobe(const std::uint8_t* segment, std::size_t size) {
     const bool adobe = size >= 12 && std::memcmp(segment, "Adobe", 5) == 0;
     return !adobe || segment[11] == 1 || fail("its colours are not YCbCr");

@@ -16,13 +16,13 @@ struct SocketAddress {
   socklen_t size;
 };
 
-/// Where a name leads, in the order in which to try; or why it leads nowhere.
+/// The addresses of a name, in the order in which to try them, or why there are none.
 struct NameLookupResult {
   std::vector<SocketAddress> addresses;
   std::string problem;  ///< empty if there are addresses
 };
 
-/// Looks a name up, however long it takes. Called on a thread of its own.
+/// Looks up a name, however long that takes. Called on a thread of its own.
 using Resolver = std::function<NameLookupResult(const std::string& host, int port)>;
 
 /// The system's resolver: /etc/hosts, DNS, mDNS, whatever is configured.
@@ -34,20 +34,20 @@ NameLookupResult resolveNumeric(const std::string& host, int port);
 /// Looks up one name at a time, in the background.
 ///
 /// The system's resolver blocks, at worst for half a minute, and cannot be interrupted. So it runs on a detached thread
-/// which owns all that it touches, and who is tired of waiting walks away. What was walked away from is taken up again
-/// by the next start(), so there is never more than one such thread. (The library is linked with `-z nodelete`: the
-/// code of a thread left behind stays where it is.)
+/// that owns all that it touches, and the caller may stop waiting at any time. The next start() of the same name waits
+/// for the lookup that is still running, so lookups of one name never pile up. (The library is linked with
+/// `-z nodelete`, so the code of a thread that was left behind stays loaded.)
 class NameLookup {
  public:
   explicit NameLookup(Resolver resolver);
 
-  /// Begins a lookup, unless one of this name is still going on.
+  /// Begins a lookup, unless one of this name is still running.
   void start(const std::string& host, int port);
 
-  /// Readable with poll() once the result is there. Valid after start().
+  /// poll() finds it readable once there is a result. Valid after start().
   int descriptor() const;
 
-  /// The result, to be taken once descriptor() is readable.
+  /// Takes the result, once descriptor() is readable.
   NameLookupResult take();
 
  private:

@@ -11,7 +11,7 @@
 
 namespace aibo_driver {
 
-/// Calls the owner's callbacks, those that are set. What one of them throws is logged and goes no further.
+/// Calls the callbacks of the client's user, as far as they are set. An exception from a callback is logged.
 class Notifier {
  public:
   explicit Notifier(RcServerClient::Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
@@ -31,7 +31,7 @@ class Notifier {
       if (callbacks_.log) {
         callbacks_.log(level, message);
       }
-    } catch (...) {  // there is nobody left to tell
+    } catch (...) {  // there is nothing left to report it to
     }
   }
 
@@ -43,7 +43,7 @@ class Notifier {
         callback(argument);
       }
     } catch (const std::exception& error) {
-      log(LogLevel::kError, std::string("The callback ") + name + " has thrown: " + error.what());
+      log(LogLevel::kError, std::string("The callback ") + name + " threw an exception: " + error.what());
     }
   }
 

@@ -2,28 +2,37 @@
 #ifndef AIBO_DRIVER_CLIENT_RECONNECT_BACKOFF_H
 #define AIBO_DRIVER_CLIENT_RECONNECT_BACKOFF_H
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 
 namespace aibo_driver {
 
-/// How long to wait before the next attempt to connect: twice as long after each failure, up to a limit; and a random
-/// half of it less, so that clients which lost the same robot do not all come back in the same instant.
+/// How long to wait before the next attempt to connect. The wait doubles with each failure, up to a limit, and is
+/// shortened by a random part of at most half, so that clients that lost the same robot do not all return at once.
 class ReconnectBackoff {
  public:
-  ReconnectBackoff(std::chrono::milliseconds shortest, std::chrono::milliseconds longest, unsigned seed);
+  using milliseconds = std::chrono::milliseconds;
 
-  /// The wait before the next attempt: between the half and the whole of a time that begins at `shortest`, doubles with
+  ReconnectBackoff(milliseconds shortest, milliseconds longest, unsigned seed)
+      : shortest_(shortest), longest_(longest), current_(shortest), random_(seed) {}
+
+  /// The wait before the next attempt: at least half, at most all of a time that begins at `shortest`, doubles with
   /// each call, and never exceeds `longest`.
-  std::chrono::milliseconds next();
+  milliseconds next() {
+    const milliseconds whole = current_;
+    current_ = std::min(2 * current_, longest_);
+    std::uniform_int_distribution<milliseconds::rep> part(whole.count() / 2, whole.count());
+    return milliseconds(part(random_));
+  }
 
-  /// A connection has worked: begins at `shortest` again.
-  void reset();
+  /// A connection has worked: the next wait begins at `shortest` again.
+  void reset() { current_ = shortest_; }
 
  private:
-  std::chrono::milliseconds shortest_;
-  std::chrono::milliseconds longest_;
-  std::chrono::milliseconds current_;
+  milliseconds shortest_;
+  milliseconds longest_;
+  milliseconds current_;
   std::minstd_rand random_;
 };
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
-#include "aibo_driver/exceptions.h"
+#include "client/fault.h"
 
 namespace aibo_driver {
 namespace {
@@ -21,49 +20,45 @@ std::size_t headerSizeOf(std::uint8_t letter) {
 
 }  // namespace
 
-void ReplyParser::feed(const std::uint8_t* data, std::size_t size, TimePoint arrival, ReplyHandler& handler) {
-  while (size > 0) {
-    const std::size_t taken =
-        missing_ > 0 ? takePicture(data, size, handler) : takeHeader(data, size, arrival, handler);
-    data += taken;
-    size -= taken;
-  }
+ReplyParser::Result ReplyParser::append(const std::uint8_t* data, std::size_t size, TimePoint arrival,
+                                        std::size_t* taken) {
+  return missing_ > 0 ? appendJpeg(data, size, taken) : appendHeader(data, size, arrival, taken);
 }
 
-std::size_t ReplyParser::takeHeader(const std::uint8_t* data, std::size_t size, TimePoint arrival,
-                                    ReplyHandler& handler) {
+ReplyParser::Result ReplyParser::appendHeader(const std::uint8_t* data, std::size_t size, TimePoint arrival,
+                                              std::size_t* taken) {
   if (header_size_ == 0) {
     first_byte_time_ = arrival;
     header_[0] = data[0];
   }
   const std::size_t whole = headerSizeOf(header_[0]);
-  const std::size_t taken = std::min(whole - header_size_, size);
-  std::copy_n(data, taken, header_.begin() + header_size_);
-  header_size_ += taken;
+  *taken = std::min(whole - header_size_, size);
+  std::copy_n(data, *taken, header_.begin() + header_size_);
+  header_size_ += *taken;
   if (header_size_ < whole) {
-    return taken;
+    return Result::kNothing;
   }
   if (whole == protocol::VALUE_REPLY_SIZE) {
     header_size_ = 0;
-    handler.onValueReply(protocol::decodeValueReply(header_.data()), first_byte_time_);
-  } else if (protocol::decodePictureHeader(header_.data(), &missing_)) {
-    jpeg_.reserve(missing_);
-  } else {
+    return Result::kValue;
+  }
+  if (!protocol::decodePictureHeader(header_.data(), &missing_)) {
     throw ProtocolException("a picture of " + std::to_string(missing_) + " bytes; 1 to " +
                             std::to_string(protocol::MAX_PICTURE_SIZE) + " are possible");
   }
-  return taken;
+  jpeg_.reserve(missing_);
+  return Result::kNothing;
 }
 
-std::size_t ReplyParser::takePicture(const std::uint8_t* data, std::size_t size, ReplyHandler& handler) {
-  const std::size_t taken = std::min(missing_, size);
-  jpeg_.insert(jpeg_.end(), data, data + taken);
-  missing_ -= taken;
-  if (missing_ == 0) {
-    header_size_ = 0;
-    handler.onPicture(std::exchange(jpeg_, {}), first_byte_time_);
+ReplyParser::Result ReplyParser::appendJpeg(const std::uint8_t* data, std::size_t size, std::size_t* taken) {
+  *taken = std::min(missing_, size);
+  jpeg_.insert(jpeg_.end(), data, data + *taken);
+  missing_ -= *taken;
+  if (missing_ > 0) {
+    return Result::kNothing;
   }
-  return taken;
+  header_size_ = 0;
+  return Result::kPicture;
 }
 
 }  // namespace aibo_driver

@@ -6,48 +6,51 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "protocol/version1.h"
 
 namespace aibo_driver {
 
-/// Takes what ReplyParser finds.
-class ReplyHandler {
- public:
-  using TimePoint = std::chrono::steady_clock::time_point;
-
-  virtual void onPicture(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time) = 0;
-  virtual void onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) = 0;
-
- protected:
-  ~ReplyHandler() = default;
-};
-
 /// Splits the byte stream of a version 1 server into pictures and value replies, however TCP has cut it.
 ///
 /// It holds at most one picture, of at most protocol::MAX_PICTURE_SIZE. A stream that has once been wrong is of no
-/// further use: nothing tells where in a JPEG the next reply would begin.
+/// further use: nothing says where in a JPEG the next reply would begin.
 class ReplyParser {
  public:
-  using TimePoint = ReplyHandler::TimePoint;
+  using TimePoint = std::chrono::steady_clock::time_point;
+  using Bytes = std::vector<std::uint8_t>;
 
+  /// What the bytes taken have completed.
+  enum class Result { kNothing, kPicture, kValue };
+
+  /// Takes bytes up to the end of a reply at most.
+  /// @param size at least 1
   /// @param arrival when these bytes were read
+  /// @param[out] taken bytes, at least 1
   /// @throw ProtocolException a reply of no known kind, or a picture of an impossible size
-  void feed(const std::uint8_t* data, std::size_t size, TimePoint arrival, ReplyHandler& handler);
+  Result append(const std::uint8_t* data, std::size_t size, TimePoint arrival, std::size_t* taken);
 
   /// True if no reply is half-received.
   bool betweenReplies() const { return header_size_ == 0; }
 
+  // Of the reply that is complete, until the next append():
+
+  Bytes takeJpeg() { return std::exchange(jpeg_, {}); }
+  protocol::ValueReply value() const { return protocol::decodeValueReply(header_.data()); }
+  /// When its first byte was read.
+  TimePoint firstByteTime() const { return first_byte_time_; }
+
  private:
-  std::size_t takeHeader(const std::uint8_t* data, std::size_t size, TimePoint arrival, ReplyHandler& handler);
-  std::size_t takePicture(const std::uint8_t* data, std::size_t size, ReplyHandler& handler);
+  Result appendHeader(const std::uint8_t* data, std::size_t size, TimePoint arrival, std::size_t* taken);
+  Result appendJpeg(const std::uint8_t* data, std::size_t size, std::size_t* taken);
 
   std::array<unsigned char, protocol::PICTURE_HEADER_SIZE> header_{};
   std::size_t header_size_ = 0;  // bytes of the present reply's header that are there
   std::size_t missing_ = 0;      // bytes of the present picture that are still to come
   TimePoint first_byte_time_;    // of the present reply
-  std::vector<std::uint8_t> jpeg_;
+  Bytes jpeg_;
 };
 
 }  // namespace aibo_driver

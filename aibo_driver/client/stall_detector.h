@@ -8,17 +8,17 @@ namespace aibo_driver {
 
 /// Notices that the client's own thread has not kept up with a stream, and which pictures are stale because of it.
 ///
-/// While the thread keeps up, it finds the socket empty many times a second. If it has not for kStallLimit, pictures of
-/// unknown age have piled up in the kernels of both machines (measured: up to 5 s old after a pause of 5 s). All of
-/// them are stale until the socket has stayed empty for kQuietTime: longer than the robot's answer to a freed window
-/// takes, shorter than the pause between two camera images (32 ms less the transfer of a picture).
+/// While the thread keeps up, it finds the socket empty many times a second. If it has not done so for kStallLimit,
+/// pictures of unknown age have piled up in the kernels of both computers (measured: up to 5 s old after a pause of
+/// 5 s). All of them are stale until the socket has stayed empty for kQuietTime. That is longer than the robot takes to
+/// refill a freed window, and shorter than the pause between two camera images (32 ms less the transfer of a picture).
 class StallDetector {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   static constexpr std::chrono::milliseconds kStallLimit{100};
   static constexpr std::chrono::milliseconds kQuietTime{15};
-  /// Whatever had piled up has been read after this time, even if the socket is never empty.
+  /// After this time everything that had piled up has been read, even if the socket was never empty.
   static constexpr std::chrono::milliseconds kCatchUpLimit{500};
 
   explicit StallDetector(TimePoint now) { restart(now); }
@@ -32,10 +32,10 @@ class StallDetector {
   /// Nothing was left to read at this time.
   void foundEmpty(TimePoint now);
 
-  /// When the socket has to be looked at again at the latest.
+  /// When to look at the socket again at the latest.
   TimePoint nextLook() const;
 
-  /// True for a picture of the stream that may have waited for long.
+  /// True for a picture of the stream that may have waited for a long time.
   /// @param first_byte_time when its first byte was read
   bool isStale(TimePoint first_byte_time) const { return catching_up_ || first_byte_time < fresh_since_; }
 

@@ -23,17 +23,17 @@ using std::chrono::steady_clock;
 
 // Small, so that few pictures can grow stale in the kernel while this process does not read.
 constexpr int kReceiveBufferSize = 16 * 1024;
-// A peer that has vanished while nothing is due is noticed after 4 s: one of silence, then 3 unanswered probes.
+// A peer that vanishes while nothing is due is noticed after 4 s: 1 s of silence, then 3 unanswered probes.
 constexpr int kKeepAliveIdle = 1;      // s
 constexpr int kKeepAliveInterval = 1;  // s
 constexpr int kKeepAliveCount = 3;
-// A request that is not acknowledged for so long will not be.
+// A request that has not been acknowledged by then never will be.
 constexpr int kUserTimeout = 2000;  // ms
-// While a robot does not answer, it is tried anew so often, beside the attempts that are under way.
+// While a robot does not answer, a further attempt begins this often, beside those under way.
 constexpr milliseconds kAttemptInterval{250};
 constexpr std::size_t kMostAttempts = 8;
-// The largest request is the upload of a motion, 64 KiB; all others are a few bytes. So many are unsent only if the
-// peer has not read for ages.
+// The largest request is the upload of a motion, 64 KiB; all others are a few bytes. This much is unsent only if the
+// peer stopped reading long ago.
 constexpr std::size_t kMostUnsent = 1024 * 1024;
 
 std::string describe(int error) {
@@ -61,8 +61,8 @@ FileDescriptor openSocket(int family) {
   return socket;
 }
 
-// Who connects to a port of this machine where nobody listens may be given that very port as its own, and then talks to
-// itself (TCP's simultaneous open).
+// A socket that connects to a port of this computer on which no program listens may get that very port as its own. It
+// then talks to itself (TCP's simultaneous open).
 bool isConnectedToItself(int socket) {
   sockaddr_storage own = {};
   sockaddr_storage peer = {};
@@ -130,8 +130,8 @@ std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int por
   return result.addresses;
 }
 
-/// Tries again and again beside what it has begun, and takes what stands first: the kernel itself repeats a lost packet
-/// only after 1 s, and the next time 2 s later, while a radio link that is back is back at once.
+/// Begins one attempt after the other, and takes the first that succeeds. The kernel repeats a lost packet only after
+/// 1 s, and then after 2 s more, which is too slow for a radio link that comes back at once.
 /// @return no descriptor if there was no answer until the deadline
 FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
   const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));
@@ -174,7 +174,7 @@ void TcpTransport::checkConnected(int socket) const {
     throwFault(error);
   }
   if (isConnectedToItself(socket)) {
-    const linger discard = {1, 0};  // leaves no trace that would keep a server from taking the port
+    const linger discard = {1, 0};  // leaves no trace that would keep a server from using the port
     ::setsockopt(socket, SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
     throw Fault::refused(address_);
   }
@@ -206,7 +206,7 @@ void TcpTransport::send(const std::uint8_t* data, std::size_t size) {
   unsent_.insert(unsent_.end(), data, data + size);
   sendOn();
   if (unsent_.size() > kMostUnsent) {
-    throw Fault::unreachable(address_, "it does not take requests any more");
+    throw Fault::unreachable(address_, "it no longer takes requests");
   }
 }
 
@@ -233,7 +233,7 @@ void TcpTransport::abort() noexcept {
   wake_up_.raise();
 }
 
-/// Waits on through calls of wakeUp().
+/// Waits for the event or the deadline, whether wakeUp() is called or not.
 bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
   while (pollOnce(descriptor, events, deadline) == 0) {
     if (steady_clock::now() >= deadline) {

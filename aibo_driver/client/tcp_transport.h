@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_CLIENT_TCP_TRANSPORT_H
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,22 +12,46 @@
 #include "client/event.h"
 #include "client/file_descriptor.h"
 #include "client/name_lookup.h"
-#include "client/transport.h"
 
 namespace aibo_driver {
 
-/// TCP over IPv4 or IPv6, on a non-blocking socket.
-class TcpTransport : public Transport {
+using TimePoint = std::chrono::steady_clock::time_point;
+
+/// A connection over TCP (IPv4 or IPv6) that can be made again and again, and the one place where the client's thread
+/// waits. abort() and wakeUp() may be called from any thread, everything else from the client's thread only.
+class TcpTransport {
  public:
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
 
-  void connect(const std::string& host, int port, TimePoint deadline) override;
-  bool wait(TimePoint deadline) override;
-  std::size_t receive(std::uint8_t* buffer, std::size_t capacity) override;
-  void send(const std::uint8_t* data, std::size_t size) override;
-  void close() noexcept override;
-  void wakeUp() noexcept override;
-  void abort() noexcept override;
+  /// Connects, or leaves nothing behind.
+  /// @throw Fault there is no connection at the deadline, or it is clear earlier that there will be none
+  /// @throw StoppedException abort() was called
+  void connect(const std::string& host, int port, TimePoint deadline);
+
+  /// Waits until receive() has bytes or a fault to report, wakeUp() is called, or the deadline passes. Without a
+  /// connection it waits for the other two. Meanwhile it sends what send() has left, and may return early when it has.
+  /// @return true if receive() has something to report
+  /// @throw Fault the connection is over
+  /// @throw StoppedException abort() was called
+  bool wait(TimePoint deadline);
+
+  /// Takes what has arrived, without waiting.
+  /// @return bytes written to buffer; below capacity if nothing more is there now
+  /// @throw Fault the connection is over
+  std::size_t receive(std::uint8_t* buffer, std::size_t capacity);
+
+  /// Sends a request, without waiting: what the network does not take at once is kept, and sent by wait().
+  /// @throw Fault the connection is over, or the peer has long stopped reading
+  void send(const std::uint8_t* data, std::size_t size);
+
+  /// Ends the connection, if there is one.
+  void close() noexcept;
+
+  /// Ends the wait() in progress, or the next one.
+  void wakeUp() noexcept;
+
+  /// Ends connect() and wait(), now and whenever they are called again.
+  void abort() noexcept;
 
  private:
   std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
@@ -43,7 +68,7 @@ class TcpTransport : public Transport {
   std::atomic<bool> aborted_{false};
   std::string address_;  // "host:port", for messages
   FileDescriptor socket_;
-  std::vector<std::uint8_t> unsent_;  // of what send() was given
+  std::vector<std::uint8_t> unsent_;  // the part of what send() was given that the network has not taken
 };
 
 }  // namespace aibo_driver

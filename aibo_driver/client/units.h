@@ -1,18 +1,42 @@
 /// @file units.h
-/// The wire counts in millionths (microradian, microradian/s), the client's interface in whole units.
+/// Conversions between the numbers of the protocol and the units of the client's interface.
 #ifndef AIBO_DRIVER_CLIENT_UNITS_H
 #define AIBO_DRIVER_CLIENT_UNITS_H
 
 #include <cmath>
+#include <string>
+
+#include "aibo_driver/telemetry.h"
+#include "protocol/units.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_driver {
 
+/// Version 2 counts in millionths: microradian, microradian/s.
 inline int toMicro(double value) {
   return static_cast<int>(std::lround(value * 1e6));
 }
 
 inline double fromMicro(int value) {
   return value * 1e-6;
+}
+
+/// @param design of the robot. A sensor that this design is not known to have is taken for one with a unit.
+inline robot_model::SensorKind sensorKind(const std::string& design, int id) {
+  const robot_model::RobotModel* model = robot_model::findRobotModel(design.c_str());
+  const int index = model == nullptr ? robot_model::NO_SENSOR : robot_model::findSensorByIdentifier(*model, id);
+  return index == robot_model::NO_SENSOR ? robot_model::SENSOR_DISTANCE : model->sensors[index].kind;
+}
+
+/// A sensor's value from a version 1 server. Such a server does not say which robot it runs on: an ERS-7 is assumed.
+inline SensorReading makeVersion1Reading(int id, short value) {
+  return {id, protocol::sensorValueFromVersion1(sensorKind("ERS-7", id), value)};
+}
+
+/// A sensor's value from a version 2 server.
+/// @param design of the robot
+inline SensorReading makeVersion2Reading(const std::string& design, int id, int value) {
+  return {id, protocol::sensorValueFromVersion2(sensorKind(design, id), value)};
 }
 
 }  // namespace aibo_driver

@@ -9,17 +9,17 @@
 
 namespace aibo_driver {
 
-/// When a version 1 server is asked for which joint or sensor: one after the other, for such a server sends nothing
-/// unasked.
+/// Decides when to ask a version 1 server for which joint or sensor. Such a server sends nothing unasked, so they are
+/// polled one after the other.
 class ValuePoll {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// From one request to the next. A request and its answer are six bytes in two packets: 80 small packets a second
   /// beside the 120 or so full ones of 30 pictures a second. On a wireless link of 11 Mbit/s a small packet takes about
-  /// 0.75 ms, so that these take 6 % of its time.
+  /// 0.75 ms, so the poll takes 6 % of its time.
   static constexpr std::chrono::milliseconds kPeriod{25};
-  /// A poll waits so long at most for commands, which go first.
+  /// Commands go first, but hold up the poll for this long at most.
   static constexpr std::chrono::milliseconds kLongestWait{250};
 
   /// What to ask for.
@@ -40,17 +40,17 @@ class ValuePoll {
   /// True if commands have held up the poll for long enough.
   bool isOverdue(TimePoint now) const { return now >= due_at_ + kLongestWait; }
 
-  /// What to ask for now: joints and sensors in turn.
+  /// The value to ask for now: joints and sensors in turn.
   Value take(TimePoint now);
 
-  /// The robot refuses to tell this: it is not asked for again.
+  /// The robot refused to report this value: it is not asked for again.
   void drop(const Value& value);
 
-  /// The robot does not know this request at all.
+  /// The robot does not answer this request at all.
   void dropAll(char request);
 
  private:
-  /// Things that are asked for by the same request.
+  /// The values that one request asks for.
   struct Group {
     char request;
     std::vector<int> ids;

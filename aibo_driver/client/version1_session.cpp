@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "client/fault.h"
-#include "client/sensor_readings.h"
 #include "client/units.h"
 #include "protocol/units.h"
 #include "protocol/version2.h"
@@ -13,7 +12,8 @@
 namespace aibo_driver {
 namespace {
 
-// A connection on which nothing is due works if it stands for so long. One that the robot turns away is closed sooner.
+// A connection on which nothing is due is taken to work once it has stood for this long. A robot that turns a client
+// away closes it sooner.
 constexpr std::chrono::milliseconds kSettleTime{1000};
 
 Session::Bytes makeCommand(char letter, int identifier) {
@@ -25,7 +25,7 @@ Session::Bytes makeCommand(char letter, int identifier) {
   return bytes;
 }
 
-// A request that sets a value is laid out as the reply.
+// A request that sets a value has the layout of its reply.
 Session::Bytes makeSetCommand(char letter, int identifier, short value) {
   protocol::ValueReply request;
   request.letter = letter;
@@ -54,11 +54,15 @@ std::string describe(char letter, int id) {
   return std::string("the request '") + letter + "' for " + partOf(letter) + " " + std::to_string(id);
 }
 
+std::string describeError(int code) {
+  return "error code " + std::to_string(code);
+}
+
 short toCentidegrees(double radian) {
   return protocol::centidegreesFromMicroradians(toMicro(radian));
 }
 
-/// True if these are all LEDs of an ERS-7, and all are to shine alike.
+/// True if these are all LEDs of an ERS-7, and all get the same intensity and mode.
 bool areAllAlike(const std::vector<LedCommand>& leds) {
   const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
   const auto count = std::count_if(leds.begin(), leds.end(), [&](const LedCommand& led) {
@@ -70,9 +74,9 @@ bool areAllAlike(const std::vector<LedCommand>& leds) {
 
 }  // namespace
 
-Version1Session::Version1Session(const SessionContext& context, ServerHabits& habits, VersionAnswer answer,
+Version1Session::Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer,
                                  TimePoint connected)
-    : Session(context, connected),
+    : connection_(connection),
       habits_(habits),
       connected_(connected),
       heard_(answer == VersionAnswer::kRefused),
@@ -86,65 +90,59 @@ Version1Session::Version1Session(const SessionContext& context, ServerHabits& ha
   }
 }
 
-void Version1Session::add(PictureRequest request, TimePoint now) {
-  request.since = now;
-  requests_.add(std::move(request));
-}
-
-void Version1Session::add(RobotRequest request) {
-  if (isKnownToVersion1(request)) {
-    calls_.add(std::move(request));
-  } else {
-    request.fail(CallOutcome::kRefused, address() + " speaks version 1 of the protocol, which cannot " +
-                                            describe(request) + ". It needs an RCServer that speaks version 2.");
+void Version1Session::add(Call call) {
+  if (isKnownToVersion1(call)) {
+    connection_.calls.add(std::move(call));
+    return;
   }
-}
-
-void Version1Session::failRequests(CallOutcome outcome, const std::string& problem) {
-  requests_.failAll(outcome, problem);
-  calls_.failAll(outcome, problem);
+  call.promise.set_value(makeFailure(CallOutcome::kRefused,
+                                     connection_.context.address + " speaks version 1 of the protocol, which cannot " +
+                                         describe(call) + ". It needs an RCServer that speaks version 2."));
 }
 
 // While a picture is owed, a toggle would have to wait behind it anyway, and a second `F` would leave open which answer
-// belongs to which quality. `F` is never sent into the own stream.
+// belongs to which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
   if (isAnswerOwed()) {
     return {};
   }
-  dropStaleJointCommands(now);
-  if (wish.streaming != stream().on()) {
-    toggleStream(wish.jpeg_quality, now);
+  connection_.dropStaleJointCommands(now);
+  if (wish.streaming != connection_.pictures.streaming()) {
+    connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
   }
-  if (mayRequestPicture(now)) {
-    picture_owed_ = true;
-    signOfPicture(now);
-    const int quality = requests_.front().quality;
-    return makeCommand(protocol::REQUEST_PICTURE, quality == 0 ? wish.jpeg_quality : quality);
+  Call* const picture = connection_.calls.nextForPicture();
+  if (picture != nullptr && mayRequestPicture(now)) {
+    return requestPicture(wish, picture, now);
   }
-  const RobotRequest* call = calls_.firstUnsent();
-  return call != nullptr && !mustWaitForSpeedLimits(*call) ? nextCall(*call, now) : nextValueRequest(now);
+  Call* const call = connection_.calls.nextForRobot();
+  return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
 }
 
 bool Version1Session::mayRequestPicture(TimePoint now) const {
-  return !requests_.empty() && !stream().on() && parser_.betweenReplies() && now >= stream().drainedAt();
+  return !connection_.pictures.streaming() && parser_.betweenReplies() && now >= connection_.pictures.drainedAt();
 }
 
 bool Version1Session::mayPoll() const {
   return poll_wanted_ && !poll_.empty();
 }
 
-Session::Bytes Version1Session::nextCall(const RobotRequest& call, TimePoint now) {
-  Bytes bytes = encodeForVersion1(call);
-  dropSupersededJointCommands(call);
-  calls_.sent(kCallOwed);
-  transferBegins(bytes.size(), now);
+Session::Bytes Version1Session::requestPicture(const Wish& wish, Call* call, TimePoint now) {
+  call->request_number = kOwed;
+  connection_.pictures.signOfPicture(now);
+  return makeCommand(protocol::REQUEST_PICTURE, call->number == 0 ? wish.jpeg_quality : call->number);
+}
+
+Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
+  call->request_number = kOwed;
+  Bytes bytes = encodeForVersion1(*call);
+  connection_.callSent(*call, bytes.size(), now);
   return bytes;
 }
 
 Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
-  const bool has_commands = !commands_.empty();
+  const bool has_commands = !connection_.commands.empty();
   if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
     const ValuePoll::Value value = poll_.take(now);
     value_owed_ = ValueRequest{value.request, value.id, false, now};
@@ -154,33 +152,35 @@ Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
 }
 
 Session::Bytes Version1Session::nextCommand(TimePoint now) {
-  if (!commands_.speed_limits.empty()) {
-    const JointSpeedLimit limit = commands_.speed_limits.take(1).front();
+  CommandOutbox& commands = connection_.commands;
+  if (!commands.speed_limits.empty()) {
+    const JointSpeedLimit limit = commands.speed_limits.take(1).front();
     return setValue(protocol::REQUEST_MAX_VELOCITY, limit.id, toCentidegrees(limit.speed), now);
   }
-  const bool others_wait = !commands_.leds.empty() || !commands_.ears.empty();
-  const bool joints_next = !commands_.joints.empty() && (joints_turn_ || !others_wait);
+  const bool others_wait = !commands.leds.empty() || !commands.ears.empty();
+  const bool joints_next = !commands.joints.empty() && (joints_turn_ || !others_wait);
   joints_turn_ = !joints_next;
   return joints_next ? nextJointCommand(now) : nextLedOrEarCommand(now);
 }
 
 Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
-  const JointTarget target = commands_.joints.takeTargetAfter(last_target_);
+  const JointTarget target = connection_.commands.joints.takeTargetAfter(last_target_);
   last_target_ = target.id;
   return setValue(protocol::REQUEST_JOINT, target.id, toCentidegrees(target.position), now);
 }
 
 Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
-  if (!commands_.ears.empty()) {
-    const EarCommand ear = commands_.ears.take(1).front();
+  CommandOutbox& commands = connection_.commands;
+  if (!commands.ears.empty()) {
+    const EarCommand ear = commands.ears.take(1).front();
     return setValue(protocol::REQUEST_EARS, ear.id, ear.drawn ? 1 : 0, now);
   }
-  if (areAllAlike(commands_.leds.items())) {
-    const LedCommand led = commands_.leds.take(commands_.leds.items().size()).front();
+  if (areAllAlike(commands.leds.items())) {
+    const LedCommand led = commands.leds.take(commands.leds.items().size()).front();
     const int mode = led.mode == LedMode::kA ? protocol::FACE_MODE_A : protocol::FACE_MODE_A + 1;
     return setValue(protocol::REQUEST_FACE_LEDS, mode, static_cast<short>(led.intensity), now);
   }
-  const LedCommand led = commands_.leds.take(1).front();
+  const LedCommand led = commands.leds.take(1).front();
   return setValue(protocol::REQUEST_LED, led.id, static_cast<short>(led.intensity), now);
 }
 
@@ -189,49 +189,61 @@ Session::Bytes Version1Session::setValue(char letter, int id, short value, TimeP
   return makeSetCommand(letter, id, value);
 }
 
-void Version1Session::parse(const std::uint8_t* data, std::size_t size) {
+void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
+  now_ = now;
   heard_ = heard_ || size > 0;
-  parser_.feed(data, size, now(), *this);
+  for (std::size_t taken = 0; size > 0; data += taken, size -= taken) {
+    switch (parser_.append(data, size, now, &taken)) {
+      case ReplyParser::Result::kNothing:
+        break;
+      case ReplyParser::Result::kPicture:
+        onPicture();
+        break;
+      case ReplyParser::Result::kValue:
+        onValueReply();
+        break;
+    }
+  }
   if (parser_.betweenReplies()) {
     return;
   }
-  signOfPicture(now());
-  if (!stream().on() && !picture_owed_) {
-    stream().lateBytes(now());
+  connection_.pictures.signOfPicture(now);
+  if (!connection_.pictures.streaming() && owedPicture() == nullptr) {
+    connection_.pictures.lateBytes(now);
   }
 }
 
-void Version1Session::onPicture(Bytes jpeg, TimePoint first_byte_time) {
-  signOfPicture(now());
+void Version1Session::onPicture() {
+  PictureIntake& pictures = connection_.pictures;
+  pictures.signOfPicture(now_);
   version_answer_owed_ = false;
-  if (!stream().on() && !picture_owed_) {
-    stream().lateBytes(now());
+  Call* const owed = owedPicture();
+  if (!pictures.streaming() && owed == nullptr) {
+    pictures.lateBytes(now_);
   }
-  const PicturePtr picture = inspect(std::move(jpeg), first_byte_time);
+  const PicturePtr picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
   if (!picture) {
-    picture_owed_ = false;  // the request is made again, as long as its time allows
+    if (owed != nullptr) {
+      owed->request_number = 0;  // to be sent again, as long as the time of the call allows
+    }
     return;
   }
   settled_ = true;
-  deliver(picture);
-}
-
-void Version1Session::deliver(const PicturePtr& picture) {
-  if (picture_owed_) {
-    picture_owed_ = false;
-    publish(picture);
-    requests_.answerFront(picture);
-  } else if (!stream().on()) {
-    dropUnexpected();
-  } else if (publishFromStream(picture)) {
-    requests_.answerFromStream(picture, stream().quality());
+  if (owed != nullptr) {
+    pictures.deliver(picture);
+    Answer answer;
+    answer.picture = picture;
+    connection_.calls.answer(kOwed, std::move(answer));
+  } else if (pictures.deliverFromStream(picture, now_)) {
+    connection_.calls.answerFromStream(picture, pictures.streamQuality());
   }
 }
 
-void Version1Session::onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) {
+void Version1Session::onValueReply() {
+  const protocol::ValueReply reply = parser_.value();
   const bool version_answer_owed = std::exchange(version_answer_owed_, false);
   if (version_answer_owed && protocol::version2::agreesToVersion2(reply)) {
-    throw Fault::agreedTooLate(address());
+    throw Fault::agreedTooLate(connection_.context.address);
   }
   const bool error = reply.letter == protocol::REPLY_ERROR;
   if (error && version_answer_owed) {
@@ -239,149 +251,140 @@ void Version1Session::onValueReply(const protocol::ValueReply& reply, TimePoint 
   } else if (error) {
     onError(reply.value);
   } else {
-    onAnswer(reply, first_byte_time);
+    onAnswer(reply);
   }
 }
 
 void Version1Session::onError(int code) {
-  const std::string wording = "error code " + std::to_string(code);
-  if (picture_owed_) {
+  if (const Call* const call = owedCall()) {
     settled_ = true;
-    picture_owed_ = false;
-    requests_.failFront(CallOutcome::kRefused, address() + " refused to take a picture: " + wording + ".");
-  } else if (calls_.has(kCallOwed)) {
-    onCallRefused(code);
+    connection_.refuse(*call, explainRefusal(*call, code), now_);
   } else if (value_owed_) {
-    onValueRefused(wording);
-  } else if (stream().on()) {
-    throw Fault::protocol(address(), "it refused to stream pictures: " + wording);
+    onValueRefused(code);
+  } else if (connection_.pictures.streaming()) {
+    throw ProtocolException("it refused to stream pictures: " + describeError(code));
   } else {
-    notifier().log(LogLevel::kWarn, address() + " sent an error that nobody had caused: " + wording + ".");
+    connection_.context.warn("sent an error that answers no request: " + describeError(code));
   }
 }
 
-void Version1Session::onCallRefused(int code) {
-  settled_ = true;
-  transferEnds(now());
-  ++counters().refusals;
-  RobotRequest call = *calls_.take(kCallOwed);
-  call.fail(CallOutcome::kRefused, address() + " refused to " + describe(call) + ": " + explainRefusal(call, code) +
-                                       " (error code " + std::to_string(code) + ").");
-}
-
-void Version1Session::onValueRefused(const std::string& code) {
+void Version1Session::onValueRefused(int code) {
   const ValueRequest request = *std::exchange(value_owed_, std::nullopt);
   settled_ = true;
   if (!request.set) {
     habits_.unanswered_polls.erase(request.letter);
     poll_.drop({request.letter, request.id});
   }
-  noteRefusal(request.letter, describe(request.letter, request.id) + ": " + code);
+  connection_.refusals.refused(request.letter, describe(request.letter, request.id) + ": " + describeError(code));
 }
 
-void Version1Session::onAnswer(const protocol::ValueReply& reply, TimePoint first_byte_time) {
+void Version1Session::onAnswer(const protocol::ValueReply& reply) {
   const auto answers = [&reply](char letter) { return reply.letter == protocol::version2::replyKind(letter); };
-  if (calls_.has(kCallOwed) && answers(calls_.get(kCallOwed)->letter)) {
+  if (owedCall() != nullptr && answers(owedCall()->letter)) {
     onCallAnswered();
   } else if (value_owed_ && answers(value_owed_->letter) && reply.identifier == value_owed_->id) {
-    onValue(reply, first_byte_time);
+    onValue(reply);
   } else {
-    notifier().log(LogLevel::kWarn, address() + " sent an answer that nobody had asked for: '" + reply.letter + "', " +
-                                        std::to_string(reply.value) + ".");
+    connection_.context.warn(std::string("sent an answer to no request: '") + reply.letter + "', " +
+                             std::to_string(reply.value));
   }
 }
 
 void Version1Session::onCallAnswered() {
   settled_ = true;
-  transferEnds(now());
-  calls_.take(kCallOwed)->answer({});
+  connection_.calls.transferEnds(now_);
+  connection_.calls.answer(kOwed, {});
 }
 
-void Version1Session::onValue(const protocol::ValueReply& reply, TimePoint first_byte_time) {
+void Version1Session::onValue(const protocol::ValueReply& reply) {
   settled_ = true;
   const ValueRequest request = *std::exchange(value_owed_, std::nullopt);
   const double position = fromMicro(protocol::microradiansFromCentidegrees(reply.value));
   if (request.set) {
-    noteAcceptance(request.letter);
+    connection_.refusals.accepted(request.letter);
     if (request.letter == protocol::REQUEST_JOINT) {
-      publishAccepted({{reply.identifier, position}});
+      connection_.context.notifier.jointsAccepted({{reply.identifier, position}});
     }
     return;
   }
   habits_.unanswered_polls.erase(request.letter);
   Telemetry telemetry;
-  telemetry.arrival = first_byte_time;
+  telemetry.arrival = parser_.firstByteTime();
   if (request.letter == protocol::REQUEST_JOINT) {
     telemetry.joints = {{reply.identifier, position}};
   } else {
     telemetry.sensors = {makeVersion1Reading(reply.identifier, reply.value)};
   }
-  publish(telemetry);
+  connection_.publish(telemetry);
 }
 
-bool Version1Session::pictureDue() const {
-  return stream().on() || picture_owed_ || !parser_.betweenReplies();
+Call* Version1Session::owedPicture() const {
+  Call* const owed = owedCall();
+  return owed != nullptr && owed->isForPicture() ? owed : nullptr;
+}
+
+bool Version1Session::isPictureDue() const {
+  return connection_.pictures.streaming() || owedPicture() != nullptr || !parser_.betweenReplies();
 }
 
 Session::TimePoint Version1Session::silenceLimit() const {
-  return pictureDue() ? pictureSilenceLimit() : TimePoint::max();
+  return isPictureDue() ? connection_.pictureDeadline() : TimePoint::max();
 }
 
 Session::TimePoint Version1Session::valueDeadline() const {
-  return value_owed_ ? value_owed_->sent + answerLimit() : TimePoint::max();
+  return value_owed_ ? value_owed_->sent + connection_.answerLimit() : TimePoint::max();
 }
 
 void Version1Session::checkDeadlines(TimePoint now) {
   if (now >= silenceLimit()) {
-    failSilent();
+    throw Fault::silent(connection_.context.address, connection_.context.read_timeout);
   }
   if (now >= valueDeadline()) {
     failUnanswered();
   }
-  checkCall(now);
-  const bool owed_in_vain = picture_owed_ && now >= requests_.front().deadline;
-  const std::chrono::milliseconds allowed = owed_in_vain ? requests_.front().timeout : std::chrono::milliseconds(0);
-  requests_.expire(now, damageRemark());
-  if (owed_in_vain) {
-    throw Fault::pictureOverdue(address(), allowed);
-  }
-  if (!pictureDue() && now >= connected_ + kSettleTime) {
+  checkCalls(now);
+  if (!isPictureDue() && now >= connected_ + kSettleTime) {
     settled_ = true;
   }
 }
 
 // A call that has been sent and is not answered in time ends the connection.
-void Version1Session::checkCall(TimePoint now) {
-  const RobotRequest* owed = calls_.get(kCallOwed);
-  const bool owed_in_vain = owed != nullptr && now >= owed->deadline;
-  const std::string request = owed_in_vain ? "the request to " + describe(*owed) : "";
-  const std::chrono::milliseconds allowed = owed_in_vain ? owed->timeout : std::chrono::milliseconds(0);
-  calls_.expire(now, "answer", ".");
-  if (owed_in_vain) {
-    throw Fault::unanswered(address(), request, allowed);
+void Version1Session::checkCalls(TimePoint now) {
+  std::optional<Fault> fault;
+  const Call* const owed = owedCall();
+  if (owed != nullptr && now >= owed->deadline) {
+    const std::string& address = connection_.context.address;
+    fault = owed->isForPicture() ? Fault::pictureOverdue(address, owed->timeout)
+                                 : Fault::unanswered(address, "the request to " + describe(*owed), owed->timeout);
+  }
+  connection_.calls.expire(now, connection_.pictures.damageRemark());
+  if (fault) {
+    throw Fault(*fault);
   }
 }
 
 void Version1Session::failUnanswered() {
+  const ConnectionContext& context = connection_.context;
   const char letter = value_owed_->letter;
   if (heard_ && !value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
-    notifier().log(LogLevel::kWarn, address() + " does not answer when it is asked for its " + partOf(letter) +
-                                        "s. It is not asked again: there is no telemetry of them.");
+    const std::string parts = std::string(partOf(letter)) + "s";
+    context.warn("does not answer when it is asked for its " + parts +
+                 ". It is not asked again, so there will be no telemetry of its " + parts);
   }
-  throw Fault::unanswered(address(), describe(letter, value_owed_->id), answerLimit());
+  throw Fault::unanswered(context.address, describe(letter, value_owed_->id), connection_.answerLimit());
 }
 
 Session::TimePoint Version1Session::nextDeadline() const {
-  TimePoint next =
-      std::min({requests_.nextDeadline(), calls_.nextDeadline(), silenceLimit(), valueDeadline(), nextLook()});
+  const PictureIntake& pictures = connection_.pictures;
+  TimePoint next = std::min({connection_.calls.nextDeadline(), silenceLimit(), valueDeadline(), pictures.nextLook()});
   const bool free = !isAnswerOwed();
-  if (!stream().on() && !requests_.empty() && free && parser_.betweenReplies()) {
-    next = std::min(next, stream().drainedAt());
+  if (!pictures.streaming() && connection_.calls.nextForPicture() != nullptr && free && parser_.betweenReplies()) {
+    next = std::min(next, pictures.drainedAt());
   }
   if (mayPoll() && free) {
     next = std::min(next, poll_.dueAt());
   }
-  if (!settled_ && !pictureDue()) {
+  if (!settled_ && !isPictureDue()) {
     next = std::min(next, connected_ + kSettleTime);
   }
   return next;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "client/numbered_calls.h"
+#include "client/connection.h"
 #include "client/reply_parser.h"
 #include "client/session.h"
 #include "client/value_poll.h"
@@ -14,10 +14,10 @@
 
 namespace aibo_driver {
 
-/// What is known of a version 1 server beyond one connection.
+/// What is remembered of a version 1 server from one connection to the next.
 struct ServerHabits {
-  /// A server that is this often in a row asked for a joint, or for a sensor, and does not answer, although it has sent
-  /// something else, is not asked for any more.
+  /// After this many unanswered polls in a row for joints, or for sensors, from a server that does send other things,
+  /// it is not asked for them any more.
   static constexpr int kUnansweredPollsLimit = 3;
 
   std::map<char, int> unanswered_polls;  ///< in a row, by the request's letter; each has cost a connection
@@ -25,27 +25,25 @@ struct ServerHabits {
 
 /// A session with a version 1 server.
 ///
-/// There is never more than one request that the server has not answered. Replies have no numbers, so nobody could tell
-/// whose they are; and two requests that TCP joins may be taken for another one: the bytes of two requests to read a
-/// joint are those of one that moves it. For the same reason a request without an answer ends the connection.
-class Version1Session final : public Session, private ReplyHandler {
+/// At most one request is unanswered at any time. Replies have no numbers, so nothing would say which request a reply
+/// belongs to; and two requests that TCP joins may be taken for another one: the bytes of two requests to read a joint
+/// are those of one that moves it. For the same reason a request without an answer ends the connection.
+class Version1Session final : public Session {
  public:
   using TimePoint = Session::TimePoint;
   /// What has become of the question for version 2 of the protocol.
   enum class VersionAnswer { kNotAsked, kRefused, kOwed };
 
-  Version1Session(const SessionContext& context, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
+  Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
 
-  using Session::add;
-  void add(PictureRequest request, TimePoint now) override;
-  void add(RobotRequest request) override;
-  void failRequests(CallOutcome outcome, const std::string& problem) override;
-  Bytes nextRequest(const Wish& wish, TimePoint now) override;
-  void checkDeadlines(TimePoint now) override;
-  TimePoint nextDeadline() const override;
   int protocolVersion() const override { return 1; }
   bool ready() const override { return true; }
   bool settled() const override { return settled_; }
+  void add(Call call) override;
+  Bytes nextRequest(const Wish& wish, TimePoint now) override;
+  void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  void checkDeadlines(TimePoint now) override;
+  TimePoint nextDeadline() const override;
 
  private:
   /// A request whose answer is a value.
@@ -56,45 +54,46 @@ class Version1Session final : public Session, private ReplyHandler {
     TimePoint sent;
   };
 
-  void parse(const std::uint8_t* data, std::size_t size) override;
-  void onPicture(Bytes jpeg, TimePoint first_byte_time) override;
-  void deliver(const PicturePtr& picture);
-  void onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) override;
-  void onAnswer(const protocol::ValueReply& reply, TimePoint first_byte_time);
-  void onCallAnswered();
-  void onValue(const protocol::ValueReply& reply, TimePoint first_byte_time);
-  void onError(int code);
-  void onCallRefused(int code);
-  void onValueRefused(const std::string& code);
-
+  // The call that has been sent and not been answered, of any kind or for a picture; null if there is none:
+  Call* owedCall() const { return connection_.calls.find(kOwed); }
+  Call* owedPicture() const;
+  bool isAnswerOwed() const { return value_owed_ || owedCall() != nullptr; }
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
-  bool isAnswerOwed() const { return picture_owed_ || value_owed_ || calls_.has(kCallOwed); }
-  Bytes nextCall(const RobotRequest& call, TimePoint now);
+  Bytes requestPicture(const Wish& wish, Call* call, TimePoint now);
+  Bytes requestCall(Call* call, TimePoint now);
   Bytes nextValueRequest(TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes nextJointCommand(TimePoint now);
   Bytes nextLedOrEarCommand(TimePoint now);
   Bytes setValue(char letter, int id, short value, TimePoint now);
 
-  bool pictureDue() const;
+  void onPicture();
+  void onValueReply();
+  void onAnswer(const protocol::ValueReply& reply);
+  void onCallAnswered();
+  void onValue(const protocol::ValueReply& reply);
+  void onError(int code);
+  void onValueRefused(int code);
+
+  bool isPictureDue() const;
   TimePoint silenceLimit() const;
   TimePoint valueDeadline() const;
-  void checkCall(TimePoint now);
+  void checkCalls(TimePoint now);
   void failUnanswered();
 
+  static constexpr int kOwed = 1;  // request number of the call that has been sent and not been answered
+
+  Connection& connection_;
   ServerHabits& habits_;
   const TimePoint connected_;
   bool heard_;  // the server has sent something
   ReplyParser parser_;
-  PictureRequests requests_;
-  bool picture_owed_ = false;  // `F` has been sent for the first request and not been answered
+  TimePoint now_;  // when the bytes were read that are being taken apart
   std::optional<ValueRequest> value_owed_;
-  static constexpr int kCallOwed = 1;  // the number of the call that has been sent and not been answered
-  NumberedCalls<RobotRequest> calls_;
   bool version_answer_owed_;
-  int last_target_ = 0;      // id of the joint that was sent somewhere last
-  bool joints_turn_ = true;  // else that of LEDs and ears, if any wait
+  int last_target_ = 0;      // id of the joint that was commanded last
+  bool joints_turn_ = true;  // else it is the turn of LEDs and ears, if any wait
   ValuePoll poll_;
   bool poll_wanted_ = false;
   bool settled_;

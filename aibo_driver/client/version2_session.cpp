@@ -4,9 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include "aibo_driver/exceptions.h"
 #include "client/fault.h"
-#include "client/sensor_readings.h"
 #include "client/units.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
@@ -39,39 +37,37 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
   return robot;
 }
 
+std::string describeError(const unsigned char* payload, std::size_t size) {
+  version2::ErrorMessage message;
+  expectGood(version2::decodeErrorMessage(payload, size, &message), "error message");
+  const std::string code = "error code " + std::to_string(message.code);
+  return message.text_size == 0 ? code : std::string(message.text, message.text_size) + " (" + code + ")";
+}
+
 }  // namespace
 
-Version2Session::Version2Session(const SessionContext& context, TimePoint connected)
-    : Session(context, connected),
+Version2Session::Version2Session(Connection& connection, TimePoint connected)
+    : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
       next_hello_(connected) {}
 
-void Version2Session::add(PictureRequest request, TimePoint now) {
-  request.since = now;
-  pictures_.add(std::move(request));
-}
-
-void Version2Session::failRequests(CallOutcome outcome, const std::string& problem) {
-  pictures_.failAll(outcome, problem);
-  calls_.failAll(outcome, problem);
-}
-
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
+  const PictureIntake& pictures = connection_.pictures;
   if (now >= next_hello_) {
     return requestHello(now);
   }
   if (!ready_) {
     return {};
   }
-  if (wish.streaming != stream().on() || (wish.streaming && wish.jpeg_quality != stream().quality())) {
+  if (wish.streaming != pictures.streaming() || (wish.streaming && wish.jpeg_quality != pictures.streamQuality())) {
     return requestStream(wish, now);
   }
-  if (const PictureRequest* call = pictures_.firstUnsent()) {
-    return requestPicture(*call, wish);
+  if (Call* const call = connection_.calls.nextForPicture()) {
+    return requestPicture(wish, call);
   }
-  if (const RobotRequest* call = calls_.firstUnsent()) {
-    return mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(*call, now);
+  if (Call* const call = connection_.calls.nextForRobot()) {
+    return connection_.mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(call, now);
   }
   if (wish.telemetry_period != telemetry_period_) {
     return requestTelemetry(wish, now);
@@ -81,41 +77,36 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
   next_hello_ = now + kHeartbeatPeriod;
-  return request(version2::REQUEST_HELLO, 0, nullptr, 0, now);
+  return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
 }
 
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
-  if (wish.streaming != stream().on()) {
-    toggleStream(wish.jpeg_quality, now);
-  }
-  stream().setQuality(wish.jpeg_quality);
-  unsigned char payload[version2::STREAM_SETTINGS_SIZE];
-  const std::size_t size = version2::encodeStreamSettings({wish.streaming, version2::LAYER_HIGH, 1}, payload);
-  return request(version2::REQUEST_STREAM, wish.jpeg_quality, payload, size, now);
+  connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
+  const version2::StreamSettings settings = {wish.streaming, version2::LAYER_HIGH, 1};
+  return request(version2::REQUEST_STREAM, wish.jpeg_quality, now, version2::STREAM_SETTINGS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeStreamSettings(settings, out); });
 }
 
-Session::Bytes Version2Session::requestPicture(const PictureRequest& call, const Wish& wish) {
-  unsigned char payload[version2::PICTURE_REQUEST_SIZE];
-  const std::size_t size = version2::encodePictureRequest(version2::LAYER_HIGH, payload);
-  const int quality = call.quality == 0 ? wish.jpeg_quality : call.quality;
-  Bytes frame = makeFrame(version2::REQUEST_PICTURE, quality, payload, size);
-  pictures_.sent(last_number_);
+Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
+  const int quality = call->number == 0 ? wish.jpeg_quality : call->number;
+  Bytes frame = makeFrame(version2::REQUEST_PICTURE, quality, version2::PICTURE_REQUEST_SIZE,
+                          [](unsigned char* out) { return version2::encodePictureRequest(version2::LAYER_HIGH, out); });
+  call->request_number = last_number_;
   return frame;
 }
 
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
-  unsigned char payload[version2::TELEMETRY_PERIOD_SIZE];
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
-  return request(version2::REQUEST_TELEMETRY, 0, payload, version2::encodeTelemetryPeriod(frames, payload), now);
+  return request(version2::REQUEST_TELEMETRY, 0, now, version2::TELEMETRY_PERIOD_SIZE,
+                 [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
 }
 
-Session::Bytes Version2Session::requestCall(const RobotRequest& call, TimePoint now) {
-  const Bytes payload = encodeForVersion2(call);
-  dropSupersededJointCommands(call);
-  Bytes frame = makeFrame(call.letter, 0, payload.data(), payload.size());
-  calls_.sent(last_number_);
-  transferBegins(frame.size(), now);
+Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
+  Bytes frame = makeFrame(call->letter, 0, largestPayload(*call),
+                          [&](unsigned char* out) { return encodeForVersion2(*call, out); });
+  call->request_number = last_number_;
+  connection_.callSent(*call, frame.size(), now);
   return frame;
 }
 
@@ -130,19 +121,20 @@ bool Version2Session::mayCommandJoints() const {
 }
 
 Session::Bytes Version2Session::nextCommand(TimePoint now) {
-  if (!commands_.speed_limits.empty() && mayCommandJoints()) {
-    return requestSpeedLimits(now);
-  }
+  const CommandOutbox& commands = connection_.commands;
   if (mayCommandJoints()) {
-    dropStaleJointCommands(now);
-    if (!commands_.joints.empty()) {
+    if (!commands.speed_limits.empty()) {
+      return requestSpeedLimits(now);
+    }
+    connection_.dropStaleJointCommands(now);
+    if (!commands.joints.empty()) {
       return requestTargets(now);
     }
   }
-  if (!commands_.leds.empty() && outstanding(version2::REQUEST_LEDS) == 0) {
+  if (!commands.leds.empty() && outstanding(version2::REQUEST_LEDS) == 0) {
     return requestLeds(now);
   }
-  if (!commands_.ears.empty() && outstanding(version2::REQUEST_EARS) == 0) {
+  if (!commands.ears.empty() && outstanding(version2::REQUEST_EARS) == 0) {
     return requestEars(now);
   }
   return {};
@@ -150,61 +142,64 @@ Session::Bytes Version2Session::nextCommand(TimePoint now) {
 
 Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
   version2::SpeedLimits limits = {};
-  for (const JointSpeedLimit& limit : commands_.speed_limits.take(version2::MAX_JOINTS)) {
+  for (const JointSpeedLimit& limit : connection_.commands.speed_limits.take(version2::MAX_JOINTS)) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
-  unsigned char payload[version2::MAX_SPEED_LIMITS_SIZE];
-  return request(version2::REQUEST_SPEED_LIMITS, 0, payload, version2::encodeSpeedLimits(limits, payload), now);
+  return request(version2::REQUEST_SPEED_LIMITS, 0, now, version2::MAX_SPEED_LIMITS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeSpeedLimits(limits, out); });
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
-  const JointCommand command = commands_.joints.takeCommand();
+  const JointCommand command = connection_.commands.joints.takeCommand();
   version2::JointTargets targets = {};
   targets.duration_ms = static_cast<unsigned short>(command.duration.count());
   for (const JointTarget& target : command.targets) {
     targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
   }
-  unsigned char payload[version2::MAX_JOINT_TARGETS_SIZE];
-  return request(version2::REQUEST_JOINTS, 0, payload, version2::encodeJointTargets(targets, payload), now);
+  return request(version2::REQUEST_JOINTS, 0, now, version2::MAX_JOINT_TARGETS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); });
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
   version2::LedValues values = {};
-  for (const LedCommand& led : commands_.leds.take(version2::MAX_LEDS)) {
+  for (const LedCommand& led : connection_.commands.leds.take(version2::MAX_LEDS)) {
     values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
                                    led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
   }
-  unsigned char payload[version2::MAX_LED_VALUES_SIZE];
-  return request(version2::REQUEST_LEDS, 0, payload, version2::encodeLedValues(values, payload), now);
+  return request(version2::REQUEST_LEDS, 0, now, version2::MAX_LED_VALUES_SIZE,
+                 [&](unsigned char* out) { return version2::encodeLedValues(values, out); });
 }
 
-// They are always told together.
+// Both ears are always commanded together.
 Session::Bytes Version2Session::requestEars(TimePoint now) {
   version2::EarPositions positions = {};
-  for (const EarCommand& ear : commands_.ears.take(2)) {
+  for (const EarCommand& ear : connection_.commands.ears.take(2)) {
     (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
-  unsigned char payload[version2::EAR_POSITIONS_SIZE];
-  return request(version2::REQUEST_EARS, 0, payload, version2::encodeEarPositions(positions, payload), now);
+  return request(version2::REQUEST_EARS, 0, now, version2::EAR_POSITIONS_SIZE,
+                 [&](unsigned char* out) { return version2::encodeEarPositions(positions, out); });
 }
 
-Session::Bytes Version2Session::request(char kind, int id, const unsigned char* payload, std::size_t size,
-                                        TimePoint now) {
-  Bytes frame = makeFrame(kind, id, payload, size);
-  exchanges_[last_number_] = {kind, now, answerLimit(now)};
+/// A request whose answer is due soon.
+template <typename Encode>
+Session::Bytes Version2Session::request(char kind, int id, TimePoint now, std::size_t largest_payload,
+                                        const Encode& encode) {
+  Bytes frame = makeFrame(kind, id, largest_payload, encode);
+  exchanges_[last_number_] = {kind, now, connection_.answerDeadline(now)};
   return frame;
 }
 
-Session::Bytes Version2Session::makeFrame(char kind, int id, const unsigned char* payload, std::size_t size) {
-  last_number_ = nextNumber();
+/// @param encode writes the payload and returns its size
+template <typename Encode>
+Session::Bytes Version2Session::makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode) {
+  Bytes frame(version2::FRAME_HEADER_SIZE + largest_payload);
   version2::FrameHeader header = {};
   header.kind = kind;
   header.id = static_cast<unsigned char>(id);
-  header.request_number = static_cast<unsigned short>(last_number_);
-  header.payload_size = static_cast<unsigned>(size);
-  Bytes frame(version2::FRAME_HEADER_SIZE);
+  header.request_number = static_cast<unsigned short>(last_number_ = nextNumber());
+  header.payload_size = static_cast<unsigned>(encode(frame.data() + version2::FRAME_HEADER_SIZE));
   version2::encodeFrameHeader(header, frame.data());
-  frame.insert(frame.end(), payload, payload + size);
+  frame.resize(version2::FRAME_HEADER_SIZE + header.payload_size);
   return frame;
 }
 
@@ -222,16 +217,15 @@ std::optional<char> Version2Session::kindOf(int number) const {
   if (exchange != exchanges_.end()) {
     return exchange->second.kind;
   }
-  if (const RobotRequest* call = calls_.get(number)) {
-    return call->letter;
-  }
-  return pictures_.has(number) ? std::optional<char>(version2::REQUEST_PICTURE) : std::nullopt;
+  const Call* const call = connection_.calls.find(number);
+  return call != nullptr ? std::optional<char>(call->letter) : std::nullopt;
 }
 
-void Version2Session::parse(const std::uint8_t* data, std::size_t size) {
+void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
+  now_ = now;
   while (size > 0) {
     if (reader_.isBetweenFrames()) {
-      frame_began_ = now();
+      frame_began_ = now;
     }
     std::size_t taken = 0;
     const version2::FrameReader::Result result = reader_.append(data, size, &taken);
@@ -246,10 +240,10 @@ void Version2Session::parse(const std::uint8_t* data, std::size_t size) {
     }
   }
   if (!reader_.isBetweenFrames()) {
-    signOfPicture(now());  // nothing else is so large that it comes in parts
+    connection_.pictures.signOfPicture(now);  // nothing else is so large that it comes in parts
   }
   if (telemetry_) {
-    publish(*std::exchange(telemetry_, std::nullopt));
+    connection_.publish(*std::exchange(telemetry_, std::nullopt));
   }
 }
 
@@ -283,10 +277,12 @@ void Version2Session::onPush(char kind, const Payload& payload) {
 void Version2Session::onReply(char kind, int number, const Payload& payload) {
   const std::optional<char> request_kind = kindOf(number);
   if (!request_kind) {
-    return;  // whoever asked has stopped waiting
+    return;  // the caller has stopped waiting
   }
   if (kind == version2::ERROR_MESSAGE) {
-    onRefusal(*request_kind, number, payload);
+    const std::string problem = describeError(payload.data, payload.size);
+    const Call* const call = connection_.calls.find(number);
+    call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(*request_kind, problem);
   } else if (kind == version2::replyKind(*request_kind)) {
     onAnswer(*request_kind, number, payload);
   } else {
@@ -296,7 +292,7 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
 }
 
 void Version2Session::onAnswer(char request_kind, int number, const Payload& payload) {
-  noteAcceptance(request_kind);
+  connection_.refusals.accepted(request_kind);
   switch (request_kind) {
     case version2::REQUEST_HELLO:
       return onHello(payload);
@@ -305,25 +301,27 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
     case version2::REQUEST_JOINTS:
       return onJointsAccepted(payload);
     default:
-      // Stream, speed limits, telemetry, LEDs and ears are from now on as the server says.
-      return calls_.has(number) ? onCallAnswered(number, payload) : void();
+      // The answers for stream, speed limits, telemetry, LEDs and ears only confirm what was requested.
+      if (const Call* const call = connection_.calls.find(number)) {
+        onCallAnswered(*call, payload);
+      }
   }
 }
 
 void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
-  robot_ = makeRobotInfo(hello);
+  connection_.robot = makeRobotInfo(hello);
   ready_ = true;
 }
 
-Session::MutablePicturePtr Version2Session::takePictureFrom(const Payload& payload) {
-  signOfPicture(now());
+std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload) {
+  connection_.pictures.signOfPicture(now_);
   version2::ImageHeader header;
   std::size_t size = 0;
   expectGood(version2::decodePicture(payload.data, payload.size, &header, &size), "picture");
   const unsigned char* jpeg = payload.data + version2::IMAGE_HEADER_SIZE;
-  MutablePicturePtr picture = inspect(Bytes(jpeg, jpeg + size), frame_began_);
+  std::shared_ptr<Picture> picture = connection_.pictures.inspect(Bytes(jpeg, jpeg + size), frame_began_);
   if (picture) {
     picture->frame_number = header.frame_number;
     picture->image_count = header.image_count;
@@ -332,25 +330,21 @@ Session::MutablePicturePtr Version2Session::takePictureFrom(const Payload& paylo
 }
 
 void Version2Session::onStreamPicture(const Payload& payload) {
-  const PicturePtr picture = takePictureFrom(payload);
-  if (!picture) {
-    return;
-  }
-  if (stream().on()) {
-    publishFromStream(picture);
-  } else {
-    dropUnexpected();
+  if (const PicturePtr picture = takePictureFrom(payload)) {
+    connection_.pictures.deliverFromStream(picture, now_);
   }
 }
 
 void Version2Session::onRequestedPicture(int number, const Payload& payload) {
   const PicturePtr picture = takePictureFrom(payload);
   if (!picture) {
-    pictures_.sendAgain(number);  // as long as the time of the call allows
+    connection_.calls.find(number)->request_number = 0;  // to be sent again, as long as the time of the call allows
     return;
   }
-  publish(picture);
-  pictures_.take(number)->answer(picture, 0);
+  connection_.pictures.deliver(picture);
+  Answer answer;
+  answer.picture = picture;
+  connection_.calls.answer(number, std::move(answer));
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {
@@ -364,7 +358,7 @@ void Version2Session::onTelemetry(const Payload& payload) {
     if (entry.group == version2::GROUP_JOINT) {
       telemetry_->joints.push_back({entry.id, fromMicro(entry.value)});
     } else {
-      telemetry_->sensors.push_back(makeVersion2Reading(robot().design, entry.id, entry.value));
+      telemetry_->sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
     }
   }
 }
@@ -376,72 +370,45 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
   for (std::size_t i = 0; i < accepted.count; ++i) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
   }
-  publishAccepted(targets);
+  connection_.context.notifier.jointsAccepted(targets);
 }
 
-void Version2Session::onCallAnswered(int number, const Payload& payload) {
-  RobotAnswer answer;
-  const char letter = calls_.get(number)->letter;
-  if (letter == version2::REQUEST_MOTORS) {
+void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
+  Answer answer;
+  if (call.letter == version2::REQUEST_MOTORS) {
     expectGood(version2::decodeMotorState(payload.data, payload.size, &answer.motors_on), "motor state");
-  } else if (letter == version2::REQUEST_LIST) {
+  } else if (call.letter == version2::REQUEST_LIST) {
     version2::MotionList list;
     expectGood(version2::decodeMotionList(payload.data, payload.size, &list), "list of motions");
     answer.names.assign(list.names, list.names + list.count);
   }
-  transferEnds(now());
-  calls_.take(number)->answer(answer);
+  connection_.calls.transferEnds(now_);
+  connection_.calls.answer(call.request_number, std::move(answer));
 }
 
-std::string Version2Session::decodeError(const Payload& payload) {
-  version2::ErrorMessage message;
-  expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
-  const std::string code = "error code " + std::to_string(message.code);
-  return message.text_size == 0 ? code : std::string(message.text, message.text_size) + " (" + code + ")";
-}
-
-void Version2Session::onRefusal(char request_kind, int number, const Payload& payload) {
-  const std::string problem = decodeError(payload);
-  if (calls_.has(number) || pictures_.has(number)) {
-    onRefusedCall(number, problem);
-  } else {
-    onRefusedExchange(request_kind, problem);
-  }
-}
-
-void Version2Session::onRefusedCall(int number, const std::string& problem) {
-  ++counters().refusals;
-  if (auto picture = pictures_.take(number)) {
-    picture->fail(CallOutcome::kRefused, address() + " refused to take a picture: " + problem + ".");
-  }
-  if (auto call = calls_.take(number)) {
-    transferEnds(now());
-    call->fail(CallOutcome::kRefused, address() + " refused to " + describe(*call) + ": " + problem + ".");
-  }
-}
-
-void Version2Session::onRefusedExchange(char request_kind, const std::string& problem) {
+void Version2Session::onRefusal(char request_kind, const std::string& problem) {
+  RefusalLog& refusals = connection_.refusals;
   switch (request_kind) {
     case version2::REQUEST_HELLO:
       throw ProtocolException("it refused to say hello: " + problem);
     case version2::REQUEST_STREAM:
       throw ProtocolException("it refused to stream pictures: " + problem);
     case version2::REQUEST_JOINTS:
-      return noteRefusal(request_kind, "to move joints: " + problem);
+      return refusals.refused(request_kind, "to move joints: " + problem);
     case version2::REQUEST_SPEED_LIMITS:
-      return noteRefusal(request_kind, "to limit the speed of joints: " + problem);
+      return refusals.refused(request_kind, "to limit the speed of joints: " + problem);
     case version2::REQUEST_TELEMETRY:
-      return noteRefusal(request_kind, "to send telemetry: " + problem);
+      return refusals.refused(request_kind, "to send telemetry: " + problem);
     case version2::REQUEST_LEDS:
-      return noteRefusal(request_kind, "to set LEDs: " + problem);
+      return refusals.refused(request_kind, "to set LEDs: " + problem);
     default:
-      return noteRefusal(request_kind, "to move the ears: " + problem);
+      return refusals.refused(request_kind, "to move the ears: " + problem);
   }
 }
 
 void Version2Session::onReport(const Payload& payload) {
-  robot_message_ = decodeError(payload);
-  notifier().log(LogLevel::kWarn, address() + " reports: " + robot_message_ + ".");
+  connection_.robot_message = describeError(payload.data, payload.size);
+  connection_.context.warn("reports: " + connection_.robot_message);
 }
 
 Session::TimePoint Version2Session::answerDeadline() const {
@@ -453,24 +420,24 @@ Session::TimePoint Version2Session::answerDeadline() const {
 }
 
 void Version2Session::checkDeadlines(TimePoint now) {
-  if (stream().on() && now >= pictureSilenceLimit()) {
-    failSilent();
+  const ConnectionContext& context = connection_.context;
+  if (connection_.pictures.streaming() && now >= connection_.pictureDeadline()) {
+    throw Fault::silent(context.address, context.read_timeout);
   }
   for (const auto& exchange : exchanges_) {
     const Exchange& request = exchange.second;
     if (now >= request.deadline) {
-      throw Fault::unanswered(address(), std::string("the request '") + request.kind + "'",
+      throw Fault::unanswered(context.address, std::string("the request '") + request.kind + "'",
                               std::chrono::round<std::chrono::milliseconds>(request.deadline - request.sent));
     }
   }
-  pictures_.expire(now, "picture", damageRemark());
-  calls_.expire(now, "answer", ".");
+  connection_.calls.expire(now, connection_.pictures.damageRemark());
 }
 
 Session::TimePoint Version2Session::nextDeadline() const {
-  const TimePoint silence = stream().on() ? pictureSilenceLimit() : TimePoint::max();
-  return std::min(
-      {silence, answerDeadline(), pictures_.nextDeadline(), calls_.nextDeadline(), next_hello_, nextLook()});
+  const PictureIntake& pictures = connection_.pictures;
+  const TimePoint silence = pictures.streaming() ? connection_.pictureDeadline() : TimePoint::max();
+  return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), next_hello_, pictures.nextLook()});
 }
 
 }  // namespace aibo_driver

@@ -4,11 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "client/numbered_calls.h"
+#include "client/connection.h"
 #include "client/session.h"
 #include "protocol/frame_reader.h"
 #include "protocol/version2.h"
@@ -18,24 +19,22 @@ namespace aibo_driver {
 /// A session with a version 2 server. It begins with a hello; requests are numbered, so several may be under way.
 class Version2Session final : public Session {
  public:
-  /// From one hello to the next. The protocol asks for one a second at least.
+  /// From one hello to the next. The protocol asks for at least one a second.
   static constexpr std::chrono::milliseconds kHeartbeatPeriod{500};
-  /// Commands to the joints whose answers are outstanding. Further ones wait, so that a link that stands still does not
+  /// How many commands to the joints may be unanswered. Further ones wait, so that a link that stands still does not
   /// fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
 
-  Version2Session(const SessionContext& context, TimePoint connected);
+  Version2Session(Connection& connection, TimePoint connected);
 
-  using Session::add;
-  void add(PictureRequest request, TimePoint now) override;
-  void add(RobotRequest request) override { calls_.add(std::move(request)); }
-  void failRequests(CallOutcome outcome, const std::string& problem) override;
-  Bytes nextRequest(const Wish& wish, TimePoint now) override;
-  void checkDeadlines(TimePoint now) override;
-  TimePoint nextDeadline() const override;
   int protocolVersion() const override { return 2; }
   bool ready() const override { return ready_; }
   bool settled() const override { return ready_; }
+  void add(Call call) override { connection_.calls.add(std::move(call)); }
+  Bytes nextRequest(const Wish& wish, TimePoint now) override;
+  void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  void checkDeadlines(TimePoint now) override;
+  TimePoint nextDeadline() const override;
 
  private:
   /// A request that has to be answered soon. (A call may take as long as its caller allows.)
@@ -53,19 +52,20 @@ class Version2Session final : public Session {
 
   Bytes requestHello(TimePoint now);
   Bytes requestStream(const Wish& wish, TimePoint now);
-  Bytes requestPicture(const PictureRequest& call, const Wish& wish);
+  Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
-  Bytes requestCall(const RobotRequest& call, TimePoint now);
+  Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);
   Bytes requestTargets(TimePoint now);
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
-  Bytes request(char kind, int id, const unsigned char* payload, std::size_t size, TimePoint now);
-  Bytes makeFrame(char kind, int id, const unsigned char* payload, std::size_t size);
+  template <typename Encode>
+  Bytes request(char kind, int id, TimePoint now, std::size_t largest_payload, const Encode& encode);
+  template <typename Encode>
+  Bytes makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode);
   int nextNumber();
 
-  void parse(const std::uint8_t* data, std::size_t size) override;
   void onFrame();
   void onPush(char kind, const Payload& payload);
   void onReply(char kind, int number, const Payload& payload);
@@ -75,31 +75,28 @@ class Version2Session final : public Session {
   void onRequestedPicture(int number, const Payload& payload);
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
-  void onCallAnswered(int number, const Payload& payload);
-  void onRefusal(char request_kind, int number, const Payload& payload);
-  void onRefusedCall(int number, const std::string& problem);
-  void onRefusedExchange(char request_kind, const std::string& problem);
+  void onCallAnswered(const Call& call, const Payload& payload);
+  void onRefusal(char request_kind, const std::string& problem);
   void onReport(const Payload& payload);
-  MutablePicturePtr takePictureFrom(const Payload& payload);
-  static std::string decodeError(const Payload& payload);
+  std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
 
   std::optional<char> kindOf(int number) const;
   long outstanding(char kind) const;
   bool mayCommandJoints() const;
   TimePoint answerDeadline() const;
 
+  Connection& connection_;
   Bytes buffer_;  // the payload of the frame that is arriving
   protocol::version2::FrameReader reader_;
   TimePoint frame_began_;  // when the first byte of that frame was read
+  TimePoint now_;          // when the bytes were read that are being taken apart
 
   int last_number_ = 0;
   std::map<int, Exchange> exchanges_;  // by request number
-  NumberedCalls<PictureRequest> pictures_;
-  NumberedCalls<RobotRequest> calls_;
 
   bool ready_ = false;
   TimePoint next_hello_;
-  int telemetry_period_ = 0;            // that the server was told last
+  int telemetry_period_ = 0;            // as last requested
   std::optional<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart
 };
 

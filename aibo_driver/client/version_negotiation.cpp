@@ -20,7 +20,7 @@ void VersionNegotiation::bytesArrived(const std::uint8_t* data, std::size_t size
 void VersionNegotiation::judge() {
   const char letter = static_cast<char>(bytes_.front());
   if (letter != protocol::version2::versionReply().letter && letter != protocol::REPLY_ERROR) {
-    result_ = Result::kVersion1Unanswered;  // whatever this is, it is no answer, and for the session to judge
+    result_ = Result::kVersion1Unanswered;  // these bytes are not an answer to `X`: the session takes them apart
     return;
   }
   if (bytes_.size() < protocol::VALUE_REPLY_SIZE) {

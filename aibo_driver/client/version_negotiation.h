@@ -9,21 +9,21 @@
 
 namespace aibo_driver {
 
-/// Finds out which version of the protocol a server speaks: `X` asks for version 2, and what the server makes of that
-/// tells. It does no I/O and reads no clock.
+/// Finds out which version of the protocol a server speaks, from its answer to `X`, the request for version 2. It does
+/// no I/O and reads no clock.
 class VersionNegotiation {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   using Bytes = std::vector<std::uint8_t>;
 
-  /// A server that has said nothing for so long speaks version 1 (docs/protocol.md).
+  /// A server that has not answered after this time speaks version 1 (docs/protocol.md).
   static constexpr std::chrono::milliseconds kPatience{500};
 
   enum class Result {
     kOpen,                ///< no answer yet
-    kVersion1,            ///< the server has refused version 2
+    kVersion1,            ///< the server refused version 2
     kVersion1Unanswered,  ///< no answer; one may still come
-    kVersion2             ///< the server has agreed to version 2
+    kVersion2             ///< the server agreed to version 2
   };
 
   explicit VersionNegotiation(TimePoint asked) : deadline_(asked + kPatience) {}
@@ -40,7 +40,7 @@ class VersionNegotiation {
 
   Result result() const { return result_; }
 
-  /// What has arrived and is not the answer: it belongs to the session.
+  /// Bytes that arrived and are not part of the answer: they belong to the session.
   const Bytes& rest() const { return bytes_; }
 
  private:

@@ -35,40 +35,32 @@ class Client {
  public:
   explicit Client(FuzzInput& input) : input_(input) {}
 
-  // A fault ends a connection; whoever waits gets an answer all the same.
+  // A fault ends the connection; every caller gets an answer all the same.
   void run() {
     try {
       begin();
       while (!input_.empty()) {
         play();
       }
+    } catch (const ProtocolException& error) {
+      require(!std::string(error.what()).empty(), "a protocol error says why");
     } catch (const Fault& fault) {
       require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault says why, and what to do");
     }
-    if (session_) {
-      session_->failRequests(CallOutcome::kConnectionLost, "the connection ended");
-    }
-    for (const auto& answer : pictures_) {
-      require(isReady(answer), "who waits for a picture gets an answer");
-    }
+    connection_.calls.failAll(makeFailure(CallOutcome::kConnectionLost, "the connection ended"));
     for (const auto& answer : answers_) {
-      require(isReady(answer), "who asks the robot gets an answer");
+      require(answer.wait_for(milliseconds(0)) == std::future_status::ready, "every caller gets an answer");
     }
   }
 
  private:
-  template <typename Answer>
-  static bool isReady(const std::future<Answer>& answer) {
-    return answer.wait_for(milliseconds(0)) == std::future_status::ready;
-  }
-
   void begin() {
     switch (input_.takeByte() % 3) {
       case 0:
         beginVersion1(Version1Session::VersionAnswer::kNotAsked);
         break;
       case 1:
-        session_ = std::make_unique<Version2Session>(context(), now_);
+        session_ = std::make_unique<Version2Session>(connection_, now_);
         break;
       default:
         negotiate();
@@ -76,7 +68,7 @@ class Client {
   }
 
   void beginVersion1(Version1Session::VersionAnswer answer) {
-    session_ = std::make_unique<Version1Session>(context(), habits_, answer, now_);
+    session_ = std::make_unique<Version1Session>(connection_, habits_, answer, now_);
   }
 
   void negotiate() {
@@ -87,7 +79,7 @@ class Client {
     negotiation.checkDeadline(now_);
     switch (negotiation.result()) {
       case VersionNegotiation::Result::kVersion2:
-        session_ = std::make_unique<Version2Session>(context(), now_);
+        session_ = std::make_unique<Version2Session>(connection_, now_);
         break;
       case VersionNegotiation::Result::kVersion1:
         beginVersion1(Version1Session::VersionAnswer::kRefused);
@@ -96,6 +88,7 @@ class Client {
         require(negotiation.result() != VersionNegotiation::Result::kOpen, "patience ends");
         beginVersion1(Version1Session::VersionAnswer::kOwed);
     }
+    connection_.pictures.bytesArrived(now_);
     session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), now_);
   }
 
@@ -123,6 +116,7 @@ class Client {
 
   void bytesArrive(const Bytes& bytes) {
     talk();
+    connection_.pictures.bytesArrived(now_);
     session_->bytesArrived(bytes.data(), bytes.size(), now_);
     look();
   }
@@ -141,7 +135,7 @@ class Client {
   }
 
   void look() {
-    session_->foundEmpty(now_);
+    connection_.pictures.foundEmpty(now_);
     session_->checkDeadlines(now_);
   }
 
@@ -152,47 +146,48 @@ class Client {
   }
 
   void wantPicture() {
-    PictureRequest request;
-    request.quality = static_cast<int>(input_.takeByte() % 101);
-    request.timeout = milliseconds(8 * input_.takeByte());
-    request.since = now_;
-    request.deadline = now_ + request.timeout;
-    pictures_.push_back(request.promise.get_future());
-    session_->add(std::move(request), now_);
+    Call call;
+    call.letter = 'F';
+    call.number = static_cast<int>(input_.takeByte() % 101);
+    add(std::move(call));
   }
 
   void askRobot() {
     const std::string letters = "ODPUNQR";
-    RobotRequest request;
-    request.letter = letters[input_.takeByte() % letters.size()];
-    request.name = "NOD.MTN";
-    request.number = static_cast<int>(input_.takeByte() % 2);
-    request.content.resize(1 + input_.takeByte());
-    request.timeout = milliseconds(8 * input_.takeByte());
-    request.deadline = now_ + request.timeout;
-    answers_.push_back(request.promise.get_future());
-    session_->add(std::move(request));
+    Call call;
+    call.letter = letters[input_.takeByte() % letters.size()];
+    call.name = "NOD.MTN";
+    call.number = static_cast<int>(input_.takeByte() % 2);
+    call.content.resize(1 + input_.takeByte());
+    add(std::move(call));
+  }
+
+  void add(Call call) {
+    call.timeout = milliseconds(8 * input_.takeByte());
+    call.since = now_;
+    call.deadline = now_ + call.timeout;
+    answers_.push_back(call.promise.get_future());
+    session_->add(std::move(call));
   }
 
   void commandBody() {
     const unsigned kind = input_.takeByte();
     const int id = 1 + static_cast<int>(input_.takeByte() % 255);
     const double value = (static_cast<int>(input_.takeByte()) - 128) / 20.4;  // radian: to 2 pi
-    Commands commands;
+    CommandOutbox& commands = connection_.commands;
     switch (kind % 4) {
       case 0:
-        commands.add(JointCommand{milliseconds(8 * kind), {{id, value}}});
+        commands.joints.add({milliseconds(8 * kind), {{id, value}}, now_});
         break;
       case 1:
-        commands.add(std::vector<JointSpeedLimit>{{id, std::abs(value) + 0.01}});
+        commands.speed_limits.add({{id, std::abs(value) + 0.01}});
         break;
       case 2:
-        commands.add(std::vector<LedCommand>{{id, static_cast<int>(kind), LedMode::kB}});
+        commands.leds.add({{id, static_cast<int>(kind), LedMode::kB}});
         break;
       default:
-        commands.add(std::vector<EarCommand>{{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});
+        commands.ears.add({{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});
     }
-    session_->add(commands, now_);
   }
 
   void changeWish() {
@@ -201,8 +196,6 @@ class Client {
     wish_.telemetry_period = (bits & 2U) != 0 ? 4 : 0;
     wish_.jpeg_quality = 1 + static_cast<int>(bits % 100);
   }
-
-  SessionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 1}; }
 
   static RcServerClient::Callbacks callbacks() {
     RcServerClient::Callbacks callbacks;
@@ -219,8 +212,8 @@ class Client {
   ServerHabits habits_;
   Wish wish_{false, 85, 0};
   Session::TimePoint now_ = Session::TimePoint() + milliseconds(100000);
-  std::deque<std::future<PictureAnswer>> pictures_;
-  std::deque<std::future<RobotAnswer>> answers_;
+  Connection connection_{{"robot:54321", milliseconds(500), notifier_, counters_, 1}, now_};
+  std::deque<std::future<Answer>> answers_;
   std::unique_ptr<Session> session_;
 };
 

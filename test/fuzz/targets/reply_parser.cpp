@@ -1,31 +1,27 @@
 // The client's reader of version 1: any bytes in any pieces.
 #include "client/reply_parser.h"
 
-#include "aibo_driver/exceptions.h"
+#include "client/fault.h"
 #include "fuzz_input.h"
 
-namespace {
-
-class Checker final : public aibo_driver::ReplyHandler {
- public:
-  void onPicture(Bytes jpeg, TimePoint) override {
-    require(!jpeg.empty() && jpeg.size() <= protocol::MAX_PICTURE_SIZE, "a picture has a possible size");
-  }
-  void onValueReply(const protocol::ValueReply& reply, TimePoint) override {
-    require(protocol::isValueReply(reply.letter), "a value reply is one");
-  }
-};
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using Result = aibo_driver::ReplyParser::Result;
   PiecewiseInput input(data, size);
   aibo_driver::ReplyParser parser;
-  Checker checker;
   try {
     while (!input.empty()) {
       const Bytes piece = input.takePiece();
-      parser.feed(piece.data(), piece.size(), {}, checker);
+      std::size_t taken = 0;
+      for (std::size_t at = 0; at < piece.size(); at += taken) {
+        const Result result = parser.append(piece.data() + at, piece.size() - at, {}, &taken);
+        require(taken > 0, "the reader goes on");
+        if (result == Result::kPicture) {
+          const Bytes jpeg = parser.takeJpeg();
+          require(!jpeg.empty() && jpeg.size() <= protocol::MAX_PICTURE_SIZE, "a picture has a possible size");
+        } else if (result == Result::kValue) {
+          require(protocol::isValueReply(parser.value().letter), "a value reply is one");
+        }
+      }
     }
   } catch (const aibo_driver::ProtocolException&) {
   }

@@ -33,7 +33,7 @@ class BodyTest : public NewestClientFixture {
   }
 };
 
-TEST_F(BodyTest, LedsAndEarsAreToldWithoutWaiting) {
+TEST_F(BodyTest, LedsAndEarsAreCommandedWithoutWaiting) {
   ScriptedPeer peer = connectVersion2();
   client().commandLeds({{7, 200, LedMode::kB}});
   EXPECT_THAT(peer.readRequest().payload, ElementsAre(7, 200, 1, 0));
@@ -74,7 +74,7 @@ TEST_F(BodyTest, TheRobotIsShutDownAndTheClientWaitsForItsReturn) {
   call.get();
 }
 
-TEST_F(BodyTest, WhatTheRobotRefusesIsThrownWithItsReason) {
+TEST_F(BodyTest, ARefusalIsThrownWithTheRobotsReason) {
   ScriptedPeer peer = connectVersion2();
   auto complaint = inBackground(
       [this] { return complaintOf<CommandException>([this] { client().playMotion("GONE.MTN", 1, seconds(20)); }); });
@@ -89,7 +89,7 @@ TEST_F(BodyTest, ACallThatIsNotAnsweredInTimeIsATimeout) {
               HasSubstr("no answer within 1 ms"));
 }
 
-TEST_F(BodyTest, NothingIsRepeatedAfterAReconnectAndWhoWaitsIsTold) {
+TEST_F(BodyTest, NothingIsRepeatedAfterAReconnectAndWaitingCallersGetAnError) {
   ScriptedPeer peer = connectVersion2();
   auto upload = inBackground([this] { client().uploadMotion("NOD.MTN", {1}, seconds(60)); });
   EXPECT_EQ('U', peer.readRequest().header.kind);
@@ -111,7 +111,7 @@ TEST_F(BodyTest, WithoutAConnectionNothingIsKept) {
   EXPECT_THROW(client().playMotion("NOD.MTN", 1, seconds(20)), NetworkException);
 }
 
-TEST_F(BodyTest, AServerWithoutLedsAndEarsIsNotTold) {
+TEST_F(BodyTest, AServerWithoutLedsAndEarsGetsNoCommandsToThem) {
   ScriptedPeer peer = connectVersion2("F W");
   EXPECT_THAT(complaintOf<CommandException>([this] { client().commandLeds({{1, 1}}); }), HasSubstr("it has no LEDs"));
   EXPECT_THAT(complaintOf<CommandException>([this] { client().commandEars(true, true); }), HasSubstr("it has no ears"));
@@ -147,7 +147,7 @@ TEST_F(BodyTest, NoVersion1ServerListsItsMotions) {
               HasSubstr("speaks version 1 of the protocol, which cannot list its motions"));
 }
 
-TEST_F(BodyTest, TelemetryTellsOverWhichConnectionItCame) {
+TEST_F(BodyTest, TelemetryHasTheNumberOfItsConnection) {
   for (const std::uint64_t number : {1u, 2u}) {
     ScriptedPeer peer = connectVersion2();
     peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'S', 66, 500000}})));

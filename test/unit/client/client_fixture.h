@@ -50,7 +50,7 @@ class ClientFixture : public testing::Test {
     EXPECT_EQ(quality, command.identifier);
   }
 
-  /// What the call complains about when it throws as expected.
+  /// The message of the exception that the call is expected to throw.
   template <typename Expected, typename Call>
   static std::string complaintOf(const Call& call) {
     try {
@@ -62,7 +62,7 @@ class ClientFixture : public testing::Test {
   }
 
   /// Waits until the condition holds.
-  /// @return false if it did not in a generous time
+  /// @return false if it did not within a generous time
   template <typename Condition>
   static bool eventually(const Condition& condition) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
@@ -75,8 +75,8 @@ class ClientFixture : public testing::Test {
     return true;
   }
 
-  /// Lets `send` send one picture of the stream, again and again until it is delivered: where this computer is too busy
-  /// to read it at once, it is stale, and dropped.
+  /// Lets `send` send one picture of the stream, again and again until it is delivered. If this computer is too busy to
+  /// read a picture at once, it is stale and dropped.
   template <typename Send>
   static void sendUntilDelivered(const aibo_driver::RcServerClient& client, const Send& send) {
     const std::uint64_t before = client.statistics().pictures;

@@ -76,7 +76,7 @@ TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
   EXPECT_EQ(2, recorder_.logged("No connection to the robot"));
 }
 
-TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayHasProbablyAnotherOne) {
+TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {
   client_.setStreaming(true);
   client_.start();
   for (int i = 0; i < 5; ++i) {
@@ -129,7 +129,7 @@ TEST_F(ConnectionFaultsTest, APictureOfFourGigabytesIsAProtocolError) {
   expectProtocolError({'f', 0xFF, 0xFF, 0xFF, 0xFF}, "a picture of 4294967295 bytes");
 }
 
-TEST_F(ConnectionFaultsTest, AWebServerIsNoRcServer) {
+TEST_F(ConnectionFaultsTest, AWebServerIsNotTakenForAnRcServer) {
   const std::string answer = "HTTP/1.1 400 Bad Request\r\n";
   expectProtocolError(Bytes(answer.begin(), answer.end()), "does not speak the RCServer's protocol");
 }
@@ -143,15 +143,15 @@ TEST_F(ConnectionFaultsTest, GarbageInsteadOfAJpegIsDroppedAndTheConnectionKept)
   EXPECT_EQ(1, recorder_.logged("damaged picture"));
 }
 
-TEST_F(ConnectionFaultsTest, AnAnswerNobodyAskedForIsLoggedAndTheConnectionKept) {
+TEST_F(ConnectionFaultsTest, AnAnswerToNoRequestIsLoggedAndTheConnectionKept) {
   ScriptedPeer peer = startStream();
   peer.send({'j', 1, 0, 0});
   sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   EXPECT_EQ(1u, client_.statistics().connections);
-  EXPECT_EQ(1, recorder_.logged("an answer that nobody had asked for: 'j'"));
+  EXPECT_EQ(1, recorder_.logged("an answer to no request: 'j'"));
 }
 
-TEST_F(ConnectionFaultsTest, ARefusedStreamIsToldWithTheRobotsCode) {
+TEST_F(ConnectionFaultsTest, ARefusedStreamIsReportedWithTheRobotsCode) {
   ScriptedPeer peer = startStream();
   peer.send({'e', 0, 0, 0});
   expectRecovery(&peer, "refused to stream pictures: error code 0");
@@ -186,7 +186,7 @@ TEST_F(SilenceTest, ASilentServerIsLeftAloneWhileNothingIsDue) {
   EXPECT_EQ(1u, impatient_client_.statistics().connections);
 }
 
-TEST_F(SilenceTest, AServerThatStopsAmidAPictureIsGivenUp) {
+TEST_F(SilenceTest, AServerThatStopsWithinAPictureIsGivenUp) {
   impatient_client_.setStreaming(true);
   impatient_client_.start();
   ScriptedPeer peer = acceptStream();

@@ -56,14 +56,14 @@ TEST_F(JointsTest, ALateAgreementIsFollowedByANewConnection) {
   EXPECT_TRUE(eventually([&] { return client().status().protocol_version == 2; }));
 }
 
-TEST_F(JointsTest, AWebServerIsNoRcServer) {
+TEST_F(JointsTest, AWebServerIsNotTakenForAnRcServer) {
   client().start();
   ScriptedPeer peer = server_.accept();
   peer.send({'H', 'T', 'T', 'P'});
   EXPECT_TRUE(recorder_.waitForReason("does not speak the RCServer's protocol"));
 }
 
-TEST_F(JointsTest, Version1IsNotAskedFurtherWhenItIsAllThatIsWanted) {
+TEST_F(JointsTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersion) {
   client_.start();
   ScriptedPeer peer = server_.accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
@@ -82,7 +82,7 @@ TEST_F(JointsTest, StreamAndTelemetryAreWantedAgainAfterAReconnect) {
   }
 }
 
-TEST_F(JointsTest, JointsThatAreCommandedTogetherAreSentTogetherAndTheAcceptedTargetsTold) {
+TEST_F(JointsTest, JointsCommandedTogetherAreSentTogetherAndTheAcceptedTargetsReported) {
   ScriptedPeer peer = connectVersion2();
   client().commandJoints({{1, -0.1}, {2, 0.2}}, milliseconds(40));
   const version2_frames::Frame frame = peer.readRequest();
@@ -109,7 +109,7 @@ TEST_F(JointsTest, WithoutAConnectionACommandIsRefusedAndNotKept) {
   EXPECT_EQ(200, peer.readRequest().payload.at(4)) << "the first joint that is sent";
 }
 
-TEST_F(JointsTest, WhileTheVersionIsNotClearACommandIsRefused) {
+TEST_F(JointsTest, BeforeTheVersionIsKnownACommandIsRefused) {
   client().start();
   ScriptedPeer peer = server_.accept();
   expectCommand(&peer, 'X', 2);
@@ -132,7 +132,7 @@ TEST_F(JointsTest, NoCommandIsRepeatedAfterAReconnect) {
   EXPECT_EQ(200, next.readRequest().payload.at(4)) << "the first joint that is sent";
 }
 
-TEST_F(JointsTest, AVersion1ServerIsToldJointAfterJointAndNothingAgainAfterAReconnect) {
+TEST_F(JointsTest, AVersion1ServerGetsJointAfterJointAndNothingAgainAfterAReconnect) {
   {
     ScriptedPeer peer = connectVersion1();
     client().commandJoints({{1, 0.1}, {2, 0.2}, {3, 0.3}}, milliseconds(0));
@@ -146,7 +146,7 @@ TEST_F(JointsTest, AVersion1ServerIsToldJointAfterJointAndNothingAgainAfterAReco
   EXPECT_FALSE(next.readCommandWithin(milliseconds(50)));
 }
 
-TEST_F(JointsTest, AServerWithoutJointsIsNotToldToMoveThem) {
+TEST_F(JointsTest, AServerWithoutJointsGetsNoCommandsToThem) {
   ScriptedPeer peer = connectVersion2("F W");
   EXPECT_THAT(complaintOf<CommandException>([&] {
                 client().commandJoints({{1, 0}}, milliseconds(0));
@@ -173,7 +173,7 @@ TEST_F(JointsTest, StoppingEndsACallOfSetMotors) {
   EXPECT_THROW(client().commandJoints({{1, 0}}, milliseconds(0)), StoppedException);
 }
 
-TEST_F(JointsTest, WhatTheRobotReportsIsInTheStatusUntilTheNextConnection) {
+TEST_F(JointsTest, ARobotsReportStaysInTheStatusUntilTheNextConnection) {
   ScriptedPeer peer = connectVersion2();
   peer.send(makeFrame('e', 0, version2_frames::makeError(3, "joint head_pan does not move")));
   peer.close();

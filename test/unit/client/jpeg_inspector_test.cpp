@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 namespace {
 
-// Where things stand in a segment, counted from its 0xFF (ITU T.81, B.2.2 and B.2.3).
+// Offsets within a segment, counted from its 0xFF (ITU T.81, B.2.2 and B.2.3).
 constexpr std::size_t kFrameHeight = 5;
 constexpr std::size_t kFrameWidth = 7;
 constexpr std::size_t kFrameComponentCount = 9;
@@ -115,7 +115,7 @@ TEST(JpegInspectorTest, BytesBehindTheEndAreRefused) {
   EXPECT_EQ("bytes behind its end", problemOf(twice));
 }
 
-TEST(JpegInspectorTest, WhatIsNoJpegIsRefused) {
+TEST(JpegInspectorTest, BytesThatAreNotAJpegAreRefused) {
   EXPECT_THAT(problemOf({}), HasSubstr("not a JPEG"));
   EXPECT_THAT(problemOf(Bytes(5000, 0)), HasSubstr("not a JPEG"));
   EXPECT_THAT(problemOf({'G', 'I', 'F', '8', '9', 'a'}), HasSubstr("not a JPEG"));

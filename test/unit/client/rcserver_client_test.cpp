@@ -18,14 +18,14 @@ namespace {
 
 class RcServerClientTest : public ClientFixture {};
 
-TEST_F(RcServerClientTest, ConnectsAndTellsSo) {
+TEST_F(RcServerClientTest, ConnectsAndReportsIt) {
   EXPECT_EQ(ConnectionState::kDisconnected, client_.status().state);
   client_.start();
   server_.accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
 }
 
-TEST_F(RcServerClientTest, ASettledConnectionHasNoReasonToComplainAbout) {
+TEST_F(RcServerClientTest, AConnectionThatWorksHasNoReasonAndNoAdvice) {
   ScriptedPeer peer = startStream();
   sendUntilDelivered(&peer, test_pictures::make());
   ASSERT_TRUE(recorder_.waitForLog("Connected to 127.0.0.1:" + std::to_string(server_.port())));
@@ -215,7 +215,7 @@ TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
     sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
   }
   EXPECT_TRUE(recorder.waitForPictures(2));
-  EXPECT_TRUE(eventually([&] { return recorder.logged("on_picture has thrown: the disk is full") == 2; }));
+  EXPECT_TRUE(eventually([&] { return recorder.logged("on_picture threw an exception: the disk is full") == 2; }));
 }
 
 TEST_F(RcServerClientTest, WorksWithoutAnyCallback) {

@@ -11,7 +11,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 
-/// Keeps what a client tells through its callbacks, and waits for it. Must outlive the client.
+/// Keeps what a client reports through its callbacks, and waits for it. Must outlive the client.
 class Recorder {
  public:
   aibo_driver::RcServerClient::Callbacks callbacks() {
@@ -33,7 +33,7 @@ class Recorder {
     return callbacks;
   }
 
-  /// @return false if there were not so many in a generous time
+  /// @return false if there were fewer within a generous time
   bool waitForPictures(std::size_t count) {
     return waitFor([this, count] { return pictures_.size() >= count; });
   }

@@ -5,11 +5,10 @@
 #include <initializer_list>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "client/fault.h"
 #include "test_pictures.h"
 
 using aibo_driver::ProtocolException;
-using aibo_driver::ReplyHandler;
 using aibo_driver::ReplyParser;
 using test_pictures::Bytes;
 using testing::ElementsAre;
@@ -17,16 +16,27 @@ using testing::HasSubstr;
 
 namespace {
 
-using TimePoint = ReplyHandler::TimePoint;
+using TimePoint = ReplyParser::TimePoint;
 
 TimePoint at(int milliseconds) {
   return TimePoint() + std::chrono::milliseconds(milliseconds);
 }
 
-class ReplyParserTest : public testing::Test, protected ReplyHandler {
+class ReplyParserTest : public testing::Test {
  protected:
   void feed(const Bytes& bytes, TimePoint arrival = TimePoint()) {
-    parser_.feed(bytes.data(), bytes.size(), arrival, *this);
+    std::size_t taken = 0;
+    for (std::size_t at = 0; at < bytes.size(); at += taken) {
+      const ReplyParser::Result result = parser_.append(bytes.data() + at, bytes.size() - at, arrival, &taken);
+      if (result == ReplyParser::Result::kPicture) {
+        pictures_.push_back(parser_.takeJpeg());
+      } else if (result == ReplyParser::Result::kValue) {
+        values_.push_back(parser_.value());
+      } else {
+        continue;
+      }
+      times_.push_back(parser_.firstByteTime());
+    }
   }
 
   std::string complaintAbout(const Bytes& bytes) {
@@ -36,15 +46,6 @@ class ReplyParserTest : public testing::Test, protected ReplyHandler {
       return error.what();
     }
     return "";
-  }
-
-  void onPicture(Bytes jpeg, TimePoint first_byte_time) override {
-    pictures_.push_back(std::move(jpeg));
-    times_.push_back(first_byte_time);
-  }
-  void onValueReply(const protocol::ValueReply& reply, TimePoint first_byte_time) override {
-    values_.push_back(reply);
-    times_.push_back(first_byte_time);
   }
 
   ReplyParser parser_;

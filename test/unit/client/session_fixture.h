@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "client/connection.h"
 #include "client/session.h"
 #include "test_pictures.h"
 
@@ -23,9 +24,9 @@ class SessionFixture : public testing::Test {
   virtual aibo_driver::Session& session() = 0;
 
   void receive(const Bytes& bytes) {
+    connection_.pictures.bytesArrived(now_);
     session().bytesArrived(bytes.data(), bytes.size(), now_);
-    session().foundEmpty(now_);
-    session().checkDeadlines(now_);
+    look();
   }
 
   /// Lets time pass, with nothing to read, as the client's loop does.
@@ -35,47 +36,45 @@ class SessionFixture : public testing::Test {
       const TimePoint next = std::min(end, session().nextDeadline());
       ASSERT_GT(next, now_) << "the loop would spin";
       now_ = next;
-      session().foundEmpty(now_);
-      session().checkDeadlines(now_);
+      look();
     }
   }
 
-  std::future<aibo_driver::PictureAnswer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
-    aibo_driver::PictureRequest request;
-    request.quality = quality;
-    auto answer = allow(timeout, &request);
-    session().add(std::move(request), now_);
-    return answer;
+  std::future<aibo_driver::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
+    return ask('F', "", quality, {}, timeout);
   }
 
   /// Has the robot do something.
-  std::future<aibo_driver::RobotAnswer> ask(char letter, const std::string& name = "", int number = 0,
-                                            const Bytes& content = {}, milliseconds timeout = milliseconds(2000)) {
-    aibo_driver::RobotRequest request;
-    request.letter = letter;
-    request.name = name;
-    request.number = number;
-    request.content = content;
-    auto answer = allow(timeout, &request);
-    session().add(std::move(request));
+  std::future<aibo_driver::Answer> ask(char letter, const std::string& name = "", int number = 0,
+                                       const Bytes& content = {}, milliseconds timeout = milliseconds(2000)) {
+    aibo_driver::Call call;
+    call.letter = letter;
+    call.name = name;
+    call.number = number;
+    call.content = content;
+    call.timeout = timeout;
+    call.since = now_;
+    call.deadline = now_ + timeout;
+    auto answer = call.promise.get_future();
+    session().add(std::move(call));
     return answer;
   }
 
   void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
-    tell(aibo_driver::JointCommand{duration, targets});
+    connection_.commands.joints.add({duration, targets, now_});
   }
 
-  void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) { tell(limits); }
+  void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) {
+    connection_.commands.speed_limits.add(limits);
+  }
 
-  void commandLeds(const std::vector<aibo_driver::LedCommand>& leds) { tell(leds); }
+  void commandLeds(const std::vector<aibo_driver::LedCommand>& leds) { connection_.commands.leds.add(leds); }
 
   void commandEars(bool left, bool right) {
-    tell(std::vector<aibo_driver::EarCommand>{{aibo_driver::EarCommand::kLeft, left},
-                                              {aibo_driver::EarCommand::kRight, right}});
+    connection_.commands.ears.add({{aibo_driver::EarCommand::kLeft, left}, {aibo_driver::EarCommand::kRight, right}});
   }
 
-  template <typename Answer>
-  static bool done(const std::future<Answer>& answer) {
+  static bool done(const std::future<aibo_driver::Answer>& answer) {
     return answer.wait_for(milliseconds(0)) == std::future_status::ready;
   }
 
@@ -85,8 +84,8 @@ class SessionFixture : public testing::Test {
                          [&text](const std::string& line) { return line.find(text) != std::string::npos; });
   }
 
-  /// Of the client's third connection.
-  aibo_driver::SessionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
+  /// The context of the client's third connection.
+  aibo_driver::ConnectionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
 
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::Telemetry> telemetry_;
@@ -96,20 +95,12 @@ class SessionFixture : public testing::Test {
   aibo_driver::Counters counters_;
   aibo_driver::Wish wish_{false, 85, 0};
   TimePoint now_ = TimePoint() + milliseconds(100000);
+  aibo_driver::Connection connection_{context(), now_};
 
  private:
-  template <typename Command>
-  void tell(const Command& command) {
-    aibo_driver::Commands commands;
-    commands.add(command);
-    session().add(commands, now_);
-  }
-
-  template <typename Request>
-  std::future<typename Request::Answer> allow(milliseconds timeout, Request* request) const {
-    request->timeout = timeout;
-    request->deadline = now_ + timeout;
-    return request->promise.get_future();
+  void look() {
+    connection_.pictures.foundEmpty(now_);
+    session().checkDeadlines(now_);
   }
 
   aibo_driver::RcServerClient::Callbacks record() {

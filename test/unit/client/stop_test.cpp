@@ -82,11 +82,11 @@ TEST_F(StopTest, WhileANameIsLookedUp) {
     looking.get_future().wait();
     expectToStopWithinASecond(&client);
   }
-  name_server_answers.set_value();  // the lookup goes on after the client is gone, and hurts nobody
+  name_server_answers.set_value();  // the lookup goes on after the client is gone, and does no harm
   finished.get_future().wait();
 }
 
-TEST_F(StopTest, AmidAPicture) {
+TEST_F(StopTest, WithinAPicture) {
   ScriptedPeer peer = startStream();
   const Bytes reply = test_pictures::makeReply(test_pictures::make());
   peer.send(Bytes(reply.begin(), reply.begin() + 1000));

@@ -46,7 +46,7 @@ TEST_F(TakePictureTest, DuringTheStreamItIsTheNextPictureOfTheStream) {
   }
   EXPECT_NE(test_pictures::makeNumbered(1), taken.get()->jpeg);
   EXPECT_EQ(85, stream_quality);
-  EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F into the own stream";
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F while the stream runs";
 }
 
 TEST_F(TakePictureTest, SeveralCallersGetAPictureOfTheirOwnQualityEach) {
@@ -105,7 +105,7 @@ TEST_F(TakePictureTest, ARobotThatOwesThePictureTooLongIsReconnectedTo) {
   EXPECT_TRUE(recorder_.waitForReason("sent no whole picture within 100 ms"));
 }
 
-TEST_F(TakePictureTest, ARefusalIsToldWithTheRobotsCode) {
+TEST_F(TakePictureTest, ARefusalIsReportedWithTheRobotsCode) {
   ScriptedPeer peer = connect();
   auto taken = takeInBackground(40);
   expectCommand(&peer, 'F', 40);
@@ -146,6 +146,73 @@ TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
   ScriptedPeer peer = acceptStream();
   sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
   EXPECT_THAT(complaint.get_future().get(), HasSubstr("cannot be called from a callback"));
+}
+
+class FaultKindTest : public TakePictureTest {
+ protected:
+  template <typename Call>
+  static FaultKind kindOf(const Call& call) {
+    try {
+      call();
+    } catch (const NetworkException& error) {
+      return error.kind();
+    }
+    ADD_FAILURE() << "no NetworkException";
+    return FaultKind::kInternal;
+  }
+
+  FaultKind kindOfCall() {
+    return kindOf([this] { client_.takePicture(0, seconds(20)); });
+  }
+
+  /// The kind of fault that ends a waiting call when the server does this.
+  template <typename Act>
+  FaultKind kindOfWaitingCall(const Act& act) {
+    ScriptedPeer peer = connect();
+    auto taken = takeInBackground(40);
+    expectCommand(&peer, 'F', 40);
+    act(&peer);
+    return kindOf([&taken] { taken.get(); });
+  }
+};
+
+TEST_F(FaultKindTest, BeforeTheFirstAttemptNothingHasFailed) {
+  EXPECT_EQ(FaultKind::kNone, kindOfCall());
+  EXPECT_EQ(FaultKind::kNone, client_.status().fault);
+}
+
+TEST_F(FaultKindTest, WithoutAConnectionACallAndTheStatusNameTheReason) {
+  server_.vanish();
+  client_.start();
+  ASSERT_TRUE(recorder_.waitForReason("refused"));
+  EXPECT_EQ(FaultKind::kRefused, kindOfCall());
+  EXPECT_EQ(FaultKind::kRefused, client_.status().fault);
+  server_.listen();
+  ScriptedPeer peer = server_.accept();
+  ASSERT_TRUE(recorder_.waitForLog("Connected to"));
+  EXPECT_TRUE(eventually([this] { return client_.status().fault == FaultKind::kNone; }));
+}
+
+TEST_F(FaultKindTest, AConnectionThatBreaksWhileACallWaitsNamesTheReason) {
+  EXPECT_EQ(FaultKind::kTurnedAway, kindOfWaitingCall([](ScriptedPeer* peer) { peer->close(); }));
+}
+
+TEST_F(FaultKindTest, AServerThatHasSentSomethingBeforeItClosesDidNotTurnTheClientAway) {
+  EXPECT_EQ(FaultKind::kClosed, kindOfWaitingCall([](ScriptedPeer* peer) {
+              peer->send({'e', 0});
+              peer->close();
+            }));
+}
+
+TEST_F(FaultKindTest, AProtocolErrorNamesItself) {
+  EXPECT_EQ(FaultKind::kProtocol, kindOfWaitingCall([](ScriptedPeer* peer) { peer->send({'?'}); }));
+}
+
+TEST_F(FaultKindTest, ACallThatTimesOutHasNoFaultButTheConnectionThatEndsBecauseOfItHas) {
+  const ScriptedPeer peer = connect();
+  EXPECT_EQ(FaultKind::kNone, kindOf([this] { client_.takePicture(40, milliseconds(100)); }));
+  EXPECT_TRUE(recorder_.waitForReason("sent no whole picture within 100 ms"));
+  EXPECT_EQ(FaultKind::kSilent, client_.status().fault);
 }
 
 }  // namespace

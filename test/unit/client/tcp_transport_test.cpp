@@ -51,7 +51,7 @@ TEST(TcpTransportTest, BytesGoBothWays) {
   EXPECT_FALSE(transport.wait(in(milliseconds(1))));
 }
 
-TEST(TcpTransportTest, EveryKindOfFailureIsToldApart) {
+TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
   ScriptedServer absent(ScriptedServer::Begin::kAbsent);
   TcpTransport transport;
   EXPECT_EQ(FaultKind::kRefused, faultOf([&] { transport.connect("127.0.0.1", absent.port(), in(seconds(10))); }));
@@ -64,7 +64,7 @@ TEST(TcpTransportTest, AnAddressThatDoesNotAnswerIsGivenUpAtTheDeadline) {
   ScriptedServer server(ScriptedServer::Begin::kAbsent);
   server.listen(0);
   TcpTransport first;
-  first.connect("127.0.0.1", server.port(), in(seconds(10)));  // fills the backlog: who comes next is not answered
+  first.connect("127.0.0.1", server.port(), in(seconds(10)));  // fills the backlog: the next one is not answered
   TcpTransport second;
   EXPECT_EQ(FaultKind::kNoAnswer, faultOf([&] { second.connect("127.0.0.1", server.port(), in(milliseconds(200))); }));
 }
@@ -124,7 +124,7 @@ TEST(TcpTransportTest, AThrowingResolverIsALookupThatFailed) {
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(seconds(10))); }));
 }
 
-TEST(TcpTransportTest, WhatTheNetworkDoesNotTakeAtOnceIsSentWhileWaiting) {
+TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) {
   ScriptedServer server;
   server.limitReceiveBuffer();
   TcpTransport transport;

@@ -33,7 +33,7 @@ class Version1SessionTest : public SessionFixture {
   }
 
   /// Lets time pass, and answers requests for joints and sensors.
-  /// @return all requests, a blank behind each
+  /// @return all requests, each followed by a blank
   std::string run(milliseconds time) {
     std::string requests;
     const TimePoint end = now_ + time;
@@ -49,7 +49,7 @@ class Version1SessionTest : public SessionFixture {
     return requests;
   }
 
-  /// The answer to a request for a value, or that sets one.
+  /// Receives the answer to a request that reads or sets a value.
   void receiveValue(const std::string& request, int value = 0) {
     const auto bits = static_cast<unsigned>(value);
     receive({static_cast<std::uint8_t>(request[0] - 'A' + 'a'), static_cast<std::uint8_t>(std::stoi(request.substr(1))),
@@ -59,10 +59,10 @@ class Version1SessionTest : public SessionFixture {
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
 
   ServerHabits habits_;
-  Version1Session session_{context(), habits_, Version1Session::VersionAnswer::kNotAsked, now_};
+  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
 };
 
-TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilentForEver) {
+TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilent) {
   EXPECT_EQ("", command());
   pass(milliseconds(3600 * 1000));
   EXPECT_EQ("", command());
@@ -86,7 +86,7 @@ TEST_F(Version1SessionTest, RapidTogglesNeverLoseTheParity) {
     wish_.streaming = i % 3 != 0;
     toggles += command().empty() ? 0 : 1;
     EXPECT_EQ(wish_.streaming, toggles % 2 == 1);
-    EXPECT_EQ(wish_.streaming, session_.streaming());
+    EXPECT_EQ(wish_.streaming, connection_.pictures.streaming());
   }
 }
 
@@ -172,8 +172,8 @@ TEST_F(Version1SessionTest, AServerThatDoesNotStopIsGivenUp) {
     pass(milliseconds(33));
     try {
       receivePicture(1);
-    } catch (const Fault& fault) {
-      why = fault.what();
+    } catch (const ProtocolException& error) {
+      why = error.what();
     }
   }
   EXPECT_THAT(why, HasSubstr("it goes on sending pictures although it was told to stop"));
@@ -186,7 +186,7 @@ TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality)
   EXPECT_EQ("", command());
   receivePicture(1);
   ASSERT_TRUE(done(answer));
-  const PictureAnswer got = answer.get();
+  const Answer got = answer.get();
   EXPECT_EQ(test_pictures::makeNumbered(1), got.picture->jpeg);
   EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(1u, pictures_.size()) << "it is published like any other";
@@ -223,12 +223,12 @@ TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBegi
   pass(milliseconds(1));
   receive(Bytes(reply.begin() + 100, reply.end()));
   EXPECT_FALSE(done(first)) << "this one had begun before the call";
-  EXPECT_EQ("", command()) << "no F into the own stream";
+  EXPECT_EQ("", command()) << "no F while the stream runs";
   pass(milliseconds(32));
   receivePicture(2);
   ASSERT_TRUE(done(first));
   ASSERT_TRUE(done(second));
-  const PictureAnswer got = first.get();
+  const Answer got = first.get();
   EXPECT_EQ(85, got.stream_quality);
   EXPECT_EQ(test_pictures::makeNumbered(2), got.picture->jpeg);
   EXPECT_EQ(got.picture, second.get().picture);
@@ -285,16 +285,17 @@ TEST_F(Version1SessionTest, ARefusedPictureEndsTheCallWithTheRobotsCode) {
   auto answer = takePicture(30);
   command();
   receive({'e', 0, 1, 0});
-  const PictureAnswer refusal = answer.get();
+  const Answer refusal = answer.get();
   EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
   EXPECT_EQ("robot:54321 refused to take a picture: error code 1.", refusal.problem);
+  EXPECT_EQ(1u, counters_.refusals);
   pass(milliseconds(5000));
 }
 
 TEST_F(Version1SessionTest, ARefusedStreamEndsTheConnectionWithTheRobotsCode) {
   wish_.streaming = true;
   command();
-  EXPECT_THROW(receive({'e', 0, 0, 0}), Fault);
+  EXPECT_THROW(receive({'e', 0, 0, 0}), ProtocolException);
 }
 
 TEST_F(Version1SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
@@ -332,7 +333,7 @@ TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoes
   EXPECT_EQ(1u, counters_.pictures);
 }
 
-TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerToldInRadian) {
+TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReportedInRadian) {
   commandJoints({{2, -0.5}});
   EXPECT_EQ("J2=-2865", command());
   receive({'j', 2, 0xCF, 0xF4});  // -2865
@@ -393,7 +394,7 @@ TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
   limitSpeed({{1, 0.5}, {2, 20}});
   EXPECT_EQ("V1=2865", command());
   receive({'v', 1, 0x31, 0x0B});
-  EXPECT_EQ("V2=32767", command()) << "faster than version 1 can say";
+  EXPECT_EQ("V2=32767", command()) << "the fastest that version 1 can express";
   receive({'v', 2, 0xFF, 0x7F});
   EXPECT_EQ("J1=573", command());
 }
@@ -406,7 +407,7 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
     asked += request + " ";
     EXPECT_EQ("", command()) << "one at a time";
     receiveValue(request, -1000);
-    EXPECT_EQ("", command()) << "not at once again";
+    EXPECT_EQ("", command()) << "the next one is not due yet";
     pass(milliseconds(25));
   }
   EXPECT_EQ(
@@ -422,7 +423,7 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
   EXPECT_EQ(40u, counters_.telemetry);
 }
 
-TEST_F(Version1SessionTest, SensorsAreToldInTheirUnits) {
+TEST_F(Version1SessionTest, SensorsAreReportedInTheirUnits) {
   wish_.telemetry_period = 4;
   std::map<int, double> values;
   for (int i = 0; i < 36; ++i) {
@@ -500,7 +501,7 @@ TEST_F(Version1SessionTest, PollsDoNotHoldUpAPictureAfterTheStream) {
   EXPECT_THAT(run(milliseconds(250)), HasSubstr("F30"));
 }
 
-TEST_F(Version1SessionTest, WhatTheRobotRefusesToTellIsNotAskedForAgain) {
+TEST_F(Version1SessionTest, AValueThatTheRobotRefusesIsNotAskedForAgain) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("J1", command());
   receive({'e', 0, 0, 0});
@@ -547,10 +548,11 @@ TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOnly) {
+TEST_F(Version1SessionTest, AServerIsAskedForUnansweredValuesOnThreeConnectionsOnly) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 3; ++i) {
-    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+    Connection connection(context(), now_);
+    Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
     session.nextRequest(wish_, now_);
     const Bytes joint = {'j', 1, 0, 0};
     session.bytesArrived(joint.data(), joint.size(), now_);
@@ -559,7 +561,8 @@ TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOn
     EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
   }
   EXPECT_EQ(1, logged("does not answer when it is asked for its sensors"));
-  Version1Session session(context(), habits_, Version1Session::VersionAnswer::kRefused, now_);
+  Connection connection(context(), now_);
+  Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
   for (int i = 0; i < 10; ++i) {
     const Bytes request = session.nextRequest(wish_, now_);
     EXPECT_EQ('J', request.at(0));
@@ -572,7 +575,8 @@ TEST_F(Version1SessionTest, WhatAServerNeverAnswersItIsAskedOnThreeConnectionsOn
 TEST_F(Version1SessionTest, AServerThatSaysNothingAtAllIsAskedAgainAndAgain) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 10; ++i) {
-    Version1Session session(context(), habits_, Version1Session::VersionAnswer::kOwed, now_);
+    Connection connection(context(), now_);
+    Version1Session session(connection, habits_, Version1Session::VersionAnswer::kOwed, now_);
     ASSERT_FALSE(session.nextRequest(wish_, now_).empty()) << "it was out of reach, and may be back";
     EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
   }
@@ -590,7 +594,7 @@ TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, AllLedsThatAreToShineAlikeAreSetTogetherWithTheirMode) {
+TEST_F(Version1SessionTest, AllLedsWithTheSameCommandAreSetTogetherWithTheirMode) {
   std::vector<LedCommand> leds;
   for (int id = 1; id <= 26; ++id) {
     leds.push_back({id, 100, LedMode::kA});
@@ -601,7 +605,7 @@ TEST_F(Version1SessionTest, AllLedsThatAreToShineAlikeAreSetTogetherWithTheirMod
   EXPECT_EQ("", command());
   leds.back().mode = LedMode::kB;
   commandLeds(leds);
-  EXPECT_EQ("L1=100", command()) << "they are not alike";
+  EXPECT_EQ("L1=100", command()) << "one mode differs";
 }
 
 TEST_F(Version1SessionTest, EarsAreMovedOneByOne) {
@@ -649,7 +653,7 @@ TEST_F(Version1SessionTest, JointCommandsFromBeforeAMotionAreDroppedAndSpeedLimi
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndAllElseWaits) {
+TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseWaits) {
   wish_ = {true, 85, 4};
   EXPECT_EQ("W85", command());
   auto upload = ask('U', "NOD.MTN", 0, Bytes(1234, 7), milliseconds(20000));
@@ -682,12 +686,12 @@ TEST_F(Version1SessionTest, ASlowUploadDoesNotMakeTheStreamSeemDead) {
   EXPECT_THROW(pass(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
 }
 
-TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
+TEST_F(Version1SessionTest, ErrorCodesAreExplained) {
   const auto refuse = [this](char letter, const std::string& name, int number, std::uint8_t code) {
     auto answer = ask(letter, name, number, letter == 'U' ? Bytes(10) : Bytes());
     EXPECT_FALSE(bytes().empty());
     receive({'e', 0, code, 0});
-    const RobotAnswer refusal = answer.get();
+    const Answer refusal = answer.get();
     EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
     return refusal.problem;
   };
@@ -695,15 +699,15 @@ TEST_F(Version1SessionTest, ErrorCodesAreToldInWords) {
       "robot:54321 refused to play the motion NOD.MTN: there is no such file in OPEN-R/MW/DATA/P on its memory stick, "
       "or it cannot be read (error code 1).",
       refuse('P', "NOD.MTN", 1, 1));
-  EXPECT_THAT(refuse('U', "NOD.MTN", 0, 0), HasSubstr("has to have a line ALLOW_UPLOAD=yes"));
+  EXPECT_THAT(refuse('U', "NOD.MTN", 0, 0), HasSubstr("needs a line ALLOW_UPLOAD=yes"));
   EXPECT_THAT(refuse('D', "NOD.MTN", 0, 0), HasSubstr("ALLOW_DELETE=yes"));
   EXPECT_THAT(refuse('Q', "", 0, 0), HasSubstr("refused to shut down: is it allowed?"));
   EXPECT_THAT(refuse('R', "", 0, 0), HasSubstr("ALLOW_REBOOT=yes"));
-  EXPECT_THAT(refuse('D', "NOD.MTN", 0, 2), HasSubstr("does not take this for the name of a motion"));
+  EXPECT_THAT(refuse('D', "NOD.MTN", 0, 2), HasSubstr("does not accept this as the name of a motion"));
   EXPECT_EQ(6u, counters_.refusals);
 }
 
-TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionForTheNextAnswerCouldBeAnybodys) {
+TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionBecauseTheNextAnswerCouldBelongToAnyRequest) {
   auto answer = ask('P', "NOD.MTN", 1, {}, milliseconds(3000));
   EXPECT_FALSE(bytes().empty());
   pass(milliseconds(2999));
@@ -721,8 +725,8 @@ TEST_F(Version1SessionTest, ACallThatHasNotBeenSentInTimeLeavesTheConnectionAlon
   EXPECT_EQ("", command());
 }
 
-TEST_F(Version1SessionTest, WhatVersion1DoesNotKnowIsRefused) {
-  const RobotAnswer motors = ask('O', "", 0).get();
+TEST_F(Version1SessionTest, RequestsThatVersion1LacksAreRefused) {
+  const Answer motors = ask('O', "", 0).get();
   EXPECT_EQ(CallOutcome::kRefused, motors.outcome);
   EXPECT_THAT(motors.problem, HasSubstr("speaks version 1 of the protocol, which cannot switch the motors off"));
   EXPECT_THAT(ask('N').get().problem, HasSubstr("which cannot list its motions"));
@@ -733,7 +737,7 @@ class LateVersionAnswerTest : public Version1SessionTest {
  protected:
   Session& session() override { return late_; }
 
-  Version1Session late_{context(), habits_, Version1Session::VersionAnswer::kOwed, now_};
+  Version1Session late_{connection_, habits_, Version1Session::VersionAnswer::kOwed, now_};
 };
 
 TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {
@@ -746,7 +750,7 @@ TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {
   EXPECT_TRUE(log_.empty());
 }
 
-TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestIsNoAnswerToTheQuestion) {
+TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestDoesNotAnswerTheQuestionForTheVersion) {
   auto first = takePicture(30);
   auto second = takePicture(30);
   late_.nextRequest(wish_, now_);

@@ -59,14 +59,14 @@ class Version2SessionTest : public SessionFixture {
   std::string faultOf(const Bytes& bytes) {
     try {
       receive(bytes);
-    } catch (const Fault& fault) {
-      return fault.what();
+    } catch (const ProtocolException& error) {
+      return error.what();
     }
     return "";
   }
 
   version2_frames::Frame frame_;  // that was sent last
-  Version2Session session_{context(), now_};
+  Version2Session session_{connection_, now_};
 };
 
 Bytes makeError(int number, int code, const std::string& text) {
@@ -77,8 +77,8 @@ Bytes makePicture(int number, unsigned seed, unsigned frame_number = 0) {
   return makeFrame('f', number, version2_frames::makePicture(test_pictures::makeNumbered(seed), frame_number));
 }
 
-TEST_F(Version2SessionTest, TheHelloTellsWhoIsThere) {
-  const RobotInfo& robot = session_.robot();
+TEST_F(Version2SessionTest, TheHelloIntroducesTheRobot) {
+  const RobotInfo& robot = connection_.robot;
   EXPECT_EQ("ERS-7", robot.design);
   EXPECT_EQ("a test 1.0", robot.server);
   EXPECT_TRUE(robot.hasCapability("J"));
@@ -94,7 +94,8 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   const Notifier notifier{RcServerClient::Callbacks()};
   Counters counters;
   const Session::TimePoint now = Session::TimePoint() + milliseconds(1000);
-  Version2Session session({"robot:54321", milliseconds(500), notifier, counters}, now);
+  Connection connection({"robot:54321", milliseconds(500), notifier, counters}, now);
+  Version2Session session(connection, now);
   const Wish wish = {true, 85, 4};
   EXPECT_FALSE(session.nextRequest(wish, now).empty());
   EXPECT_TRUE(session.nextRequest(wish, now).empty());
@@ -102,7 +103,7 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
 }
 
-TEST_F(Version2SessionTest, AHeartbeatIsSentTwiceASecondForEver) {
+TEST_F(Version2SessionTest, AHeartbeatIsSentTwiceASecond) {
   const TimePoint begin = now_;
   int heartbeats = 0;
   while (now_ < begin + std::chrono::minutes(10)) {
@@ -124,7 +125,7 @@ TEST_F(Version2SessionTest, AServerThatDoesNotAnswerTheHeartbeatIsGivenUpAlsoWhi
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
-TEST_F(Version2SessionTest, TheStreamIsToldOnceForEachChangeOfWishOrQuality) {
+TEST_F(Version2SessionTest, TheStreamIsRequestedOnceForEachChangeOfWishOrQuality) {
   wish_.streaming = true;
   EXPECT_EQ("W2", request());
   EXPECT_EQ(85, frame_.header.id);
@@ -134,11 +135,11 @@ TEST_F(Version2SessionTest, TheStreamIsToldOnceForEachChangeOfWishOrQuality) {
   EXPECT_EQ("W3", request());
   EXPECT_EQ(40, frame_.header.id);
   EXPECT_EQ("", request());
-  EXPECT_TRUE(session_.streaming());
+  EXPECT_TRUE(connection_.pictures.streaming());
   wish_.streaming = false;
   EXPECT_EQ("W4", request());
   EXPECT_EQ(Bytes({0, 0, 0, 1}), frame_.payload);
-  EXPECT_FALSE(session_.streaming());
+  EXPECT_FALSE(connection_.pictures.streaming());
   wish_.jpeg_quality = 50;
   EXPECT_EQ("", request());
 }
@@ -162,7 +163,7 @@ TEST_F(Version2SessionTest, AStreamThatIsSilentIsGivenUpThoughTheHeartbeatIsAnsw
   EXPECT_THROW(live(milliseconds(1)), Fault);
 }
 
-TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndThoseThatDoNotEndAreAFault) {
+TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoNotEnd) {
   receive(makePicture(0, 1));
   EXPECT_TRUE(pictures_.empty());
   EXPECT_EQ(1u, counters_.unexpected_pictures);
@@ -187,7 +188,7 @@ TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQu
   receive(makePicture(4, 2));
   receive(makePicture(3, 3));
   EXPECT_EQ(test_pictures::makeNumbered(2), second.get().picture->jpeg);
-  const PictureAnswer got = first.get();
+  const Answer got = first.get();
   EXPECT_EQ(test_pictures::makeNumbered(3), got.picture->jpeg);
   EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(3u, pictures_.size());
@@ -220,7 +221,7 @@ TEST_F(Version2SessionTest, AnErrorBelongsToTheRequestWithItsNumber) {
   EXPECT_EQ("J4", request());
   receive(makeError(3, 0, "no more film"));
   EXPECT_FALSE(done(first));
-  const PictureAnswer refusal = second.get();
+  const Answer refusal = second.get();
   EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
   EXPECT_EQ("robot:54321 refused to take a picture: no more film (error code 0).", refusal.problem);
   receive(makeError(4, 0, "there is no joint 77"));
@@ -245,7 +246,7 @@ TEST_F(Version2SessionTest, RefusedTelemetryIsLoggedAndNotAskedForAgain) {
   live(milliseconds(5000));
 }
 
-TEST_F(Version2SessionTest, TelemetryIsToldInUnitsWithTheRobotsTime) {
+TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("T2", request());
   EXPECT_EQ(Bytes({0, 4}), frame_.payload);
@@ -271,7 +272,7 @@ TEST_F(Version2SessionTest, TelemetryIsToldInUnitsWithTheRobotsTime) {
   EXPECT_DOUBLE_EQ(1, telemetry_[0].sensors[1].value) << "paw_left_front, a switch";
   EXPECT_DOUBLE_EQ(80, telemetry_[0].sensors[2].value) << "head_touch, a strength";
   EXPECT_DOUBLE_EQ(0.87, telemetry_[0].sensors[3].value) << "battery";
-  EXPECT_DOUBLE_EQ(-1e-6, telemetry_[0].sensors[4].value) << "of a newer robot";
+  EXPECT_DOUBLE_EQ(-1e-6, telemetry_[0].sensors[4].value) << "a sensor of a newer robot";
 }
 
 TEST_F(Version2SessionTest, TelemetryAndPicturesHaveTheTimeOfTheirFirstByteAndTheNumberOfTheirConnection) {
@@ -288,7 +289,7 @@ TEST_F(Version2SessionTest, TelemetryAndPicturesHaveTheTimeOfTheirFirstByteAndTh
   }
 }
 
-TEST_F(Version2SessionTest, PicturesThatArrivedTogetherCanBeToldApartByTheirTime) {
+TEST_F(Version2SessionTest, PicturesThatArrivedTogetherHaveDifferentTimes) {
   wish_.streaming = true;
   request();
   Bytes bytes = makePicture(0, 1);
@@ -300,7 +301,7 @@ TEST_F(Version2SessionTest, PicturesThatArrivedTogetherCanBeToldApartByTheirTime
   EXPECT_LT(pictures_[0]->first_byte_time, pictures_[1]->first_byte_time);
 }
 
-TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
+TEST_F(Version2SessionTest, OnlyTheNewestTelemetryOfThoseThatArrivedTogetherIsReported) {
   Bytes bytes;
   for (unsigned frame = 1; frame <= 5; ++frame) {
     const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(frame, {{'J', 1, 0}}));
@@ -311,7 +312,7 @@ TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewestIsTold) {
   EXPECT_EQ(5u, telemetry_[0].frame_number);
 }
 
-TEST_F(Version2SessionTest, JointsThatAreToldTogetherAreSentInOneRequest) {
+TEST_F(Version2SessionTest, JointsCommandedTogetherAreSentInOneRequest) {
   commandJoints({{2, -0.5}, {3, 0.25}}, milliseconds(300));
   EXPECT_EQ("J2", request());
   version2::JointTargets targets;
@@ -324,7 +325,7 @@ TEST_F(Version2SessionTest, JointsThatAreToldTogetherAreSentInOneRequest) {
   receive(makeFrame('j', 2, version2_frames::makeTargets(targets)));
   ASSERT_EQ(1u, accepted_.size());
   EXPECT_DOUBLE_EQ(-0.5, accepted_[0][0].position);
-  EXPECT_DOUBLE_EQ(0.2, accepted_[0][1].position) << "what the robot has accepted";
+  EXPECT_DOUBLE_EQ(0.2, accepted_[0][1].position) << "as the robot accepted it";
 }
 
 TEST_F(Version2SessionTest, NoMoreThanFourCommandsAreUnderWayAndThenTheLatestIsNext) {
@@ -381,7 +382,7 @@ TEST_F(Version2SessionTest, MotorsAndMotionsDropTheJointCommandsThatAreQueuedBef
   commandJoints({{2, 0.5}});
   auto stop = ask('P');
   EXPECT_EQ('P', request().at(0));
-  EXPECT_EQ('J', request().at(0)) << "stopping a motion is no reason";
+  EXPECT_EQ('J', request().at(0)) << "stopping a motion drops nothing";
 }
 
 TEST_F(Version2SessionTest, SpeedLimitsGoFirst) {
@@ -402,7 +403,7 @@ TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(live(milliseconds(1)), Fault);
 }
 
-TEST_F(Version2SessionTest, LedsThatAreToldTogetherAreSentTogether) {
+TEST_F(Version2SessionTest, LedsCommandedTogetherAreSentTogether) {
   commandLeds({{7, 255, LedMode::kB}, {8, 1}});
   EXPECT_EQ("L2", request());
   EXPECT_EQ(Bytes({7, 255, 1, 0, 8, 1, 0, 0}), frame_.payload);
@@ -448,7 +449,7 @@ TEST_F(Version2SessionTest, ARefusalIsLoggedAgainOnlyAfterSuchACommandWasTaken) 
   EXPECT_EQ(2, logged("refused to set LEDs: there is no LED 99"));
 }
 
-TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateTold) {
+TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateReported) {
   auto answer = ask('O', "", 1);
   EXPECT_EQ("O2", request());
   EXPECT_EQ(Bytes({1}), frame_.payload);
@@ -489,7 +490,7 @@ TEST_F(Version2SessionTest, MotionsAreUploadedPlayedStoppedListedAndDeleted) {
             deletion.get().problem);
 }
 
-TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreAskedFor) {
+TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreRequested) {
   auto shut_down = ask('Q');
   auto reboot = ask('R');
   EXPECT_EQ("Q2", request());
@@ -500,7 +501,7 @@ TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreAskedFor) {
   EXPECT_FALSE(done(reboot));
 }
 
-TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsPassedOver) {
+TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsIgnored) {
   auto answer = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(4000));
   EXPECT_EQ("U2", request());
   live(milliseconds(3999));
@@ -530,19 +531,19 @@ TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
   EXPECT_THROW(live(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
 }
 
-TEST_F(Version2SessionTest, AListThatIsNoneIsAProtocolError) {
+TEST_F(Version2SessionTest, AMalformedListIsAProtocolError) {
   auto answer = ask('N');
   request();
   EXPECT_THAT(faultOf(makeFrame('n', 2, {'A', '/', '.', '.'})), HasSubstr("bad list of motions: "));
 }
 
-TEST_F(Version2SessionTest, WhatTheRobotReportsByItselfIsLoggedAndKept) {
+TEST_F(Version2SessionTest, UnrequestedReportsAreLoggedAndKept) {
   receive(makeError(0, 3, "joint head_pan does not move"));
-  EXPECT_EQ("joint head_pan does not move (error code 3)", session_.robotMessage());
+  EXPECT_EQ("joint head_pan does not move (error code 3)", connection_.robot_message);
   EXPECT_EQ(1, logged("reports: joint head_pan does not move"));
 }
 
-TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersArePassedOver) {
+TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
   receive(makeFrame('z', 0, {1, 2, 3}));
   receive(makeFrame('j', 4711, {1, 2, 3}));
   receive(makeError(4711, 0, "too late"));
@@ -563,7 +564,7 @@ TEST_F(Version2SessionTest, AReplyOfAnotherKindThanTheRequestIsAProtocolError) {
   EXPECT_THAT(faultOf(makeFrame('v', 2, {})), HasSubstr("a reply 'v' to the request 'J'"));
 }
 
-TEST_F(Version2SessionTest, APayloadThatIsNotWhatItsKindSaysIsAProtocolError) {
+TEST_F(Version2SessionTest, APayloadThatDoesNotFitItsKindIsAProtocolError) {
   EXPECT_THAT(faultOf(makeFrame('t', 0, {1, 2, 3})), HasSubstr("bad telemetry: "));
   EXPECT_THAT(faultOf(makeFrame('f', 0, {1, 2, 3})), HasSubstr("bad picture: "));
   EXPECT_THAT(faultOf(makeFrame('e', 0, {1})), HasSubstr("bad error message: "));
@@ -592,7 +593,7 @@ TEST_F(Version2SessionTest, FramesAreFoundHoweverTheyAreSplitAndJoined) {
   EXPECT_EQ(20u, telemetry_.back().frame_number);
 }
 
-TEST_F(Version2SessionTest, RequestNumbersBeginAgainAndNoneIsUsedThatIsStillAwaited) {
+TEST_F(Version2SessionTest, RequestNumbersBeginAgainAndSkipThoseStillAwaited) {
   auto answer = takePicture(10, std::chrono::hours(1));
   EXPECT_EQ("F2", request());
   for (int i = 0; i < 65532; ++i) {

@@ -67,7 +67,7 @@ TEST_F(VersionNegotiationTest, AHalfAnswerAtTheDeadlineIsForTheSession) {
   EXPECT_THAT(negotiation_.rest(), ElementsAre('x', 2));
 }
 
-TEST_F(VersionNegotiationTest, WhatIsNoAnswerIsForTheSession) {
+TEST_F(VersionNegotiationTest, OtherBytesAreLeftToTheSession) {
   receive({'H', 'T', 'T', 'P'});
   EXPECT_EQ(Result::kVersion1Unanswered, negotiation_.result());
   EXPECT_THAT(negotiation_.rest(), ElementsAre('H', 'T', 'T', 'P'));

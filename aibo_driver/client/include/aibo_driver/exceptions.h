@@ -4,8 +4,23 @@
 #define AIBO_DRIVER_EXCEPTIONS_H
 
 #include <stdexcept>
+#include <string>
 
 namespace aibo_driver {
+
+/// Why there is no connection to the robot, or why it broke. New kinds may be added at the end.
+enum class FaultKind {
+  kNone,          ///< no fault: the first attempt to connect is not over yet, or only this call ran out of time
+  kNameNotFound,  ///< the robot's name cannot be looked up
+  kRefused,       ///< no program listens at the robot's port
+  kUnreachable,   ///< the network has no way to the robot, or has lost it
+  kNoAnswer,      ///< the attempt to connect took longer than ClientOptions::connect_timeout
+  kTurnedAway,    ///< the robot accepted the connection and closed it at once: another client is probably connected
+  kClosed,        ///< the robot closed a connection that had been working
+  kSilent,        ///< a picture or an answer was due and did not come in time
+  kProtocol,      ///< the peer sent something that no RCServer sends
+  kInternal       ///< this computer failed, for example for lack of memory or file descriptors
+};
 
 /// Base of everything the client library throws.
 class Exception : public std::runtime_error {
@@ -22,19 +37,21 @@ class InvalidArgumentException : public Exception {
 /// The robot cannot be reached, or the connection broke.
 class NetworkException : public Exception {
  public:
-  using Exception::Exception;
+  explicit NetworkException(const std::string& message, FaultKind kind = FaultKind::kNone)
+      : Exception(message), kind_(kind) {}
+
+  /// Why there is no connection: the same reason that the message gives in words.
+  FaultKind kind() const noexcept { return kind_; }
+
+ private:
+  FaultKind kind_;
 };
 
-/// There was no answer in the time allowed.
+/// There was no answer in the time allowed. kind() is FaultKind::kNone if the time of this call has passed, and
+/// FaultKind::kSilent if the whole connection was given up for its silence while the call waited.
 class TimeoutException : public NetworkException {
  public:
   using NetworkException::NetworkException;
-};
-
-/// The peer sent what no RCServer sends.
-class ProtocolException : public Exception {
- public:
-  using Exception::Exception;
 };
 
 /// The robot answered, and refused.

@@ -1,5 +1,5 @@
 /// @file jpeg_inspector.h
-/// Tells whole camera pictures from damaged or hostile ones without decoding them.
+/// Separates whole camera pictures from damaged or hostile ones without decoding them.
 #ifndef AIBO_DRIVER_JPEG_INSPECTOR_H
 #define AIBO_DRIVER_JPEG_INSPECTOR_H
 
@@ -9,8 +9,8 @@
 
 namespace aibo_driver {
 
-/// Pixels of the largest picture that a camera of these robots makes: the ERS-7's 208x160 in
-/// double resolution, the most that the RCServer compresses.
+/// Pixels of the largest picture that a camera of these robots makes: the ERS-7's 208x160 in double resolution, the
+/// largest that the RCServer compresses.
 constexpr int kLargestPictureWidth = 416;
 constexpr int kLargestPictureHeight = 320;
 
@@ -25,13 +25,13 @@ struct JpegInspection {
 
 /// Checks that the bytes are one whole picture as the RCServer sends them, by walking its markers.
 ///
-/// Good is: a baseline JPEG (SOF0: neither progressive nor arithmetic) of 8 bit YCbCr, in 4:4:4, 4:2:2, 4:4:0 or
-/// 4:2:0, in one scan, that begins with SOI and ends with EOI and has nothing behind it, of a size that a camera of
-/// the ERS-7 (208x160, its layers 104x80 and 52x40, and 416x320) or of the ERS-210 (176x144, 88x72, 44x36, 352x288)
-/// can have. So nothing larger than 416x320 is ever decoded, whatever a header announces, and no picture can take
-/// longer to decode than its size says.
+/// A good picture is a baseline JPEG (SOF0: neither progressive nor arithmetic) of 8 bit YCbCr, in 4:4:4, 4:2:2, 4:4:0
+/// or 4:2:0, in one scan. It begins with SOI, ends with EOI, and nothing follows. Its size is one that a camera of the
+/// ERS-7 (208x160, its layers 104x80 and 52x40, and 416x320) or of the ERS-210 (176x144, 88x72, 44x36, 352x288) has. So
+/// nothing larger than 416x320 is ever decoded, whatever a header announces, and no picture takes longer to decode than
+/// one of its size should.
 ///
-/// Damage inside of the compressed data shows only when it is decoded. Nothing is allocated for a good picture.
+/// Damage inside the compressed data shows only when it is decoded. Nothing is allocated for a good picture.
 ///
 /// @param data not null unless size is 0
 /// @param size bytes

@@ -1,18 +1,18 @@
 /// @file leds.h
-/// What is said to the robot about its LEDs. An LED is named by its RCServer identifier (docs/protocol.md lists them).
+/// Commands to LEDs. An LED is given by its RCServer identifier (docs/protocol.md lists them).
 #ifndef AIBO_DRIVER_LEDS_H
 #define AIBO_DRIVER_LEDS_H
 
 namespace aibo_driver {
 
-/// The two ways in which the LEDs of an ERS-7's face and back shine (Model Information ERS-7, section on LEDs). Those
-/// that know only on and off do not mind.
+/// The two display modes of the LEDs on an ERS-7's face and back (Model Information ERS-7, section on LEDs). LEDs that
+/// are only on or off ignore the mode.
 enum class LedMode { kA, kB };
 
-/// How an LED is to shine.
+/// Sets one LED.
 struct LedCommand {
   int id = 0;         ///< 1..255
-  int intensity = 0;  ///< 0 = off..255; an LED that knows only on and off is on from 1
+  int intensity = 0;  ///< 0 = off..255; an LED that is only on or off is on from 1
   LedMode mode = LedMode::kA;
 };
 

@@ -1,5 +1,5 @@
 /// @file log.h
-/// The client library prints nothing by itself: it hands its messages to a sink that its owner gives it.
+/// The client library prints nothing itself. It hands its messages to a sink that its user provides.
 #ifndef AIBO_DRIVER_LOG_H
 #define AIBO_DRIVER_LOG_H
 

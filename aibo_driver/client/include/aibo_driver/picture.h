@@ -10,16 +10,16 @@
 
 namespace aibo_driver {
 
-/// One picture as the robot sent it. Never changed once it is delivered, so it may be shared between threads.
+/// One picture as the robot sent it. It never changes after delivery, so threads may share it.
 struct Picture {
   std::vector<std::uint8_t> jpeg;  ///< the robot's bytes, without the protocol's header
-  /// Arrival of the first byte of the picture's header. Of pictures that came at once, each has a later one, by 1 ns.
+  /// When the first byte of the picture's header arrived. Pictures that arrived together are 1 ns apart, in order.
   std::chrono::steady_clock::time_point first_byte_time;
   int width = 0;                        ///< pixels, from the JPEG's own frame header
   int height = 0;                       ///< pixels, from the JPEG's own frame header
-  std::uint64_t connection_number = 0;  ///< over which it came: 1 for the client's first
+  std::uint64_t connection_number = 0;  ///< of the connection it came over: 1 for the client's first
 
-  // A version 1 server does not tell what follows.
+  // A version 1 server does not send what follows.
   std::optional<std::uint32_t> frame_number;  ///< OPEN-R frame (8 ms) in which the camera took the image
   std::optional<std::uint32_t> image_count;   ///< the camera's own count of images
 };

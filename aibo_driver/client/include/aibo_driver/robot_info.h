@@ -10,13 +10,14 @@
 
 namespace aibo_driver {
 
-/// What a version 2 server says of itself. Empty for a version 1 server, which says nothing.
+/// How a version 2 server introduces itself. Empty for a version 1 server, which does not.
 struct RobotInfo {
-  std::string design;                     ///< as OPEN-R names it: "ERS-7"
+  std::string design;                     ///< of the robot, as OPEN-R names it: "ERS-7"
   std::string server;                     ///< name and version of the server
-  std::vector<std::string> capabilities;  ///< letters of the requests it serves: "F", "J", "O"...
+  std::vector<std::string> capabilities;  ///< letters of the requests that it serves: "F", "J", "O"...
   std::vector<JointLimits> joint_limits;  ///< of each joint
 
+  /// @param word the letter of a request
   bool hasCapability(const std::string& word) const {
     return std::find(capabilities.begin(), capabilities.end(), word) != capabilities.end();
   }

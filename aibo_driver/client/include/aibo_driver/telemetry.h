@@ -9,31 +9,31 @@
 
 namespace aibo_driver {
 
-/// Where a joint was found.
+/// The position of a joint.
 struct JointReading {
   int id = 0;           ///< RCServer identifier (docs/protocol.md lists them)
   double position = 0;  ///< rad
 };
 
-/// What a sensor measured.
+/// The value of a sensor.
 struct SensorReading {
   int id = 0;  ///< RCServer identifier (docs/protocol.md lists them)
-  /// In SI units: m, m/s^2, degree Celsius; 0..1 for the battery, 0 or 1 for a switch, and for touch the strength as
-  /// the robot gives it, 0..80 or so.
+  /// In m, m/s^2 or degree Celsius; 0..1 for the battery; 0 or 1 for a switch; for touch, the strength as the robot
+  /// reports it, 0 to about 80.
   double value = 0;
 };
 
-/// What the robot measured at one time. No version of the protocol tells the load of a joint.
+/// What the robot measured at one time. Neither version of the protocol has the load of a joint.
 struct Telemetry {
-  /// OPEN-R frame (8 ms) in which the values were measured. A version 1 server does not tell it.
+  /// OPEN-R frame (8 ms) in which the values were measured. A version 1 server does not send it.
   std::optional<std::uint32_t> frame_number;
   std::chrono::steady_clock::time_point arrival;  ///< when the first byte was read
-  /// From a version 2 server all joints of the robot, and all sensors that have measured something yet; from a version
-  /// 1 server one joint or one sensor at a time, in turn.
+  /// From a version 2 server: all joints of the robot, and all sensors that have measured something so far. From a
+  /// version 1 server: one joint or one sensor at a time, in turn.
   std::vector<JointReading> joints;
   std::vector<SensorReading> sensors;
-  /// Over which connection it came: 1 for the client's first, 2 for its next. Frame numbers of one connection only grow
-  /// (modulo 2^32); from one connection to the next the robot may have been started anew.
+  /// Of the connection it came over: 1 for the client's first, 2 for its next. Frame numbers of one connection only
+  /// grow (modulo 2^32); between two connections the robot may have been restarted.
   std::uint64_t connection_number = 0;
 };
 

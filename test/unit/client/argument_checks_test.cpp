@@ -1,4 +1,4 @@
-#include "client/command_checks.h"
+#include "client/argument_checks.h"
 
 #include <gmock/gmock.h>
 
@@ -22,13 +22,13 @@ std::string complaintAbout(const std::vector<JointTarget>& targets, milliseconds
   return "";
 }
 
-TEST(CommandChecksTest, TargetsAreChecked) {
+TEST(ArgumentChecksTest, TargetsAreChecked) {
   EXPECT_EQ("", complaintAbout({{1, 0}, {255, -6.28}}, milliseconds(65535)));
   EXPECT_THAT(complaintAbout({}), HasSubstr("the number of joints is 0"));
   EXPECT_THAT(complaintAbout(std::vector<JointTarget>(33)), HasSubstr("the number of joints is 33"));
   EXPECT_THAT(complaintAbout({{0, 0}}), HasSubstr("the id of a joint is 0")) << "0 would be all joints";
   EXPECT_THAT(complaintAbout({{256, 0}}), HasSubstr("the id of a joint is 256"));
-  EXPECT_THAT(complaintAbout({{3, 0}, {3, 1}}), HasSubstr("the joint 3 is named twice"));
+  EXPECT_THAT(complaintAbout({{3, 0}, {3, 1}}), HasSubstr("the joint 3 is given twice"));
   EXPECT_THAT(complaintAbout({{3, std::nan("")}}), HasSubstr("joint 3: its position is"));
   EXPECT_THAT(complaintAbout({{3, -INFINITY}}), HasSubstr("joint 3: its position is"));
   EXPECT_THAT(complaintAbout({{3, 7}}), HasSubstr("joint 3: its position is 7.0"));
@@ -36,7 +36,7 @@ TEST(CommandChecksTest, TargetsAreChecked) {
   EXPECT_THAT(complaintAbout({{3, 0}}, milliseconds(65536)), HasSubstr("duration is 65536 ms"));
 }
 
-TEST(CommandChecksTest, SpeedLimitsAreChecked) {
+TEST(ArgumentChecksTest, SpeedLimitsAreChecked) {
   EXPECT_NO_THROW(checkJointSpeedLimits({{1, 0.001}, {2, 100}}));
   EXPECT_THROW(checkJointSpeedLimits({{1, 0}}), InvalidArgumentException);
   EXPECT_THROW(checkJointSpeedLimits({{1, -1}}), InvalidArgumentException);
@@ -45,7 +45,7 @@ TEST(CommandChecksTest, SpeedLimitsAreChecked) {
   EXPECT_THROW(checkJointSpeedLimits({{1, 1}, {1, 2}}), InvalidArgumentException);
 }
 
-TEST(CommandChecksTest, LedsAreChecked) {
+TEST(ArgumentChecksTest, LedsAreChecked) {
   EXPECT_NO_THROW(checkLedCommands({{1, 0}, {255, 255}}));
   EXPECT_THROW(checkLedCommands({}), InvalidArgumentException);
   EXPECT_THROW(checkLedCommands({{0, 1}}), InvalidArgumentException);
@@ -54,7 +54,7 @@ TEST(CommandChecksTest, LedsAreChecked) {
   EXPECT_THROW(checkLedCommands({{1, 256}}), InvalidArgumentException);
 }
 
-TEST(CommandChecksTest, MotionsAreChecked) {
+TEST(ArgumentChecksTest, MotionsAreChecked) {
   EXPECT_EQ("NOD.MTN", checkedMotionName("nod.mtn"));
   for (const std::string& name : {std::string("../NOD.MTN"), std::string("NOD"), std::string(), std::string(1, '\0')}) {
     EXPECT_THROW(checkedMotionName(name), InvalidArgumentException) << name;
@@ -62,6 +62,41 @@ TEST(CommandChecksTest, MotionsAreChecked) {
   EXPECT_NO_THROW(checkMotionContent(std::vector<std::uint8_t>(65523)));
   EXPECT_THROW(checkMotionContent(std::vector<std::uint8_t>(65524)), InvalidArgumentException);
   EXPECT_THROW(checkMotionContent({}), InvalidArgumentException);
+}
+
+template <typename Change>
+std::string complaintAboutOptions(const Change& change) {
+  ClientOptions options;
+  change(options);
+  try {
+    RcServerClient client(options, {});
+  } catch (const InvalidArgumentException& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ArgumentChecksTest, TheDefaultOptionsAreAllowed) {
+  EXPECT_EQ("", complaintAboutOptions([](ClientOptions&) {}));
+}
+
+TEST(ArgumentChecksTest, ABadOptionIsNamedWithItsRange) {
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.host = ""; }), HasSubstr("host is empty"));
+  EXPECT_EQ("port is 0, but has to be 1..65535", complaintAboutOptions([](ClientOptions& o) { o.port = 0; }));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.port = 65536; }), HasSubstr("port"));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.jpeg_quality = 0; }), HasSubstr("jpeg_quality"));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.jpeg_quality = 101; }), HasSubstr("1..100"));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.protocol_version = 2; }), HasSubstr("protocol_version"));
+  EXPECT_EQ("connect_timeout is 49 ms, but has to be 50..60000 ms",
+            complaintAboutOptions([](ClientOptions& o) { o.connect_timeout = milliseconds(49); }));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.read_timeout = milliseconds(60001); }),
+              HasSubstr("read_timeout"));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.reconnect_wait_min = milliseconds(9); }),
+              HasSubstr("reconnect_wait_min"));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.reconnect_wait_min = milliseconds(2001); }),
+              HasSubstr("10..2000 ms"));
+  EXPECT_THAT(complaintAboutOptions([](ClientOptions& o) { o.reconnect_wait_max = milliseconds(60001); }),
+              HasSubstr("reconnect_wait_max"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "client/joint_commands.h"
+#include "client/command_outbox.h"
 
 #include <algorithm>
 #include <map>
@@ -38,18 +38,18 @@ void removeTargets(std::deque<JointCommand>* commands, const Condition& conditio
 
 }  // namespace
 
-void JointCommands::add(const JointCommand& command) {
+void JointCommands::add(JointCommand command) {
   const auto place = std::find_if(commands_.begin(), commands_.end(),
                                   [&command](const JointCommand& older) { return shareAJoint(older, command); });
   const auto before = place - commands_.begin();  // no older command before this place names any of the joints
   removeTargets(&commands_, [&command](const JointTarget& target) { return names(command.targets, target.id); });
-  commands_.insert(commands_.begin() + before, command);
+  commands_.insert(commands_.begin() + before, std::move(command));
 }
 
-void JointCommands::append(const JointCommands& newer, TimePoint now) {
-  for (JointCommand command : newer.commands_) {
+void JointCommands::append(JointCommands newer, TimePoint now) {
+  for (JointCommand& command : newer.commands_) {
     command.since = now;
-    add(command);
+    add(std::move(command));
   }
 }
 
@@ -74,6 +74,13 @@ JointTarget JointCommands::takeTargetAfter(int id) {
   const JointTarget taken = next == targets.end() ? targets.begin()->second : next->second;
   removeTargets(&commands_, [&taken](const JointTarget& target) { return target.id == taken.id; });
   return taken;
+}
+
+void CommandOutbox::append(CommandOutbox newer, JointCommands::TimePoint now) {
+  speed_limits.add(newer.speed_limits.items());
+  joints.append(std::move(newer.joints), now);
+  leds.add(newer.leds.items());
+  ears.add(newer.ears.items());
 }
 
 }  // namespace aibo_driver

@@ -1,10 +1,9 @@
-#include "client/command_checks.h"
+#include "client/argument_checks.h"
 
 #include <cmath>
 #include <set>
 
 #include "aibo_driver/exceptions.h"
-#include "client/client_options.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
@@ -22,7 +21,7 @@ void checkIds(const std::vector<Part>& parts, std::size_t most, const std::strin
   for (const Part& part : parts) {
     checkRange("the id of a " + kind, part.id, 1, 255);
     if (!ids.insert(part.id).second) {
-      throw InvalidArgumentException("the " + kind + " " + std::to_string(part.id) + " is named twice");
+      throw InvalidArgumentException("the " + kind + " " + std::to_string(part.id) + " is given twice");
     }
   }
 }
@@ -34,6 +33,27 @@ void require(bool good, int id, const std::string& problem) {
 }
 
 }  // namespace
+
+void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit) {
+  if (value < lowest || value > highest) {
+    throw InvalidArgumentException(name + " is " + std::to_string(value) + unit + ", but has to be " +
+                                   std::to_string(lowest) + ".." + std::to_string(highest) + unit);
+  }
+}
+
+void checkClientOptions(const ClientOptions& options) {
+  if (options.host.empty()) {
+    throw InvalidArgumentException("host is empty, but has to be the robot's name or address");
+  }
+  constexpr long long kMinute = 60000;  // ms
+  checkRange("port", options.port, 1, 65535);
+  checkRange("jpeg_quality", options.jpeg_quality, 1, 100);
+  checkRange("protocol_version", options.protocol_version, 0, 1);
+  checkRange("connect_timeout", options.connect_timeout.count(), 50, kMinute, " ms");
+  checkRange("read_timeout", options.read_timeout.count(), 50, kMinute, " ms");
+  checkRange("reconnect_wait_max", options.reconnect_wait_max.count(), 10, kMinute, " ms");
+  checkRange("reconnect_wait_min", options.reconnect_wait_min.count(), 10, options.reconnect_wait_max.count(), " ms");
+}
 
 void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration) {
   checkIds(targets, protocol::version2::MAX_JOINTS, "joint");

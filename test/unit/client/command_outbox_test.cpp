@@ -1,4 +1,4 @@
-#include "client/joint_commands.h"
+#include "client/command_outbox.h"
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ std::vector<std::string> takeAll(JointCommands commands) {
   return taken;
 }
 
-TEST(JointCommandsTest, JointsThatAreToldTogetherStayTogetherAndInOrder) {
+TEST(JointCommandsTest, JointsCommandedTogetherStayTogetherAndInOrder) {
   JointCommands commands;
   commands.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
   commands.add({milliseconds(200), {{3, 0.3}}});
@@ -68,7 +68,7 @@ TEST(JointCommandsTest, OneByOneEachJointHasItsTurnHoweverFastCommandsCome) {
   EXPECT_EQ("1:0 2:1 3:2 1:3 2:4 3:5 ", taken);
 }
 
-TEST(JointCommandsTest, WhatCameLaterIsAppended) {
+TEST(JointCommandsTest, NewerCommandsAreAppended) {
   JointCommands commands;
   commands.add({milliseconds(100), {{1, 0.1}}});
   JointCommands newer;
@@ -77,7 +77,7 @@ TEST(JointCommandsTest, WhatCameLaterIsAppended) {
   EXPECT_THAT(takeAll(commands), testing::ElementsAre("1:2 in 200"));
 }
 
-TEST(JointCommandsTest, WhatHasWaitedForLongCanBeDroppedAndTheRestStays) {
+TEST(JointCommandsTest, OldCommandsCanBeDroppedAndNewerOnesStay) {
   const auto at = [](int time) { return JointCommands::TimePoint(milliseconds(time)); };
   JointCommands old;
   old.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
@@ -89,6 +89,30 @@ TEST(JointCommandsTest, WhatHasWaitedForLongCanBeDroppedAndTheRestStays) {
   EXPECT_FALSE(commands.dropOlderThan(at(1000)));
   EXPECT_TRUE(commands.dropOlderThan(at(1500)));
   EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:3 in 200"));
+}
+
+std::string takeAll(LatestById<LedCommand> leds) {
+  std::string taken;
+  while (!leds.empty()) {
+    const LedCommand led = leds.take(1).front();
+    taken += std::to_string(led.id) + ":" + std::to_string(led.intensity) + " ";
+  }
+  return taken;
+}
+
+TEST(LatestByIdTest, TheLatestWinsAndTakesThePlaceOfTheOldest) {
+  LatestById<LedCommand> leds;
+  leds.add({{5, 10}, {6, 20}});
+  leds.add({{7, 30}, {5, 40}});
+  EXPECT_EQ("5:40 6:20 7:30 ", takeAll(leds));
+}
+
+TEST(LatestByIdTest, NoMoreAreTakenThanThereAre) {
+  LatestById<LedCommand> leds;
+  leds.add({{5, 10}, {6, 20}, {7, 30}});
+  EXPECT_EQ(2u, leds.take(2).size());
+  EXPECT_EQ(1u, leds.take(2).size());
+  EXPECT_TRUE(leds.empty());
 }
 
 }  // namespace

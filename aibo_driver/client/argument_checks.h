@@ -1,0 +1,29 @@
+/// @file argument_checks.h
+/// Checks what RcServerClient is given. Every function throws InvalidArgumentException if a value is not allowed; the
+/// message names the value and its range.
+#ifndef AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
+#define AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/rcserver_client.h"
+
+namespace aibo_driver {
+
+void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit = "");
+
+void checkClientOptions(const ClientOptions& options);
+void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
+void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
+void checkLedCommands(const std::vector<LedCommand>& leds);
+void checkMotionContent(const std::vector<std::uint8_t>& content);
+
+/// @return the name as it is sent: in capitals
+std::string checkedMotionName(const std::string& name);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H

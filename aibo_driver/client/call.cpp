@@ -1,0 +1,235 @@
+#include "client/call.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/motion_requests.h"
+
+namespace aibo_driver {
+
+namespace version2 = protocol::version2;
+
+namespace {
+
+// What a weak wireless link of 1 Mbit/s leaves beside a stream, and a memory stick takes.
+constexpr std::size_t kSlowestTransfer = 32 * 1024;  // bytes/s
+
+std::string allowedBy(const std::string& setting) {
+  return "is it allowed? OPEN-R/MW/CONF/RCSERVER.CFG on the robot's memory stick needs a line " + setting +
+         "=yes; it is read when the robot starts";
+}
+
+/// @param name of a motion, or empty
+void copyName(const std::string& name, protocol::MotionName& out) {
+  name.copy(out, protocol::MAX_MOTION_NAME_SIZE);
+  out[name.size()] = '\0';
+}
+
+Call::Bytes encodeFileRequest(const Call& call) {
+  protocol::FileRequest file = {};
+  copyName(call.name, file.name);
+  file.a = static_cast<unsigned short>(call.number);
+  if (!call.content.empty()) {
+    protocol::announceContent(call.content.size(), &file);
+  }
+  Call::Bytes bytes(protocol::FILE_REQUEST_SIZE);
+  bytes[0] = static_cast<std::uint8_t>(call.letter);
+  protocol::encodeFileRequest(file, bytes.data() + protocol::BASIC_COMMAND_SIZE);
+  bytes.insert(bytes.end(), call.content.begin(), call.content.end());
+  return bytes;
+}
+
+std::size_t encodeUpload(const Call& call, unsigned char* out) {
+  version2::MotionUpload upload = {};
+  copyName(call.name, upload.name);
+  upload.content = call.content.data();
+  upload.content_size = call.content.size();
+  return version2::encodeMotionUpload(upload, out);
+}
+
+std::size_t encodeName(const Call& call, unsigned char* out) {
+  protocol::MotionName name;
+  copyName(call.name, name);
+  return version2::encodeMotionName(name, out);
+}
+
+std::size_t encodeOrder(const Call& call, unsigned char* out) {
+  version2::MotionOrder order = {};
+  copyName(call.name, order.name);
+  order.repetitions = static_cast<unsigned short>(call.number);
+  return version2::encodeMotionOrder(order, out);
+}
+
+std::string explain(const Call& call, int code) {
+  switch (code) {
+    case protocol::ERROR_FILE_MISSING:
+      return "there is no such file in OPEN-R/MW/DATA/P on its memory stick, or it cannot be read";
+    case protocol::ERROR_NOT_A_MOTION:
+      return "it does not accept this as the name of a motion";
+    default:
+      break;
+  }
+  switch (call.letter) {
+    case version2::REQUEST_UPLOAD:
+      return allowedBy("ALLOW_UPLOAD");
+    case version2::REQUEST_DELETE:
+      return allowedBy("ALLOW_DELETE");
+    case version2::REQUEST_PLAY:
+      return "are its motors on, and is the file a motion for this robot?";
+    case version2::REQUEST_SHUT_DOWN:
+      return allowedBy("ALLOW_SHUT_DOWN");
+    case version2::REQUEST_REBOOT:
+      return allowedBy("ALLOW_REBOOT");
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fault) {
+  Answer answer;
+  answer.outcome = outcome;
+  answer.problem = problem;
+  answer.fault = fault;
+  return answer;
+}
+
+bool Call::isForPicture() const {
+  return letter == version2::REQUEST_PICTURE;
+}
+
+bool Call::takesOverJoints() const {
+  return letter == version2::REQUEST_MOTORS || (letter == version2::REQUEST_PLAY && number > 0);
+}
+
+std::string describe(const Call& call) {
+  switch (call.letter) {
+    case version2::REQUEST_PICTURE:
+      return "take a picture";
+    case version2::REQUEST_MOTORS:
+      return call.number != 0 ? "switch the motors on" : "switch the motors off";
+    case version2::REQUEST_UPLOAD:
+      return "store the motion " + call.name;
+    case version2::REQUEST_DELETE:
+      return "delete the motion " + call.name;
+    case version2::REQUEST_PLAY:
+      return (call.number != 0 ? "play " : "stop ") + (call.name.empty() ? "all motions" : "the motion " + call.name);
+    case version2::REQUEST_LIST:
+      return "list its motions";
+    case version2::REQUEST_SHUT_DOWN:
+      return "shut down";
+    default:
+      return "reboot";
+  }
+}
+
+std::string explainRefusal(const Call& call, int code) {
+  const std::string code_text = "error code " + std::to_string(code);
+  const std::string hint = call.isForPicture() ? "" : explain(call, code);
+  return hint.empty() ? code_text : hint + " (" + code_text + ")";
+}
+
+bool isKnownToVersion1(const Call& call) {
+  return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_LIST;
+}
+
+Call::Bytes encodeForVersion1(const Call& call) {
+  const bool about_motion = call.letter != protocol::REQUEST_SHUT_DOWN && call.letter != protocol::REQUEST_REBOOT;
+  if (about_motion) {
+    return encodeFileRequest(call);
+  }
+  return {static_cast<std::uint8_t>(call.letter), 0, 0, 0};
+}
+
+// No other request is longer than one about a file.
+std::size_t largestPayload(const Call& call) {
+  return protocol::FILE_REQUEST_SIZE + call.content.size();
+}
+
+std::size_t encodeForVersion2(const Call& call, unsigned char* out) {
+  switch (call.letter) {
+    case version2::REQUEST_MOTORS:
+      return version2::encodeMotorState(call.number != 0, out);
+    case version2::REQUEST_UPLOAD:
+      return encodeUpload(call, out);
+    case version2::REQUEST_DELETE:
+      return encodeName(call, out);
+    case version2::REQUEST_PLAY:
+      return encodeOrder(call, out);
+    default:
+      return 0;
+  }
+}
+
+Call* PendingCalls::nextUnsent(bool for_picture) {
+  const auto found = std::find_if(calls_.begin(), calls_.end(), [for_picture](const Call& call) {
+    return call.request_number == 0 && call.isForPicture() == for_picture;
+  });
+  return found == calls_.end() ? nullptr : &*found;
+}
+
+Call* PendingCalls::find(int request_number) {
+  const auto found = std::find_if(calls_.begin(), calls_.end(), [request_number](const Call& call) {
+    return call.request_number != 0 && call.request_number == request_number;
+  });
+  return found == calls_.end() ? nullptr : &*found;
+}
+
+template <typename Condition, typename MakeAnswer>
+void PendingCalls::endIf(const Condition& condition, const MakeAnswer& make_answer) {
+  calls_.remove_if([&](Call& call) {
+    const bool ends = condition(call);
+    if (ends) {
+      call.promise.set_value(make_answer(call));
+    }
+    return ends;
+  });
+}
+
+void PendingCalls::answer(int request_number, Answer answer) {
+  endIf([request_number](const Call& call) { return call.request_number == request_number; },
+        [&answer](const Call&) { return std::move(answer); });
+}
+
+void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
+  if (calls_.empty()) {
+    return;
+  }
+  Answer answer;
+  answer.picture = picture;
+  answer.stream_quality = quality;
+  endIf(
+      [&picture](const Call& call) {
+        return call.request_number == 0 && call.isForPicture() && call.since < picture->first_byte_time;
+      },
+      [&answer](const Call&) { return answer; });
+}
+
+PendingCalls::TimePoint PendingCalls::nextDeadline() const {
+  TimePoint earliest = TimePoint::max();
+  for (const Call& call : calls_) {
+    earliest = std::min(earliest, call.deadline);
+  }
+  return earliest;
+}
+
+void PendingCalls::expire(TimePoint now, const std::string& remark) {
+  endIf([now](const Call& call) { return call.deadline <= now; },
+        [&remark](const Call& call) {
+          const std::string missing = call.isForPicture() ? "picture" : "answer";
+          return makeFailure(CallOutcome::kTimeout, "no " + missing + " within " +
+                                                        std::to_string(call.timeout.count()) + " ms" +
+                                                        (call.isForPicture() ? remark : "."));
+        });
+}
+
+void PendingCalls::failAll(const Answer& failure) {
+  endIf([](const Call&) { return true; }, [&failure](const Call&) { return failure; });
+}
+
+void PendingCalls::transferBegins(std::size_t size, TimePoint now) {
+  transfer_end_ = std::max(transfer_end_, now) + std::chrono::milliseconds(size * 1000 / kSlowestTransfer);
+}
+
+}  // namespace aibo_driver

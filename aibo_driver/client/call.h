@@ -1,0 +1,134 @@
+/// @file call.h
+/// Calls of RcServerClient that wait for the robot's answer. The letters are those of the requests: `F` take a picture,
+/// `O` switch the motors, `P` play a motion, `U` upload, `D` delete and `N` list motions, `Q` shut down, `R` reboot.
+#ifndef AIBO_DRIVER_CLIENT_CALL_H
+#define AIBO_DRIVER_CLIENT_CALL_H
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <future>
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "aibo_driver/picture.h"
+
+namespace aibo_driver {
+
+/// How a call has ended. A failure is a value until it has reached the caller's thread, and is thrown there.
+enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
+
+/// What a call waits for.
+struct Answer {
+  CallOutcome outcome = CallOutcome::kDone;
+  std::string problem;                 ///< empty if done
+  FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call failed
+
+  PicturePtr picture;              ///< answers `F`
+  int stream_quality = 0;          ///< answers `F`: of the running stream that the picture is from; 0 = from none
+  bool motors_on = false;          ///< answers `O`
+  std::vector<std::string> names;  ///< answers `N`: of the motions
+};
+
+/// The answer of a call that has failed.
+Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fault = FaultKind::kNone);
+
+/// One call in progress: a request that is sent once, and the caller's promise.
+struct Call {
+  using Bytes = std::vector<std::uint8_t>;
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  char letter = 0;   ///< of the request; the same in both versions of the protocol
+  int number = 0;    ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
+  std::string name;  ///< of a motion; `P` alone may go without
+  Bytes content;     ///< of the motion to upload
+
+  std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
+  TimePoint deadline;                    ///< when the caller stops waiting
+  TimePoint since;                       ///< a picture of the stream answers only if it began later
+  int request_number = 0;                ///< of the request once it was sent; 0 = not sent
+  std::promise<Answer> promise;
+
+  bool isForPicture() const;
+
+  /// True if from then on it decides the positions of joints, as a motion and the motors' switch do. Commands that the
+  /// joints were given before it are dropped.
+  bool takesOverJoints() const;
+};
+
+/// What is asked for, in words that follow "refused to ".
+std::string describe(const Call& call);
+
+/// Why a version 1 server answered this call with an error code, and what the user can do.
+std::string explainRefusal(const Call& call, int code);
+
+/// True if version 1 of the protocol has this request.
+bool isKnownToVersion1(const Call& call);
+
+/// The whole request of version 1. Not for pictures.
+Call::Bytes encodeForVersion1(const Call& call);
+
+/// Bytes that encodeForVersion2() writes at most.
+std::size_t largestPayload(const Call& call);
+
+/// The payload of the request of version 2. Not for pictures.
+/// @return the bytes written
+std::size_t encodeForVersion2(const Call& call, unsigned char* out);
+
+/// The calls of one connection, in the order in which they were made.
+class PendingCalls {
+ public:
+  using TimePoint = Call::TimePoint;
+
+  void add(Call call) { calls_.push_back(std::move(call)); }
+
+  /// The oldest call for a picture that has not been sent; null if there is none.
+  Call* nextForPicture() { return nextUnsent(true); }
+  /// The oldest other call that has not been sent; null if there is none.
+  Call* nextForRobot() { return nextUnsent(false); }
+
+  /// The call whose request was sent with this number; null if there is none. A request of number 0 was never sent.
+  Call* find(int request_number);
+  const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
+
+  /// Ends the call whose request was sent with this number, if there is one.
+  void answer(int request_number, Answer answer);
+
+  /// Answers the unsent calls for a picture that were made before this picture of the stream began.
+  void answerFromStream(const PicturePtr& picture, int quality);
+
+  /// The deadline that passes first; TimePoint::max() if nobody waits.
+  TimePoint nextDeadline() const;
+
+  /// Ends the calls whose deadline has passed.
+  /// @param remark added to the problem of those for a picture
+  void expire(TimePoint now, const std::string& remark);
+
+  /// Ends all calls.
+  void failAll(const Answer& failure);
+
+  /// A call's request is sent. A large one is an upload: until it is through, pictures and answers are late.
+  void transferBegins(std::size_t size, TimePoint now);
+  /// The request has been answered.
+  void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
+  /// When the last transfer will be through at the latest, or was.
+  TimePoint transferEnd() const { return transfer_end_; }
+
+ private:
+  Call* nextUnsent(bool for_picture);
+
+  /// Ends the calls that the condition holds for.
+  template <typename Condition, typename MakeAnswer>
+  void endIf(const Condition& condition, const MakeAnswer& make_answer);
+
+  std::list<Call> calls_;
+  TimePoint transfer_end_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_CALL_H

@@ -1,0 +1,306 @@
+#include "client/connection_loop.h"
+
+#include <exception>
+#include <random>
+#include <utility>
+
+#include "aibo_driver/exceptions.h"
+#include "client/version2_session.h"
+
+namespace aibo_driver {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+namespace {
+
+// A connection that is closed this soon, before a single byte, was turned away.
+constexpr milliseconds kTurnedAwayTime{1000};
+
+// `fault` changes only together with `reason`, and `robot` only together with `state`.
+bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
+  return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason &&
+         a.advice == b.advice && a.robot_message == b.robot_message;
+}
+
+}  // namespace
+
+ConnectionLoop::ConnectionLoop(const ClientOptions& options, RcServerClient::Callbacks callbacks,
+                               std::unique_ptr<TcpTransport> transport)
+    : options_(options),
+      address_(options.host + ":" + std::to_string(options.port)),
+      notifier_(std::move(callbacks)),
+      transport_(std::move(transport)),
+      next_attempt_(steady_clock::now()),
+      backoff_(options.reconnect_wait_min, options.reconnect_wait_max, std::random_device()()) {
+  shared_.wish.jpeg_quality = options.jpeg_quality;
+  shared_.status.reason = "the client has not been started";
+}
+
+void ConnectionLoop::start() {
+  const std::lock_guard<std::mutex> lifecycle_lock(lifecycle_mutex_);
+  if (isStopped()) {
+    throw Exception("a client that was stopped cannot be started again");
+  }
+  if (!thread_.joinable()) {
+    thread_ = std::thread([this] { run(); });
+  }
+}
+
+void ConnectionLoop::stop() noexcept {
+  const std::lock_guard<std::mutex> lifecycle_lock(lifecycle_mutex_);
+  change([](Shared& shared) { shared.stopped = true; });
+  transport_->abort();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void ConnectionLoop::requireConnection(const Shared& shared) const {
+  if (shared.stopped) {
+    throw StoppedException("the client was stopped");
+  }
+  const ConnectionStatus& status = shared.status;
+  if (status.state != ConnectionState::kConnected) {
+    throw NetworkException(status.reason.empty()
+                               ? "not connected to " + address_ + " yet; try again in a moment"
+                               : "no connection to the robot: " + status.reason + ". " + status.advice,
+                           status.fault);
+  }
+}
+
+bool ConnectionLoop::isStopped() const {
+  return read([](const Shared& shared) { return shared.stopped; });
+}
+
+void ConnectionLoop::run() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    shared_.thread = std::this_thread::get_id();
+    shared_.status.reason.clear();
+  }
+  while (!isStopped()) {
+    try {
+      connectAndServe();
+    } catch (const StoppedException&) {
+      break;
+    } catch (const Fault& fault) {
+      onFault(fault);
+    } catch (const ProtocolException& error) {
+      onFault(Fault::protocol(address_, error.what()));
+    } catch (const std::exception& error) {
+      onFault(Fault::internal(error.what()));
+    }
+  }
+  endConnection(CallOutcome::kStopped, "the client was stopped", "", FaultKind::kNone);
+}
+
+// Ends only by an exception.
+void ConnectionLoop::connectAndServe() {
+  pauseUntil(next_attempt_);
+  attempt_began_ = steady_clock::now();
+  updateStatus([](ConnectionStatus& status) { status.state = ConnectionState::kConnecting; });
+  transport_->connect(options_.host, options_.port, attempt_began_ + options_.connect_timeout);
+  ++counters_.connections;
+  connected_ = steady_clock::now();
+  heard_ = false;
+  beginSession();
+  while (!session_->ready()) {
+    talk();
+    listen();
+  }
+  onReady();
+  while (!session_->settled()) {
+    talk();
+    listen();
+  }
+  onSettled();
+  for (;;) {
+    talk();
+    listen();
+  }
+}
+
+// Finds out which version of the protocol the server speaks.
+void ConnectionLoop::beginSession() {
+  connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
+                      connected_);
+  if (options_.protocol_version == 1) {
+    beginVersion1(Version1Session::VersionAnswer::kNotAsked);
+    return;
+  }
+  const VersionNegotiation negotiation = negotiate();
+  switch (negotiation.result()) {
+    case VersionNegotiation::Result::kVersion2:
+      session_ = std::make_unique<Version2Session>(*connection_, connected_);
+      break;
+    case VersionNegotiation::Result::kVersion1:
+      beginVersion1(Version1Session::VersionAnswer::kRefused);
+      break;
+    default:
+      beginVersion1(Version1Session::VersionAnswer::kOwed);
+  }
+  counters_.bytes_received += negotiation.rest().size();
+  session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), steady_clock::now());
+}
+
+VersionNegotiation ConnectionLoop::negotiate() {
+  send(VersionNegotiation::request());
+  VersionNegotiation negotiation(steady_clock::now());
+  while (negotiation.result() == VersionNegotiation::Result::kOpen) {
+    const bool readable = transport_->wait(negotiation.deadline());
+    const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+    heard_ = heard_ || size > 0;
+    negotiation.bytesArrived(buffer_.data(), size);
+    negotiation.checkDeadline(steady_clock::now());
+  }
+  return negotiation;
+}
+
+void ConnectionLoop::beginVersion1(Version1Session::VersionAnswer answer) {
+  session_ = std::make_unique<Version1Session>(*connection_, habits_, answer, connected_);
+}
+
+void ConnectionLoop::pauseUntil(TimePoint end) {
+  while (steady_clock::now() < end) {
+    transport_->wait(end);
+  }
+}
+
+void ConnectionLoop::talk() {
+  const TimePoint now = steady_clock::now();
+  const Wish wish = takeNews(now);
+  for (Session::Bytes bytes; !(bytes = session_->nextRequest(wish, now)).empty();) {
+    send(bytes);
+    updateStreaming(connection_->pictures.streaming());
+  }
+}
+
+/// Takes over new calls and commands.
+/// @return what is wanted now
+Wish ConnectionLoop::takeNews(TimePoint now) {
+  std::vector<Call> calls;
+  CommandOutbox commands;
+  Wish wish;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    calls = std::exchange(shared_.calls, {});
+    commands = std::exchange(shared_.commands, {});
+    wish = shared_.wish;
+  }
+  for (Call& call : calls) {
+    call.since = now;
+    session_->add(std::move(call));
+  }
+  connection_->commands.append(std::move(commands), now);
+  return wish;
+}
+
+void ConnectionLoop::listen() {
+  const bool readable = transport_->wait(session_->nextDeadline());
+  const TimePoint now = steady_clock::now();
+  const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+  if (size > 0) {
+    heard_ = true;
+    counters_.bytes_received += size;
+    connection_->pictures.bytesArrived(now);
+    session_->bytesArrived(buffer_.data(), size, now);
+    updateStatus([this](ConnectionStatus& status) { status.robot_message = connection_->robot_message; });
+  }
+  if (size < buffer_.size()) {
+    connection_->pictures.foundEmpty(now);
+  }
+  session_->checkDeadlines(now);
+}
+
+void ConnectionLoop::onReady() {
+  updateStatus([this](ConnectionStatus& status) {
+    status.state = ConnectionState::kConnected;
+    status.protocol_version = session_->protocolVersion();
+    status.robot = connection_->robot;
+  });
+}
+
+// The connection works: what was wrong before is over.
+void ConnectionLoop::onSettled() {
+  backoff_.reset();
+  logged_faults_.clear();
+  notifier_.log(LogLevel::kInfo, "Connected to " + address_ + ".");
+  updateStatus([](ConnectionStatus& status) {
+    status.fault = FaultKind::kNone;
+    status.reason.clear();
+    status.advice.clear();
+  });
+}
+
+void ConnectionLoop::onFault(const Fault& cause) {
+  const Fault fault = wasTurnedAway(cause) ? Fault::turnedAway(address_) : cause;
+  const bool silent = fault.kind() == FaultKind::kSilent;
+  counters_.stalls += silent ? 1 : 0;
+  counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;
+  counters_.failed_attempts += established() ? 0 : 1;
+  // An attempt that took its time needs no pause after it.
+  next_attempt_ = (established() ? steady_clock::now() : attempt_began_) + backoff_.next();
+  // Each kind is logged once: while a robot is off, the reasons alternate from attempt to attempt.
+  if (logged_faults_.insert(fault.kind()).second) {
+    notifier_.log(LogLevel::kWarn, std::string("No connection to the robot: ") + fault.what() + ". " + fault.advice() +
+                                       " Trying again until it works.");
+  }
+  endConnection(silent ? CallOutcome::kTimeout : CallOutcome::kConnectionLost, fault.what(), fault.advice(),
+                fault.kind());
+}
+
+bool ConnectionLoop::wasTurnedAway(const Fault& fault) const {
+  return fault.kind() == FaultKind::kClosed && established() && !heard_ &&
+         steady_clock::now() - connected_ < kTurnedAwayTime;
+}
+
+// Calls in progress end with `outcome`, and commands that have not been sent are dropped. Later ones are refused
+// because of the status.
+void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reason, const std::string& advice,
+                                   FaultKind kind) {
+  transport_->close();
+  connected_ = TimePoint::max();
+  updateStreaming(false);
+  updateStatus([&](ConnectionStatus& status) {
+    status.state = ConnectionState::kDisconnected;
+    status.protocol_version = 0;
+    status.robot = RobotInfo();
+    status.fault = kind;
+    status.reason = reason;
+    status.advice = advice;
+  });
+  if (session_) {
+    takeNews(steady_clock::now());
+    connection_->calls.failAll(makeFailure(outcome, advice.empty() ? reason : reason + ". " + advice, kind));
+  }
+  session_.reset();
+  connection_.reset();
+}
+
+template <typename Change>
+void ConnectionLoop::updateStatus(const Change& change) {
+  ConnectionStatus status;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status = shared_.status;
+    change(shared_.status);
+    if (status == shared_.status) {
+      return;
+    }
+    status = shared_.status;
+  }
+  notifier_.status(status);
+}
+
+void ConnectionLoop::updateStreaming(bool streaming) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (streaming == std::exchange(shared_.streaming, streaming)) {
+      return;
+    }
+  }
+  notifier_.streaming(streaming);
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,84 @@
+#include "client/picture_intake.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "aibo_driver/jpeg_inspector.h"
+#include "client/fault.h"
+
+namespace aibo_driver {
+
+PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connected)
+    : context_(context),
+      stall_detector_(connected),
+      off_since_(connected),
+      quiet_since_(TimePoint::min()),
+      last_sign_(connected) {}
+
+void PictureIntake::streamRequested(bool on, int quality, TimePoint now) {
+  quality_ = quality;
+  if (on == std::exchange(streaming_, on)) {
+    return;
+  }
+  stall_detector_.restart(now);
+  signOfPicture(now);
+  if (!on) {
+    off_since_ = now;
+    quiet_since_ = now;
+  }
+}
+
+void PictureIntake::bytesArrived(TimePoint now) {
+  if (streaming_) {
+    stall_detector_.bytesArrived(now);
+  }
+}
+
+PictureIntake::TimePoint PictureIntake::drainedAt() const {
+  return quiet_since_ == TimePoint::min() ? quiet_since_ : quiet_since_ + kDrainTime;
+}
+
+std::shared_ptr<Picture> PictureIntake::inspect(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time) {
+  const JpegInspection inspection = inspectJpeg(jpeg.data(), jpeg.size());
+  if (!inspection.good()) {
+    ++context_.counters.corrupt_pictures;
+    if (inspection.problem != std::exchange(last_damage_, inspection.problem)) {
+      context_.warn("sent a damaged picture, which is dropped: " + inspection.problem);
+    }
+    return nullptr;
+  }
+  auto picture = std::make_shared<Picture>();
+  picture->jpeg = std::move(jpeg);
+  picture->first_byte_time = last_first_byte_ = std::max(first_byte_time, last_first_byte_ + TimePoint::duration(1));
+  picture->width = inspection.width;
+  picture->height = inspection.height;
+  picture->connection_number = context_.number;
+  return picture;
+}
+
+void PictureIntake::deliver(const PicturePtr& picture) {
+  ++context_.counters.pictures;
+  context_.notifier.picture(picture);
+}
+
+bool PictureIntake::deliverFromStream(const PicturePtr& picture, TimePoint now) {
+  if (!streaming_) {
+    ++context_.counters.unexpected_pictures;
+    if (now - off_since_ > kStopTime) {
+      throw ProtocolException("it goes on sending pictures although it was told to stop, or was never asked");
+    }
+    return false;
+  }
+  if (stall_detector_.isStale(picture->first_byte_time)) {
+    ++context_.counters.stale_pictures;
+    return false;
+  }
+  deliver(picture);
+  return true;
+}
+
+std::string PictureIntake::damageRemark() const {
+  return last_damage_.empty() ? "." : "; the last one was damaged: " + last_damage_ + ".";
+}
+
+}  // namespace aibo_driver
