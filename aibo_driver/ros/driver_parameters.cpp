@@ -14,10 +14,10 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr int kFramesOfMeasurement = 4;          // of 8 ms: the robot measures every 32 ms
+constexpr int kFramesOfMeasurement = 4;          // 8 ms each: the robot measures every 32 ms
 constexpr double kHighestTelemetryRate = 31.25;  // a second
 
-/// Reads one parameter after the other and remembers which names exist.
+/// Reads parameters one by one and remembers their names.
 class ParameterReader {
  public:
   ParameterReader(const XmlRpcValue& values, const std::string& name_prefix)
@@ -78,7 +78,7 @@ class ParameterReader {
     *out = value;
   }
 
-  /// @param acceptable says whether a text is; `allowed` describes such a text
+  /// @param acceptable decides about a text; `allowed` describes an acceptable one
   template <typename Predicate>
   void read(const std::string& name, const std::string& allowed, Predicate acceptable, std::string* out) {
     XmlRpcValue value;
@@ -101,7 +101,7 @@ class ParameterReader {
       return names;
     }
     for (auto& entry : values_) {
-      // A struct is a namespace below ours, which belongs to somebody else.
+      // A struct is a namespace below ours, and belongs to somebody else.
       if (known_.count(entry.first) == 0 && entry.second.getType() != XmlRpcValue::TypeStruct) {
         names.push_back(entry.first);
       }

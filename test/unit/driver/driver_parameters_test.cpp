@@ -52,22 +52,22 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
-TEST(DriverParameters, ATelemetryRateMeansSomeOfTheRobotsMeasurementsEachOf4Frames) {
+TEST(DriverParameters, ATelemetryRateIsRoundedToAMultipleOf4Frames) {
   EXPECT_EQ(telemetryPeriodOf(31.25), 4);
   EXPECT_EQ(telemetryPeriodOf(30), 4);
   EXPECT_EQ(telemetryPeriodOf(10), 12);
   EXPECT_EQ(telemetryPeriodOf(1), 124);
   EXPECT_EQ(telemetryPeriodOf(0), 0);
-  EXPECT_EQ(telemetryPeriodOf(0.0001), 65532) << "the longest that the robot knows";
+  EXPECT_EQ(telemetryPeriodOf(0.0001), 65532) << "the longest that the robot supports";
 }
 
-TEST(DriverParameters, ATelemetryPeriodTellsTheRateInForce) {
+TEST(DriverParameters, ATelemetryPeriodGivesTheRateInForce) {
   EXPECT_DOUBLE_EQ(telemetryRateOf(4), 31.25);
   EXPECT_DOUBLE_EQ(telemetryRateOf(20), 6.25);
   EXPECT_DOUBLE_EQ(telemetryRateOf(0), 0);
 }
 
-TEST(DriverParameters, OfTheJointsAreTakenOver) {
+TEST(DriverParameters, OfTheJointsAreRead) {
   XmlRpcValue values;
   values["robot"] = "ERS-210";
   values["joint_speed_limit"] = 2;
@@ -91,7 +91,7 @@ TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));
 }
 
-TEST(DriverParameters, AreTakenOver) {
+TEST(DriverParameters, AreRead) {
   XmlRpcValue values;
   values["host"] = "aibo.local";
   values["port"] = 1234;
@@ -135,7 +135,7 @@ TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
   EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; allowed is"));
 }
 
-TEST(DriverParameters, AreRefusedWhenTheTextCannotBeMeant) {
+TEST(DriverParameters, AreRefusedWhenTheTextMakesNoSense) {
   EXPECT_THAT(refusal("host", ""), HasSubstr("name or address"));
   EXPECT_THAT(refusal("host", "my robot"), HasSubstr("name or address"));
   EXPECT_THAT(refusal("frame_id", "/camera"), HasSubstr("not beginning with '/'"));
@@ -149,7 +149,7 @@ TEST(DriverParameters, ReconnectWaitsFollowTheirMaximum) {
   EXPECT_LE(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
 }
 
-TEST(DriverParameters, ThatNobodyReadsAreListed) {
+TEST(DriverParameters, ThatTheDriverDoesNotHaveAreListed) {
   XmlRpcValue values;
   values["prot"] = 54321;
   values["diagnostic_period"] = 2.0;
