@@ -47,7 +47,8 @@ double telemetryRateOf(int period);
 /// Checks the parameters that a user gave. Needs no ROS master.
 /// @param values a struct of parameters, or an invalid value when there are none
 /// @param name_prefix for a parameter's name in messages, such as "/aibo/aibo_driver/"
-/// @throw InvalidArgumentException a value has the wrong type or is out of range; the message says what is allowed
+/// @throw InvalidArgumentException values have the wrong type or are out of range; the message names all of them, and
+///   says what is allowed
 DriverParameters parseDriverParameters(const XmlRpc::XmlRpcValue& values, const std::string& name_prefix);
 
 /// Reads and checks the parameters in the namespace of `private_handle`.

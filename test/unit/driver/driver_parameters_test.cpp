@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 using XmlRpc::XmlRpcValue;
 
 XmlRpcValue one(const std::string& name, const XmlRpcValue& value) {
@@ -117,7 +118,9 @@ TEST(DriverParameters, AreRead) {
 }
 
 TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
-  EXPECT_EQ(refusal("port", 0), "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535.");
+  EXPECT_EQ(refusal("port", 0),
+            "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535. "
+            "'rosparam delete NAME' removes a parameter that was set before.");
   EXPECT_THAT(refusal("port", 65536), HasSubstr("1..65535"));
   EXPECT_THAT(refusal("jpeg_quality", 101), HasSubstr("1..100"));
   EXPECT_THAT(refusal("connect_timeout", 0.0), HasSubstr("connect_timeout is 0"));
@@ -127,12 +130,26 @@ TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
 }
 
 TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
-  EXPECT_EQ(refusal("port", "abc"),
-            "Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535.");
+  EXPECT_THAT(refusal("port", "abc"),
+              StartsWith("Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535."));
   EXPECT_THAT(refusal("jpeg_quality", 85.5), HasSubstr("a whole number"));
   EXPECT_THAT(refusal("read_timeout", "1"), HasSubstr("a number of seconds"));
   EXPECT_THAT(refusal("stream_on_start", 1), HasSubstr("true or false"));
   EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; allowed is"));
+}
+
+TEST(DriverParameters, AreRefusedAllAtOnce) {
+  XmlRpcValue values;
+  values["port"] = 0;
+  values["host"] = "aibo.local";
+  values["read_timeout"] = 61;
+  try {
+    parse(values);
+    FAIL() << "accepted";
+  } catch (const InvalidArgumentException& error) {
+    EXPECT_THAT(error.what(), HasSubstr("port is 0; allowed is a whole number, 1..65535."));
+    EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; allowed is a number of seconds, 0.05..60."));
+  }
 }
 
 TEST(DriverParameters, AreRefusedWhenTheTextMakesNoSense) {
