@@ -12,21 +12,21 @@
 
 namespace aibo_driver::joints {
 
-/// What the driver knows of a joint, in radian.
+/// The properties of a joint.
 struct JointProperties {
   std::string name;
-  int id = 0;  ///< RCServer identifier
-  double lowest = 0;
-  double highest = 0;
-  double highest_speed = 0;  ///< rad/s; how fast it may move at present, JointTable::speedLimit() tells
+  int id = 0;                ///< RCServer identifier
+  double lowest = 0;         ///< rad
+  double highest = 0;        ///< rad
+  double highest_speed = 0;  ///< rad/s; JointTable::speedLimit() has the limit in force
 };
 
-/// The joints of a robot, as aibo_rcserver/robot_model lists them, in radian.
+/// The joints of a robot, as aibo_rcserver/robot_model lists them.
 class JointTable {
  public:
-  /// @param design the robot's, as OPEN-R names it: "ERS-7" or "ERS-210"
-  /// @param speed_limit rad/s, for every joint; a joint whose own highest speed is lower keeps that
-  /// @throw InvalidArgumentException there is no such design
+  /// @param design the robot's name in OPEN-R: "ERS-7" or "ERS-210"
+  /// @param speed_limit rad/s, for every joint; a joint that is slower by itself keeps its own highest speed
+  /// @throw InvalidArgumentException there is no table of this design
   JointTable(const std::string& design, double speed_limit);
 
   const std::string& design() const { return design_; }
@@ -34,14 +34,14 @@ class JointTable {
   std::size_t size() const { return joints_.size(); }
   const JointProperties& operator[](std::size_t index) const { return joints_[index]; }
 
-  /// How fast the joint may move at present, in rad/s. From any thread.
+  /// The speed limit in force, in rad/s. From any thread.
   double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
 
-  /// The same of all joints. From any thread.
+  /// The speed limits of all joints. From any thread.
   std::vector<JointSpeedLimit> speedLimits() const;
 
-  /// Lets all joints move slower than their limits. From any thread.
-  /// @param scale above 0, at most 1; 1 at the beginning
+  /// Scales the speed limits of all joints. From any thread.
+  /// @param scale above 0, at most 1; initially 1
   void setSpeedScale(double scale) { speed_scale_ = scale; }
 
   std::optional<std::size_t> findByName(const std::string& name) const;

@@ -20,7 +20,7 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
     std::optional<Entry>& entry = entries_[*index];
     double velocity = 0;
     if (entry) {
-      // Frame numbers are counted in 32 bits and may begin again at 0; the difference is right all the same.
+      // Frame numbers have 32 bits and may wrap around; the difference is still right.
       const double seconds = telemetry.frame_number && entry->frame_number
                                  ? kFrame * static_cast<std::uint32_t>(*telemetry.frame_number - *entry->frame_number)
                                  : std::chrono::duration<double>(telemetry.arrival - entry->arrival).count();

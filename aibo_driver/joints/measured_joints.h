@@ -21,18 +21,18 @@ struct MeasuredJoint {
   double velocity = 0;    ///< rad/s; 0 until the second measurement
 };
 
-/// Remembers where each joint was last measured, and works out how fast it moves. From any thread.
+/// The last measured position and velocity of each joint. From any thread.
 class MeasuredJoints {
  public:
   /// @param table must outlive the object
   explicit MeasuredJoints(const JointTable& table);
 
-  /// Velocities are worked out from two positions and the robot's own time, or, if it does not tell any, that of
-  /// arrival. Joints that are not in the table are left out.
-  /// @return the joints that this telemetry tells of
+  /// Computes velocities from two positions and the robot's own time, or the time of arrival if the telemetry has no
+  /// frame number. Joints that are not in the table are left out.
+  /// @return the joints of this telemetry
   std::vector<MeasuredJoint> update(const Telemetry& telemetry);
 
-  /// Forgets everything, as when the connection is lost.
+  /// Forgets everything, for when the connection is lost.
   void clear();
 
   /// Empty if the joint has not been measured yet.

@@ -12,13 +12,13 @@ namespace {
 
 using Point = TrajectoryRequest::Point;
 
-// Programs write a limit of 88 degrees as 1.536; the robot clamps such a position.
+// Programs round a limit of 88 degrees to 1.536; the robot clamps such a position.
 constexpr double kPositionTolerance = 0.001;  // rad
 
-constexpr double kSpeedTolerance = 1.001;  // for what computing in fractions adds
+constexpr double kSpeedTolerance = 1.001;  // for rounding errors
 
-// Planners begin a trajectory with where the joints are. What was measured when they planned is not to the last digit
-// what is measured now: encoders waver, and a leg that carries the robot gives way.
+// Planners begin a trajectory where the joints are. What they measured differs a little from what is measured now:
+// encoders waver, and a leg that carries the robot gives way.
 constexpr double kStartTolerance = 0.1;  // rad
 
 [[noreturn]] void refuse(const std::string& reason) {
@@ -51,7 +51,7 @@ Trajectory::Trajectory(const TrajectoryRequest& request, const JointTable& table
       if (way > kStartTolerance) {
         if (!slow_down) {
           refuse("at time 0, " + joint.name + " would have to be at " + number(points.front().positions[i]) +
-                 " rad, and is at " + number(from.positions[i]) +
+                 " rad, but it is at " + number(from.positions[i]) +
                  " rad: give the first point a later time_from_start, or set the parameter slow_down");
         }
         wait = std::max(wait, way / table.speedLimit(joints_[i]));
@@ -140,7 +140,7 @@ Point Trajectory::startingPoint(const JointTable& table, const std::vector<Start
     const auto found =
         std::find_if(start.begin(), start.end(), [joint](const Start& candidate) { return candidate.joint == joint; });
     if (found == start.end()) {
-      refuse("the robot has not told yet where " + table[joint].name + " is");
+      refuse("the position of " + table[joint].name + " has not been measured yet");
     }
     from.positions.push_back(found->position);
   }
@@ -170,7 +170,7 @@ void Trajectory::addSegments(const Point& from, const std::vector<Point>& points
     segments_.push_back(segment);
     last = point;
   }
-  if (segments_.empty()) {  // only asked to be where it is
+  if (segments_.empty()) {  // the request is to stay
     Segment stay;
     for (const double position : from.positions) {
       stay.joints.push_back({{position, 0, 0, 0}});
@@ -189,7 +189,7 @@ void Trajectory::checkPositions(const JointTable& table) const {
         const double begin = segment.joints[i].at(0);
         if (position < std::min(joint.lowest, begin) - kPositionTolerance ||
             position > std::max(joint.highest, begin) + kPositionTolerance) {
-          refuse("between two points, at " + number(segment.begin + time) + " s, the velocities given carry " +
+          refuse("between two points, at " + number(segment.begin + time) + " s, the given velocities carry " +
                  joint.name + " to " + number(position) + " rad; it can go from " + number(joint.lowest) + " to " +
                  number(joint.highest) + " rad");
         }

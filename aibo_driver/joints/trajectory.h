@@ -11,22 +11,22 @@
 
 namespace aibo_driver::joints {
 
-/// What a user asks for, unchecked. As in trajectory_msgs/JointTrajectory.
+/// What a user asks for, unchecked, as in trajectory_msgs/JointTrajectory.
 struct TrajectoryRequest {
   struct Point {
     double time_from_start = 0;      ///< s
-    std::vector<double> positions;   ///< rad, one a joint
-    std::vector<double> velocities;  ///< rad/s, one a joint, or empty
+    std::vector<double> positions;   ///< rad, one for each joint
+    std::vector<double> velocities;  ///< rad/s, one for each joint, or empty
   };
 
   std::vector<std::string> joints;
   std::vector<Point> points;
 };
 
-/// A motion of some joints, from where they are now through given points, that is known to keep their limits.
+/// A motion of some joints, from where they are now through given points, that keeps their limits.
 ///
-/// Between two points with velocities the way is a cubic polynomial, which passes both with these velocities; otherwise
-/// it is a straight line. The joints begin at rest.
+/// Between two points with velocities it is a cubic polynomial that has these velocities at both points; otherwise it
+/// is a straight line. The joints begin at rest.
 class Trajectory {
  public:
   /// Where a joint is when the trajectory begins.
@@ -35,28 +35,28 @@ class Trajectory {
     double position = 0;    ///< rad
   };
 
-  /// @param start of each joint of the request; more do not matter
-  /// @param slow_down stretch the time until all speed limits are kept, instead of refusing. A first point at time 0
-  /// that
-  ///   is not where the joints are is then reached as fast as the limits allow, and the rest comes later
-  /// @throw InvalidArgumentException a joint is not there, is named twice, or its start is not given; a point's arrays
-  ///   have the wrong length; a number is not finite; times do not increase; a position or speed limit is exceeded, at
-  ///   a point or between two. The message names the joint and the limit.
+  /// @param start of each joint of the request; others are ignored
+  /// @param slow_down stretch the time until all speed limits are kept, instead of refusing. If the first point has
+  /// time
+  ///   0 and is not where the joints are, they then move there as fast as the limits allow, and the rest is delayed
+  /// @throw InvalidArgumentException a joint is unknown, is named twice, or has no start; a point's arrays have the
+  ///   wrong length; a number is not finite; times do not increase; a position or speed limit is exceeded, at a point
+  ///   or between two. The message names the joint and the limit.
   Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
              bool slow_down);
 
   /// In seconds.
   double duration() const;
 
-  /// How many times slower it is than asked for; 1: as asked for.
+  /// How many times slower it is than asked for; 1 means as asked for.
   double stretch() const { return stretch_; }
 
   /// Indices in the table.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
-  /// Where the joints are to be.
-  /// @param time in seconds; before the beginning means at the beginning, after the end at the end
-  /// @return one position a joint, in radian, in the order of joints()
+  /// Where the joints should be.
+  /// @param time in seconds; a time before the beginning means the beginning, one after the end means the end
+  /// @return one position for each joint, in radians, in the order of joints()
   std::vector<double> sample(double time) const;
 
  private:
@@ -89,31 +89,31 @@ class Trajectory {
   double stretch_ = 1;
 };
 
-/// How far a trajectory has got. It does not go on while nobody attends to it for long: the joints have stopped
-/// meanwhile, and would have to jump to catch up.
+/// How far a trajectory has got. If the driver is held up for long, the clock stops: the joints have stopped meanwhile,
+/// and would have to jump to catch up.
 class TrajectoryClock {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
-  /// Who attends later than this goes on where the trajectory was.
+  /// After a longer gap between two calls of attend(), the trajectory resumes where it was.
   static constexpr std::chrono::milliseconds kLongestGap{200};
 
   /// @param start when it begins
-  /// @param period in which attend() is called, well below kLongestGap
+  /// @param period between calls of attend(), well below kLongestGap
   TrajectoryClock(SteadyTime start, std::chrono::milliseconds period)
       : start_(start), attended_(start), period_(period) {}
 
-  /// Seconds from its beginning, below 0 before.
+  /// Seconds since the beginning; below 0 before it.
   double at(SteadyTime now) const;
 
-  /// The same, for who moves the joints on from now.
+  /// The same, to be called whenever the joints are moved on.
   double attend(SteadyTime now);
 
  private:
   SteadyTime::duration excess(SteadyTime now) const;
 
   SteadyTime start_;
-  SteadyTime attended_;  ///< last, or when it begins
+  SteadyTime attended_;  ///< the last call of attend(), or the beginning
   std::chrono::milliseconds period_;
 };
 

@@ -33,8 +33,8 @@ void DelayFloor::fit() {
   }
 }
 
-// Of the lower convex hull, the slope of the edge over the middle: of all lines that no point lies below, the one along
-// this edge has the least sum of distances to the points. One point alone tells no slope: then it stays as it is.
+// The slope of the lower convex hull's edge over the middle: among all lines below the points, the one along this edge
+// has the least sum of distances to them. A single point has no slope: then the drift stays as it is.
 double DelayFloor::driftThrough(double middle) const {
   std::vector<Point> hull;
   const auto slope = [](const Point& from, const Point& to) {

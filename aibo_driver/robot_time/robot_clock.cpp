@@ -8,17 +8,17 @@ namespace {
 
 constexpr double kFramePeriod = 0.008;  // s
 
-// In this time the greater part of a correction is made, so that one of 10 ms changes the interval of two pictures by
-// less than 0.2 ms. More than kImplausible, the greatest correction.
+// The greater part of a correction takes this time, so that a correction of 10 ms changes the interval of two pictures
+// by less than 0.2 ms. It must exceed kImplausible, the greatest correction.
 constexpr double kSmoothing = 2.0;  // s
 
-// A message that is further off is not just delayed: a robot that streams sends nothing that is so old.
+// A message that is further off is not just delayed: a robot that streams sends nothing that old.
 constexpr double kImplausible = 1.0;  // s
 
-// Of one connection, messages come in the order in which they were sent, but it takes time to make a picture.
+// Messages of one connection come in the order in which they were sent, but a picture is older: encoding takes time.
 constexpr std::int32_t kFramesOfDisorder = 125;
 
-// So long the radio may hold messages up. A robot's frame numbers never stop; those of a simulation may.
+// The radio may hold messages up this long. A robot's frame numbers never stop; those of a simulation may.
 constexpr std::chrono::seconds kPatience{5};
 
 double seconds(std::chrono::steady_clock::duration duration) {
@@ -31,13 +31,13 @@ RobotClock::SteadyTime RobotClock::timeOf(std::uint64_t connection_number, std::
                                           SteadyTime arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (connection_number < connection_number_) {
-    return arrival;  // of a timeline that may be over
+    return arrival;  // its timeline may be over
   }
   const auto frames_passed = static_cast<std::int32_t>(frame_number - newest_frame_);
   double passed = kFramePeriod * frames_passed;
   double sent = newest_ + passed;
   double lateness = seconds(arrival - begin_) - sent;
-  if (beginsAnew(connection_number, frames_passed, lateness - floor_.at(sent), arrival)) {
+  if (beginsTimeline(connection_number, frames_passed, lateness - floor_.at(sent), arrival)) {
     begin(frame_number, arrival);
     passed = sent = lateness = 0;
   }
@@ -50,8 +50,8 @@ RobotClock::SteadyTime RobotClock::timeOf(std::uint64_t connection_number, std::
   return begin_ + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(sent + lateness_));
 }
 
-bool RobotClock::beginsAnew(std::uint64_t connection_number, std::int32_t frames_passed, double delay,
-                            SteadyTime arrival) {
+bool RobotClock::beginsTimeline(std::uint64_t connection_number, std::int32_t frames_passed, double delay,
+                                SteadyTime arrival) {
   const bool reconnected = connection_number != connection_number_;
   if (current_.timelines == 0 || frames_passed < (reconnected ? 0 : -kFramesOfDisorder) || delay < -kImplausible) {
     return true;

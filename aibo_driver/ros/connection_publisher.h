@@ -10,7 +10,7 @@
 
 namespace aibo_driver::node {
 
-/// The robot's address as people write it: host:port.
+/// The robot's address as host:port.
 std::string robotAddress(const ClientOptions& options);
 
 /// The state of the connection in one line for people: what it is, why, and what to check.

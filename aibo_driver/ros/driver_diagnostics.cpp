@@ -20,12 +20,12 @@ std::string oneDecimal(double value) {
   return text;
 }
 
-// A robot that is driven by hand cannot be steered well by what is older.
+// A robot cannot be driven well by hand with pictures that are older.
 constexpr double kLate = 0.25;  // seconds
 
 void reportDelay(const robot_time::RobotClock::Reading& reading, DiagnosticStatusWrapper& status) {
   if (reading.mean_delay > kLate) {
-    status.mergeSummary(DiagnosticStatus::WARN, "what the robot sends is " + oneDecimal(1000 * reading.mean_delay) +
+    status.mergeSummary(DiagnosticStatus::WARN, "the robot's data is " + oneDecimal(1000 * reading.mean_delay) +
                                                     " ms late on average: is the radio link weak, or this computer "
                                                     "busy?");
   }
@@ -57,7 +57,7 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   const ConnectionStatus connection = sources_.client.status();
   const ClientStatistics statistics = sources_.client.statistics();
   const bool connected = connection.state == ConnectionState::kConnected;
-  // Before the first attempt has ended nothing has gone wrong yet.
+  // Until the first attempt has ended, nothing has gone wrong.
   const bool failed = !connected && !connection.reason.empty();
   const auto level = connected ? DiagnosticStatus::OK : failed ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
   status.summary(level, describeConnection(connection, sources_.parameters.client));
@@ -127,7 +127,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   telemetry_reported_at_ = now;
 
   if (connection.state != ConnectionState::kConnected) {
-    status.summary(DiagnosticStatus::WARN, "nothing is known of the joints: the robot is not connected");
+    status.summary(DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
   } else if (!connection.robot_message.empty()) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
   } else if (sources_.settings.telemetryPeriod() == 0) {
@@ -135,8 +135,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   } else if (rate > 0) {
     status.summary(DiagnosticStatus::OK, oneDecimal(rate) + " measurements/s");
   } else {
-    status.summary(DiagnosticStatus::WARN,
-                   "the robot does not tell where its joints are: does its RCServer know of joints?");
+    status.summary(DiagnosticStatus::WARN, "the robot sends no joint positions: does its RCServer support joints?");
   }
   status.add("measurements per second", oneDecimal(rate));
   status.add("measurements received", client.telemetry);

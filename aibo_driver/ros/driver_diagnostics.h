@@ -21,12 +21,11 @@
 
 namespace aibo_driver::node {
 
-/// Publishes /diagnostics once a second, by the wall's clock and whether or not pictures come: one status each for
-/// the connection, the stream, the joints and the power. A stream that is off, or that nobody has demanded, is no
-/// fault.
+/// Publishes /diagnostics once a second of wall time, whether or not pictures come: one status each for the connection,
+/// the stream, the joints and the power. A stream that is off, or that no subscriber demands, is not a fault.
 class DriverDiagnostics {
  public:
-  /// What is reported on; all of it must outlive the DriverDiagnostics.
+  /// What the diagnostics report; all of it must outlive them.
   struct Sources {
     const DriverParameters& parameters;
     const RcServerClient& client;

@@ -14,10 +14,10 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr int kFramesOfMeasurement = 4;          // of 8 ms: the robot measures every 32 ms
+constexpr int kFramesOfMeasurement = 4;          // 8 ms each: the robot measures every 32 ms
 constexpr double kHighestTelemetryRate = 31.25;  // a second
 
-/// Reads one parameter after the other and remembers which names exist.
+/// Reads parameters one by one. Remembers their names, and which values are refused.
 class ParameterReader {
  public:
   ParameterReader(const XmlRpcValue& values, const std::string& name_prefix)
@@ -29,14 +29,13 @@ class ParameterReader {
     if (!find(name, &value)) {
       return;
     }
-    if (value.getType() != XmlRpcValue::TypeInt) {
+    const bool whole = value.getType() == XmlRpcValue::TypeInt;
+    const int number = whole ? static_cast<int>(value) : 0;
+    if (whole && number >= minimum && number <= maximum) {
+      *out = number;
+    } else {
       refuse(name, value, allowed);
     }
-    const int number = value;
-    if (number < minimum || number > maximum) {
-      refuse(name, value, allowed);
-    }
-    *out = number;
   }
 
   /// @param unit in words, after "a number of"
@@ -53,10 +52,11 @@ class ParameterReader {
     } else if (value.getType() == XmlRpcValue::TypeDouble) {
       number = value;
     }
-    if (!(number >= minimum && number <= maximum)) {
+    if (number >= minimum && number <= maximum) {
+      *out = number;
+    } else {
       refuse(name, value, allowed.str());
     }
-    *out = number;
   }
 
   /// A time in seconds.
@@ -72,27 +72,25 @@ class ParameterReader {
     if (!find(name, &value)) {
       return;
     }
-    if (value.getType() != XmlRpcValue::TypeBoolean) {
+    if (value.getType() == XmlRpcValue::TypeBoolean) {
+      *out = value;
+    } else {
       refuse(name, value, "true or false");
     }
-    *out = value;
   }
 
-  /// @param acceptable says whether a text is; `allowed` describes such a text
+  /// @param acceptable decides about a text; `allowed` describes an acceptable one
   template <typename Predicate>
   void read(const std::string& name, const std::string& allowed, Predicate acceptable, std::string* out) {
     XmlRpcValue value;
     if (!find(name, &value)) {
       return;
     }
-    if (value.getType() != XmlRpcValue::TypeString) {
+    if (value.getType() == XmlRpcValue::TypeString && acceptable(static_cast<std::string>(value))) {
+      *out = static_cast<std::string>(value);
+    } else {
       refuse(name, value, allowed);
     }
-    const std::string text = value;
-    if (!acceptable(text)) {
-      refuse(name, value, allowed);
-    }
-    *out = text;
   }
 
   std::vector<std::string> unknown() {
@@ -101,12 +99,19 @@ class ParameterReader {
       return names;
     }
     for (auto& entry : values_) {
-      // A struct is a namespace below ours, which belongs to somebody else.
+      // A struct is a namespace below ours, and belongs to somebody else.
       if (known_.count(entry.first) == 0 && entry.second.getType() != XmlRpcValue::TypeStruct) {
         names.push_back(entry.first);
       }
     }
     return names;
+  }
+
+  /// @throw InvalidArgumentException values were refused; the message names all of them
+  void checkRefusals() const {
+    if (!refusals_.empty()) {
+      throw InvalidArgumentException(refusals_ + "'rosparam delete NAME' removes a parameter that was set before.");
+    }
   }
 
   /// A name that is read elsewhere.
@@ -122,7 +127,7 @@ class ParameterReader {
     return true;
   }
 
-  [[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) const {
+  void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) {
     std::ostringstream message;
     message << "Parameter " << name_prefix_ << name << " is ";
     if (value.getType() == XmlRpcValue::TypeString) {
@@ -130,13 +135,14 @@ class ParameterReader {
     } else {
       message << value;
     }
-    message << "; allowed is " << allowed << ".";
-    throw InvalidArgumentException(message.str());
+    message << "; allowed is " << allowed << ". ";
+    refusals_ += message.str();
   }
 
   XmlRpcValue values_;
   std::string name_prefix_;
   std::set<std::string> known_;
+  std::string refusals_;  ///< a sentence each
 };
 
 bool isWord(const std::string& text) {
@@ -209,6 +215,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("slow_down", &parameters.slow_down);
 
+  reader.checkRefusals();
   reader.addKnown("diagnostic_period");
   parameters.unknown = reader.unknown();
   return parameters;

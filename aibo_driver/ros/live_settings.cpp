@@ -32,9 +32,9 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   client_.setTelemetryPeriod(telemetry_period_);
   joint_table_.setSpeedScale(config.speed_scale);
   in_force_ = config;
-  ROS_INFO_STREAM("In force: jpeg_quality " << config.jpeg_quality << " of 1..100, telemetry_rate "
-                                            << config.telemetry_rate << " of 0..31.25, speed_scale "
-                                            << config.speed_scale << " of 0.1..1.");
+  ROS_INFO_STREAM("Settings in force: jpeg_quality " << config.jpeg_quality << " of 1..100, telemetry_rate "
+                                                     << config.telemetry_rate << " of 0..31.25, speed_scale "
+                                                     << config.speed_scale << " of 0.1..1.");
 }
 
 }  // namespace aibo_driver::node

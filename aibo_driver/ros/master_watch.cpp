@@ -22,7 +22,7 @@ namespace {
 using XmlRpc::XmlRpcDispatch;
 using XmlRpc::XmlRpcValue;
 
-constexpr std::chrono::seconds kPeriod{3};
+constexpr std::chrono::seconds kPeriod{5};
 constexpr std::chrono::seconds kAnswerTimeout{2};
 constexpr double kSlice = 0.05;  // s: how often a call that waits looks whether the watch ends
 constexpr int kSuccess = 1;      // the status of an answer, http://wiki.ros.org/ROS/Master_API

@@ -17,7 +17,8 @@ namespace aibo_driver::node {
 /// @param default_namespace used instead of the root namespace, such as "aibo"
 ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace);
 
-/// Runs a node until it is shut down: serves the global callback queue, and keeps the ROS master informed (MasterWatch).
+/// Runs a node until it is shut down: serves the global callback queue, and registers it again with a restarted ROS
+/// master (MasterWatch).
 ///
 /// On Ctrl-C (SIGINT) it ends as roscpp does, but not later than 10 s: roscpp unregisters each topic and service with
 /// the ROS master and waits for its answers without limit. If that takes longer, the process says so on stderr and ends

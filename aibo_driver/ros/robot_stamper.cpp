@@ -7,7 +7,7 @@
 namespace aibo_driver::node {
 namespace {
 
-// Reading two clocks takes less, unless the thread was interrupted in between.
+// Reading two clocks takes less than this, unless the thread is interrupted in between.
 constexpr std::chrono::microseconds kReadingTime{20};
 constexpr int kReadings = 5;
 
@@ -37,8 +37,8 @@ ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std
       return latest_[i].stamp;
     }
   }
-  const bool told = robot_clock_ != nullptr && frame_number;
-  ros::Time stamp = toRosTime(told ? robot_clock_->timeOf(connection_number, *frame_number, arrival) : arrival);
+  const bool by_frame = robot_clock_ != nullptr && frame_number;
+  ros::Time stamp = toRosTime(by_frame ? robot_clock_->timeOf(connection_number, *frame_number, arrival) : arrival);
   if (count_ > 0) {
     const ros::Time last = latest_[(count_ - 1) % kRemembered].stamp;
     const bool clock_was_set_back = stamp + ros::Duration(kClockStep.count()) < last;

@@ -18,35 +18,34 @@
 
 namespace aibo_driver::node {
 
-/// Stamps the messages of one stream, pictures or telemetry: when the robot took or measured it, on ROS' clock. What
-/// tells no frame number, as of a version 1 server, is stamped with its arrival.
+/// Stamps the messages of one stream, pictures or telemetry, with the time on ROS' clock when the robot took or
+/// measured them. A message without a frame number, as from a version 1 server, is stamped with its arrival.
 ///
-/// The time is worked out on the steady clock and mapped to ROS' clock when the stamp is first asked for. So when ROS'
-/// clock is set, the stamps follow at once; and with a simulated clock they are of that clock, as fine as it steps.
-/// Stamps of different messages strictly increase. Only when ROS' clock itself is set back by more than kClockStep do
-/// they follow it back: stamps that stood still for an hour after a correction of the clock would help nobody.
-/// Every function may be called from any thread.
+/// The time is computed on the steady clock and mapped to ROS' clock when the stamp is first asked for. So when ROS'
+/// clock is set, the stamps follow at once; with a simulated clock they are as fine as its steps. Stamps of different
+/// messages strictly increase. Only when ROS' clock is set back by more than kClockStep do they follow it back:
+/// otherwise they would stand still until the clock has caught up. Every function may be called from any thread.
 class RobotStamper {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
-  /// What is less than this is jitter between the two clocks, what is more means that somebody set ROS' clock.
+  /// A smaller step is jitter between the two clocks; a bigger one means that somebody has set ROS' clock.
   static constexpr std::chrono::seconds kClockStep{1};
 
-  /// @param robot_clock must outlive the stamper; null: every stamp is that of the arrival
+  /// @param robot_clock must outlive the stamper; null: every message is stamped with its arrival
   /// @param time_offset added to every stamp
   /// @param ros_now, steady_now the clocks
   RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
                std::function<ros::Time()> ros_now = ros::Time::now,
                std::function<SteadyTime()> steady_now = std::chrono::steady_clock::now);
 
-  /// The same picture has the same stamp whenever it is asked for among the kRemembered latest. Never before the epoch,
-  /// also while a simulated clock has not begun to run.
+  /// The same picture gets the same stamp as long as it is among the kRemembered latest. Never before the epoch, even
+  /// while a simulated clock has not begun to run.
   ros::Time stamp(const Picture& picture) {
     return stamp(picture.connection_number, picture.frame_number, picture.first_byte_time);
   }
 
-  /// As of a picture.
+  /// As for a picture.
   ros::Time stamp(const Telemetry& telemetry) {
     return stamp(telemetry.connection_number, telemetry.frame_number, telemetry.arrival);
   }
@@ -56,7 +55,7 @@ class RobotStamper {
 
   struct Stamped {
     SteadyTime arrival;
-    std::optional<std::uint32_t> frame_number;  ///< of messages that arrive together
+    std::optional<std::uint32_t> frame_number;  ///< distinguishes messages that arrive together
     ros::Time stamp;
   };
 
@@ -70,7 +69,7 @@ class RobotStamper {
 
   std::mutex mutex_;
   std::array<Stamped, kRemembered> latest_;  ///< a ring
-  std::size_t count_ = 0;                    ///< of all stamps given
+  std::size_t count_ = 0;                    ///< stamps given so far
 };
 
 }  // namespace aibo_driver::node

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::seconds kPeriod{5};
 
-// Texts hold what users send, so there is no end to how many there are.
+// Texts quote what users send, so their number is not limited.
 constexpr std::size_t kMostRemembered = 100;
 
 std::string withoutNumbers(const std::string& text) {

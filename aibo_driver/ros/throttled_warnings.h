@@ -10,19 +10,19 @@
 
 namespace aibo_driver::node {
 
-/// Logs each different warning once in a while: a program that repeats its mistake many times a second is told of it,
-/// and hides no other. Numbers make no difference, as they do not in the mistake; those in names do. From one thread at
-/// a time.
+/// Logs each different warning only once in a while: a program that repeats its mistake many times a second neither
+/// floods the log nor hides other warnings. Two warnings that differ only in numbers are the same; numbers within names
+/// count. From one thread at a time.
 class ThrottledWarnings {
  public:
-  /// @param log logs a warning, under the logger of what is warned about
+  /// @param log logs a warning
   explicit ThrottledWarnings(std::function<void(const std::string& text)> log) : log_(std::move(log)) {}
 
   void warn(const std::string& text);
 
  private:
   const std::function<void(const std::string&)> log_;
-  std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged, without numbers
+  std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged; texts without numbers
 };
 
 }  // namespace aibo_driver::node

@@ -1,4 +1,4 @@
-// Lets the robot look around: to the left, to the right, ahead, and again. Each round is one joint_trajectory.
+// Lets the robot look to the left, to the right and ahead, again and again. Each round is one joint_trajectory.
 
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
@@ -10,7 +10,7 @@
 
 namespace {
 
-// Where the head is to rest at a time. Left and up are positive.
+// Where the head rests at a time. Left and up are positive.
 struct Glance {
   double time;  // s
   double pan;   // rad
@@ -29,7 +29,7 @@ class LookAround {
   }
 
  private:
-  // Measured joints are the sign that there is a robot which can look around.
+  // Measured joints show that there is a robot that can look around.
   void receive(const sensor_msgs::JointState::ConstPtr&) {
     const ros::SteadyTime now = ros::SteadyTime::now();
     if (now >= next_round_) {

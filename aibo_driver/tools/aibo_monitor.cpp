@@ -1,13 +1,12 @@
-// Prints once a second how the stream of pictures is doing, as a subscriber sees it.
+// Prints the rate and the latency of the pictures once a second, as a subscriber gets them.
 //
-// Topics are those of the driver, relative to this node's namespace, which has to be the driver's; the root namespace
-// means /aibo.
+// To be started in the driver's namespace; the root namespace means /aibo.
 // Parameters:
-//   ~seconds                run for so long after the first picture; 0, the default: until stopped
-//   ~first_picture_timeout  seconds to wait for the first picture, then give up, say so and return 1; 0: for ever.
+//   ~seconds                how long to run after the first picture; 0, the default: until stopped
+//   ~first_picture_timeout  seconds to wait for the first picture before it gives up and returns 1; 0: for ever.
 //                           The default is ~seconds
-//   ~picture_log            log that aibo_rcserver --picture-log writes; empty, the default: none.
-//                           With it the latency counts from the camera's image, otherwise from the moment that the
+//   ~picture_log            the log that aibo_rcserver --picture-log writes; empty, the default: none.
+//                           With it the latency counts from the camera's image, without it from the moment when the
 //                           first byte of a picture reached the driver.
 
 #include <aibo_driver/Connection.h>
@@ -70,7 +69,7 @@ class Monitor {
   void onTimer(const ros::SteadyTimerEvent&) {
     const auto now = steady_clock::now();
     if (!first_picture_time_ && !arrivals_.empty()) {
-      first_picture_time_ = now;  // the second that it came in is not a whole one
+      first_picture_time_ = now;  // this second is not a whole one
       arrivals_.clear();
       meter_.read();
       driverLoad(now - last_report_);
@@ -116,11 +115,11 @@ class Monitor {
                   latency_known ? latencyText(reading).c_str() : "unknown", driver_load.c_str());
     }
     if (std::fflush(stdout) != 0) {
-      ros::shutdown();  // nobody reads on
+      ros::shutdown();  // nobody reads the output any more
     }
   }
 
-  // How old the picture was when it arrived here; none if its camera image is not in the log.
+  // How old the picture was when it arrived here; empty if its camera image is not in the log.
   std::optional<nanoseconds> latency(const Arrival& arrival) const {
     if (!picture_log_) {
       return arrival.time - sinceEpoch(arrival.picture->header.stamp);
@@ -138,7 +137,7 @@ class Monitor {
     return text;
   }
 
-  // The share of one processor that the driver used since the last call.
+  // The share of one processor that the driver has used since the last call.
   std::string driverLoad(nanoseconds elapsed) {
     if (publisher_ != driver_name_) {
       driver_name_ = publisher_;
@@ -148,7 +147,7 @@ class Monitor {
     const auto used = driver_process_ ? processorTime(*driver_process_) : std::nullopt;
     const auto used_before = std::exchange(driver_time_, used);
     if (!used || !used_before) {
-      return "unknown part";
+      return "unknown share";
     }
     char text[32];
     const double share = std::chrono::duration<double>(*used - *used_before) / std::chrono::duration<double>(elapsed);

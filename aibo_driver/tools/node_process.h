@@ -13,11 +13,11 @@ namespace aibo_driver::tools {
 
 /// Asks the ROS master and the node itself.
 /// @param node_name its full name, such as "/aibo/aibo_driver"
-/// @return none if the node does not answer, or runs on another machine
+/// @return empty if the node does not answer, or runs on another machine
 std::optional<pid_t> processOfNode(const std::string& node_name);
 
-/// Processor time that all threads of a process on this machine have used since it began.
-/// @return none if there is no such process
+/// The processor time that all threads of a process on this machine have used since it began.
+/// @return empty if there is no such process
 std::optional<std::chrono::nanoseconds> processorTime(pid_t process);
 
 }  // namespace aibo_driver::tools

@@ -13,7 +13,7 @@
 namespace aibo_driver::tools {
 namespace {
 
-// About ten seconds of pictures: a picture that is older than that when it arrives is not looked for.
+// About ten seconds of pictures: a picture that arrives later than that is not found.
 constexpr std::size_t kEntriesKept = 300;
 
 }  // namespace

@@ -13,14 +13,14 @@ namespace aibo_driver::tools {
 
 /// Reads what `aibo_rcserver --picture-log` writes: when the camera saw each picture that was sent.
 ///
-/// The wire of protocol version 1 carries no time. So the simulated robot tells it on the side, a line a picture:
-/// the camera's time in nanoseconds since 1970, the size of the JPEG in bytes, and its CRC-32, by which the picture is
-/// known again. The log may be a file or a named pipe. Not thread-safe.
+/// Version 1 of the protocol carries no times, so the simulated robot logs them, one line for each picture: the
+/// camera's time in nanoseconds since 1970, and the size in bytes and the CRC-32 of the JPEG, which identify the
+/// picture. The log may be a file or a named pipe. Not thread-safe.
 class PictureLogReader {
  public:
   using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
 
-  /// @param path of the log; need not have been written to yet
+  /// @param path of the log; it may still be empty
   /// @throw std::system_error if it cannot be opened
   explicit PictureLogReader(const std::string& path);
   ~PictureLogReader();
@@ -28,11 +28,11 @@ class PictureLogReader {
   PictureLogReader(const PictureLogReader&) = delete;
   PictureLogReader& operator=(const PictureLogReader&) = delete;
 
-  /// Takes in what has been written since the last call. Never waits.
+  /// Reads what has been written since the last call. Never waits.
   void readNewLines();
 
-  /// When the camera saw this picture; none if the lines read so far do not say. Still photographs can make pictures
-  /// that are equal byte for byte: of these it is the last one that the camera saw before the arrival.
+  /// When the camera saw this picture; empty if it is not in the lines read so far. Still photographs can make pictures
+  /// that are equal byte for byte: then it is the last of them that the camera saw before the arrival.
   std::optional<Time> cameraTime(const std::vector<std::uint8_t>& jpeg, Time arrival) const;
 
  private:

@@ -1,4 +1,4 @@
-// The robot's body except its joints: what it senses, how it shows what it feels, and the motions it knows.
+// The robot's body except its joints: sensors, LEDs and ears, and motions.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/DeleteMotion.h>
@@ -127,7 +127,7 @@ TEST(RangeFinders, ArePublishedWithFrameAndRange) {
   }
 }
 
-TEST(Acceleration, OfARobotThatLiesStillIsGravityUpwards) {
+TEST(Acceleration, OfARobotThatLiesStillPointsUpwards) {
   const BodyUser user("/imu");
   TopicListener<Imu> accelerations("/imu/imu/data_raw");
   const auto message = accelerations.waitForNext();
@@ -153,7 +153,7 @@ TEST(TouchTopic, FollowsWhatIsPressed) {
   EXPECT_TRUE(touch.waitFor([](const Touch& message) { return !message.chin && message.back_rear; }));
 }
 
-TEST(BatteryTopic, TellsHowFullItIs) {
+TEST(BatteryTopic, SaysHowFullItIs) {
   const BodyUser user("/battery");
   TopicListener<BatteryState> battery("/battery/battery");
   const auto full = battery.waitForNext();
@@ -164,7 +164,7 @@ TEST(BatteryTopic, TellsHowFullItIs) {
   EXPECT_TRUE(battery.waitFor([](const BatteryState& message) { return std::abs(message.percentage - 0.4) < 0.02; }));
 }
 
-TEST(Sensors, AreSilentWithoutARobotAndThenTellOnlyWhatIsNew) {
+TEST(Sensors, AreSilentWithoutARobotAndThenPublishOnlyNewValues) {
   BodyUser user("/silent");
   TopicListener<Touch> touch("/silent/touch");
   ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
@@ -191,12 +191,12 @@ TEST(LedsTopic, ReachesTheRobotInOneRequest) {
   user.topics.publish("leds", message);
   const auto payload = user.payload("L");
   ASSERT_THAT(payload, SizeIs(15 * 4));
-  // Identifier, intensity, mode and nothing, in ascending order: wireless 6, face_1 7 ...
+  // Identifier, intensity, mode and an unused byte, in ascending order: wireless 6, face_1 7 ...
   EXPECT_THAT(std::vector<std::uint8_t>(payload.begin(), payload.begin() + 12),
               ElementsAre(6, 255, 1, 0, 7, 0, 1, 0, 8, 255, 1, 0));
 }
 
-TEST(LedsTopic, LeavesOutWhatIsNoLedAndSaysWhich) {
+TEST(LedsTopic, LeavesOutUnknownLedsAndNamesThem) {
   BodyUser user("/no_led");
   Leds message;
   message.names = {"third_eye", "face_1"};
@@ -236,7 +236,7 @@ TEST(Expression, IsDroppedWithoutARobotAndNotSentLater) {
   EXPECT_THAT(user.proxy.requestsFromDriver("LK"), SizeIs(0));
 }
 
-// How far any joint goes from where it was, in radian.
+// How far any joint moves from where it was, in radians.
 bool moves(JointListener& joints) {
   joints.messages().clear();
   const auto first = joints.messages().waitForNext();
@@ -269,7 +269,7 @@ TEST(PlayMotionService, PlaysEachMotionOfTheRobotAndStopsIt) {
   }
 }
 
-TEST(PlayMotionService, SaysWhyItCannot) {
+TEST(PlayMotionService, SaysWhyItDoesNotPlay) {
   BodyUser user("/no_motion");
   const auto missing = user.play("fly", 1);
   EXPECT_FALSE(missing.success);
@@ -306,7 +306,7 @@ TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
   EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
 }
 
-TEST(MotionFiles, ThatAreNoneAreRefused) {
+TEST(MotionFiles, ThatAreNotMotionsAreRefused) {
   const MemoryStick stick("ALLOW_UPLOAD=yes\n");
   BodyUser user("/no_upload", {"--memory-stick", stick.path()});
   UploadMotion::Request upload;
@@ -324,7 +324,7 @@ TEST(MotionFiles, ThatAreNoneAreRefused) {
   EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
 }
 
-TEST(Robot, RefusesWhatItsSettingsDoNotAllowAndSaysWhichToSet) {
+TEST(Robot, RefusesWhatItsSettingsForbidAndNamesTheSetting) {
   BodyUser user("/refused");
   UploadMotion::Request upload;
   upload.name = "mine";
@@ -345,7 +345,7 @@ TEST(Robot, RefusesWhatItsSettingsDoNotAllowAndSaysWhichToSet) {
   EXPECT_THAT(rebooted.message, HasSubstr("ALLOW_REBOOT"));
 }
 
-TEST(Robot, BootsAnewAndShutsDownIfItsSettingsAllowIt) {
+TEST(Robot, RebootsAndShutsDownIfItsSettingsAllowIt) {
   const MemoryStick stick("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes\n");
   BodyUser user("/power", {"--memory-stick", stick.path()});
   user.connection.clear();
@@ -374,7 +374,7 @@ TEST(Body, OfARobotWithAVersion1ServerWorksToo) {
   EXPECT_TRUE(played.success) << played.message;
   const auto missing = user.play("fly", 1);
   EXPECT_FALSE(missing.success);
-  EXPECT_FALSE(user.call<ListMotions>("list_motions").success) << "no version 1 server tells them";
+  EXPECT_FALSE(user.call<ListMotions>("list_motions").success) << "no version 1 server lists them";
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ ros::Subscriber subscribeAndIgnore(const std::string& topic) {
   return ros::NodeHandle().subscribe<Message>(topic, 1, &ignore<Message>);
 }
 
-// A gap is no fault while this computer is too busy to run driver and test: then the newest picture wins. So there has
-// to be one second without a gap among the first half minute, and in all of it no picture that the robot has not sent,
-// none twice and none in the wrong order.
+// A gap is not a fault while this computer is too busy to run driver and test: then the newest picture wins. So one
+// second of the first half minute must be without a gap, and in all of it every picture must be one that the robot has
+// sent, once and in order.
 TEST(Camera, PublishedPicturesAreTheRobotsOwnByteForByteAndWithoutAGap) {
   SimulatedRobot robot;
   RecordingProxy proxy(robot.port());
@@ -63,7 +63,7 @@ TEST(Camera, PublishedPicturesAreTheRobotsOwnByteForByteAndWithoutAGap) {
     auto next = sent.begin();
     for (const sensor_msgs::CompressedImageConstPtr& picture : published) {
       const auto found = std::find(next, sent.end(), picture->data);
-      ASSERT_NE(found, sent.end()) << "a picture that the robot did not send, or not at this place";
+      ASSERT_NE(found, sent.end()) << "a picture that the robot did not send, or not in this order";
       without_gap = found == next ? without_gap + 1 : 1;
       next = found + 1;
       EXPECT_EQ(picture->format, "bgr8; jpeg compressed bgr8");
@@ -126,7 +126,7 @@ TEST(Camera, ImagesAreBgrOfThePicturesSize) {
   EXPECT_EQ(image.data.size(), 3u * 208u * 160u);
 }
 
-TEST(Camera, ImagesAreDecodedOnlyWhileSomebodySubscribes) {
+TEST(Camera, ImagesAreDecodedOnlyWhileTheyHaveSubscribers) {
   SimulatedRobot robot;
   CompressedListener pictures("/lazy/camera/image_raw/compressed");
   DiagnosticsListener diagnostics;
@@ -142,7 +142,7 @@ TEST(Camera, ImagesAreDecodedOnlyWhileSomebodySubscribes) {
     ImageListener images("/lazy/camera/image_raw");
     ASSERT_GE(images.waitForCount(3).size(), 3u);
   }
-  // The driver hears of the unsubscription a little later than we do, so take two numbers that are apart in time.
+  // The driver learns of the unsubscription a little later than we do, so take two numbers some time apart.
   pictures.clear();
   ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
   const std::string after_unsubscription = decoded(diagnostics.waitForNext(stream));
@@ -152,7 +152,7 @@ TEST(Camera, ImagesAreDecodedOnlyWhileSomebodySubscribes) {
   EXPECT_EQ(decoded(diagnostics.waitForNext(stream)), after_unsubscription);
 }
 
-TEST(Camera, NobodyElsePublishesJpegsWhereImageTransportHasACompressedPlugin) {
+TEST(Camera, NobodyElsePublishesJpegsIfImageTransportHasACompressedPlugin) {
   SimulatedRobot robot;
   CompressedListener pictures("/plugin/camera/image_raw/compressed");
   ImageListener images("/plugin/camera/image_raw");
@@ -192,7 +192,7 @@ TEST(Camera, CameraInfoIsZeroUntilTheCameraIsCalibratedAndThenTheCalibration) {
   fs::remove(file);
 }
 
-TEST(Camera, OnDemandTheRobotStreamsOnlyWhileSomebodySubscribes) {
+TEST(Camera, OnDemandTheRobotStreamsOnlyWhileThereIsASubscriber) {
   SimulatedRobot robot;
   TopicListener<std_msgs::Bool> streaming("/demand/streaming");
   DiagnosticsListener diagnostics;
@@ -203,7 +203,7 @@ TEST(Camera, OnDemandTheRobotStreamsOnlyWhileSomebodySubscribes) {
   const auto is_idle = [](const diagnostic_msgs::DiagnosticStatus& status) {
     return status.level == diagnostic_msgs::DiagnosticStatus::OK && status.message.find("idle") != std::string::npos;
   };
-  // While the robot is connected and nobody subscribes.
+  // While the robot is connected and there is no subscriber.
   EXPECT_NE(diagnostics
                 .waitFor("demand/aibo_driver: connection",
                          [](const auto& status) { return status.level == diagnostic_msgs::DiagnosticStatus::OK; })

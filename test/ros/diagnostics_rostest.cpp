@@ -1,5 +1,5 @@
-// The tree (whose names have blanks for slashes) that diagnostic_aggregator makes of the driver's diagnostics with
-// config/diagnostics_aggregator.yaml.
+// The tree that diagnostic_aggregator makes of the driver's diagnostics with config/diagnostics_aggregator.yaml. Its
+// names have blanks instead of slashes.
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ bool hasGood(const DiagnosticArray& array, const std::string& name) {
   });
 }
 
-TEST(Diagnostics, AreGoodInEachBranchOfTheTreeWhileTheRobotIsWell) {
+TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
   TopicListener<DiagnosticArray> tree("/diagnostics_agg");
   SimulatedRobot robot;
   DriverProcess driver("/tree", robot.port());

@@ -1,4 +1,4 @@
-// Moving the robot, and what keeps it from harm.
+// Moving the joints, and the limits that protect the robot.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/PlayMotion.h>
@@ -52,17 +52,17 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using trajectory_msgs::JointTrajectory;
 
-// As fast as joints can go, and no slow approach: for tests of something else.
+// As fast as joints can move and without a slow approach, for tests of something else.
 const std::vector<std::string> kQuick{"_stream_on_start:=false", "_joint_speed_limit:=20", "_approach_speed:=20"};
 
-// What two encoder steps within 32 ms look like, and the servo's own settling.
+// Two encoder steps within 32 ms, and the settling of the servo.
 constexpr double kSpeedTolerance = 0.12;  // rad/s
 
 const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
-// All joints so far between their limits. With fractions from 0.5 to 0.7 nothing is in the way of anything.
+// Each joint at this fraction between its limits. From 0.5 to 0.7 no part of the body is in the way of another.
 Posture postureAt(double fraction) {
   Posture posture;
   for (int i = 0; i < ers7().number_of_joints; ++i) {
@@ -143,7 +143,7 @@ class JointUser {
   TopicPublishers publishers_;
 };
 
-TEST(JointStates, TellAllServosWithVelocitiesAndIncreasingStamps) {
+TEST(JointStates, ContainAllServosWithVelocitiesAndIncreasingStamps) {
   const JointUser user("/states");
   TopicListener<JointState> states("/states/joint_states");
   const auto messages = states.waitForCount(20);
@@ -153,7 +153,7 @@ TEST(JointStates, TellAllServosWithVelocitiesAndIncreasingStamps) {
     EXPECT_THAT(message->name, SizeIs(18));
     EXPECT_THAT(message->position, SizeIs(18));
     EXPECT_THAT(message->velocity, SizeIs(18));
-    EXPECT_THAT(message->effort, IsEmpty()) << "the robot tells none";
+    EXPECT_THAT(message->effort, IsEmpty()) << "the robot does not measure it";
     EXPECT_GT(message->header.stamp, last);
     last = message->header.stamp;
   }
@@ -195,7 +195,7 @@ TEST(JointCommand, IsClampedToTheLimits) {
   EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.5359));  // 88 degrees
 }
 
-TEST(JointCommand, LeavesOutWhatIsNoNumberAndWhatIsNoJointAndSaysWhich) {
+TEST(JointCommand, LeavesOutUnknownJointsAndBadNumbersAndNamesThem) {
   JointUser user("/refused");
   const double before = user.joints.position("neck_tilt");
   user.publish(
@@ -342,7 +342,7 @@ TEST(JointTrajectory, WithoutPointsStopsTheJoints) {
   ASSERT_TRUE(user.waitForPanBeyond(0.1));
   user.publish("joint_trajectory", JointTrajectory());
   const std::size_t requests = user.jointRequests();
-  // It stands where it is from the first message on that shows it standing.
+  // From the first message that shows it standing, it stays there.
   user.joints.messages().clear();
   ASSERT_TRUE(user.joints.messages().waitFor(
       [](const JointState& state) { return std::abs(state.velocity.at(1)) < 0.03 && state.name.at(1) == "head_pan"; }));
@@ -362,7 +362,7 @@ TEST(JointTrajectory, GivesWayToACommandForOneOfItsJoints) {
   user.waitForWarning("head_pan was commanded to go elsewhere");
 }
 
-TEST(Motors, OffLetNoJointMoveAndOnAgainDo) {
+TEST(Motors, OffKeepJointsFromMovingUntilTheyAreOnAgain) {
   JointUser user("/motors");
   const std_srvs::SetBool::Response off = user.setMotors(false);
   EXPECT_TRUE(off.success) << off.message;
@@ -410,7 +410,7 @@ TEST(Motors, WithoutARobotSayWhyAndWhatToCheck) {
   EXPECT_NE(answer.message, "");
 }
 
-TEST(Diagnostics, TellHowOftenTheJointsAreMeasured) {
+TEST(Diagnostics, SayHowOftenTheJointsAreMeasured) {
   DiagnosticsListener diagnostics;
   const JointUser user("/joint_diagnostics");
   const auto status = diagnostics.waitFor("joint_diagnostics/aibo_driver: joints", [](const auto& s) {
@@ -507,16 +507,16 @@ Columns watchBall(TopicListener<sensor_msgs::Image>& images, ros::Time begin) {
   return columns;
 }
 
-// The ball swings to and fro in 6 s of the robot's time, so pictures 6 s apart show it in the same place. Stamps tell
-// when pictures arrived, which wavers on a busy computer; so it is the middle one of many pairs that counts.
-TEST(HeadPan, MovesTheBallInThePictureAsThePinholeSays) {
+// The ball swings to and fro in 6 s of the robot's time, so pictures 6 s apart show it in the same place. Stamps waver
+// a little on a busy computer, so the median of many pairs counts.
+TEST(HeadPan, MovesTheBallInThePictureAsAPinholeCameraDoes) {
   const ros::Duration ball_period(6.0);
   TopicListener<sensor_msgs::Image> images("/ball/camera/image_raw");
   JointUser user("/ball", {"_joint_speed_limit:=20", "_approach_speed:=20"});
   const PannedCamera right{-0.25};
   const PannedCamera left{0.25};
   std::vector<double> errors;
-  // When the ball is at the end of its swing, it is in the one picture and not in the other: then look again.
+  // At the end of its swing the ball may be in only one of two pictures: then look again.
   for (int i = 0; i < 5 && errors.size() < 10; ++i) {
     user.publish("joint_command", command({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}));
     ASSERT_THAT(user.joints.waitForPositions({{"neck_tilt", 0}, {"head_tilt", 0}, {"head_pan", right.pan}}), IsEmpty());

@@ -142,8 +142,8 @@ TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
   nodelet.waitForOutput("port is 0; allowed is a whole number, 1\\.\\.65535", kSafetyNet);
 }
 
-// A manager stays when one of its nodelets goes, so nothing of that may be called any more: not by the manager's other
-// threads, which bring subscribers that come and go, nor by the nodelet's own ones.
+// The manager stays when one of its nodelets is unloaded. From then on nothing of the nodelet may be called: neither by
+// the manager's other threads, which report subscribers that come and go, nor by the nodelet's own threads.
 class NodeletManager {
  public:
   NodeletManager() : process_(nodeletHost({"manager", "__ns:=/unload", "__name:=manager"})) {
@@ -184,7 +184,7 @@ TEST(Nodelet, IsUnloadedWhileSubscribersComeAndTheManagerGoesOn) {
                                  10);
 }
 
-// A picture of a robot, published again as from a bag.
+// A picture of a robot, published again as if from a bag.
 class Decoder : public ::testing::Test {
  protected:
   Decoder() {
@@ -199,7 +199,7 @@ class Decoder : public ::testing::Test {
     publisher_ = ros::NodeHandle().advertise<sensor_msgs::CompressedImage>("/bag/camera/image_raw/compressed", 10);
   }
 
-  // Publishes until an image comes, as a bag would go on.
+  // Publishes until an image comes, as a bag would.
   sensor_msgs::ImageConstPtr publishUntilDecoded(ImageListener& images) {
     for (int i = 0; i < 300; ++i) {
       publisher_.publish(picture_);
@@ -219,7 +219,7 @@ class Decoder : public ::testing::Test {
     return publisher_.getNumSubscribers() == count;
   }
 
-  void decodesWhileSomebodyListens() {
+  void decodesWhileItHasSubscribers() {
     auto images = std::make_unique<ImageListener>("/bag/camera/image_raw");
     const sensor_msgs::ImageConstPtr image = publishUntilDecoded(*images);
     ASSERT_TRUE(image);
@@ -229,24 +229,24 @@ class Decoder : public ::testing::Test {
     EXPECT_EQ(image->width, 208u);
     EXPECT_TRUE(waitForSubscribers(1));
     images.reset();
-    EXPECT_TRUE(waitForSubscribers(0)) << "still subscribed although nobody listens";
+    EXPECT_TRUE(waitForSubscribers(0)) << "still subscribed although image_raw has no subscriber";
   }
 
   sensor_msgs::CompressedImage picture_;
   ros::Publisher publisher_;
 };
 
-TEST_F(Decoder, NodeSubscribesOnlyWhileSomebodyListensAndKeepsTheHeader) {
+TEST_F(Decoder, NodeSubscribesOnlyWhileItHasSubscribersAndKeepsTheHeader) {
   Process decoder({AIBO_IMAGE_DECODER, "__ns:=/bag/camera"});
   decoder.waitForOutput("/bag/camera/image_raw/compressed", kSafetyNet);
   EXPECT_EQ(publisher_.getNumSubscribers(), 0u);
-  decodesWhileSomebodyListens();
+  decodesWhileItHasSubscribers();
   EXPECT_TRUE(decoder.isRunning());
 }
 
 TEST_F(Decoder, NodeletDoesTheSame) {
   const Process decoder = startNodelet("aibo_driver/ImageDecoderNodelet", {"__ns:=/bag/camera"});
-  decodesWhileSomebodyListens();
+  decodesWhileItHasSubscribers();
 }
 
 TEST_F(Decoder, NodeStartedBareDecodesTheCameraUnderAibo) {
@@ -263,7 +263,7 @@ TEST_F(Decoder, NodeletIsUnloadedWhileItDecodesAndTheManagerGoesOn) {
   NodeletManager().loadAndUnload("/bag/camera/decoder", "aibo_driver/ImageDecoderNodelet", "/bag/camera/image_raw", 5);
 }
 
-TEST_F(Decoder, NodeLivesThroughDamagedPictures) {
+TEST_F(Decoder, NodeSurvivesDamagedPictures) {
   Process decoder({AIBO_IMAGE_DECODER, "__ns:=/bag/camera"});
   ImageListener images("/bag/camera/image_raw");
   ASSERT_TRUE(publishUntilDecoded(images));

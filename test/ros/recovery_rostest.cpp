@@ -1,4 +1,4 @@
-// How the driver lives through the faults of robot and network.
+// How the driver recovers from faults of robot and network.
 
 #include <aibo_driver/Connection.h>
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ TEST(Recovery, PicturesComeAgainWithinThreeSecondsOfTheReturnOfAKilledRobot) {
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST(Recovery, ARobotThatFallsSilentIsGivenUpAndFoundAgain) {
+TEST(Recovery, ARobotThatFallsSilentIsDisconnectedAndFoundAgain) {
   SimulatedRobot robot;
   RecordingProxy proxy(robot.port());
   CompressedListener pictures("/silence/camera/image_raw/compressed");
@@ -79,14 +79,14 @@ TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
   TopicListener<Connection> connection("/absent/connection");
   DiagnosticsListener diagnostics;
   DriverProcess driver("/absent", robot->port());
-  const auto told = connection.waitFor([](const Connection& message) { return !message.reason.empty(); });
-  ASSERT_TRUE(told);
-  EXPECT_THAT(told->text, HasSubstr("127.0.0.1:" + std::to_string(robot->port())));
-  EXPECT_NE(told->advice, "");
+  const auto failed = connection.waitFor([](const Connection& message) { return !message.reason.empty(); });
+  ASSERT_TRUE(failed);
+  EXPECT_THAT(failed->text, HasSubstr("127.0.0.1:" + std::to_string(robot->port())));
+  EXPECT_NE(failed->advice, "");
   const auto status = diagnostics.waitFor("absent/aibo_driver: connection", [](const auto& s) {
     return s.level == diagnostic_msgs::DiagnosticStatus::ERROR;
   });
-  EXPECT_THAT(status.message, HasSubstr(told->advice));
+  EXPECT_THAT(status.message, HasSubstr(failed->advice));
   robot->restart();
   EXPECT_FALSE(pictures.waitForCount(1, kRecoveryLimit).empty());
   EXPECT_TRUE(driver.isRunning());

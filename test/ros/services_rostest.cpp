@@ -1,4 +1,4 @@
-// What callers of the driver's services get.
+// The answers of the driver's services.
 
 #include <aibo_driver/TakePicture.h>
 #include <gmock/gmock.h>
@@ -106,7 +106,7 @@ std::vector<std::uint8_t> readFile(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-TEST(TakePicture, WithoutAStreamAnswersARobotsPictureThatWasTakenAfterTheCall) {
+TEST(TakePicture, WithoutAStreamAnswersAPictureThatWasTakenAfterTheCall) {
   ConnectedDriver connected("/still", {"_stream_on_start:=false"});
   const ros::Time before = ros::Time::now();
   const TakePicture::Response answer = takePicture("/still", 0);
@@ -134,7 +134,7 @@ TEST(TakePicture, UsesTheQualityAskedFor) {
 TEST(TakePicture, IsPublishedOnTheCameraTopicsToo) {
   ConnectedDriver connected("/published", {"_stream_on_start:=false"});
   TopicListener<sensor_msgs::CameraInfo> camera_infos("/published/camera/camera_info");
-  // A picture that is taken before the subscription stands is not published to it: take another one then.
+  // A picture that is taken before the subscription is complete does not reach it: then take another one.
   TakePicture::Response answer;
   const auto same = [&answer](const auto& message) { return message.header.stamp == answer.image.header.stamp; };
   bool published = false;
@@ -235,7 +235,7 @@ TEST(SetStreaming, TwiceTheSameSendsTheRobotNothingTheSecondTime) {
   EXPECT_THAT(connected.qualities("F"), SizeIs(1));
 }
 
-TEST(SetStreaming, WithTheRobotGoneSaysSoAndTheWishIsKept) {
+TEST(SetStreaming, WithTheRobotGoneSaysSoAndStreamsWhenItIsBack) {
   ConnectedDriver connected("/wish", {"_stream_on_start:=false"});
   connected.connection.clear();
   connected.robot.kill();
@@ -247,7 +247,7 @@ TEST(SetStreaming, WithTheRobotGoneSaysSoAndTheWishIsKept) {
   EXPECT_FALSE(connected.pictures.waitForCount(1).empty());
 }
 
-TEST(ToggleStreaming, TellsTheNewState) {
+TEST(ToggleStreaming, ReportsTheNewState) {
   ConnectedDriver connected("/toggle");
   ASSERT_TRUE(connected.waitForStreaming(true));
   const std_srvs::Trigger::Response off = toggleStreaming("/toggle");

@@ -1,4 +1,4 @@
-// What can be changed while the driver runs, by dynamic_reconfigure.
+// Settings that can be changed while the driver runs, with dynamic_reconfigure.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/TakePicture.h>
@@ -60,7 +60,7 @@ class SettingsUser {
   explicit SettingsUser(const std::string& name_space, const std::vector<std::string>& parameters = {})
       : node_(name_space + "/aibo_driver"), driver_(name_space, robot_.port(), parameters) {}
 
-  /// @return what is in force then
+  /// @return the settings in force afterwards
   Config set(const Config& config) {
     const std::string service = node_ + "/set_parameters";
     Reconfigure call;
@@ -70,7 +70,7 @@ class SettingsUser {
     return call.response.config;
   }
 
-  /// In force, as the answer to a change of nothing tells.
+  /// The settings in force, from the answer to an empty change.
   double inForce(const std::string& name) { return valueOf(set(Config()), name); }
 
   static double valueOf(const Config& config, const std::string& name) {
@@ -109,7 +109,7 @@ TEST(Settings, JpegQualityChangesTheRunningStream) {
   EXPECT_TRUE(pictures.waitFor([&before](const auto& p) { return 2 * p.data.size() < before->data.size(); }));
 }
 
-TEST(Settings, JpegQualityIsThatOfTakePictureToo) {
+TEST(Settings, JpegQualityAppliesToTakePictureToo) {
   SettingsUser user("/settings_picture", {"_stream_on_start:=false"});
   user.set(jpegQuality(20));
   TopicListener<Connection> connection("/settings_picture/connection");
@@ -129,7 +129,7 @@ TEST(Settings, TelemetryRateChangesJointStates) {
   EXPECT_TRUE(states.waitFor([&last](const auto& state) {
     const double interval = (state.header.stamp - last).toSec();
     last = state.header.stamp;
-    return interval > 0.9 && interval < 1.1;  // the robot measures each 32 ms
+    return interval > 0.9 && interval < 1.1;  // the robot measures every 32 ms
   }));
 }
 
@@ -147,7 +147,7 @@ TEST(Settings, SpeedScaleSlowsTheJointsDown) {
   EXPECT_LT(joints.highestSpeed("head_pan"), 0.7);
 }
 
-TEST(Settings, SpeedScaleSlowsATrajectoryThatIsUnderWay) {
+TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
   JointListener joints("/settings_trajectory");
   SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=2", kFullSpeed, kPatient});
   TopicPublishers topics("/settings_trajectory");
@@ -156,17 +156,17 @@ TEST(Settings, SpeedScaleSlowsATrajectoryThatIsUnderWay) {
   ASSERT_TRUE(joints.messages().waitFor([](const auto& state) { return positionOf(state, "head_pan") > 0.1; }));
   user.set(number("speed_scale", 0.1));
   ASSERT_TRUE(joints.waitForSpeedBelow("head_pan", 0.25)) << "0.2 is allowed";
-  EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0)) << "it goes to the end all the same";
+  EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0)) << "it still goes to the end";
   EXPECT_LT(joints.highestSpeed("head_pan"), 0.3);
 }
 
-TEST(Settings, OutOfRangeAreSetToTheNearestThatIsAllowed) {
+TEST(Settings, OutOfRangeAreSetToTheNearestAllowedValue) {
   SettingsUser user("/settings_range");
   EXPECT_EQ(user.valueOf(user.set(jpegQuality(300)), "jpeg_quality"), 100);
   EXPECT_EQ(user.valueOf(user.set(number("telemetry_rate", -1)), "telemetry_rate"), 0);
   EXPECT_EQ(user.valueOf(user.set(number("speed_scale", 0)), "speed_scale"), 0.1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(user.valueOf(user.set(number("speed_scale", nan)), "speed_scale"), 0.1) << "stays as it is";
+  EXPECT_EQ(user.valueOf(user.set(number("speed_scale", nan)), "speed_scale"), 0.1) << "unchanged";
 }
 
 }  // namespace

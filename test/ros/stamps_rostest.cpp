@@ -1,4 +1,4 @@
-// Stamps by the robot's own clock.
+// Stamps from the robot's own clock.
 
 #include <gmock/gmock.h>
 #include <ros/ros.h>
@@ -27,8 +27,8 @@ using JointStates = TopicListener<sensor_msgs::JointState>;
 
 constexpr double kFrame = 0.008;  // s
 
-/// The part of the intervals between stamps that is a whole number of frames, to 0.5 ms. The computer's own
-/// interruptions spoil a few.
+/// The share of the intervals between stamps that are whole numbers of frames, within 0.5 ms. Interruptions of this
+/// computer spoil a few.
 template <typename Message>
 double partInFrames(const std::vector<boost::shared_ptr<const Message>>& messages) {
   std::size_t whole = 0;
@@ -51,7 +51,7 @@ TEST(RobotTime, IntervalsOfPicturesAndJointStatesAreWholeFrames) {
   EXPECT_GT(partInFrames(states.waitForCount(100)), 0.8);
 }
 
-TEST(RobotTime, StampsIncreaseAndAreThoseOfTheArrivalAgainWhenTheRobotWasRestarted) {
+TEST(RobotTime, StampsIncreaseAndBeginWithTheArrivalAgainWhenTheRobotWasRestarted) {
   SimulatedRobot robot;
   Pictures pictures("/robot_time_restart/camera/image_raw/compressed");
   DriverProcess driver("/robot_time_restart", robot.port());

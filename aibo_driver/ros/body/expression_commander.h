@@ -23,8 +23,8 @@ struct LedOrders {
   std::vector<std::string> refusals;  ///< sentences for users
 };
 
-/// Finds the LEDs that a message names, by themselves or in groups. If an LED is named twice, the last intensity counts.
-/// A name that belongs to no LED and no group is left out, and so is an intensity outside of 0..1. The whole message is
+/// Finds the LEDs that a message names, singly or in groups. If an LED is named twice, the last intensity counts. A
+/// name that belongs to no LED and no group is left out, and so is an intensity outside of 0..1. The whole message is
 /// refused if its arrays do not fit together, or if there is no such mode.
 LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
 

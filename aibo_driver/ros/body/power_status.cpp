@@ -70,8 +70,7 @@ void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
     return;
   }
   if (!charge_) {
-    status.summary(DiagnosticStatus::WARN,
-                   "the robot does not tell how full its battery is: does its RCServer know of sensors?");
+    status.summary(DiagnosticStatus::WARN, "the robot does not report its battery: does its RCServer support sensors?");
   } else {
     status.summary(DiagnosticStatus::OK, "battery at " + rounded(100 * *charge_, "%"));
     status.addf("charge, %", "%.0f", 100 * *charge_);

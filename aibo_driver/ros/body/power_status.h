@@ -12,14 +12,14 @@
 
 namespace aibo_driver::node {
 
-/// What the robot last told of its battery, and what that means to who has to look after it. From any thread.
+/// The last state of the battery, and what it means to the person who looks after the robot. From any thread.
 class PowerStatus {
  public:
-  /// Full is 1. The first leaves time to end what one is doing, the second to carry the robot to its station.
+  /// Full is 1. The first leaves time to finish what one is doing, the second to carry the robot to its station.
   static constexpr double kLowCharge = 0.20;
   static constexpr double kEmptyCharge = 0.10;
 
-  /// Degree Celsius. The robot tells no limit; lithium-ion cells are commonly made for up to 60 when they discharge.
+  /// Degrees Celsius. The robot has no limit of its own; lithium-ion cells commonly may be discharged at up to 60.
   static constexpr double kWarm = 50;
   static constexpr double kHot = 60;
 
@@ -28,10 +28,10 @@ class PowerStatus {
 
   void update(const Telemetry& telemetry);
 
-  /// Forgets what was told, as when the connection is lost.
+  /// Forgets everything, for when the connection is lost.
   void clear();
 
-  /// @param asked is the robot connected and asked for what it measures: then it is a fault if it tells nothing
+  /// @param asked whether the robot is connected and asked for telemetry; only then it is a fault if it sends nothing
   void report(bool asked, diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:

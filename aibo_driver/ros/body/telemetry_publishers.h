@@ -16,8 +16,8 @@
 
 namespace aibo_driver::node {
 
-/// Publishes what the robot measures: joint_states, range/NAME, imu/data_raw, touch and battery. A sensor that the robot
-/// does not have gets no topic. A message is published whenever there is something new for it.
+/// Publishes what the robot measures: joint_states, range/NAME, imu/data_raw, touch and battery. A sensor that the
+/// robot does not have gets no topic. A message is published whenever there is something new for it.
 class TelemetryPublishers {
  public:
   /// All arguments but the handle must outlive the object.

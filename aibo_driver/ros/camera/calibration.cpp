@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kService = "set_camera_info";
 constexpr const char* kDefaultUrl = "file://${ROS_HOME}/camera_info/${NAME}.yaml";  // camera_info_manager's
 
-constexpr std::size_t kMostCoefficients = 14;  // OpenCV knows no model with more
+constexpr std::size_t kMostCoefficients = 14;  // OpenCV has no model with more
 
 template <typename Numbers>
 bool allFinite(const Numbers& numbers) {
@@ -30,7 +30,7 @@ bool isKnownModel(const std::string& model) {
   return model.empty() || model == "plumb_bob" || model == "rational_polynomial" || model == "equidistant";
 }
 
-// Of a resolved URL that camera_info_manager takes for valid.
+// The file of a resolved URL that camera_info_manager considers valid.
 std::string fileOf(const std::string& url) {
   const std::size_t begin = url.find("//") + 2;
   if (url.front() == 'f' || url.front() == 'F') {
@@ -47,7 +47,7 @@ std::string problemOf(const sensor_msgs::CameraInfo& info) {
     return "the camera has no pictures of " + std::to_string(info.width) + "x" + std::to_string(info.height);
   }
   if (!isKnownModel(info.distortion_model)) {
-    return "the distortion model is none of plumb_bob, rational_polynomial and equidistant";
+    return "the distortion model is not plumb_bob, rational_polynomial or equidistant";
   }
   if (info.D.size() > kMostCoefficients) {
     return "no distortion model has " + std::to_string(info.D.size()) + " coefficients";
@@ -65,7 +65,7 @@ Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string
   if (!manager_.validateURL(url)) {
     throw InvalidArgumentException("Parameter camera_info_url is '" + url +
                                    "', which cannot be resolved; allowed is file:///FILE.yaml, "
-                                   "package://PACKAGE/FILE.yaml of a package that is installed, or empty.");
+                                   "package://PACKAGE/FILE.yaml of an installed package, or empty.");
   }
   file_ = fileOf(manager_.resolveURL(url.empty() ? kDefaultUrl : url, camera_name));
   manager_.loadCameraInfo(url);

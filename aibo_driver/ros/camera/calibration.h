@@ -14,14 +14,14 @@ namespace aibo_driver::node {
 
 /// The camera's calibration, with the service set_camera_info.
 ///
-/// Files are found as camera_info_manager does. The service is not its own, which takes and saves whatever comes: this
-/// one refuses what can be no calibration of the robot's camera, and then the old one stays.
+/// Files are found as camera_info_manager finds them. Its own service would accept and save anything, so this one takes
+/// its place: it refuses what cannot be a calibration of the robot's camera, and keeps the old one.
 class Calibration {
  public:
   /// @param camera_handle the camera's namespace
-  /// @param camera_name in the file
+  /// @param camera_name the name in the file
   /// @param url of the file, as camera_info_manager understands it
-  /// @throw InvalidArgumentException url is none that it understands
+  /// @throw InvalidArgumentException camera_info_manager does not understand the url
   Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url);
 
   /// From any thread.
@@ -39,10 +39,10 @@ class Calibration {
   ros::ServiceServer service_;
 };
 
-/// What makes a message no calibration of the robot's camera: a size that is not from 1x1 to that of the
+/// Finds out why a message cannot be a calibration of the robot's camera: a size that is not from 1x1 to that of the
 /// largest picture (jpeg_inspector.h); a distortion model other than plumb_bob, rational_polynomial, equidistant and
 /// none; more than 14 coefficients; numbers that are not finite. From any thread.
-/// @return for a message to the user; empty if nothing does
+/// @return the problem, for a message to the user; empty if there is none
 std::string problemOf(const sensor_msgs::CameraInfo& info);
 
 }  // namespace aibo_driver::node

@@ -9,10 +9,10 @@
 namespace aibo_driver::node {
 namespace {
 
-// Of each subscriber. At 30 pictures a second one that cannot keep up is at most 170 ms behind.
+// For each subscriber. At 30 pictures a second, one that cannot keep up is at most 170 ms behind.
 constexpr std::uint32_t kQueueSize = 5;
 
-// Pins what image_transport's decoders deliver to the encoding of our own image_raw; plain "jpeg" means bgr8 to some
+// Makes image_transport's decoders deliver the encoding of our own image_raw. A plain "jpeg" means bgr8 to some
 // releases of compressed_image_transport and rgb8 to others.
 constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
 
@@ -28,7 +28,7 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
   const ros::SubscriberStatusCallback on_change = [subscribers_changed](const ros::SingleSubscriberPublisher&) {
     subscribers_changed();
   };
-  // Built from the resolved base name, so that remapping image_raw carries these two along.
+  // Built from the resolved base name, so that remapping image_raw remaps these two as well.
   compressed_publisher_ =
       handle.advertise<sensor_msgs::CompressedImage>(image_topic + "/compressed", kQueueSize, on_change, on_change);
   camera_info_publisher_ = handle.advertise<sensor_msgs::CameraInfo>(image_transport::getCameraInfoTopic(image_topic),
@@ -66,8 +66,8 @@ void CameraPublisher::publishCameraInfo(const std_msgs::Header& header, const Pi
     message->height = height;
   } else if (message->width != width || message->height != height) {
     ROS_WARN_STREAM_ONCE_NAMED("camera", "The camera is calibrated for pictures of "
-                                             << message->width << "x" << message->height << ", but they are " << width
-                                             << "x" << height << ": calibrate it again.");
+                                             << message->width << "x" << message->height << ", but the robot sends "
+                                             << width << "x" << height << ": calibrate it again.");
   }
   camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
 }

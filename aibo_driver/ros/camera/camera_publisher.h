@@ -15,16 +15,16 @@
 
 namespace aibo_driver::node {
 
-/// Publishes each picture as the robot sent it (image_raw/compressed), and its camera_info with the same header.
+/// Publishes each picture as the robot sent it (image_raw/compressed), and camera_info with the same header.
 ///
-/// Without a calibration camera_info holds the picture's width and height and zeros, which by CameraInfo.msg means
-/// uncalibrated.
+/// Without a calibration, camera_info holds the picture's width and height, and zeros, which mean uncalibrated
+/// (CameraInfo.msg).
 class CameraPublisher {
  public:
   /// @param camera_handle the camera's namespace
   /// @param robot_clock must outlive the publisher; null: pictures are stamped with their arrival
   /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
-  /// @throw InvalidArgumentException camera_info_url is none that camera_info_manager understands
+  /// @throw InvalidArgumentException camera_info_manager does not understand camera_info_url
   CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
                   robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
 
@@ -32,7 +32,7 @@ class CameraPublisher {
   /// @return the message that was published
   sensor_msgs::CompressedImageConstPtr publish(const Picture& picture);
 
-  /// The picture as a message, with the same header each time. From any thread.
+  /// The picture as a message. The same picture gets the same header each time. From any thread.
   sensor_msgs::CompressedImage toMessage(const Picture& picture);
 
   bool hasSubscribers() const;

@@ -11,10 +11,10 @@ ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(inDriverName
   const std::lock_guard<std::mutex> lock(mutex_);
   raw_images_ = std::make_unique<RawImagePublisher>(handle_, "image_raw", [this] { updateSubscription(); });
   const std::string topic = handle_.resolveName("image_raw");
-  ROS_INFO_STREAM("Decoding " << topic << "/compressed to " << topic << " while somebody listens.");
+  ROS_INFO_STREAM("Decoding " << topic << "/compressed to " << topic << " while it has subscribers.");
 }
 
-// From here on neither side calls the other, though subscribers may still come and go on another thread.
+// From here on neither side calls the other, although subscribers may still come and go on another thread.
 ImageDecoder::~ImageDecoder() {
   const std::lock_guard<std::mutex> lock(mutex_);
   stopping_ = true;

@@ -12,8 +12,8 @@
 
 namespace aibo_driver::node {
 
-/// Decodes image_raw/compressed to image_raw, for bags that hold only the robot's JPEGs. Subscribes to the one only
-/// while the other has a subscriber. Headers are kept.
+/// Decodes image_raw/compressed to image_raw, for bags that hold only the robot's JPEGs. Keeps the headers. Subscribes
+/// only while image_raw has a subscriber.
 class ImageDecoder {
  public:
   /// @param handle the camera's namespace; the root namespace means /aibo/camera
@@ -27,7 +27,7 @@ class ImageDecoder {
   void updateSubscription();
 
   ros::NodeHandle handle_;
-  std::mutex mutex_;  ///< callbacks may come before the constructor has ended, and while the destructor runs
+  std::mutex mutex_;  ///< callbacks may come before the constructor returns, and while the destructor runs
   bool stopping_ = false;
   ros::Subscriber subscriber_;
   std::unique_ptr<RawImagePublisher> raw_images_;

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kBytesPerPixel = 3;
 
-// libjpeg-turbo 2.0 has no limit of scans yet; inspectJpeg() lets only single scans through anyhow.
+// libjpeg-turbo 2.0 cannot limit scans yet; inspectJpeg() lets only single scans through anyway.
 #ifdef TJFLAG_LIMITSCANS
 constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
 #else
 constexpr int kFlags = TJFLAG_STOPONWARNING;
 #endif
 
-// For one picture only: a decoder keeps its tables, and decodes a picture whose own ones are lost by those of the last.
+// For one picture only: a decoder keeps its tables, and would decode a picture without tables with those of the last.
 class Decompressor {
  public:
   Decompressor() : handle_(tjInitDecompress()) {

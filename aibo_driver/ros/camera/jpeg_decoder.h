@@ -1,5 +1,5 @@
 /// @file jpeg_decoder.h
-/// JPEG to pixels. No ROS in it.
+/// JPEG to pixels, without ROS.
 #ifndef AIBO_DRIVER_ROS_CAMERA_JPEG_DECODER_H
 #define AIBO_DRIVER_ROS_CAMERA_JPEG_DECODER_H
 
@@ -11,13 +11,13 @@
 
 namespace aibo_driver::node {
 
-/// The bytes are no whole, undamaged picture of the robot's camera; the message says what is wrong.
+/// The bytes are not a whole, undamaged picture of the robot's camera; the message says what is wrong.
 class DecodeException : public Exception {
  public:
   using Exception::Exception;
 };
 
-/// Rows from top to bottom without padding, three bytes a pixel: blue, green, red.
+/// Rows from top to bottom without padding, three bytes per pixel: blue, green, red.
 struct BgrImage {
   int width = 0;
   int height = 0;
@@ -26,11 +26,11 @@ struct BgrImage {
 
 /// Decodes one of the robot's pictures. Any thread may call it.
 ///
-/// A picture that inspectJpeg() does not find good is refused before anything is allocated for it, and a decoder's
-/// warning is an error: half a picture with grey blocks in it is worth less than none, and a hostile one costs no more
-/// time than a good one.
+/// A picture that inspectJpeg() rejects is refused before anything is allocated for it, so a hostile one costs no more
+/// time than a good one. A warning of the decoder counts as an error: half a picture with grey blocks is worse than
+/// none.
 /// @param jpeg not null unless size is 0
-/// @throw DecodeException the picture is damaged, or none that the camera can make; or there is no memory
+/// @throw DecodeException the picture is damaged, is not one that the camera can make, or there is no memory
 BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size);
 
 }  // namespace aibo_driver::node

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kWarnPeriod = 10.0;  // seconds
 
-// image_transport reads the list when the topic is advertised. What a user has put there stays.
-void keepCompressedPluginsOff(const std::string& resolved_topic) {
+// image_transport reads this list when the topic is advertised. Entries of the user are kept.
+void disableCompressedPlugins(const std::string& resolved_topic) {
   const std::string parameter = resolved_topic + "/disable_pub_plugins";
   std::vector<std::string> disabled;
   ros::param::get(parameter, disabled);
@@ -32,7 +32,7 @@ void keepCompressedPluginsOff(const std::string& resolved_topic) {
 
 RawImagePublisher::RawImagePublisher(const ros::NodeHandle& handle, const std::string& topic,
                                      std::function<void()> subscribers_changed) {
-  keepCompressedPluginsOff(handle.resolveName(topic));
+  disableCompressedPlugins(handle.resolveName(topic));
   image_transport::SubscriberStatusCallback on_change;
   if (subscribers_changed) {
     on_change = [subscribers_changed](const image_transport::SingleSubscriberPublisher&) { subscribers_changed(); };

@@ -17,13 +17,13 @@
 
 namespace aibo_driver::node {
 
-/// Publishes JPEG pictures as bgr8 images, through image_transport, while somebody subscribes to them.
+/// Publishes JPEG pictures as bgr8 images, through image_transport, while they have subscribers.
 ///
-/// Decodes in a thread of its own, so that whoever brings the pictures never waits. A picture that comes while another
-/// is being decoded waits in a slot for one, where a newer one replaces it.
+/// Decodes in a thread of its own, so that publish() never waits. One picture can wait while another is being decoded;
+/// a newer one takes its place.
 ///
-/// Where compressed_image_transport is installed, it would advertise TOPIC/compressed beside every image topic: a
-/// second publisher on the topic that carries the robot's own JPEGs. Its plugins are kept off this topic.
+/// If compressed_image_transport is installed, it advertises TOPIC/compressed for every image topic. That would be a
+/// second publisher on the topic of the robot's own JPEGs, so its plugins are disabled for this topic.
 class RawImagePublisher {
  public:
   struct Statistics {
@@ -41,7 +41,7 @@ class RawImagePublisher {
   RawImagePublisher(const RawImagePublisher&) = delete;
   RawImagePublisher& operator=(const RawImagePublisher&) = delete;
 
-  /// Takes a picture to be decoded, if anybody listens. Never blocks; from any thread.
+  /// Hands a picture to the decoder, if there are subscribers. Never blocks; from any thread.
   void publish(const sensor_msgs::CompressedImageConstPtr& picture);
 
   bool hasSubscribers() const;
@@ -57,7 +57,7 @@ class RawImagePublisher {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;
-  sensor_msgs::CompressedImageConstPtr waiting_;  ///< the slot
+  sensor_msgs::CompressedImageConstPtr waiting_;  ///< the next picture to be decoded
   Statistics statistics_;
 
   std::thread thread_;  // last: it uses all of the above

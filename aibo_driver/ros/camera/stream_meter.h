@@ -10,13 +10,13 @@
 
 namespace aibo_driver::node {
 
-/// Measures the published pictures between one reading and the next. Every function may be called from any thread.
+/// Measures the stream of published pictures between two readings. Every function may be called from any thread.
 class StreamMeter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
   struct Reading {
-    double seconds = 0.0;        ///< since the reading before
+    double seconds = 0.0;        ///< since the previous reading
     std::uint64_t pictures = 0;  ///< published in this time
     std::uint64_t bytes = 0;     ///< of their JPEGs
     double mean_latency = 0.0;   ///< s, from a picture's first byte to its publication; 0 without pictures
@@ -27,10 +27,10 @@ class StreamMeter {
 
   explicit StreamMeter(std::function<SteadyTime()> now = std::chrono::steady_clock::now);
 
-  /// A picture has just been published.
+  /// To be called when a picture has been published.
   void add(std::size_t bytes, SteadyTime first_byte_time);
 
-  /// What happened since the last call, or since construction.
+  /// The measurements since the last call, or since construction.
   Reading read();
 
  private:

@@ -48,8 +48,8 @@ class JointCommander {
   /// What was not sent is logged.
   void receive(const sensor_msgs::JointState& message);
 
-  /// To be called before the motors are switched. Ends the trajectory. From now on the posture may be any, so all joints
-  /// are approached again: see JointCommandFilter.
+  /// To be called before the motors are switched. Ends the trajectory. From now on the posture may be any, so all
+  /// joints are approached again: see JointCommandFilter.
   void prepareForMotors();
 
   /// To be called before the robot plays a motion of its own. Ends the trajectory, and lets all joints move as fast as

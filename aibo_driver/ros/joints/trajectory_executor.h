@@ -34,9 +34,9 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
 ///
 /// Every kPeriod it tells the robot where the joints should be kLookahead later, to arrive by then. So the robot always
 /// knows what comes next, and a message that is late by less than that does not make it falter. The robot counts the
-/// time from the arrival of each message, so its clock and ours need not agree. If the driver is held up for longer, the
-/// trajectory resumes where it was. If the connection is lost, the trajectory is over, and the joints stop where they
-/// were last sent, which is at most kLookahead away.
+/// time from the arrival of each message, so its clock and ours need not agree. If the driver is held up for longer,
+/// the trajectory resumes where it was. If the connection is lost, the trajectory is over, and the joints stop where
+/// they were last sent, which is at most kLookahead away.
 ///
 /// A new trajectory replaces the one before, beginning where that one is now. A trajectory without points stops the
 /// joints that move.

@@ -25,11 +25,11 @@ std::string problemWith(const std::function<void(CameraInfo*)>& change) {
   return problemOf(info);
 }
 
-TEST(Calibration, OfTheCameraIsTaken) {
+TEST(Calibration, OfTheCameraIsAccepted) {
   EXPECT_EQ(problemOf(goodCalibration()), "");
 }
 
-TEST(Calibration, OfEveryModelAndSizeThereIsIsTaken) {
+TEST(Calibration, OfEveryModelAndSizeIsAccepted) {
   for (const char* model : {"", "plumb_bob", "rational_polynomial", "equidistant"}) {
     EXPECT_EQ(problemWith([&](CameraInfo* info) { info->distortion_model = model; }), "") << model;
   }
@@ -38,7 +38,7 @@ TEST(Calibration, OfEveryModelAndSizeThereIsIsTaken) {
   EXPECT_EQ(problemWith([](CameraInfo* info) { info->height = 320; }), "");
 }
 
-TEST(Calibration, OfAnotherSizeThanAnyPictureIsRefused) {
+TEST(Calibration, OfASizeThatNoPictureHasIsRefused) {
   EXPECT_THAT(problemOf(CameraInfo()), HasSubstr("0x0"));
   EXPECT_THAT(problemWith([](CameraInfo* info) { info->height = 0; }), HasSubstr("208x0"));
   EXPECT_THAT(problemWith([](CameraInfo* info) { info->width = 417; }), HasSubstr("417x160"));
@@ -47,7 +47,7 @@ TEST(Calibration, OfAnotherSizeThanAnyPictureIsRefused) {
               HasSubstr("4294967295x160"));
 }
 
-TEST(Calibration, OfAModelNobodyKnowsIsRefused) {
+TEST(Calibration, OfAnUnknownModelIsRefused) {
   EXPECT_THAT(problemWith([](CameraInfo* info) { info->distortion_model = "plumb"; }), HasSubstr("distortion model"));
   EXPECT_THAT(problemWith([](CameraInfo* info) { info->D.assign(15, 0.0); }), HasSubstr("15 coefficients"));
 }

@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 using XmlRpc::XmlRpcValue;
 
 XmlRpcValue one(const std::string& name, const XmlRpcValue& value) {
@@ -52,22 +53,22 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
-TEST(DriverParameters, ATelemetryRateMeansSomeOfTheRobotsMeasurementsEachOf4Frames) {
+TEST(DriverParameters, ATelemetryRateIsRoundedToAMultipleOf4Frames) {
   EXPECT_EQ(telemetryPeriodOf(31.25), 4);
   EXPECT_EQ(telemetryPeriodOf(30), 4);
   EXPECT_EQ(telemetryPeriodOf(10), 12);
   EXPECT_EQ(telemetryPeriodOf(1), 124);
   EXPECT_EQ(telemetryPeriodOf(0), 0);
-  EXPECT_EQ(telemetryPeriodOf(0.0001), 65532) << "the longest that the robot knows";
+  EXPECT_EQ(telemetryPeriodOf(0.0001), 65532) << "the longest that the robot supports";
 }
 
-TEST(DriverParameters, ATelemetryPeriodTellsTheRateInForce) {
+TEST(DriverParameters, ATelemetryPeriodGivesTheRateInForce) {
   EXPECT_DOUBLE_EQ(telemetryRateOf(4), 31.25);
   EXPECT_DOUBLE_EQ(telemetryRateOf(20), 6.25);
   EXPECT_DOUBLE_EQ(telemetryRateOf(0), 0);
 }
 
-TEST(DriverParameters, OfTheJointsAreTakenOver) {
+TEST(DriverParameters, OfTheJointsAreRead) {
   XmlRpcValue values;
   values["robot"] = "ERS-210";
   values["joint_speed_limit"] = 2;
@@ -91,7 +92,7 @@ TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));
 }
 
-TEST(DriverParameters, AreTakenOver) {
+TEST(DriverParameters, AreRead) {
   XmlRpcValue values;
   values["host"] = "aibo.local";
   values["port"] = 1234;
@@ -117,7 +118,9 @@ TEST(DriverParameters, AreTakenOver) {
 }
 
 TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
-  EXPECT_EQ(refusal("port", 0), "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535.");
+  EXPECT_EQ(refusal("port", 0),
+            "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535. "
+            "'rosparam delete NAME' removes a parameter that was set before.");
   EXPECT_THAT(refusal("port", 65536), HasSubstr("1..65535"));
   EXPECT_THAT(refusal("jpeg_quality", 101), HasSubstr("1..100"));
   EXPECT_THAT(refusal("connect_timeout", 0.0), HasSubstr("connect_timeout is 0"));
@@ -127,15 +130,29 @@ TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
 }
 
 TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
-  EXPECT_EQ(refusal("port", "abc"),
-            "Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535.");
+  EXPECT_THAT(refusal("port", "abc"),
+              StartsWith("Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535."));
   EXPECT_THAT(refusal("jpeg_quality", 85.5), HasSubstr("a whole number"));
   EXPECT_THAT(refusal("read_timeout", "1"), HasSubstr("a number of seconds"));
   EXPECT_THAT(refusal("stream_on_start", 1), HasSubstr("true or false"));
   EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; allowed is"));
 }
 
-TEST(DriverParameters, AreRefusedWhenTheTextCannotBeMeant) {
+TEST(DriverParameters, AreRefusedAllAtOnce) {
+  XmlRpcValue values;
+  values["port"] = 0;
+  values["host"] = "aibo.local";
+  values["read_timeout"] = 61;
+  try {
+    parse(values);
+    FAIL() << "accepted";
+  } catch (const InvalidArgumentException& error) {
+    EXPECT_THAT(error.what(), HasSubstr("port is 0; allowed is a whole number, 1..65535."));
+    EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; allowed is a number of seconds, 0.05..60."));
+  }
+}
+
+TEST(DriverParameters, AreRefusedWhenTheTextMakesNoSense) {
   EXPECT_THAT(refusal("host", ""), HasSubstr("name or address"));
   EXPECT_THAT(refusal("host", "my robot"), HasSubstr("name or address"));
   EXPECT_THAT(refusal("frame_id", "/camera"), HasSubstr("not beginning with '/'"));
@@ -149,7 +166,7 @@ TEST(DriverParameters, ReconnectWaitsFollowTheirMaximum) {
   EXPECT_LE(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
 }
 
-TEST(DriverParameters, ThatNobodyReadsAreListed) {
+TEST(DriverParameters, ThatTheDriverDoesNotHaveAreListed) {
   XmlRpcValue values;
   values["prot"] = 54321;
   values["diagnostic_period"] = 2.0;

@@ -73,12 +73,12 @@ TEST(DecodeJpeg, DecodesToBlueGreenRedFromTopToBottom) {
 
 TEST(DecodeJpeg, RefusesDamagedCompressedDataInsteadOfReturningHalfAPicture) {
   std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
-  // An end-of-image marker in the middle is what the decoder only warns about.
+  // The decoder only warns of an end-of-image marker in the middle.
   jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(jpeg.size() - jpeg.size() / 3), jpeg.end() - 2);
   EXPECT_THAT(refusal(jpeg), HasSubstr("the compressed data is damaged"));
 }
 
-TEST(DecodeJpeg, RefusesWhatIsNoJpeg) {
+TEST(DecodeJpeg, RefusesWhatIsNotAJpeg) {
   EXPECT_NE(refusal({}), "decoded");
   EXPECT_NE(refusal(std::vector<std::uint8_t>(5000, 0x55)), "decoded");
 }
@@ -91,7 +91,7 @@ TEST(DecodeJpeg, RefusesProgressivePictures) {
   EXPECT_NE(refusal(encode(kWidth, kHeight, TJFLAG_PROGRESSIVE)), "decoded");
 }
 
-TEST(DecodeJpeg, APictureThatLacksATableIsNotDecodedByThatOfThePictureBefore) {
+TEST(DecodeJpeg, DoesNotDecodeAPictureWithATableOfThePictureBefore) {
   std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
   ASSERT_EQ(refusal(jpeg), "decoded");
   constexpr std::array<std::uint8_t, 2> kQuantizationTable = {0xFF, 0xDB};

@@ -33,7 +33,7 @@ DiagnosticStatusWrapper reportAt(double charge, double temperature) {
   return reportOf(power);
 }
 
-TEST(PowerStatus, TellsHowFullAndWarmTheBatteryIs) {
+TEST(PowerStatus, ReportsHowFullAndWarmTheBatteryIs) {
   const DiagnosticStatusWrapper status = reportAt(0.87, 31.5);
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "battery at 87 %");
@@ -57,7 +57,7 @@ TEST(PowerStatus, WarnsOfHeatAndOfBothAtOnce) {
   EXPECT_THAT(reportAt(0.15, 60).message, AllOf(HasSubstr("15 %"), HasSubstr("60 degrees Celsius: too hot")));
 }
 
-TEST(PowerStatus, RemembersWhatTheRobotTellsInTurn) {
+TEST(PowerStatus, RemembersValuesThatComeInTurn) {
   PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   power.update(telling({{kBattery, 0.5}}));
   power.update(telling({{kTemperature, 55}}));
@@ -65,7 +65,7 @@ TEST(PowerStatus, RemembersWhatTheRobotTellsInTurn) {
   EXPECT_EQ(reportOf(power).values.size(), 2u);
 }
 
-TEST(PowerStatus, OfARobotThatTellsNothingIsAFaultOnlyIfItWasAsked) {
+TEST(PowerStatus, OfASilentRobotIsAFaultOnlyIfItWasAsked) {
   PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
   EXPECT_THAT(reportOf(power).message, HasSubstr("RCServer"));

@@ -45,7 +45,7 @@ TEST_F(RobotStamperTest, TheStampOfAPictureWithoutAFrameNumberIsTheArrivalOfItsF
   EXPECT_EQ(stamper.stamp(pictureOf(steady_now_ - 20ms)), ros::Time(999, 980000000));
 }
 
-TEST_F(RobotStamperTest, StampsKeepTheIntervalOfTheFrameNumbersHoweverLateAMessageComes) {
+TEST_F(RobotStamperTest, StampsKeepTheIntervalOfTheFrameNumbersEvenIfAMessageIsLate) {
   RobotStamper stamper = makeStamper(0ns, &robot_clock_);
   const ros::Time first = stamper.stamp(telemetryOf(100, steady_now_));
   advance(70ms);
@@ -101,7 +101,7 @@ TEST_F(RobotStamperTest, StampsOfMessagesThatArriveTogetherKeepTheIntervalOfThei
   EXPECT_EQ(stamper.stamp(telemetryOf(112, steady_now_)), first + ros::Duration(0, 32000000));
 }
 
-TEST_F(RobotStamperTest, StampsIncreaseAlthoughTheRosClockStepsBackALittle) {
+TEST_F(RobotStamperTest, StampsIncreaseEvenIfTheRosClockStepsBackALittle) {
   RobotStamper stamper = makeStamper(0ns);
   const ros::Time first = stamper.stamp(pictureOf(steady_now_));
   advance(33ms);
@@ -130,7 +130,7 @@ TEST_F(RobotStamperTest, StampsIncreaseWhileASimulatedClockHasNotBegun) {
   EXPECT_GT(second, first);
 }
 
-// An interruption between the readings of two clocks would be taken for a difference between them.
+// An interruption between reading one clock and the other would look like a difference between them.
 TEST_F(RobotStamperTest, TheClocksAreReadAgainIfTheThreadWasInterruptedInBetween) {
   int readings = 0;
   RobotStamper stamper(

@@ -27,7 +27,7 @@ TEST(StreamMeter, MeasuresRateBandwidthAndLatencySinceTheLastReading) {
   EXPECT_DOUBLE_EQ(idle.max_latency, 0.0);
 }
 
-TEST(StreamMeter, DividesByNoTimeAtAll) {
+TEST(StreamMeter, DoesNotDivideByZero) {
   StreamMeter meter([] { return StreamMeter::SteadyTime{}; });
   EXPECT_DOUBLE_EQ(meter.read().picturesPerSecond(), 0.0);
   EXPECT_DOUBLE_EQ(meter.read().kilobytesPerSecond(), 0.0);

@@ -80,7 +80,7 @@ TEST_F(TrajectoryExecutorTest, BeginsWithWhereTheJointsShouldBeSoon) {
   EXPECT_THAT(client_.told, ElementsAre("V 2:3.00", "J 2:0.10 in 96"));
 }
 
-TEST_F(TrajectoryExecutorTest, SendsNothingOfARefusedTrajectory) {
+TEST_F(TrajectoryExecutorTest, SendsNothingIfATrajectoryIsRefused) {
   executor_.receive(trajectory(1.0, 0.1));
   EXPECT_THAT(client_.told, IsEmpty());
 }

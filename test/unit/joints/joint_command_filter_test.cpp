@@ -49,7 +49,7 @@ class JointCommandFilterTest : public ::testing::Test {
     return result.orders.empty() ? JointOrder() : result.orders.begin()->second;
   }
 
-  // Puts the approach of a joint behind it.
+  // Ends the approach of a joint.
   void arrive(const std::string& joint, double position) {
     filter({{joint}, {position}, {}});
     now_ += seconds(60);
@@ -125,11 +125,11 @@ TEST_F(JointCommandFilterTest, LimitsTheSpeedToTheVelocityGiven) {
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {1.5}}).speed, 1.5);
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {-1.5}}).speed, 1.5);
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {100}}).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means: none is given";
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means that none is given";
   EXPECT_GT(order({{"head_pan"}, {0.5}, {1e-12}}).speed, 0);
 }
 
-TEST_F(JointCommandFilterTest, ApproachesTheFirstPositionSlowlyHoweverOftenItIsRepeated) {
+TEST_F(JointCommandFilterTest, ApproachesTheFirstPositionSlowlyEvenIfItIsRepeated) {
   measure(1.0);
   for (int i = 0; i < 20; ++i) {  // for 2 s, which the way of 1 rad takes
     EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed) << i;
@@ -139,7 +139,7 @@ TEST_F(JointCommandFilterTest, ApproachesTheFirstPositionSlowlyHoweverOftenItIsR
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
 }
 
-TEST_F(JointCommandFilterTest, GoesOnApproachingWhenThePositionChangesOnTheWay) {
+TEST_F(JointCommandFilterTest, StillApproachesWhenThePositionChangesOnTheWay) {
   measure(1.0);
   order({{"head_pan"}, {0.5}, {}});
   now_ += milliseconds(900);
@@ -158,7 +158,7 @@ TEST_F(JointCommandFilterTest, ApproachesUntilTheJointIsMeasuredNear) {
   measure(-0.91);
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed) << "no jerk at the end";
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {1.0}, {}}).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kSpeedLimit) << "it does not begin again";
+  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kSpeedLimit) << "the approach does not begin again";
 }
 
 // A sine of 0.5 Hz, commanded 50 times a second for 10 s.
@@ -179,7 +179,7 @@ TEST_F(JointCommandFilterTest, CatchesUpWithATargetThatMovesAllTheTime) {
   EXPECT_DOUBLE_EQ(last_speed, kSpeedLimit);
 }
 
-TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesThoughNothingIsMeasured) {
+TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesIfNothingIsMeasured) {
   for (int i = 0; i < 330; ++i) {  // for 6.6 s; 176 degrees at 0.5 rad/s take 6.1 s
     const double speed = order({{"head_pan"}, {sine(i)}, {}}).speed;
     EXPECT_TRUE(i > 200 || speed == kApproachSpeed) << i;
@@ -189,7 +189,7 @@ TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesThoughNot
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
 }
 
-TEST_F(JointCommandFilterTest, TakesAJointThatWasNotMeasuredForFarAway) {
+TEST_F(JointCommandFilterTest, AssumesThatAnUnmeasuredJointIsFarAway) {
   order({{"head_pan"}, {0.0}, {}});
   now_ += milliseconds(3000);  // 88 degrees at 0.5 rad/s take 3.07 s
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
@@ -203,13 +203,13 @@ TEST_F(JointCommandFilterTest, ApproachesEachJointByItself) {
   EXPECT_DOUBLE_EQ(result.orders.at(kMouth).speed, kApproachSpeed);
 }
 
-TEST_F(JointCommandFilterTest, ApproachesAgainWhenTold) {
+TEST_F(JointCommandFilterTest, ApproachesAgainAfterStartApproach) {
   arrive("head_pan", 0);
   filter_.startApproach();
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {}}).speed, kApproachSpeed);
 }
 
-TEST_F(JointCommandFilterTest, ApproachesWithAVelocityThatIsLowerStill) {
+TEST_F(JointCommandFilterTest, ApproachesAtTheVelocityGivenIfThatIsLower) {
   measure(1.0);
   EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {0.1}}).speed, 0.1);
   now_ += seconds(9);  // of the 10 that it takes

@@ -22,7 +22,7 @@ class JointLinkTest : public ::testing::Test {
   JointLink link_{client_};
 };
 
-TEST_F(JointLinkTest, SendsOrdersGivenTogetherTogether) {
+TEST_F(JointLinkTest, SendsAllOrdersInOneRequest) {
   link_.send({{1, {0.5, 2.0}}, {2, {0.25, 2.0}}}, milliseconds(40));
   EXPECT_THAT(told_, ElementsAre("V 1:2.00", "V 2:2.00", "J 1:0.50 2:0.25 in 40"));
 }
@@ -59,7 +59,7 @@ TEST_F(JointLinkTest, SendsNothingWithoutOrders) {
   EXPECT_THAT(told_, IsEmpty());
 }
 
-TEST_F(JointLinkTest, TellsWhenTheRobotCannotBeTold) {
+TEST_F(JointLinkTest, ThrowsIfTheRobotCannotBeReached) {
   client_.problem = "broken";
   EXPECT_THROW(link_.send({{1, {0.5, 2.0}}}, milliseconds(0)), NetworkException);
 }

@@ -7,7 +7,7 @@
 namespace aibo_driver::joints {
 namespace {
 
-TEST(JointTable, ListsTheServosOfTheErs7InRadian) {
+TEST(JointTable, ListsTheServosOfTheErs7InRadians) {
   const JointTable table("ERS-7", 100);
   ASSERT_EQ(table.size(), 18u);
   const auto pan = table.findByName("head_pan");
@@ -32,7 +32,7 @@ TEST(JointTable, ScalesTheSpeedLimitsOfAllJoints) {
   EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 0.5 * 3.185226, 1e-6);
 }
 
-TEST(JointTable, ListsTheSpeedLimitsThatHoldAtPresent) {
+TEST(JointTable, ListsTheSpeedLimitsInForce) {
   JointTable table("ERS-7", 4);
   table.setSpeedScale(0.5);
   const std::vector<JointSpeedLimit> limits = table.speedLimits();
@@ -43,7 +43,7 @@ TEST(JointTable, ListsTheSpeedLimitsThatHoldAtPresent) {
   }
 }
 
-TEST(JointTable, KnowsOtherRobotsByTheirDesign) {
+TEST(JointTable, HasOtherRobotsByTheirDesign) {
   EXPECT_TRUE(JointTable("ERS-210", 1).findByName("head_roll"));
   EXPECT_FALSE(JointTable("ERS-7", 1).findByName("head_roll"));
   EXPECT_FALSE(JointTable("ERS-7", 1).findById(99));

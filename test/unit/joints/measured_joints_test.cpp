@@ -31,7 +31,7 @@ class MeasuredJointsTest : public ::testing::Test {
   MeasuredJoints measured_{table_};
 };
 
-TEST_F(MeasuredJointsTest, KnowNothingAtFirstAndAfterClear) {
+TEST_F(MeasuredJointsTest, AreEmptyAtFirstAndAfterClear) {
   EXPECT_FALSE(measured_.find(pan_));
   measured_.update(telemetry(4, milliseconds(32), 0.5));
   ASSERT_TRUE(measured_.find(pan_));
@@ -40,17 +40,17 @@ TEST_F(MeasuredJointsTest, KnowNothingAtFirstAndAfterClear) {
   EXPECT_FALSE(measured_.find(pan_));
 }
 
-TEST_F(MeasuredJointsTest, WorkOutVelocityFromTheRobotsTimeHoweverTelemetryArrives) {
+TEST_F(MeasuredJointsTest, ComputeVelocityFromTheRobotsTimeWheneverTelemetryArrives) {
   EXPECT_DOUBLE_EQ(velocityOf(measured_.update(telemetry(100, milliseconds(0), 0.1))), 0);
   EXPECT_NEAR(velocityOf(measured_.update(telemetry(104, milliseconds(500), 0.164))), 2.0, 1e-9);
 }
 
-TEST_F(MeasuredJointsTest, BearFrameNumbersThatBeginAgain) {
+TEST_F(MeasuredJointsTest, AcceptFrameNumbersThatWrapAround) {
   measured_.update(telemetry(0xFFFFFFFEu, milliseconds(0), 0.0));
   EXPECT_NEAR(velocityOf(measured_.update(telemetry(2, milliseconds(32), 0.032))), 1.0, 1e-9);
 }
 
-TEST_F(MeasuredJointsTest, WorkOutVelocityFromArrivalWithoutTheRobotsTime) {
+TEST_F(MeasuredJointsTest, ComputeVelocityFromArrivalWithoutTheRobotsTime) {
   measured_.update(telemetry(std::nullopt, milliseconds(0), 0.0));
   EXPECT_NEAR(velocityOf(measured_.update(telemetry(std::nullopt, milliseconds(900), -0.9))), -1.0, 1e-9);
 }

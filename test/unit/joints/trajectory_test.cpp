@@ -33,7 +33,7 @@ class TrajectoryTest : public ::testing::Test {
 
   static TrajectoryRequest pan(const std::vector<TrajectoryRequest::Point>& points) { return {{"head_pan"}, points}; }
 
-  // The highest speed of the first joint, by looking closely.
+  // The highest speed of the first joint, sampled densely.
   static double highestSpeed(const Trajectory& trajectory) {
     constexpr double kStep = 0.0005;
     double highest = 0;
@@ -84,7 +84,7 @@ TEST_F(TrajectoryTest, MovesAllItsJoints) {
   EXPECT_NEAR(trajectory.sample(0.5)[1], 0.2, 1e-12);
 }
 
-TEST_F(TrajectoryTest, RefusesNamesThatAreUnknownOrThereTwice) {
+TEST_F(TrajectoryTest, RefusesUnknownAndRepeatedNames) {
   EXPECT_THAT(refusal({{"left_ear"}, {{1, {0}, {}}}}), HasSubstr("no joint 'left_ear'"));
   EXPECT_THAT(refusal({{"head_pan", "head_pan"}, {{1, {0, 0}, {}}}}), HasSubstr("head_pan is named twice"));
   EXPECT_THAT(refusal({{}, {{1, {}, {}}}}), HasSubstr("points without joints"));
@@ -95,7 +95,7 @@ TEST_F(TrajectoryTest, RefusesArraysOfTheWrongLength) {
   EXPECT_THAT(refusal(pan({{1, {0}, {}}, {2, {0}, {0, 0}}})), HasSubstr("point 1 has 2 velocities"));
 }
 
-TEST_F(TrajectoryTest, RefusesWhatIsNotFinite) {
+TEST_F(TrajectoryTest, RefusesNumbersThatAreNotFinite) {
   EXPECT_THAT(refusal(pan({{1, {kNan}, {}}})), HasSubstr("not finite"));
   EXPECT_THAT(refusal(pan({{1, {0}, {kNan}}})), HasSubstr("not finite"));
   EXPECT_THAT(refusal(pan({{kNan, {0}, {}}})), HasSubstr("not finite"));
@@ -106,8 +106,8 @@ TEST_F(TrajectoryTest, RefusesTimesThatDoNotIncrease) {
   EXPECT_THAT(refusal(pan({{-1, {0}, {}}})), HasSubstr("time_from_start of point 0"));
 }
 
-TEST_F(TrajectoryTest, RefusesAJointWhoseBeginningIsNotKnown) {
-  EXPECT_THAT(refusal({{"tail_pan"}, {{1, {0}, {}}}}), HasSubstr("where tail_pan is"));
+TEST_F(TrajectoryTest, RefusesAJointWhosePositionIsNotKnown) {
+  EXPECT_THAT(refusal({{"tail_pan"}, {{1, {0}, {}}}}), HasSubstr("position of tail_pan has not been measured"));
 }
 
 TEST_F(TrajectoryTest, RefusesPositionsBeyondTheLimitsEvenSlowedDown) {
@@ -147,7 +147,7 @@ TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
   EXPECT_NEAR(curved.sample(curved.duration())[0], 1, 1e-9);
 }
 
-TEST_F(TrajectoryTest, TakesAFirstPointAtTime0ForThePresentPoseIfItIsNear) {
+TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
   present_pan_ = 0.05;
   const Trajectory trajectory = plan(pan({{0, {0}, {}}, {1, {1}, {}}}));
   EXPECT_DOUBLE_EQ(trajectory.sample(0)[0], 0.05);

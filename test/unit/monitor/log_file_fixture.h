@@ -13,7 +13,7 @@
 
 namespace aibo_driver::tools {
 
-/// A path for a log in a folder of its own, both gone after the test.
+/// A path for a log in a folder of its own. Both are deleted after the test.
 class LogFileFixture : public testing::Test {
  protected:
   LogFileFixture() {

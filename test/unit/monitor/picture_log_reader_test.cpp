@@ -22,7 +22,7 @@ const PictureLogReader::Time kArrival{nanoseconds(2500)};
 
 class PictureLogReaderTest : public LogFileFixture {};
 
-TEST_F(PictureLogReaderTest, KnowsAPictureByItsSizeAndChecksum) {
+TEST_F(PictureLogReaderTest, FindsAPictureByItsSizeAndChecksum) {
   append("1000" + kPictureEntry);
   PictureLogReader reader(path());
   reader.readNewLines();
@@ -43,7 +43,7 @@ TEST_F(PictureLogReaderTest, WaitsForTheRestOfALineThatIsBeingWritten) {
   EXPECT_EQ(nanoseconds(1000), reader.cameraTime(kPicture, kArrival)->time_since_epoch());
 }
 
-TEST_F(PictureLogReaderTest, OfEqualPicturesTakesTheLastThatWasSeenBeforeTheArrival) {
+TEST_F(PictureLogReaderTest, TakesTheLastOfEqualPicturesThatWasSeenBeforeTheArrival) {
   append("1000" + kPictureEntry + "2000" + kPictureEntry + "3000" + kPictureEntry);
   PictureLogReader reader(path());
   reader.readNewLines();
@@ -51,7 +51,7 @@ TEST_F(PictureLogReaderTest, OfEqualPicturesTakesTheLastThatWasSeenBeforeTheArri
   EXPECT_EQ(nanoseconds(2000), reader.cameraTime(kPicture, kArrival)->time_since_epoch());
 }
 
-TEST_F(PictureLogReaderTest, SkipsALineThatIsNoEntry) {
+TEST_F(PictureLogReaderTest, SkipsALineThatIsNotAnEntry) {
   append("nonsense\n\n1000" + kPictureEntry);
   PictureLogReader reader(path());
   reader.readNewLines();

@@ -1,4 +1,4 @@
-// What aibo_rcserver writes is what aibo_monitor reads.
+// aibo_monitor can read what aibo_rcserver writes.
 
 #include "simulator/picture_log.h"
 
@@ -39,7 +39,7 @@ class PictureLogTest : public LogFileFixture {
   PictureLogReader reader_{path()};
 };
 
-TEST_F(PictureLogTest, TellsWhenTheCameraSawThePictureThatIsSent) {
+TEST_F(PictureLogTest, SaysWhenTheCameraSawThePictureThatIsSent) {
   const Bytes first{0xFF, 0xD8, 0xFF, 1};
   const Bytes second{0xFF, 0xD8, 0xFF, 2};
   const auto begin = Clock::now();
@@ -57,7 +57,7 @@ TEST_F(PictureLogTest, TellsWhenTheCameraSawThePictureThatIsSent) {
   EXPECT_LE(*loggedTime(second), end);
 }
 
-TEST_F(PictureLogTest, KnowsAPictureOfVersion2) {
+TEST_F(PictureLogTest, FindsAPictureOfVersion2) {
   using namespace protocol::version2;
   const Bytes jpeg{0xFF, 0xD8, 0xFF};
   Bytes message(FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE);
@@ -69,7 +69,7 @@ TEST_F(PictureLogTest, KnowsAPictureOfVersion2) {
   EXPECT_TRUE(loggedTime(jpeg));
 }
 
-TEST_F(PictureLogTest, PassesOverWhatIsNotAPicture) {
+TEST_F(PictureLogTest, SkipsWhatIsNotAPicture) {
   const Bytes jpeg{0xFF, 0xD8, 0xFF};
   log_.cameraImageTaken();
   const Bytes error_reply{'e', 0, 0, 0};
@@ -93,7 +93,7 @@ TEST_F(PictureLogTest, SaysWhichFileCannotBeOpened) {
 
 class PictureLogPipeTest : public LogFileFixture {};
 
-TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyEmpties) {
+TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyReads) {
   makePipe();
   PictureLog log(path());
   PictureLogReader reader(path());

@@ -25,7 +25,7 @@ TEST(DelayFloor, FollowsTheDriftBelowTheDelays) {
   EXPECT_NEAR(floor.at(30), 0.005 + 100e-6 * 30, 1e-9);
 }
 
-TEST(DelayFloor, MessagesOutOfOrderCountAsOthers) {
+TEST(DelayFloor, CountsMessagesOutOfOrderLikeOthers) {
   DelayFloor floor;
   floor.add(10, 0.030);
   floor.add(12, 0.030);
@@ -33,7 +33,7 @@ TEST(DelayFloor, MessagesOutOfOrderCountAsOthers) {
   EXPECT_NEAR(floor.at(11), 0.010, 1e-9);
 }
 
-TEST(DelayFloor, BelievesInNoDriftBeyondThatOfClocks) {
+TEST(DelayFloor, DoesNotExceedTheDriftOfRealClocks) {
   DelayFloor floor;
   floor.add(0, 0.050);
   floor.add(1, 0.005);
@@ -41,7 +41,7 @@ TEST(DelayFloor, BelievesInNoDriftBeyondThatOfClocks) {
   EXPECT_DOUBLE_EQ(floor.at(1), 0.005);
 }
 
-TEST(DelayFloor, ForgetsWhatIsOlderThanItsWindow) {
+TEST(DelayFloor, ForgetsMessagesOlderThanItsWindow) {
   DelayFloor floor;
   floor.add(0, 0.005);
   for (double sent = 1; sent < DelayFloor::kWindow; ++sent) {

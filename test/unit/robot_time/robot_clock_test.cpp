@@ -58,14 +58,14 @@ class RobotBehindRadio {
     }
   }
 
-  /// Nothing comes through, but the robot goes on.
+  /// No message comes through, but the robot goes on.
   void pass(double seconds) {
     const auto frames = static_cast<std::uint32_t>(seconds / kFramePeriod);
     now_ += frames * kFramePeriod;
     frame_ += frames;
   }
 
-  /// What is sent now comes when this time is over, at the earliest.
+  /// Messages sent now arrive after this time at the earliest.
   void holdUp(double seconds) { radio_free_ = now_ + seconds; }
 
   void reboot(std::uint32_t frame) {
@@ -81,7 +81,7 @@ class RobotBehindRadio {
     picture_errors.clear();
   }
 
-  /// When the robot measured less when the clock said so, at the frames sent.
+  /// The clock's time minus the true time of measurement, for the frames sent.
   std::vector<double> telemetry_errors;
   std::vector<double> picture_errors;
   RobotClock clock;
@@ -112,7 +112,7 @@ class RobotBehindRadio {
   std::optional<SteadyTime> last_;
 };
 
-/// The next minute keeps what is promised after 30 s, and gives the same times to both.
+/// Checks that the next minute is as accurate as promised after 30 s, with the same times for both.
 void expectAccurate(RobotBehindRadio& robot) {
   robot.forget();
   robot.run(60);
@@ -120,7 +120,7 @@ void expectAccurate(RobotBehindRadio& robot) {
   const Statistics pictures = statisticsOf(robot.picture_errors);
   EXPECT_LT(telemetry.deviation, 0.002);
   EXPECT_LT(pictures.deviation, 0.002);
-  EXPECT_NEAR(telemetry.mean, kShortestDelay, 0.002) << "late by the shortest delay, which nobody can tell";
+  EXPECT_NEAR(telemetry.mean, kShortestDelay, 0.002) << "late by the shortest delay, which cannot be measured";
   EXPECT_NEAR(pictures.mean, telemetry.mean, 0.0002);
   EXPECT_TRUE(robot.monotonic);
   EXPECT_TRUE(robot.before_arrival);
@@ -144,7 +144,7 @@ TEST(RobotClock, IsRightSoonAfterTheBeginning) {
   EXPECT_NEAR(statisticsOf(robot.telemetry_errors).mean, kShortestDelay, 0.004);
 }
 
-TEST(RobotClock, GoesOnWhenFrameNumbersRunOver) {
+TEST(RobotClock, GoesOnWhenFrameNumbersWrapAround) {
   RobotBehindRadio robot(1);
   robot.reboot(0xffffffffu - 45 * 125);
   robot.run(30);
@@ -152,7 +152,7 @@ TEST(RobotClock, GoesOnWhenFrameNumbersRunOver) {
   EXPECT_EQ(robot.clock.read().timelines, 1u);
 }
 
-TEST(RobotClock, BeginsAnewWhenTheRobotWasRestarted) {
+TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestarted) {
   RobotBehindRadio robot(1);
   robot.run(60);
   robot.pass(20);
@@ -163,7 +163,7 @@ TEST(RobotClock, BeginsAnewWhenTheRobotWasRestarted) {
   expectAccurate(robot);
 }
 
-TEST(RobotClock, BeginsAnewWhenTheRobotWasRestartedAndHasRunForLongerThanBefore) {
+TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestartedAndHasRunForLongerThanBefore) {
   RobotBehindRadio robot(1);
   robot.run(2);
   robot.pass(60);
@@ -172,7 +172,7 @@ TEST(RobotClock, BeginsAnewWhenTheRobotWasRestartedAndHasRunForLongerThanBefore)
   EXPECT_EQ(robot.clock.read().timelines, 2u);
 }
 
-TEST(RobotClock, BeginsAnewWhenTheRobotWasRestartedAtOnce) {
+TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestartedAtOnce) {
   RobotClock clock;
   clock.timeOf(1, 20, at(100));
   EXPECT_EQ(clock.timeOf(2, 2, at(100.500)), at(100.500));
@@ -212,14 +212,14 @@ TEST(RobotClock, RecoversWhenItBeginsWithABurst) {
   expectAccurate(robot);
 }
 
-TEST(RobotClock, BeginsAnewWhenTheSteadyClockStoodStill) {
+TEST(RobotClock, BeginsATimelineWhenTheSteadyClockStoodStill) {
   RobotClock clock;
   clock.timeOf(1, 1000, at(100));
   EXPECT_EQ(clock.timeOf(1, 1000 + 60 * 125, at(102)), at(102)) << "suspended for 58 s";
   EXPECT_EQ(clock.timeOf(1, 1004 + 60 * 125, at(102.050)), at(102.032));
 }
 
-TEST(RobotClock, BeginsAnewWhenAllMessagesAreTooLateForLong) {
+TEST(RobotClock, BeginsATimelineWhenAllMessagesAreTooLateForLong) {
   RobotClock clock;
   clock.timeOf(1, 1000, at(100));
   EXPECT_NEAR(secondsOf(clock.timeOf(1, 1004, at(103))), 100.032, 0.001) << "may have been held up";
@@ -227,7 +227,7 @@ TEST(RobotClock, BeginsAnewWhenAllMessagesAreTooLateForLong) {
   EXPECT_EQ(clock.timeOf(1, 1275, at(105.2)), at(105.2)) << "a robot whose frames stood still for 3 s";
 }
 
-TEST(RobotClock, NothingOfAnOlderConnectionCounts) {
+TEST(RobotClock, IgnoresMessagesOfAnOlderConnection) {
   RobotClock clock;
   clock.timeOf(1, 5000, at(100));
   clock.timeOf(2, 100, at(110));
@@ -242,7 +242,7 @@ TEST(RobotClock, APictureThatComesAfterLaterTelemetryHasItsOwnTime) {
   EXPECT_EQ(clock.timeOf(1, 1002, at(100.040)), at(100.016));
 }
 
-TEST(RobotClock, TellsHowLongMessagesWereDelayed) {
+TEST(RobotClock, ReportsHowLongMessagesWereDelayed) {
   RobotClock clock;
   clock.timeOf(1, 1000, at(100));
   clock.timeOf(1, 1004, at(100.062));
