@@ -155,12 +155,17 @@ openr_host::MachineOptions machineOptions(const Options& options) {
   return machine;
 }
 
-// Scripts read these lines to learn the ports.
+// Scripts read the last two lines to learn the ports.
 void announce(const openr_host::Machine& machine, const Options& options) {
+  const int port = machine.hostPort(kRobotPort);
+  if (port != kRobotPort) {
+    // RCServer, which knows only the robot's port, has printed that one.
+    std::cout << "Port " << kRobotPort << " of the robot is port " << port << " of this computer\n";
+  }
   if (!options.no_console) {
     std::cout << "Console on " << options.bind_address << ":" << machine.hostPort(openr_host::kConsolePort) << "\n";
   }
-  std::cout << "RCServer listening on " << options.bind_address << ":" << machine.hostPort(kRobotPort) << std::endl;
+  std::cout << "RCServer listening on " << options.bind_address << ":" << port << std::endl;
 }
 
 openr_host::Machine* stoppable_machine = nullptr;
