@@ -14,7 +14,8 @@ namespace aibo_driver::node {
 /// A callback queue with threads of its own. What is subscribed to and advertised with its handle never waits for the
 /// callbacks of another queue.
 ///
-/// The threads sleep until a callback comes. Those of ros::AsyncSpinner wake up ten times a second.
+/// The threads sleep until a callback comes. Those of ros::AsyncSpinner wake up ten times a second each, which took
+/// half of an idle driver's processor time.
 class CallbackThreads {
  public:
   /// @param handle whose namespace handle() gets

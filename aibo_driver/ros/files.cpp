@@ -96,7 +96,7 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   std::error_code error;
   if (!fs::exists(path, error)) {
     failToRead(path, "there is no such file on the driver's machine, whose working directory is " +
-                   fs::current_path(error).string());
+                         fs::current_path(error).string());
   }
   // Reading anything else, such as a pipe, could block.
   if (!fs::is_regular_file(path, error)) {
