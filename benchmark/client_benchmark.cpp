@@ -13,7 +13,7 @@
 #include "client/reply_parser.h"
 #include "client/version1_session.h"
 #include "ros/camera/jpeg_decoder.h"
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "camera_image_fixture.h"
 #include "picture_encoder/JpegEncoder.h"
+#include "support/camera_image_fixture.h"
 
 namespace {
 

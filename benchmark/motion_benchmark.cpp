@@ -39,7 +39,6 @@
 #include <utility>
 #include <vector>
 
-#include "driver_process.h"
 #include "protocol/version1.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/primitive_table.h"
@@ -48,6 +47,7 @@
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
+#include "support/ros/driver_process.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The proxy makes go wrong what it is told to, and nothing else.
 
-#include "proxy/fault_proxy.h"
+#include "support/proxy/fault_proxy.h"
 
 #include <gmock/gmock.h>
 
@@ -8,10 +8,10 @@
 #include <memory>
 #include <numeric>
 
-#include "proxy/script.h"
-#include "scripted_server.h"
+#include "support/proxy/script.h"
 #include "support/raw_client.h"
-#include "test_pictures.h"
+#include "support/scripted_server.h"
+#include "support/test_pictures.h"
 
 namespace fault_bench {
 namespace {

@@ -22,13 +22,13 @@
 #include <string>
 #include <vector>
 
-#include "driver_process.h"
-#include "joint_listener.h"
-#include "memory_stick.h"
-#include "recording_proxy.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
-#include "topic_publishers.h"
+#include "support/memory_stick.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/joint_listener.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

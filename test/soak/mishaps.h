@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "proxy/fault_proxy.h"
-#include "simulated_robot.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/simulated_robot.h"
 #include "workload.h"
 
 namespace soak {

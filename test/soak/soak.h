@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics_listener.h"
-#include "driver_process.h"
-#include "memory_stick.h"
 #include "mishaps.h"
 #include "picture_watch.h"
-#include "proxy/fault_proxy.h"
 #include "request_tap.h"
 #include "resource_log.h"
-#include "simulated_robot.h"
+#include "support/memory_stick.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/ros/diagnostics_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/simulated_robot.h"
 #include "violations.h"
 #include "workload.h"
 

@@ -16,8 +16,8 @@
 #include <memory>
 #include <thread>
 
-#include "joint_messages.h"
 #include "robot_model/robot_model.h"
+#include "support/ros/joint_messages.h"
 
 namespace soak {
 namespace {

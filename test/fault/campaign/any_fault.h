@@ -3,7 +3,7 @@
 #define TEST_FAULT_CAMPAIGN_ANY_FAULT_H
 
 #include "campaign/experiment.h"
-#include "proxy/fault.h"
+#include "support/proxy/fault.h"
 
 namespace fault_bench {
 

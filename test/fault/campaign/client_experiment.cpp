@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "campaign/allocations.h"
+#include "campaign/syscalls.h"
 #include "client/tcp_transport.h"
-#include "support/allocations.h"
-#include "support/syscalls.h"
 
 using aibo_driver::ClientOptions;
 using aibo_driver::NameLookupResult;

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "campaign/experiment.h"
-#include "proxy/fault_proxy.h"
+#include "campaign/witness.h"
 #include "support/picture_server.h"
-#include "support/witness.h"
+#include "support/proxy/fault_proxy.h"
 
 namespace fault_bench {
 

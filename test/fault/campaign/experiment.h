@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "proxy/fault_proxy.h"
+#include "support/proxy/fault_proxy.h"
 
 namespace fault_bench {
 

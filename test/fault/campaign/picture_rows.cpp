@@ -8,7 +8,7 @@
 
 #include "campaign/client_experiment.h"
 #include "ros/camera/jpeg_decoder.h"
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 namespace fault_bench {
 namespace {

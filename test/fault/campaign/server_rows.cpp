@@ -10,12 +10,12 @@
 #include "aibo_driver/rcserver_client.h"
 #include "campaign/any_fault.h"
 #include "campaign/experiment.h"
+#include "campaign/robot_server.h"
 #include "campaign/spin_check.h"
+#include "campaign/syscalls.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "support/raw_client.h"
-#include "support/robot_server.h"
-#include "support/syscalls.h"
 
 using aibo_driver::PicturePtr;
 using std::chrono::milliseconds;

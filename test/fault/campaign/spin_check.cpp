@@ -1,6 +1,6 @@
 #include "campaign/spin_check.h"
 
-#include "support/syscalls.h"
+#include "campaign/syscalls.h"
 
 using std::chrono::steady_clock;
 

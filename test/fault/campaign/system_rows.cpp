@@ -7,7 +7,7 @@
 
 #include "campaign/client_experiment.h"
 #include "campaign/spin_check.h"
-#include "support/syscalls.h"
+#include "campaign/syscalls.h"
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;

@@ -7,7 +7,7 @@
 #include "campaign/client_experiment.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "version2_frames.h"
+#include "support/version2_frames.h"
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;

@@ -12,8 +12,8 @@
 #include "aibo_driver/exceptions.h"
 #include "aibo_driver/rcserver_client.h"
 #include "recorder.h"
-#include "scripted_server.h"
-#include "test_pictures.h"
+#include "support/scripted_server.h"
+#include "support/test_pictures.h"
 
 /// A client and the server it talks to, over loopback.
 class ClientFixture : public testing::Test {

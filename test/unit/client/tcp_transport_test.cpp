@@ -8,7 +8,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "client/fault.h"
-#include "scripted_server.h"
+#include "support/scripted_server.h"
 
 using namespace aibo_driver;
 using std::chrono::milliseconds;

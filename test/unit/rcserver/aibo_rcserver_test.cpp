@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "child_process.h"
-#include "test_client.h"
+#include "support/test_client.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "camera_image_fixture.h"
+#include "support/camera_image_fixture.h"
 
 namespace {
 

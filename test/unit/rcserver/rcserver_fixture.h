@@ -20,7 +20,7 @@
 #include "simulator/openr_host/virtual_robot.h"
 #include "simulator/sent_pictures.h"
 #include "slow_object.h"
-#include "test_client.h"
+#include "support/test_client.h"
 
 inline std::string request(char letter, int identifier) {
   return {letter, static_cast<char>(identifier)};

@@ -1,0 +1,68 @@
+/// @file link.h
+#ifndef TEST_SUPPORT_PROXY_LINK_H
+#define TEST_SUPPORT_PROXY_LINK_H
+
+#include <poll.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "client/file_descriptor.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/proxy/pipe.h"
+
+namespace fault_bench {
+
+/// One connection through the proxy: two sockets and a pipe each way. Never blocks. Used by the proxy's thread alone.
+class Link {
+ public:
+  /// @param server a socket that is being connected, or is
+  Link(std::size_t number, aibo_driver::FileDescriptor client, aibo_driver::FileDescriptor server, unsigned seed);
+
+  /// What to wait for: an entry for each socket, the client's first. -1 where nothing is to be waited for.
+  std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions);
+
+  /// When serve() is to be called at the latest.
+  TimePoint nextDue() const;
+
+  /// Does what can be done now.
+  /// @param polled the entries of interests(), with what was found
+  void serve(const std::array<pollfd, 2>& polled, TimePoint now, const Conditions& conditions, FaultQueue* faults,
+             const FaultProxy::Tap& tap, std::vector<FaultReport>* reports);
+
+  /// Ends the connection now.
+  /// @param end kClose, kReset, kHalfClose or kSilence
+  void end(Action end, Direction direction);
+
+  /// True once there is nothing more to do for it.
+  bool isOver() const { return over_; }
+  bool isSilent() const { return silent_; }
+
+ private:
+  struct Side {
+    aibo_driver::FileDescriptor socket;
+    Pipe out;              // what is to be sent to this side
+    bool ended = false;    // this side sends no more
+    bool told = false;     // this side has been told that no more comes
+    bool blocked = false;  // the kernel takes no more for it
+  };
+
+  bool mayRead(const Side& from, const Side& to, const Conditions& conditions) const;
+  void receive(Side* from, Side* to, Direction direction, TimePoint now, const Conditions& conditions,
+               FaultQueue* faults, const FaultProxy::Tap& tap, std::vector<FaultReport>* reports);
+  void send(Side* side, Direction direction, TimePoint now);
+  bool sendFront(Side* side);
+
+  const std::size_t number_;
+  Side client_;
+  Side server_;
+  bool connecting_ = true;  // to the server
+  bool draining_ = false;   // the client has been told the end, and is waited for
+  bool silent_ = false;
+  bool over_ = false;
+};
+
+}  // namespace fault_bench
+
+#endif  // TEST_SUPPORT_PROXY_LINK_H

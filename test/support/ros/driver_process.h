@@ -1,0 +1,26 @@
+/// @file driver_process.h
+#ifndef TEST_SUPPORT_ROS_DRIVER_PROCESS_H
+#define TEST_SUPPORT_ROS_DRIVER_PROCESS_H
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+namespace test_support {
+
+/// The executable aibo_driver_node in a namespace of its own.
+class DriverProcess : public Process {
+ public:
+  /// @param name_space such as "/services"
+  /// @param port where it finds its robot, on 127.0.0.1
+  /// @param parameters further private parameters, such as "_stream_on_start:=false"
+  /// @param environment as for Process
+  DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {},
+                const std::map<std::string, std::string>& environment = {});
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_DRIVER_PROCESS_H

@@ -1,0 +1,33 @@
+/// @file sockets.h
+/// TCP over IPv4, as far as the bench needs it.
+#ifndef TEST_SUPPORT_SOCKETS_H
+#define TEST_SUPPORT_SOCKETS_H
+
+#include <string>
+
+#include "client/file_descriptor.h"
+
+namespace fault_bench {
+
+/// A socket bound to an address of this computer, which does not listen yet.
+/// @param port 0 = any free one
+/// @throw std::system_error, std::invalid_argument
+aibo_driver::FileDescriptor bindTo(const std::string& address, int port);
+
+/// The port that a socket is bound to.
+int portOf(const aibo_driver::FileDescriptor& socket);
+
+/// A socket that is being connected; it does not block.
+/// @throw std::system_error, std::invalid_argument
+aibo_driver::FileDescriptor beginConnecting(const std::string& address, int port);
+
+/// Takes the next client of a listening socket; its socket does not block.
+/// @return no descriptor if there is none
+aibo_driver::FileDescriptor acceptFrom(const aibo_driver::FileDescriptor& listener);
+
+/// @throw std::system_error with what the operating system says, unless `good`
+void check(bool good, const std::string& what);
+
+}  // namespace fault_bench
+
+#endif  // TEST_SUPPORT_SOCKETS_H

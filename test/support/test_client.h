@@ -1,0 +1,184 @@
+/// @file test_client.h
+/// A TCP client that never waits: the test runs the machine until the client has what it waits for.
+#ifndef TEST_SUPPORT_TEST_CLIENT_H
+#define TEST_SUPPORT_TEST_CLIENT_H
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+
+/// What a server sent: a picture or a reply of four bytes.
+struct Reply {
+  char letter = '\0';
+  std::vector<uint8_t> jpeg;     ///< of a picture
+  protocol::ValueReply value{};  ///< of all else
+};
+
+/// What a server sent in version 2.
+struct Frame {
+  protocol::version2::FrameHeader header{};
+  std::vector<uint8_t> payload;
+};
+
+class TestClient {
+ public:
+  /// @param receive_buffer bytes the kernel may hold for this client; 0 for the kernel's own choice
+  /// @throw std::system_error if the server refuses
+  explicit TestClient(uint16_t port, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    if (receive_buffer > 0) {
+      ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof(receive_buffer));
+    }
+    // A request must not wait for the acknowledgement of the one before it.
+    const int no_delay = 1;
+    ::setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &no_delay, sizeof(no_delay));
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
+      const int error = errno;
+      ::close(socket_);
+      throw std::system_error(error, std::generic_category(), "connect");
+    }
+  }
+  ~TestClient() { close(); }
+  TestClient(const TestClient&) = delete;
+  TestClient& operator=(const TestClient&) = delete;
+
+  /// Sends as much as the kernel takes now.
+  /// @return bytes sent
+  size_t send(const std::string& bytes) {
+    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    return sent > 0 ? static_cast<size_t>(sent) : 0;
+  }
+
+  /// The next whole reply, if it is here already.
+  std::optional<Reply> next() {
+    receive();
+    if (received_.empty()) {
+      return std::nullopt;
+    }
+    Reply reply;
+    reply.letter = static_cast<char>(received_[0]);
+    if (reply.letter != protocol::REPLY_PICTURE) {
+      if (received_.size() < protocol::VALUE_REPLY_SIZE) {
+        return std::nullopt;
+      }
+      reply.value = protocol::decodeValueReply(received_.data());
+      consume(protocol::VALUE_REPLY_SIZE);
+      return reply;
+    }
+    size_t size = 0;
+    if (received_.size() < protocol::PICTURE_HEADER_SIZE) {
+      return std::nullopt;
+    }
+    if (!protocol::decodePictureHeader(received_.data(), &size)) {
+      throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
+    }
+    if (received_.size() < protocol::PICTURE_HEADER_SIZE + size) {
+      return std::nullopt;
+    }
+    reply.jpeg.assign(received_.begin() + protocol::PICTURE_HEADER_SIZE,
+                      received_.begin() + static_cast<std::ptrdiff_t>(protocol::PICTURE_HEADER_SIZE + size));
+    consume(protocol::PICTURE_HEADER_SIZE + size);
+    return reply;
+  }
+
+  /// The next `size` bytes, whatever they are; nothing if they are not all here.
+  std::vector<uint8_t> take(size_t size) {
+    receive();
+    std::vector<uint8_t> bytes;
+    if (received_.size() >= size) {
+      bytes.assign(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(size));
+      consume(size);
+    }
+    return bytes;
+  }
+
+  /// The next whole frame of version 2, if it is here already.
+  std::optional<Frame> nextFrame() {
+    using protocol::version2::FRAME_HEADER_SIZE;
+    receive();
+    if (received_.size() < FRAME_HEADER_SIZE) {
+      return std::nullopt;
+    }
+    Frame frame;
+    frame.header = protocol::version2::decodeFrameHeader(received_.data());
+    if (received_.size() < FRAME_HEADER_SIZE + frame.header.payload_size) {
+      return std::nullopt;
+    }
+    const auto begin = received_.begin() + FRAME_HEADER_SIZE;
+    frame.payload.assign(begin, begin + static_cast<std::ptrdiff_t>(frame.header.payload_size));
+    consume(FRAME_HEADER_SIZE + frame.header.payload_size);
+    return frame;
+  }
+
+  /// True if the server has closed the connection; next() may still find what it sent before.
+  bool ended() {
+    receive();
+    return ended_;
+  }
+
+  /// True if ended() because the server broke off, which loses what was on its way.
+  bool wasReset() {
+    receive();
+    int error = 0;  // of a reset behind an orderly end
+    socklen_t size = sizeof(error);
+    ::getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+    return was_reset_ || error != 0;
+  }
+
+  void close() {
+    if (socket_ >= 0) {
+      ::close(socket_);
+      socket_ = -1;
+    }
+  }
+
+  /// Closes so that the server sees a reset.
+  void reset() {
+    const linger abort{1, 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_LINGER, &abort, sizeof(abort));
+    close();
+  }
+
+ private:
+  void receive() {
+    uint8_t bytes[65536];
+    while (!ended_) {
+      const ssize_t size = ::recv(socket_, bytes, sizeof(bytes), MSG_DONTWAIT);
+      if (size > 0) {
+        received_.insert(received_.end(), bytes, bytes + size);
+      } else if (size < 0 && (errno == EAGAIN || errno == EINTR)) {
+        return;
+      } else {
+        ended_ = true;
+        was_reset_ = size < 0;
+      }
+    }
+  }
+
+  void consume(size_t size) {
+    received_.erase(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+
+  int socket_;
+  std::vector<uint8_t> received_;
+  bool ended_ = false;
+  bool was_reset_ = false;
+};
+
+#endif  // TEST_SUPPORT_TEST_CLIENT_H
