@@ -290,7 +290,7 @@ TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
   const MemoryStick stick("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
   BodyUser user("/upload", {"--memory-stick", stick.path()});
   UploadMotion::Request upload;
-  upload.file = stick.path() + "/OPEN-R/MW/DATA/P/WAG.MTN";
+  upload.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
   upload.name = "mine";
   const auto uploaded = user.call<UploadMotion>("upload_motion", upload);
   ASSERT_TRUE(uploaded.success) << uploaded.message;

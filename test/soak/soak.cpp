@@ -22,7 +22,7 @@ using std::chrono::system_clock;
 using test_support::DiagnosticsListener;
 
 constexpr const char* kNamespace = "/soak";
-constexpr const char* kMotion = "/OPEN-R/MW/DATA/P/WAG.MTN";
+constexpr const char* kMotion = "OPEN-R/MW/DATA/P/WAG.MTN";
 
 // Two attempts to connect with the longest waits before them (connect_timeout, reconnect_wait_max), and as much again.
 constexpr seconds kLongestRecovery{16};
@@ -65,7 +65,7 @@ Soak::Soak(const Options& options)
       robot_({"--picture-log", options.folder + "/pictures", "--memory-stick", memory_stick_.path()}),
       proxy_(proxyOptions()),
       driver_(kNamespace, proxy_.port()),
-      workload_(kNamespace, memory_stick_.path() + kMotion, &violations_),
+      workload_(kNamespace, memory_stick_.path(kMotion), &violations_),
       driver_resources_("driver", kDriverWarmUp),
       robot_resources_("server", kRobotWarmUp),
       table_(options.folder + "/resources.csv"),

@@ -2,22 +2,20 @@
 #ifndef TEST_SUPPORT_MEMORY_STICK_H
 #define TEST_SUPPORT_MEMORY_STICK_H
 
+#include <filesystem>
 #include <string>
 
 #include "support/temporary_folder.h"
 
 namespace test_support {
 
-/// A copy of the robot's memory stick in a temporary folder, for tests that change what is on it.
-class MemoryStick {
+/// A copy of the robot's memory stick, for tests that change what is on it.
+class MemoryStick : public TemporaryFolder {
  public:
-  /// @param settings what its RCSERVER.CFG says, such as "ALLOW_UPLOAD=yes\n"
-  explicit MemoryStick(const std::string& settings);
+  MemoryStick() { std::filesystem::copy(MEMORY_STICK, path(), std::filesystem::copy_options::recursive); }
 
-  const std::string& path() const { return folder_.path(); }
-
- private:
-  const TemporaryFolder folder_;
+  /// @param settings content of its RCSERVER.CFG, such as "ALLOW_UPLOAD=yes\n"
+  explicit MemoryStick(const std::string& settings) : MemoryStick() { write("OPEN-R/MW/CONF/RCSERVER.CFG", settings); }
 };
 
 }  // namespace test_support

@@ -4,18 +4,21 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <system_error>
 
 namespace test_support {
 
-/// An empty folder of its own, which goes with the object and all that is in it.
+/// An empty folder that is removed, with all that is in it, together with the object.
 class TemporaryFolder {
  public:
-  TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "aibo_driver_test.XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr) {
-      throw std::filesystem::filesystem_error("no folder", path_, std::make_error_code(std::errc::io_error));
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "aibo_driver_test.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw std::filesystem::filesystem_error("mkdtemp", name, std::make_error_code(std::errc::io_error));
     }
+    path_ = name;
   }
   ~TemporaryFolder() {
     std::error_code ignored;
@@ -25,10 +28,19 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  const std::string& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; }
+
+  /// @param name of a file or folder in this one
+  std::filesystem::path path(const std::string& name) const { return path_ / name; }
+
+  /// Writes a file, and makes its folders if they are missing.
+  void write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories(path(name).parent_path());
+    std::ofstream(path(name), std::ios::binary) << content;
+  }
 
  private:
-  std::string path_;
+  std::filesystem::path path_;
 };
 
 }  // namespace test_support

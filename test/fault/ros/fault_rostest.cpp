@@ -292,7 +292,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   play.request.name = "nod";
   play.request.repetitions = 1;
   UploadMotion upload;
-  upload.request.file = stick.path() + "/OPEN-R/MW/DATA/P/WAG.MTN";
+  upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
   proxy_.add(fault_bench::parseFault("pause:600000>server"));
   // The node may end without an answer.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
@@ -544,7 +544,7 @@ TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
 TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
   using sensor_msgs::CameraInfo;
   const TemporaryFolder folder;
-  const std::vector<std::string> parameters = {"_camera_info_url:=file://" + folder.path() + "/new/aibo.yaml"};
+  const std::vector<std::string> parameters = {"_camera_info_url:=file://" + folder.path().string() + "/new/aibo.yaml"};
   const auto set = [](const CameraInfo& info) {
     sensor_msgs::SetCameraInfo service;
     service.request.camera_info = info;

@@ -15,7 +15,7 @@
 #include "protocol/version2.h"
 #include "rcserver/body/Lights.h"
 #include "rcserver/settings/Settings.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 #include "version2_fixture.h"
 
 namespace {
@@ -63,7 +63,7 @@ constexpr unsigned kUntilMeasured = 12;
 // The client of the base speaks version 1 until a test changes that.
 class BodyTest : public Version2Fixture {
  protected:
-  BodyTest() { host_.memory_stick = stick_.folder(); }
+  BodyTest() { host_.memory_stick = stick_.path().c_str(); }
 
   void SetUp() override {
     robot_.power_status.remainingCapacity = 87;
@@ -102,7 +102,7 @@ class BodyTest : public Version2Fixture {
   }
 
   FakeRobot robot_;
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
 };
 
 // ------------------------------------------------------------------------------------------------ version 1: sensors

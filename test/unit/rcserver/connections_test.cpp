@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fake_robot.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 #include "version2_fixture.h"
 
 namespace {
@@ -20,7 +20,7 @@ constexpr unsigned kUntilMeasured = 12;
 
 class ConnectionsTest : public Version2Fixture {
  protected:
-  ConnectionsTest() { host_.memory_stick = stick_.folder(); }
+  ConnectionsTest() { host_.memory_stick = stick_.path().c_str(); }
 
   void SetUp() override {
     boot(robot_);
@@ -50,7 +50,7 @@ class ConnectionsTest : public Version2Fixture {
   }
 
   FakeRobot robot_;
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
 };
 
 // ------------------------------------------------------------------------------------------------- those who stay

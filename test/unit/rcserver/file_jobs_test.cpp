@@ -10,7 +10,7 @@
 
 #include "fake_robot.h"
 #include "motion_bytes.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 #include "version2_fixture.h"
 
 namespace {
@@ -23,7 +23,7 @@ constexpr unsigned kUntilMeasured = 12;
 class FileJobsTest : public Version2Fixture {
  protected:
   void SetUp() override {
-    host_.memory_stick = stick_.folder();
+    host_.memory_stick = stick_.path().c_str();
     stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
     boot(robot_);
     passFrames(kUntilMeasured);
@@ -70,7 +70,7 @@ class FileJobsTest : public Version2Fixture {
     return has_moved;
   }
 
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
   FakeRobot robot_;
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };

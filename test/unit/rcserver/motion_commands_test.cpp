@@ -16,7 +16,7 @@
 #include "protocol/version2.h"
 #include "rcserver/joints/JointWatch.h"
 #include "rcserver_fixture.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 
 namespace {
 
@@ -32,7 +32,7 @@ const char kFolder[] = "OPEN-R/MW/DATA/P";
 class MotionsTest : public RCServerFixture {
  protected:
   void start(const std::string& settings) {
-    host_.memory_stick = stick_.folder();
+    host_.memory_stick = stick_.path().c_str();
     stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", settings);
     boot(robot_);
     passFrames(kUntilMeasured);
@@ -59,7 +59,7 @@ class MotionsTest : public RCServerFixture {
 
   double degrees(const std::string& joint) { return robot_.joint(joint).position * 180e-6 / std::acos(-1.0); }
 
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
   FakeRobot robot_;
   std::unique_ptr<TestClient> client_;
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");

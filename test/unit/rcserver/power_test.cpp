@@ -10,7 +10,7 @@
 
 #include "fake_robot.h"
 #include "rcserver/settings/Settings.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 #include "version2_fixture.h"
 
 namespace {
@@ -26,7 +26,7 @@ constexpr unsigned kFramesASecond = 125;
 
 class PowerTest : public Version2Fixture {
  protected:
-  PowerTest() { host_.memory_stick = stick_.folder(); }
+  PowerTest() { host_.memory_stick = stick_.path().c_str(); }
 
   void SetUp() override { start(); }
 
@@ -89,7 +89,7 @@ class PowerTest : public Version2Fixture {
     return client.ended();
   }
 
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
   FakeRobot robot_;
 };
 
@@ -193,7 +193,7 @@ TEST_F(PowerTest, WhileItLiesDownNobodyIsServed) {
 }
 
 TEST_F(PowerTest, WithoutTheMotionItShutsDownAllTheSame) {
-  std::filesystem::remove(std::filesystem::path(stick_.folder()) / "OPEN-R/MW/DATA/P/LIE.MTN");
+  std::filesystem::remove(std::filesystem::path(stick_.path()) / "OPEN-R/MW/DATA/P/LIE.MTN");
   raise(orsbBATTERY_CAPACITY_LOW);
   passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());

@@ -12,7 +12,7 @@
 #include "rcserver/settings/LineReader.h"
 #include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 
 namespace {
 
@@ -216,14 +216,14 @@ TEST(AllowedAddresses, HaveRoomForSoManyAndNoMore) {
 
 class SettingsOnTheRobotTest : public RCServerFixture {
  protected:
-  SettingsOnTheRobotTest() { host_.memory_stick = stick_.folder(); }
+  SettingsOnTheRobotTest() { host_.memory_stick = stick_.path().c_str(); }
 
   void bootWith(const std::string& settings) {
     stick_.write(SETTINGS_FILE, settings);
     boot(robot_);
   }
 
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
   FakeRobot robot_;
 };
 

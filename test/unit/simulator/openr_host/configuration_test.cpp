@@ -10,7 +10,7 @@
 #include "simulator/openr_host/configuration/design_database.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
 #include "simulator/openr_host/configuration/object_configuration.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace openr_host {
 namespace {
@@ -159,14 +159,14 @@ TEST(DesignDatabaseTest, NamesFileAndLineOfWhatItDoesNotUnderstand) {
 }
 
 TEST(MemoryStickTest, FindsAFileWhateverTheCaseOfItsFolders) {
-  const TemporaryFolder stick;
+  const test_support::TemporaryFolder stick;
   stick.write("Open-R/mw/CONF/object.cfg", "x");
   EXPECT_TRUE(std::filesystem::equivalent(findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"),
                                           stick.path() / "Open-R/mw/CONF/object.cfg"));
 }
 
 TEST(MemoryStickTest, SaysWhatIsMissingAndWhere) {
-  const TemporaryFolder stick;
+  const test_support::TemporaryFolder stick;
   stick.write("OPEN-R/MW/x", "");
   EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),
               AllOf(HasSubstr("OPEN-R/MW/CONF/OBJECT.CFG"), HasSubstr("no CONF in " + stick.path().string())));

@@ -11,7 +11,7 @@
 
 #include "EchoServer_stub.h"
 #include "fake_robot.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "test_client.h"
 #include "test_system.h"
 
@@ -135,7 +135,7 @@ class MachineTest : public testing::Test {
     }
   }
 
-  TemporaryFolder stick_;
+  test_support::TemporaryFolder stick_;
   std::ostringstream console_;
   SteppedClock clock_;
   FakeRobot robot_;
