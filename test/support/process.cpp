@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{5};
 
+// What a process has printed is read at once when it ends, unless a child of its own goes on.
+constexpr std::chrono::seconds kLastOutput{1};
+
 // More than a test program has open at a time.
 constexpr int kMostDescriptors = 1024;
 
@@ -116,6 +119,8 @@ std::optional<int> Process::waitForExit(std::chrono::milliseconds timeout) {
       std::this_thread::sleep_for(kPollPeriod);
     }
   }
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_for(lock, kLastOutput, [&] { return !exit_status_ || output_complete_; });
   return exit_status_;
 }
 
@@ -129,6 +134,9 @@ void Process::readOutput() {
     }
     changed_.notify_all();
   }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  output_complete_ = true;
+  changed_.notify_all();
 }
 
 }  // namespace test_support

@@ -16,7 +16,7 @@
 
 namespace test_support {
 
-/// A child process, whose output is read. It is killed when the object or the test program goes.
+/// A child process whose output is read. It is killed with the object, and when the test program ends.
 class Process {
  public:
   /// @param environment added to the environment of the test program
@@ -38,6 +38,7 @@ class Process {
   /// Kills and reaps it.
   void kill();
 
+  /// Waits for its end, and for all that it has printed.
   /// @return the exit status, 128 + signal if a signal ended it; empty if it did not end in time
   std::optional<int> waitForExit(std::chrono::milliseconds timeout);
 
@@ -54,6 +55,7 @@ class Process {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::string output_;
+  bool output_complete_ = false;
   std::thread reader_;
 };
 

@@ -6,7 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <map>
@@ -14,11 +14,12 @@
 #include <string>
 #include <vector>
 
-#include "child_process.h"
+#include "support/process.h"
 #include "support/test_client.h"
 
 namespace {
 
+using test_support::Process;
 using ::testing::HasSubstr;
 
 std::vector<std::string> command(const std::vector<std::string>& options) {
@@ -27,16 +28,15 @@ std::vector<std::string> command(const std::vector<std::string>& options) {
   return arguments;
 }
 
+constexpr std::chrono::seconds kPatience{30};
 const std::vector<std::string> kFreePorts = {"--port", "0", "--console-port", "0"};
 
-std::string restOfLine(ChildProcess& robot, const std::string& text) {
-  const std::string line = robot.readLineWith(text);
-  EXPECT_GT(line.size(), text.size()) << robot.printed();
-  return line.substr(std::min(line.size(), text.size()));
+std::string restOfLine(Process& robot, const std::string& text) {
+  return robot.waitForOutput(text + "(.+)\n", kPatience).at(1);
 }
 
 // Waits until it listens.
-std::string portOf(ChildProcess& robot, const std::string& address = "127.0.0.1") {
+std::string portOf(Process& robot, const std::string& address = "127.0.0.1") {
   return restOfLine(robot, "RCServer listening on " + address + ":");
 }
 
@@ -54,7 +54,7 @@ bool isReachableByAnotherAddress(const std::string& port) {
 
 TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    ChildProcess robot(command(kFreePorts));
+    Process robot(command(kFreePorts));
     TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
     client.send("FU");
     std::optional<Reply> reply;
@@ -65,18 +65,18 @@ TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
     ASSERT_TRUE(reply);
     EXPECT_EQ(reply->letter, protocol::REPLY_PICTURE);
     robot.signal(signal);
-    EXPECT_EQ(robot.wait(), 0) << robot.printed();
-    EXPECT_THAT(robot.printed(), HasSubstr("Stopped\n"));
+    EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
+    EXPECT_THAT(robot.output(), HasSubstr("Stopped\n"));
   }
 }
 
 TEST(AiboRCServer, PassesOverTheArgumentsThatRoslaunchAdds) {
   std::vector<std::string> options = kFreePorts;
   options.insert(options.end(), {"__name:=robot", "__log:=/nowhere/robot.log"});
-  ChildProcess robot(command(options));
+  Process robot(command(options));
   portOf(robot);
   robot.signal(SIGTERM);
-  EXPECT_EQ(robot.wait(), 0);
+  EXPECT_EQ(robot.waitForExit(kPatience), 0);
 }
 
 TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
@@ -91,9 +91,9 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
                                                        {"--protocol-version", "0"},
                                                        {"--no-such-option"}};
   for (const std::vector<std::string>& options : wrong) {
-    ChildProcess robot(command(options));
-    EXPECT_EQ(robot.wait(), 2) << options[0];
-    EXPECT_THAT(robot.printed(), HasSubstr(options[0]));
+    Process robot(command(options));
+    EXPECT_EQ(robot.waitForExit(kPatience), 2) << options[0];
+    EXPECT_THAT(robot.output(), HasSubstr(options[0]));
   }
 }
 
@@ -101,7 +101,7 @@ TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
   for (const auto& [version, letter] : std::map<std::string, char>{{"2", 'x'}, {"1", 'e'}}) {
     std::vector<std::string> options = kFreePorts;
     options.insert(options.end(), {"--protocol-version", version});
-    ChildProcess robot(command(options));
+    Process robot(command(options));
     TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
     client.send("X\2");
     std::optional<Reply> reply;
@@ -120,7 +120,7 @@ TEST(AiboRCServer, ListensAndHasItsConsoleOnLoopbackUnlessItIsToldOtherwise) {
     if (reachable) {
       options.insert(options.end(), {"--bind", address});
     }
-    ChildProcess robot(command(options));
+    Process robot(command(options));
     const std::string console_port = restOfLine(robot, "Console on " + address + ":");
     const std::string port = portOf(robot, address);
     EXPECT_EQ(isReachableByAnotherAddress(port), reachable);
@@ -129,24 +129,24 @@ TEST(AiboRCServer, ListensAndHasItsConsoleOnLoopbackUnlessItIsToldOtherwise) {
 }
 
 TEST(AiboRCServer, SaysWhichPortIsInUse) {
-  ChildProcess first(command(kFreePorts));
+  Process first(command(kFreePorts));
   const std::string port = portOf(first);
-  ChildProcess second(command({"--port", port, "--console-port", "0"}));
-  EXPECT_EQ(second.wait(), 1);
-  EXPECT_THAT(second.printed(), HasSubstr(port));
+  Process second(command({"--port", port, "--console-port", "0"}));
+  EXPECT_EQ(second.waitForExit(kPatience), 1);
+  EXPECT_THAT(second.output(), HasSubstr(port));
 }
 
 TEST(AiboRCServer, SaysWhichMemoryStickIsNotThere) {
-  ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
-  EXPECT_EQ(robot.wait(), 1);
-  EXPECT_THAT(robot.printed(), HasSubstr("/nowhere"));
+  Process robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
+  EXPECT_EQ(robot.waitForExit(kPatience), 1);
+  EXPECT_THAT(robot.output(), HasSubstr("/nowhere"));
 }
 
 TEST(AiboRCServer, FindsItsMemoryStickByItself) {
-  ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
+  Process robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
   portOf(robot);
   robot.signal(SIGTERM);
-  EXPECT_EQ(robot.wait(), 0) << robot.printed();
+  EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
 }
 
 }  // namespace
