@@ -20,11 +20,13 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-/// What a server sent: a picture or a reply of four bytes.
+namespace test_support {
+
+/// What a server sent in version 1: a picture or a reply of four bytes.
 struct Reply {
   char letter = '\0';
   std::vector<uint8_t> jpeg;     ///< of a picture
-  protocol::ValueReply value{};  ///< of all else
+  protocol::ValueReply value{};  ///< of any other reply
 };
 
 /// What a server sent in version 2.
@@ -48,6 +50,7 @@ class TestClient {
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    // The kernel connects by itself as long as there is room in the listener's backlog.
     if (::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
       const int error = errno;
       ::close(socket_);
@@ -58,11 +61,25 @@ class TestClient {
   TestClient(const TestClient&) = delete;
   TestClient& operator=(const TestClient&) = delete;
 
+  /// This client's own port.
+  uint16_t port() const {
+    sockaddr_in address{};
+    socklen_t size = sizeof(address);
+    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size);
+    return ntohs(address.sin_port);
+  }
+
   /// Sends as much as the kernel takes now.
   /// @return bytes sent
   size_t send(const std::string& bytes) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     return sent > 0 ? static_cast<size_t>(sent) : 0;
+  }
+
+  /// All that has come so far, except what next(), nextFrame() and take() have returned.
+  const std::string& received() {
+    receive();
+    return received_;
   }
 
   /// The next whole reply, if it is here already.
@@ -72,12 +89,12 @@ class TestClient {
       return std::nullopt;
     }
     Reply reply;
-    reply.letter = static_cast<char>(received_[0]);
+    reply.letter = received_[0];
     if (reply.letter != protocol::REPLY_PICTURE) {
       if (received_.size() < protocol::VALUE_REPLY_SIZE) {
         return std::nullopt;
       }
-      reply.value = protocol::decodeValueReply(received_.data());
+      reply.value = protocol::decodeValueReply(bytes());
       consume(protocol::VALUE_REPLY_SIZE);
       return reply;
     }
@@ -85,27 +102,21 @@ class TestClient {
     if (received_.size() < protocol::PICTURE_HEADER_SIZE) {
       return std::nullopt;
     }
-    if (!protocol::decodePictureHeader(received_.data(), &size)) {
+    if (!protocol::decodePictureHeader(bytes(), &size)) {
       throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
     }
     if (received_.size() < protocol::PICTURE_HEADER_SIZE + size) {
       return std::nullopt;
     }
-    reply.jpeg.assign(received_.begin() + protocol::PICTURE_HEADER_SIZE,
-                      received_.begin() + static_cast<std::ptrdiff_t>(protocol::PICTURE_HEADER_SIZE + size));
-    consume(protocol::PICTURE_HEADER_SIZE + size);
+    consume(protocol::PICTURE_HEADER_SIZE);
+    reply.jpeg = consume(size);
     return reply;
   }
 
   /// The next `size` bytes, whatever they are; nothing if they are not all here.
   std::vector<uint8_t> take(size_t size) {
     receive();
-    std::vector<uint8_t> bytes;
-    if (received_.size() >= size) {
-      bytes.assign(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(size));
-      consume(size);
-    }
-    return bytes;
+    return received_.size() < size ? std::vector<uint8_t>() : consume(size);
   }
 
   /// The next whole frame of version 2, if it is here already.
@@ -116,23 +127,25 @@ class TestClient {
       return std::nullopt;
     }
     Frame frame;
-    frame.header = protocol::version2::decodeFrameHeader(received_.data());
+    frame.header = protocol::version2::decodeFrameHeader(bytes());
     if (received_.size() < FRAME_HEADER_SIZE + frame.header.payload_size) {
       return std::nullopt;
     }
-    const auto begin = received_.begin() + FRAME_HEADER_SIZE;
-    frame.payload.assign(begin, begin + static_cast<std::ptrdiff_t>(frame.header.payload_size));
-    consume(FRAME_HEADER_SIZE + frame.header.payload_size);
+    consume(FRAME_HEADER_SIZE);
+    frame.payload = consume(frame.header.payload_size);
     return frame;
   }
 
-  /// True if the server has closed the connection; next() may still find what it sent before.
+  /// True if the server has closed or reset the connection; next() may still find what it sent before.
   bool ended() {
     receive();
     return ended_;
   }
 
-  /// True if ended() because the server broke off, which loses what was on its way.
+  /// True if the server has closed the connection in an orderly way, so that all it sent is here.
+  bool isAtEnd() { return ended() && !was_reset_; }
+
+  /// True if the server has reset the connection, which loses what was on its way.
   bool wasReset() {
     receive();
     int error = 0;  // of a reset behind an orderly end
@@ -148,6 +161,9 @@ class TestClient {
     }
   }
 
+  /// Tells the server that nothing more will come, and still reads.
+  void finishSending() { ::shutdown(socket_, SHUT_WR); }
+
   /// Closes so that the server sees a reset.
   void reset() {
     const linger abort{1, 0};
@@ -157,11 +173,11 @@ class TestClient {
 
  private:
   void receive() {
-    uint8_t bytes[65536];
+    char bytes[65536];
     while (!ended_) {
       const ssize_t size = ::recv(socket_, bytes, sizeof(bytes), MSG_DONTWAIT);
       if (size > 0) {
-        received_.insert(received_.end(), bytes, bytes + size);
+        received_.append(bytes, static_cast<size_t>(size));
       } else if (size < 0 && (errno == EAGAIN || errno == EINTR)) {
         return;
       } else {
@@ -171,14 +187,20 @@ class TestClient {
     }
   }
 
-  void consume(size_t size) {
-    received_.erase(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(size));
+  const uint8_t* bytes() const { return reinterpret_cast<const uint8_t*>(received_.data()); }
+
+  std::vector<uint8_t> consume(size_t size) {
+    std::vector<uint8_t> taken(bytes(), bytes() + size);
+    received_.erase(0, size);
+    return taken;
   }
 
   int socket_;
-  std::vector<uint8_t> received_;
+  std::string received_;
   bool ended_ = false;
   bool was_reset_ = false;
 };
+
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_TEST_CLIENT_H

@@ -20,6 +20,8 @@
 namespace {
 
 using test_support::Process;
+using test_support::Reply;
+using test_support::TestClient;
 using ::testing::HasSubstr;
 
 std::vector<std::string> command(const std::vector<std::string>& options) {

@@ -22,6 +22,10 @@
 #include "slow_object.h"
 #include "support/test_client.h"
 
+using test_support::Frame;
+using test_support::Reply;
+using test_support::TestClient;
+
 inline std::string request(char letter, int identifier) {
   return {letter, static_cast<char>(identifier)};
 }

@@ -12,12 +12,13 @@
 #include "EchoServer_stub.h"
 #include "fake_robot.h"
 #include "support/temporary_folder.h"
-#include "test_client.h"
+#include "support/test_client.h"
 #include "test_system.h"
 
 namespace openr_host {
 namespace {
 
+using test_support::TestClient;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
