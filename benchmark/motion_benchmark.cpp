@@ -39,14 +39,11 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/version1.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/primitive_table.h"
 #include "simulator/ers7/camera_timing.h"
 #include "simulator/ers7/simulated_ers7.h"
-#include "simulator/object_catalog.h"
-#include "simulator/openr_host/clock.h"
-#include "simulator/openr_host/machine.h"
+#include "support/robot_thread.h"
 #include "support/ros/driver_process.h"
 
 namespace {
@@ -150,60 +147,6 @@ class WatchedErs7 : public simulated_ers7::SimulatedErs7 {
   bool expected_ = false;
   SteadyClock::time_point changed_at_;
   CameraCount camera_;
-};
-
-// The robot's machine, on a thread of its own and a free port.
-class RobotThread {
- public:
-  explicit RobotThread(WatchedErs7& robot) : machine_(options(), clock_, robot) {
-    std::promise<std::uint16_t> port;
-    std::future<std::uint16_t> booted = port.get_future();
-    thread_ = std::thread([this, promise = std::move(port)]() mutable { run(promise); });
-    try {
-      port_ = booted.get();
-    } catch (...) {
-      thread_.join();
-      throw;
-    }
-  }
-
-  ~RobotThread() {
-    machine_.stop();
-    thread_.join();
-  }
-
-  RobotThread(const RobotThread&) = delete;
-  RobotThread& operator=(const RobotThread&) = delete;
-
-  int port() const { return port_; }
-
- private:
-  static constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
-
-  static openr_host::MachineOptions options() {
-    openr_host::MachineOptions options;
-    options.ports = {{kRobotPort, std::uint16_t{0}}};
-    options.memory_stick = MEMORY_STICK;
-    options.catalog = objectCatalog();
-    return options;
-  }
-
-  void run(std::promise<std::uint16_t>& port) {
-    try {
-      machine_.boot();
-    } catch (...) {
-      port.set_exception(std::current_exception());
-      return;
-    }
-    port.set_value(machine_.hostPort(kRobotPort));
-    machine_.run();
-    machine_.shutdown();
-  }
-
-  openr_host::WallClock clock_;
-  openr_host::Machine machine_;
-  int port_ = 0;
-  std::thread thread_;
 };
 
 void check(bool success, const char* what) {
@@ -453,7 +396,7 @@ class MotionBenchmark {
   }
 
   WatchedErs7 robot_;
-  RobotThread robot_thread_{robot_};
+  test_support::RobotThread robot_thread_{robot_};
   User user_;
   test_support::DriverProcess driver_{kNamespace, robot_thread_.port(), {"_stream_on_start:=false"}};
   ByteEcho byte_;

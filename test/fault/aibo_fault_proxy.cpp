@@ -16,9 +16,9 @@
 namespace {
 
 namespace po = boost::program_options;
-using fault_bench::FaultProxy;
-using fault_bench::Script;
-using fault_bench::ScriptError;
+using test_support::FaultProxy;
+using test_support::Script;
+using test_support::ScriptError;
 
 struct Options {
   std::string target;
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     if (options.help) {
       std::cout << "Stands between a driver and an RCServer, and makes go wrong what it is told to.\n\n"
                 << description << "\nWhat it does, line by line on its standard input:\n"
-                << fault_bench::kScriptHelp
+                << test_support::kScriptHelp
                 << "\nFor instance: (sleep 5; echo 'fault reset@picture+1000') | aibo_fault_proxy\n"
                    "with a driver that was started with _port:=54322.\n";
       return EXIT_SUCCESS;

@@ -13,7 +13,7 @@
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
 
-namespace fault_bench {
+namespace test_support {
 namespace {
 
 using std::chrono::milliseconds;
@@ -149,4 +149,4 @@ TEST_F(FaultProxyTest, TheScriptSaysWhatItDoesNotUnderstand) {
 }
 
 }  // namespace
-}  // namespace fault_bench
+}  // namespace test_support

@@ -7,15 +7,15 @@
 namespace soak {
 namespace {
 
-using fault_bench::Action;
-using fault_bench::Bytes;
-using fault_bench::Conditions;
-using fault_bench::Direction;
-using fault_bench::Fault;
-using fault_bench::Place;
-using fault_bench::Welcome;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
+using test_support::Action;
+using test_support::Bytes;
+using test_support::Conditions;
+using test_support::Direction;
+using test_support::Fault;
+using test_support::Place;
+using test_support::Welcome;
 
 // For what comes within a second: each kind of message does.
 constexpr milliseconds kPatience{10000};
@@ -129,7 +129,7 @@ void hold(const Scene& scene, Random& random) {
 
 void strangersCome(const Scene& scene, Random& random) {
   for (int i = 0; i < kStrangers; ++i) {
-    fault_bench::RawClient stranger(scene.robot->port());
+    test_support::RawClient stranger(scene.robot->port());
     const Bytes noise = someBytes(random);
     stranger.send(std::string(noise.begin(), noise.end()));
   }

@@ -17,7 +17,7 @@ namespace soak {
 
 /// What goes wrong, and what it goes wrong with.
 struct Scene {
-  fault_bench::FaultProxy* proxy;  ///< between driver and robot
+  test_support::FaultProxy* proxy;  ///< between driver and robot
   test_support::SimulatedRobot* robot;
   Workload* workload;
   std::function<void(std::chrono::milliseconds)> pass;  ///< lets so much time go by

@@ -9,7 +9,7 @@
 namespace soak {
 namespace {
 
-using fault_bench::Resources;
+using test_support::Resources;
 
 // What a line through fewer samples says of an hour, nobody should believe.
 constexpr ResourceLog::Seconds kShortestTrend{600};
@@ -104,7 +104,7 @@ void ResourceLog::judge(Violations* violations) const {
     return;
   }
   const double growth = kilobytesPerHour() * time.count() / 3600;
-  if (fault_bench::kMemoryCounts && growth > kAllowedKilobytes) {
+  if (test_support::kMemoryCounts && growth > kAllowedKilobytes) {
     violations->add(name_ + ": " + std::to_string(std::lround(growth)) + " KB more");
   }
   if (least(&Resources::descriptors, 0.75, 1) > least(&Resources::descriptors, 0, 0.25)) {

@@ -26,7 +26,7 @@ class ResourceLog {
 
   /// Looks at the process.
   /// @param time since the beginning
-  const fault_bench::Resources& sample(pid_t process, Seconds time);
+  const test_support::Resources& sample(pid_t process, Seconds time);
 
   /// How its resident memory grows once it is warm, by the straight line that fits best; within each process' life.
   /// @return kilobytes per hour; 0 as long as nothing can be told
@@ -42,11 +42,11 @@ class ResourceLog {
   struct Sample {
     pid_t process;
     Seconds time;
-    fault_bench::Resources resources;
+    test_support::Resources resources;
   };
 
   std::vector<Sample> warmSamples() const;
-  std::size_t least(std::size_t fault_bench::Resources::*resource, double begin, double end) const;
+  std::size_t least(std::size_t test_support::Resources::*resource, double begin, double end) const;
   Seconds warmTime() const;
 
   const std::string name_;

@@ -12,14 +12,14 @@
 namespace soak {
 namespace {
 
-using fault_bench::Direction;
-using fault_bench::FaultProxy;
-using fault_bench::Resources;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
 using test_support::DiagnosticsListener;
+using test_support::Direction;
+using test_support::FaultProxy;
+using test_support::Resources;
 
 constexpr const char* kNamespace = "/soak";
 constexpr const char* kMotion = "OPEN-R/MW/DATA/P/WAG.MTN";

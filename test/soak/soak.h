@@ -47,7 +47,7 @@ class Soak {
     std::vector<double> recoveries{};  // s
   };
 
-  fault_bench::FaultProxy::Options proxyOptions();
+  test_support::FaultProxy::Options proxyOptions();
   void awaitFirstPicture();
   void stayCalm();
   void goWrong(const Mishap& mishap);
@@ -69,7 +69,7 @@ class Soak {
   PictureWatch pictures_;
   const test_support::MemoryStick memory_stick_{"ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n"};
   test_support::SimulatedRobot robot_;
-  fault_bench::FaultProxy proxy_;
+  test_support::FaultProxy proxy_;
   test_support::DriverProcess driver_;
   Workload workload_;
   const std::vector<Mishap> mishaps_ = allMishaps();

@@ -6,7 +6,7 @@
 
 #include "support/test_pictures.h"
 
-namespace fault_bench {
+namespace test_support {
 namespace {
 
 constexpr unsigned kScenes = 16;
@@ -61,4 +61,4 @@ std::optional<PictureName> nameOfPicture(const Bytes& jpeg) {
   return PictureName{static_cast<std::uint32_t>(read(name, 4)), read(name + 4, 8)};
 }
 
-}  // namespace fault_bench
+}  // namespace test_support

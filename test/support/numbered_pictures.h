@@ -7,7 +7,7 @@
 
 #include "support/proxy/fault.h"
 
-namespace fault_bench {
+namespace test_support {
 
 /// Which picture it is, of all that a server has sent.
 struct PictureName {
@@ -22,6 +22,6 @@ Bytes makeNumberedPicture(const PictureName& name);
 /// What the comment says; nothing if there is none.
 std::optional<PictureName> nameOfPicture(const Bytes& jpeg);
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_NUMBERED_PICTURES_H

@@ -11,7 +11,7 @@
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-namespace fault_bench {
+namespace test_support {
 
 RawClient::RawClient(int port) : socket_(beginConnecting("127.0.0.1", port)) {
   pollfd polled = {socket_.get(), POLLOUT, 0};
@@ -53,9 +53,8 @@ Bytes RawClient::read(std::size_t size, milliseconds timeout) {
 }
 
 void RawClient::reset() {
-  const linger discard = {1, 0};
-  ::setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
+  resetWhenClosed(socket_);
   socket_.close();
 }
 
-}  // namespace fault_bench
+}  // namespace test_support

@@ -9,7 +9,7 @@
 #include "client/file_descriptor.h"
 #include "support/proxy/fault.h"
 
-namespace fault_bench {
+namespace test_support {
 
 /// A client that does what no client does.
 class RawClient {
@@ -41,6 +41,6 @@ class RawClient {
   aibo_driver::FileDescriptor socket_;
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_RAW_CLIENT_H

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <thread>
 
-namespace fault_bench {
+namespace test_support {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ std::string Resources::growth(bool without_memory) const {
   return text.str();
 }
 
-}  // namespace fault_bench
+}  // namespace test_support

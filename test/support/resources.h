@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-namespace fault_bench {
+namespace test_support {
 
 /// How much memory a process holds, tells something: a sanitizer keeps what was freed.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -32,6 +32,6 @@ struct Resources {
   std::string growth(bool without_memory) const;
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_RESOURCES_H

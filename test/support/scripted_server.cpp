@@ -6,26 +6,20 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include <cerrno>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
+#include "support/sockets.h"
 #include "support/test_pictures.h"
 
 using aibo_driver::FileDescriptor;
 using std::chrono::milliseconds;
+using test_support::check;
 
 namespace {
 
 constexpr milliseconds kPatience{20000};
-
-void check(bool good, const char* what) {
-  if (!good) {
-    throw std::system_error(errno, std::generic_category(), what);
-  }
-}
 
 bool readableWithin(int descriptor, milliseconds time) {
   pollfd polled = {descriptor, POLLIN, 0};
@@ -113,8 +107,7 @@ void ScriptedPeer::sendPicture(const Bytes& jpeg) {
 }
 
 void ScriptedPeer::reset() {
-  const linger discard = {1, 0};
-  check(::setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard) == 0, "SO_LINGER");
+  test_support::resetWhenClosed(socket_);
   socket_.close();
 }
 
@@ -144,9 +137,7 @@ void ScriptedServer::bind() {
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   address.sin_port = htons(static_cast<std::uint16_t>(port_));
   check(::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0, "bind");
-  socklen_t size = sizeof address;
-  check(::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size) == 0, "getsockname");
-  port_ = ntohs(address.sin_port);
+  port_ = test_support::portOf(socket_);
 }
 
 void ScriptedServer::listen(int backlog) {

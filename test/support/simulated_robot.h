@@ -20,9 +20,10 @@ class SimulatedRobot {
 
   /// Types a line at its console, such as "press chin".
   /// @return the answer, "ok: ..." or "error: ..."; empty if none came
+  /// @throw std::system_error the console cannot be reached
   std::string type(const std::string& line) const;
 
-  /// Kills it without a farewell.
+  /// Kills it by SIGKILL.
   void kill() { process_.reset(); }
 
   /// Starts it again, on the same port. Returns when it listens.
@@ -30,7 +31,7 @@ class SimulatedRobot {
 
   bool isRunning() { return process_ && process_->isRunning(); }
 
-  /// The process that it is until it is killed.
+  /// Its process; only until kill().
   Process& process() { return *process_; }
 
  private:

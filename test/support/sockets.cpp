@@ -12,10 +12,10 @@
 
 using aibo_driver::FileDescriptor;
 
-namespace fault_bench {
+namespace test_support {
 namespace {
 
-// Small, so that the bench itself holds few pictures that grow stale.
+// Small, so that few pictures grow stale in the test apparatus itself.
 constexpr int kBufferSize = 16 * 1024;
 
 sockaddr_in parse(const std::string& address, int port) {
@@ -23,7 +23,7 @@ sockaddr_in parse(const std::string& address, int port) {
   parsed.sin_family = AF_INET;
   parsed.sin_port = htons(static_cast<std::uint16_t>(port));
   if (::inet_pton(AF_INET, address.c_str(), &parsed.sin_addr) != 1) {
-    throw std::invalid_argument("'" + address + "' is no IPv4 address, such as 127.0.0.1");
+    throw std::invalid_argument("'" + address + "' is not an IPv4 address such as 127.0.0.1");
   }
   return parsed;
 }
@@ -82,4 +82,9 @@ FileDescriptor acceptFrom(const FileDescriptor& listener) {
   return socket;
 }
 
-}  // namespace fault_bench
+void resetWhenClosed(const FileDescriptor& socket) {
+  const linger discard = {1, 0};
+  ::setsockopt(socket.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
+}
+
+}  // namespace test_support

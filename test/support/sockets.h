@@ -1,5 +1,5 @@
 /// @file sockets.h
-/// TCP over IPv4, as far as the bench needs it.
+/// TCP over IPv4 for test servers, clients and proxies.
 #ifndef TEST_SUPPORT_SOCKETS_H
 #define TEST_SUPPORT_SOCKETS_H
 
@@ -7,9 +7,9 @@
 
 #include "client/file_descriptor.h"
 
-namespace fault_bench {
+namespace test_support {
 
-/// A socket bound to an address of this computer, which does not listen yet.
+/// A socket that is bound to an address of this computer, and does not listen yet.
 /// @param port 0 = any free one
 /// @throw std::system_error, std::invalid_argument
 aibo_driver::FileDescriptor bindTo(const std::string& address, int port);
@@ -25,9 +25,12 @@ aibo_driver::FileDescriptor beginConnecting(const std::string& address, int port
 /// @return no descriptor if there is none
 aibo_driver::FileDescriptor acceptFrom(const aibo_driver::FileDescriptor& listener);
 
-/// @throw std::system_error with what the operating system says, unless `good`
+/// From now on, closing the socket resets the connection.
+void resetWhenClosed(const aibo_driver::FileDescriptor& socket);
+
+/// @throw std::system_error with what errno says, unless `good`
 void check(bool good, const std::string& what);
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_SOCKETS_H

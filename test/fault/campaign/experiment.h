@@ -14,6 +14,8 @@
 
 namespace fault_bench {
 
+using namespace test_support;
+
 using Random = std::mt19937;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 

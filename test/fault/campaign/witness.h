@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
+#include "campaign/experiment.h"
 #include "support/picture_server.h"
 
 namespace fault_bench {

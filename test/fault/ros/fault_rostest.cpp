@@ -62,25 +62,25 @@ using aibo_driver::Connection;
 using aibo_driver::PlayMotion;
 using aibo_driver::TakePicture;
 using aibo_driver::UploadMotion;
-using fault_bench::Action;
-using fault_bench::FaultProxy;
-using fault_bench::PictureServer;
-using fault_bench::Resources;
-using fault_bench::Welcome;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
+using test_support::Action;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
+using test_support::FaultProxy;
 using test_support::goodCalibration;
 using test_support::JointListener;
 using test_support::kSafetyNet;
 using test_support::MemoryStick;
+using test_support::PictureServer;
 using test_support::Process;
 using test_support::RecordingProxy;
+using test_support::Resources;
 using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
+using test_support::Welcome;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -158,7 +158,7 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
     }
     const std::size_t connections = proxy_.connections();
     if (round % 3 == 0) {
-      proxy_.add(fault_bench::parseFault("overwrite:ff@picture"));
+      proxy_.add(test_support::parseFault("overwrite:ff@picture"));
     } else {
       proxy_.endConnections(round % 3 == 1 ? Action::kReset : Action::kClose);
     }
@@ -179,10 +179,10 @@ class NumberedPictures {
 
  private:
   void see(const sensor_msgs::CompressedImage& picture) {
-    const auto name = fault_bench::nameOfPicture(picture.data);
+    const auto name = test_support::nameOfPicture(picture.data);
     ASSERT_TRUE(name.has_value());
     EXPECT_GT(name->number, last_);
-    EXPECT_EQ(picture.data, fault_bench::makeNumberedPicture(*name)) << "picture " << name->number;
+    EXPECT_EQ(picture.data, test_support::makeNumberedPicture(*name)) << "picture " << name->number;
     last_ = name->number;
     ++count_;
   }
@@ -253,7 +253,7 @@ TEST_F(Faults, CtrlCEndsTheNodeAmidAPicture) {
   CompressedListener pictures("/amid/camera/image_raw/compressed");
   DriverProcess driver("/amid", proxy_.port(), {"_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  proxy_.add(fault_bench::parseFault("silence@picture+1000"));
+  proxy_.add(test_support::parseFault("silence@picture+1000"));
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
   expectEndsSoon(&driver);
 }
@@ -275,7 +275,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
        std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // left as meant
   DriverProcess driver("/deaf_master", proxy_.port(), {}, environment);
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  fault_bench::Conditions silence;
+  test_support::Conditions silence;
   silence.paused = true;
   master.setConditions(silence);
   driver.signal(SIGINT);
@@ -293,7 +293,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   play.request.repetitions = 1;
   UploadMotion upload;
   upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
-  proxy_.add(fault_bench::parseFault("pause:600000>server"));
+  proxy_.add(test_support::parseFault("pause:600000>server"));
   // The node may end without an answer.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });
@@ -574,7 +574,7 @@ TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
 /// A roscore of its own.
 class Master {
  public:
-  Master() : port_(fault_bench::portOf(fault_bench::bindTo("127.0.0.1", 0))) { start(); }
+  Master() : port_(test_support::portOf(test_support::bindTo("127.0.0.1", 0))) { start(); }
   ~Master() { stop(); }
 
   void start() {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace fault_bench {
+namespace test_support {
 
 using Bytes = std::vector<std::uint8_t>;
 using TimePoint = std::chrono::steady_clock::time_point;
@@ -68,6 +68,6 @@ enum class Welcome {
   kUnreachable  ///< the attempt to connect gets no answer at all
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_PROXY_FAULT_H

@@ -2,18 +2,26 @@
 #ifndef TEST_SUPPORT_PROXY_FAULT_PROXY_H
 #define TEST_SUPPORT_PROXY_FAULT_PROXY_H
 
+#include <poll.h>
+
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
+#include <list>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
+#include <vector>
 
+#include "client/event.h"
+#include "client/file_descriptor.h"
 #include "support/proxy/fault.h"
+#include "support/proxy/link.h"
 #include "support/proxy/pipe.h"
 
-namespace fault_bench {
+namespace test_support {
 
 /// Stands between clients and a server, passes every byte on, and makes go wrong what it is told to. Any number of
 /// connections. Random things follow from the seed and from the bytes that come.
@@ -21,10 +29,6 @@ namespace fault_bench {
 /// Every function may be called from any thread.
 class FaultProxy {
  public:
-  /// Called on the proxy's thread with what one side has sent, before it is passed on.
-  using Tap =
-      std::function<void(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size)>;
-
   struct Options {
     std::string target_host = "127.0.0.1";  ///< the server's IPv4 address
     int target_port = 0;
@@ -42,7 +46,7 @@ class FaultProxy {
   FaultProxy(const FaultProxy&) = delete;
   FaultProxy& operator=(const FaultProxy&) = delete;
 
-  int port() const;
+  int port() const { return port_; }
 
   /// What the way is like from now on, for connections that are there and for later ones.
   void setConditions(const Conditions& conditions);
@@ -82,10 +86,38 @@ class FaultProxy {
   std::optional<FaultReport> waitForFaults(std::size_t count, std::chrono::milliseconds timeout);
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  /// Changes something, and wakes the proxy's thread.
+  template <typename Change>
+  void change(const Change& apply);
+  void receiveClientsBy(Welcome welcome);
+  void fillQueue();
+  void run();
+  TimePoint prepare(std::vector<pollfd>* polled);
+  void serve(const std::vector<pollfd>& polled);
+  void acceptClients();
+  void receiveClient(aibo_driver::FileDescriptor client);
+
+  mutable std::mutex mutex_;  // guards what follows, down to the thread
+  Options options_;
+  std::string address_;
+  aibo_driver::FileDescriptor listener_;
+  int port_ = 0;
+  Welcome welcome_ = Welcome::kServe;
+  Conditions conditions_;
+  FaultQueue faults_;
+  std::list<Link> links_;
+  std::size_t polled_links_ = 0;                      // the first so many of links_ are being waited for
+  std::vector<aibo_driver::FileDescriptor> held_;     // clients that hear nothing
+  std::vector<aibo_driver::FileDescriptor> fillers_;  // of the queue of clients
+  std::size_t connections_ = 0;
+  std::size_t faults_done_ = 0;
+  std::optional<FaultReport> last_fault_;
+  std::condition_variable fault_done_;
+  aibo_driver::Event wake_up_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_PROXY_FAULT_PROXY_H

@@ -6,13 +6,10 @@
 #include <cerrno>
 #include <utility>
 
-namespace fault_bench {
-namespace {
+#include "support/sockets.h"
 
-void setReset(int socket) {
-  const linger discard = {1, 0};
-  ::setsockopt(socket, SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
-}
+namespace test_support {
+namespace {
 
 constexpr short kGone = POLLHUP | POLLERR | POLLNVAL;
 
@@ -59,7 +56,7 @@ TimePoint Link::nextDue() const {
 }
 
 void Link::serve(const std::array<pollfd, 2>& polled, TimePoint now, const Conditions& conditions, FaultQueue* faults,
-                 const FaultProxy::Tap& tap, std::vector<FaultReport>* reports) {
+                 const Tap& tap, std::vector<FaultReport>* reports) {
   if (draining_) {
     std::array<std::uint8_t, 4096> ignored;
     const ssize_t count = ::recv(client_.socket.get(), ignored.data(), ignored.size(), 0);
@@ -97,7 +94,7 @@ void Link::serve(const std::array<pollfd, 2>& polled, TimePoint now, const Condi
 }
 
 void Link::receive(Side* from, Side* to, Direction direction, TimePoint now, const Conditions& conditions,
-                   FaultQueue* faults, const FaultProxy::Tap& tap, std::vector<FaultReport>* reports) {
+                   FaultQueue* faults, const Tap& tap, std::vector<FaultReport>* reports) {
   std::array<std::uint8_t, 4096> buffer;
   const ssize_t count = ::recv(from->socket.get(), buffer.data(), buffer.size(), 0);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) {
@@ -173,10 +170,10 @@ void Link::end(Action end, Direction direction) {
       silent_ = true;
       break;
     default:
-      setReset(client_.socket.get());
-      setReset(server_.socket.get());
+      resetWhenClosed(client_.socket);
+      resetWhenClosed(server_.socket);
       over_ = true;
   }
 }
 
-}  // namespace fault_bench
+}  // namespace test_support

@@ -6,13 +6,18 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "client/file_descriptor.h"
-#include "support/proxy/fault_proxy.h"
 #include "support/proxy/pipe.h"
 
-namespace fault_bench {
+namespace test_support {
+
+/// Called on the proxy's thread with what one side has sent, before it is passed on.
+using Tap =
+    std::function<void(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size)>;
 
 /// One connection through the proxy: two sockets and a pipe each way. Never blocks. Used by the proxy's thread alone.
 class Link {
@@ -29,7 +34,7 @@ class Link {
   /// Does what can be done now.
   /// @param polled the entries of interests(), with what was found
   void serve(const std::array<pollfd, 2>& polled, TimePoint now, const Conditions& conditions, FaultQueue* faults,
-             const FaultProxy::Tap& tap, std::vector<FaultReport>* reports);
+             const Tap& tap, std::vector<FaultReport>* reports);
 
   /// Ends the connection now.
   /// @param end kClose, kReset, kHalfClose or kSilence
@@ -50,7 +55,7 @@ class Link {
 
   bool mayRead(const Side& from, const Side& to, const Conditions& conditions) const;
   void receive(Side* from, Side* to, Direction direction, TimePoint now, const Conditions& conditions,
-               FaultQueue* faults, const FaultProxy::Tap& tap, std::vector<FaultReport>* reports);
+               FaultQueue* faults, const Tap& tap, std::vector<FaultReport>* reports);
   void send(Side* side, Direction direction, TimePoint now);
   bool sendFront(Side* side);
 
@@ -63,6 +68,6 @@ class Link {
   bool over_ = false;
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_PROXY_LINK_H

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace fault_bench {
+namespace test_support {
 
 using std::chrono::microseconds;
 
@@ -143,4 +143,4 @@ void Pipe::end(Action end, TimePoint now) {
   pieces_.push_back({{}, std::max(now, not_before_), end});
 }
 
-}  // namespace fault_bench
+}  // namespace test_support

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "support/proxy/fault.h"
-#include "support/proxy/reply_scanner.h"
+#include "support/proxy/scanners.h"
 
-namespace fault_bench {
+namespace test_support {
 
 /// A fault that has taken place.
 struct FaultReport {
@@ -99,6 +99,6 @@ class Pipe {
   bool split_ = false;                     // the next bytes are a piece of their own
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_PROXY_PIPE_H

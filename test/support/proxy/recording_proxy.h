@@ -6,22 +6,17 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "support/proxy/fault_proxy.h"
+#include "support/proxy/scanners.h"
 
 namespace test_support {
 
-/// A request of version 2 of the protocol.
-struct Request {
-  char kind = 0;
-  int id = 0;  ///< quality of `F` and `W`
-  fault_bench::Bytes payload;
-};
-
-/// Stands between driver and robot on a free port, passes every byte on, and remembers it.
+/// A proxy between a driver and a robot that passes every byte on, and remembers requests and pictures.
 class RecordingProxy {
  public:
   /// @param robot_port where the robot listens, on 127.0.0.1
@@ -29,14 +24,14 @@ class RecordingProxy {
 
   int port() const { return proxy_.port(); }
 
-  /// Ends the present connection, if there is one.
-  void cut() { proxy_.endConnections(fault_bench::Action::kClose); }
+  /// Closes the present connection, if there is one.
+  void cut() { proxy_.endConnections(Action::kClose); }
 
-  /// From now on the driver hears nothing from the robot, though connections stay and are accepted; or it does again.
+  /// While it is mute, nothing that the robot sends reaches the driver, though connections stay and are accepted.
   void setMute(bool mute);
 
   /// The JPEGs that the robot has sent since the proxy began, in this order.
-  std::vector<fault_bench::Bytes> picturesFromRobot() const;
+  std::vector<Bytes> picturesFromRobot() const;
 
   /// What the driver has sent since the proxy began.
   std::string bytesFromDriver() const;
@@ -54,15 +49,24 @@ class RecordingProxy {
   bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout);
 
  private:
-  fault_bench::FaultProxy::Options options(int robot_port);
-  void record(std::size_t connection, fault_bench::Direction direction, const std::uint8_t* data, std::size_t size);
+  struct Connection {
+    explicit Connection(std::vector<Bytes>* pictures)
+        : replies([pictures](Bytes jpeg) { pictures->push_back(std::move(jpeg)); }) {}
+    ReplyScanner replies;
+    RequestScanner request_scanner;
+    std::vector<Request> requests{};
+    Bytes from_driver{};
+  };
+
+  FaultProxy::Options options(int robot_port);
+  void record(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size);
   std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const;
 
   mutable std::mutex mutex_;  // guards what follows, down to the proxy
   std::condition_variable changed_;
-  std::vector<fault_bench::Bytes> from_robot_;   ///< one entry for each connection
-  std::vector<fault_bench::Bytes> from_driver_;  ///< likewise
-  fault_bench::FaultProxy proxy_;
+  std::vector<Bytes> pictures_;
+  std::deque<Connection> connections_;
+  FaultProxy proxy_;
 };
 
 }  // namespace test_support

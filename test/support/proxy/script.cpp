@@ -6,7 +6,7 @@
 #include <sstream>
 #include <thread>
 
-namespace fault_bench {
+namespace test_support {
 
 using std::chrono::microseconds;
 
@@ -196,4 +196,4 @@ void Script::carryOut(const std::string& line) {
   }
 }
 
-}  // namespace fault_bench
+}  // namespace test_support

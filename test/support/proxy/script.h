@@ -8,7 +8,7 @@
 
 #include "support/proxy/fault_proxy.h"
 
-namespace fault_bench {
+namespace test_support {
 
 /// A line that means nothing; the text says why.
 class ScriptError : public std::runtime_error {
@@ -36,6 +36,6 @@ class Script {
   Conditions conditions_;
 };
 
-}  // namespace fault_bench
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_PROXY_SCRIPT_H
