@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "campaign/syscalls.h"
+#include "campaign/interposers.h"
 #include "simulator/ers7/simulated_ers7.h"
 #include "support/robot_thread.h"
 
@@ -15,8 +15,8 @@ namespace fault_bench {
 /// The robot's own server with a simulated ERS-7. Every function may be called from any thread.
 class RobotServer {
  public:
-  /// @param mark of its thread (syscalls.h)
-  explicit RobotServer(int mark) : thread_(robot_, options(), [mark] { syscalls::markThisThread(mark); }) {}
+  /// @param mark of its thread (interposers.h)
+  explicit RobotServer(int mark) : thread_(robot_, options(), [mark] { interposers::markThisThread(mark); }) {}
 
   /// On 127.0.0.1.
   int port() const { return thread_.port(); }

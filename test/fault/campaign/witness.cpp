@@ -14,7 +14,7 @@ namespace fault_bench {
 namespace {
 
 constexpr milliseconds kHeldUp{100};
-// Why the connection has ended, that nobody answers, and that the first one to answer again turns the client away.
+// One for the end of the connection, one because nobody answers, and one if the first to answer turns the client away.
 constexpr int kMostWarnings = 3;
 
 }  // namespace
@@ -39,10 +39,10 @@ void Witness::judgeEnd(const ConnectionStatus& status) {
     return;
   }
   if (status.reason.empty() || status.advice.empty()) {
-    complain("a connection has ended without a reason or an advice: '" + status.reason + "', '" + status.advice + "'");
+    complain("a connection has ended without a reason or advice: '" + status.reason + "', '" + status.advice + "'");
   }
   if (warnings_ == 0) {
-    complain("nothing was logged of the end of a connection: " + status.reason);
+    complain("the end of a connection was not logged: " + status.reason);
   }
 }
 
@@ -54,7 +54,7 @@ void Witness::hear(LogLevel level, const std::string& line) {
   }
   last_warning_ = line;
   if (line.rfind("No connection to the robot: ", 0) == 0 && ++warnings_ > kMostWarnings) {
-    complain("logged, though there have been " + std::to_string(kMostWarnings) + " warnings already: " + line);
+    complain("a warning after " + std::to_string(kMostWarnings) + " others for the same interruption: " + line);
   }
 }
 
@@ -66,10 +66,10 @@ void Witness::see(const Picture& picture) {
   ++count_;
   if (picture.jpeg == spoilt.second) {
     spoilt_ = spoilt.first.number;
-    return;  // as it was sent, though not good: who spoilt it looks at it
+    return;  // the experiment that spoilt it judges it
   }
   if (!name) {
-    complain("I2: a picture that the server has never sent");
+    complain("I2: a picture that the server never sent");
     return;
   }
   const Sighting sighting = {*name, steady_clock::now(), picture.first_byte_time, sent};
@@ -89,7 +89,7 @@ void Witness::judge(const Picture& picture, const Sighting& sighting) {
   if (picture.first_byte_time < last_.arrival) {
     complain("I4: the time of " + which + " is before that of the one before");
   }
-  // The client looks at the clock, then reads: it may be held up in between.
+  // The client may be held up between looking at the clock and reading.
   if (picture.first_byte_time + kHeldUp < sighting.sent) {
     complain("M: I4: the time of " + which + " is before it was sent");
   }

@@ -16,48 +16,52 @@
 
 namespace fault_bench {
 
-/// Sees what a client delivers, and knows what it should have been. Must outlive the client, and the server it.
+/// Checks what a client delivers against what a PictureServer has sent. The witness must outlive the client, and the
+/// server must outlive the witness.
 ///
-/// Of every picture: that it is, byte for byte, one that the server has sent; that it comes once, and none comes after
-/// a newer one; that its time of arrival is not before the last one's, nor before it was sent; and that over one
-/// connection none is left out. Of every connection that ends: that the status says why and what to check, and the log,
-/// too, but not attempt by attempt.
+/// It complains unless every picture is, byte for byte, one that the server has sent; comes once, and not after a newer
+/// one; has a time of arrival that is not before that of the last one, nor before it was sent; and unless all pictures
+/// of a connection come. When a connection ends, the status and the log must give a reason, and the log must not repeat
+/// it at each attempt.
+///
+/// Unlike soak::PictureAudit, it knows the name and the time of each picture, because the server is the bench's own.
 class Witness {
  public:
   struct Sighting {
     PictureName name;
-    TimePoint time;     ///< when it was delivered
-    TimePoint arrival;  ///< what the client says
-    TimePoint sent;     ///< what the server says
+    TimePoint time;     ///< of its delivery
+    TimePoint arrival;  ///< of its first byte, according to the client
+    TimePoint sent;     ///< according to the server
   };
 
   explicit Witness(const PictureServer& server) : server_(server) {}
 
   aibo_driver::RcServerClient::Callbacks callbacks();
 
-  /// Pictures that are left out over one connection are no violation, until this is called again.
+  /// While gaps are allowed, it does not complain about pictures that are left out over one connection.
   void allowGaps(bool allowed);
 
-  /// The picture seen last; its number is 0 if there was none.
+  /// The last picture; its number is 0 if there was none.
   Sighting last() const;
 
   /// Pictures delivered so far.
   std::uint64_t count() const;
 
-  /// Waits for a picture that this holds for.
+  /// Waits for a picture that fulfils the condition.
   std::optional<Sighting> waitFor(const std::function<bool(const Sighting&)>& condition,
                                   std::chrono::milliseconds timeout);
 
-  /// Waits for the client to be in this state, and returns since when it was; nothing if the time has passed.
+  /// Waits until the client is in this state.
+  /// @return when it entered the state; nothing if it did not in time
   std::optional<TimePoint> waitForState(aibo_driver::ConnectionState state, std::chrono::milliseconds timeout);
 
-  /// The line that was logged last as a warning.
+  /// The last warning in the log.
   std::string lastWarning() const;
 
-  /// True if the picture that the server has spoilt last was delivered as it was sent.
+  /// True if the last picture that the server spoilt was delivered as it was sent.
   bool hasSeenSpoilt() const;
 
-  /// What was not as it has to be, since this was called last.
+  /// The complaints since the last call.
   std::vector<std::string> takeViolations();
 
  private:

@@ -1,4 +1,4 @@
-#include "campaign/syscalls.h"
+#include "campaign/interposers.h"
 
 #include <dlfcn.h>
 #include <poll.h>
@@ -9,12 +9,15 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <mutex>
+#include <new>
 #include <optional>
 
-namespace fault_bench::syscalls {
+namespace fault_bench::interposers {
 namespace {
 
 thread_local int own_mark = kUnmarked;
@@ -27,8 +30,9 @@ struct Entry {
 };
 std::mutex mutex;
 std::array<Entry, kMarks> entries;  // guarded by mutex
+std::array<std::atomic<std::size_t>, kMarks> largest_allocations{};
 
-/// The errno to fail with now, if it is to fail.
+/// The errno to fail with; nothing if the call should work.
 std::optional<int> takeFailure(Call call) {
   if (own_mark == kUnmarked) {
     return std::nullopt;
@@ -53,7 +57,7 @@ Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-/// Calls what it takes the place of, unless it is to fail.
+/// Calls the real function, unless the call should fail.
 template <typename Real, typename... Arguments>
 auto callOrFail(Call call, Real* real, Arguments... arguments) {
   if (const auto error = takeFailure(call)) {
@@ -69,10 +73,6 @@ void markThisThread(int mark) {
   own_mark = mark;
   const std::lock_guard<std::mutex> lock(mutex);
   ::pthread_getcpuclockid(::pthread_self(), &entries.at(static_cast<std::size_t>(mark)).clock);
-}
-
-int markOfThisThread() {
-  return own_mark;
 }
 
 std::chrono::nanoseconds processorTime(int mark) {
@@ -98,32 +98,36 @@ void shiftWallClock(std::chrono::seconds by) {
   wall_clock_shift = by.count();
 }
 
-}  // namespace fault_bench::syscalls
+std::size_t takeLargestAllocation(int mark) {
+  return largest_allocations.at(static_cast<std::size_t>(mark)).exchange(0);
+}
 
-namespace syscalls = fault_bench::syscalls;
-using syscalls::Call;
-using syscalls::callOrFail;
+}  // namespace fault_bench::interposers
+
+namespace interposers = fault_bench::interposers;
+using interposers::Call;
+using interposers::callOrFail;
 
 extern "C" {
 
 int socket(int domain, int type, int protocol) noexcept {
-  static const auto real = syscalls::next<int(int, int, int)>("socket");
+  static const auto real = interposers::next<int(int, int, int)>("socket");
   return callOrFail(Call::kSocket, real, domain, type, protocol);
 }
 
 int setsockopt(int fd, int level, int name, const void* value, socklen_t size) noexcept {
-  static const auto real = syscalls::next<int(int, int, int, const void*, socklen_t)>("setsockopt");
+  static const auto real = interposers::next<int(int, int, int, const void*, socklen_t)>("setsockopt");
   return callOrFail(Call::kSetsockopt, real, fd, level, name, value, size);
 }
 
 int connect(int fd, const sockaddr* address, socklen_t size) {
-  static const auto real = syscalls::next<int(int, const sockaddr*, socklen_t)>("connect");
+  static const auto real = interposers::next<int(int, const sockaddr*, socklen_t)>("connect");
   return callOrFail(Call::kConnect, real, fd, address, size);
 }
 
 ssize_t recv(int fd, void* buffer, size_t size, int flags) {
-  static const auto real = syscalls::next<ssize_t(int, void*, size_t, int)>("recv");
-  if (const auto error = syscalls::takeFailure(Call::kRecv)) {
+  static const auto real = interposers::next<ssize_t(int, void*, size_t, int)>("recv");
+  if (const auto error = interposers::takeFailure(Call::kRecv)) {
     errno = *error;
     return *error == 0 ? real(fd, buffer, size < 1 ? size : 1, flags) : -1;
   }
@@ -131,8 +135,8 @@ ssize_t recv(int fd, void* buffer, size_t size, int flags) {
 }
 
 ssize_t send(int fd, const void* buffer, size_t size, int flags) {
-  static const auto real = syscalls::next<ssize_t(int, const void*, size_t, int)>("send");
-  if (const auto error = syscalls::takeFailure(Call::kSend)) {
+  static const auto real = interposers::next<ssize_t(int, const void*, size_t, int)>("send");
+  if (const auto error = interposers::takeFailure(Call::kSend)) {
     errno = *error;
     return *error == 0 ? real(fd, buffer, size < 1 ? size : 1, flags) : -1;
   }
@@ -140,37 +144,61 @@ ssize_t send(int fd, const void* buffer, size_t size, int flags) {
 }
 
 int poll(pollfd* polled, nfds_t count, int timeout) {
-  static const auto real = syscalls::next<int(pollfd*, nfds_t, int)>("poll");
+  static const auto real = interposers::next<int(pollfd*, nfds_t, int)>("poll");
   return callOrFail(Call::kPoll, real, polled, count, timeout);
 }
 
 int ppoll(pollfd* polled, nfds_t count, const timespec* timeout, const sigset_t* signals) {
-  static const auto real = syscalls::next<int(pollfd*, nfds_t, const timespec*, const sigset_t*)>("ppoll");
+  static const auto real = interposers::next<int(pollfd*, nfds_t, const timespec*, const sigset_t*)>("ppoll");
   return callOrFail(Call::kPpoll, real, polled, count, timeout, signals);
 }
 
 int accept4(int fd, sockaddr* address, socklen_t* size, int flags) {
-  static const auto real = syscalls::next<int(int, sockaddr*, socklen_t*, int)>("accept4");
+  static const auto real = interposers::next<int(int, sockaddr*, socklen_t*, int)>("accept4");
   return callOrFail(Call::kAccept, real, fd, address, size, flags);
 }
 
 int epoll_create1(int flags) noexcept {
-  static const auto real = syscalls::next<int(int)>("epoll_create1");
+  static const auto real = interposers::next<int(int)>("epoll_create1");
   return callOrFail(Call::kEpollCreate, real, flags);
 }
 
 int epoll_ctl(int epoll, int operation, int fd, epoll_event* event) noexcept {
-  static const auto real = syscalls::next<int(int, int, int, epoll_event*)>("epoll_ctl");
+  static const auto real = interposers::next<int(int, int, int, epoll_event*)>("epoll_ctl");
   return callOrFail(Call::kEpollCtl, real, epoll, operation, fd, event);
 }
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {
-  static const auto real = syscalls::next<int(clockid_t, timespec*)>("clock_gettime");
+  static const auto real = interposers::next<int(clockid_t, timespec*)>("clock_gettime");
   const int result = real(clock, time);
   if (clock == CLOCK_REALTIME) {
-    time->tv_sec += syscalls::wall_clock_shift;
+    time->tv_sec += interposers::wall_clock_shift;
   }
   return result;
 }
 
 }  // extern "C"
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+// All other forms of new and delete end in these. The threads of one mark run one after the other.
+void* operator new(std::size_t size) {
+  const int mark = interposers::own_mark;
+  if (mark != interposers::kUnmarked && size > interposers::largest_allocations[static_cast<std::size_t>(mark)]) {
+    interposers::largest_allocations[static_cast<std::size_t>(mark)] = size;
+  }
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+#endif
