@@ -5,7 +5,7 @@
 namespace soak {
 namespace {
 
-// Those over which a fault may still be under way.
+// A fault may still be under way over these.
 constexpr std::size_t kConnectionsKept = 16;
 
 }  // namespace

@@ -27,18 +27,18 @@ namespace soak {
 struct Options {
   double minutes = 60;
   unsigned seed = 1;
-  std::string folder;  ///< for resources.csv and driver.log; has to be there
+  std::string folder;  ///< existing folder for resources.csv and driver.log
 };
 
-/// The driver's node and the robot's server for a long time, with a proxy between them: in turn, a calm stretch with
-/// all that users do, and something that goes wrong. Needs a running ROS master and a spinner.
+/// Runs the driver's node and the robot's server for a long time, with a proxy between them. Calm periods, in which
+/// users do all that they can, and faults take turns. Needs a running ROS master and a spinner.
 class Soak {
  public:
   /// Starts them.
   explicit Soak(const Options& options);
 
-  /// Runs them until the time is over, and prints what came of it.
-  /// @return true if all was as it has to be
+  /// Runs until the time is over, and prints the results.
+  /// @return true if there was no violation
   bool run();
 
  private:

@@ -9,14 +9,13 @@
 #include <boost/program_options.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <mutex>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "campaign/experiment.h"
+#include "support/program.h"
 #include "support/resources.h"
 
 namespace fault_bench {
@@ -172,7 +171,6 @@ po::options_description describe(Options* options) {
   po::options_description description("Options", 110);
   // clang-format off
   description.add_options()
-    ("help", "print this text")
     ("list", po::bool_switch(&options->list), "list all faults")
     ("seed", po::value(&options->seed)->default_value(1), "of all random choices")
     ("only", po::value(&options->only)->composing(), "try only this row of the table, such as F2; may be repeated")
@@ -225,23 +223,12 @@ int listRows() {
   return EXIT_SUCCESS;
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  const po::options_description description = describe(&options);
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << "Tries every fault between driver and RCServer, and prints the results.\n"
-                 "The exit status is 1 after a violation.\n\n"
-              << description;
-    return EXIT_SUCCESS;
+int run(Options* options) {
+  checkOptions(*options);
+  if (options->short_form) {
+    options->percent = std::min(options->percent, 1.0);
   }
-  checkOptions(options);
-  if (options.short_form) {
-    options.percent = std::min(options.percent, 1.0);
-  }
-  return options.list ? listRows() : runCampaign(options);
+  return options->list ? listRows() : runCampaign(*options);
 }
 
 }  // namespace
@@ -263,10 +250,9 @@ std::vector<Row> allRows() {
 int main(int argc, char** argv) {
   ::signal(SIGPIPE, SIG_IGN);
   ::mallopt(M_ARENA_MAX, 1);  // with an arena for each thread, I6 would see memory grow
-  try {
-    return fault_bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "aibo_fault_campaign: " << error.what() << " (--help lists all options)\n";
-    return 2;
-  }
+  fault_bench::Options options;
+  return test_support::runProgram(argc, argv,
+                                  "Tries every fault between driver and RCServer, and prints the results.\n"
+                                  "The exit status is 1 after a violation.",
+                                  describe(&options), [&] { return run(&options); });
 }

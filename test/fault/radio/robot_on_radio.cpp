@@ -29,7 +29,6 @@ openr_host::MachineOptions RobotOnRadio::machineOptions(const NetworkHost& host)
 void RobotOnRadio::cameraImageTaken() {
   const std::lock_guard<std::mutex> lock(mutex_);
   image_at_ = std::chrono::steady_clock::now();
-  ++images_;
 }
 
 void RobotOnRadio::aboutToSend(const void* data, std::size_t size) {
@@ -47,11 +46,6 @@ std::optional<RobotOnRadio::Sent> RobotOnRadio::find(const std::vector<std::uint
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = sent_.find(wanted);
   return found == sent_.end() ? std::nullopt : std::optional<Sent>(found->second);
-}
-
-std::uint64_t RobotOnRadio::images() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return images_;
 }
 
 }  // namespace fault_bench

@@ -20,18 +20,15 @@ namespace fault_bench {
 class RobotOnRadio {
  public:
   struct Sent {
-    std::uint64_t number;                            ///< 1 for the first picture sent, in their order
+    std::uint64_t number;                            ///< in the order of sending; the first is 1
     std::chrono::steady_clock::time_point image_at;  ///< when the camera had the image
   };
 
   /// @throw openr_host::BootError
   explicit RobotOnRadio(const NetworkHost& host);
 
-  /// What is known of a picture; nothing if it was never sent. Any thread may ask.
+  /// Looks up a picture; nothing if it was never sent. Any thread.
   std::optional<Sent> find(const std::vector<std::uint8_t>& jpeg) const;
-
-  /// Images that the camera has handed over so far. Any thread may ask.
-  std::uint64_t images() const;
 
  private:
   openr_host::MachineOptions machineOptions(const NetworkHost& host);
@@ -43,7 +40,6 @@ class RobotOnRadio {
   std::chrono::steady_clock::time_point image_at_;    // the camera's last one
   std::chrono::steady_clock::time_point picture_at_;  // that of the picture that is being sent
   SentPictures pictures_;
-  std::uint64_t images_ = 0;
 
   simulated_ers7::SimulatedErs7 robot_;
   test_support::RobotThread thread_;
