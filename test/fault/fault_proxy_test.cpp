@@ -1,4 +1,4 @@
-// The proxy makes go wrong what it is told to, and nothing else.
+// The proxy makes the faults that it is asked for, and no others.
 
 #include "support/proxy/fault_proxy.h"
 
@@ -35,7 +35,7 @@ class FaultProxyTest : public testing::Test {
     return bytes;
   }
 
-  /// What the client receives when the server sends one picture and the fault is made in it.
+  /// What the client receives when the server sends this.
   Bytes receivedOf(const Bytes& sent, std::size_t size) {
     server_end_.send(sent);
     return client_.read(size, kPatience);
@@ -54,7 +54,7 @@ TEST_F(FaultProxyTest, PassesEveryByteBothWays) {
   EXPECT_EQ(server_end_.readCommand().command, 'W');
 }
 
-TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsWhereItIsToldTo) {
+TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsAtTheGivenPlace) {
   proxy_.add(parseFault("overwrite:0102@picture+10"));
   proxy_.add(parseFault("flip:ff@picture+20"));
   proxy_.add(parseFault("drop:3@picture+30"));
@@ -78,7 +78,7 @@ TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsWhereItIsToldTo) {
   EXPECT_EQ(client_.read(expected.size(), kPatience), expected);
 }
 
-TEST_F(FaultProxyTest, EndsTheConnectionAtTheByteItIsToldTo) {
+TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
   proxy_.add(parseFault("close@picture+17"));
   const Bytes received = receivedOf(reply_, reply_.size());
   EXPECT_EQ(received, Bytes(reply_.begin(), reply_.begin() + 17));
@@ -106,7 +106,7 @@ TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
   EXPECT_TRUE(client_.receive(kPatience)->empty());
 }
 
-TEST_F(FaultProxyTest, ASlowWayTakesItsTimeAndLosesNothing) {
+TEST_F(FaultProxyTest, ASlowWayDelaysBytesAndLosesNone) {
   Conditions conditions;
   conditions.delay = milliseconds(50);
   conditions.largest_piece = 1;
@@ -117,7 +117,7 @@ TEST_F(FaultProxyTest, ASlowWayTakesItsTimeAndLosesNothing) {
   EXPECT_GE(steady_clock::now() - begin, milliseconds(150));
 }
 
-TEST_F(FaultProxyTest, APauseClosesTheSendersWindow) {
+TEST_F(FaultProxyTest, APauseDelaysWhatTheServerSends) {
   Script script(&proxy_);
   script.carryOut("pause");
   server_end_.send(reply_);
@@ -126,7 +126,7 @@ TEST_F(FaultProxyTest, APauseClosesTheSendersWindow) {
   EXPECT_EQ(client_.read(reply_.size(), kPatience), reply_);
 }
 
-TEST_F(FaultProxyTest, ReceivesClientsAsItIsTold) {
+TEST_F(FaultProxyTest, WelcomesClientsAsAsked) {
   proxy_.setWelcome(Welcome::kClose);
   EXPECT_TRUE(RawClient(proxy_.port()).receive(kPatience)->empty());
   proxy_.setWelcome(Welcome::kSilence);
@@ -139,7 +139,7 @@ TEST_F(FaultProxyTest, ReceivesClientsAsItIsTold) {
   EXPECT_EQ(served.read(reply_.size(), kPatience), reply_);
 }
 
-TEST_F(FaultProxyTest, TheScriptSaysWhatItDoesNotUnderstand) {
+TEST_F(FaultProxyTest, TheScriptRefusesWhatItDoesNotUnderstand) {
   Script script(&proxy_);
   script.carryOut("  # a remark, and an empty line\n");
   for (const char* line : {"dance", "delay soon", "delay -1", "fault explode", "fault close@picture+x",

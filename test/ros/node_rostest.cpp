@@ -15,7 +15,6 @@
 
 #include "support/proxy/recording_proxy.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/nodelet_host.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
 

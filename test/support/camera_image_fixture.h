@@ -1,5 +1,5 @@
 /// @file camera_image_fixture.h
-/// Camera images for the encoder's tests and benchmarks, laid out as the robot lays them out.
+/// Camera images in the robot's memory layout, for tests and benchmarks of the encoder.
 #ifndef TEST_SUPPORT_CAMERA_IMAGE_FIXTURE_H
 #define TEST_SUPPORT_CAMERA_IMAGE_FIXTURE_H
 
@@ -35,7 +35,7 @@ class CameraImageFixture {
     }
   }
 
-  /// Smooth shading with some sensor noise: 4 to 6 KB at quality 85, as the report's pictures.
+  /// Smooth shading with some sensor noise, as in real pictures of the ERS-7: 4 to 6 KB at quality 85.
   static CameraImageFixture scene(size_t width = 208, size_t height = 160, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, 1.5);
@@ -58,7 +58,7 @@ class CameraImageFixture {
     return {bytes_.data(), bytes_.data() + width_, bytes_.data() + 2 * width_, width_, height_, 6 * width_};
   }
 
-  /// Writes the camera's 16 tag bytes where the last row begins, in all bands.
+  /// Writes the camera's 16 tag bytes at the beginning of the last row, in all bands.
   void setTag(uint8_t value, uint16_t field_counter) {
     uint8_t* row = bytes_.data() + 6 * width_ * (height_ - 1);
     for (size_t band = 0; band < 3; ++band) {

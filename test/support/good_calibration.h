@@ -6,7 +6,7 @@
 
 namespace test_support {
 
-/// As it could be of the ERS-7's camera.
+/// A plausible calibration of the ERS-7's camera.
 inline sensor_msgs::CameraInfo goodCalibration() {
   sensor_msgs::CameraInfo info;
   info.width = 208;

@@ -18,7 +18,7 @@ constexpr std::chrono::milliseconds kPollPeriod{5};
 // What a process has printed is read at once when it ends, unless a child of its own goes on.
 constexpr std::chrono::seconds kLastOutput{1};
 
-// More than a test program has open at a time.
+// More than a test program has open at the same time.
 constexpr int kMostDescriptors = 1024;
 
 // Between fork and exec nothing may allocate: another thread may hold the allocator's lock.
@@ -32,7 +32,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 std::vector<std::string> mergedEnvironment(std::map<std::string, std::string> added) {
-  // Or a pipe gets only when the process ends what ROS_INFO and Python print.
+  // Otherwise the output of ROS_INFO and Python reaches a pipe only when the process ends.
   added.emplace("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1");
   added.emplace("PYTHONUNBUFFERED", "1");
   std::vector<std::string> result;
@@ -65,7 +65,7 @@ Process::Process(const std::vector<std::string>& command, const std::map<std::st
     ::dup2(pipe_ends[1], STDOUT_FILENO);
     ::dup2(pipe_ends[1], STDERR_FILENO);
     for (int descriptor = STDERR_FILENO + 1; descriptor < kMostDescriptors; ++descriptor) {
-      ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // roscpp's sockets are not the child's
+      ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // the child must not inherit roscpp's sockets
     }
     ::execvpe(argv[0], argv.data(), envp.data());
     ::_exit(127);

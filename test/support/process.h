@@ -26,16 +26,16 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Waits for text on stdout or stderr, from the beginning on.
-  /// @return the match's groups
-  /// @throw std::runtime_error it did not come in time; the message holds the output
+  /// Waits until the output so far, stdout and stderr, contains a match.
+  /// @return the groups of the match
+  /// @throw std::runtime_error it did not come in time; the text contains the output
   std::vector<std::string> waitForOutput(const std::string& pattern, std::chrono::seconds timeout);
 
   std::string output() const;
 
   void signal(int number) const;
 
-  /// Kills and reaps it.
+  /// Ends it by SIGKILL, and reaps it.
   void kill();
 
   /// Waits for its end, and for all that it has printed.

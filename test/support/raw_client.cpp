@@ -20,7 +20,7 @@ RawClient::RawClient(int port) : socket_(beginConnecting("127.0.0.1", port)) {
   socklen_t size = sizeof error;
   ::getsockopt(socket_.get(), SOL_SOCKET, SO_ERROR, &error, &size);
   errno = error;
-  check(error == 0 || error == ECONNRESET, "connect");  // who is turned away at once may see it already
+  check(error == 0 || error == ECONNRESET, "connect");  // a reset may already have come
 }
 
 bool RawClient::send(const std::string& bytes) {

@@ -11,30 +11,31 @@
 
 namespace test_support {
 
-/// A client that does what no client does.
+/// A client that sends and reads exactly what a test asks for. What it does not read stays in the kernel; see
+/// TestClient for one that always reads everything.
 class RawClient {
  public:
-  /// Connects to a port of 127.0.0.1. The kernel holds little for it, as for the driver.
+  /// Connects to a port of 127.0.0.1, with small buffers, like the driver.
   /// @throw std::system_error
   explicit RawClient(int port);
 
-  /// Sends what the kernel takes now.
-  /// @return false if the connection is over
+  /// Sends as much as the kernel takes now.
+  /// @return false if the connection has ended
   bool send(const std::string& bytes);
 
-  /// Reads what is there, waiting for the first byte.
-  /// @param most so many bytes at most
-  /// @return nothing if none came in time; no bytes if the connection is over
+  /// Reads the bytes that are there, and waits for the first one.
+  /// @param most most bytes to read
+  /// @return nothing if none came in time; no bytes if the connection has ended
   std::optional<Bytes> receive(std::chrono::milliseconds timeout, std::size_t most = 65536);
 
-  /// Reads so many bytes.
-  /// @return fewer if the connection is over, or if they did not come in time
+  /// Reads this many bytes.
+  /// @return fewer if the connection has ended, or if they did not come in time
   Bytes read(std::size_t size, std::chrono::milliseconds timeout);
 
-  /// Ends the connection orderly.
+  /// Closes the connection (FIN).
   void close() { socket_.close(); }
 
-  /// Ends the connection abruptly.
+  /// Resets the connection (RST).
   void reset();
 
  private:

@@ -40,7 +40,7 @@ Resources Resources::of(const std::string& process) {
 
 Resources Resources::settled() {
   std::this_thread::sleep_for(kSettleTime);
-  ::malloc_trim(0);  // what was freed does not count
+  ::malloc_trim(0);  // freed memory does not count
   return of();
 }
 

@@ -7,28 +7,28 @@
 
 namespace test_support {
 
-/// How much memory a process holds, tells something: a sanitizer keeps what was freed.
+/// False under a sanitizer, which keeps freed memory: then memory says nothing.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kMemoryCounts = false;
 #else
 constexpr bool kMemoryCounts = true;
 #endif
 
-/// What a process holds.
+/// The resources that a process holds.
 struct Resources {
   std::size_t descriptors = 0;
   std::size_t threads = 0;
   std::size_t resident_kilobytes = 0;
 
-  /// Of a process.
-  /// @param process its number; "self" = this one
+  /// @param process ID of a process; "self" = this one
   static Resources of(const std::string& process = "self");
 
-  /// Of this process, once what is being closed is closed.
+  /// Of this process, after a pause in which threads and descriptors can be closed.
   static Resources settled();
 
-  /// What this process holds more than that now, waiting for it to let go; empty if nothing that counts.
-  /// @param without_memory memory does not count
+  /// Waits a while for this process to hold no more than this.
+  /// @param without_memory ignores memory
+  /// @return what it holds more; empty if nothing
   std::string growth(bool without_memory) const;
 };
 

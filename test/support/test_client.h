@@ -1,5 +1,5 @@
 /// @file test_client.h
-/// A TCP client that never waits: the test runs the machine until the client has what it waits for.
+/// A TCP client that never waits, for tests that run the server on the same thread.
 #ifndef TEST_SUPPORT_TEST_CLIENT_H
 #define TEST_SUPPORT_TEST_CLIENT_H
 
@@ -29,15 +29,16 @@ struct Reply {
   protocol::ValueReply value{};  ///< of any other reply
 };
 
-/// What a server sent in version 2.
+/// A frame that a server sent in version 2.
 struct Frame {
   protocol::version2::FrameHeader header{};
   std::vector<uint8_t> payload;
 };
 
+/// Takes everything from the kernel as soon as it is looked at; see RawClient for one that leaves bytes there.
 class TestClient {
  public:
-  /// @param receive_buffer bytes the kernel may hold for this client; 0 for the kernel's own choice
+  /// @param receive_buffer bytes that the kernel may hold for this client; 0 = the kernel's default
   /// @throw std::system_error if the server refuses
   explicit TestClient(uint16_t port, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     if (receive_buffer > 0) {
@@ -113,7 +114,7 @@ class TestClient {
     return reply;
   }
 
-  /// The next `size` bytes, whatever they are; nothing if they are not all here.
+  /// The next `size` bytes; nothing unless they are all here.
   std::vector<uint8_t> take(size_t size) {
     receive();
     return received_.size() < size ? std::vector<uint8_t>() : consume(size);

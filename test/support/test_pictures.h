@@ -1,5 +1,5 @@
 /// @file test_pictures.h
-/// Real JPEGs, as a camera would send them and as it would not.
+/// Real JPEGs, both as a camera sends them and unusual ones.
 #ifndef TEST_SUPPORT_TEST_PICTURES_H
 #define TEST_SUPPORT_TEST_PICTURES_H
 
@@ -19,7 +19,7 @@ struct PictureKind {
   int quality = 85;
   int subsampling = TJSAMP_420;
   int flags = 0;      ///< TJFLAG_PROGRESSIVE...
-  unsigned seed = 1;  ///< pictures of different seeds differ
+  unsigned seed = 1;  ///< pictures with different seeds differ
 };
 
 /// A smooth scene with some noise, compressed by TurboJPEG.
@@ -28,10 +28,10 @@ Bytes make(const PictureKind& kind = PictureKind());
 /// An ordinary picture, different for each seed.
 Bytes makeNumbered(unsigned seed);
 
-/// Where the segment of this marker begins: at its 0xFF. The picture must have it.
+/// The index of this marker's 0xFF. The picture must have the marker.
 std::size_t findMarker(const Bytes& jpeg, std::uint8_t marker);
 
-/// A whole reply: header and picture.
+/// A whole reply of version 1: header and picture.
 Bytes makeReply(const Bytes& jpeg);
 
 }  // namespace test_pictures

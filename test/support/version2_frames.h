@@ -18,7 +18,7 @@ struct Frame {
   Bytes payload;
 };
 
-/// Takes one whole frame apart.
+/// Splits one whole frame into header and payload.
 Frame split(const Bytes& bytes);
 
 Bytes makeFrame(char kind, int number, const Bytes& payload);
@@ -26,7 +26,7 @@ Bytes makeFrame(char kind, int number, const Bytes& payload);
 // Payloads.
 
 /// An ERS-7 with two joints, 1 and 2, served by "a test 1.0".
-/// @param capabilities a blank between two
+/// @param capabilities separated by blanks
 Bytes makeHello(const std::string& capabilities = "F W J V T O");
 
 constexpr unsigned kImageCount = 12345;

@@ -49,7 +49,6 @@
 #include "support/ros/driver_process.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
-#include "support/ros/nodelet_host.h"
 #include "support/ros/topic_listener.h"
 #include "support/ros/topic_publishers.h"
 #include "support/simulated_robot.h"

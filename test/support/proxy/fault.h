@@ -1,5 +1,5 @@
 /// @file fault.h
-/// What can go wrong on the way between a client and a server.
+/// Faults on the way between a client and a server.
 #ifndef TEST_SUPPORT_PROXY_FAULT_H
 #define TEST_SUPPORT_PROXY_FAULT_H
 
@@ -15,25 +15,26 @@ using TimePoint = std::chrono::steady_clock::time_point;
 
 enum class Direction { kToClient, kToServer };
 
-/// What goes wrong once, amid the bytes of one direction.
+/// A single fault in the bytes of one direction.
 enum class Action {
-  kClose,      ///< the connection ends orderly, for both sides
-  kReset,      ///< it ends abruptly, for both sides
-  kHalfClose,  ///< no more bytes in this direction, and the receiver is told (FIN); the other direction goes on
-  kSilence,    ///< no more bytes in either direction, and nobody is told
+  kClose,      ///< the connection is closed for both sides (FIN)
+  kReset,      ///< it is reset for both sides (RST)
+  kHalfClose,  ///< it is closed for the receiver (FIN), and the other direction goes on
+  kSilence,    ///< it stays open, but no more bytes get through in either direction
   kDrop,       ///< `count` bytes are lost
-  kInsert,     ///< `bytes` come in between
-  kOverwrite,  ///< `bytes` take the place of as many others
-  kFlip,       ///< the next bytes are combined with `bytes`, by exclusive or
-  kPause,      ///< the next bytes come later by `time`
-  kSplit       ///< what was sent as one comes as two, the second by `time` later
+  kInsert,     ///< `bytes` are inserted
+  kOverwrite,  ///< `bytes` replace as many others
+  kFlip,       ///< the next bytes are combined with `bytes` by exclusive or
+  kPause,      ///< the next bytes are delayed by `time`
+  kSplit       ///< one piece becomes two, the second delayed by `time`
 };
 
-/// Where it goes wrong.
+/// Where a fault takes place.
 enum class Place {
-  kHere,     ///< where the stream is now
+  kHere,     ///< at the next byte
   kByte,     ///< before the connection's byte number `offset`
-  kPicture,  ///< before byte number `offset` of the next picture, counted from its header; only towards the client
+  kPicture,  ///< before byte number `offset` of the next picture, counted from its header; only on the way to the
+             ///< client
 };
 
 struct Fault {
@@ -46,26 +47,26 @@ struct Fault {
   std::chrono::microseconds time{0};
 };
 
-/// What the way is like all the time, in both directions. As it stands: as good as it can be.
+/// Lasting properties of the way, in both directions. The defaults are those of a perfect one.
 struct Conditions {
   std::chrono::microseconds delay{0};
-  std::chrono::microseconds jitter{0};     ///< up to so much is added to the delay; the order of the bytes stays
+  std::chrono::microseconds jitter{0};     ///< largest random addition to the delay; bytes stay in order
   std::size_t bytes_per_second = 0;        ///< 0 = no limit
-  std::size_t largest_piece = 0;           ///< bytes come in pieces of at most so many; 0 = as they were sent
-  bool random_pieces = false;              ///< pieces of 1..largest_piece bytes instead
+  std::size_t largest_piece = 0;           ///< bytes come in pieces of at most this size; 0 = as they were sent
+  bool random_pieces = false;              ///< pieces have random sizes of 1..largest_piece
   std::chrono::microseconds piece_gap{0};  ///< from one piece to the next
-  std::chrono::microseconds join{0};       ///< what was sent within this time comes as one
-  bool paused = false;                     ///< what the server sends is not read any more: its window closes
+  std::chrono::microseconds join{0};       ///< bytes that are sent within this time come together
+  bool paused = false;                     ///< the proxy does not read from the server, so that its window closes
 };
 
-/// How a client is received.
+/// What happens to a client that connects.
 enum class Welcome {
-  kServe,       ///< it is connected with the server
-  kClose,       ///< accepted, and the connection closed at once
-  kReset,       ///< accepted, and the connection reset at once
-  kSilence,     ///< accepted, and then nothing (a black hole)
-  kRefuse,      ///< nobody listens
-  kUnreachable  ///< the attempt to connect gets no answer at all
+  kServe,       ///< it is connected to the server
+  kClose,       ///< it is accepted, and the connection is closed at once
+  kReset,       ///< it is accepted, and the connection is reset at once
+  kSilence,     ///< it is accepted, and then hears nothing (a black hole)
+  kRefuse,      ///< it is refused, because nobody listens
+  kUnreachable  ///< its attempt to connect gets no answer
 };
 
 }  // namespace test_support

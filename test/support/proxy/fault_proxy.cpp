@@ -28,7 +28,7 @@ timespec timeUntil(TimePoint end) {
 FaultProxy::FaultProxy(const Options& options)
     : options_(options), address_(options.address), listener_(bindTo(address_, options.port)) {
   port_ = portOf(listener_);
-  listener_ = bindTo(address_, port_);  // only a port that was asked for is kept while nobody listens
+  listener_ = bindTo(address_, port_);  // only an explicitly bound port stays reserved while nobody listens
   check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
   thread_ = std::thread([this] { run(); });
 }
@@ -127,7 +127,7 @@ void FaultProxy::receiveClientsBy(Welcome welcome) {
   if (listens(welcome) != listens(welcome_) || !listens(welcome)) {
     fillers_.clear();
     if (welcome_ != Welcome::kRefuse) {
-      ::shutdown(listener_.get(), SHUT_RDWR);  // nobody listens any more, though the port stays reserved
+      ::shutdown(listener_.get(), SHUT_RDWR);  // stops listening, and the port stays reserved
     }
     if (listens(welcome)) {
       check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
@@ -220,7 +220,7 @@ void FaultProxy::receiveClient(FileDescriptor client) {
                             beginConnecting(options_.target_host, options_.target_port), seed);
         ++connections_;
       } catch (const std::system_error&) {
-        // No way to the server: the client is turned away.
+        // The server is unreachable: the client is turned away.
       }
       break;
     default:

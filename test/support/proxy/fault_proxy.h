@@ -23,8 +23,8 @@
 
 namespace test_support {
 
-/// Stands between clients and a server, passes every byte on, and makes go wrong what it is told to. Any number of
-/// connections. Random things follow from the seed and from the bytes that come.
+/// A proxy between any number of clients and a server, which passes every byte on and makes the faults that it is asked
+/// for. All random choices follow from the seed and the bytes that come.
 ///
 /// Every function may be called from any thread.
 class FaultProxy {
@@ -48,41 +48,41 @@ class FaultProxy {
 
   int port() const { return port_; }
 
-  /// What the way is like from now on, for connections that are there and for later ones.
+  /// Sets the conditions for present and later connections.
   void setConditions(const Conditions& conditions);
 
-  /// How clients are received from now on.
+  /// Sets what happens to clients that connect from now on.
   void setWelcome(Welcome welcome);
 
-  /// Adds a fault. Faults take place one after the other, in the order in which they were added, each over whichever
-  /// connection gets there first. A picture counts if it begins after the fault's turn has come.
+  /// Adds a fault. Faults take place in the order in which they were added, each over the connection that first reaches
+  /// its place. A picture counts if it begins after all earlier faults.
   void add(const Fault& fault);
 
-  /// Forgets faults that have not taken place.
+  /// Removes the faults that have not taken place yet.
   void clearFaults();
 
   /// Ends all connections.
   /// @param end kClose, kReset, kHalfClose or kSilence
   void endConnections(Action end);
 
-  /// All is well from now on: ends connections that have been silenced, forgets conditions and faults, and serves.
+  /// Ends all faults: resets silenced connections, removes conditions and faults, and serves clients.
   void heal();
 
-  /// The server has moved: later connections go there.
+  /// Connects later clients to another server.
   void setTarget(const std::string& host, int port);
 
-  /// The proxy itself moves to another address of this computer, on the same port. Who is connected hears nothing more.
-  /// @throw std::system_error the port is taken there
+  /// Moves the proxy to another address of this computer, on the same port. Present connections fall silent.
+  /// @throw std::system_error the port is in use there
   void moveTo(const std::string& address);
 
-  /// Connections made with the server so far.
+  /// Connections to the server so far.
   std::size_t connections() const;
 
-  /// Faults that have taken place so far.
+  /// Faults made so far.
   std::size_t faultsDone() const;
 
-  /// Waits for so many faults to have taken place since the proxy began.
-  /// @return the last of them; nothing if the time has passed
+  /// Waits until this many faults have been made since the construction.
+  /// @return the last of them; nothing if they were not made in time
   std::optional<FaultReport> waitForFaults(std::size_t count, std::chrono::milliseconds timeout);
 
  private:
@@ -106,7 +106,7 @@ class FaultProxy {
   Conditions conditions_;
   FaultQueue faults_;
   std::list<Link> links_;
-  std::size_t polled_links_ = 0;                      // the first so many of links_ are being waited for
+  std::size_t polled_links_ = 0;                      // how many of links_ the thread waits for
   std::vector<aibo_driver::FileDescriptor> held_;     // clients that hear nothing
   std::vector<aibo_driver::FileDescriptor> fillers_;  // of the queue of clients
   std::size_t connections_ = 0;

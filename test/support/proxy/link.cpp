@@ -65,7 +65,7 @@ void Link::serve(const std::array<pollfd, 2>& polled, TimePoint now, const Condi
   }
   if (silent_) {
     if (polled[0].revents != 0) {
-      client_.socket.close();  // the server is not told
+      client_.socket.close();  // the server does not notice
     }
     over_ = polled[1].revents != 0 || !server_.socket.valid();
     return;
@@ -127,7 +127,7 @@ void Link::send(Side* side, Direction direction, TimePoint now) {
       pieces.pop_front();
       end(action, direction);
     } else if (side->told) {
-      side->out.sent(pieces.front().bytes.size());  // lost: this side has been told that no more comes
+      side->out.sent(pieces.front().bytes.size());  // lost, because this side has got a FIN
       pieces.pop_front();
     } else if (!sendFront(side)) {
       end(Action::kReset, direction);
@@ -156,7 +156,7 @@ void Link::end(Action end, Direction direction) {
   Side& receiver = direction == Direction::kToClient ? client_ : server_;
   switch (end) {
     case Action::kClose:
-      // A close() with bytes unread would be a reset: the client is told the end, and waited for.
+      // A close() with unread bytes would be a reset. So the client gets a FIN first, and closes its side.
       ::shutdown(client_.socket.get(), SHUT_WR);
       server_.socket.close();
       draining_ = true;

@@ -19,20 +19,21 @@ namespace test_support {
 using Tap =
     std::function<void(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size)>;
 
-/// One connection through the proxy: two sockets and a pipe each way. Never blocks. Used by the proxy's thread alone.
+/// One connection through the proxy: two sockets, and a pipe in each direction. Never blocks. Only for the proxy's
+/// thread.
 class Link {
  public:
-  /// @param server a socket that is being connected, or is
+  /// @param server a socket that is connected, or being connected
   Link(std::size_t number, aibo_driver::FileDescriptor client, aibo_driver::FileDescriptor server, unsigned seed);
 
-  /// What to wait for: an entry for each socket, the client's first. -1 where nothing is to be waited for.
+  /// What to wait for: an entry for each socket, the client's first; -1 for a socket that need not be waited for.
   std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions);
 
-  /// When serve() is to be called at the latest.
+  /// When serve() has to be called at the latest.
   TimePoint nextDue() const;
 
   /// Does what can be done now.
-  /// @param polled the entries of interests(), with what was found
+  /// @param polled the entries of interests(), after poll()
   void serve(const std::array<pollfd, 2>& polled, TimePoint now, const Conditions& conditions, FaultQueue* faults,
              const Tap& tap, std::vector<FaultReport>* reports);
 
@@ -40,16 +41,16 @@ class Link {
   /// @param end kClose, kReset, kHalfClose or kSilence
   void end(Action end, Direction direction);
 
-  /// True once there is nothing more to do for it.
+  /// True when the connection has ended.
   bool isOver() const { return over_; }
   bool isSilent() const { return silent_; }
 
  private:
   struct Side {
     aibo_driver::FileDescriptor socket;
-    Pipe out;              // what is to be sent to this side
+    Pipe out;              // towards this side
     bool ended = false;    // this side sends no more
-    bool told = false;     // this side has been told that no more comes
+    bool told = false;     // this side has got a FIN
     bool blocked = false;  // the kernel takes no more for it
   };
 
@@ -63,7 +64,7 @@ class Link {
   Side client_;
   Side server_;
   bool connecting_ = true;  // to the server
-  bool draining_ = false;   // the client has been told the end, and is waited for
+  bool draining_ = false;   // the client has got a FIN, and has yet to close
   bool silent_ = false;
   bool over_ = false;
 };

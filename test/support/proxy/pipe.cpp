@@ -32,7 +32,8 @@ std::vector<FaultReport> Pipe::take(const std::uint8_t* data, std::size_t size, 
   return reports;
 }
 
-/// Finds out where the next fault takes place, as soon as that can be told.
+/// Finds out where the next fault takes place.
+/// @return false if that is not known yet
 bool Pipe::findPlace(const FaultQueue& faults, const std::vector<std::uint64_t>& picture_begins) {
   if (faults.empty() || faults.front().direction != direction_) {
     return false;
@@ -95,7 +96,7 @@ void Pipe::pass(const std::uint8_t* data, std::size_t size, TimePoint now, const
 }
 
 std::size_t Pipe::pieceSize(const Conditions& conditions) {
-  constexpr std::size_t kPacket = 1460;  // what a limit of bytes a second is applied to
+  constexpr std::size_t kPacket = 1460;  // the unit to which a rate applies
   if (conditions.largest_piece == 0) {
     return conditions.bytes_per_second == 0 ? SIZE_MAX : kPacket;
   }
@@ -133,7 +134,7 @@ TimePoint Pipe::dueTime(std::size_t size, TimePoint now, const Conditions& condi
   return due;
 }
 
-// A slow way holds little, or what is sent would wait in it for seconds; a long way holds what is under way.
+// A slow way holds little, or bytes would wait in it for seconds. A way with a delay holds all bytes under way.
 bool Pipe::isFull(const Conditions& conditions) const {
   const bool slow = conditions.largest_piece > 0 || conditions.bytes_per_second > 0;
   return waiting_ > (slow ? kSlowCapacity : kCapacity);

@@ -17,11 +17,11 @@ namespace test_support {
 struct FaultReport {
   Fault fault;
   std::size_t connection = 0;  ///< the first is 0
-  std::uint64_t offset = 0;    ///< before which byte of the connection, as it was sent
-  TimePoint time;              ///< when these bytes were there to be passed on
+  std::uint64_t offset = 0;    ///< before this byte of the connection, as it was sent
+  TimePoint time;              ///< when this byte arrived at the proxy
 };
 
-/// Faults that are still to come, first things first.
+/// Faults that have not taken place yet, in their order.
 class FaultQueue {
  public:
   void add(const Fault& fault) { faults_.push_back(fault); }
@@ -37,7 +37,7 @@ class FaultQueue {
     faults_.pop_front();
     return fault;
   }
-  /// Another one for each fault that comes to the front.
+  /// Changes whenever another fault comes to the front.
   std::uint64_t turn() const { return turn_; }
 
  private:
@@ -45,11 +45,11 @@ class FaultQueue {
   std::uint64_t turn_ = 0;
 };
 
-/// One direction of one connection: takes bytes as they were sent, makes of them pieces as they are to arrive, each
-/// with its time. It does no I/O and reads no clock.
+/// One direction of a connection: turns the bytes that were sent into the pieces that arrive, each with its time. Does
+/// no I/O and reads no clock.
 class Pipe {
  public:
-  /// What is to be sent at a time; or, with `end`, what is to be done then.
+  /// Bytes to send at a certain time; or, with `end`, what to do then.
   struct Piece {
     Bytes bytes;
     TimePoint due;
@@ -59,22 +59,22 @@ class Pipe {
   Pipe(Direction direction, unsigned seed) : direction_(direction), random_(seed) {}
 
   /// Takes the next bytes of the stream.
-  /// @param faults a fault that takes place is taken out
+  /// @param faults faults that take place are removed
   /// @return the faults that took place
   std::vector<FaultReport> take(const std::uint8_t* data, std::size_t size, TimePoint now, const Conditions& conditions,
                                 FaultQueue* faults);
 
-  /// The stream ends, once all pieces before are sent.
+  /// Ends the stream after the pieces so far.
   void end(Action end, TimePoint now);
 
-  /// The pieces, first things first. May be changed by who sends them.
+  /// The pieces in their order. The sender removes what it has sent.
   std::deque<Piece>& pieces() { return pieces_; }
   const std::deque<Piece>& pieces() const { return pieces_; }
 
-  /// True if so much waits that the sender should.
+  /// True if no more bytes should be taken for now.
   bool isFull(const Conditions& conditions) const;
 
-  /// So many bytes have been sent.
+  /// Reports that bytes have been sent.
   void sent(std::size_t size) { waiting_ -= size; }
 
  private:
@@ -91,12 +91,12 @@ class Pipe {
   std::deque<Piece> pieces_;
   std::size_t waiting_ = 0;                // bytes in pieces_
   std::uint64_t offset_ = 0;               // of the next byte of the stream
-  std::optional<std::uint64_t> fault_at_;  // where the next fault takes place, once that is known
-  std::uint64_t fault_turn_ = 0;           // which fault that is
-  std::size_t drop_ = 0;                   // bytes still to be lost
-  std::deque<std::uint8_t> masks_;         // for the bytes still to be flipped
-  TimePoint not_before_;                   // when the next piece may arrive at the earliest
-  bool split_ = false;                     // the next bytes are a piece of their own
+  std::optional<std::uint64_t> fault_at_;  // where the next fault takes place, if known
+  std::uint64_t fault_turn_ = 0;           // of the fault at fault_at_
+  std::size_t drop_ = 0;                   // bytes still to drop
+  std::deque<std::uint8_t> masks_;         // for the bytes still to flip
+  TimePoint not_before_;                   // the earliest arrival of the next piece
+  bool split_ = false;                     // the next bytes begin a new piece
 };
 
 }  // namespace test_support

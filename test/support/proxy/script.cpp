@@ -11,22 +11,22 @@ namespace test_support {
 using std::chrono::microseconds;
 
 const char* const kScriptHelp =
-    "  delay MS, jitter MS         what comes, comes so much later, and up to so much more\n"
-    "  rate BYTES                  so many bytes a second at most; 0 = no limit\n"
-    "  pieces BYTES [GAP_MS]       bytes come in pieces of this size, with a gap between two; 0 = as they were sent\n"
-    "  random-pieces BYTES         bytes come in pieces of up to this size\n"
-    "  join MS                     what is sent within this time comes as one\n"
-    "  pause, resume               what the server sends is not read any more; it is again\n"
-    "  welcome serve|close|reset|silence|refuse|unreachable     how clients are received from now on\n"
-    "  end close|reset|halfclose|silence                        all connections end now, in this way\n"
-    "  fault ACTION[:VALUE][@PLACE][>server]                    something goes wrong once; ACTION is\n"
+    "  delay MS, jitter MS         delays all bytes by this time, plus a random time up to the jitter\n"
+    "  rate BYTES                  limits the bytes per second; 0 = no limit\n"
+    "  pieces BYTES [GAP_MS]       cuts the stream into pieces of this size, with a gap between them; 0 = as sent\n"
+    "  random-pieces BYTES         cuts the stream into pieces of up to this size\n"
+    "  join MS                     joins bytes that are sent within this time\n"
+    "  pause, resume               stops reading from the server; goes on\n"
+    "  welcome serve|close|reset|silence|refuse|unreachable     what happens to new clients from now on\n"
+    "  end close|reset|halfclose|silence                        ends all connections now, in this way\n"
+    "  fault ACTION[:VALUE][@PLACE][>server]                    makes one fault; ACTION is\n"
     "      close, reset, halfclose, silence, drop:BYTES, insert:HEX, overwrite:HEX, flip:HEX, pause:MS, split:MS\n"
     "      PLACE is now, byte+N (of the connection) or picture+N (of the next picture, from its header);\n"
-    "      without >server it goes wrong on the way to the client\n"
-    "  target HOST:PORT            the server is there from now on (IPv4)\n"
-    "  move ADDRESS                the proxy itself moves to this address of this computer\n"
-    "  heal                        all is well from now on\n"
-    "  sleep SECONDS               before the next line\n";
+    "      the fault is on the way to the client unless >server is given\n"
+    "  target HOST:PORT            connects later clients to this server (IPv4)\n"
+    "  move ADDRESS                moves the proxy to this address of this computer\n"
+    "  heal                        ends all faults\n"
+    "  sleep SECONDS               waits before the next line\n";
 
 namespace {
 
@@ -34,7 +34,7 @@ double toNumber(const std::string& word) {
   std::istringstream text(word);
   double number = 0;
   if (!(text >> number) || !text.eof() || number < 0) {
-    throw ScriptError("'" + word + "' is no number from 0 on");
+    throw ScriptError("'" + word + "' is not a number from 0 on");
   }
   return number;
 }
@@ -48,7 +48,7 @@ Bytes toBytes(const std::string& hex) {
   for (std::size_t i = 0; i < hex.size(); i += 2) {
     const std::string pair = hex.substr(i, 2);
     if (pair.size() < 2 || pair.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
-      throw ScriptError("'" + hex + "' is no row of bytes, such as 00ff");
+      throw ScriptError("'" + hex + "' is not a row of bytes such as 00ff");
     }
     bytes.push_back(static_cast<std::uint8_t>(std::stoi(pair, nullptr, 16)));
   }
@@ -63,7 +63,7 @@ Value choose(const std::map<std::string, Value>& choices, const std::string& wor
     for (const auto& choice : choices) {
       all += " " + choice.first;
     }
-    throw ScriptError("'" + word + "' is none of:" + all);
+    throw ScriptError("'" + word + "' is not one of:" + all);
   }
   return found->second;
 }
@@ -86,7 +86,7 @@ const std::map<std::string, Welcome> kWelcomes = {{"serve", Welcome::kServe},   
 const std::map<std::string, Place> kPlaces = {
     {"now", Place::kHere}, {"byte", Place::kByte}, {"picture", Place::kPicture}};
 
-/// Cuts off and returns what follows the mark; empty if the mark is not there.
+/// Cuts off and returns what follows the mark; empty without the mark.
 std::string takeBehind(char mark, std::string* words) {
   const std::size_t at = words->find(mark);
   if (at == std::string::npos) {
@@ -192,7 +192,7 @@ void Script::carryOut(const std::string& line) {
   } else if (deeds.count(command) > 0) {
     deeds.at(command)();
   } else {
-    throw ScriptError("'" + command + "' is nothing that the proxy can do");
+    throw ScriptError("'" + command + "' is not a command");
   }
 }
 

@@ -1,5 +1,5 @@
 /// @file script.h
-/// What a user tells a proxy, in words.
+/// Commands to a fault proxy as text.
 #ifndef TEST_SUPPORT_PROXY_SCRIPT_H
 #define TEST_SUPPORT_PROXY_SCRIPT_H
 
@@ -10,20 +10,20 @@
 
 namespace test_support {
 
-/// A line that means nothing; the text says why.
+/// A line is not understood; the text says why.
 class ScriptError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// All lines there are, for people.
+/// Describes all commands.
 extern const char* const kScriptHelp;
 
-/// A fault in words: ACTION[:VALUE][@PLACE][>server], as kScriptHelp tells.
+/// Reads a fault: ACTION[:VALUE][@PLACE][>server], see kScriptHelp.
 /// @throw ScriptError
 Fault parseFault(const std::string& words);
 
-/// Carries out lines, one after the other.
+/// Carries out commands, line by line.
 class Script {
  public:
   explicit Script(FaultProxy* proxy) : proxy_(proxy) {}

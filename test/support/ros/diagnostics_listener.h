@@ -10,13 +10,13 @@
 
 namespace test_support {
 
-/// Finds a status in /diagnostics.
+/// Waits for statuses in /diagnostics.
 class DiagnosticsListener {
  public:
   DiagnosticsListener() : listener_("/diagnostics") {}
 
-  /// Waits for a status of this name that comes after this call and that fulfils the condition.
-  /// @return an empty status if none came in time
+  /// Waits for a status of this name that comes after this call and fulfils the condition.
+  /// @return an empty status if it did not come in time
   template <typename Condition>
   diagnostic_msgs::DiagnosticStatus waitFor(const std::string& name, Condition condition) {
     listener_.clear();
@@ -37,7 +37,7 @@ class DiagnosticsListener {
     return waitFor(name, [](const diagnostic_msgs::DiagnosticStatus&) { return true; });
   }
 
-  /// The value of a key; empty if there is none.
+  /// The value of a key; empty without this key.
   static std::string value(const diagnostic_msgs::DiagnosticStatus& status, const std::string& key) {
     for (const diagnostic_msgs::KeyValue& entry : status.values) {
       if (entry.key == key) {

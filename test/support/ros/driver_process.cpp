@@ -1,5 +1,7 @@
 #include "support/ros/driver_process.h"
 
+#include <cstdlib>
+
 namespace test_support {
 namespace {
 
@@ -14,5 +16,17 @@ std::vector<std::string> command(const std::string& name_space, int port, const 
 DriverProcess::DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters,
                              const std::map<std::string, std::string>& environment)
     : Process(command(name_space, port, parameters), environment) {}
+
+std::vector<std::string> nodeletHost(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"rosrun"};
+  if (const std::string library = SANITIZER_LIBRARY; !library.empty()) {
+    const char* options = std::getenv("ASAN_OPTIONS");
+    command.insert(command.end(), {"--prefix", "env LD_PRELOAD=" + library + " ASAN_OPTIONS=" +
+                                                   (options != nullptr ? options : "") + ":detect_leaks=0"});
+  }
+  command.insert(command.end(), {"nodelet", "nodelet"});
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
+}
 
 }  // namespace test_support

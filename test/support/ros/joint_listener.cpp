@@ -10,7 +10,7 @@ namespace test_support {
 
 namespace {
 
-// What one of the arrays of a message says of a joint.
+// The value of a joint in one of the arrays of a message.
 std::optional<double> valueOf(const sensor_msgs::JointState& message, const std::vector<double>& values,
                               const std::string& joint) {
   const auto found = std::find(message.name.begin(), message.name.end(), joint);

@@ -15,33 +15,35 @@ namespace test_support {
 /// The position of a joint in a message, or nothing.
 std::optional<double> positionOf(const sensor_msgs::JointState& message, const std::string& joint);
 
-/// How fast a joint moves in a message, whichever way, or nothing.
+/// The absolute speed of a joint in a message, or nothing.
 std::optional<double> speedOf(const sensor_msgs::JointState& message, const std::string& joint);
 
-/// Follows joint_states.
+/// Listens to joint_states.
 class JointListener {
  public:
-  /// What an encoder's steps and what is rounded on the way may add up to.
+  /// Allows for the steps of an encoder and for rounding.
   static constexpr double kTolerance = 0.02;  // rad
 
   explicit JointListener(const std::string& name_space) : listener_(name_space + "/joint_states") {}
 
-  /// Waits for a message in which the joints are where they are expected.
-  /// @return the joints that are elsewhere in the last message, if there was none
+  /// Waits until the joints have these positions.
+  /// @return the joints that were elsewhere in the last message; empty if all came in time
   std::map<std::string, double> waitForPositions(const std::map<std::string, double>& expected);
 
-  /// True if the joint comes to this position.
+  /// Waits until the joint has this position.
+  /// @return false if it did not in time
   bool waitForPosition(const std::string& joint, double expected) {
     return waitForPositions({{joint, expected}}).empty();
   }
 
-  /// True if the joint comes to move slower than this.
+  /// Waits until the joint moves slower than this.
+  /// @return false if it did not in time
   bool waitForSpeedBelow(const std::string& joint, double speed);
 
-  /// The position of a joint in the next message with it.
+  /// The position of the joint in the next message that contains it.
   double position(const std::string& joint);
 
-  /// The highest speed of a joint in all messages so far.
+  /// The highest speed of the joint in all messages so far.
   double highestSpeed(const std::string& joint);
 
   TopicListener<sensor_msgs::JointState>& messages() { return listener_; }

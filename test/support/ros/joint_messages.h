@@ -13,11 +13,27 @@ namespace test_support {
 /// Positions of joints, in radians.
 using Posture = std::map<std::string, double>;
 
-/// For the topic joint_command.
-sensor_msgs::JointState command(const Posture& posture);
+/// A message for the topic joint_command.
+inline sensor_msgs::JointState command(const Posture& posture) {
+  sensor_msgs::JointState message;
+  for (const auto& [joint, position] : posture) {
+    message.name.push_back(joint);
+    message.position.push_back(position);
+  }
+  return message;
+}
 
-/// For the topic joint_trajectory: straight to there.
-trajectory_msgs::JointTrajectory trajectory(const Posture& posture, double seconds);
+/// A message for the topic joint_trajectory with one point.
+inline trajectory_msgs::JointTrajectory trajectory(const Posture& posture, double seconds) {
+  trajectory_msgs::JointTrajectory message;
+  message.points.resize(1);
+  message.points[0].time_from_start = ros::Duration(seconds);
+  for (const auto& [joint, position] : posture) {
+    message.joint_names.push_back(joint);
+    message.points[0].positions.push_back(position);
+  }
+  return message;
+}
 
 }  // namespace test_support
 

@@ -13,10 +13,10 @@
 
 namespace test_support {
 
-/// A safety net for what comes within milliseconds; only a failing test waits so long.
+/// A safety net for messages that come within milliseconds. Only a failing test waits this long.
 constexpr std::chrono::seconds kSafetyNet{30};
 
-/// Subscribes to a topic and keeps every message, so that tests can wait for them.
+/// Subscribes to a topic, keeps all messages, and lets tests wait for them.
 template <typename Message>
 class TopicListener {
  public:
@@ -37,16 +37,16 @@ class TopicListener {
   TopicListener(const TopicListener&) = delete;
   TopicListener& operator=(const TopicListener&) = delete;
 
-  /// Waits until there are so many messages.
-  /// @return all of them; fewer than asked for if they did not come in time
+  /// Waits until there are this many messages.
+  /// @return all messages; fewer than `count` if they did not come in time
   std::vector<ConstPtr> waitForCount(std::size_t count, std::chrono::milliseconds timeout = kSafetyNet) {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait_for(lock, timeout, [this, count] { return messages_.size() >= count; });
     return messages_;
   }
 
-  /// Waits for a message, past or to come, that fulfils the condition.
-  /// @return null if none came in time
+  /// Waits for a message that fulfils the condition, among those so far and new ones.
+  /// @return null if it did not come in time
   template <typename Condition>
   ConstPtr waitFor(Condition condition, std::chrono::milliseconds timeout = kSafetyNet) {
     ConstPtr found;

@@ -13,7 +13,7 @@
 
 namespace test_support {
 
-/// Publishes on topics of a driver, and waits for it to subscribe before the first message on each.
+/// Publishes on topics of a driver. Before the first message on a topic, waits until the driver has subscribed.
 class TopicPublishers {
  public:
   explicit TopicPublishers(const std::string& name_space) : name_space_(name_space) {}
@@ -23,7 +23,7 @@ class TopicPublishers {
     publisherOf<Message>(topic).publish(message);
   }
 
-  /// Ready to be published on without delay.
+  /// A publisher to which the driver has subscribed.
   template <typename Message>
   ros::Publisher& publisherOf(const std::string& topic) {
     ros::Publisher& publisher = publishers_[topic];
