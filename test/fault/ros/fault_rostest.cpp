@@ -1,4 +1,4 @@
-// How the driver's node lives through bad days of robot, network, ROS master, and those who use it.
+// The driver's node under faults of the robot, the network, the ROS master and its users.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/Ears.h>
@@ -88,7 +88,7 @@ using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
 constexpr milliseconds kPatience{30000};
 
-/// The whole campaign tries more often than the tests do, on a computer that is not busy with other things.
+/// The whole campaign tries more often than the tests, and needs an otherwise idle computer.
 bool wholeCampaign() {
   return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
 }
@@ -105,7 +105,7 @@ bool eventually(const Condition& condition) {
   return true;
 }
 
-/// Ctrl-C.
+/// Ends the node by Ctrl-C.
 void expectEndsSoon(DriverProcess* driver) {
   const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
   const auto begin = steady_clock::now();
@@ -114,7 +114,7 @@ void expectEndsSoon(DriverProcess* driver) {
   EXPECT_LE(steady_clock::now() - begin, limit);
 }
 
-/// Looks at the node again until it has let go of what it asks the master by, every few seconds.
+/// Waits for the node to release what it holds only for a while, such as its connection to the master.
 void expectNoMoreThan(const Resources& before, const DriverProcess& driver) {
   Resources now;
   EXPECT_TRUE(eventually([&] {
@@ -167,7 +167,7 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
   expectNoMoreThan(before, driver);
 }
 
-/// Of numbered pictures that are published, in order and unchanged: which, and how many.
+/// Counts numbered pictures, and checks that they come in order and unchanged.
 class NumberedPictures {
  public:
   explicit NumberedPictures(const std::string& topic)
@@ -198,7 +198,7 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   PictureServer server(2, milliseconds(1));
   NumberedPictures pictures("/fast/camera/image_raw/compressed");
   DiagnosticsListener diagnostics;
-  DriverProcess driver("/fast", server.port(), {"_read_timeout:=60"});  // on a slow computer, too, no connection ends
+  DriverProcess driver("/fast", server.port(), {"_read_timeout:=60"});  // no connection ends, even on a slow computer
   const auto waitForPicture = [&](std::uint64_t number) {
     while (pictures.last() < number) {
       const std::uint64_t before = pictures.last();
@@ -217,16 +217,16 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   };
   const auto stale = [&](const auto& stream) { return count(stream, "pictures dropped for newer ones"); };
   const auto all_have_come = [&](const auto& stream) {
-    return count(stream, "pictures received") + stale(stream) + 1 >= sent;  // half of the last one may be missing
+    return count(stream, "pictures received") + stale(stream) + 1 >= sent;  // the last one may be incomplete
   };
   const auto stream = diagnostics.waitFor(kStream, all_have_come);
-  EXPECT_FALSE(stream.name.empty()) << "of " << sent << " pictures, some have not come";
+  EXPECT_FALSE(stream.name.empty()) << "some of " << sent << " pictures have not come";
   if (wholeCampaign()) {
-    std::printf("of %llu pictures, %llu were left out for newer ones, and %llu came to a subscriber\n",
+    std::printf("%llu pictures sent, %llu dropped for newer ones, %llu received by a subscriber\n",
                 static_cast<unsigned long long>(sent), static_cast<unsigned long long>(stale(stream)),
                 static_cast<unsigned long long>(pictures.count()));
     EXPECT_LE(1000 * stale(stream), sent);
-    EXPECT_GE(100 * pictures.count(), 99 * sent);  // ROS' own queues overflow when this computer is held up for 5 ms
+    EXPECT_GE(100 * pictures.count(), 99 * sent);  // ROS' queues overflow when this computer is held up for 5 ms
   }
 }
 
@@ -248,7 +248,7 @@ TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
   }
 }
 
-TEST_F(Faults, CtrlCEndsTheNodeAmidAPicture) {
+TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
   CompressedListener pictures("/amid/camera/image_raw/compressed");
   DriverProcess driver("/amid", proxy_.port(), {"_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
@@ -271,7 +271,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   const std::map<std::string, std::string> environment = {
       {"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(master.port())},
       {"TSAN_OPTIONS",
-       std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // left as meant
+       std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // intended here
   DriverProcess driver("/deaf_master", proxy_.port(), {}, environment);
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   test_support::Conditions silence;
@@ -282,7 +282,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), EXIT_FAILURE);
 }
 
-TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
+TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   CompressedListener pictures("/waiting/camera/image_raw/compressed");
   DriverProcess driver("/waiting", proxy_.port(), {"_read_timeout:=60"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
@@ -293,7 +293,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   UploadMotion upload;
   upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
   proxy_.add(test_support::parseFault("pause:600000>server"));
-  // The node may end without an answer.
+  // The node may end without answering.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
@@ -305,7 +305,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   expectEndsSoon(&driver);
 }
 
-TEST(FaultsOfUsers, CtrlCEndsTheNodeAmidATrajectory) {
+TEST(FaultsOfUsers, CtrlCEndsTheNodeDuringATrajectory) {
   const SimulatedRobot robot;
   JointListener joints("/amid_motion");
   TopicPublishers topics("/amid_motion");
@@ -336,7 +336,7 @@ TEST_F(Faults, SubscribersComeAndGo) {
   EXPECT_TRUE(eventually([&] {
     const Resources now = Resources::of(std::to_string(driver.pid()));
     return now.descriptors <= before.descriptors + 2 && now.threads <= before.threads;
-  })) << "descriptors or threads were left behind";
+  })) << "descriptors or threads leaked";
   EXPECT_TRUE(driver.isRunning());
 }
 
@@ -364,11 +364,11 @@ TEST_F(Faults, ASubscriberThatHangsDelaysNobodyElse) {
   for (const auto& image : decoded.waitForCount(1)) {
     stale += is_new(*image) ? 0 : 1;
   }
-  EXPECT_LT(stale, meanwhile.size() / 2) << "it decodes what has grown old";
+  EXPECT_LT(stale, meanwhile.size() / 2) << "it decodes stale pictures";
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST_F(Faults, ANodeThatIsKilledAndStartedAgainGoesOnForThoseWhoListen) {
+TEST_F(Faults, SubscribersHearANodeThatIsKilledAndStartedAgain) {
   CompressedListener pictures("/respawn/camera/image_raw/compressed");
   auto driver = std::make_unique<DriverProcess>("/respawn", proxy_.port());
   for (int round = 0; round < 3; ++round) {
@@ -440,7 +440,7 @@ TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
     ears.publish(flick);
     std::this_thread::sleep_until(next += milliseconds(1));
   }
-  EXPECT_TRUE(pictures.waitForNext()) << "no picture after all these commands";
+  EXPECT_TRUE(pictures.waitForNext()) << "no picture after the commands";
   std_srvs::SetBool::Request request;
   std_srvs::SetBool::Response response;
   request.data = 1;
@@ -469,9 +469,10 @@ double farthest(const sensor_msgs::JointState& a, const sensor_msgs::JointState&
   return distance;
 }
 
-/// Waits for them to stand, and then for a second in which none moves.
+/// Waits until all joints stand still.
+/// @return true if none moves for a second after that
 bool jointsHold(JointListener& joints) {
-  joints.messages().waitForNext();  // the first one knows of no velocity yet
+  joints.messages().waitForNext();  // the first message has no velocities yet
   joints.messages().clear();
   const auto standing = joints.messages().waitFor([](const sensor_msgs::JointState& message) {
     return std::all_of(message.velocity.begin(), message.velocity.end(),
@@ -484,7 +485,7 @@ bool jointsHold(JointListener& joints) {
          });
 }
 
-TEST(FaultsOfUsers, WhatTheNetworkCutsOffEndsWithAnAnswerAndIsNotRepeated) {
+TEST(FaultsOfUsers, CallsThatTheNetworkCutsOffFailAndAreNotRepeated) {
   const SimulatedRobot robot;
   RecordingProxy proxy(robot.port());
   JointListener joints("/cut_off");
@@ -512,13 +513,13 @@ TEST(FaultsOfUsers, WhatTheNetworkCutsOffEndsWithAnAnswerAndIsNotRepeated) {
 
   proxy.setMute(false);
   ASSERT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
-  EXPECT_TRUE(jointsHold(joints)) << "the motion goes on without anybody who could stop it";
+  EXPECT_TRUE(jointsHold(joints)) << "the motion goes on though nobody could stop it";
   EXPECT_THAT(proxy.requestsFromDriver("FPJ", connections), IsEmpty());
   EXPECT_TRUE(callInBackground<PlayMotion>("/cut_off/play_motion", motion).get().success);
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
+TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndOthersCarriedOut) {
   TopicListener<rosgraph_msgs::Log> log("/rosout");
   const SimulatedRobot robot;
   JointListener joints("/types");
@@ -540,7 +541,7 @@ TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
+TEST_F(Faults, NonsenseCameraInfoIsRefusedAndTheOldOneKept) {
   using sensor_msgs::CameraInfo;
   const TemporaryFolder folder;
   const std::vector<std::string> parameters = {"_camera_info_url:=file://" + folder.path().string() + "/new/aibo.yaml"};
@@ -552,7 +553,7 @@ TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
     return static_cast<bool>(service.response.success);
   };
   TopicListener<CameraInfo> camera_infos("/nonsense/camera/camera_info");
-  const auto old_one_stays = [&] {
+  const auto old_one_is_kept = [&] {
     camera_infos.clear();
     const auto info = camera_infos.waitForNext();
     return info && info->K == goodCalibration().K && info->D == goodCalibration().D && info->width == 208;
@@ -564,10 +565,10 @@ TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
   nonsense.D[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(set(nonsense));
   EXPECT_FALSE(set(CameraInfo()));
-  EXPECT_TRUE(old_one_stays());
+  EXPECT_TRUE(old_one_is_kept());
   driver.reset();
   driver = std::make_unique<DriverProcess>("/nonsense", proxy_.port(), parameters);
-  EXPECT_TRUE(old_one_stays()) << "it was not saved";
+  EXPECT_TRUE(old_one_is_kept()) << "it was not saved";
 }
 
 /// A roscore of its own.
@@ -587,7 +588,7 @@ class Master {
     }
   }
 
-  /// It ends in order: killed, it would leave its children behind.
+  /// By SIGINT, because SIGKILL would leave its children behind.
   void stop() {
     if (process_) {
       process_->signal(SIGINT);
@@ -605,7 +606,7 @@ class Master {
   std::unique_ptr<Process> process_;
 };
 
-/// Somebody at that master who measures the rate of a topic once a second.
+/// Measures the rate of a topic once a second.
 class RateMeter {
  public:
   RateMeter(const Master& master, const std::string& topic)
@@ -622,10 +623,10 @@ class RateMeter {
   Process process_;
 };
 
-/// A driver that outlives its master.
+/// A driver that outlives its ROS master.
 class FaultsOfMaster : public Faults {
  protected:
-  /// @param driver the command that starts it, without its parameters
+  /// @param driver the command that starts the driver, without parameters
   void expectToOutliveTheMaster(const std::string& name_space, std::vector<std::string> driver) {
     driver.insert(driver.end(),
                   {"__ns:=" + name_space, "_port:=" + std::to_string(proxy_.port()), "_read_timeout:=60"});
@@ -637,9 +638,9 @@ class FaultsOfMaster : public Faults {
     const std::size_t connections = proxy_.connections();
     proxy_.endConnections(Action::kReset);
     ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; }))
-        << "without a master it does not reconnect";
+        << "it does not reconnect without a master";
     early.expectMessages();
-    EXPECT_THAT(process.output(), Not(HasSubstr("does not know this node"))) << "nobody said so";
+    EXPECT_THAT(process.output(), Not(HasSubstr("does not know this node"))) << "no master has said so";
 
     const std::size_t reconnected = proxy_.connections();
     master_.start();
@@ -654,7 +655,7 @@ class FaultsOfMaster : public Faults {
     EXPECT_TRUE(process.isRunning());
     master_.stop();
     process.signal(SIGINT);
-    EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "without a master it does not end";
+    EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "it does not end without a master";
   }
 
  private:
@@ -665,11 +666,11 @@ class FaultsOfMaster : public Faults {
   Master master_;
 };
 
-TEST_F(FaultsOfMaster, ItGoesAndComesBackAndKnowsTheNode) {
+TEST_F(FaultsOfMaster, ANewMasterKnowsTheNode) {
   expectToOutliveTheMaster("/master", {AIBO_DRIVER_NODE});
 }
 
-TEST_F(FaultsOfMaster, ItGoesAndComesBackAndKnowsTheNodelet) {
+TEST_F(FaultsOfMaster, ANewMasterKnowsTheNodelet) {
   expectToOutliveTheMaster(
       "/master", test_support::nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__name:=aibo_driver"}));
 }
