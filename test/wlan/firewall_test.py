@@ -1,8 +1,8 @@
-"""config/wlan/aibo.nft at work: a robot, the driver's computer and an office computer, each in a network name space of
-its own, and a driver's computer that forwards whatever the rules let through.
+"""Tests the rules of config/wlan/aibo.nft with three hosts, each a network namespace: a robot, an office computer, and the
+driver's computer between them, which forwards what the rules let through.
 
-No packet overtakes another on the same way. So one that is not there when a later one has arrived was dropped, and
-no test waits for time to pass.
+No packet overtakes another on the same way. So a packet that has not arrived before a later one was dropped, and no test
+waits for time to pass.
 """
 import ctypes
 import os
@@ -201,7 +201,7 @@ def is_possible():
         run("ip", "link", "delete", "probe0")
         return True
     except (OSError, subprocess.CalledProcessError) as error:
-        print(f"left out: {error}")
+        print(f"skipped: {error}")
         return False
 
 
@@ -209,7 +209,7 @@ def main():
     if sys.argv[1:] != ["--inside"]:
         unshare = shutil.which("unshare")
         if subprocess.run([unshare, "-rn", "true"], check=False).returncode != 0:
-            print("left out: this user may not make network name spaces (unshare -rn)")
+            print("skipped: this user may not make network namespaces (unshare -rn)")
             sys.exit(SKIPPED)
         os.execv(unshare, [unshare, "-rn", sys.executable, "-B", os.path.abspath(__file__), "--inside"])
     if not is_possible():
