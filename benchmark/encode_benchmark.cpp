@@ -13,6 +13,8 @@
 #include "picture_encoder/JpegEncoder.h"
 #include "support/camera_image_fixture.h"
 
+using test_support::CameraImageFixture;
+
 namespace {
 
 constexpr size_t kWidth = 208;

@@ -12,6 +12,8 @@
 
 #include "rcserver/camera/CameraImage.h"
 
+namespace test_support {
+
 /// Owns the bytes of a CameraImage: rows of Y, Cr, Cb and three more bands in turn, as on the ERS-7 (stride 6 x width).
 class CameraImageFixture {
  public:
@@ -78,5 +80,7 @@ class CameraImageFixture {
   size_t height_;
   std::vector<uint8_t> bytes_;
 };
+
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_CAMERA_IMAGE_FIXTURE_H

@@ -22,7 +22,7 @@ namespace version2 = protocol::version2;
 namespace test_support {
 PictureServer::PictureServer(int version, std::chrono::microseconds period)
     : version_(version), period_(period), listener_(bindTo("127.0.0.1", 0)), times_(kRemembered) {
-  makeNumberedPicture({});  // takes its time the first time
+  test_pictures::makeNamed({});  // slow the first time
   port_ = portOf(listener_);
   check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
   thread_ = std::thread([this] { run(); });
@@ -44,7 +44,7 @@ void PictureServer::spoilNext(std::function<Bytes(Bytes jpeg)> change) {
   spoil_ = std::move(change);
 }
 
-std::pair<PictureName, Bytes> PictureServer::lastSpoilt() const {
+std::pair<test_pictures::Name, Bytes> PictureServer::lastSpoilt() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return spoilt_;
 }
@@ -202,9 +202,9 @@ Bytes PictureServer::wrap(const Bytes& jpeg, int request, const Peer& peer) cons
 
 Bytes PictureServer::nextPicture(const Peer& peer, bool may_be_spoilt) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const PictureName name = {peer.connection, ++number_};
+  const test_pictures::Name name = {peer.connection, ++number_};
   times_[name.number % kRemembered] = steady_clock::now();
-  Bytes jpeg = makeNumberedPicture(name);
+  Bytes jpeg = test_pictures::makeNamed(name);
   if (spoil_ && may_be_spoilt) {
     jpeg = std::exchange(spoil_, nullptr)(std::move(jpeg));
     spoilt_ = {name, jpeg};

@@ -18,14 +18,14 @@
 #include "client/event.h"
 #include "client/file_descriptor.h"
 #include "protocol/version2.h"
-#include "support/numbered_pictures.h"
 #include "support/proxy/fault.h"
+#include "support/test_pictures.h"
 
 namespace test_support {
 
 /// A server that speaks both versions of the protocol to any number of clients. It has a new picture much more often
 /// than a camera, so that many faults fit into a minute. As on the robot, a picture that would have to wait is left
-/// out. Pictures are numbered in the order in which they are sent.
+/// out. Pictures are numbered in the order in which they are sent. Unlike a ScriptedServer, it answers by itself.
 ///
 /// Every function may be called from any thread.
 class PictureServer {
@@ -48,7 +48,7 @@ class PictureServer {
   void spoilNext(std::function<Bytes(Bytes jpeg)> change);
 
   /// The picture that was spoilt last, as it was sent; its name has the number 0 if there has been none.
-  std::pair<PictureName, Bytes> lastSpoilt() const;
+  std::pair<test_pictures::Name, Bytes> lastSpoilt() const;
 
   /// Number of the picture that was sent last.
   std::uint64_t lastNumber() const { return number_; }
@@ -100,7 +100,7 @@ class PictureServer {
   mutable std::mutex mutex_;  // guards what follows, down to the event
   std::vector<TimePoint> times_;
   std::function<Bytes(Bytes jpeg)> spoil_;
-  std::pair<PictureName, Bytes> spoilt_;
+  std::pair<test_pictures::Name, Bytes> spoilt_;
   aibo_driver::Event wake_up_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

@@ -15,8 +15,8 @@
 
 using aibo_driver::FileDescriptor;
 using std::chrono::milliseconds;
-using test_support::check;
 
+namespace test_support {
 namespace {
 
 constexpr milliseconds kPatience{20000};
@@ -107,7 +107,7 @@ void ScriptedPeer::sendPicture(const Bytes& jpeg) {
 }
 
 void ScriptedPeer::reset() {
-  test_support::resetWhenClosed(socket_);
+  resetWhenClosed(socket_);
   socket_.close();
 }
 
@@ -137,7 +137,7 @@ void ScriptedServer::bind() {
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   address.sin_port = htons(static_cast<std::uint16_t>(port_));
   check(::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0, "bind");
-  port_ = test_support::portOf(socket_);
+  port_ = portOf(socket_);
 }
 
 void ScriptedServer::listen(int backlog) {
@@ -175,3 +175,5 @@ bool ScriptedServer::clientComesWithin(milliseconds time) {
   accept();
   return true;
 }
+
+}  // namespace test_support

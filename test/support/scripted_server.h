@@ -14,6 +14,8 @@
 #include "protocol/version1.h"
 #include "support/version2_frames.h"
 
+namespace test_support {
+
 /// The server's end of one connection. Calls that wait throw std::runtime_error after a generous timeout.
 class ScriptedPeer {
  public:
@@ -90,5 +92,7 @@ class ScriptedServer {
   int port_ = 0;
   bool listening_ = false;
 };
+
+}  // namespace test_support
 
 #endif  // TEST_SUPPORT_SCRIPTED_SERVER_H

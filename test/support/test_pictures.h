@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace test_pictures {
@@ -27,6 +28,18 @@ Bytes make(const PictureKind& kind = PictureKind());
 
 /// An ordinary picture, different for each seed.
 Bytes makeNumbered(unsigned seed);
+
+/// Identifies a picture among all that a server has sent.
+struct Name {
+  std::uint32_t connection = 0;  ///< over which it was sent; the first is 1
+  std::uint64_t number = 0;      ///< of the picture; the first is 1
+};
+
+/// A picture with its name in a comment. It is always the same for the same name, so a receiver can check every byte.
+Bytes makeNamed(const Name& name);
+
+/// The name in the comment; nothing if there is none.
+std::optional<Name> nameOf(const Bytes& jpeg);
 
 /// The index of this marker's 0xFF. The picture must have the marker.
 std::size_t findMarker(const Bytes& jpeg, std::uint8_t marker);

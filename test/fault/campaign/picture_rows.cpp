@@ -119,7 +119,7 @@ bool libjpegComplains(const Bytes& jpeg) {
 class CorruptExperiment : public ClientExperiment {
  public:
   explicit CorruptExperiment(unsigned remainder) : ClientExperiment(remainder) {
-    const Bytes good = makeNumberedPicture({1, 1});
+    const Bytes good = test_pictures::makeNamed({1, 1});
     for (int i = 0; i < 20; ++i) {
       decode(good);
     }

@@ -59,7 +59,7 @@ void Witness::hear(LogLevel level, const std::string& line) {
 }
 
 void Witness::see(const Picture& picture) {
-  const auto name = nameOfPicture(picture.jpeg);
+  const auto name = test_pictures::nameOf(picture.jpeg);
   const TimePoint sent = name ? server_.timeOf(name->number) : TimePoint();
   const auto spoilt = server_.lastSpoilt();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -80,7 +80,7 @@ void Witness::see(const Picture& picture) {
 
 void Witness::judge(const Picture& picture, const Sighting& sighting) {
   const std::string which = "picture " + std::to_string(sighting.name.number);
-  if (picture.jpeg != makeNumberedPicture(sighting.name) || sighting.name.number > server_.lastNumber()) {
+  if (picture.jpeg != test_pictures::makeNamed(sighting.name) || sighting.name.number > server_.lastNumber()) {
     complain("I2: " + which + " is not as it was sent");
   }
   if (sighting.name.number <= last_.name.number) {

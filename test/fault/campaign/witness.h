@@ -28,7 +28,7 @@ namespace fault_bench {
 class Witness {
  public:
   struct Sighting {
-    PictureName name;
+    test_pictures::Name name;
     TimePoint time;     ///< of its delivery
     TimePoint arrival;  ///< of its first byte, according to the client
     TimePoint sent;     ///< according to the server
@@ -78,7 +78,7 @@ class Witness {
   std::uint64_t count_ = 0;
   std::uint64_t spoilt_ = 0;  // number of the last spoilt picture that was delivered
   std::string last_warning_;
-  int warnings_ = 0;  // that there is no connection, since one has worked
+  int warnings_ = 0;  // about missing connections, since the last one that worked
   bool gaps_allowed_ = false;
   aibo_driver::ConnectionState state_ = aibo_driver::ConnectionState::kDisconnected;
   TimePoint state_since_;

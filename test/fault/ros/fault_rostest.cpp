@@ -39,7 +39,6 @@
 #include "robot_model/robot_model.h"
 #include "support/good_calibration.h"
 #include "support/memory_stick.h"
-#include "support/numbered_pictures.h"
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/proxy/recording_proxy.h"
@@ -54,6 +53,7 @@
 #include "support/simulated_robot.h"
 #include "support/sockets.h"
 #include "support/temporary_folder.h"
+#include "support/test_pictures.h"
 
 namespace {
 
@@ -167,21 +167,21 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
   expectNoMoreThan(before, driver);
 }
 
-/// Counts numbered pictures, and checks that they come in order and unchanged.
-class NumberedPictures {
+/// Counts named pictures, and checks that they come in order and unchanged.
+class NamedPictures {
  public:
-  explicit NumberedPictures(const std::string& topic)
-      : subscriber_(ros::NodeHandle().subscribe(topic, 1000, &NumberedPictures::see, this)) {}
+  explicit NamedPictures(const std::string& topic)
+      : subscriber_(ros::NodeHandle().subscribe(topic, 1000, &NamedPictures::see, this)) {}
 
   std::uint64_t last() const { return last_; }
   std::uint64_t count() const { return count_; }
 
  private:
   void see(const sensor_msgs::CompressedImage& picture) {
-    const auto name = test_support::nameOfPicture(picture.data);
+    const auto name = test_pictures::nameOf(picture.data);
     ASSERT_TRUE(name.has_value());
     EXPECT_GT(name->number, last_);
-    EXPECT_EQ(picture.data, test_support::makeNumberedPicture(*name)) << "picture " << name->number;
+    EXPECT_EQ(picture.data, test_pictures::makeNamed(*name)) << "picture " << name->number;
     last_ = name->number;
     ++count_;
   }
@@ -196,7 +196,7 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   const std::uint64_t warm_up = wanted / 5;
   const std::string kStream = "fast/aibo_driver: stream";
   PictureServer server(2, milliseconds(1));
-  NumberedPictures pictures("/fast/camera/image_raw/compressed");
+  NamedPictures pictures("/fast/camera/image_raw/compressed");
   DiagnosticsListener diagnostics;
   DriverProcess driver("/fast", server.port(), {"_read_timeout:=60"});  // no connection ends, even on a slow computer
   const auto waitForPicture = [&](std::uint64_t number) {
@@ -249,8 +249,8 @@ TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
 }
 
 TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
-  CompressedListener pictures("/amid/camera/image_raw/compressed");
-  DriverProcess driver("/amid", proxy_.port(), {"_read_timeout:=30"});
+  CompressedListener pictures("/middle/camera/image_raw/compressed");
+  DriverProcess driver("/middle", proxy_.port(), {"_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   proxy_.add(test_support::parseFault("silence@picture+1000"));
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
@@ -307,9 +307,9 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
 
 TEST(FaultsOfUsers, CtrlCEndsTheNodeDuringATrajectory) {
   const SimulatedRobot robot;
-  JointListener joints("/amid_motion");
-  TopicPublishers topics("/amid_motion");
-  DriverProcess driver("/amid_motion", robot.port(), {"_stream_on_start:=false"});
+  JointListener joints("/middle_motion");
+  TopicPublishers topics("/middle_motion");
+  DriverProcess driver("/middle_motion", robot.port(), {"_stream_on_start:=false"});
   ASSERT_FALSE(joints.messages().waitForCount(1).empty());
   topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 20));
   ASSERT_TRUE(joints.messages().waitFor(

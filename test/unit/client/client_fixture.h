@@ -15,6 +15,9 @@
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
 
+using test_support::ScriptedPeer;
+using test_support::ScriptedServer;
+
 /// A client and the server it talks to, over loopback.
 class ClientFixture : public testing::Test {
  protected:

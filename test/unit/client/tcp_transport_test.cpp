@@ -14,6 +14,8 @@ using namespace aibo_driver;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
+using test_support::ScriptedPeer;
+using test_support::ScriptedServer;
 using testing::HasSubstr;
 
 namespace {

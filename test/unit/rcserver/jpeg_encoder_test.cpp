@@ -15,6 +15,7 @@
 
 namespace {
 
+using test_support::CameraImageFixture;
 using Pixel = CameraImageFixture::Pixel;
 
 // A decoded picture at full resolution, chroma too.
