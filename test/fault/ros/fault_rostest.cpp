@@ -390,54 +390,71 @@ void expectWithinLimits(const robot_model::RobotModel& model, const sensor_msgs:
   }
 }
 
+/// Publishes on all command topics of a driver, some of it nonsense.
+class CommandFlood {
+ public:
+  explicit CommandFlood(const std::string& name_space, const robot_model::RobotModel& model) : topics_(name_space) {
+    for (int i = 0; i < model.number_of_joints; ++i) {
+      joints_.name.emplace_back(model.joints[i].name);
+      const std::string topic = joints_.name.back() + "_position_controller/command";
+      controllers_.push_back(topics_.advertise<std_msgs::Float64>(topic, 10));
+    }
+  }
+
+  /// Publishes one message on each topic.
+  void publish(int round) {
+    const bool nonsense = round % 50 == 0;
+    joints_.position.assign(joints_.name.size(), nonsense ? std::numeric_limits<double>::quiet_NaN() : value());
+    command_.publish(joints_);
+    for (const ros::Publisher& controller : controllers_) {
+      std_msgs::Float64 position;
+      position.data = round % 70 == 0 ? std::numeric_limits<double>::infinity() : value();
+      controller.publish(position);
+    }
+    trajectory_msgs::JointTrajectory path;
+    path.joint_names = joints_.name;
+    path.points.resize(static_cast<std::size_t>(round % 3));
+    for (auto& point : path.points) {
+      point.positions = joints_.position;
+      point.time_from_start = ros::Duration(value());
+    }
+    trajectory_.publish(path);
+    aibo_driver::Leds light;
+    light.names = {"all", "face_1", round % 30 == 0 ? "" : "back"};
+    light.intensities.assign(light.names.size(), static_cast<float>(value()));
+    light.mode = static_cast<std::uint8_t>(round % 3);
+    leds_.publish(light);
+    aibo_driver::Ears flick;
+    flick.left = round % 2 == 0;
+    flick.right = round % 3 == 0;
+    ears_.publish(flick);
+  }
+
+ private:
+  double value() { return std::uniform_real_distribution<double>(-2, 2)(random_); }
+
+  ros::NodeHandle topics_;
+  ros::Publisher command_ = topics_.advertise<sensor_msgs::JointState>("joint_command", 10);
+  ros::Publisher trajectory_ = topics_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10);
+  ros::Publisher leds_ = topics_.advertise<aibo_driver::Leds>("leds", 10);
+  ros::Publisher ears_ = topics_.advertise<aibo_driver::Ears>("ears", 10);
+  std::vector<ros::Publisher> controllers_;
+  sensor_msgs::JointState joints_;
+  std::minstd_rand random_{1};
+};
+
 TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
   const SimulatedRobot robot;
   CompressedListener pictures("/commands/camera/image_raw/compressed");
   JointListener measured("/commands");
   DriverProcess driver("/commands", robot.port());
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  ros::NodeHandle topics("/commands");
   const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
-  auto command = topics.advertise<sensor_msgs::JointState>("joint_command", 10);
-  auto trajectory = topics.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10);
-  auto leds = topics.advertise<aibo_driver::Leds>("leds", 10);
-  auto ears = topics.advertise<aibo_driver::Ears>("ears", 10);
-  std::vector<ros::Publisher> controllers;
-  sensor_msgs::JointState joints;
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    joints.name.emplace_back(model.joints[i].name);
-    const std::string topic = joints.name.back() + "_position_controller/command";
-    controllers.push_back(topics.advertise<std_msgs::Float64>(topic, 10));
-  }
-  std::minstd_rand random(1);
-  std::uniform_real_distribution<double> angle(-2, 2);
+  CommandFlood flood("/commands", model);
   pictures.clear();
   auto next = steady_clock::now();
-  for (int i = 0; i < 2000; ++i) {
-    joints.position.assign(joints.name.size(), i % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : angle(random));
-    command.publish(joints);
-    for (const ros::Publisher& controller : controllers) {
-      std_msgs::Float64 position;
-      position.data = i % 70 == 0 ? std::numeric_limits<double>::infinity() : angle(random);
-      controller.publish(position);
-    }
-    trajectory_msgs::JointTrajectory path;
-    path.joint_names = joints.name;
-    path.points.resize(static_cast<std::size_t>(i % 3));
-    for (auto& point : path.points) {
-      point.positions = joints.position;
-      point.time_from_start = ros::Duration(angle(random));
-    }
-    trajectory.publish(path);
-    aibo_driver::Leds light;
-    light.names = {"all", "face_1", i % 30 == 0 ? "" : "back"};
-    light.intensities.assign(light.names.size(), static_cast<float>(angle(random)));
-    light.mode = static_cast<std::uint8_t>(i % 3);
-    leds.publish(light);
-    aibo_driver::Ears flick;
-    flick.left = i % 2 == 0;
-    flick.right = i % 3 == 0;
-    ears.publish(flick);
+  for (int round = 0; round < 2000; ++round) {
+    flood.publish(round);
     std::this_thread::sleep_until(next += milliseconds(1));
   }
   EXPECT_TRUE(pictures.waitForNext()) << "no picture after the commands";

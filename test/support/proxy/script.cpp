@@ -39,6 +39,10 @@ double toNumber(const std::string& word) {
   return number;
 }
 
+std::size_t toSize(const std::string& word) {
+  return static_cast<std::size_t>(toNumber(word));
+}
+
 microseconds toTime(const std::string& milliseconds) {
   return microseconds(static_cast<microseconds::rep>(1000 * toNumber(milliseconds)));
 }
@@ -100,7 +104,7 @@ std::string takeBehind(char mark, std::string* words) {
 void setValue(const std::string& value, Fault* fault) {
   switch (fault->action) {
     case Action::kDrop:
-      fault->count = static_cast<std::size_t>(toNumber(value));
+      fault->count = toSize(value);
       break;
     case Action::kInsert:
     case Action::kOverwrite:
@@ -150,50 +154,65 @@ void Script::carryOut(const std::string& line) {
     return;
   }
   words >> first >> second;
-  const std::map<std::string, std::function<void()>> conditions = {
+  if (!changeConditions(command, first, second) && !act(command, first)) {
+    throw ScriptError("'" + command + "' is not a command");
+  }
+}
+
+bool Script::changeConditions(const std::string& command, const std::string& first, const std::string& second) {
+  const std::map<std::string, std::function<void()>> changes = {
       {"delay", [&] { conditions_.delay = toTime(first); }},
       {"jitter", [&] { conditions_.jitter = toTime(first); }},
-      {"rate", [&] { conditions_.bytes_per_second = static_cast<std::size_t>(toNumber(first)); }},
+      {"rate", [&] { conditions_.bytes_per_second = toSize(first); }},
       {"pieces",
        [&] {
-         conditions_.largest_piece = static_cast<std::size_t>(toNumber(first));
+         conditions_.largest_piece = toSize(first);
          conditions_.random_pieces = false;
          conditions_.piece_gap = second.empty() ? microseconds(0) : toTime(second);
        }},
       {"random-pieces",
        [&] {
-         conditions_.largest_piece = static_cast<std::size_t>(toNumber(first));
+         conditions_.largest_piece = toSize(first);
          conditions_.random_pieces = true;
        }},
       {"join", [&] { conditions_.join = toTime(first); }},
       {"pause", [&] { conditions_.paused = true; }},
       {"resume", [&] { conditions_.paused = false; }},
-  };
-  const std::map<std::string, std::function<void()>> deeds = {
-      {"welcome", [&] { proxy_->setWelcome(choose(kWelcomes, first)); }},
-      {"end", [&] { proxy_->endConnections(choose(kEnds, first)); }},
-      {"fault", [&] { proxy_->add(parseFault(first)); }},
-      {"target",
-       [&] {
-         const std::string port = takeBehind(':', &first);
-         proxy_->setTarget(first, static_cast<int>(toNumber(port)));
-       }},
-      {"move", [&] { proxy_->moveTo(first); }},
       {"heal",
        [&] {
          conditions_ = Conditions();
          proxy_->heal();
        }},
-      {"sleep", [&] { std::this_thread::sleep_for(1000 * toTime(first)); }},
   };
-  if (conditions.count(command) > 0) {
-    conditions.at(command)();
-    proxy_->setConditions(conditions_);
-  } else if (deeds.count(command) > 0) {
-    deeds.at(command)();
-  } else {
-    throw ScriptError("'" + command + "' is not a command");
+  const auto change = changes.find(command);
+  if (change == changes.end()) {
+    return false;
   }
+  change->second();
+  proxy_->setConditions(conditions_);
+  return true;
+}
+
+bool Script::act(const std::string& command, const std::string& argument) {
+  const std::map<std::string, std::function<void()>> actions = {
+      {"welcome", [&] { proxy_->setWelcome(choose(kWelcomes, argument)); }},
+      {"end", [&] { proxy_->endConnections(choose(kEnds, argument)); }},
+      {"fault", [&] { proxy_->add(parseFault(argument)); }},
+      {"target",
+       [&] {
+         std::string host = argument;
+         const std::string port = takeBehind(':', &host);
+         proxy_->setTarget(host, static_cast<int>(toNumber(port)));
+       }},
+      {"move", [&] { proxy_->moveTo(argument); }},
+      {"sleep", [&] { std::this_thread::sleep_for(1000 * toTime(argument)); }},
+  };
+  const auto action = actions.find(command);
+  if (action == actions.end()) {
+    return false;
+  }
+  action->second();
+  return true;
 }
 
 }  // namespace test_support

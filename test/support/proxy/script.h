@@ -32,6 +32,9 @@ class Script {
   void carryOut(const std::string& line);
 
  private:
+  bool changeConditions(const std::string& command, const std::string& first, const std::string& second);
+  bool act(const std::string& command, const std::string& argument);
+
   FaultProxy* const proxy_;
   Conditions conditions_;
 };
