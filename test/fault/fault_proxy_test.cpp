@@ -23,12 +23,6 @@ constexpr milliseconds kPatience{20000};
 
 class FaultProxyTest : public testing::Test {
  protected:
-  static FaultProxy::Options options(int target_port) {
-    FaultProxy::Options options;
-    options.target_port = target_port;
-    return options;
-  }
-
   static Bytes ascending(std::size_t size) {
     Bytes bytes(size);
     std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
@@ -42,7 +36,7 @@ class FaultProxyTest : public testing::Test {
   }
 
   ScriptedServer server_;
-  FaultProxy proxy_{options(server_.port())};
+  FaultProxy proxy_{server_.port()};
   RawClient client_{proxy_.port()};
   ScriptedPeer server_end_ = server_.accept();
   const Bytes reply_ = test_pictures::makeReply(ascending(200));

@@ -14,7 +14,7 @@ void RequestTap::hear(std::size_t connection, const std::uint8_t* data, std::siz
   const std::lock_guard<std::mutex> lock(mutex_);
   Connection& known = connections_[connection];
   for (const test_support::Request& request : known.scanner.feed(data, size)) {
-    known.joint_requests += request.kind == protocol::version2::REQUEST_JOINTS ? 1 : 0;
+    known.joint_requests += request.version2 && request.kind == protocol::version2::REQUEST_JOINTS ? 1 : 0;
   }
   if (connections_.size() > kConnectionsKept) {
     connections_.erase(connections_.begin());

@@ -80,7 +80,7 @@ void PictureServer::waitFor(std::vector<pollfd> polled, TimePoint end) {
 
 void PictureServer::serveAll() {
   for (FileDescriptor client; (client = acceptFrom(listener_)).valid();) {
-    peers_.push_back({std::move(client), ++connections_});
+    peers_.emplace_back(std::move(client), ++connections_, version_ > 1);
   }
   const TimePoint now = steady_clock::now();
   const bool picture = now >= next_picture_;
@@ -104,18 +104,13 @@ void PictureServer::receive(Peer* peer) {
     peer->over = peer->over || count == 0 || (errno != EAGAIN && errno != EINTR);
     return;
   }
-  peer->in.insert(peer->in.end(), buffer.begin(), buffer.begin() + count);
-  while (peer->version2 ? takeFrame(peer) : takeCommand(peer)) {
+  for (const Request& request : peer->requests.feed(buffer.data(), static_cast<std::size_t>(count))) {
+    request.version2 ? answerVersion2(request, peer) : answerVersion1(request, peer);
   }
 }
 
-bool PictureServer::takeCommand(Peer* peer) {
-  if (peer->in.size() < protocol::BASIC_COMMAND_SIZE) {
-    return false;
-  }
-  const protocol::BasicGetCommand command = protocol::decodeCommand(peer->in.data());
-  consume(protocol::BASIC_COMMAND_SIZE, peer);
-  switch (command.command) {
+void PictureServer::answerVersion1(const Request& request, Peer* peer) {
+  switch (request.kind) {
     case protocol::REQUEST_NEWER_VERSION:
       peer->version2 = version_ > 1;
       append(peer->version2 ? Bytes{'x', 2, 0, 0} : Bytes{'e', 0, 0, 0}, peer);
@@ -128,39 +123,26 @@ bool PictureServer::takeCommand(Peer* peer) {
       break;
     case protocol::REQUEST_JOINT:
     case protocol::REQUEST_SENSOR:
-      append({static_cast<std::uint8_t>(version2::replyKind(command.command)), command.identifier, 0, 0}, peer);
+      append(
+          {static_cast<std::uint8_t>(version2::replyKind(request.kind)), static_cast<std::uint8_t>(request.id), 0, 0},
+          peer);
       break;
     default:
       append({'e', 0, 0, 0}, peer);
   }
-  return true;
 }
 
-bool PictureServer::takeFrame(Peer* peer) {
-  if (peer->in.size() < version2::FRAME_HEADER_SIZE) {
-    return false;
-  }
-  const version2::FrameHeader header = version2::decodeFrameHeader(peer->in.data());
-  if (peer->in.size() < version2::FRAME_HEADER_SIZE + header.payload_size) {
-    return false;
-  }
-  const auto payload = peer->in.begin() + version2::FRAME_HEADER_SIZE;
-  answer(header, Bytes(payload, payload + header.payload_size), peer);
-  consume(version2::FRAME_HEADER_SIZE + header.payload_size, peer);
-  return true;
-}
-
-// What it does not know is carried out, too: the reply repeats the request.
-void PictureServer::answer(const version2::FrameHeader& header, const Bytes& payload, Peer* peer) {
-  switch (header.kind) {
+// Accepts unknown requests, too: the reply repeats the request.
+void PictureServer::answerVersion2(const Request& request, Peer* peer) {
+  switch (request.kind) {
     case version2::REQUEST_HELLO:
-      append(version2_frames::makeFrame('h', header.request_number, version2_frames::makeHello()), peer);
+      append(version2_frames::makeFrame('h', request.number, version2_frames::makeHello()), peer);
       return;
     case version2::REQUEST_PICTURE:
-      peer->owed.push_back(header.request_number);
+      peer->owed.push_back(request.number);
       return;
     case version2::REQUEST_STREAM:
-      peer->streaming = !payload.empty() && payload.front() != 0;
+      peer->streaming = !request.payload.empty() && request.payload.front() != 0;
       break;
     case version2::REQUEST_JOINTS:
       ++joint_commands_;
@@ -168,11 +150,7 @@ void PictureServer::answer(const version2::FrameHeader& header, const Bytes& pay
     default:
       break;
   }
-  append(version2_frames::makeFrame(version2::replyKind(header.kind), header.request_number, payload), peer);
-}
-
-void PictureServer::consume(std::size_t size, Peer* peer) {
-  peer->in.erase(peer->in.begin(), peer->in.begin() + static_cast<std::ptrdiff_t>(size));
+  append(version2_frames::makeFrame(version2::replyKind(request.kind), request.number, request.payload), peer);
 }
 
 void PictureServer::append(const Bytes& bytes, Peer* peer) {

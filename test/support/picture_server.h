@@ -17,8 +17,8 @@
 
 #include "client/event.h"
 #include "client/file_descriptor.h"
-#include "protocol/version2.h"
 #include "support/proxy/fault.h"
+#include "support/proxy/scanners.h"
 #include "support/test_pictures.h"
 
 namespace test_support {
@@ -61,12 +61,14 @@ class PictureServer {
 
  private:
   struct Peer {
+    Peer(aibo_driver::FileDescriptor client, std::uint32_t number, bool knows_version2)
+        : socket(std::move(client)), connection(number), requests(knows_version2) {}
     aibo_driver::FileDescriptor socket;
-    std::uint32_t connection = 0;
+    std::uint32_t connection;
+    RequestScanner requests;
     bool version2 = false;
     bool streaming = false;
     std::vector<int> owed{};  // request numbers of pictures; 0 in version 1
-    Bytes in{};
     Bytes out{};
     bool over = false;
   };
@@ -77,13 +79,11 @@ class PictureServer {
   void waitFor(std::vector<pollfd> polled, TimePoint end);
   void serveAll();
   void receive(Peer* peer);
-  bool takeCommand(Peer* peer);
-  bool takeFrame(Peer* peer);
-  void answer(const protocol::version2::FrameHeader& header, const Bytes& payload, Peer* peer);
+  void answerVersion1(const Request& request, Peer* peer);
+  void answerVersion2(const Request& request, Peer* peer);
   void sendPictures(Peer* peer);
   Bytes wrap(const Bytes& jpeg, int request, const Peer& peer) const;
   Bytes nextPicture(const Peer& peer, bool may_be_spoilt);
-  static void consume(std::size_t size, Peer* peer);
   static void append(const Bytes& bytes, Peer* peer);
   static void flush(Peer* peer);
 

@@ -98,6 +98,14 @@ Outcome ClientExperiment::awaitReconnect(std::uint32_t old_connection, TimePoint
   return {back->time - healthy, {}};
 }
 
+Outcome ClientExperiment::damageAndReconnect(const Fault& fault) {
+  const std::uint32_t before = connection();
+  witness_.allowGaps(true);
+  Outcome outcome = awaitReconnect(before, carryOut(fault).time);
+  witness_.allowGaps(false);
+  return outcome;
+}
+
 Outcome ClientExperiment::awaitPictureAfter(const FaultReport& report) {
   const auto back = witness_.waitFor([&](const Witness::Sighting& each) { return each.sent > report.time; }, kPatience);
   if (!back) {

@@ -44,6 +44,9 @@ class ClientExperiment : public Experiment {
   /// @param healthy when the fault was over
   Outcome awaitReconnect(std::uint32_t old_connection, TimePoint healthy);
 
+  /// Makes a fault that changes bytes, and waits for a picture of the next connection.
+  Outcome damageAndReconnect(const Fault& fault);
+
   /// Waits for a picture that was sent after the fault, over any connection.
   Outcome awaitPictureAfter(const FaultReport& report);
 

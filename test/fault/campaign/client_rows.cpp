@@ -92,17 +92,12 @@ class GarbageExperiment : public ClientExperiment {
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    const std::uint32_t before = connection();
     Fault fault;
     fault.action = trial / 4 % 2 == 0 ? Action::kInsert : Action::kOverwrite;
     fault.place = Place::kPicture;
     fault.bytes = randomBytes(random, uniform(random, 1, 200), 0, 255);
     fault.bytes.front() = static_cast<std::uint8_t>(uniform(random, 'z' + 1, 255));
-    witness_.allowGaps(true);
-    const FaultReport report = carryOut(fault);
-    Outcome outcome = awaitReconnect(before, report.time);
-    witness_.allowGaps(false);
-    return outcome;
+    return damageAndReconnect(fault);
   }
 };
 
@@ -136,7 +131,6 @@ class SizeExperiment : public ClientExperiment {
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    const std::uint32_t before = connection();
     Fault fault;
     fault.action = Action::kOverwrite;
     fault.place = Place::kPicture;
@@ -145,11 +139,7 @@ class SizeExperiment : public ClientExperiment {
     for (int shift = 24; shift >= 0; shift -= 8) {
       fault.bytes.push_back(static_cast<std::uint8_t>(size >> shift & 0xFF));
     }
-    witness_.allowGaps(true);
-    const FaultReport report = carryOut(fault);
-    Outcome outcome = awaitReconnect(before, report.time);
-    witness_.allowGaps(false);
-    return outcome;
+    return damageAndReconnect(fault);
   }
 
   static std::uint32_t announcedSize(unsigned kind, Random& random) {

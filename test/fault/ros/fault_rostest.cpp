@@ -130,19 +130,13 @@ void expectNoMoreThan(const Resources& before, const DriverProcess& driver) {
 /// A fast server, and a proxy in front of it.
 class Faults : public testing::Test {
  protected:
-  static FaultProxy::Options options(int target_port) {
-    FaultProxy::Options options;
-    options.target_port = target_port;
-    return options;
-  }
-
   bool picturesFlow() {
     const std::uint64_t before = server_.lastNumber();
     return eventually([&] { return server_.lastNumber() > before + 5; });
   }
 
   PictureServer server_{2, milliseconds(2)};
-  FaultProxy proxy_{options(server_.port())};
+  FaultProxy proxy_{server_.port()};
 };
 
 TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
@@ -265,7 +259,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhileItsRobotsNameIsLookedUp) {
 }
 
 TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
-  FaultProxy master(options(static_cast<int>(ros::master::getPort())));
+  FaultProxy master(static_cast<int>(ros::master::getPort()));
   CompressedListener pictures("/deaf_master/camera/image_raw/compressed");
   const char* const sanitizer = std::getenv("TSAN_OPTIONS");
   const std::map<std::string, std::string> environment = {

@@ -33,6 +33,8 @@ FaultProxy::FaultProxy(const Options& options)
   thread_ = std::thread([this] { run(); });
 }
 
+FaultProxy::FaultProxy(int target_port) : FaultProxy(Options{"127.0.0.1", target_port}) {}
+
 FaultProxy::~FaultProxy() {
   stopping_ = true;
   wake_up_.raise();

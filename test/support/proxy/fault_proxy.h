@@ -41,6 +41,10 @@ class FaultProxy {
   /// Begins to serve.
   /// @throw std::system_error the port cannot be listened on
   explicit FaultProxy(const Options& options);
+
+  /// In front of the server on this port of 127.0.0.1.
+  explicit FaultProxy(int target_port);
+
   ~FaultProxy();
 
   FaultProxy(const FaultProxy&) = delete;

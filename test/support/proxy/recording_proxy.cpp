@@ -25,7 +25,9 @@ void RecordingProxy::record(std::size_t number, Direction direction, const std::
   }
   connection.from_driver.insert(connection.from_driver.end(), data, data + size);
   for (Request& request : connection.request_scanner.feed(data, size)) {
-    connection.requests.push_back(std::move(request));
+    if (request.version2) {
+      connection.requests.push_back(std::move(request));
+    }
   }
   changed_.notify_all();
 }

@@ -71,13 +71,22 @@ void ReplyScanner::takePayload(const std::uint8_t* data, std::size_t size) {
 }
 
 std::vector<Request> RequestScanner::feed(const std::uint8_t* data, std::size_t size) {
-  const std::size_t skipped = std::min(version1_left_, size);
-  version1_left_ -= skipped;
   std::vector<Request> requests;
-  for (std::size_t begin = skipped, taken = 0; begin < size; begin += taken) {
-    if (frames_.append(data + begin, size - begin, &taken) == version2::FrameReader::FRAME_COMPLETE) {
+  for (std::size_t begin = 0, taken = 0; begin < size; begin += taken) {
+    if (!version2_) {
+      taken = 1;
+      command_.push_back(data[begin]);
+      if (command_.size() == protocol::BASIC_COMMAND_SIZE) {
+        const protocol::BasicGetCommand command = protocol::decodeCommand(command_.data());
+        requests.push_back({command.command, command.identifier});
+        version2_ = knows_version2_ && command.command == protocol::REQUEST_NEWER_VERSION;
+        command_.clear();
+      }
+    } else if (frames_.append(data + begin, size - begin, &taken) == version2::FrameReader::FRAME_COMPLETE) {
       const version2::FrameHeader& header = frames_.header();
-      requests.push_back({header.kind, header.id, Bytes(frames_.payload(), frames_.payload() + header.payload_size)});
+      const std::uint8_t* const payload = frames_.payload();
+      requests.push_back(
+          {header.kind, header.id, header.request_number, Bytes(payload, payload + header.payload_size), true});
     }
   }
   return requests;

@@ -39,23 +39,30 @@ class ReplyScanner {
   Bytes payload_;  // of the present picture, if somebody wants it
 };
 
-/// A request of version 2 of the protocol.
+/// A request of either version of the protocol.
 struct Request {
   char kind = 0;
-  int id = 0;  ///< quality of `F` and `W`
-  Bytes payload;
+  int id = 0;      ///< quality of `F` and `W`
+  int number = 0;  ///< of the request; 0 in version 1
+  Bytes payload{};
+  bool version2 = false;
 };
 
-/// Finds the requests in what a client of version 2 sends over one connection, behind the two bytes that ask for this
-/// version.
+/// Finds the requests in what a client sends over one connection: commands of two bytes, and frames once it has asked
+/// for version 2.
 class RequestScanner {
  public:
+  /// @param knows_version2 whether the server agrees to version 2
+  explicit RequestScanner(bool knows_version2 = true) : knows_version2_(knows_version2) {}
+
   /// Takes the stream's next bytes.
   /// @return the requests that they complete
   std::vector<Request> feed(const std::uint8_t* data, std::size_t size);
 
  private:
-  std::size_t version1_left_ = protocol::BASIC_COMMAND_SIZE;
+  const bool knows_version2_;
+  bool version2_ = false;
+  Bytes command_;  // of version 1, as far as it has come
   Bytes payload_ = Bytes(protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT);
   protocol::version2::FrameReader frames_{payload_.data(), payload_.size()};
 };
