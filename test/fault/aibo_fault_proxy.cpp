@@ -33,7 +33,7 @@ po::options_description describe(Options* options) {
     ("bind", po::value(&options->proxy.address)->default_value("127.0.0.1"),
      "address of this computer that clients connect to; 0.0.0.0 means all")
     ("port", po::value(&options->proxy.port)->default_value(54322), "port for clients; 0 means any free one")
-    ("seed", po::value(&options->proxy.seed)->default_value(1), "of all random choices");
+    ("seed", po::value(&options->proxy.seed)->default_value(1), "seed of all random choices");
   // clang-format on
   return description;
 }

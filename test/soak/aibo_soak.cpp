@@ -21,7 +21,7 @@ po::options_description describe(soak::Options* options) {
   // clang-format off
   description.add_options()
     ("minutes", po::value(&options->minutes)->default_value(60), "how long")
-    ("seed", po::value(&options->seed)->default_value(std::random_device()(), "random"), "of all random choices")
+    ("seed", po::value(&options->seed)->default_value(std::random_device()(), "random"), "seed of all random choices")
     ("folder", po::value(&options->folder)->default_value("."),
      "existing folder for resources.csv and driver.log");
   // clang-format on

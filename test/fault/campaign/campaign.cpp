@@ -172,7 +172,7 @@ po::options_description describe(Options* options) {
   // clang-format off
   description.add_options()
     ("list", po::bool_switch(&options->list), "list all faults")
-    ("seed", po::value(&options->seed)->default_value(1), "of all random choices")
+    ("seed", po::value(&options->seed)->default_value(1), "seed of all random choices")
     ("only", po::value(&options->only)->composing(), "try only this row of the table, such as F2; may be repeated")
     ("trial", po::value(&options->trial), "try only the fault with this number; needs --only with one row")
     ("percent", po::value(&options->percent)->default_value(100), "share of all faults to try")
@@ -193,7 +193,7 @@ void checkOptions(const Options& options) {
   }
   for (const std::string& id : options.only) {
     if (known.count(id) == 0) {
-      throw po::error("there is no fault '" + id + "' (--list prints all)");
+      throw po::error("there is no fault '" + id + "'; --list prints all");
     }
   }
   if (options.trial >= 0 && options.only.size() != 1) {

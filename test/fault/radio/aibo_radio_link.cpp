@@ -46,7 +46,7 @@ po::options_description describe(Options& options) {
     ("delay", po::value(&options.delay_ms)->default_value(1), "of each packet, in ms")
     ("jitter", po::value(&options.jitter_ms)->default_value(1), "random additional delay, up to this many ms")
     ("outage", po::value(&options.outages), "BEGIN:LENGTH in seconds, such as 10:3; may be repeated")
-    ("seed", po::value(&options.radio.seed)->default_value(1), "of loss and jitter");
+    ("seed", po::value(&options.radio.seed)->default_value(1), "seed of loss and jitter");
   // clang-format on
   return description;
 }

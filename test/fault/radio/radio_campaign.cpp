@@ -256,7 +256,7 @@ po::options_description describe(std::uint32_t* seed, bool* short_form) {
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
-    ("seed", po::value(seed)->default_value(1), "of loss and jitter; the campaign tries this one and the next two")
+    ("seed", po::value(seed)->default_value(1), "seed of loss and jitter; the campaign tries this one and the next two")
     ("short", po::bool_switch(short_form), "a few seconds only, for the test run");
   // clang-format on
   return description;
