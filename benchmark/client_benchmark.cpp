@@ -1,5 +1,5 @@
-// What the driver's own work on a picture costs: finding it in the byte stream, checking it, decoding it beside bare
-// TurboJPEG. Times are of one picture of 208x160 at quality 85, 4:2:0.
+// Measures the driver's own work on a picture: finding it in the byte stream, checking it, and decoding it, compared
+// with bare TurboJPEG. Times are per picture of 208x160 at quality 85, 4:2:0.
 #include <benchmark/benchmark.h>
 #include <turbojpeg.h>
 
@@ -13,14 +13,14 @@
 #include "client/reply_parser.h"
 #include "client/version1_session.h"
 #include "ros/camera/jpeg_decoder.h"
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 namespace {
 
 using test_pictures::Bytes;
 
 constexpr std::size_t kPictures = 16;
-constexpr std::size_t kReadSize = 16 * 1024;  // what one read from the socket gives at most
+constexpr std::size_t kReadSize = 16 * 1024;  // the most that one read from the socket returns
 
 std::vector<Bytes> makePictures() {
   std::vector<Bytes> pictures;
@@ -79,7 +79,7 @@ void BM_Inspect(benchmark::State& state) {
 }
 BENCHMARK(BM_Inspect);
 
-/// All that happens between the socket and the callback: parse, inspect, judge, wrap.
+/// Everything between the socket and the callback: parse, inspect, judge, wrap.
 void BM_Session(benchmark::State& state) {
   const Bytes stream = makeStream();
   const auto now = aibo_driver::Session::TimePoint() + std::chrono::hours(1);
@@ -117,7 +117,7 @@ void BM_Decode(benchmark::State& state) {
 }
 BENCHMARK(BM_Decode);
 
-/// The limit: one handle, one buffer, no check.
+/// The lower limit: one handle, one buffer, no checks.
 void BM_DecodeBareTurboJpeg(benchmark::State& state) {
   const std::vector<Bytes> pictures = makePictures();
   const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), &tjDestroy);

@@ -1,6 +1,6 @@
-// What a picture costs the RCServer, beside bare libjpeg-turbo on the same planes: the same halving of chroma, then
-// tjCompressFromYUVPlanes. Both take turns on the same images, so that ratio_to_bare does not depend on how busy the
-// machine is.
+// Compares the RCServer's encoder with bare libjpeg-turbo on the same planes: the same halving of chroma, then
+// tjCompressFromYUVPlanes. Both alternate on the same images, so that ratio_to_bare does not depend on the load of the
+// machine.
 #include <benchmark/benchmark.h>
 #include <turbojpeg.h>
 
@@ -10,8 +10,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "camera_image_fixture.h"
 #include "picture_encoder/JpegEncoder.h"
+#include "support/camera_image_fixture.h"
+
+using test_support::CameraImageFixture;
 
 namespace {
 
@@ -52,7 +54,7 @@ class BareTurboJpeg {
   std::vector<uint8_t> jpeg_ = std::vector<uint8_t>(tjBufSize(kWidth, kHeight, TJSAMP_420));
 };
 
-// Adds up what a call takes and what it returns.
+// Adds up the times and the results of calls.
 class Account {
  public:
   template <typename Encode>

@@ -1,13 +1,13 @@
-// From command to motion: how long it takes from a ROS message until a servo is commanded otherwise than before, beside
-// one byte by TCP; and what 18 moving joints cost the stream of pictures. Driver, robot and this program talk over
-// 127.0.0.1. It takes two minutes, needs a ROS master and has no arguments:
+// Measures the time from a ROS message until the command to a servo changes, compared with one byte over TCP, and how
+// much 18 moving joints slow down the stream of pictures. Driver, robot and this program communicate over 127.0.0.1. It
+// takes two minutes, needs a ROS master and has no arguments:
 //
 //   roscore &
 //   make motion_benchmark && rosrun aibo_driver motion_benchmark
 //
-// The robot takes commands in frames of 8 ms. A command at a random time waits 4 ms for the next one on average: the
-// line "next frame" is this wait alone. A joint that is on its way changes it later than one at rest: what is already
-// in the robot's two command vectors, up to 64 ms, is played first.
+// The robot takes commands in frames of 8 ms. A command at a random time waits 4 ms on average for the next frame: the
+// line "next frame" is this wait alone. A moving joint reacts later than one at rest, because up to 64 ms of motion are
+// already in the robot's two command vectors.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -39,15 +39,12 @@
 #include <utility>
 #include <vector>
 
-#include "driver_process.h"
-#include "protocol/version1.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/primitive_table.h"
 #include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/simulated_ers7.h"
-#include "simulator/object_catalog.h"
-#include "simulator/openr_host/clock.h"
-#include "simulator/openr_host/machine.h"
+#include "support/robot_thread.h"
+#include "support/ros/driver_process.h"
 
 namespace {
 
@@ -76,7 +73,7 @@ struct CameraCount {
   int images = 0;
 };
 
-// A robot that tells when the motion of one joint changes, and counts its camera's images.
+// A robot that detects when the motion of one joint changes, and counts the images of its camera.
 class WatchedErs7 : public simulated_ers7::SimulatedErs7 {
  public:
   void passFrame(longword frame, const openr_host::EffectorCommands& commands) override {
@@ -94,14 +91,15 @@ class WatchedErs7 : public simulated_ers7::SimulatedErs7 {
     return SimulatedErs7::captureImage(frame);
   }
 
-  // From now on a change of motion is waited for.
+  // Begins to wait for a change of motion.
   void expectChange() {
     const std::lock_guard<std::mutex> lock(mutex_);
     expected_ = true;
     step_before_ = step_;
   }
 
-  // When the frame came in which the joint was commanded to move otherwise than at expectChange().
+  // Waits for the frame whose command moves the joint differently than at expectChange().
+  // @return the time of this frame
   SteadyClock::time_point waitForChange() {
     std::unique_lock<std::mutex> lock(mutex_);
     if (!changed_.wait_for(lock, kSafetyNet, [this] { return !expected_; })) {
@@ -114,13 +112,13 @@ class WatchedErs7 : public simulated_ers7::SimulatedErs7 {
     std::unique_lock<std::mutex> lock(mutex_);
     const int before = camera_.images;
     if (!changed_.wait_for(lock, kSafetyNet, [&] { return camera_.images > before; })) {
-      throw std::runtime_error("nobody takes pictures");
+      throw std::runtime_error("the camera takes no pictures");
     }
     return camera_;
   }
 
  private:
-  // At rest every step is 0; on the way it is the same every frame but for rounding.
+  // At rest every step is 0. In motion all steps are equal, except for rounding.
   static constexpr slongword kRounding = 10;  // microradian
 
   void watch(const openr_host::EffectorCommands& commands, SteadyClock::time_point now) {
@@ -144,66 +142,12 @@ class WatchedErs7 : public simulated_ers7::SimulatedErs7 {
       simulated_ers7::jointPrimitive(static_cast<std::size_t>(robot_model::findJointByName(ers7(), kJoint)));
   std::mutex mutex_;
   std::condition_variable changed_;
-  slongword position_ = 0;  // microradian, as all of these
+  slongword position_ = 0;  // microradian, like the steps
   slongword step_ = 0;
   slongword step_before_ = 0;
   bool expected_ = false;
   SteadyClock::time_point changed_at_;
   CameraCount camera_;
-};
-
-// The robot's machine, on a thread of its own and a free port.
-class RobotThread {
- public:
-  explicit RobotThread(WatchedErs7& robot) : machine_(options(), clock_, robot) {
-    std::promise<std::uint16_t> port;
-    std::future<std::uint16_t> booted = port.get_future();
-    thread_ = std::thread([this, promise = std::move(port)]() mutable { run(promise); });
-    try {
-      port_ = booted.get();
-    } catch (...) {
-      thread_.join();
-      throw;
-    }
-  }
-
-  ~RobotThread() {
-    machine_.stop();
-    thread_.join();
-  }
-
-  RobotThread(const RobotThread&) = delete;
-  RobotThread& operator=(const RobotThread&) = delete;
-
-  int port() const { return port_; }
-
- private:
-  static constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
-
-  static openr_host::MachineOptions options() {
-    openr_host::MachineOptions options;
-    options.ports = {{kRobotPort, std::uint16_t{0}}};
-    options.memory_stick = MEMORY_STICK;
-    options.catalog = objectCatalog();
-    return options;
-  }
-
-  void run(std::promise<std::uint16_t>& port) {
-    try {
-      machine_.boot();
-    } catch (...) {
-      port.set_exception(std::current_exception());
-      return;
-    }
-    port.set_value(machine_.hostPort(kRobotPort));
-    machine_.run();
-    machine_.shutdown();
-  }
-
-  openr_host::WallClock clock_;
-  openr_host::Machine machine_;
-  int port_ = 0;
-  std::thread thread_;
 };
 
 void check(bool success, const char* what) {
@@ -212,7 +156,7 @@ void check(bool success, const char* what) {
   }
 }
 
-// A TCP connection on 127.0.0.1 whose other end sends every byte back.
+// A TCP connection on 127.0.0.1 whose other end echoes every byte.
 class ByteEcho {
  public:
   ByteEcho() {
@@ -269,7 +213,7 @@ class ByteEcho {
   std::thread thread_;
 };
 
-// The ROS side of it all.
+// A user of the driver.
 class User {
  public:
   User() {
@@ -312,7 +256,7 @@ class User {
     one_joint_.publish(message);
   }
 
-  // Sends all joints so far between their limits. From 0.5 to 0.7 none is in the way of another.
+  // Moves all joints to this fraction of their ranges. From 0.5 to 0.7, no joint is in the way of another.
   void commandAll(double fraction) {
     sensor_msgs::JointState message;
     for (int i = 0; i < ers7().number_of_joints; ++i) {
@@ -339,7 +283,7 @@ class MotionBenchmark {
   void run() {
     user_.waitForDriver();
     user_.command(0);
-    std::this_thread::sleep_for(seconds(2));  // the motors go on, and the joint is approached
+    std::this_thread::sleep_for(seconds(2));  // the motors are switched on, and the joint moves to 0
     measureMotion();
     measurePictures();
   }
@@ -347,13 +291,13 @@ class MotionBenchmark {
  private:
   using Samples = std::vector<double>;  // ms
 
-  // Small steps, which are over long before the next one.
+  // A small step, which ends long before the next one.
   static double smallStep(bool left) { return left ? 0.01 : -0.01; }
 
   void measureMotion() {
     const auto command = [this](bool left) { user_.command(smallStep(left)); };
     const auto command_on_its_topic = [this](bool left) { user_.commandOnItsTopic(smallStep(left)); };
-    // Far away, but the next command comes long before the joint is there.
+    // To a distant position; the next command comes long before the joint arrives.
     const auto turn_round = [this](bool left) { user_.command(left ? 0.5 : -0.5, 0.3); };
 
     const Samples at_rest = timesToMotion(command);
@@ -372,7 +316,7 @@ class MotionBenchmark {
     std::printf("\n");
   }
 
-  // Also fills bytes_: in turn, so that both meet the same machine.
+  // Also fills bytes_, alternately, so that both are measured under the same load.
   Samples timesToMotion(const std::function<void(bool)>& command) {
     Samples samples;
     for (int i = 0; i < kCommands; ++i) {
@@ -387,7 +331,7 @@ class MotionBenchmark {
     return samples;
   }
 
-  // Long enough for two command vectors to be over in two of these, 64 ms, so that a joint at rest is at rest.
+  // Two of these are longer than two command vectors, 64 ms, so that a joint comes to rest.
   void sleepAtRandom() {
     std::this_thread::sleep_for(
         std::chrono::duration<double, std::milli>(std::uniform_real_distribution<double>(40, 60)(random_)));
@@ -436,7 +380,7 @@ class MotionBenchmark {
     return published / duration;
   }
 
-  // Returns when that picture should be published, and long before the next image.
+  // Returns when the picture should have been published, long before the next image.
   CameraCount nextImage() {
     const CameraCount camera = robot_.waitForNextImage();
     std::this_thread::sleep_for(milliseconds(16));
@@ -453,7 +397,7 @@ class MotionBenchmark {
   }
 
   WatchedErs7 robot_;
-  RobotThread robot_thread_{robot_};
+  test_support::RobotThread robot_thread_{robot_};
   User user_;
   test_support::DriverProcess driver_{kNamespace, robot_thread_.port(), {"_stream_on_start:=false"}};
   ByteEcho byte_;

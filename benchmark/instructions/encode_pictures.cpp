@@ -1,6 +1,6 @@
-// Encodes pictures of the simulated camera, for the counting of instructions.
+// Encodes pictures of the simulated camera, to count instructions.
 //
-//   encode_pictures QUALITY LAYER ROUNDS    each of eight images, ROUNDS times; LAYER 0 is 208 x 160, 1 is 104 x 80
+//   encode_pictures QUALITY LAYER ROUNDS    encodes each of eight images ROUNDS times; LAYER 0 is 208x160, 1 is 104x80
 #include <OPENR/OFbkImage.h>
 
 #include <cstdio>
@@ -60,6 +60,6 @@ int main(int argc, char** argv) {
       bytes += encoder.Encode(image, quality, jpeg.data(), jpeg.size());
     }
   }
-  std::printf("%zu bytes a picture\n", bytes / static_cast<std::size_t>(rounds * kImages));
+  std::printf("%zu bytes per picture\n", bytes / static_cast<std::size_t>(rounds * kImages));
   return 0;
 }

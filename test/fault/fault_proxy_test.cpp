@@ -1,6 +1,6 @@
-// The proxy makes go wrong what it is told to, and nothing else.
+// The proxy makes the faults that it is asked for, and no others.
 
-#include "proxy/fault_proxy.h"
+#include "support/proxy/fault_proxy.h"
 
 #include <gmock/gmock.h>
 
@@ -8,12 +8,12 @@
 #include <memory>
 #include <numeric>
 
-#include "proxy/script.h"
-#include "scripted_server.h"
+#include "support/proxy/script.h"
 #include "support/raw_client.h"
-#include "test_pictures.h"
+#include "support/scripted_server.h"
+#include "support/test_pictures.h"
 
-namespace fault_bench {
+namespace test_support {
 namespace {
 
 using std::chrono::milliseconds;
@@ -23,26 +23,20 @@ constexpr milliseconds kPatience{20000};
 
 class FaultProxyTest : public testing::Test {
  protected:
-  static FaultProxy::Options options(int target_port) {
-    FaultProxy::Options options;
-    options.target_port = target_port;
-    return options;
-  }
-
   static Bytes ascending(std::size_t size) {
     Bytes bytes(size);
     std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
     return bytes;
   }
 
-  /// What the client receives when the server sends one picture and the fault is made in it.
+  /// What the client receives when the server sends this.
   Bytes receivedOf(const Bytes& sent, std::size_t size) {
     server_end_.send(sent);
     return client_.read(size, kPatience);
   }
 
   ScriptedServer server_;
-  FaultProxy proxy_{options(server_.port())};
+  FaultProxy proxy_{server_.port()};
   RawClient client_{proxy_.port()};
   ScriptedPeer server_end_ = server_.accept();
   const Bytes reply_ = test_pictures::makeReply(ascending(200));
@@ -54,7 +48,7 @@ TEST_F(FaultProxyTest, PassesEveryByteBothWays) {
   EXPECT_EQ(server_end_.readCommand().command, 'W');
 }
 
-TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsWhereItIsToldTo) {
+TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsAtTheGivenPlace) {
   proxy_.add(parseFault("overwrite:0102@picture+10"));
   proxy_.add(parseFault("flip:ff@picture+20"));
   proxy_.add(parseFault("drop:3@picture+30"));
@@ -78,7 +72,7 @@ TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsWhereItIsToldTo) {
   EXPECT_EQ(client_.read(expected.size(), kPatience), expected);
 }
 
-TEST_F(FaultProxyTest, EndsTheConnectionAtTheByteItIsToldTo) {
+TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
   proxy_.add(parseFault("close@picture+17"));
   const Bytes received = receivedOf(reply_, reply_.size());
   EXPECT_EQ(received, Bytes(reply_.begin(), reply_.begin() + 17));
@@ -106,7 +100,7 @@ TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
   EXPECT_TRUE(client_.receive(kPatience)->empty());
 }
 
-TEST_F(FaultProxyTest, ASlowWayTakesItsTimeAndLosesNothing) {
+TEST_F(FaultProxyTest, ASlowWayDelaysBytesAndLosesNone) {
   Conditions conditions;
   conditions.delay = milliseconds(50);
   conditions.largest_piece = 1;
@@ -117,7 +111,7 @@ TEST_F(FaultProxyTest, ASlowWayTakesItsTimeAndLosesNothing) {
   EXPECT_GE(steady_clock::now() - begin, milliseconds(150));
 }
 
-TEST_F(FaultProxyTest, APauseClosesTheSendersWindow) {
+TEST_F(FaultProxyTest, APauseDelaysWhatTheServerSends) {
   Script script(&proxy_);
   script.carryOut("pause");
   server_end_.send(reply_);
@@ -126,7 +120,7 @@ TEST_F(FaultProxyTest, APauseClosesTheSendersWindow) {
   EXPECT_EQ(client_.read(reply_.size(), kPatience), reply_);
 }
 
-TEST_F(FaultProxyTest, ReceivesClientsAsItIsTold) {
+TEST_F(FaultProxyTest, WelcomesClientsAsAsked) {
   proxy_.setWelcome(Welcome::kClose);
   EXPECT_TRUE(RawClient(proxy_.port()).receive(kPatience)->empty());
   proxy_.setWelcome(Welcome::kSilence);
@@ -139,7 +133,7 @@ TEST_F(FaultProxyTest, ReceivesClientsAsItIsTold) {
   EXPECT_EQ(served.read(reply_.size(), kPatience), reply_);
 }
 
-TEST_F(FaultProxyTest, TheScriptSaysWhatItDoesNotUnderstand) {
+TEST_F(FaultProxyTest, TheScriptRefusesWhatItDoesNotUnderstand) {
   Script script(&proxy_);
   script.carryOut("  # a remark, and an empty line\n");
   for (const char* line : {"dance", "delay soon", "delay -1", "fault explode", "fault close@picture+x",
@@ -149,4 +143,4 @@ TEST_F(FaultProxyTest, TheScriptSaysWhatItDoesNotUnderstand) {
 }
 
 }  // namespace
-}  // namespace fault_bench
+}  // namespace test_support

@@ -1,5 +1,5 @@
 /// @file fuzz_input.h
-/// What the fuzz targets share.
+/// Shared by all fuzz targets.
 #ifndef TEST_FUZZ_FUZZ_INPUT_H
 #define TEST_FUZZ_FUZZ_INPUT_H
 
@@ -11,20 +11,20 @@
 #include <string>
 #include <vector>
 
-/// What libFuzzer calls with each input; so does replay.cpp with the inputs of the corpus. Always returns 0.
+/// Called by libFuzzer with each input, and by replay.cpp with the inputs of the corpus. Always returns 0.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Ends the program, which is a finding, unless the condition holds.
+/// Aborts, which is a finding, unless the condition holds.
 inline void require(bool condition, const char* what) {
   if (!condition) {
-    std::fprintf(stderr, "finding: not so: %s\n", what);
+    std::fprintf(stderr, "finding: this does not hold: %s\n", what);
     std::abort();
   }
 }
 
-/// An input, from which a target takes what it needs from the front. At the end there are only zeros.
+/// An input, from which a target takes values in turn. After its end come zeros.
 class FuzzInput {
  public:
   FuzzInput(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -45,7 +45,7 @@ class FuzzInput {
     return high << 8 | takeByte();
   }
 
-  /// In memory of just that size, so that the sanitizer sees whoever reads on.
+  /// In memory of exactly this size, so that the sanitizer sees reads behind the end.
   Bytes takeBytes(std::size_t count) {
     count = std::min(count, size_);
     const Bytes bytes(data_, data_ + count);
@@ -66,15 +66,15 @@ class FuzzInput {
   std::size_t size_;
 };
 
-/// An input that is a stream of bytes as TCP cuts it: the first four bytes are the sizes of the pieces, in turn; 0 is
-/// all that is left.
+/// An input that is a stream of bytes as TCP cuts it. The first four bytes are the sizes of the pieces, in turn; 0
+/// means all the rest.
 class PiecewiseInput {
  public:
   PiecewiseInput(const std::uint8_t* data, std::size_t size) : input_(data, size), sizes_(input_.takeBytes(4)) {}
 
   bool empty() const { return input_.empty(); }
 
-  /// Not empty unless the input is.
+  /// Empty only if the input is.
   Bytes takePiece() {
     const std::size_t size = sizes_[turn_++ % sizes_.size()];
     return size == 0 ? input_.takeAll() : input_.takeBytes(size);

@@ -1,5 +1,5 @@
 /// @file replay.cpp
-/// Runs a fuzz target on inputs that are there already. Linked with a target in the place of libFuzzer.
+/// Runs a fuzz target on the files or folders given. Linked with a target instead of libFuzzer.
 
 #include <exception>
 #include <filesystem>
@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 int replay(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  // In memory of just that size, so that a sanitizer sees whoever reads on.
+  // In memory of exactly this size, so that a sanitizer sees reads behind the end.
   const Bytes input(content.begin(), content.end());
-  std::cout << file.string() << std::endl;  // flushed: the last one named is the one that failed
+  std::cout << file.string() << std::endl;  // flushed: the last one printed is the one that failed
   return LLVMFuzzerTestOneInput(input.data(), input.size());
 }
 

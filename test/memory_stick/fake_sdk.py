@@ -1,5 +1,5 @@
-"""A folder that looks like Sony's SDK to scripts/memory_stick. Its tools are small shell scripts: they leave files of
-the right kind, and write down in `log` what they were told."""
+"""Makes a folder that looks like Sony's SDK to scripts/memory_stick. Its tools are small shell scripts that write files
+of the right kind, and log their arguments in `log`."""
 import shutil
 from pathlib import Path
 
@@ -23,7 +23,7 @@ case $1 in --version) exit 0 ;; esac
 echo archive > "$2"
 """
 
-# mkbin ... -o NAME.bin ...: a 32-bit little-endian MIPS program of 200 KB. Everything else it is told has to be there.
+# mkbin ... -o NAME.bin ...: writes a 32-bit little-endian MIPS program of 200 KB. Its input files have to exist.
 MKBIN = r"""
 case $1 in --help) exit 0 ;; esac
 while [ $# -gt 0 ]; do
@@ -39,7 +39,7 @@ printf '\177ELF\001\001\001\000\000\000\000\000\000\000\000\000\002\000\010\000'
 head -c 200000 /dev/zero >> "$output"
 """
 
-# As Sony's does, it writes into the folder that it is started in.
+# Like Sony's, it writes into the working directory.
 STUBGEN = r"""
 name=$(sed -n 's/^ObjectName *: *//p' "$1")
 "${STUB_GENERATOR:-true}" "$1" 128 . .
@@ -49,7 +49,7 @@ touch def.h entry.h "${name}Stub.h" "${name}Stub.cc"
 TOOLS = {"gcc": COMPILER, "g++": COMPILER, "ar": ARCHIVER, "strip": "", "readelf": "",
          "nm": '[ "$1" = --version ] || cat "${0%/*}/../undefined"\n'}
 
-# What nm -u says of a program that is whole: one symbol is weak and may be absent, the other is the linker's own.
+# The output of nm -u for a complete program: one symbol is weak and may be absent, the other is the linker's own.
 UNDEFINED = "         w __deregister_frame_info\n         U _gp_disp\n"
 
 SYSTEM_CONF = {
@@ -93,7 +93,7 @@ def use_headers(sdk, openr_headers, c_headers):
     (include / "ant.h").rename(include / "MCOOP" / "ant.h")
     _write(include / "MCOOP.h", "")
     for name in c_headers:
-        _write(sdk / "mipsel-linux" / "include" / name, "#error only looked for\n")
+        _write(sdk / "mipsel-linux" / "include" / name, "#error only its presence counts\n")
 
 
 def _make_system(open_r, model):

@@ -1,5 +1,5 @@
-"""scripts/memory_stick from its command line to the stick, with a made-up SDK: what it writes, and what it says when
-something is wrong. Works on a copy of the project, in which tests may break things."""
+"""Tests scripts/memory_stick with a fake SDK: what it writes, and what it says when something is wrong. Works on a copy of
+the project, in which tests may break things."""
 import gzip
 import os
 import re
@@ -43,7 +43,7 @@ WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/me
 
 
 class Workshop(unittest.TestCase):
-    """A copy of the project, a made-up SDK, libjpeg, and an empty folder for the stick."""
+    """A copy of the project, a fake SDK, libjpeg, and an empty folder for the stick."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -289,7 +289,7 @@ class ABuild(Workshop):
 
 
 class Verification(Workshop):
-    """Of a stick that one thing is wrong with."""
+    """Verification of a stick with one problem."""
 
     def setUp(self):
         super().setUp()
@@ -308,7 +308,7 @@ class Verification(Workshop):
         return self.run_script("--verify", self.stick)
 
     def expect_problem(self, path, content, what, advice):
-        """With other content, None for no file at all, the file is found wrong; as it was, it is right again."""
+        """Changes a file, or removes it if content is None; expects the problem, and none after the change is undone."""
         file = self.open_r / path
         before = file.read_bytes() if file.exists() else None
         file.unlink() if content is None else file.write_bytes(content)
@@ -390,7 +390,7 @@ class Verification(Workshop):
 
 
 class TheSourcesWithSonysHeaders(Workshop):
-    """Here, the project's own headers take the place of Sony's."""
+    """The project's own headers stand in for Sony's."""
 
     def setUp(self):
         super().setUp()
@@ -418,7 +418,7 @@ class TheSourcesWithSonysHeaders(Workshop):
 
 class TheListOfSources(unittest.TestCase):
     def test_is_the_same_for_the_robot_and_for_linux(self):
-        """ROBOT_SOURCES: what CMake builds as the robot's, a file in which it has written one source a line."""
+        """ROBOT_SOURCES is a file in which CMake lists the sources that it builds for the robot, one per line."""
         robot = subprocess.run(["make", "-s", "-C", str(PROJECT / "aibo_rcserver/memory_stick/programs"), "sources"], check=True,
                                stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
         linux = Path(os.environ["ROBOT_SOURCES"]).read_text().split()

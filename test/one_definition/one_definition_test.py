@@ -1,6 +1,6 @@
-"""To the linker, two types of one name in one namespace are one type: it keeps the functions of one of them for both.
-So each room of the driver has a namespace of its own, and no type is defined twice. Types in anonymous namespaces,
-functions and other types do not count."""
+"""The linker takes two types of the same name and namespace for one, and uses the functions of one of them for both. So
+each room of the driver has its own namespace, and no type is defined twice. Types in anonymous namespaces, functions and
+other types do not count."""
 import collections
 import re
 import unittest
@@ -15,10 +15,10 @@ TYPE = re.compile(r'(?:^|\s)(?:class|struct|union|enum|enum\s+class)\s+(\w+)(?:\
 
 
 def types(code, source=None):
-    """All types that are defined in a namespace with a name, or in none: pairs of namespace and type."""
+    """All types that are defined in a named namespace, or in none: pairs of namespace and type."""
     code = TEMPLATE.sub("", NOT_CODE.sub(" ", code))
     assert code.count("{") == code.count("}"), f"{source}: the braces do not balance, all branches of #if together"
-    scopes = [""]  # one for each open brace: the namespace, or None within anything else
+    scopes = [""]  # one for each open brace: the namespace, or None inside anything else
     for before, end in re.findall(r'([^{};]*)([{};])', code):
         if end == "}":
             scopes.pop()

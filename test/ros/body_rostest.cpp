@@ -22,13 +22,13 @@
 #include <string>
 #include <vector>
 
-#include "driver_process.h"
-#include "joint_listener.h"
-#include "memory_stick.h"
-#include "recording_proxy.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
-#include "topic_publishers.h"
+#include "support/memory_stick.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/joint_listener.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
 
 namespace {
 
@@ -290,7 +290,7 @@ TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
   const MemoryStick stick("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
   BodyUser user("/upload", {"--memory-stick", stick.path()});
   UploadMotion::Request upload;
-  upload.file = stick.path() + "/OPEN-R/MW/DATA/P/WAG.MTN";
+  upload.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
   upload.name = "mine";
   const auto uploaded = user.call<UploadMotion>("upload_motion", upload);
   ASSERT_TRUE(uploaded.success) << uploaded.message;

@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics_listener.h"
-#include "driver_process.h"
-#include "recording_proxy.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/diagnostics_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

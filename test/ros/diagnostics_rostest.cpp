@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <string>
 
-#include "driver_process.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

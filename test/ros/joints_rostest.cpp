@@ -21,15 +21,15 @@
 #include <thread>
 #include <vector>
 
-#include "diagnostics_listener.h"
-#include "driver_process.h"
-#include "joint_listener.h"
-#include "joint_messages.h"
-#include "recording_proxy.h"
 #include "robot_model/robot_model.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
-#include "topic_publishers.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/diagnostics_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/joint_listener.h"
+#include "support/ros/joint_messages.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

@@ -13,11 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "driver_process.h"
-#include "nodelet_host.h"
-#include "recording_proxy.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

@@ -20,10 +20,10 @@
 #include <vector>
 
 #include "aibo_driver/Connection.h"
-#include "driver_process.h"
-#include "recording_proxy.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

@@ -12,12 +12,12 @@
 #include <limits>
 #include <string>
 
-#include "driver_process.h"
-#include "joint_listener.h"
-#include "joint_messages.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
-#include "topic_publishers.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/joint_listener.h"
+#include "support/ros/joint_messages.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "driver_process.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
 
 namespace {
 

@@ -2,43 +2,43 @@
 
 #include <signal.h>
 
+#include <algorithm>
+
 #include "support/raw_client.h"
 
 namespace soak {
 namespace {
 
-using fault_bench::Action;
-using fault_bench::Bytes;
-using fault_bench::Conditions;
-using fault_bench::Direction;
-using fault_bench::Fault;
-using fault_bench::Place;
-using fault_bench::Welcome;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
+using test_support::Action;
+using test_support::Bytes;
+using test_support::Conditions;
+using test_support::Direction;
+using test_support::Fault;
+using test_support::Place;
+using test_support::Welcome;
 
-// For what comes within a second: each kind of message does.
+// A safety net: every kind of message comes within a second.
 constexpr milliseconds kPatience{10000};
 
-// About as many bytes as from one picture to the next: so faults take place in pictures and between them.
+// About the bytes from one picture to the next, so that faults hit pictures and what is between them.
 constexpr int kBytesFromPictureToPicture = 6000;
 
-constexpr int kStrangers = 20;
+constexpr int kOthers = 20;
 
 int uniform(Random& random, int lowest, int highest) {
   return std::uniform_int_distribution<int>(lowest, highest)(random);
 }
 
-// How long things are as they should not be.
+// How long a fault lasts.
 milliseconds someTime(Random& random) {
   return milliseconds(uniform(random, 100, 3000));
 }
 
 Bytes someBytes(Random& random) {
   Bytes bytes(static_cast<std::size_t>(uniform(random, 1, 50)));
-  for (auto& byte : bytes) {
-    byte = static_cast<std::uint8_t>(uniform(random, 0, 255));
-  }
+  std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(uniform(random, 0, 255)); });
   return bytes;
 }
 
@@ -51,7 +51,7 @@ void carryOut(const Scene& scene, const Fault& fault) {
   }
 }
 
-/// Once, somewhere between one picture and the next.
+/// A fault between one picture and the next.
 Mishap inStream(const std::string& name, Action action) {
   return {name, false, [action](const Scene& scene, Random& random) {
             Fault fault;
@@ -78,8 +78,8 @@ Mishap damage(const std::string& name, Action action) {
           }};
 }
 
-/// What the robot makes of it, nobody knows; a new connection ends it.
-Mishap damageOnTheWayToTheRobot(const std::string& name, Action action) {
+/// The robot may take damaged requests for others, so a new connection follows.
+Mishap damageToRobot(const std::string& name, Action action) {
   return {name, true, [action](const Scene& scene, Random& random) {
             Fault fault;
             fault.action = action;
@@ -92,7 +92,7 @@ Mishap damageOnTheWayToTheRobot(const std::string& name, Action action) {
           }};
 }
 
-/// The way is bad for some time.
+/// The way is bad for a while.
 Mishap badWay(const std::string& name, const std::function<Conditions(Random&)>& make) {
   return {name, false, [make](const Scene& scene, Random& random) {
             scene.proxy->setConditions(make(random));
@@ -100,7 +100,7 @@ Mishap badWay(const std::string& name, const std::function<Conditions(Random&)>&
           }};
 }
 
-/// The connection is reset, and for some time there is no other one.
+/// The connection is reset, and for a while there is no new one.
 Mishap noWay(const std::string& name, Welcome welcome) {
   return {name, false, [welcome](const Scene& scene, Random& random) {
             scene.proxy->setWelcome(welcome);
@@ -127,16 +127,16 @@ void hold(const Scene& scene, Random& random) {
   scene.robot->process().signal(SIGCONT);
 }
 
-void strangersCome(const Scene& scene, Random& random) {
-  for (int i = 0; i < kStrangers; ++i) {
-    fault_bench::RawClient stranger(scene.robot->port());
+void othersConnect(const Scene& scene, Random& random) {
+  for (int i = 0; i < kOthers; ++i) {
+    test_support::RawClient other(scene.robot->port());
     const Bytes noise = someBytes(random);
-    stranger.send(std::string(noise.begin(), noise.end()));
+    other.send(std::string(noise.begin(), noise.end()));
   }
 }
 
 std::vector<Mishap> badWays() {
-  return {badWay("late, by random times",
+  return {badWay("random delays",
                  [](Random& random) {
                    Conditions conditions;
                    conditions.delay = milliseconds(uniform(random, 1, 100));
@@ -163,7 +163,7 @@ std::vector<Mishap> badWays() {
                    conditions.join = milliseconds(uniform(random, 10, 300));
                    return conditions;
                  }),
-          badWay("nothing passes", [](Random&) {
+          badWay("nothing gets through", [](Random&) {
             Conditions conditions;
             conditions.paused = true;
             return conditions;
@@ -184,18 +184,18 @@ std::vector<Mishap> allMishaps() {
       damage("bytes inserted", Action::kInsert),
       damage("bytes overwritten", Action::kOverwrite),
       damage("bits flipped", Action::kFlip),
-      damageOnTheWayToTheRobot("to the robot: bytes lost", Action::kDrop),
-      damageOnTheWayToTheRobot("to the robot: bytes inserted", Action::kInsert),
-      damageOnTheWayToTheRobot("to the robot: bits flipped", Action::kFlip),
+      damageToRobot("to the robot: bytes lost", Action::kDrop),
+      damageToRobot("to the robot: bytes inserted", Action::kInsert),
+      damageToRobot("to the robot: bits flipped", Action::kFlip),
       noWay("connections are closed at once", Welcome::kClose),
       noWay("connections are reset at once", Welcome::kReset),
-      noWay("connections hear nothing", Welcome::kSilence),
+      noWay("connections stay silent", Welcome::kSilence),
       noWay("connections are refused", Welcome::kRefuse),
       noWay("attempts get no answer", Welcome::kUnreachable),
       {"robot moves away and back", false, moveAwayAndBack},
       {"robot killed and restarted", false, killAndRestart},
-      {"robot held and let go on", false, hold},
-      {"strangers come", false, strangersCome},
+      {"robot stopped and continued", false, hold},
+      {"other clients connect", false, othersConnect},
       {"stream off and on", false, [](const Scene& scene, Random&) { scene.workload->toggleStream(); }},
   };
   const std::vector<Mishap> more = badWays();

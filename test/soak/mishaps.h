@@ -9,31 +9,31 @@
 #include <string>
 #include <vector>
 
-#include "proxy/fault_proxy.h"
-#include "simulated_robot.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/simulated_robot.h"
 #include "workload.h"
 
 namespace soak {
 
-/// What goes wrong, and what it goes wrong with.
+/// What a mishap acts on.
 struct Scene {
-  fault_bench::FaultProxy* proxy;  ///< between driver and robot
+  test_support::FaultProxy* proxy;  ///< between driver and robot
   test_support::SimulatedRobot* robot;
   Workload* workload;
-  std::function<void(std::chrono::milliseconds)> pass;  ///< lets so much time go by
+  std::function<void(std::chrono::milliseconds)> pass;  ///< lets this much time pass
 };
 
-/// Nothing came over the connection, so that nothing could go wrong with it.
+/// A fault could not be made, because nothing came over the connection.
 class NothingCame : public std::runtime_error {
  public:
-  NothingCame() : std::runtime_error("nothing came over the connection to make a fault in") {}
+  NothingCame() : std::runtime_error("the fault could not be made, because nothing came over the connection") {}
 };
 
-/// A kind of thing that goes wrong.
+/// A kind of fault.
 struct Mishap {
   std::string name;
-  bool damages;  ///< bytes are changed on the way: it may take some time to show, and pictures may be changed, too
-  /// Lets it happen. When it returns, all is well again.
+  bool damages;  ///< bytes are changed on the way: this may show late, and pictures may be changed, too
+  /// Lets it happen. The fault is over when this returns.
   /// @throw NothingCame
   std::function<void(const Scene& scene, Random& random)> happen;
 };

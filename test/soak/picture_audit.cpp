@@ -7,7 +7,7 @@
 namespace soak {
 namespace {
 
-// About a minute and a half of pictures: an older one counts as never sent.
+// About a minute and a half of pictures. An older one counts as never sent.
 constexpr std::size_t kSentKept = 3000;
 
 std::string name(std::uint64_t number) {
@@ -35,7 +35,7 @@ std::vector<std::string> PictureAudit::published(const std::vector<std::uint8_t>
   std::vector<std::string> violations;
   ++count_;
   if (stamp <= last_stamp_) {
-    violations.push_back("a picture's stamp is not after that of the one before");
+    violations.push_back("a picture's stamp is not later than the last one's");
   }
   last_stamp_ = stamp;
   const Sent* picture = find(jpeg);
@@ -59,7 +59,7 @@ std::vector<std::string> PictureAudit::published(const std::vector<std::uint8_t>
   return violations;
 }
 
-// Of pictures that are equal byte for byte it is the one that was sent last.
+// Of several equal pictures, the one that was sent last.
 const PictureAudit::Sent* PictureAudit::find(const std::vector<std::uint8_t>& jpeg) const {
   boost::crc_32_type crc;
   crc.process_bytes(jpeg.data(), jpeg.size());

@@ -11,47 +11,50 @@
 
 namespace soak {
 
-/// Compares the pictures that a driver publishes with those that the robot has sent, by what the robot's picture log
-/// tells. No picture may be published twice, nor after a newer one, nor with a stamp that is not after the last one's;
-/// none that the robot has not sent; what is left out while all is calm is counted. No I/O. Not thread-safe.
+/// Compares the pictures that a driver publishes with those that the robot has sent, according to its picture log. No
+/// picture may come twice, after a newer one, or without having been sent, and stamps must increase. In calm periods,
+/// pictures that are left out are counted. No I/O. Not thread-safe.
+///
+/// Unlike fault_bench::Witness, it knows only what the robot's own server logs: size, checksum and time.
 class PictureAudit {
  public:
   using Time = std::chrono::system_clock::time_point;
 
-  /// The robot is about to send a picture.
-  /// @param line of the picture log: the camera's time in nanoseconds since 1970, bytes of the JPEG, its CRC-32
+  /// The robot sends a picture.
+  /// @param line of the picture log: the time of the image in nanoseconds since 1970, size of the JPEG in bytes, its
+  /// CRC-32
   void sent(const std::string& line);
 
-  /// The driver has published a picture, all of whose lines were told before.
+  /// The driver has published a picture. Call sent() before for all lines that were logged until then.
   /// @param stamp in nanoseconds
-  /// @return what was not as it has to be
+  /// @return the violations
   std::vector<std::string> published(const std::vector<std::uint8_t>& jpeg, std::uint64_t stamp);
 
-  /// Bytes are changed on the way from now on, or no more: then pictures that the robot has not sent are only counted.
+  /// While bytes are damaged on the way, pictures that the robot has not sent are counted, but are no violation.
   void setDamaging(bool damaging) { damaging_ = damaging; }
 
-  /// From the picture on that was published last, all is calm; or not any more.
+  /// Begins or ends a calm period, with the picture after the last published one.
   void setCalm(bool calm) { calm_ = calm; }
 
-  /// The number of the picture that was sent last, 1 and up; 0 if there was none.
+  /// The number of the last picture sent; the first is 1; 0 if there was none.
   std::uint64_t lastSent() const { return last_sent_; }
 
-  /// The number of the picture that was published last; 0 if there was none.
+  /// The number of the last picture published; 0 if there was none.
   std::uint64_t lastPublished() const { return last_published_; }
 
-  /// When the camera saw the picture that was published last.
+  /// The time of the image of the last picture published.
   Time lastPublishedTime() const { return last_published_time_; }
 
   /// Pictures published so far.
   std::uint64_t count() const { return count_; }
 
-  /// Of these, pictures that were published in calm stretches.
+  /// Pictures published in calm periods.
   std::uint64_t calmCount() const { return calm_count_; }
 
-  /// Pictures that the robot sent in calm stretches and that were left out.
+  /// Pictures sent in calm periods that were not published.
   std::uint64_t lostInCalm() const { return lost_in_calm_; }
 
-  /// Of those published, pictures that were changed on the way.
+  /// Published pictures that had been damaged on the way.
   std::uint64_t damagedCount() const { return damaged_count_; }
 
  private:
@@ -64,7 +67,7 @@ class PictureAudit {
 
   const Sent* find(const std::vector<std::uint8_t>& jpeg) const;
 
-  std::deque<Sent> sent_;  // the oldest first
+  std::deque<Sent> sent_;  // oldest first
   std::uint64_t last_sent_ = 0;
   std::uint64_t last_published_ = 0;
   Time last_published_time_;

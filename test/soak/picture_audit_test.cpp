@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Jpeg = std::vector<std::uint8_t>;
 
-// A robot sends pictures 1, 2, 3..., which the test publishes as a driver would, or not.
+// A robot sends pictures 1 to 5. The test decides which of them are published.
 class PictureAuditTest : public ::testing::Test {
  protected:
   PictureAuditTest() {
@@ -31,7 +31,7 @@ class PictureAuditTest : public ::testing::Test {
   std::uint64_t stamp_ = 0;
 };
 
-TEST_F(PictureAuditTest, AllIsWellWithEveryPictureInTurn) {
+TEST_F(PictureAuditTest, FindsNothingWrongWithEveryPictureInTurn) {
   audit_.setCalm(true);
   for (std::uint8_t number = 1; number <= 5; ++number) {
     EXPECT_THAT(publish(number), IsEmpty());
@@ -40,7 +40,7 @@ TEST_F(PictureAuditTest, AllIsWellWithEveryPictureInTurn) {
   EXPECT_EQ(audit_.calmCount(), 5U);
 }
 
-TEST_F(PictureAuditTest, PicturesThatAreLeftOutAreCountedWhileAllIsCalm) {
+TEST_F(PictureAuditTest, CountsPicturesThatAreLeftOutInACalmPeriod) {
   publish(2);
   EXPECT_EQ(audit_.lostInCalm(), 0U);
   audit_.setCalm(true);
@@ -48,21 +48,21 @@ TEST_F(PictureAuditTest, PicturesThatAreLeftOutAreCountedWhileAllIsCalm) {
   EXPECT_EQ(audit_.lostInCalm(), 2U);
 }
 
-TEST_F(PictureAuditTest, APictureComesOnceAndNotAfterANewerOne) {
+TEST_F(PictureAuditTest, FindsPicturesThatComeTwiceOrAfterANewerOne) {
   publish(2);
   EXPECT_THAT(publish(2), ElementsAre("picture 2 after picture 2"));
   EXPECT_THAT(publish(1), ElementsAre("picture 1 after picture 2"));
   EXPECT_THAT(publish(3), IsEmpty());
 }
 
-TEST_F(PictureAuditTest, APictureThatWasNotSentIsOneThatWasDamagedOnTheWay) {
+TEST_F(PictureAuditTest, AcceptsUnknownPicturesOnlyWhileBytesAreDamaged) {
   EXPECT_THAT(publish(99), ElementsAre(HasSubstr("has not sent")));
   audit_.setDamaging(true);
   EXPECT_THAT(publish(99), IsEmpty());
   EXPECT_EQ(audit_.damagedCount(), 1U);
 }
 
-TEST_F(PictureAuditTest, StampsIncrease) {
+TEST_F(PictureAuditTest, FindsStampsThatDoNotIncrease) {
   EXPECT_THAT(audit_.published(jpeg(1), 10), IsEmpty());
   EXPECT_THAT(audit_.published(jpeg(2), 10), ElementsAre(HasSubstr("stamp")));
 }

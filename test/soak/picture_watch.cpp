@@ -15,7 +15,7 @@ namespace {
 using std::chrono::seconds;
 using std::chrono::system_clock;
 
-// For what comes within milliseconds.
+// A safety net for what comes within milliseconds.
 constexpr seconds kPatience{2};
 
 aibo_driver::FileDescriptor makePipe(const std::string& path) {
@@ -23,7 +23,7 @@ aibo_driver::FileDescriptor makePipe(const std::string& path) {
   if (::mkfifo(path.c_str(), 0600) != 0) {
     throw std::system_error(errno, std::generic_category(), path);
   }
-  // For writing as well: so it stays open when the robot is killed.
+  // Opened for writing, too, so that it stays open when the robot is killed.
   aibo_driver::FileDescriptor pipe(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!pipe.valid()) {
     throw std::system_error(errno, std::generic_category(), path);
@@ -66,7 +66,8 @@ void PictureWatch::endCalm() {
   readLogLocked();
   const std::uint64_t last = audit_.lastSent();
   if (!changed_.wait_for(lock, kPatience, [&] { return audit_.lastPublished() >= last; })) {
-    violations_->add("lost while all was calm: the last " + std::to_string(last - audit_.lastPublished()));
+    violations_->add("the last " + std::to_string(last - audit_.lastPublished()) +
+                     " pictures of a calm period were lost");
   }
   audit_.setCalm(false);
 }

@@ -18,27 +18,28 @@
 
 namespace soak {
 
-/// Sees every picture that the driver publishes, and what the robot says that it sends. Any thread.
+/// Follows the pictures that the driver publishes and the picture log of the robot. Any thread.
 class PictureWatch {
  public:
   /// @param topic of the compressed pictures
-  /// @param picture_log named pipe that the robot writes to; is made
-  /// @throw std::system_error it cannot be made
+  /// @param picture_log path of a named pipe for the robot's picture log, which is created
+  /// @throw std::system_error the pipe cannot be created
   PictureWatch(const std::string& topic, const std::string& picture_log, Violations* violations);
 
-  /// Waits for a picture that the camera saw at this time or later.
-  /// @return how long after this time it was published; nothing if the time has passed
+  /// Waits for a picture whose image was taken at this time or later.
+  /// @return how long after this time it was published; nothing if it did not come within `patience`
   std::optional<std::chrono::duration<double>> waitForPictureOf(PictureAudit::Time time, std::chrono::seconds patience);
 
-  /// From now on, pictures that are left out are counted.
+  /// Begins a calm period, in which pictures that are left out are counted.
   void beginCalm();
 
-  /// Waits for all pictures that were sent in the calm, and ends it.
+  /// Waits for all pictures that were sent in the calm period, and ends it.
   void endCalm();
 
+  /// See PictureAudit::setDamaging().
   void setDamaging(bool damaging);
 
-  /// Takes in what the robot says, so that its pipe never fills up.
+  /// Reads the picture log, so that the pipe never fills up.
   void readLog();
 
   PictureAudit audit() const;

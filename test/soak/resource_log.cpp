@@ -9,9 +9,9 @@
 namespace soak {
 namespace {
 
-using fault_bench::Resources;
+using test_support::Resources;
 
-// What a line through fewer samples says of an hour, nobody should believe.
+// A line through fewer samples says nothing about an hour.
 constexpr ResourceLog::Seconds kShortestTrend{600};
 constexpr double kAllowedKilobytes = 1024;
 
@@ -59,8 +59,8 @@ double ResourceLog::kilobytesPerHour() const {
   return squares > 0 ? 3600 * products / squares : 0;
 }
 
-// Of the part of the warm samples from `begin` to `end`, 0 to 1. What comes and goes, such as sockets of subscribers,
-// hides no leak from the least, and is none.
+// The minimum over a part of the warm samples, from `begin` to `end`, 0 to 1. Unlike a maximum, it is not disturbed by
+// what comes and goes, such as sockets of subscribers.
 std::size_t ResourceLog::least(std::size_t Resources::*resource, double begin, double end) const {
   const std::vector<Sample> warm = warmSamples();
   const auto at = [&](double part) { return static_cast<std::size_t>(part * static_cast<double>(warm.size())); };
@@ -93,7 +93,7 @@ void ResourceLog::print() const {
   print("descriptors", &Resources::descriptors);
   print("threads", &Resources::threads);
   if (warmTime() >= kShortestTrend) {
-    std::printf("  %-7s once it is warm (%.0f s), memory changes by %+.0f KB per hour\n", name_.c_str(),
+    std::printf("  %-7s after the warm-up (%.0f s), memory changes by %+.0f KB per hour\n", name_.c_str(),
                 warm_up_.count(), kilobytesPerHour());
   }
 }
@@ -104,14 +104,14 @@ void ResourceLog::judge(Violations* violations) const {
     return;
   }
   const double growth = kilobytesPerHour() * time.count() / 3600;
-  if (fault_bench::kMemoryCounts && growth > kAllowedKilobytes) {
+  if (test_support::kMemoryCounts && growth > kAllowedKilobytes) {
     violations->add(name_ + ": " + std::to_string(std::lround(growth)) + " KB more");
   }
   if (least(&Resources::descriptors, 0.75, 1) > least(&Resources::descriptors, 0, 0.25)) {
-    violations->add(name_ + ": more descriptors at the end than when it was warm");
+    violations->add(name_ + ": more descriptors at the end than after the warm-up");
   }
   if (least(&Resources::threads, 0.75, 1) > least(&Resources::threads, 0, 0.25)) {
-    violations->add(name_ + ": more threads at the end than when it was warm");
+    violations->add(name_ + ": more threads at the end than after the warm-up");
   }
 }
 

@@ -15,38 +15,38 @@
 
 namespace soak {
 
-/// What one process holds over time. A process that is started again goes on in the same log.
+/// The resources of one process over time. If it is started again, the new process goes on in the same log.
 class ResourceLog {
  public:
   using Seconds = std::chrono::duration<double>;
 
-  /// @param name for people
-  /// @param warm_up what a process still takes so long after its start is no leak
+  /// @param name for reports
+  /// @param warm_up time after the start of a process in which growth is not a leak
   ResourceLog(const std::string& name, Seconds warm_up) : name_(name), warm_up_(warm_up) {}
 
-  /// Looks at the process.
+  /// Takes a sample.
   /// @param time since the beginning
-  const fault_bench::Resources& sample(pid_t process, Seconds time);
+  const test_support::Resources& sample(pid_t process, Seconds time);
 
-  /// How its resident memory grows once it is warm, by the straight line that fits best; within each process' life.
-  /// @return kilobytes per hour; 0 as long as nothing can be told
+  /// Growth of the resident memory after the warm-up: the slope of the line that fits best to the life of each process.
+  /// @return kilobytes per hour; 0 if there are too few samples
   double kilobytesPerHour() const;
 
-  /// Prints what came of it.
+  /// Prints a summary.
   void print() const;
 
-  /// Complains of memory, descriptors or threads that became more.
+  /// Adds a violation if memory, descriptors or threads became more.
   void judge(Violations* violations) const;
 
  private:
   struct Sample {
     pid_t process;
     Seconds time;
-    fault_bench::Resources resources;
+    test_support::Resources resources;
   };
 
   std::vector<Sample> warmSamples() const;
-  std::size_t least(std::size_t fault_bench::Resources::*resource, double begin, double end) const;
+  std::size_t least(std::size_t test_support::Resources::*resource, double begin, double end) const;
   Seconds warmTime() const;
 
   const std::string name_;

@@ -1,4 +1,4 @@
-# Draws what driver and server held over time: gnuplot -c resources.gp resources.csv resources.png
+# Plots the resources of driver and server over time: gnuplot -c resources.gp resources.csv resources.png
 set terminal pngcairo size 1200,1000 font ",11"
 set output ARG2
 set datafile separator ","

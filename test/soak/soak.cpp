@@ -12,35 +12,35 @@
 namespace soak {
 namespace {
 
-using fault_bench::Direction;
-using fault_bench::FaultProxy;
-using fault_bench::Resources;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
 using test_support::DiagnosticsListener;
+using test_support::Direction;
+using test_support::FaultProxy;
+using test_support::Resources;
 
 constexpr const char* kNamespace = "/soak";
-constexpr const char* kMotion = "/OPEN-R/MW/DATA/P/WAG.MTN";
+constexpr const char* kMotion = "OPEN-R/MW/DATA/P/WAG.MTN";
 
-// Two attempts to connect with the longest waits before them (connect_timeout, reconnect_wait_max), and as much again.
+// Twice the time of two attempts to connect with the longest waits (connect_timeout, reconnect_wait_max).
 constexpr seconds kLongestRecovery{16};
 constexpr seconds kFirstPicturePatience{60};
 constexpr seconds kLongestEnd{15};
 
-// Of pictures in calm stretches, one of so many may be left out because this computer was busy with something else.
+// In calm periods, one in this many pictures may be left out because this computer was busy with something else.
 constexpr std::uint64_t kPicturesPerLoss = 1000;
 
 constexpr milliseconds kStep{100};
 constexpr milliseconds kLookPeriod{2000};
 
-// After that, joints that were moving when the connection ended have stopped.
+// Within this time, joints that were moving when the connection ended stop.
 constexpr milliseconds kBraking{500};
-// A heartbeat whose answer was damaged is missed after 1 s, and a connection that says nonsense sooner.
+// Damage to the answer to a heartbeat shows after 1 s, other damage earlier.
 constexpr milliseconds kDamageShows{3000};
 constexpr milliseconds kWatchTime{1000};
-constexpr double kStill = 0.02;  // rad; the steps of the encoders, and what is rounded on the way
+constexpr double kStill = 0.02;  // rad; for the steps of the encoders and rounding
 
 constexpr ResourceLog::Seconds kDriverWarmUp{300};
 constexpr ResourceLog::Seconds kRobotWarmUp{30};
@@ -65,7 +65,7 @@ Soak::Soak(const Options& options)
       robot_({"--picture-log", options.folder + "/pictures", "--memory-stick", memory_stick_.path()}),
       proxy_(proxyOptions()),
       driver_(kNamespace, proxy_.port()),
-      workload_(kNamespace, memory_stick_.path() + kMotion, &violations_),
+      workload_(kNamespace, memory_stick_.path(kMotion), &violations_),
       driver_resources_("driver", kDriverWarmUp),
       robot_resources_("server", kRobotWarmUp),
       table_(options.folder + "/resources.csv"),
@@ -150,7 +150,7 @@ void Soak::goWrong(const Mishap& mishap) {
   workload_.callEveryService(random_);
 }
 
-// Something to repeat after a reconnect, for who would.
+// A driver that repeats commands after a reconnect would repeat these.
 void Soak::awaitTrajectory() {
   const std::size_t connection = std::max<std::size_t>(tap_.connections(), 1) - 1;
   const std::size_t before = tap_.jointRequestsFrom(connection);
@@ -167,11 +167,11 @@ void Soak::recover(const Mishap& mishap, PictureAudit::Time healthy) {
   if (recovery) {
     tallies_[mishap.name].recoveries.push_back(recovery->count());
   } else {
-    violations_.add("no picture came any more within " + std::to_string(kLongestRecovery.count()) + " s");
+    violations_.add("no picture came within " + std::to_string(kLongestRecovery.count()) + " s after the fault");
   }
 }
 
-// Nobody commands any joint meanwhile.
+// Nothing commands a joint meanwhile.
 void Soak::expectNoJointMoves(std::size_t connections_before, milliseconds settling) {
   pass(settling);
   const auto before = workload_.measure();
@@ -201,7 +201,7 @@ void Soak::pass(milliseconds time) {
   }
 }
 
-// Also while the robot is dead: then its process is not looked at.
+// Also called while the robot is dead; then only the driver is sampled.
 void Soak::look() {
   pictures_.readLog();
   keepDriverLog();
@@ -225,7 +225,7 @@ void Soak::keepDriverLog() {
   driver_log_size_ = output.size();
 }
 
-// A driver that this computer has held up leaves out what grew stale meanwhile, and says so.
+// A driver that is held up leaves out pictures that grow stale, and its diagnostics count them.
 void Soak::judgeLosses() {
   const PictureAudit audit = pictures_.audit();
   if (audit.lostInCalm() == 0) {
@@ -234,9 +234,8 @@ void Soak::judgeLosses() {
   const auto stream = diagnostics_.waitForNext(std::string(kNamespace + 1) + "/aibo_driver: stream");
   const std::string stale = DiagnosticsListener::value(stream, "pictures dropped for newer ones");
   const std::string losses = std::to_string(audit.lostInCalm()) +
-                             " pictures were lost while all was calm; of those that "
-                             "grew stale while this computer held it up, the driver left out " +
-                             stale;
+                             " pictures were lost in calm periods; the driver says that it dropped " + stale +
+                             " stale ones";
   const bool explained = !stale.empty() && std::stoull(stale) >= audit.lostInCalm();
   if (explained && audit.lostInCalm() * kPicturesPerLoss <= audit.calmCount()) {
     std::printf("\n%s\n", losses.c_str());
@@ -245,13 +244,13 @@ void Soak::judgeLosses() {
   }
 }
 
-// By Ctrl-C, so that it can still say what it has lost sight of; also what waits for an answer of it goes on then.
+// By SIGINT, so that a sanitizer can still report leaks, and pending service calls end.
 void Soak::endDriver() {
   driver_.signal(SIGINT);
   const std::optional<int> status = driver_.waitForExit(kLongestEnd);
   if (status != EXIT_SUCCESS) {
     violations_.add(status ? "the driver's node ended with exit status " + std::to_string(*status)
-                           : "the driver's node does not end");
+                           : "the driver's node did not end");
   }
   driver_.kill();
   keepDriverLog();
@@ -263,22 +262,21 @@ ResourceLog::Seconds Soak::elapsed() const {
 
 void Soak::report() const {
   std::vector<double> all;
-  std::printf("\n%-34s %6s %10s %9s %9s %9s\n", "what went wrong", "times", "violations", "p50 ms", "p99 ms",
-              "worst ms");
+  std::printf("\n%-34s %6s %10s %9s %9s %9s\n", "fault", "times", "violations", "p50 ms", "p99 ms", "worst ms");
   for (const auto& [name, tally] : tallies_) {
     printLine(name, tally.tried, violations_.countIn(name), tally.recoveries);
     all.insert(all.end(), tally.recoveries.begin(), tally.recoveries.end());
   }
   printLine("all", faults_, violations_.count(), all);
   const PictureAudit audit = pictures_.audit();
-  std::printf("\n  pictures published: %llu, of these in calm stretches: %llu, changed on the way: %llu\n",
+  std::printf("\n  pictures published: %llu, of these in calm periods: %llu, damaged on the way: %llu\n",
               static_cast<unsigned long long>(audit.count()), static_cast<unsigned long long>(audit.calmCount()),
               static_cast<unsigned long long>(audit.damagedCount()));
   std::printf("  services called: %zu, the longest took %lld ms\n", workload_.calls(),
               static_cast<long long>(workload_.longestCall().count()));
   driver_resources_.print();
   robot_resources_.print();
-  std::printf("\n%u faults in %.1f minutes with seed %u, %zu violations, %zu of these in calm stretches\n", faults_,
+  std::printf("\n%u faults in %.1f minutes with seed %u, %zu violations, %zu of these in calm periods\n", faults_,
               elapsed().count() / 60, options_.seed, violations_.count(), violations_.countIn("calm"));
   std::fflush(stdout);
 }

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics_listener.h"
-#include "driver_process.h"
-#include "memory_stick.h"
 #include "mishaps.h"
 #include "picture_watch.h"
-#include "proxy/fault_proxy.h"
 #include "request_tap.h"
 #include "resource_log.h"
-#include "simulated_robot.h"
+#include "support/memory_stick.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/ros/diagnostics_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/simulated_robot.h"
 #include "violations.h"
 #include "workload.h"
 
@@ -27,18 +27,18 @@ namespace soak {
 struct Options {
   double minutes = 60;
   unsigned seed = 1;
-  std::string folder;  ///< for resources.csv and driver.log; has to be there
+  std::string folder;  ///< existing folder for resources.csv and driver.log
 };
 
-/// The driver's node and the robot's server for a long time, with a proxy between them: in turn, a calm stretch with
-/// all that users do, and something that goes wrong. Needs a running ROS master and a spinner.
+/// Runs the driver's node and the robot's server for a long time, with a proxy between them. Calm periods, in which
+/// users do all that they can, and faults take turns. Needs a running ROS master and a spinner.
 class Soak {
  public:
   /// Starts them.
   explicit Soak(const Options& options);
 
-  /// Runs them until the time is over, and prints what came of it.
-  /// @return true if all was as it has to be
+  /// Runs until the time is over, and prints the results.
+  /// @return true if there was no violation
   bool run();
 
  private:
@@ -47,7 +47,7 @@ class Soak {
     std::vector<double> recoveries{};  // s
   };
 
-  fault_bench::FaultProxy::Options proxyOptions();
+  test_support::FaultProxy::Options proxyOptions();
   void awaitFirstPicture();
   void stayCalm();
   void goWrong(const Mishap& mishap);
@@ -69,7 +69,7 @@ class Soak {
   PictureWatch pictures_;
   const test_support::MemoryStick memory_stick_{"ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n"};
   test_support::SimulatedRobot robot_;
-  fault_bench::FaultProxy proxy_;
+  test_support::FaultProxy proxy_;
   test_support::DriverProcess driver_;
   Workload workload_;
   const std::vector<Mishap> mishaps_ = allMishaps();

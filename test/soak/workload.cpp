@@ -16,8 +16,8 @@
 #include <memory>
 #include <thread>
 
-#include "joint_messages.h"
 #include "robot_model/robot_model.h"
+#include "support/ros/joint_messages.h"
 
 namespace soak {
 namespace {
@@ -26,14 +26,14 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 
-// Within these times each is answered, says docs/ros_interface.md.
+// Each call is answered within these times, according to docs/ros_interface.md.
 constexpr seconds kAtOnce{0};
 constexpr seconds kOfBody{2};  // also pictures
 constexpr seconds kOfMemoryStick{5};
 constexpr seconds kOfUpload{15};
 
 constexpr seconds kHeldUp{3};       // by a busy computer
-constexpr seconds kNeverAny{60};    // what has not been answered by then
+constexpr seconds kNeverAny{60};    // a call that takes longer is given up
 constexpr seconds kMeasurement{5};  // several come each second
 
 constexpr const char* kPlayed = "nod";
@@ -56,7 +56,7 @@ bool maybe(Random& random) {
 
 }  // namespace
 
-// The last one alone moves joints.
+// Only the last one moves joints.
 const std::vector<Workload::ServiceCall> Workload::kServiceCalls = {
     &Workload::takePicture,   &Workload::switchStreamOn, &Workload::switchMotorsOn, &Workload::listMotions,
     &Workload::changeMotions, &Workload::askForPower,    &Workload::stopMotion,     &Workload::playMotion,
@@ -101,7 +101,7 @@ void Workload::moveJoints(Random& random) {
   joint_command_.publish(command);
 }
 
-// The head turns within 4 s: slow enough for every speed limit, and under way for as long as faults need to begin.
+// The head turns within 4 s: slowly enough for every speed limit, and long enough for a fault to begin meanwhile.
 void Workload::beginTrajectory(Random& random) {
   const double position = std::uniform_real_distribution<double>(-1.4, 1.4)(random);
   trajectory_.publish(test_support::trajectory({{"head_pan", position}}, 4.0));
@@ -121,7 +121,7 @@ void Workload::flickEars(Random& random) {
   ears_.publish(command);
 }
 
-// Decoded pictures are wanted for a while, and then no more.
+// Subscribes to decoded pictures, or unsubscribes.
 void Workload::lookAtImages() {
   if (images_) {
     images_.shutdown();
@@ -186,12 +186,12 @@ void Workload::changeMotions(Random& /*random*/, Expected expected) {
   call("delete_motion", deletion, kOfMemoryStick, expected);
 }
 
-// The robot does not allow it.
+// The robot refuses it.
 void Workload::askForPower(Random& random, Expected /*expected*/) {
   call(maybe(random) ? "shut_down" : "reboot", std_srvs::Trigger(), kOfMemoryStick, Expected::kAnswer);
 }
 
-// Without it, one that plays is not played again.
+// A motion that is playing cannot be played again before it is stopped.
 void Workload::stopMotion(Random& /*random*/, Expected expected) {
   aibo_driver::PlayMotion motion;
   motion.request.name = kPlayed;
@@ -206,7 +206,7 @@ void Workload::playMotion(Random& random, Expected expected) {
   call("play_motion", motion, kOfBody, expected);
 }
 
-// In a thread of its own, since it cannot be interrupted.
+// In a thread of its own, because the call cannot be interrupted.
 template <typename Service>
 void Workload::call(const std::string& name, const Service& service, seconds longest, Expected expected) {
   const auto answer = std::make_shared<Service>(service);
@@ -239,7 +239,7 @@ void Workload::call(const std::string& name, const Service& service, seconds lon
 void Workload::onJointState(const sensor_msgs::JointState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (message.header.stamp <= measured_) {
-    violations_->add("a stamp of joint_states is not after that of the one before");
+    violations_->add("a stamp of joint_states is not later than the last one");
   }
   measured_ = message.header.stamp;
   for (std::size_t i = 0; i < message.name.size(); ++i) {
@@ -258,10 +258,10 @@ std::map<std::string, double> Workload::measure() {
   const ros::Time begin = ros::Time::now();
   std::unique_lock<std::mutex> lock(mutex_);
   if (!changed_.wait_for(lock, kMeasurement, [&] { return measured_ > begin; })) {
-    violations_->add("no joint_states come");
+    violations_->add("no joint_states came");
   }
   if (images_ && !changed_.wait_for(lock, kMeasurement, [&] { return seen_ > begin; })) {
-    violations_->add("no decoded pictures come");
+    violations_->add("no decoded pictures came");
   }
   return positions_;
 }

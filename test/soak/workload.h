@@ -24,7 +24,7 @@ namespace soak {
 
 using Random = std::mt19937;
 
-/// A service was not answered for so long that nobody waits for it any more.
+/// A service call was not answered within a minute.
 class Unanswered : public std::exception {
  public:
   explicit Unanswered(const std::string& message) : message_(message) {}
@@ -34,27 +34,27 @@ class Unanswered : public std::exception {
   std::string message_;
 };
 
-/// What users do with the robot: move joints, light LEDs, call services, look at pictures for a while. Every service
-/// has to be answered in time. An object that has thrown Unanswered can go only when the driver has ended.
+/// Does what users do with the robot: moves joints, lights LEDs, calls services, looks at pictures for a while. Every
+/// service has to answer in time. After Unanswered, the object can be destroyed only when the driver has ended.
 class Workload {
  public:
   /// @param name_space the driver's
-  /// @param motion file of a motion, for uploading
+  /// @param motion path of a motion file to upload
   Workload(const std::string& name_space, const std::string& motion, Violations* violations);
 
-  /// Does one thing, while all is well: services have to succeed.
+  /// Does one thing in a calm period: services have to succeed.
   /// @throw Unanswered
   void doSomething(Random& random);
 
-  /// Calls each service once, while all is well: those that the robot allows have to succeed.
+  /// Calls each service once in a calm period: those that the robot allows have to succeed.
   /// @throw Unanswered
   void callEveryService(Random& random);
 
-  /// Calls a service that moves no joint. Whether or not it succeeds, it has to be answered. Any thread.
+  /// Calls a service that does not move joints. It has to be answered, but need not succeed. Any thread.
   /// @throw Unanswered
   void callAnyService(Random& random);
 
-  /// Sends joints somewhere, at once or by a trajectory of some seconds.
+  /// Moves joints, at once or by a trajectory of some seconds.
   void moveJoints(Random& random);
   void beginTrajectory(Random& random);
 
@@ -62,11 +62,11 @@ class Workload {
   /// @throw Unanswered
   void toggleStream();
 
-  /// Where the joints are, measured after this call. Complains if the driver does not tell, or if decoded pictures are
-  /// wanted and none comes that was taken after this call.
+  /// The positions of the joints, measured after this call. Adds a violation if they do not come, or if decoded
+  /// pictures are subscribed and none comes that was taken after this call.
   std::map<std::string, double> measure();
 
-  /// Services called so far, and the longest time that one took.
+  /// Number of service calls so far, and the longest time that one took.
   std::size_t calls() const;
   std::chrono::milliseconds longestCall() const;
 
@@ -111,10 +111,10 @@ class Workload {
   ros::Time seen_;
   std::size_t calls_ = 0;
   std::chrono::milliseconds longest_call_{0};
-  std::vector<std::future<bool>> given_up_;  // calls that nobody waits for any more
+  std::vector<std::future<bool>> given_up_;  // unanswered calls
 };
 
-/// Calls services, one after the other, as long as it lives.
+/// Calls services, one after the other, from its construction to end().
 class ServiceCalls {
  public:
   ServiceCalls(Workload* workload, Random::result_type seed);
@@ -123,7 +123,7 @@ class ServiceCalls {
   ServiceCalls(const ServiceCalls&) = delete;
   ServiceCalls& operator=(const ServiceCalls&) = delete;
 
-  /// Lets the one that is under way be the last one, and waits for its answer.
+  /// Waits for the answer to the present call, and makes no further one.
   /// @throw Unanswered
   void end();
 

@@ -1,4 +1,4 @@
-"""config/wlan: do the programs take these files, and do the files agree with each other and with docs/wlan.md?"""
+"""Tests that the programs accept the files of config/wlan, and that these files agree with each other and docs/wlan.md."""
 import os
 import re
 import shutil
@@ -10,7 +10,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 CONFIG = PROJECT / "config" / "wlan"
-PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"  # an ordinary user's lacks them
+PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"  # missing in the PATH of ordinary users
 
 sys.path.insert(0, str(PROJECT / "scripts"))
 from stick.wlan import Wlan, wlan_conf  # noqa: E402
@@ -29,7 +29,7 @@ def run(program, *arguments):
 
 
 def check_nft(rules):
-    """Rules are only checked, but nft wants to be root; an ordinary user is root in a name space of his own."""
+    """Even to check rules, nft wants to be root; ordinary users are root in a namespace of their own."""
     if run("nft", "list", "tables").returncode == 0:
         return run("nft", "-c", "-f", rules)
     return run("unshare", "-rn", path_of("nft"), "-c", "-f", rules)
@@ -43,7 +43,7 @@ STARTING = "interface state UNINITIALIZED->"
 
 
 def check_hostapd(configuration):
-    """hostapd has no mere check. Without a radio (driver=none) it begins to start when it has taken all lines."""
+    """hostapd has no option to check a file. Without a radio (driver=none), it starts after accepting all lines."""
     with tempfile.TemporaryDirectory() as folder:
         without_radio = Path(folder, "hostapd.conf")
         without_radio.write_text(configuration.read_text().replace("driver=nl80211", "driver=none"))
@@ -59,7 +59,7 @@ def check_hostapd(configuration):
 
 
 class EachProgram(unittest.TestCase):
-    """Each takes its file, and refuses a word that it does not know: a check that takes everything proves nothing."""
+    """Each program accepts its file and refuses an unknown word, because a check that accepts everything proves nothing."""
 
     def expect_valid(self, check, name, nonsense):
         done = check(CONFIG / name)

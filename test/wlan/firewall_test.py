@@ -1,8 +1,8 @@
-"""config/wlan/aibo.nft at work: a robot, the driver's computer and an office computer, each in a network name space of
-its own, and a driver's computer that forwards whatever the rules let through.
+"""Tests the rules of config/wlan/aibo.nft with three hosts, each a network namespace: a robot, an office computer, and the
+driver's computer between them, which forwards what the rules let through.
 
-No packet overtakes another on the same way. So one that is not there when a later one has arrived was dropped, and
-no test waits for time to pass.
+No packet overtakes another on the same way. So a packet that has not arrived before a later one was dropped, and no test
+waits for time to pass.
 """
 import ctypes
 import os
@@ -16,7 +16,7 @@ from pathlib import Path
 
 RULES = Path(__file__).resolve().parents[2] / "config" / "wlan" / "aibo.nft"
 SKIPPED = 77
-TIMEOUT = 10  # only a test that fails waits for so long
+TIMEOUT = 10  # only a failing test waits this long
 CLONE_NEWNET = 0x40000000
 LIBC = ctypes.CDLL(None, use_errno=True)
 
@@ -25,8 +25,8 @@ OFFICE, COMPUTER_IN_OFFICE = "192.168.1.9", "192.168.1.5"
 
 
 def run(*command):
-    """Returns what it prints."""
-    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}  # an ordinary user's lacks them
+    """Runs a command and returns its output."""
+    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}  # missing in the PATH of ordinary users
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True, env=environment).stdout
 
 
@@ -35,14 +35,14 @@ def rules_loaded():
 
 
 class Host:
-    """A network name space: a new one, or that of this process."""
+    """A network namespace: a new one, or that of this process."""
 
     def __init__(self, new):
         self._before = os.open("/proc/self/ns/net", os.O_RDONLY)
         if new and LIBC.unshare(CLONE_NEWNET) != 0:
             raise OSError(ctypes.get_errno(), "unshare")
         self._space = os.open("/proc/self/ns/net", os.O_RDONLY)
-        self._keeper = subprocess.Popen(["cat"], stdin=subprocess.PIPE)  # ip knows name spaces by processes in them
+        self._keeper = subprocess.Popen(["cat"], stdin=subprocess.PIPE)  # ip refers to a namespace by a process in it
         LIBC.setns(self._before, CLONE_NEWNET)
 
     @property
@@ -80,7 +80,7 @@ class Host:
 
 
 def arrived(endpoint):
-    """What has arrived so far, without waiting."""
+    """The packets that have arrived so far, without waiting."""
     messages = []
     endpoint.setblocking(False)
     try:
@@ -135,7 +135,7 @@ class TheRules(unittest.TestCase):
 
     def test_let_the_robot_reach_nobody_else(self):
         with self.robot.udp() as robot:
-            for loaded, expected in ((False, [b"from robot"]), (True, [])):  # without the rules, all of it arrives
+            for loaded, expected in ((False, [b"from robot"]), (True, [])):  # without the rules, all packets arrive
                 if loaded:
                     run("nft", "-f", str(RULES))
                 robot.sendto(b"from robot", (OFFICE, 5000))
@@ -185,7 +185,7 @@ class TheRules(unittest.TestCase):
         return list(iter(lambda: self.at_office.recv(100), b"end"))
 
     def what_robot_gets(self):
-        with self.office.udp() as office:  # on the same way as far as the computer
+        with self.office.udp() as office:  # takes the same way as far as the computer
             office.sendto(b"end", (COMPUTER_IN_OFFICE, 5000))
             while self.at_computer.recv(100) != b"end":
                 pass
@@ -194,14 +194,14 @@ class TheRules(unittest.TestCase):
 
 
 def is_possible():
-    """In a name space of its own: the kernel has to let us forward and filter in it, and to have veth."""
+    """Runs in a namespace of its own, in which the kernel must allow forwarding and filtering, and support veth."""
     try:
         Path("/proc/sys/net/ipv4/ip_forward").write_text("1")
         run("ip", "link", "add", "probe0", "type", "veth", "peer", "name", "probe1")
         run("ip", "link", "delete", "probe0")
         return True
     except (OSError, subprocess.CalledProcessError) as error:
-        print(f"left out: {error}")
+        print(f"skipped: {error}")
         return False
 
 
@@ -209,7 +209,7 @@ def main():
     if sys.argv[1:] != ["--inside"]:
         unshare = shutil.which("unshare")
         if subprocess.run([unshare, "-rn", "true"], check=False).returncode != 0:
-            print("left out: this user may not make network name spaces (unshare -rn)")
+            print("skipped: this user may not make network namespaces (unshare -rn)")
             sys.exit(SKIPPED)
         os.execv(unshare, [unshare, "-rn", sys.executable, "-B", os.path.abspath(__file__), "--inside"])
     if not is_possible():

@@ -1,5 +1,5 @@
 /// @file campaign.cpp
-/// Tries every fault, many times, and prints what became of them.
+/// Tries every fault many times, and prints the results.
 
 #include <malloc.h>
 #include <signal.h>
@@ -9,14 +9,13 @@
 #include <boost/program_options.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <mutex>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "campaign/experiment.h"
+#include "support/program.h"
 #include "support/resources.h"
 
 namespace fault_bench {
@@ -24,7 +23,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-// On a busy computer, or under a sanitizer, more simulated robots than that have no time left to answer.
+// More simulated robots than this cannot answer in time on a busy computer or under a sanitizer.
 constexpr unsigned kAtOnceInShort = 4;
 
 struct Options {
@@ -36,7 +35,7 @@ struct Options {
   bool list = false;
 };
 
-/// What became of all faults of one row.
+/// The result of one row.
 struct Result {
   unsigned tried = 0;
   unsigned violations = 0;
@@ -44,7 +43,7 @@ struct Result {
   std::vector<double> recoveries{};  // ms
 };
 
-/// True if pictures were left out more often than a computer that does nothing else holds the client up.
+/// True if the client left out stale pictures more often than it can be held up on an otherwise idle computer.
 bool hasTooManyExcuses(const Result& result) {
   return result.excused > std::max(1U, result.tried / 100);
 }
@@ -79,13 +78,13 @@ class RowRun {
     for (unsigned i = 0; i < std::min(at_once, trials); ++i) {
       experiments.push_back(row_.make(i));
     }
-    // What the first trials still make, such as the allocator's pools, is no leak.
+    // The first trials still fill caches, such as the pools of the allocator. That is not a leak.
     const unsigned warm_up = trials / 5;
     runPart(experiments, 0, warm_up);
     const Resources before = Resources::settled();
     runPart(experiments, warm_up, trials);
     if (const std::string leak = before.growth(options_.short_form); warm_up > 0 && !leak.empty()) {
-      complain("in all trials together", {"I6: " + leak});
+      complain("all trials together", {"I6: " + leak});
     }
   }
 
@@ -109,7 +108,7 @@ class RowRun {
     Random random(seeds);
     Outcome outcome = experiment->run(trial, random);
     if (options_.short_form) {
-      // On a busy computer, times say nothing.
+      // Times mean nothing on a busy computer.
       outcome.violations.erase(std::remove_if(outcome.violations.begin(), outcome.violations.end(),
                                               [](const std::string& each) { return each[0] == 'M'; }),
                                outcome.violations.end());
@@ -121,9 +120,9 @@ class RowRun {
       result_.recoveries.push_back(outcome.recovery->count());
     }
     if (!outcome.violations.empty()) {
-      complain(
-          "again: --seed " + std::to_string(options_.seed) + " --only " + row_.id + " --trial " + std::to_string(trial),
-          outcome.violations);
+      complain("to repeat: --seed " + std::to_string(options_.seed) + " --only " + row_.id + " --trial " +
+                   std::to_string(trial),
+               outcome.violations);
     }
   }
 
@@ -172,13 +171,12 @@ po::options_description describe(Options* options) {
   po::options_description description("Options", 110);
   // clang-format off
   description.add_options()
-    ("help", "say this and exit")
-    ("list", po::bool_switch(&options->list), "say which faults there are, and exit")
-    ("seed", po::value(&options->seed)->default_value(1), "of all that is random")
-    ("only", po::value(&options->only)->composing(), "only this row of the table, such as F2; may be given repeatedly")
-    ("trial", po::value(&options->trial), "only the fault of this number, of one row")
-    ("percent", po::value(&options->percent)->default_value(100), "try so much of the whole number of faults")
-    ("short", po::bool_switch(&options->short_form), "1 percent, without marks for times: for a busy computer");
+    ("list", po::bool_switch(&options->list), "list all faults")
+    ("seed", po::value(&options->seed)->default_value(1), "seed of all random choices")
+    ("only", po::value(&options->only)->composing(), "try only this row of the table, such as F2; may be repeated")
+    ("trial", po::value(&options->trial), "try only the fault with this number; needs --only with one row")
+    ("percent", po::value(&options->percent)->default_value(100), "share of all faults to try")
+    ("short", po::bool_switch(&options->short_form), "1 percent, without time limits: for a busy computer");
   // clang-format on
   return description;
 }
@@ -187,7 +185,7 @@ bool isWanted(const Row& row, const Options& options) {
   return options.only.empty() || std::find(options.only.begin(), options.only.end(), row.id) != options.only.end();
 }
 
-/// @throw po::error an option that cannot be
+/// @throw po::error an option has an impossible value
 void checkOptions(const Options& options) {
   std::set<std::string> known;
   for (const Row& row : allRows()) {
@@ -195,7 +193,7 @@ void checkOptions(const Options& options) {
   }
   for (const std::string& id : options.only) {
     if (known.count(id) == 0) {
-      throw po::error("there is no fault '" + id + "' (--list tells all)");
+      throw po::error("there is no fault '" + id + "'; --list prints all");
     }
   }
   if (options.trial >= 0 && options.only.size() != 1) {
@@ -225,23 +223,12 @@ int listRows() {
   return EXIT_SUCCESS;
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  const po::options_description description = describe(&options);
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << "Tries every fault there is between driver and RCServer, and prints what became of them.\n"
-                 "Ends with 1 if something was not as it has to be.\n\n"
-              << description;
-    return EXIT_SUCCESS;
+int run(Options* options) {
+  checkOptions(*options);
+  if (options->short_form) {
+    options->percent = std::min(options->percent, 1.0);
   }
-  checkOptions(options);
-  if (options.short_form) {
-    options.percent = std::min(options.percent, 1.0);
-  }
-  return options.list ? listRows() : runCampaign(options);
+  return options->list ? listRows() : runCampaign(*options);
 }
 
 }  // namespace
@@ -262,11 +249,10 @@ std::vector<Row> allRows() {
 
 int main(int argc, char** argv) {
   ::signal(SIGPIPE, SIG_IGN);
-  ::mallopt(M_ARENA_MAX, 1);  // else each of the many threads keeps pieces of its own, and I6 finds them
-  try {
-    return fault_bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "aibo_fault_campaign: " << error.what() << " (--help tells all options)\n";
-    return 2;
-  }
+  ::mallopt(M_ARENA_MAX, 1);  // with an arena for each thread, I6 would see memory grow
+  fault_bench::Options options;
+  return test_support::runProgram(argc, argv,
+                                  "Tries every fault between driver and RCServer, and prints the results.\n"
+                                  "The exit status is 1 after a violation.",
+                                  describe(&options), [&] { return run(&options); });
 }

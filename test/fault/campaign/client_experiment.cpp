@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "campaign/interposers.h"
 #include "client/tcp_transport.h"
-#include "support/allocations.h"
-#include "support/syscalls.h"
+#include "protocol/version1.h"
+#include "protocol/version2.h"
 
 using aibo_driver::ClientOptions;
 using aibo_driver::NameLookupResult;
@@ -14,7 +15,7 @@ using aibo_driver::TcpTransport;
 namespace fault_bench {
 namespace {
 
-// Four times the largest picture there may be.
+// Four times the largest possible picture.
 constexpr std::size_t kMostAtOnce = 1024 * 1024;
 
 ClientOptions clientOptions(int port, const std::string& name) {
@@ -26,17 +27,6 @@ ClientOptions clientOptions(int port, const std::string& name) {
 
 }  // namespace
 
-int uniform(Random& random, int lowest, int highest) {
-  return std::uniform_int_distribution<int>(lowest, highest)(random);
-}
-
-FaultProxy::Options proxyTo(int port, unsigned seed) {
-  FaultProxy::Options options;
-  options.target_port = port;
-  options.seed = seed;
-  return options;
-}
-
 ClientExperiment::ClientExperiment(unsigned remainder, std::chrono::microseconds period)
     : version_(remainder % 2 == 0 ? 1 : 2),
       mark_(static_cast<int>(remainder) + 1),
@@ -46,7 +36,7 @@ ClientExperiment::ClientExperiment(unsigned remainder, std::chrono::microseconds
       client_(clientOptions(proxy_.port(), robotName()), callbacks(),
               std::make_unique<TcpTransport>([this](const std::string&, int port) {
                 if (!name_known_) {
-                  return NameLookupResult{{}, "it is not known"};
+                  return NameLookupResult{{}, "the name is not known"};
                 }
                 return aibo_driver::resolveNumeric("127.0.0." + std::to_string(address_), port);
               })) {
@@ -58,7 +48,7 @@ ClientExperiment::ClientExperiment(unsigned remainder, std::chrono::microseconds
 aibo_driver::RcServerClient::Callbacks ClientExperiment::callbacks() {
   aibo_driver::RcServerClient::Callbacks callbacks = witness_.callbacks();
   callbacks.on_status = [this, tell = callbacks.on_status](const aibo_driver::ConnectionStatus& status) {
-    syscalls::markThisThread(mark_);
+    interposers::markThisThread(mark_);
     tell(status);
   };
   return callbacks;
@@ -76,15 +66,15 @@ Outcome ClientExperiment::run(unsigned trial, Random& random) {
   }
   std::vector<std::string> seen = witness_.takeViolations();
   if (client_.statistics().stale_pictures > stale_before) {
-    // This process was held up, and pictures grew stale: they are to be left out.
+    // This process was held up, and the client rightly left out the pictures that grew stale.
     const auto kept =
         std::remove_if(seen.begin(), seen.end(), [](const std::string& each) { return each.rfind("I5", 0) == 0; });
     outcome.excused = kept != seen.end();
     seen.erase(kept, seen.end());
   }
   outcome.violations.insert(outcome.violations.end(), seen.begin(), seen.end());
-  if (const std::size_t size = allocations::takeLargest(mark_); size > kMostAtOnce) {
-    outcome.violations.push_back("the client has asked for " + std::to_string(size) + " bytes of memory at once");
+  if (const std::size_t size = interposers::takeLargestAllocation(mark_); size > kMostAtOnce) {
+    outcome.violations.push_back("the client has allocated " + std::to_string(size) + " bytes at once");
   }
   return outcome;
 }
@@ -94,7 +84,7 @@ FaultReport ClientExperiment::carryOut(const Fault& fault) {
   proxy_.add(fault);
   const auto report = proxy_.waitForFaults(done + 1, kPatience);
   if (!report) {
-    throw std::runtime_error("the fault could not be made: no picture came to make it in");
+    throw std::runtime_error("the fault could not be made, because no picture came");
   }
   return *report;
 }
@@ -103,9 +93,34 @@ Outcome ClientExperiment::awaitReconnect(std::uint32_t old_connection, TimePoint
   const auto back = witness_.waitFor(
       [old_connection](const Witness::Sighting& each) { return each.name.connection > old_connection; }, kPatience);
   if (!back) {
-    throw std::runtime_error("no picture came any more: " + client_.status().reason);
+    throw std::runtime_error(noPicture());
   }
   return {back->time - healthy, {}};
+}
+
+Outcome ClientExperiment::damageAndReconnect(const Fault& fault) {
+  const std::uint32_t before = connection();
+  witness_.allowGaps(true);
+  Outcome outcome = awaitReconnect(before, carryOut(fault).time);
+  witness_.allowGaps(false);
+  return outcome;
+}
+
+Outcome ClientExperiment::awaitPictureAfter(const FaultReport& report) {
+  const auto back = witness_.waitFor([&](const Witness::Sighting& each) { return each.sent > report.time; }, kPatience);
+  if (!back) {
+    throw std::runtime_error(noPicture());
+  }
+  proxy_.heal();  // a connection that fell silent would last for ever
+  return {back->time - report.time, {}};
+}
+
+int ClientExperiment::headerSize() const {
+  return static_cast<int>(version_ == 1 ? protocol::PICTURE_HEADER_SIZE : protocol::version2::FRAME_HEADER_SIZE);
+}
+
+std::string ClientExperiment::noPicture() const {
+  return "no picture came any more: " + client_.status().reason;
 }
 
 Outcome ClientExperiment::expectConnection(std::uint32_t expected) const {
@@ -120,7 +135,7 @@ std::string ClientExperiment::lossOfConnection() const {
 void ClientExperiment::awaitPictures(unsigned count) {
   const std::uint64_t number = witness_.last().name.number + count;
   if (!witness_.waitFor([number](const Witness::Sighting& each) { return each.name.number >= number; }, kPatience)) {
-    throw std::runtime_error("no picture came any more: " + client_.status().reason);
+    throw std::runtime_error(noPicture());
   }
 }
 

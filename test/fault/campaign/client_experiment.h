@@ -8,23 +8,23 @@
 #include <string>
 
 #include "campaign/experiment.h"
-#include "proxy/fault_proxy.h"
+#include "campaign/witness.h"
 #include "support/picture_server.h"
-#include "support/witness.h"
+#include "support/proxy/fault_proxy.h"
 
 namespace fault_bench {
 
-// Bytes. Longer than any picture of the server.
+// More bytes than any picture of the server has.
 constexpr unsigned kPictureSize = 5200;
 
-/// A client with the driver's own settings, a server, and the proxy between them.
+/// A client with the driver's own settings, a server, and a proxy between them.
 class ClientExperiment : public Experiment {
  public:
   /// @param remainder even: the server speaks version 1 of the protocol; odd: version 2
   /// @param period of the server's pictures
   explicit ClientExperiment(unsigned remainder, std::chrono::microseconds period = std::chrono::microseconds(1500));
 
-  /// Tries the fault, then looks at what the witness says.
+  /// Tries the fault, then collects what the witness complains about.
   Outcome run(unsigned trial, Random& random) final;
 
  protected:
@@ -34,25 +34,34 @@ class ClientExperiment : public Experiment {
 
   int version() const { return version_; }
 
-  /// Of the client's thread, for system calls that fail.
+  /// Of the client's thread (interposers.h).
   int mark() const { return mark_; }
 
-  /// Has the proxy do this, and waits for it.
+  /// Has the proxy make this fault, and waits for it.
   FaultReport carryOut(const Fault& fault);
 
   /// Waits for a picture of a connection that is newer than this one.
-  /// @param healthy since when nothing is wrong any more
+  /// @param healthy when the fault was over
   Outcome awaitReconnect(std::uint32_t old_connection, TimePoint healthy);
 
-  /// What there is to say if the connection is not this one any more.
+  /// Makes a fault that changes bytes, and waits for a picture of the next connection.
+  Outcome damageAndReconnect(const Fault& fault);
+
+  /// Waits for a picture that was sent after the fault, over any connection.
+  Outcome awaitPictureAfter(const FaultReport& report);
+
+  /// A violation if the connection is not this one any more.
   Outcome expectConnection(std::uint32_t expected) const;
 
-  /// What there is to say of a connection that should not have ended. A matter of time if nothing came for too long: a
-  /// busy computer holds up server or client.
+  /// The violation for a connection that should not have ended. It is about time if nothing came for too long, because
+  /// a busy computer may have held up server or client.
   std::string lossOfConnection() const;
 
-  /// Waits for so many pictures more.
+  /// Waits for this many more pictures.
   void awaitPictures(unsigned count);
+
+  /// Bytes of the header in front of a picture, in this version of the protocol.
+  int headerSize() const;
 
   /// The connection over which the last picture came.
   std::uint32_t connection() const { return witness_.last().name.connection; }
@@ -66,16 +75,18 @@ class ClientExperiment : public Experiment {
   PictureServer server_;
   FaultProxy proxy_;
   Witness witness_;
-  std::atomic<bool> name_known_{true};  ///< whether the robot's name can be looked up
-  std::atomic<int> address_{1};         ///< it leads to 127.0.0.N
+  std::atomic<bool> name_known_{true};  ///< whether the robot's name can be resolved
+  std::atomic<int> address_{1};         ///< the name resolves to 127.0.0.N
   aibo_driver::RcServerClient client_;
 
  private:
+  std::string noPicture() const;
+
   std::uint64_t stalls_before_ = 0;  // before the trial
 };
 
-/// For what concerns the whole process, so that nothing may run beside it: each trial has a client and a server of its
-/// own, of version 1 and 2 in turn.
+/// For measurements of the whole process, during which nothing else may run: each trial has a client and a server of
+/// its own, of version 1 and 2 in turn.
 template <typename SomeExperiment>
 class InTurn : public Experiment {
  public:

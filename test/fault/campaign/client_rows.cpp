@@ -1,4 +1,4 @@
-// F1 to F5, F7, F8: what can go wrong on the way from the server to the client.
+// F1 to F5, F7, F8, F16, I7: faults on the way from the server to the client.
 
 #include <sys/resource.h>
 
@@ -17,7 +17,7 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-/// F1: one segment becomes two, at every offset of a picture in turn. Each version of the protocol has all of them.
+/// F1: one segment is split into two, at every offset of a picture in turn, in each version of the protocol.
 class SplitExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -36,7 +36,7 @@ class SplitExperiment : public ClientExperiment {
   }
 };
 
-/// F1: everything comes in drops, in pieces of any size, or many pictures at once.
+/// F1b: everything comes byte by byte, in pieces of any size, or many pictures at once.
 class SliceExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -66,7 +66,7 @@ class SliceExperiment : public ClientExperiment {
   }
 };
 
-/// F2, F3: the connection ends after so many bytes of a picture.
+/// F2, F3: the connection ends in the middle of a picture.
 class EndExperiment : public ClientExperiment {
  public:
   EndExperiment(unsigned remainder, Action end) : ClientExperiment(remainder), end_(end) {}
@@ -85,32 +85,24 @@ class EndExperiment : public ClientExperiment {
   const Action end_;
 };
 
-/// F4: bytes that no server sends, before a picture, in the place of its first byte, or amid it.
+/// F4: bytes that no server sends, inserted before a picture or written over its header.
 class GarbageExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    const std::uint32_t before = connection();
     Fault fault;
     fault.action = trial / 4 % 2 == 0 ? Action::kInsert : Action::kOverwrite;
     fault.place = Place::kPicture;
-    fault.bytes.resize(static_cast<std::size_t>(uniform(random, 1, 200)));
-    for (std::uint8_t& byte : fault.bytes) {
-      byte = static_cast<std::uint8_t>(uniform(random, 0, 255));
-    }
+    fault.bytes = randomBytes(random, uniform(random, 1, 200), 0, 255);
     fault.bytes.front() = static_cast<std::uint8_t>(uniform(random, 'z' + 1, 255));
-    witness_.allowGaps(true);
-    const FaultReport report = carryOut(fault);
-    Outcome outcome = awaitReconnect(before, report.time);
-    witness_.allowGaps(false);
-    return outcome;
+    return damageAndReconnect(fault);
   }
 };
 
-/// F4: a header is damaged, but may still be one, or bytes are lost or too many. The client may notice that later.
-/// (Damage behind the header is F6.)
+/// F4b: bytes of a header are changed, lost or added, and the result may still be a valid header. The client may notice
+/// it later. (F6 is damage behind the header.)
 class DamageExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -121,34 +113,24 @@ class DamageExperiment : public ClientExperiment {
     Fault fault;
     fault.action = actions[trial / 4 % actions.size()];
     fault.place = Place::kPicture;
-    const int header_size = version() == 1 ? 5 : 8;
-    const int offset = uniform(random, 0, header_size - 1);
+    const int offset = uniform(random, 0, headerSize() - 1);
     fault.offset = static_cast<unsigned>(offset);
     fault.count = static_cast<std::size_t>(uniform(random, 1, 2000));
-    fault.bytes.resize(static_cast<std::size_t>(uniform(random, 1, header_size - offset)));
-    for (std::uint8_t& byte : fault.bytes) {
-      byte = static_cast<std::uint8_t>(uniform(random, 1, 255));
-    }
+    fault.bytes = randomBytes(random, uniform(random, 1, headerSize() - offset), 1, 255);
     witness_.allowGaps(true);
-    const FaultReport report = carryOut(fault);
-    const auto back =
-        witness_.waitFor([&](const Witness::Sighting& each) { return each.sent > report.time; }, kPatience);
+    Outcome outcome = awaitPictureAfter(carryOut(fault));
     witness_.allowGaps(false);
-    if (!back) {
-      return {{}, {"no picture came any more: " + client_.status().reason}};
-    }
-    return {back->time - report.time, {}};
+    return outcome;
   }
 };
 
-/// F5: the header announces another size than the picture has.
+/// F5: the header announces a wrong size.
 class SizeExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    const std::uint32_t before = connection();
     Fault fault;
     fault.action = Action::kOverwrite;
     fault.place = Place::kPicture;
@@ -157,11 +139,7 @@ class SizeExperiment : public ClientExperiment {
     for (int shift = 24; shift >= 0; shift -= 8) {
       fault.bytes.push_back(static_cast<std::uint8_t>(size >> shift & 0xFF));
     }
-    witness_.allowGaps(true);
-    const FaultReport report = carryOut(fault);
-    Outcome outcome = awaitReconnect(before, report.time);
-    witness_.allowGaps(false);
-    return outcome;
+    return damageAndReconnect(fault);
   }
 
   static std::uint32_t announcedSize(unsigned kind, Random& random) {
@@ -175,7 +153,7 @@ class SizeExperiment : public ClientExperiment {
   }
 };
 
-/// F7: the server or the network falls silent, and comes back.
+/// F7: the server or the network falls silent for a while.
 class SilenceExperiment : public ClientExperiment {
  public:
   enum class Kind { kServerStopped, kBlackHole, kUnreachable };
@@ -190,14 +168,14 @@ class SilenceExperiment : public ClientExperiment {
     fallSilent();
     const auto lost = witness_.waitForState(ConnectionState::kDisconnected, kPatience);
     if (!lost) {
-      return {{}, {"the silence was not noticed"}};
+      return {{}, {"the client did not notice the silence"}};
     }
     const Milliseconds detection = *lost - witness_.last().arrival;
     std::this_thread::sleep_for(milliseconds(uniform(random, 0, 200)));
     comeBack();
     Outcome outcome = awaitReconnect(before, steady_clock::now());
     if (detection > kDetectionMark) {
-      outcome.violations.push_back("M: noticed after " + std::to_string(detection.count()) + " ms");
+      outcome.violations.push_back("M: the silence was noticed after " + std::to_string(detection.count()) + " ms");
     }
     return outcome;
   }
@@ -219,7 +197,7 @@ class SilenceExperiment : public ClientExperiment {
   const Kind kind_;
 };
 
-/// F8: nobody is there, and then somebody is.
+/// F8: the server is away for a while, or has moved.
 class AbsenceExperiment : public ClientExperiment {
  public:
   enum class Kind { kRestart, kPortClosed, kNameUnknown, kTurnedAway, kMoved };
@@ -262,7 +240,7 @@ class AbsenceExperiment : public ClientExperiment {
   const Kind kind_;
 };
 
-/// F16: nothing goes wrong, at many times a camera's rate. Nothing is lost, and memory stays as it is.
+/// F16: no fault, at many times a camera's rate. Nothing is lost, and memory does not grow.
 class FastStreamExperiment : public ClientExperiment {
  public:
   explicit FastStreamExperiment(unsigned remainder) : ClientExperiment(remainder, milliseconds(1)) {}
@@ -275,7 +253,7 @@ class FastStreamExperiment : public ClientExperiment {
   }
 };
 
-/// I7: waiting for a robot costs nothing.
+/// I7: waiting for a robot takes hardly any processor time.
 class IdleExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -316,27 +294,28 @@ std::vector<Row> clientRows() {
   using Absence = AbsenceExperiment::Kind;
   constexpr Milliseconds kSoon{250};
   constexpr Milliseconds kHalfASecond{500};
-  // The client waits up to 2 s between two attempts, and then has to connect and get a picture.
+  // The client waits up to 2 s between two attempts. Then it still has to connect and to receive a picture.
   constexpr Milliseconds kLongestWait{2100};
   return {
-      {"F1", "split at every offset, twice in either version", 4 * kPictureSize, 4, {}, maker<SplitExperiment>()},
-      {"F1b", "drops of 1 and 7 bytes, random pieces, pictures joined", 400, 2, {}, maker<SliceExperiment>()},
-      {"F2", "closed amid a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kClose)},
-      {"F3", "reset amid a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kReset)},
+      {"F1", "split at every offset, twice in each version", 4 * kPictureSize, 4, {}, maker<SplitExperiment>()},
+      {"F1b", "pieces of 1, 7 and random sizes, pictures joined", 400, 2, {}, maker<SliceExperiment>()},
+      {"F2", "closed in the middle of a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kClose)},
+      {"F3", "reset in the middle of a picture", 3000, 8, kSoon, maker<EndExperiment>(Action::kReset)},
       {"F4", "garbage before or over a header", 1000, 8, kSoon, maker<GarbageExperiment>()},
       {"F4b", "bytes lost, inserted, flipped in or by a header", 1000, 8, kSoon, maker<DamageExperiment>()},
-      {"F5", "impossible, shorter and longer sizes", 1000, 8, kSoon, maker<SizeExperiment>()},
+      {"F5", "impossible, too short and too long sizes", 1000, 8, kSoon, maker<SizeExperiment>()},
       {"F7", "server stopped", 100, 16, kHalfASecond, maker<SilenceExperiment>(Silence::kServerStopped)},
       {"F7b", "black hole that still accepts", 100, 16, kHalfASecond, maker<SilenceExperiment>(Silence::kBlackHole)},
-      {"F7c", "nothing comes through, no answer to connect", 100, 16, kHalfASecond,
+      {"F7c", "nothing gets through, no answer to connect", 100, 16, kHalfASecond,
        maker<SilenceExperiment>(Silence::kUnreachable)},
       {"F8", "server gone for up to 0.3 s", 200, 16, kHalfASecond, maker<AbsenceExperiment>(Absence::kRestart)},
       {"F8b", "port closed for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kPortClosed)},
       {"F8c", "name unknown for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kNameUnknown)},
       {"F8d", "turned away for up to 4 s", 100, 16, kLongestWait, maker<AbsenceExperiment>(Absence::kTurnedAway)},
-      {"F8e", "robot has another address", 100, 8, Milliseconds(1100), maker<AbsenceExperiment>(Absence::kMoved)},
-      {"F16", "a second of 1,000 pictures, nothing wrong", 1200, 2, {}, maker<FastStreamExperiment>()},
-      {"I7", "processor time while nobody is there", 12, 1, {}, maker<InTurn<IdleExperiment>>()},
+      {"F8e", "robot has moved to another address", 100, 8, Milliseconds(1100),
+       maker<AbsenceExperiment>(Absence::kMoved)},
+      {"F16", "1,000 pictures in a second, no fault", 1200, 2, {}, maker<FastStreamExperiment>()},
+      {"I7", "processor time while no server is there", 12, 1, {}, maker<InTurn<IdleExperiment>>()},
   };
 }
 

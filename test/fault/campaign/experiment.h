@@ -10,18 +10,20 @@
 #include <string>
 #include <vector>
 
-#include "proxy/fault_proxy.h"
+#include "support/proxy/fault_proxy.h"
 
 namespace fault_bench {
+
+using namespace test_support;
 
 using Random = std::mt19937;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-/// What became of one fault.
+/// The result of one trial.
 struct Outcome {
-  std::optional<Milliseconds> recovery;  ///< from when nothing was wrong any more to the first good picture
-  std::vector<std::string> violations;   ///< those that begin with M are of time: a busy computer is to blame, too
-  bool excused = false;                  ///< pictures are missing, which the client itself has left out as stale
+  std::optional<Milliseconds> recovery;  ///< from the end of the fault to the first good picture
+  std::vector<std::string> violations;   ///< those that begin with "M" are about time: a busy computer can cause them
+  bool excused = false;                  ///< pictures are missing, but the client itself left them out as stale
 };
 
 /// Tries faults of one kind, one after the other, on a client or server of its own.
@@ -29,22 +31,22 @@ class Experiment {
  public:
   virtual ~Experiment() = default;
 
-  /// @param trial number of the fault; all that is random about it follows from it and the seed
+  /// @param trial number of the fault; everything random about it follows from this number and the seed
   virtual Outcome run(unsigned trial, Random& random) = 0;
 };
 
-/// One line of the table.
+/// One row of the table.
 struct Row {
   std::string id;
   std::string title;
   unsigned trials = 0;            ///< in the whole campaign
-  unsigned at_once = 1;           ///< experiments that run beside each other
-  Milliseconds recovery_mark{0};  ///< 99 of 100 recover within this time; 0 = no mark
+  unsigned at_once = 1;           ///< experiments that run in parallel
+  Milliseconds recovery_mark{0};  ///< 99 of 100 trials must recover within this time; 0 = no limit
   /// Makes the experiment for the trials whose number is `remainder` modulo at_once.
   std::function<std::unique_ptr<Experiment>(unsigned remainder)> make;
 };
 
-/// What Row::make needs to make such an experiment.
+/// A Row::make for experiments of this class.
 template <typename SomeExperiment, typename... Arguments>
 std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... arguments) {
   return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
@@ -52,10 +54,35 @@ std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... argument
 
 int uniform(Random& random, int lowest, int highest);
 
-/// Of a proxy before the server on this port of 127.0.0.1.
+/// @param count how many bytes
+/// @param lowest, highest range of each byte
+Bytes randomBytes(Random& random, int count, int lowest, int highest);
+
+/// A fault of any kind: the kinds take turns, all other details are random. The caller chooses the place.
+Fault anyFault(unsigned turn, Random& random);
+
+/// True if the fault changes bytes, but need not end the connection.
+bool isDamage(const Fault& fault);
+
+/// Options of a proxy in front of the server on this port of 127.0.0.1.
 FaultProxy::Options proxyTo(int port, unsigned seed);
 
-/// All lines of the table.
+/// Finds out whether a thread, from the construction on, waits or is busy retrying.
+class SpinCheck {
+ public:
+  /// @param mark of the thread (interposers.h)
+  explicit SpinCheck(int mark);
+
+  /// Adds a violation if the thread was busy most of the time.
+  void conclude(Outcome* outcome) const;
+
+ private:
+  const int mark_;
+  const TimePoint begin_;
+  const Milliseconds busy_before_;
+};
+
+/// All rows of the table.
 std::vector<Row> allRows();
 
 std::vector<Row> clientRows();

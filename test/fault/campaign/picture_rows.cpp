@@ -1,4 +1,4 @@
-// F6: pictures that are damaged, though they come whole.
+// F6: damaged pictures in intact messages.
 
 #include <turbojpeg.h>
 
@@ -8,17 +8,17 @@
 
 #include "campaign/client_experiment.h"
 #include "ros/camera/jpeg_decoder.h"
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 namespace fault_bench {
 namespace {
 
 using test_pictures::PictureKind;
 
-/// A way to make a picture a bad one.
+/// A way to damage a picture.
 struct Spoiling {
   Bytes (*spoil)(Bytes jpeg, Random& random);
-  bool always_tells;  ///< it can be told without decoding, and so is never delivered
+  bool always_found;  ///< found without decoding, so that the picture must not be delivered
 };
 
 std::ptrdiff_t position(Random& random, const Bytes& jpeg) {
@@ -53,14 +53,14 @@ Bytes withMoreBehind(Bytes jpeg, Random& random) {
   return jpeg;
 }
 
-Bytes noJpegAtAll(Bytes jpeg, Random& random) {
+Bytes randomNoise(Bytes jpeg, Random& random) {
   std::generate(jpeg.begin(), jpeg.end(), [&] { return static_cast<std::uint8_t>(uniform(random, 0, 255)); });
   return jpeg;
 }
 
 Bytes ofWrongSize(Bytes, Random& random) {
   PictureKind kind;
-  kind.width = uniform(random, 16, 640) | 1;  // no camera has an odd one
+  kind.width = uniform(random, 16, 640) | 1;  // no camera has an odd width
   kind.height = uniform(random, 16, 480);
   return test_pictures::make(kind);
 }
@@ -72,7 +72,7 @@ Bytes progressive(Bytes, Random& random) {
   return test_pictures::make(kind);
 }
 
-// A few KB that would be many GB of pixels.
+// A few KB that announce many GB of pixels.
 Bytes sizeBomb(Bytes jpeg, Random& random) {
   const std::size_t frame = test_pictures::findMarker(jpeg, 0xC0);
   for (std::size_t i = frame + 5; i < frame + 9; ++i) {
@@ -81,7 +81,7 @@ Bytes sizeBomb(Bytes jpeg, Random& random) {
   return jpeg;
 }
 
-// Thousands of scans, each of which would be decoded.
+// Thousands of scans, which a decoder would all decode.
 Bytes scanBomb(Bytes jpeg, Random& random) {
   const Bytes scan = {0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0};
   jpeg.resize(jpeg.size() - 2);
@@ -99,7 +99,7 @@ Milliseconds threadTime() {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-/// What libjpeg itself says when it may warn.
+/// True if libjpeg reports an error or a warning.
 bool libjpegComplains(const Bytes& jpeg) {
   const std::unique_ptr<void, int (*)(tjhandle)> decompressor(tjInitDecompress(), &tjDestroy);
   int width = 0;
@@ -114,12 +114,12 @@ bool libjpegComplains(const Bytes& jpeg) {
   return tjDecompress2(decompressor.get(), jpeg.data(), size, pixels.data(), width, 0, height, TJPF_BGR, 0) != 0;
 }
 
-/// F6: the server sends what is no good picture, in a frame as it should be. It is not delivered, or at the latest the
-/// decoder makes no image of it, in no more time than a good one takes; and the next picture comes.
+/// F6: the server sends a damaged picture in an intact message. Either the client does not deliver it, or the decoder
+/// refuses it and takes no longer than twice the time for a good one. The next picture comes.
 class CorruptExperiment : public ClientExperiment {
  public:
   explicit CorruptExperiment(unsigned remainder) : ClientExperiment(remainder) {
-    const Bytes good = makeNumberedPicture({1, 1});
+    const Bytes good = test_pictures::makeNamed({1, 1});
     for (int i = 0; i < 20; ++i) {
       decode(good);
     }
@@ -133,13 +133,14 @@ class CorruptExperiment : public ClientExperiment {
                                                  {loseBytes, false},
                                                  {withoutEnd, true},
                                                  {withMoreBehind, true},
-                                                 {noJpegAtAll, true},
+                                                 {randomNoise, true},
                                                  {ofWrongSize, true},
                                                  {progressive, true},
                                                  {sizeBomb, true},
                                                  {scanBomb, true}}};
     const unsigned which = trial / 4 % (2 * kWays.size());
-    const Spoiling& way = kWays[which < kWays.size() ? which : 0];  // the commonest, half of the time
+    const Spoiling& way =
+        kWays[which < kWays.size() ? which : 0];  // half of the time flipped bits, the most common damage
     const std::uint32_t before = connection();
     const std::uint64_t spoilt_before = server_.lastSpoilt().first.number;
     server_.spoilNext([&](Bytes jpeg) { return way.spoil(std::move(jpeg), random); });
@@ -153,8 +154,8 @@ class CorruptExperiment : public ClientExperiment {
     if (!next || next->name.connection != before) {
       outcome.violations.push_back(next ? lossOfConnection() : "no picture came any more");
     }
-    if (way.always_tells && witness_.hasSeenSpoilt()) {
-      outcome.violations.emplace_back("what is no picture of a camera was delivered");
+    if (way.always_found && witness_.hasSeenSpoilt()) {
+      outcome.violations.emplace_back("a damaged picture was delivered");
     }
     judge(server_.lastSpoilt().second, &outcome);
     return outcome;
@@ -162,7 +163,7 @@ class CorruptExperiment : public ClientExperiment {
 
   void judge(const Bytes& jpeg, Outcome* outcome) {
     if (decode(jpeg) && (jpeg.size() < 4 || libjpegComplains(jpeg))) {
-      outcome->violations.emplace_back("an image was made of a damaged picture");
+      outcome->violations.emplace_back("a damaged picture was decoded");
     }
     const Milliseconds time = bestTime(jpeg);
     if (time > 2 * normal_time_) {

@@ -1,4 +1,4 @@
-// F9 to F11, F20: what a client, or who is none, can do to the robot's server.
+// F9 to F11, F13b, F20: faults on the way to the robot's server, and clients that misbehave.
 
 #include <atomic>
 #include <cerrno>
@@ -8,14 +8,12 @@
 #include <thread>
 
 #include "aibo_driver/rcserver_client.h"
-#include "campaign/any_fault.h"
 #include "campaign/experiment.h"
-#include "campaign/spin_check.h"
+#include "campaign/interposers.h"
+#include "campaign/robot_server.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "support/raw_client.h"
-#include "support/robot_server.h"
-#include "support/syscalls.h"
 
 using aibo_driver::PicturePtr;
 using std::chrono::milliseconds;
@@ -27,7 +25,7 @@ namespace fault_bench {
 namespace {
 
 constexpr milliseconds kPatience{20000};
-// What had waited through a pause of 5 s is older than that; what only comes over a busy computer is not.
+// Pictures that waited during a pause of 5 s are older than this. Those that a busy computer delays are not.
 constexpr milliseconds kStale{3000};
 const std::string kStream = "W\x55";
 const std::string kPicture = "F\x55";
@@ -45,7 +43,7 @@ void awaitCount(const std::atomic<int>& pictures, int count) {
   }
 }
 
-/// The robot's server, and clients of any manners.
+/// The robot's server, and clients that behave well or not.
 class ServerExperiment : public Experiment {
  public:
   explicit ServerExperiment(unsigned remainder) : mark_(static_cast<int>(remainder) + 1), server_(mark_) {}
@@ -61,7 +59,7 @@ class ServerExperiment : public Experiment {
  protected:
   virtual Outcome attempt(unsigned trial, Random& random) = 0;
 
-  /// A new client asks for a picture, once.
+  /// Has a new client ask for one picture.
   /// @return false if it is turned away
   bool serves() {
     RawClient client(server_.port());
@@ -76,11 +74,11 @@ class ServerExperiment : public Experiment {
   }
 
   /// Waits until a new client is served.
-  /// @param since when the place should have become free
+  /// @param since from when the server should accept a client
   Outcome awaitService(TimePoint since) {
     while (!serves()) {
       if (steady_clock::now() - since > kPatience) {
-        throw std::runtime_error("the server serves nobody any more");
+        throw std::runtime_error("the server does not serve anybody any more");
       }
       std::this_thread::sleep_for(milliseconds(10));
     }
@@ -91,7 +89,8 @@ class ServerExperiment : public Experiment {
   RobotServer server_;
 };
 
-/// F9: a client takes pictures, and then does not read them. The place is free again soon, and the camera goes on.
+/// F9: a client asks for pictures and then does not read them. Soon the server serves the next client, and the camera
+/// goes on meanwhile.
 class HangingClientExperiment : public ServerExperiment {
  public:
   enum class Manner { kNeverReads, kDrips, kVanishes };
@@ -112,7 +111,7 @@ class HangingClientExperiment : public ServerExperiment {
     TimePoint next_byte = stopped;
     while (!serves()) {
       if (steady_clock::now() - stopped > kPatience) {
-        throw std::runtime_error("the server keeps a client that does not read");
+        throw std::runtime_error("the server keeps serving a client that does not read");
       }
       if (manner_ == Manner::kDrips && steady_clock::now() > next_byte) {
         client.receive(milliseconds(0), 1);
@@ -128,13 +127,13 @@ class HangingClientExperiment : public ServerExperiment {
     return outcome;
   }
 
-  // Longer than a busy computer holds up a thread, shorter than the kernel would hold up a server that waits for it.
+  // Longer than a busy computer holds up a thread, and shorter than a blocking send would hold up the server.
   static constexpr milliseconds kBlocked{1000};
 
   const Manner manner_;
 };
 
-/// F10: a client does not read for five seconds. What it gets then is new, but for a few pictures.
+/// F10: a client does not read for five seconds. Then it gets new pictures, except for a few.
 class PauseExperiment : public ServerExperiment {
  public:
   using ServerExperiment::ServerExperiment;
@@ -181,7 +180,7 @@ class PauseExperiment : public ServerExperiment {
   }
 };
 
-/// F10: the same with the driver's client, whose thread is held up for five seconds.
+/// F10b: the same with the driver's client, whose thread is held up for five seconds.
 class HeldUpExperiment : public ServerExperiment {
  public:
   using ServerExperiment::ServerExperiment;
@@ -205,7 +204,7 @@ class HeldUpExperiment : public ServerExperiment {
     awaitCount(pictures, 3);
     stale = 0;
     pause = uniform(random, 4900, 5100);
-    awaitCount(pictures, pictures + 1);  // the one that holds it up
+    awaitCount(pictures, pictures + 1);  // its callback takes five seconds
     awaitCount(pictures, pictures + 5);
     Outcome outcome;
     if (stale > 1) {
@@ -215,22 +214,22 @@ class HeldUpExperiment : public ServerExperiment {
   }
 };
 
-/// F11: strangers come while a client is served. They are turned away, and it gets its pictures.
+/// F11: other clients connect while one is served. They are turned away, and the first one keeps its pictures.
 class StrangerExperiment : public ServerExperiment {
  public:
   using ServerExperiment::ServerExperiment;
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    // Who reads nothing for 2 s loses its place, and it may be long since the trial before.
+    // The server drops a client that reads nothing for 2 s, and the last trial may have been long ago.
     if (!first_ || steady_clock::now() - last_read_ > std::chrono::seconds(1)) {
-      takeThePlace();
+      connectFirst();
     }
-    pestThem(trial % 3, random);
+    connectOthers(trial % 3, random);
     first_->send(kVersion2Hello);
     if (!readPictures()) {
       first_.reset();
-      return {{}, {"the first client has lost its pictures"}};
+      return {{}, {"the first client gets no more pictures"}};
     }
     return {};
   }
@@ -241,7 +240,7 @@ class StrangerExperiment : public ServerExperiment {
     return read;
   }
 
-  void takeThePlace() {
+  void connectFirst() {
     first_.reset();
     awaitService(steady_clock::now());
     first_ = std::make_unique<RawClient>(server_.port());
@@ -249,7 +248,7 @@ class StrangerExperiment : public ServerExperiment {
     readPictures();
   }
 
-  void pestThem(unsigned kind, Random& random) {
+  void connectOthers(unsigned kind, Random& random) {
     for (int count = uniform(random, 1, 5); count > 0; --count) {
       RawClient stranger(server_.port());
       if (kind == 0) {
@@ -269,7 +268,7 @@ class StrangerExperiment : public ServerExperiment {
   TimePoint last_read_;
 };
 
-/// F11: a client sends anything at all, in any pieces, and leaves. The next one is served at once.
+/// F11b: a client sends arbitrary bytes in arbitrary pieces, and leaves. The next one is served at once.
 class NonsenseExperiment : public ServerExperiment {
  public:
   using ServerExperiment::ServerExperiment;
@@ -297,7 +296,7 @@ class NonsenseExperiment : public ServerExperiment {
     return awaitService(steady_clock::now());
   }
 
-  // Bytes of all kinds, or what looks more like requests.
+  // Arbitrary bytes, or bytes that look more like requests.
   static char nextByte(unsigned trial, Random& random) {
     static const std::string kLetters = "FWJSVAXHTOLKUDPNQRCY";
     const bool letter = trial % 4 < 2 && uniform(random, 0, 3) == 0;
@@ -306,7 +305,7 @@ class NonsenseExperiment : public ServerExperiment {
   }
 };
 
-/// F11: who connects and goes, again and again.
+/// F11c: clients connect and leave, again and again.
 class StormExperiment : public ServerExperiment {
  public:
   using ServerExperiment::ServerExperiment;
@@ -326,8 +325,7 @@ class StormExperiment : public ServerExperiment {
   }
 };
 
-/// F20: anything goes wrong with what the driver's client asks for, on the way to the server, at the beginning of a
-/// connection or soon after.
+/// F20: a fault of any kind in the requests of the driver's client, at the beginning of a connection or soon after.
 class RequestExperiment : public ServerExperiment {
  public:
   explicit RequestExperiment(unsigned remainder)
@@ -341,7 +339,7 @@ class RequestExperiment : public ServerExperiment {
   }
 
  private:
-  // More than there can be under way.
+  // More than can be under way.
   static constexpr int kManyPictures = 10;
 
   Outcome attempt(unsigned trial, Random& random) override {
@@ -354,12 +352,12 @@ class RequestExperiment : public ServerExperiment {
     proxy_.add(fault);
     const auto report = proxy_.waitForFaults(done + 1, kPatience);
     if (!report) {
-      return {{}, {"the fault could not be made: the client asked for nothing"}};
+      return {{}, {"the fault could not be made, because the client sent nothing"}};
     }
     awaitCount(pictures_, pictures_ + kManyPictures);
     const Milliseconds recovery = steady_clock::now() - report->time;
-    proxy_.heal();  // a connection that fell silent might stand for ever
-    // A server that is not told of its client's end serves nobody else until it has found out by itself (F9c).
+    proxy_.heal();  // a connection that fell silent might last for ever
+    // A server that does not see the end of its connection serves nobody else until it notices by itself (F9c).
     return {fault.action == Action::kSilence ? std::nullopt : std::optional<Milliseconds>(recovery), {}};
   }
 
@@ -381,14 +379,14 @@ class RequestExperiment : public ServerExperiment {
   aibo_driver::RcServerClient client_;
 };
 
-/// F13: a system call of the server fails.
+/// F13b: a system call of the server fails.
 class ServerSyscallExperiment : public ServerExperiment {
  public:
   using ServerExperiment::ServerExperiment;
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
-    using syscalls::Call;
+    using interposers::Call;
     struct Failure {
       Call call;
       int error;
@@ -401,19 +399,19 @@ class ServerSyscallExperiment : public ServerExperiment {
     const Failure& failure = kFailures[trial % kFailures.size()];
     const auto skip = static_cast<unsigned>(failure.call == Call::kSetsockopt ? uniform(random, 0, 6) : 0);
     const SpinCheck spin_check(mark_);
-    // Memory that is short stays so for a while.
+    // A shortage of memory lasts for a while.
     const bool lasts = failure.call == Call::kAccept && failure.error == ENOMEM;
-    syscalls::setPlan(mark_, {failure.call, failure.error, skip, lasts ? std::numeric_limits<unsigned>::max() : 3});
+    interposers::setPlan(mark_, {failure.call, failure.error, skip, lasts ? std::numeric_limits<unsigned>::max() : 3});
     for (int i = 0; i < (lasts ? 2 : 10); ++i) {
       RawClient client(server_.port());
       client.send(kPicture);
       client.read(protocol::PICTURE_HEADER_SIZE, milliseconds(200));
     }
-    const bool happened = syscalls::failed(mark_) > 0;
-    syscalls::setPlan(mark_, {});
+    const bool happened = interposers::failed(mark_) > 0;
+    interposers::setPlan(mark_, {});
     Outcome outcome = awaitService(steady_clock::now());
     if (!happened) {
-      outcome.violations.push_back(std::string(syscalls::kNames[static_cast<std::size_t>(failure.call)]) +
+      outcome.violations.push_back(std::string(interposers::kNames[static_cast<std::size_t>(failure.call)]) +
                                    "() was never called");
     }
     spin_check.conclude(&outcome);
@@ -425,9 +423,9 @@ class ServerSyscallExperiment : public ServerExperiment {
 
 std::vector<Row> serverRows() {
   using Manner = HangingClientExperiment::Manner;
-  // Of these, 2 s begin when the kernel holds no more for the client, some 0.4 s after it has stopped to read.
+  // 2 s from when the kernel's buffers are full, some 0.4 s after the client has stopped reading.
   constexpr Milliseconds kFreeAgain{3000};
-  // What the proxy holds has to be filled, too.
+  // The proxy's buffers have to fill, too.
   constexpr Milliseconds kFreeBehindProxy{3500};
   return {
       {"F9", "server: a client never reads", 300, 8, kFreeAgain, maker<HangingClientExperiment>(Manner::kNeverReads)},
@@ -435,11 +433,11 @@ std::vector<Row> serverRows() {
        maker<HangingClientExperiment>(Manner::kDrips)},
       {"F9c", "server: a client vanishes", 100, 8, kFreeBehindProxy, maker<HangingClientExperiment>(Manner::kVanishes)},
       {"F10", "server: a client pauses for 5 s", 100, 10, {}, maker<PauseExperiment>()},
-      {"F10b", "driver's client held up for 5 s", 100, 10, {}, maker<HeldUpExperiment>()},
-      {"F11", "server: strangers beside a client", 1000, 4, {}, maker<StrangerExperiment>()},
+      {"F10b", "driver's client is held up for 5 s", 100, 10, {}, maker<HeldUpExperiment>()},
+      {"F11", "server: other clients beside one that is served", 1000, 4, {}, maker<StrangerExperiment>()},
       {"F11b", "server: nonsense, floods and half commands", 2000, 8, {}, maker<NonsenseExperiment>()},
       {"F11c", "server: 10 connections that end at once, each", 1000, 4, {}, maker<StormExperiment>()},
-      {"F20", "server: anything on the way to it", 400, 8, Milliseconds(2000), maker<RequestExperiment>()},
+      {"F20", "server: any fault on the way to it", 400, 8, Milliseconds(2000), maker<RequestExperiment>()},
       {"F13b", "server: its system calls fail", 1600, 8, {}, maker<ServerSyscallExperiment>()},
   };
 }

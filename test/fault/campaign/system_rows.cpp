@@ -1,4 +1,4 @@
-// F13, F14: the operating system below the client has its days.
+// F13, F14: faults of the operating system below the client.
 
 #include <cerrno>
 #include <climits>
@@ -6,8 +6,7 @@
 #include <thread>
 
 #include "campaign/client_experiment.h"
-#include "campaign/spin_check.h"
-#include "support/syscalls.h"
+#include "campaign/interposers.h"
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
@@ -15,19 +14,19 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-using syscalls::Call;
+using interposers::Call;
 
 struct Failure {
   Call call;
-  int error;  ///< 0: recv() and send() take one byte only
+  int error;  ///< errno; 0 = recv() and send() take only one byte
 };
 
 std::string describe(const Failure& failure) {
-  return std::string(syscalls::kNames[static_cast<std::size_t>(failure.call)]) + "() with " +
+  return std::string(interposers::kNames[static_cast<std::size_t>(failure.call)]) + "() with " +
          (failure.error == 0 ? "one byte" : std::strerror(failure.error));
 }
 
-// Each call the client makes, and each way in which it may fail.
+// All calls that the client makes, and all ways in which they may fail.
 const std::vector<Failure> kHarmless = {
     {Call::kRecv, EINTR}, {Call::kRecv, EAGAIN}, {Call::kRecv, 0}, {Call::kPoll, EINTR}, {Call::kPoll, ENOMEM}};
 const std::vector<Failure> kHarmful = {{Call::kRecv, ENOMEM},       {Call::kRecv, ECONNRESET}, {Call::kRecv, ETIMEDOUT},
@@ -42,7 +41,8 @@ const std::vector<Failure> kOfConnecting = {
     {Call::kEpollCtl, ENOMEM},     {Call::kEpollCtl, ENOSPC}};
 const std::size_t kFailures = kHarmless.size() + kHarmful.size() + kOfConnecting.size();
 
-/// F13: a system call of the client fails. What is no fault is none; anything else ends in a new connection.
+/// F13: a system call of the client fails. Harmless failures do not end the connection; after any other the client
+/// connects again.
 class SyscallExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -64,18 +64,18 @@ class SyscallExperiment : public ClientExperiment {
   }
 
   void plan(const Failure& failure, unsigned skip, unsigned count) const {
-    syscalls::setPlan(mark(), {failure.call, failure.error, skip, count});
+    interposers::setPlan(mark(), {failure.call, failure.error, skip, count});
   }
 
   static unsigned someCalls(int most, Random& random) { return static_cast<unsigned>(uniform(random, 0, most)); }
 
-  // So few that a client without memory, which waits a little after each, still reads often enough.
+  // Few enough for a client that waits a little after each failure, as for ENOMEM, to read in time.
   static constexpr unsigned kInARow = 5;
 
   Outcome bear(const Failure& failure, Random& random) {
     const std::uint32_t before = connection();
     plan(failure, someCalls(3, random), kInARow);
-    for (int i = 0; i < 100 && syscalls::failed(mark()) < kInARow; ++i) {
+    for (int i = 0; i < 100 && interposers::failed(mark()) < kInARow; ++i) {
       client_.setStreaming(true);  // wakes the client
       awaitPictures(1);
     }
@@ -85,9 +85,9 @@ class SyscallExperiment : public ClientExperiment {
   Outcome recover(const Failure& failure, Random& random) {
     const std::uint32_t before = connection();
     plan(failure, someCalls(3, random), 1);
-    for (int i = 0; i < 10 && syscalls::failed(mark()) == 0; ++i) {
+    for (int i = 0; i < 10 && interposers::failed(mark()) == 0; ++i) {
       if (failure.call == Call::kSend) {
-        proxy_.endConnections(Action::kReset);  // it is at the beginning that most is sent
+        proxy_.endConnections(Action::kReset);  // the client sends most at the beginning of a connection
       }
       awaitReconnect(connection(), steady_clock::now());
     }
@@ -96,30 +96,30 @@ class SyscallExperiment : public ClientExperiment {
     return concluded(failure, std::move(outcome));
   }
 
-  // For a while every attempt fails.
+  // Every attempt fails for a while.
   Outcome failToConnect(const Failure& failure, Random& random) {
-    constexpr unsigned kOptions = 7;  // that a socket gets
+    constexpr unsigned kOptions = 7;  // set on each socket
     constexpr unsigned kMostAttempts = 20;
     const std::uint32_t before = connection();
     plan(failure, failure.call == Call::kSetsockopt ? someCalls(kOptions - 1, random) : 0, UINT_MAX);
     proxy_.endConnections(Action::kReset);
     const TimePoint begin = steady_clock::now();
     std::this_thread::sleep_for(milliseconds(200));
-    while (syscalls::failed(mark()) == 0 && steady_clock::now() < begin + kPatience) {
+    while (interposers::failed(mark()) == 0 && steady_clock::now() < begin + kPatience) {
       std::this_thread::sleep_for(milliseconds(10));
     }
-    const unsigned attempts = syscalls::failed(mark());
+    const unsigned attempts = interposers::failed(mark());
     plan(failure, 0, 0);
     Outcome outcome = awaitReconnect(before, steady_clock::now());
     outcome.recovery.reset();
     if (attempts == 0 || attempts > kMostAttempts) {
-      outcome.violations.push_back(std::to_string(attempts) + " attempts to connect, with " + describe(failure));
+      outcome.violations.push_back(std::to_string(attempts) + " attempts to connect, after " + describe(failure));
     }
     return outcome;
   }
 
   Outcome concluded(const Failure& failure, Outcome outcome) const {
-    if (syscalls::failed(mark()) == 0) {
+    if (interposers::failed(mark()) == 0) {
       outcome.violations.push_back(describe(failure) + " was never called");
     }
     for (std::string& violation : outcome.violations) {
@@ -130,7 +130,7 @@ class SyscallExperiment : public ClientExperiment {
   }
 };
 
-/// F14: somebody sets this computer's clock. Nobody notices.
+/// F14: the clock of this computer is set. It has no effect.
 class ClockExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -138,9 +138,9 @@ class ClockExperiment : public ClientExperiment {
  private:
   Outcome attempt(unsigned trial, Random&) override {
     const std::uint32_t before = connection();
-    syscalls::shiftWallClock(std::chrono::hours(trial / 2 % 2 == 0 ? 1 : -1));
+    interposers::shiftWallClock(std::chrono::hours(trial / 2 % 2 == 0 ? 1 : -1));
     awaitPictures(100);
-    syscalls::shiftWallClock(std::chrono::seconds(0));
+    interposers::shiftWallClock(std::chrono::seconds(0));
     awaitPictures(100);
     return expectConnection(before);
   }

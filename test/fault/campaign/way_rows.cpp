@@ -1,13 +1,12 @@
-// F18, F19, F21, F22: anything that can go wrong on the way, wherever a connection is at that time.
+// F18, F19, F21, F22: faults of every kind on the way to the client, in every state of a connection.
 
 #include <thread>
 
 #include "aibo_driver/exceptions.h"
-#include "campaign/any_fault.h"
 #include "campaign/client_experiment.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "version2_frames.h"
+#include "support/version2_frames.h"
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
@@ -17,42 +16,19 @@ namespace version2 = protocol::version2;
 namespace fault_bench {
 namespace {
 
-/// Anything goes wrong once; pictures come again.
-class AnyFaultExperiment : public ClientExperiment {
+/// F18, F19: a fault of any kind at one of the first bytes of a new connection: during the negotiation of the version,
+/// in the hello, in replies, in the first picture; or, without a stream, in values and heartbeats.
+class BeginningExperiment : public ClientExperiment {
  public:
-  using ClientExperiment::ClientExperiment;
-
- protected:
-  /// Of the header before a picture.
-  int headerSize() const {
-    return static_cast<int>(version() == 1 ? protocol::PICTURE_HEADER_SIZE : version2::FRAME_HEADER_SIZE);
-  }
-
-  /// Waits for a picture that was sent after the fault.
-  Outcome awaitPictureAfter(const FaultReport& report) {
-    const auto back =
-        witness_.waitFor([&](const Witness::Sighting& each) { return each.sent > report.time; }, kPatience);
-    if (!back) {
-      return {{}, {"no picture came any more: " + client_.status().reason}};
-    }
-    proxy_.heal();  // a connection that fell silent would stand for ever
-    return {back->time - report.time, {}};
-  }
-};
-
-/// F18, F19: at any of the first bytes of a new connection: while the version of the protocol is found out, in the
-/// hello, in replies, in the first picture; or while no pictures are wanted, in values and heartbeats.
-class BeginningExperiment : public AnyFaultExperiment {
- public:
-  BeginningExperiment(unsigned remainder, bool streaming) : AnyFaultExperiment(remainder), streaming_(streaming) {
-    client_.setTelemetryPeriod(streaming ? 0 : 4);  // a version 1 server says nothing if it is not asked
+  BeginningExperiment(unsigned remainder, bool streaming) : ClientExperiment(remainder), streaming_(streaming) {
+    client_.setTelemetryPeriod(streaming ? 0 : 4);  // a version 1 server sends nothing unasked
   }
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
     Fault fault = anyFault(trial / 2, random);
     fault.place = Place::kByte;
-    // No client can tell that a byte amid a picture is another one.
+    // No client can notice a changed byte inside a picture.
     const int end = streaming_ && fault.action == Action::kFlip ? greetingSize() : 150;
     fault.offset = static_cast<unsigned>(uniform(random, 0, end - 1));
     client_.setStreaming(streaming_);
@@ -69,7 +45,7 @@ class BeginningExperiment : public AnyFaultExperiment {
     return outcome;
   }
 
-  /// All that comes before the first picture's JPEG.
+  /// Bytes in front of the first JPEG.
   int greetingSize() const {
     if (version() == 1) {
       return static_cast<int>(protocol::VALUE_REPLY_SIZE) + headerSize();
@@ -81,18 +57,18 @@ class BeginningExperiment : public AnyFaultExperiment {
   const bool streaming_;
 };
 
-/// F21: while somebody waits for a picture, from a stream or for this call alone. He gets an answer or is told why not,
-/// within his time.
-class TakePictureExperiment : public AnyFaultExperiment {
+/// F21: a fault of any kind while takePicture() waits, with or without a stream. The call returns a picture or throws
+/// an error with a reason, within its timeout.
+class TakePictureExperiment : public ClientExperiment {
  public:
-  using AnyFaultExperiment::AnyFaultExperiment;
+  using ClientExperiment::ClientExperiment;
 
  private:
   Outcome attempt(unsigned trial, Random& random) override {
     const bool streaming = trial / 16 % 2 == 0;
     Fault fault = anyFault(trial / 2, random);
     fault.place = Place::kPicture;
-    // No client can tell that a byte amid a picture is another one.
+    // No client can notice a changed byte inside a picture.
     const int end = fault.action == Action::kFlip ? headerSize() : static_cast<int>(kPictureSize);
     fault.offset = static_cast<unsigned>(uniform(random, 0, end - 1));
     setStreaming(streaming);
@@ -105,7 +81,7 @@ class TakePictureExperiment : public AnyFaultExperiment {
     client_.setStreaming(true);
     const auto report = proxy_.waitForFaults(done + 1, kPatience);
     if (!report) {
-      return {{}, {"the fault could not be made"}};
+      return {{}, {"the fault could not be made, because no picture came"}};
     }
     Outcome outcome = awaitPictureAfter(*report);
     witness_.allowGaps(false);
@@ -119,19 +95,20 @@ class TakePictureExperiment : public AnyFaultExperiment {
     client_.setStreaming(on);
     for (const TimePoint end = steady_clock::now() + kPatience; client_.streaming() != on;) {
       if (steady_clock::now() > end) {
-        throw std::runtime_error("setStreaming() has no effect");
+        throw std::runtime_error("setStreaming() had no effect");
       }
       std::this_thread::sleep_for(milliseconds(1));
     }
   }
 
-  // The witness sees what it takes. Any answer will do, also that the robot has refused: a header may be made one.
+  // The witness sees the pictures that it takes. Any error will do, even a refusal: the fault may turn a header into
+  // one.
   void takePicture() {
     try {
       client_.takePicture(0, kTime);
     } catch (const aibo_driver::Exception& error) {
       if (std::string(error.what()).empty()) {
-        throw std::runtime_error("takePicture() failed, and does not say why");
+        throw std::runtime_error("takePicture() failed without a reason");
       }
     }
   }
@@ -140,7 +117,7 @@ class TakePictureExperiment : public AnyFaultExperiment {
   static constexpr milliseconds kLate{100};
 };
 
-/// F22: a way that is long, and never as long as before, or slow, or stopped for a while. Nothing is lost.
+/// F22: the way has a long and varying delay, is slow, or stops for a while. Nothing is lost.
 class BadWayExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;
@@ -181,16 +158,16 @@ class BadWayExperiment : public ClientExperiment {
 }  // namespace
 
 std::vector<Row> wayRows() {
-  // A server that does not answer is asked for 0.5 s whether it speaks version 2, and then for pictures as long.
+  // The client waits 0.5 s for the answer about version 2, and then another 0.5 s for pictures.
   constexpr Milliseconds kTwoSilences{1500};
-  // He who asks may wait for all of his second until the fault is noticed.
+  // takePicture() may take its whole second before the fault is noticed.
   constexpr Milliseconds kAfterTheCall{2000};
   return {
-      {"F18", "anything at the first 150 bytes of a connection", 800, 8, kTwoSilences,
+      {"F18", "any fault in the first 150 bytes of a connection", 800, 8, kTwoSilences,
        maker<BeginningExperiment>(true)},
-      {"F19", "the same while no pictures are wanted", 400, 16, kTwoSilences, maker<BeginningExperiment>(false)},
-      {"F21", "anything while takePicture() waits", 800, 8, kAfterTheCall, maker<TakePictureExperiment>()},
-      {"F22", "a long, uneven, slow way, or one that stops", 400, 8, {}, maker<BadWayExperiment>()},
+      {"F19", "the same without a stream", 400, 16, kTwoSilences, maker<BeginningExperiment>(false)},
+      {"F21", "any fault while takePicture() waits", 800, 8, kAfterTheCall, maker<TakePictureExperiment>()},
+      {"F22", "long or varying delay, low rate, pauses", 400, 8, {}, maker<BadWayExperiment>()},
   };
 }
 

@@ -15,17 +15,16 @@
 
 #include "radio/network_host.h"
 #include "radio/radio_link.h"
+#include "support/program.h"
 
 namespace {
 
 namespace po = boost::program_options;
 
-constexpr int kWrongUsage = 2;
 constexpr char kRobotAddress[] = "10.77.0.1";
 constexpr char kComputerAddress[] = "10.77.0.2";
 
 struct Options {
-  bool help = false;
   std::string robot_command;
   std::string computer_command;
   double megabits_per_second = 0;
@@ -40,15 +39,14 @@ po::options_description describe(Options& options) {
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
-    ("help", "say this and exit")
-    ("robot", po::value(&options.robot_command), "shell command that runs on the robot's host, 10.77.0.1")
-    ("computer", po::value(&options.computer_command), "shell command that runs on the other host, 10.77.0.2; when it ends, all ends")
+    ("robot", po::value(&options.robot_command), "shell command on the robot's host, 10.77.0.1")
+    ("computer", po::value(&options.computer_command), "shell command on the other host, 10.77.0.2; when it ends, everything ends")
     ("rate", po::value(&options.megabits_per_second)->default_value(11), "Mbit/s; 802.11b has 11, 5.5, 2 and 1")
-    ("loss", po::value(&options.loss_percent)->default_value(0), "packets that get lost, in percent")
+    ("loss", po::value(&options.loss_percent)->default_value(0), "lost packets, in percent")
     ("delay", po::value(&options.delay_ms)->default_value(1), "of each packet, in ms")
-    ("jitter", po::value(&options.jitter_ms)->default_value(1), "up to so much more delay at random, in ms")
-    ("outage", po::value(&options.outages), "BEGIN:LENGTH in seconds, such as 10:3; may be given several times")
-    ("seed", po::value(&options.radio.seed)->default_value(1), "of loss and jitter");
+    ("jitter", po::value(&options.jitter_ms)->default_value(1), "random additional delay, up to this many ms")
+    ("outage", po::value(&options.outages), "BEGIN:LENGTH in seconds, such as 10:3; may be repeated")
+    ("seed", po::value(&options.radio.seed)->default_value(1), "seed of loss and jitter");
   // clang-format on
   return description;
 }
@@ -74,13 +72,10 @@ std::chrono::microseconds toMicroseconds(const std::string& option, double milli
   return std::chrono::microseconds(static_cast<long>(milliseconds * 1e3));
 }
 
-void parse(const po::options_description& description, int argc, char** argv, Options& options) {
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), values);
-  po::notify(values);
-  options.help = values.count("help") > 0;
-  if (!options.help && (options.robot_command.empty() || options.computer_command.empty())) {
-    throw po::error("the options '--robot' and '--computer' have to be given");
+/// Checks the options, and sets options.radio.
+void check(Options& options) {
+  if (options.robot_command.empty() || options.computer_command.empty()) {
+    throw po::error("the options '--robot' and '--computer' are required");
   }
   if (!(options.megabits_per_second > 0)) {
     throw po::error("option '--rate' must be above 0");
@@ -120,7 +115,7 @@ pid_t start(const fault_bench::NetworkHost& host, const std::string& command) {
 
 volatile sig_atomic_t computer_process = 0;
 
-// Ctrl-C ends the command on the computer's host, and with it everything.
+// Ctrl-C ends the command on the computer's host, and thus everything.
 void endComputer(int signal) {
   ::kill(-computer_process, signal);
 }
@@ -150,24 +145,15 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    Options options;
-    const po::options_description description = describe(options);
-    parse(description, argc, argv, options);
-    if (options.help) {
-      std::cout << "Two hosts on this machine with an emulated 802.11b link between them, and a command on each.\n"
-                   "Needs root. For instance:\n\n"
-                   "  aibo_radio_link --loss 5 --outage 10:3 --robot 'aibo_rcserver --bind 10.77.0.1' \\\n"
-                   "      --computer 'roslaunch aibo_driver aibo.launch host:=10.77.0.1'\n\n"
-                << description;
-      return EXIT_SUCCESS;
-    }
-    return run(options);
-  } catch (const po::error& error) {
-    std::cerr << "aibo_radio_link: " << error.what() << " (--help tells all options)\n";
-    return kWrongUsage;
-  } catch (const std::exception& error) {
-    std::cerr << "aibo_radio_link: " << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  Options options;
+  return test_support::runProgram(
+      argc, argv,
+      "Two hosts on this machine with an emulated 802.11b link between them, and a command on "
+      "each.\nNeeds root. For instance:\n\n"
+      "  aibo_radio_link --loss 5 --outage 10:3 --robot 'aibo_rcserver --bind 10.77.0.1' \\\n"
+      "      --computer 'roslaunch aibo_driver aibo.launch host:=10.77.0.1'",
+      describe(options), [&] {
+        check(options);
+        return run(options);
+      });
 }

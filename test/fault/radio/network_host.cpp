@@ -15,6 +15,8 @@
 #include <system_error>
 #include <thread>
 
+using aibo_driver::FileDescriptor;
+
 namespace fault_bench {
 namespace {
 
@@ -37,7 +39,7 @@ void setAddress(int socket, unsigned long what, const std::string& address) {
   auto* internet = reinterpret_cast<sockaddr_in*>(&request.ifr_addr);
   internet->sin_family = AF_INET;
   if (::inet_pton(AF_INET, address.c_str(), &internet->sin_addr) != 1) {
-    throw NoNetworkHosts("'" + address + "' is no IPv4 address");
+    throw NoNetworkHosts("'" + address + "' is not an IPv4 address");
   }
   if (::ioctl(socket, what, &request) != 0) {
     throwProblem("address " + address);
@@ -52,50 +54,41 @@ void bringUp(int socket, const char* device) {
   }
 }
 
-int openTunDevice() {
-  const int packets = ::open("/dev/net/tun", O_RDWR | O_NONBLOCK | O_CLOEXEC);
-  if (packets < 0) {
+FileDescriptor openTunDevice() {
+  FileDescriptor packets(::open("/dev/net/tun", O_RDWR | O_NONBLOCK | O_CLOEXEC));
+  if (!packets.valid()) {
     throwProblem("/dev/net/tun");
   }
   ifreq request = requestFor(kDevice);
   request.ifr_flags = IFF_TUN | IFF_NO_PI;
-  if (::ioctl(packets, TUNSETIFF, &request) != 0) {
-    const int error = errno;
-    ::close(packets);
-    errno = error;
+  if (::ioctl(packets.get(), TUNSETIFF, &request) != 0) {
     throwProblem("TUN device");
   }
   return packets;
 }
 
 void configure(const std::string& address) {
-  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (socket < 0) {
+  const FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) {
     throwProblem("socket");
   }
-  try {
-    bringUp(socket, "lo");
-    setAddress(socket, SIOCSIFADDR, address);
-    setAddress(socket, SIOCSIFNETMASK, kNetmask);
-    bringUp(socket, kDevice);
-  } catch (...) {
-    ::close(socket);
-    throw;
-  }
-  ::close(socket);
+  bringUp(socket.get(), "lo");
+  setAddress(socket.get(), SIOCSIFADDR, address);
+  setAddress(socket.get(), SIOCSIFNETMASK, kNetmask);
+  bringUp(socket.get(), kDevice);
 }
 
 }  // namespace
 
 NetworkHost::NetworkHost(const std::string& address) : address_(address) {
   std::exception_ptr problem;
-  std::thread([&] {  // a thread of its own, because one that has left its namespace may not be able to go back
+  std::thread([&] {  // because a thread that has left its namespace may not be able to go back
     try {
       if (::unshare(CLONE_NEWNET) != 0) {
         throwProblem("network namespace");
       }
-      name_space_ = ::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC);
-      if (name_space_ < 0) {
+      name_space_ = FileDescriptor(::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC));
+      if (!name_space_.valid()) {
         throwProblem("network namespace");
       }
       packets_ = openTunDevice();
@@ -106,19 +99,12 @@ NetworkHost::NetworkHost(const std::string& address) : address_(address) {
   })
       .join();
   if (problem) {
-    ::close(packets_);
-    ::close(name_space_);
     std::rethrow_exception(problem);
   }
 }
 
-NetworkHost::~NetworkHost() {
-  ::close(packets_);
-  ::close(name_space_);
-}
-
 void NetworkHost::enter() const {
-  if (::setns(name_space_, CLONE_NEWNET) != 0) {
+  if (::setns(name_space_.get(), CLONE_NEWNET) != 0) {
     throwProblem("entering a network namespace");
   }
 }

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/file_descriptor.h"
+
 namespace fault_bench {
 
 /// This machine cannot play two hosts; the text says what is missing.
@@ -12,30 +14,26 @@ class NoNetworkHosts : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A host of its own, as far as the network goes: a network namespace with a loopback device and one TUN device, which
-/// is the only way out. It is gone with the last thread and descriptor in it.
+/// A network namespace with a loopback device and one TUN device, which is the only way out: to the network, a host of
+/// its own. It lasts until the last thread has left it and its descriptors are closed.
 class NetworkHost {
  public:
-  /// @param address of the host, IPv4; it takes 10.0.0.0/8 for its neighbourhood
+  /// @param address IPv4 address of the host; 10.0.0.0/8 is its network
   /// @throw NoNetworkHosts
   explicit NetworkHost(const std::string& address);
-  ~NetworkHost();
-
-  NetworkHost(const NetworkHost&) = delete;
-  NetworkHost& operator=(const NetworkHost&) = delete;
 
   const std::string& address() const { return address_; }
 
-  /// The calling thread, and whatever threads and processes it starts from now on, are on this host for good.
+  /// Moves the calling thread to this host for good, with all threads and processes that it starts from now on.
   void enter() const;
 
-  /// Reads and writes the IP packets of the host's TUN device, one each time.
-  int packets() const { return packets_; }
+  /// A descriptor for the IP packets of the host's TUN device: each read or write is one packet.
+  int packets() const { return packets_.get(); }
 
  private:
   const std::string address_;
-  int name_space_ = -1;
-  int packets_ = -1;
+  aibo_driver::FileDescriptor name_space_;
+  aibo_driver::FileDescriptor packets_;
 };
 
 }  // namespace fault_bench

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <mutex>
 #include <set>
@@ -18,6 +17,7 @@
 #include "radio/network_host.h"
 #include "radio/radio_link.h"
 #include "radio/robot_on_radio.h"
+#include "support/program.h"
 
 namespace fault_bench {
 namespace {
@@ -27,23 +27,22 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-constexpr int kWrongUsage = 2;
-constexpr int kSkipped = 77;  // as CTest knows it: SKIP_RETURN_CODE
+constexpr int kSkipped = 77;  // SKIP_RETURN_CODE of the CTest test
 
 constexpr char kRobotAddress[] = "10.77.0.1";
 constexpr char kComputerAddress[] = "10.77.0.2";
 
-/// The stream has to have begun by then, whatever the loss.
+/// The stream must begin within this time, whatever the loss.
 constexpr std::chrono::seconds kSafetyNet{20};
-/// A picture so old is stale: it has waited in a socket while nothing got through.
+/// An older picture is stale: it has waited in a socket while nothing got through.
 constexpr milliseconds kOldestPicture{1500};
 
 struct Trial {
   std::string title;
   RadioOptions radio;
   milliseconds length{15000};
-  milliseconds recovery_mark{0};  ///< after an outage the next picture comes within this time; 0 = no outage
-  bool on_busy_computer = false;  ///< it may hold the client up, so that pictures grow stale
+  milliseconds recovery_mark{0};  ///< the next picture must come within this time after an outage; 0 = no outage
+  bool on_busy_computer = false;  ///< which may hold the client up, so that pictures grow stale
 };
 
 struct Sighting {
@@ -51,7 +50,7 @@ struct Sighting {
   steady_clock::time_point seen_at;
 };
 
-/// Notes what the client delivers.
+/// Records and checks what the client delivers.
 class Observer {
  public:
   explicit Observer(const RobotOnRadio& robot) : robot_(robot) {}
@@ -65,7 +64,7 @@ class Observer {
       return;
     }
     if (!sightings_.empty() && sent->number <= sightings_.back().sent.number) {
-      violations_.insert("a picture again, or an older one after a newer");
+      violations_.insert("a picture that is not newer than the one before");
     }
     if (now - sent->image_at > kOldestPicture) {
       violations_.insert("a stale picture");
@@ -123,7 +122,7 @@ void measureRecovery(const Trial& trial, const std::vector<Sighting>& sightings,
   }
 }
 
-/// @param stale pictures that the client may have left out because this computer had held it up
+/// @param stale number of pictures that the client may have left out because this computer held it up
 Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time_point begin, std::uint64_t stale) {
   Result result;
   const std::vector<Sighting> sightings = observer.sightings();
@@ -143,7 +142,7 @@ Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time
     result.violations.insert("no picture at all");
   } else if (trial.radio.loss == 0 && trial.radio.outages.empty() &&
              sightings.back().sent.number - sightings.front().sent.number + 1 > sightings.size() + stale) {
-    result.violations.insert("pictures lost on a link that loses nothing");
+    result.violations.insert("pictures lost on a link without loss");
   }
   return result;
 }
@@ -164,7 +163,7 @@ Result run(const Trial& trial) {
     aibo_driver::RcServerClient client(options, callbacks);
     client.setStreaming(true);
     client.start();
-    std::this_thread::sleep_until(link.begin() + trial.length);  // what is measured is a time
+    std::this_thread::sleep_until(link.begin() + trial.length);  // the length is what the rates are measured over
     const auto deadline = steady_clock::now() + kSafetyNet;
     while (observer.sightings().empty() && steady_clock::now() < deadline) {
       std::this_thread::sleep_for(milliseconds(10));
@@ -208,8 +207,8 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
     for (const double loss : {0.0, 0.01, 0.05}) {
       trials.push_back(lossTrial(11e6, loss, seed, milliseconds(15000)));
     }
-    // After a short outage the robot still waits for the old connection, and turns the new one away until it has
-    // noticed; after a longer one it has given it up.
+    // After a short outage the robot still serves the old connection, and turns the new one away. After a longer one
+    // it has given up the old connection.
     trials.push_back(outageTrial(milliseconds(1000), seed, milliseconds(2000)));
     trials.push_back(outageTrial(milliseconds(3000), seed, milliseconds(500)));
     trials.push_back(outageTrial(milliseconds(10000), seed, milliseconds(500)));
@@ -220,7 +219,7 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
   return trials;
 }
 
-/// How fast a picture comes again is not judged: the machine may be busy.
+/// With a generous limit for recovery, because the machine may be busy.
 std::vector<Trial> shortTrials(std::uint32_t seed) {
   std::vector<Trial> trials = {lossTrial(11e6, 0, seed, milliseconds(2000)),
                                lossTrial(11e6, 0.05, seed, milliseconds(3000)),
@@ -253,42 +252,32 @@ int runAll(const std::vector<Trial>& trials) {
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-int radioCampaign(int argc, char** argv) {
-  std::uint32_t seed = 1;
-  bool short_form = false;
+po::options_description describe(std::uint32_t* seed, bool* short_form) {
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
-    ("help", "say this and exit")
-    ("seed", po::value(&seed)->default_value(1), "of loss and jitter; the campaign tries this one and the next two")
-    ("short", po::bool_switch(&short_form), "a few seconds, for the test run");
+    ("seed", po::value(seed)->default_value(1), "seed of loss and jitter; the campaign tries this one and the next two")
+    ("short", po::bool_switch(short_form), "a few seconds only, for the test run");
   // clang-format on
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << "Driver and robot over an emulated 802.11b link: how many pictures come, how old they are (from the "
-                 "camera's\nimage to their delivery), and when they come again after an outage. Needs root.\n\n"
-              << description;
-    return EXIT_SUCCESS;
-  }
-  return runAll(short_form ? shortTrials(seed) : allTrials(seed));
+  return description;
 }
 
 }  // namespace
 }  // namespace fault_bench
 
 int main(int argc, char** argv) {
-  try {
-    return fault_bench::radioCampaign(argc, argv);
-  } catch (const fault_bench::NoNetworkHosts& problem) {
-    std::cout << "Skipped: " << problem.what() << "\n";
-    return fault_bench::kSkipped;
-  } catch (const boost::program_options::error& error) {
-    std::cerr << "radio_campaign: " << error.what() << " (--help tells all options)\n";
-    return fault_bench::kWrongUsage;
-  } catch (const std::exception& error) {
-    std::cerr << "radio_campaign: " << error.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  std::uint32_t seed = 1;
+  bool short_form = false;
+  return test_support::runProgram(
+      argc, argv,
+      "Driver and robot over an emulated 802.11b link: how many pictures come, how old they are (from the camera's\n"
+      "image to their delivery), and when they come again after an outage. Needs root.",
+      fault_bench::describe(&seed, &short_form), [&] {
+        try {
+          return fault_bench::runAll(short_form ? fault_bench::shortTrials(seed) : fault_bench::allTrials(seed));
+        } catch (const fault_bench::NoNetworkHosts& problem) {
+          std::cout << "Skipped: " << problem.what() << "\n";
+          return fault_bench::kSkipped;
+        }
+      });
 }

@@ -1,14 +1,12 @@
 #include "radio/radio_link.h"
 
 #include <poll.h>
-#include <sys/eventfd.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace fault_bench {
@@ -27,22 +25,18 @@ timespec toTimespec(nanoseconds time) {
 }  // namespace
 
 RadioLink::RadioLink(const NetworkHost& one, const NetworkHost& other, const RadioOptions& options)
-    : hosts_{one.packets(), other.packets()}, medium_(options), stop_event_(::eventfd(0, EFD_CLOEXEC)) {
-  if (stop_event_ < 0) {
-    throw std::runtime_error("no eventfd for the radio link");
-  }
+    : hosts_{one.packets(), other.packets()}, medium_(options) {
   thread_ = std::thread([this] { run(); });
 }
 
 RadioLink::~RadioLink() {
-  ::eventfd_write(stop_event_, 1);
+  stopping_ = true;
+  stop_event_.raise();
   thread_.join();
-  ::close(stop_event_);
 }
 
 void RadioLink::run() {
-  pollfd stop = {stop_event_, POLLIN, 0};
-  while (::poll(&stop, 1, 0) == 0) {
+  while (!stopping_) {
     waitForWork();
     takePackets(RadioMedium::kUp);
     takePackets(RadioMedium::kDown);
@@ -58,7 +52,7 @@ void RadioLink::waitForWork() const {
     }
   }
   const timespec timeout = toTimespec(std::max(patience, nanoseconds(0)));
-  pollfd polled[] = {{stop_event_, POLLIN, 0}, {hosts_[0], POLLIN, 0}, {hosts_[1], POLLIN, 0}};
+  pollfd polled[] = {{stop_event_.descriptor(), POLLIN, 0}, {hosts_[0], POLLIN, 0}, {hosts_[1], POLLIN, 0}};
   ::ppoll(polled, 3, &timeout, nullptr);
 }
 
@@ -80,7 +74,7 @@ void RadioLink::deliverPackets() {
     const auto is_under_way = [now](const Packet& packet) { return packet.arrival > now; };
     const auto end = std::find_if(packets.begin(), packets.end(), is_under_way);
     for (auto packet = packets.begin(); packet != end; ++packet) {
-      // What the host does not take is lost, as with any network card.
+      // A packet that the host does not take is lost, as with any network card.
       ++(::write(packet->receiver, packet->bytes.data(), packet->bytes.size()) > 0 ? carried_ : lost_);
     }
     packets.erase(packets.begin(), end);

@@ -9,12 +9,13 @@
 #include <thread>
 #include <vector>
 
+#include "client/event.h"
 #include "radio/network_host.h"
 #include "radio/radio_medium.h"
 
 namespace fault_bench {
 
-/// Carries the packets between two hosts as a radio would, from its construction to its end, on a thread of its own.
+/// Carries the packets between two hosts as a radio would, on a thread of its own.
 class RadioLink {
  public:
   /// The hosts must outlive the link.
@@ -24,7 +25,7 @@ class RadioLink {
   RadioLink(const RadioLink&) = delete;
   RadioLink& operator=(const RadioLink&) = delete;
 
-  /// From when the times of RadioOptions::outages count.
+  /// The times of RadioOptions::outages count from here.
   std::chrono::steady_clock::time_point begin() const { return begin_; }
 
   /// @name Packets since the beginning. Any thread may ask.
@@ -51,7 +52,8 @@ class RadioLink {
   std::array<std::vector<Packet>, 2> under_way_;  // in the order of arrival, by direction
   std::atomic<std::uint64_t> carried_{0};
   std::atomic<std::uint64_t> lost_{0};
-  int stop_event_;
+  aibo_driver::Event stop_event_;
+  std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
 

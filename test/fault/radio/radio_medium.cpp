@@ -17,7 +17,7 @@ std::optional<RadioMedium::Time> RadioMedium::send(Direction direction, std::siz
   air_is_free_ =
       std::max(air_is_free_, now) + options_.overhead + std::chrono::duration_cast<std::chrono::nanoseconds>(airtime);
   waiting_.push_back(air_is_free_);
-  // Drawn for every packet, so that an outage does not change what happens to the packets after it.
+  // Random numbers are drawn for every packet, so that an outage does not change the fate of later packets.
   const bool is_lost = std::uniform_real_distribution<double>(0, 1)(random_) < options_.loss;
   const std::chrono::microseconds jitter(
       std::uniform_int_distribution<std::int64_t>(0, options_.jitter.count())(random_));

@@ -1,11 +1,9 @@
 #include "radio/robot_on_radio.h"
 
-#include <exception>
-#include <future>
+#include <functional>
 #include <string_view>
 
-#include "protocol/version1.h"
-#include "simulator/object_catalog.h"
+using test_support::RobotThread;
 
 namespace fault_bench {
 namespace {
@@ -16,40 +14,13 @@ std::size_t hash(std::string_view bytes) {
 
 }  // namespace
 
-RobotOnRadio::RobotOnRadio(const NetworkHost& host) : machine_(machineOptions(host), clock_, robot_) {
-  std::promise<void> booted;
-  std::future<void> result = booted.get_future();
-  thread_ = std::thread([&host, this, booted = std::move(booted)]() mutable {
-    try {
-      host.enter();
-      machine_.boot();
-    } catch (...) {
-      booted.set_exception(std::current_exception());
-      return;
-    }
-    booted.set_value();
-    machine_.run();
-    machine_.shutdown();
-  });
-  try {
-    result.get();
-  } catch (...) {
-    thread_.join();
-    throw;
-  }
-}
-
-RobotOnRadio::~RobotOnRadio() {
-  machine_.stop();
-  thread_.join();
-}
+RobotOnRadio::RobotOnRadio(const NetworkHost& host)
+    : thread_(robot_, machineOptions(host), [&host] { host.enter(); }) {}
 
 openr_host::MachineOptions RobotOnRadio::machineOptions(const NetworkHost& host) {
-  openr_host::MachineOptions options;
+  openr_host::MachineOptions options = RobotThread::defaultOptions();
   options.bind_address = host.address();
-  options.ports = {};
-  options.memory_stick = MEMORY_STICK;
-  options.catalog = objectCatalog();
+  options.ports = {{RobotThread::kRobotPort, RobotThread::kRobotPort}};
   options.on_camera_image = [this] { cameraImageTaken(); };
   options.on_send = [this](const void* data, std::size_t size) { aboutToSend(data, size); };
   return options;
@@ -58,7 +29,6 @@ openr_host::MachineOptions RobotOnRadio::machineOptions(const NetworkHost& host)
 void RobotOnRadio::cameraImageTaken() {
   const std::lock_guard<std::mutex> lock(mutex_);
   image_at_ = std::chrono::steady_clock::now();
-  ++images_;
 }
 
 void RobotOnRadio::aboutToSend(const void* data, std::size_t size) {
@@ -76,11 +46,6 @@ std::optional<RobotOnRadio::Sent> RobotOnRadio::find(const std::vector<std::uint
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = sent_.find(wanted);
   return found == sent_.end() ? std::nullopt : std::optional<Sent>(found->second);
-}
-
-std::uint64_t RobotOnRadio::images() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return images_;
 }
 
 }  // namespace fault_bench

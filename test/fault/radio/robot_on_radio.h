@@ -7,55 +7,42 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "radio/network_host.h"
 #include "simulator/ers7/simulated_ers7.h"
-#include "simulator/openr_host/clock.h"
-#include "simulator/openr_host/machine.h"
 #include "simulator/sent_pictures.h"
+#include "support/robot_thread.h"
 
 namespace fault_bench {
 
-/// The real RCServer on a simulated ERS-7, on a host of its own, from construction to end. It remembers all that it
-/// sends.
+/// The real RCServer with a simulated ERS-7, on a host of its own. It remembers all pictures that it sends.
 class RobotOnRadio {
  public:
   struct Sent {
-    std::uint64_t number;                            ///< 1 for the first picture sent, in their order
+    std::uint64_t number;                            ///< in the order of sending; the first is 1
     std::chrono::steady_clock::time_point image_at;  ///< when the camera had the image
   };
 
   /// @throw openr_host::BootError
   explicit RobotOnRadio(const NetworkHost& host);
-  ~RobotOnRadio();
 
-  RobotOnRadio(const RobotOnRadio&) = delete;
-  RobotOnRadio& operator=(const RobotOnRadio&) = delete;
-
-  /// What is known of a picture; nothing if it was never sent. Any thread may ask.
+  /// Looks up a picture; nothing if it was never sent. Any thread.
   std::optional<Sent> find(const std::vector<std::uint8_t>& jpeg) const;
-
-  /// Images that the camera has handed over so far. Any thread may ask.
-  std::uint64_t images() const;
 
  private:
   openr_host::MachineOptions machineOptions(const NetworkHost& host);
   void cameraImageTaken();
   void aboutToSend(const void* data, std::size_t size);
 
-  mutable std::mutex mutex_;                          // guards what follows, until the machine
+  mutable std::mutex mutex_;                          // guards what follows, down to the robot
   std::map<std::size_t, Sent> sent_;                  // by the hash of their bytes
   std::chrono::steady_clock::time_point image_at_;    // the camera's last one
   std::chrono::steady_clock::time_point picture_at_;  // that of the picture that is being sent
   SentPictures pictures_;
-  std::uint64_t images_ = 0;
 
-  openr_host::WallClock clock_;
   simulated_ers7::SimulatedErs7 robot_;
-  openr_host::Machine machine_;
-  std::thread thread_;
+  test_support::RobotThread thread_;
 };
 
 }  // namespace fault_bench

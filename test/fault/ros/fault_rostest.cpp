@@ -1,4 +1,4 @@
-// How the driver's node lives through bad days of robot, network, ROS master, and those who use it.
+// The driver's node under faults of the robot, the network, the ROS master and its users.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/Ears.h>
@@ -36,25 +36,24 @@
 #include <thread>
 #include <vector>
 
-#include "diagnostics_listener.h"
-#include "driver_process.h"
-#include "good_calibration.h"
-#include "joint_listener.h"
-#include "joint_messages.h"
-#include "memory_stick.h"
-#include "nodelet_host.h"
-#include "proxy/fault_proxy.h"
-#include "proxy/script.h"
-#include "proxy/sockets.h"
-#include "recording_proxy.h"
 #include "robot_model/robot_model.h"
-#include "simulated_robot.h"
-#include "support/numbered_pictures.h"
+#include "support/good_calibration.h"
+#include "support/memory_stick.h"
 #include "support/picture_server.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/proxy/recording_proxy.h"
+#include "support/proxy/script.h"
 #include "support/resources.h"
-#include "temporary_folder.h"
-#include "topic_listener.h"
-#include "topic_publishers.h"
+#include "support/ros/diagnostics_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/joint_listener.h"
+#include "support/ros/joint_messages.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
+#include "support/sockets.h"
+#include "support/temporary_folder.h"
+#include "support/test_pictures.h"
 
 namespace {
 
@@ -62,25 +61,25 @@ using aibo_driver::Connection;
 using aibo_driver::PlayMotion;
 using aibo_driver::TakePicture;
 using aibo_driver::UploadMotion;
-using fault_bench::Action;
-using fault_bench::FaultProxy;
-using fault_bench::PictureServer;
-using fault_bench::Resources;
-using fault_bench::Welcome;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
+using test_support::Action;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
+using test_support::FaultProxy;
 using test_support::goodCalibration;
 using test_support::JointListener;
 using test_support::kSafetyNet;
 using test_support::MemoryStick;
+using test_support::PictureServer;
 using test_support::Process;
 using test_support::RecordingProxy;
+using test_support::Resources;
 using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
+using test_support::Welcome;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -89,7 +88,7 @@ using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
 constexpr milliseconds kPatience{30000};
 
-/// The whole campaign tries more often than the tests do, on a computer that is not busy with other things.
+/// The whole campaign tries more often than the tests, and needs an otherwise idle computer.
 bool wholeCampaign() {
   return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
 }
@@ -106,7 +105,7 @@ bool eventually(const Condition& condition) {
   return true;
 }
 
-/// Ctrl-C.
+/// Ends the node by Ctrl-C.
 void expectEndsSoon(DriverProcess* driver) {
   const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
   const auto begin = steady_clock::now();
@@ -115,7 +114,7 @@ void expectEndsSoon(DriverProcess* driver) {
   EXPECT_LE(steady_clock::now() - begin, limit);
 }
 
-/// Looks at the node again until it has let go of what it asks the master by, every few seconds.
+/// Waits for the node to release what it holds only for a while, such as its connection to the master.
 void expectNoMoreThan(const Resources& before, const DriverProcess& driver) {
   Resources now;
   EXPECT_TRUE(eventually([&] {
@@ -131,19 +130,13 @@ void expectNoMoreThan(const Resources& before, const DriverProcess& driver) {
 /// A fast server, and a proxy in front of it.
 class Faults : public testing::Test {
  protected:
-  static FaultProxy::Options options(int target_port) {
-    FaultProxy::Options options;
-    options.target_port = target_port;
-    return options;
-  }
-
   bool picturesFlow() {
     const std::uint64_t before = server_.lastNumber();
     return eventually([&] { return server_.lastNumber() > before + 5; });
   }
 
   PictureServer server_{2, milliseconds(2)};
-  FaultProxy proxy_{options(server_.port())};
+  FaultProxy proxy_{server_.port()};
 };
 
 TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
@@ -158,7 +151,7 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
     }
     const std::size_t connections = proxy_.connections();
     if (round % 3 == 0) {
-      proxy_.add(fault_bench::parseFault("overwrite:ff@picture"));
+      proxy_.add(test_support::parseFault("overwrite:ff@picture"));
     } else {
       proxy_.endConnections(round % 3 == 1 ? Action::kReset : Action::kClose);
     }
@@ -168,21 +161,21 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
   expectNoMoreThan(before, driver);
 }
 
-/// Of numbered pictures that are published, in order and unchanged: which, and how many.
-class NumberedPictures {
+/// Counts named pictures, and checks that they come in order and unchanged.
+class NamedPictures {
  public:
-  explicit NumberedPictures(const std::string& topic)
-      : subscriber_(ros::NodeHandle().subscribe(topic, 1000, &NumberedPictures::see, this)) {}
+  explicit NamedPictures(const std::string& topic)
+      : subscriber_(ros::NodeHandle().subscribe(topic, 1000, &NamedPictures::see, this)) {}
 
   std::uint64_t last() const { return last_; }
   std::uint64_t count() const { return count_; }
 
  private:
   void see(const sensor_msgs::CompressedImage& picture) {
-    const auto name = fault_bench::nameOfPicture(picture.data);
+    const auto name = test_pictures::nameOf(picture.data);
     ASSERT_TRUE(name.has_value());
     EXPECT_GT(name->number, last_);
-    EXPECT_EQ(picture.data, fault_bench::makeNumberedPicture(*name)) << "picture " << name->number;
+    EXPECT_EQ(picture.data, test_pictures::makeNamed(*name)) << "picture " << name->number;
     last_ = name->number;
     ++count_;
   }
@@ -197,9 +190,9 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   const std::uint64_t warm_up = wanted / 5;
   const std::string kStream = "fast/aibo_driver: stream";
   PictureServer server(2, milliseconds(1));
-  NumberedPictures pictures("/fast/camera/image_raw/compressed");
+  NamedPictures pictures("/fast/camera/image_raw/compressed");
   DiagnosticsListener diagnostics;
-  DriverProcess driver("/fast", server.port(), {"_read_timeout:=60"});  // on a slow computer, too, no connection ends
+  DriverProcess driver("/fast", server.port(), {"_read_timeout:=60"});  // no connection ends, even on a slow computer
   const auto waitForPicture = [&](std::uint64_t number) {
     while (pictures.last() < number) {
       const std::uint64_t before = pictures.last();
@@ -218,16 +211,16 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   };
   const auto stale = [&](const auto& stream) { return count(stream, "pictures dropped for newer ones"); };
   const auto all_have_come = [&](const auto& stream) {
-    return count(stream, "pictures received") + stale(stream) + 1 >= sent;  // half of the last one may be missing
+    return count(stream, "pictures received") + stale(stream) + 1 >= sent;  // the last one may be incomplete
   };
   const auto stream = diagnostics.waitFor(kStream, all_have_come);
-  EXPECT_FALSE(stream.name.empty()) << "of " << sent << " pictures, some have not come";
+  EXPECT_FALSE(stream.name.empty()) << "some of " << sent << " pictures have not come";
   if (wholeCampaign()) {
-    std::printf("of %llu pictures, %llu were left out for newer ones, and %llu came to a subscriber\n",
+    std::printf("%llu pictures sent, %llu dropped for newer ones, %llu received by a subscriber\n",
                 static_cast<unsigned long long>(sent), static_cast<unsigned long long>(stale(stream)),
                 static_cast<unsigned long long>(pictures.count()));
     EXPECT_LE(1000 * stale(stream), sent);
-    EXPECT_GE(100 * pictures.count(), 99 * sent);  // ROS' own queues overflow when this computer is held up for 5 ms
+    EXPECT_GE(100 * pictures.count(), 99 * sent);  // ROS' queues overflow when this computer is held up for 5 ms
   }
 }
 
@@ -249,11 +242,11 @@ TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
   }
 }
 
-TEST_F(Faults, CtrlCEndsTheNodeAmidAPicture) {
-  CompressedListener pictures("/amid/camera/image_raw/compressed");
-  DriverProcess driver("/amid", proxy_.port(), {"_read_timeout:=30"});
+TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
+  CompressedListener pictures("/middle/camera/image_raw/compressed");
+  DriverProcess driver("/middle", proxy_.port(), {"_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  proxy_.add(fault_bench::parseFault("silence@picture+1000"));
+  proxy_.add(test_support::parseFault("silence@picture+1000"));
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
   expectEndsSoon(&driver);
 }
@@ -266,16 +259,16 @@ TEST_F(Faults, CtrlCEndsTheNodeWhileItsRobotsNameIsLookedUp) {
 }
 
 TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
-  FaultProxy master(options(static_cast<int>(ros::master::getPort())));
+  FaultProxy master(static_cast<int>(ros::master::getPort()));
   CompressedListener pictures("/deaf_master/camera/image_raw/compressed");
   const char* const sanitizer = std::getenv("TSAN_OPTIONS");
   const std::map<std::string, std::string> environment = {
       {"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(master.port())},
       {"TSAN_OPTIONS",
-       std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // left as meant
+       std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // intended here
   DriverProcess driver("/deaf_master", proxy_.port(), {}, environment);
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  fault_bench::Conditions silence;
+  test_support::Conditions silence;
   silence.paused = true;
   master.setConditions(silence);
   driver.signal(SIGINT);
@@ -283,7 +276,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), EXIT_FAILURE);
 }
 
-TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
+TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   CompressedListener pictures("/waiting/camera/image_raw/compressed");
   DriverProcess driver("/waiting", proxy_.port(), {"_read_timeout:=60"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
@@ -292,9 +285,9 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   play.request.name = "nod";
   play.request.repetitions = 1;
   UploadMotion upload;
-  upload.request.file = stick.path() + "/OPEN-R/MW/DATA/P/WAG.MTN";
-  proxy_.add(fault_bench::parseFault("pause:600000>server"));
-  // The node may end without an answer.
+  upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
+  proxy_.add(test_support::parseFault("pause:600000>server"));
+  // The node may end without answering.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
@@ -306,11 +299,11 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsThem) {
   expectEndsSoon(&driver);
 }
 
-TEST(FaultsOfUsers, CtrlCEndsTheNodeAmidATrajectory) {
+TEST(FaultsOfUsers, CtrlCEndsTheNodeDuringATrajectory) {
   const SimulatedRobot robot;
-  JointListener joints("/amid_motion");
-  TopicPublishers topics("/amid_motion");
-  DriverProcess driver("/amid_motion", robot.port(), {"_stream_on_start:=false"});
+  JointListener joints("/middle_motion");
+  TopicPublishers topics("/middle_motion");
+  DriverProcess driver("/middle_motion", robot.port(), {"_stream_on_start:=false"});
   ASSERT_FALSE(joints.messages().waitForCount(1).empty());
   topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 20));
   ASSERT_TRUE(joints.messages().waitFor(
@@ -337,7 +330,7 @@ TEST_F(Faults, SubscribersComeAndGo) {
   EXPECT_TRUE(eventually([&] {
     const Resources now = Resources::of(std::to_string(driver.pid()));
     return now.descriptors <= before.descriptors + 2 && now.threads <= before.threads;
-  })) << "descriptors or threads were left behind";
+  })) << "descriptors or threads leaked";
   EXPECT_TRUE(driver.isRunning());
 }
 
@@ -365,11 +358,11 @@ TEST_F(Faults, ASubscriberThatHangsDelaysNobodyElse) {
   for (const auto& image : decoded.waitForCount(1)) {
     stale += is_new(*image) ? 0 : 1;
   }
-  EXPECT_LT(stale, meanwhile.size() / 2) << "it decodes what has grown old";
+  EXPECT_LT(stale, meanwhile.size() / 2) << "it decodes stale pictures";
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST_F(Faults, ANodeThatIsKilledAndStartedAgainGoesOnForThoseWhoListen) {
+TEST_F(Faults, SubscribersHearANodeThatIsKilledAndStartedAgain) {
   CompressedListener pictures("/respawn/camera/image_raw/compressed");
   auto driver = std::make_unique<DriverProcess>("/respawn", proxy_.port());
   for (int round = 0; round < 3; ++round) {
@@ -391,57 +384,74 @@ void expectWithinLimits(const robot_model::RobotModel& model, const sensor_msgs:
   }
 }
 
+/// Publishes on all command topics of a driver, some of it nonsense.
+class CommandFlood {
+ public:
+  explicit CommandFlood(const std::string& name_space, const robot_model::RobotModel& model) : topics_(name_space) {
+    for (int i = 0; i < model.number_of_joints; ++i) {
+      joints_.name.emplace_back(model.joints[i].name);
+      const std::string topic = joints_.name.back() + "_position_controller/command";
+      controllers_.push_back(topics_.advertise<std_msgs::Float64>(topic, 10));
+    }
+  }
+
+  /// Publishes one message on each topic.
+  void publish(int round) {
+    const bool nonsense = round % 50 == 0;
+    joints_.position.assign(joints_.name.size(), nonsense ? std::numeric_limits<double>::quiet_NaN() : value());
+    command_.publish(joints_);
+    for (const ros::Publisher& controller : controllers_) {
+      std_msgs::Float64 position;
+      position.data = round % 70 == 0 ? std::numeric_limits<double>::infinity() : value();
+      controller.publish(position);
+    }
+    trajectory_msgs::JointTrajectory path;
+    path.joint_names = joints_.name;
+    path.points.resize(static_cast<std::size_t>(round % 3));
+    for (auto& point : path.points) {
+      point.positions = joints_.position;
+      point.time_from_start = ros::Duration(value());
+    }
+    trajectory_.publish(path);
+    aibo_driver::Leds light;
+    light.names = {"all", "face_1", round % 30 == 0 ? "" : "back"};
+    light.intensities.assign(light.names.size(), static_cast<float>(value()));
+    light.mode = static_cast<std::uint8_t>(round % 3);
+    leds_.publish(light);
+    aibo_driver::Ears flick;
+    flick.left = round % 2 == 0;
+    flick.right = round % 3 == 0;
+    ears_.publish(flick);
+  }
+
+ private:
+  double value() { return std::uniform_real_distribution<double>(-2, 2)(random_); }
+
+  ros::NodeHandle topics_;
+  ros::Publisher command_ = topics_.advertise<sensor_msgs::JointState>("joint_command", 10);
+  ros::Publisher trajectory_ = topics_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10);
+  ros::Publisher leds_ = topics_.advertise<aibo_driver::Leds>("leds", 10);
+  ros::Publisher ears_ = topics_.advertise<aibo_driver::Ears>("ears", 10);
+  std::vector<ros::Publisher> controllers_;
+  sensor_msgs::JointState joints_;
+  std::minstd_rand random_{1};
+};
+
 TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
   const SimulatedRobot robot;
   CompressedListener pictures("/commands/camera/image_raw/compressed");
   JointListener measured("/commands");
   DriverProcess driver("/commands", robot.port());
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  ros::NodeHandle topics("/commands");
   const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
-  auto command = topics.advertise<sensor_msgs::JointState>("joint_command", 10);
-  auto trajectory = topics.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10);
-  auto leds = topics.advertise<aibo_driver::Leds>("leds", 10);
-  auto ears = topics.advertise<aibo_driver::Ears>("ears", 10);
-  std::vector<ros::Publisher> controllers;
-  sensor_msgs::JointState joints;
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    joints.name.emplace_back(model.joints[i].name);
-    const std::string topic = joints.name.back() + "_position_controller/command";
-    controllers.push_back(topics.advertise<std_msgs::Float64>(topic, 10));
-  }
-  std::minstd_rand random(1);
-  std::uniform_real_distribution<double> angle(-2, 2);
+  CommandFlood flood("/commands", model);
   pictures.clear();
   auto next = steady_clock::now();
-  for (int i = 0; i < 2000; ++i) {
-    joints.position.assign(joints.name.size(), i % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : angle(random));
-    command.publish(joints);
-    for (const ros::Publisher& controller : controllers) {
-      std_msgs::Float64 position;
-      position.data = i % 70 == 0 ? std::numeric_limits<double>::infinity() : angle(random);
-      controller.publish(position);
-    }
-    trajectory_msgs::JointTrajectory path;
-    path.joint_names = joints.name;
-    path.points.resize(static_cast<std::size_t>(i % 3));
-    for (auto& point : path.points) {
-      point.positions = joints.position;
-      point.time_from_start = ros::Duration(angle(random));
-    }
-    trajectory.publish(path);
-    aibo_driver::Leds light;
-    light.names = {"all", "face_1", i % 30 == 0 ? "" : "back"};
-    light.intensities.assign(light.names.size(), static_cast<float>(angle(random)));
-    light.mode = static_cast<std::uint8_t>(i % 3);
-    leds.publish(light);
-    aibo_driver::Ears flick;
-    flick.left = i % 2 == 0;
-    flick.right = i % 3 == 0;
-    ears.publish(flick);
+  for (int round = 0; round < 2000; ++round) {
+    flood.publish(round);
     std::this_thread::sleep_until(next += milliseconds(1));
   }
-  EXPECT_TRUE(pictures.waitForNext()) << "no picture after all these commands";
+  EXPECT_TRUE(pictures.waitForNext()) << "no picture after the commands";
   std_srvs::SetBool::Request request;
   std_srvs::SetBool::Response response;
   request.data = 1;
@@ -470,9 +480,10 @@ double farthest(const sensor_msgs::JointState& a, const sensor_msgs::JointState&
   return distance;
 }
 
-/// Waits for them to stand, and then for a second in which none moves.
+/// Waits until all joints stand still.
+/// @return true if none moves for a second after that
 bool jointsHold(JointListener& joints) {
-  joints.messages().waitForNext();  // the first one knows of no velocity yet
+  joints.messages().waitForNext();  // the first message has no velocities yet
   joints.messages().clear();
   const auto standing = joints.messages().waitFor([](const sensor_msgs::JointState& message) {
     return std::all_of(message.velocity.begin(), message.velocity.end(),
@@ -485,7 +496,7 @@ bool jointsHold(JointListener& joints) {
          });
 }
 
-TEST(FaultsOfUsers, WhatTheNetworkCutsOffEndsWithAnAnswerAndIsNotRepeated) {
+TEST(FaultsOfUsers, CallsThatTheNetworkCutsOffFailAndAreNotRepeated) {
   const SimulatedRobot robot;
   RecordingProxy proxy(robot.port());
   JointListener joints("/cut_off");
@@ -513,13 +524,13 @@ TEST(FaultsOfUsers, WhatTheNetworkCutsOffEndsWithAnAnswerAndIsNotRepeated) {
 
   proxy.setMute(false);
   ASSERT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
-  EXPECT_TRUE(jointsHold(joints)) << "the motion goes on without anybody who could stop it";
+  EXPECT_TRUE(jointsHold(joints)) << "the motion goes on though nobody could stop it";
   EXPECT_THAT(proxy.requestsFromDriver("FPJ", connections), IsEmpty());
   EXPECT_TRUE(callInBackground<PlayMotion>("/cut_off/play_motion", motion).get().success);
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
+TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndOthersCarriedOut) {
   TopicListener<rosgraph_msgs::Log> log("/rosout");
   const SimulatedRobot robot;
   JointListener joints("/types");
@@ -541,10 +552,10 @@ TEST(FaultsOfUsers, CommandsOfAnotherTypeAreRefusedAndTheOthersCarriedOut) {
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
+TEST_F(Faults, NonsenseCameraInfoIsRefusedAndTheOldOneKept) {
   using sensor_msgs::CameraInfo;
   const TemporaryFolder folder;
-  const std::vector<std::string> parameters = {"_camera_info_url:=file://" + folder.path() + "/new/aibo.yaml"};
+  const std::vector<std::string> parameters = {"_camera_info_url:=file://" + folder.path().string() + "/new/aibo.yaml"};
   const auto set = [](const CameraInfo& info) {
     sensor_msgs::SetCameraInfo service;
     service.request.camera_info = info;
@@ -553,7 +564,7 @@ TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
     return static_cast<bool>(service.response.success);
   };
   TopicListener<CameraInfo> camera_infos("/nonsense/camera/camera_info");
-  const auto old_one_stays = [&] {
+  const auto old_one_is_kept = [&] {
     camera_infos.clear();
     const auto info = camera_infos.waitForNext();
     return info && info->K == goodCalibration().K && info->D == goodCalibration().D && info->width == 208;
@@ -565,16 +576,16 @@ TEST_F(Faults, CameraInfoOfNonsenseIsRefusedAndTheOldOneStays) {
   nonsense.D[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(set(nonsense));
   EXPECT_FALSE(set(CameraInfo()));
-  EXPECT_TRUE(old_one_stays());
+  EXPECT_TRUE(old_one_is_kept());
   driver.reset();
   driver = std::make_unique<DriverProcess>("/nonsense", proxy_.port(), parameters);
-  EXPECT_TRUE(old_one_stays()) << "it was not saved";
+  EXPECT_TRUE(old_one_is_kept()) << "it was not saved";
 }
 
 /// A roscore of its own.
 class Master {
  public:
-  Master() : port_(fault_bench::portOf(fault_bench::bindTo("127.0.0.1", 0))) { start(); }
+  Master() : port_(test_support::portOf(test_support::bindTo("127.0.0.1", 0))) { start(); }
   ~Master() { stop(); }
 
   void start() {
@@ -588,7 +599,7 @@ class Master {
     }
   }
 
-  /// It ends in order: killed, it would leave its children behind.
+  /// By SIGINT, because SIGKILL would leave its children behind.
   void stop() {
     if (process_) {
       process_->signal(SIGINT);
@@ -606,7 +617,7 @@ class Master {
   std::unique_ptr<Process> process_;
 };
 
-/// Somebody at that master who measures the rate of a topic once a second.
+/// Measures the rate of a topic once a second.
 class RateMeter {
  public:
   RateMeter(const Master& master, const std::string& topic)
@@ -623,10 +634,10 @@ class RateMeter {
   Process process_;
 };
 
-/// A driver that outlives its master.
+/// A driver that outlives its ROS master.
 class FaultsOfMaster : public Faults {
  protected:
-  /// @param driver the command that starts it, without its parameters
+  /// @param driver the command that starts the driver, without parameters
   void expectToOutliveTheMaster(const std::string& name_space, std::vector<std::string> driver) {
     driver.insert(driver.end(),
                   {"__ns:=" + name_space, "_port:=" + std::to_string(proxy_.port()), "_read_timeout:=60"});
@@ -638,9 +649,9 @@ class FaultsOfMaster : public Faults {
     const std::size_t connections = proxy_.connections();
     proxy_.endConnections(Action::kReset);
     ASSERT_TRUE(eventually([&] { return proxy_.connections() > connections; }))
-        << "without a master it does not reconnect";
+        << "it does not reconnect without a master";
     early.expectMessages();
-    EXPECT_THAT(process.output(), Not(HasSubstr("does not know this node"))) << "nobody said so";
+    EXPECT_THAT(process.output(), Not(HasSubstr("does not know this node"))) << "no master has said so";
 
     const std::size_t reconnected = proxy_.connections();
     master_.start();
@@ -655,7 +666,7 @@ class FaultsOfMaster : public Faults {
     EXPECT_TRUE(process.isRunning());
     master_.stop();
     process.signal(SIGINT);
-    EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "without a master it does not end";
+    EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "it does not end without a master";
   }
 
  private:
@@ -666,11 +677,11 @@ class FaultsOfMaster : public Faults {
   Master master_;
 };
 
-TEST_F(FaultsOfMaster, ItGoesAndComesBackAndKnowsTheNode) {
+TEST_F(FaultsOfMaster, ANewMasterKnowsTheNode) {
   expectToOutliveTheMaster("/master", {AIBO_DRIVER_NODE});
 }
 
-TEST_F(FaultsOfMaster, ItGoesAndComesBackAndKnowsTheNodelet) {
+TEST_F(FaultsOfMaster, ANewMasterKnowsTheNodelet) {
   expectToOutliveTheMaster(
       "/master", test_support::nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__name:=aibo_driver"}));
 }

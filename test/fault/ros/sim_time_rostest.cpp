@@ -1,4 +1,4 @@
-// The driver where the time is not this computer's: /use_sim_time, and a clock that jumps.
+// The driver under /use_sim_time, with a clock that jumps.
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <atomic>
 #include <thread>
 
-#include "driver_process.h"
-#include "simulated_robot.h"
-#include "topic_listener.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ using test_support::TopicListener;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
-/// Publishes a time that goes on like the wall's, and can be set.
+/// Publishes a time that can be set and runs at normal speed.
 class SimulatedTime {
  public:
   SimulatedTime() : publisher_(ros::NodeHandle().advertise<rosgraph_msgs::Clock>("/clock", 10)) {
@@ -48,7 +48,7 @@ class SimulatedTime {
   std::thread thread_;
 };
 
-TEST(SimulatedTime, MayJumpAnywhereAndPicturesAndDiagnosticsGoOn) {
+TEST(SimulatedTime, PicturesAndDiagnosticsGoOnAfterAJump) {
   SimulatedTime time;
   const SimulatedRobot robot;
   CompressedListener pictures("/jumps/camera/image_raw/compressed");
@@ -62,8 +62,7 @@ TEST(SimulatedTime, MayJumpAnywhereAndPicturesAndDiagnosticsGoOn) {
     };
     pictures.clear();
     diagnostics.clear();
-    EXPECT_TRUE(pictures.waitFor(at_the_new_time))
-        << "no picture is stamped with the time after the jump to " << seconds;
+    EXPECT_TRUE(pictures.waitFor(at_the_new_time)) << "no picture with the new time after the jump to " << seconds;
     EXPECT_TRUE(diagnostics.waitFor(at_the_new_time)) << "no diagnostics after the jump to " << seconds;
   }
   EXPECT_TRUE(driver.isRunning());

@@ -1,4 +1,4 @@
-// What a server of version 2 says of itself: any bytes.
+// The decoder of the hello, in which a version 2 server describes itself: any bytes.
 #include "protocol/hello.h"
 
 #include <cstring>
@@ -12,15 +12,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (version2::decodeHello(data, size, &hello) != nullptr) {
     return 0;
   }
-  require(hello.joint_count <= protocol::version2::MAX_JOINTS, "joints have room");
+  require(hello.joint_count <= protocol::version2::MAX_JOINTS, "the joints fit");
   version2::hasCapability(hello, "J");
   static Bytes again(version2::MAX_HELLO_SIZE);
   const std::size_t again_size = version2::encodeHello(hello, again.data());
-  require(again_size <= again.size(), "a hello has its greatest size");
+  require(again_size <= again.size(), "a hello is not larger than its maximum");
   version2::Hello same;
-  require(version2::decodeHello(again.data(), again_size, &same) == nullptr, "what is encoded is accepted");
+  require(version2::decodeHello(again.data(), again_size, &same) == nullptr, "an encoded hello is accepted");
   require(std::strcmp(hello.robot, same.robot) == 0 && std::strcmp(hello.capabilities, same.capabilities) == 0 &&
               hello.frame_number == same.frame_number && hello.joint_count == same.joint_count,
-          "what is encoded is the same");
+          "an encoded hello is the same");
   return 0;
 }

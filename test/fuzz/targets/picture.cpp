@@ -1,4 +1,4 @@
-// A picture on its way through the driver: any bytes.
+// The inspector and the decoder of pictures: any bytes.
 #include <string>
 
 #include "aibo_driver/jpeg_inspector.h"
@@ -7,15 +7,16 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const aibo_driver::JpegInspection inspection = aibo_driver::inspectJpeg(data, size);
-  require(!inspection.good() || (inspection.width <= 416 && inspection.height <= 320), "no camera makes larger ones");
+  require(!inspection.good() || (inspection.width <= 416 && inspection.height <= 320),
+          "a good picture is not larger than a camera makes it");
   try {
     const aibo_driver::node::BgrImage image = aibo_driver::node::decodeJpeg(data, size);
-    require(inspection.good(), "only what was found good is decoded");
-    require(image.width == inspection.width && image.height == inspection.height, "an image has the size announced");
+    require(inspection.good(), "only good pictures are decoded");
+    require(image.width == inspection.width && image.height == inspection.height, "an image has the announced size");
     require(image.pixels.size() == std::size_t{3} * std::size_t(image.width) * std::size_t(image.height),
-            "an image has all of its pixels");
+            "an image has all pixels");
   } catch (const aibo_driver::node::DecodeException& error) {
-    require(!std::string(error.what()).empty(), "who refuses says why");
+    require(!std::string(error.what()).empty(), "an error has a text");
   }
   return 0;
 }

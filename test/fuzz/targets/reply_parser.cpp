@@ -1,4 +1,4 @@
-// The client's reader of version 1: any bytes in any pieces.
+// The client's parser of version 1: any bytes in any pieces.
 #include "client/reply_parser.h"
 
 #include "client/fault.h"

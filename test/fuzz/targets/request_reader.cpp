@@ -10,7 +10,7 @@ using protocol::RequestReader;
 namespace {
 
 void check(const protocol::Request& request) {
-  require(request.payload_size <= sizeof(request.payload), "a payload has room");
+  require(request.payload_size <= sizeof(request.payload), "a payload fits");
   if (request.valid && request.payload_size == sizeof(request.payload)) {
     const protocol::FileRequest file = protocol::decodeFileRequest(request.payload);
     protocol::MotionName name;
@@ -18,7 +18,7 @@ void check(const protocol::Request& request) {
   }
 }
 
-// Takes some of the content, as a server does that wants it; the rest is for next() to skip.
+// Takes some of the content, and leaves the rest for next() to skip.
 void takeContent(RequestReader& reader) {
   Bytes content(reader.contentLeft() % 64);
   while (!content.empty() && reader.contentLeft() > 0) {
@@ -50,8 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (!input.empty()) {
     Bytes piece = input.takePiece();
     piece.resize(std::min(piece.size(), RequestReader::MAX_APPENDED));
-    require(reader.append(piece.data(), piece.size()) == piece.size(), "there is room for what comes");
-    require(takeRequests(reader) <= RequestReader::MAX_REQUESTS, "requests have their least size");
+    require(reader.append(piece.data(), piece.size()) == piece.size(), "there is room for the bytes");
+    require(takeRequests(reader) <= RequestReader::MAX_REQUESTS, "there are no more requests than fit");
   }
   static Bytes rest(RequestReader::MAX_WAITING);
   reader.takeWaiting(rest.data());

@@ -1,19 +1,18 @@
-// The whole server behind its sockets: a client that says anything, in any pieces, while the robot lives on.
+// The whole server without its sockets: a client sends any bytes in any pieces, while the robot runs.
 //
-// The first byte says what RCSERVER.CFG allows. Then come events, a byte each (Event) and what belongs to them.
+// The first byte says what RCSERVER.CFG allows. Then follow events: a byte for the Event, and its arguments.
 #include "rcserver/Session.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 
 #include "file_keeper/MotionFiles.h"
 #include "fuzz_input.h"
 #include "robot_model/robot_model.h"
+#include "support/temporary_folder.h"
 
 namespace fs = std::filesystem;
 namespace version2 = protocol::version2;
@@ -32,31 +31,16 @@ enum Event {
   COUNT
 };
 
-// A memory stick with one motion, in a folder of its own.
-class MemoryStick {
+// A memory stick with one motion.
+class SmallMemoryStick : public test_support::TemporaryFolder {
  public:
-  MemoryStick() {
-    std::string pattern = (fs::temp_directory_path() / "fuzz_memory_stick_XXXXXX").string();
-    require(mkdtemp(pattern.data()) != nullptr, "there is a temporary folder");
-    folder_ = pattern;
-    motions_ = fs::path(folder_) / MOTION_FOLDER;
-    restore();
-  }
-  ~MemoryStick() { fs::remove_all(folder_); }
-  MemoryStick(const MemoryStick&) = delete;
-  MemoryStick& operator=(const MemoryStick&) = delete;
-
-  const char* folder() const { return folder_.c_str(); }
+  SmallMemoryStick() { restore(); }
 
   void restore() {
-    fs::remove_all(motions_);
-    fs::create_directories(motions_);
-    fs::copy(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN", motions_);
+    fs::remove_all(path(MOTION_FOLDER));
+    fs::create_directories(path(MOTION_FOLDER));
+    fs::copy(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN", path(MOTION_FOLDER));
   }
-
- private:
-  std::string folder_;
-  fs::path motions_;
 };
 
 class ObedientMotors final : public MotorSwitch {
@@ -71,7 +55,7 @@ class ObedientMotors final : public MotorSwitch {
   bool on_ = true;
 };
 
-// Does a job on the memory stick when it is told to, and not before.
+// Does a job on the memory stick only when doJob() is called.
 class SlowFiles final : public FileJobs {
  public:
   explicit SlowFiles(const HostSettings& host) : files_(host) {}
@@ -80,8 +64,8 @@ class SlowFiles final : public FileJobs {
   bool IsFree() const override { return !has_job_; }
   unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
                 std::size_t size) override {
-    require(IsFree(), "there is one job at a time");
-    require(size <= sizeof(job_.content), "a content has room");
+    require(IsFree(), "there is only one job at a time");
+    require(size <= sizeof(job_.content), "the content fits");
     has_job_ = true;
     job_.ticket = ++last_ticket_;
     job_.operation = operation;
@@ -116,8 +100,8 @@ Settings settingsOf(unsigned bits) {
 
 class Server {
  public:
-  Server(const MemoryStick& stick, unsigned setting_bits) : settings_(settingsOf(setting_bits)) {
-    host_.memory_stick = stick.folder();
+  Server(const SmallMemoryStick& stick, unsigned setting_bits) : settings_(settingsOf(setting_bits)) {
+    host_.memory_stick = stick.path().c_str();
     std::array<int, robot_model::MAX_JOINTS> posture{};
     robot_model::clampPosture(kRobot, posture.data());
     for (int joint = 0; joint < joints_.NumberOfJoints(); ++joint) {
@@ -147,7 +131,7 @@ class Server {
   }
 
  private:
-  // As they come from the IPStack: no more at once than there is room for.
+  // As from the IPStack: no more bytes at once than there is room for.
   void bytesArrive(const Bytes& bytes) {
     for (std::size_t used = 0; used < bytes.size() && session_.WantsInput();) {
       const std::size_t size = std::min(bytes.size() - used, Session::INPUT_CAPACITY);
@@ -204,10 +188,10 @@ class Server {
     const version2::ImageHeader image = {images_, now_,          208,
                                          160,     order.quality, static_cast<version2::Layer>(order.layer)};
     Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
-    require(session_.EncodePictureHeader(order, image, 4500, header.data()) <= header.size(), "a header has room");
+    require(session_.EncodePictureHeader(order, image, 4500, header.data()) <= header.size(), "a header fits");
   }
 
-  // Sends all there is to say, as often as it takes.
+  // Handles requests and sends answers until the session wants input.
   void answer() {
     const bool was_version2 = session_.ExpectsHeartbeat();
     session_.HandleRequests(now_);
@@ -231,15 +215,15 @@ class Server {
   void take(bool is_version2) {
     output_.resize(Outbox::CAPACITY);
     output_.resize(session_.TakeOutput(output_.data()));
-    // An empty outbox has room for an answer, and an answer is made of a request: this cannot go on without end.
+    // An empty outbox has room for an answer to a request, so this loop ends.
     require(!output_.empty() || !files_.IsFree() || session_.IsOver() || session_.WantsInput(),
-            "a request is handled, or more is wanted");
+            "a request is answered, or input is wanted");
     if (is_version2) {
       checkFrames();
     }
   }
 
-  // All that is sent are whole frames.
+  // The output consists of whole frames.
   void checkFrames() {
     std::size_t size = 0;
     for (std::size_t at = 0; at < output_.size(); at += size) {
@@ -275,8 +259,8 @@ class Server {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static MemoryStick stick;
-  static std::optional<Server> server;  // too large to be taken from the heap each time
+  static SmallMemoryStick stick;
+  static std::optional<Server> server;  // too large to be allocated each time
   FuzzInput input(data, size);
   const unsigned setting_bits = input.takeByte();
   server.emplace(stick, setting_bits);

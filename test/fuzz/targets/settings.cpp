@@ -1,4 +1,4 @@
-// RCSERVER.CFG: any text.
+// The reader of RCSERVER.CFG: any text.
 #include "rcserver/settings/Settings.h"
 
 #include <cstdio>

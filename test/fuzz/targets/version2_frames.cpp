@@ -1,4 +1,4 @@
-// Version 2's reader of frames, and all decoders of payloads: any bytes in any pieces.
+// The reader of version 2 frames and all decoders of payloads: any bytes in any pieces.
 #include "fuzz_input.h"
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
@@ -8,10 +8,10 @@ using version2::FrameReader;
 
 namespace {
 
-// Larger than any payload that has a layout, and small enough for frames that are too large.
+// Larger than any payload with a layout, and small enough that some frames are too large.
 constexpr std::size_t kCapacity = 4096;
 
-// What is accepted has one form only: it is encoded in as many bytes, which are accepted, too.
+// An accepted payload has only one form: it is encoded into the same number of bytes, which are accepted, too.
 template <typename Value, typename Argument>
 void decode(const char* (*decode)(const unsigned char*, std::size_t, Value*),
             std::size_t (*encode)(Argument, unsigned char*), const Bytes& payload) {
@@ -20,11 +20,11 @@ void decode(const char* (*decode)(const unsigned char*, std::size_t, Value*),
     return;
   }
   Bytes again(payload.size());
-  require(encode(value, again.data()) == payload.size(), "encoded in as many bytes");
-  require(decode(again.data(), again.size(), &value) == nullptr, "what is encoded is accepted");
+  require(encode(value, again.data()) == payload.size(), "encoded into the same number of bytes");
+  require(decode(again.data(), again.size(), &value) == nullptr, "an encoded payload is accepted");
 }
 
-// A name alone is no struct.
+// A struct for a name.
 struct Name {
   protocol::MotionName text;
 };
@@ -47,13 +47,14 @@ void decodePicture(const Bytes& payload) {
   }
 }
 
-// A text that is too long is cut when it is encoded.
+// The encoder truncates long texts.
 void decodeErrorMessage(const Bytes& payload) {
   version2::ErrorMessage message;
   if (version2::decodeErrorMessage(payload.data(), payload.size(), &message) == nullptr) {
     require(message.text_size + 2 == payload.size(), "the text is the rest");
     Bytes again(std::min(payload.size(), version2::MAX_ERROR_MESSAGE_SIZE));
-    require(version2::encodeErrorMessage(message, again.data()) <= again.size(), "a message has its greatest size");
+    require(version2::encodeErrorMessage(message, again.data()) <= again.size(),
+            "a message is not larger than its maximum");
   }
 }
 
@@ -75,7 +76,7 @@ void decodeAsEverything(const Bytes& payload) {
   decodeErrorMessage(payload);
 }
 
-// Returns how many bytes were taken.
+// Returns the number of bytes taken.
 std::size_t append(FrameReader& reader, const unsigned char* bytes, std::size_t size) {
   std::size_t taken = 0;
   switch (reader.append(bytes, size, &taken)) {
@@ -84,14 +85,14 @@ std::size_t append(FrameReader& reader, const unsigned char* bytes, std::size_t 
       decodeAsEverything(Bytes(reader.payload(), reader.payload() + reader.header().payload_size));
       break;
     case FrameReader::FRAME_TOO_LARGE:
-      require(reader.header().payload_size > kCapacity, "only what does not fit is refused");
+      require(reader.header().payload_size > kCapacity, "only frames that do not fit are refused");
       reader.reset();
       break;
     case FrameReader::FRAME_INCOMPLETE:
-      require(taken == size, "an unfinished frame takes all");
+      require(taken == size, "an unfinished frame takes all bytes");
       break;
   }
-  require(taken > 0 && taken <= size, "bytes are taken, and no more than there are");
+  require(taken > 0 && taken <= size, "at least one byte is taken, and no more than there are");
   return taken;
 }
 
@@ -99,7 +100,7 @@ std::size_t append(FrameReader& reader, const unsigned char* bytes, std::size_t 
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   PiecewiseInput input(data, size);
-  static Bytes buffer(kCapacity);  // large ones are slow to make
+  static Bytes buffer(kCapacity);  // static, because allocating it is slow
   FrameReader reader(buffer.data(), buffer.size());
   while (!input.empty()) {
     const Bytes piece = input.takePiece();

@@ -12,8 +12,11 @@
 #include "aibo_driver/exceptions.h"
 #include "aibo_driver/rcserver_client.h"
 #include "recorder.h"
-#include "scripted_server.h"
-#include "test_pictures.h"
+#include "support/scripted_server.h"
+#include "support/test_pictures.h"
+
+using test_support::ScriptedPeer;
+using test_support::ScriptedServer;
 
 /// A client and the server it talks to, over loopback.
 class ClientFixture : public testing::Test {

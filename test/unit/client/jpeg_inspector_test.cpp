@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 using aibo_driver::inspectJpeg;
 using aibo_driver::JpegInspection;

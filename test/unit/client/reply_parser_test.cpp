@@ -6,7 +6,7 @@
 #include <string>
 
 #include "client/fault.h"
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 using aibo_driver::ProtocolException;
 using aibo_driver::ReplyParser;

@@ -12,7 +12,7 @@
 
 #include "client/connection.h"
 #include "client/session.h"
-#include "test_pictures.h"
+#include "support/test_pictures.h"
 
 /// The robot's end of a session, in stepped time: no sockets, no waiting.
 class SessionFixture : public testing::Test {

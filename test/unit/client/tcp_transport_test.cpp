@@ -8,12 +8,14 @@
 
 #include "aibo_driver/exceptions.h"
 #include "client/fault.h"
-#include "scripted_server.h"
+#include "support/scripted_server.h"
 
 using namespace aibo_driver;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
+using test_support::ScriptedPeer;
+using test_support::ScriptedServer;
 using testing::HasSubstr;
 
 namespace {

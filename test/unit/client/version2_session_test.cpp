@@ -7,7 +7,7 @@
 
 #include "client/fault.h"
 #include "session_fixture.h"
-#include "version2_frames.h"
+#include "support/version2_frames.h"
 
 using namespace aibo_driver;
 using std::chrono::milliseconds;

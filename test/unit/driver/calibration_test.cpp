@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "good_calibration.h"
+#include "support/good_calibration.h"
 
 namespace aibo_driver::node {
 namespace {

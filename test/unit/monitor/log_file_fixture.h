@@ -3,32 +3,26 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "support/temporary_folder.h"
+
 namespace aibo_driver::tools {
 
-/// A path for a log in a folder of its own. Both are deleted after the test.
+/// A path for a log in a temporary folder.
 class LogFileFixture : public testing::Test {
  protected:
-  LogFileFixture() {
-    std::string name = std::filesystem::temp_directory_path() / "picture_log_test.XXXXXX";
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~LogFileFixture() override { std::filesystem::remove_all(folder_); }
-
-  std::string path() const { return folder_ / "picture_log"; }
+  std::string path() const { return folder_.path("picture_log"); }
   std::uintmax_t sizeOfLog() const { return std::filesystem::file_size(path()); }
   void append(const std::string& text) const { std::ofstream(path(), std::ios::app) << text << std::flush; }
   void makePipe() const { ASSERT_EQ(0, ::mkfifo(path().c_str(), 0600)); }
 
  private:
-  std::filesystem::path folder_;
+  const test_support::TemporaryFolder folder_;
 };
 
 }  // namespace aibo_driver::tools

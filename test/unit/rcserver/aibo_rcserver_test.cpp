@@ -6,7 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <map>
@@ -14,11 +14,14 @@
 #include <string>
 #include <vector>
 
-#include "child_process.h"
-#include "test_client.h"
+#include "support/process.h"
+#include "support/test_client.h"
 
 namespace {
 
+using test_support::Process;
+using test_support::Reply;
+using test_support::TestClient;
 using ::testing::HasSubstr;
 
 std::vector<std::string> command(const std::vector<std::string>& options) {
@@ -27,16 +30,15 @@ std::vector<std::string> command(const std::vector<std::string>& options) {
   return arguments;
 }
 
+constexpr std::chrono::seconds kPatience{30};
 const std::vector<std::string> kFreePorts = {"--port", "0", "--console-port", "0"};
 
-std::string restOfLine(ChildProcess& robot, const std::string& text) {
-  const std::string line = robot.readLineWith(text);
-  EXPECT_GT(line.size(), text.size()) << robot.printed();
-  return line.substr(std::min(line.size(), text.size()));
+std::string restOfLine(Process& robot, const std::string& text) {
+  return robot.waitForOutput(text + "(.+)\n", kPatience).at(1);
 }
 
-// Waits until the server listens.
-std::string portOf(ChildProcess& robot, const std::string& address = "127.0.0.1") {
+// Waits until it listens.
+std::string portOf(Process& robot, const std::string& address = "127.0.0.1") {
   return restOfLine(robot, "RCServer listening on " + address + ":");
 }
 
@@ -54,7 +56,7 @@ bool isReachableByAnotherAddress(const std::string& port) {
 
 TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    ChildProcess robot(command(kFreePorts));
+    Process robot(command(kFreePorts));
     TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
     client.send("FU");
     std::optional<Reply> reply;
@@ -65,18 +67,18 @@ TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
     ASSERT_TRUE(reply);
     EXPECT_EQ(reply->letter, protocol::REPLY_PICTURE);
     robot.signal(signal);
-    EXPECT_EQ(robot.wait(), 0) << robot.printed();
-    EXPECT_THAT(robot.printed(), HasSubstr("Stopped\n"));
+    EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
+    EXPECT_THAT(robot.output(), HasSubstr("Stopped\n"));
   }
 }
 
 TEST(AiboRCServer, IgnoresTheArgumentsThatRoslaunchAdds) {
   std::vector<std::string> options = kFreePorts;
   options.insert(options.end(), {"__name:=robot", "__log:=/nowhere/robot.log"});
-  ChildProcess robot(command(options));
+  Process robot(command(options));
   portOf(robot);
   robot.signal(SIGTERM);
-  EXPECT_EQ(robot.wait(), 0);
+  EXPECT_EQ(robot.waitForExit(kPatience), 0);
 }
 
 TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
@@ -91,9 +93,9 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
                                                        {"--protocol-version", "0"},
                                                        {"--no-such-option"}};
   for (const std::vector<std::string>& options : wrong) {
-    ChildProcess robot(command(options));
-    EXPECT_EQ(robot.wait(), 2) << options[0];
-    EXPECT_THAT(robot.printed(), HasSubstr(options[0]));
+    Process robot(command(options));
+    EXPECT_EQ(robot.waitForExit(kPatience), 2) << options[0];
+    EXPECT_THAT(robot.output(), HasSubstr(options[0]));
   }
 }
 
@@ -101,7 +103,7 @@ TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
   for (const auto& [version, letter] : std::map<std::string, char>{{"2", 'x'}, {"1", 'e'}}) {
     std::vector<std::string> options = kFreePorts;
     options.insert(options.end(), {"--protocol-version", version});
-    ChildProcess robot(command(options));
+    Process robot(command(options));
     TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
     client.send("X\2");
     std::optional<Reply> reply;
@@ -120,7 +122,7 @@ TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
     if (reachable) {
       options.insert(options.end(), {"--bind", address});
     }
-    ChildProcess robot(command(options));
+    Process robot(command(options));
     const std::string console_port = restOfLine(robot, "Console on " + address + ":");
     const std::string port = portOf(robot, address);
     EXPECT_EQ(isReachableByAnotherAddress(port), reachable);
@@ -128,25 +130,25 @@ TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
   }
 }
 
-TEST(AiboRCServer, NamesThePortThatIsInUse) {
-  ChildProcess first(command(kFreePorts));
+TEST(AiboRCServer, SaysWhichPortIsInUse) {
+  Process first(command(kFreePorts));
   const std::string port = portOf(first);
-  ChildProcess second(command({"--port", port, "--console-port", "0"}));
-  EXPECT_EQ(second.wait(), 1);
-  EXPECT_THAT(second.printed(), HasSubstr(port));
+  Process second(command({"--port", port, "--console-port", "0"}));
+  EXPECT_EQ(second.waitForExit(kPatience), 1);
+  EXPECT_THAT(second.output(), HasSubstr(port));
 }
 
-TEST(AiboRCServer, NamesTheMemoryStickThatIsMissing) {
-  ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
-  EXPECT_EQ(robot.wait(), 1);
-  EXPECT_THAT(robot.printed(), HasSubstr("/nowhere"));
+TEST(AiboRCServer, SaysWhichMemoryStickIsNotThere) {
+  Process robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
+  EXPECT_EQ(robot.waitForExit(kPatience), 1);
+  EXPECT_THAT(robot.output(), HasSubstr("/nowhere"));
 }
 
 TEST(AiboRCServer, FindsItsMemoryStickByItself) {
-  ChildProcess robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
+  Process robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
   portOf(robot);
   robot.signal(SIGTERM);
-  EXPECT_EQ(robot.wait(), 0) << robot.printed();
+  EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
 }
 
 }  // namespace

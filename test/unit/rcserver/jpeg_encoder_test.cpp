@@ -11,10 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "camera_image_fixture.h"
+#include "support/camera_image_fixture.h"
 
 namespace {
 
+using test_support::CameraImageFixture;
 using Pixel = CameraImageFixture::Pixel;
 
 // A decoded picture at full resolution, chroma too.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "motion_bytes.h"
-#include "temporary_memory_stick.h"
+#include "support/memory_stick.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 class MotionFilesTest : public ::testing::Test {
  protected:
   MotionFilesTest() {
-    host_.memory_stick = stick_.folder();
+    host_.memory_stick = stick_.path().c_str();
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directory(folder_);
   }
@@ -58,7 +58,7 @@ class MotionFilesTest : public ::testing::Test {
     return names;
   }
 
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
   std::filesystem::path folder_ = stick_.path(MOTION_FOLDER);
   HostSettings host_;
   MotionFiles files_{host_};

@@ -173,7 +173,7 @@ TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
 }
 
 TEST_F(PowerTest, RobotShutsDownEvenWithoutTheMotion) {
-  std::filesystem::remove(std::filesystem::path(stick_.folder()) / "OPEN-R/MW/DATA/P/LIE.MTN");
+  std::filesystem::remove(stick_.path("OPEN-R/MW/DATA/P/LIE.MTN"));
   raise(orsbBATTERY_CAPACITY_LOW);
   passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());

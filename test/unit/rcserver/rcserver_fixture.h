@@ -23,8 +23,12 @@
 #include "simulator/openr_host/virtual_robot.h"
 #include "simulator/sent_pictures.h"
 #include "slow_object.h"
-#include "temporary_memory_stick.h"
-#include "test_client.h"
+#include "support/memory_stick.h"
+#include "support/test_client.h"
+
+using test_support::Frame;
+using test_support::Reply;
+using test_support::TestClient;
 
 /// Frames until joints and sensors have been measured: they report every 4 frames, and two command vectors of 4 frames
 /// may be waiting.
@@ -192,7 +196,7 @@ class RCServerFixture : public ::testing::Test {
 /// An RCServer on a FakeRobot, with a memory stick of its own, and one client.
 class FakeRobotFixture : public RCServerFixture {
  protected:
-  FakeRobotFixture() { host_.memory_stick = stick_.folder(); }
+  FakeRobotFixture() { host_.memory_stick = stick_.path().c_str(); }
 
   /// Boots the robot, and waits until its joints and sensors have been measured.
   void start() {
@@ -307,7 +311,7 @@ class FakeRobotFixture : public RCServerFixture {
     EXPECT_THAT(std::string(message.text, message.text_size), ::testing::HasSubstr(text_in_it));
   }
 
-  TemporaryMemoryStick stick_;
+  test_support::MemoryStick stick_;
   FakeRobot robot_;
   std::unique_ptr<TestClient> client_;
   int last_number_ = 0;  ///< of a request of version 2

@@ -1,4 +1,5 @@
 #include "simulator/ers7/camera/photographs.h"
+#include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>
@@ -49,17 +50,8 @@ std::string jpeg(int width, int height, const Paint& paint) {
   return encoded;
 }
 
-/// A temporary folder for each test.
 class PhotographTest : public testing::Test {
  protected:
-  PhotographTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "photograph_test_XXXXXX").string();
-    EXPECT_NE(mkdtemp(&name[0]), nullptr);
-    folder_ = name;
-  }
-
-  ~PhotographTest() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& content) {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
@@ -74,7 +66,8 @@ class PhotographTest : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_;
+  const test_support::TemporaryFolder temporary_folder_;
+  const std::filesystem::path folder_ = temporary_folder_.path();
 };
 
 std::size_t at(int x, int y) {

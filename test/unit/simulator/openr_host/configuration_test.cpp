@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "simulator/openr_host/configuration/memory_stick.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace openr_host {
 namespace {
@@ -155,14 +155,14 @@ TEST(DesignDatabaseTest, NamesFileAndLineOfAMalformedLine) {
 }
 
 TEST(MemoryStickTest, FindsAFileIgnoringCase) {
-  const TemporaryFolder stick;
+  const test_support::TemporaryFolder stick;
   stick.write("Open-R/mw/CONF/object.cfg", "x");
   EXPECT_TRUE(std::filesystem::equivalent(findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"),
                                           stick.path() / "Open-R/mw/CONF/object.cfg"));
 }
 
 TEST(MemoryStickTest, NamesTheMissingFolderAndItsParent) {
-  const TemporaryFolder stick;
+  const test_support::TemporaryFolder stick;
   stick.write("OPEN-R/MW/x", "");
   EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),
               AllOf(HasSubstr("OPEN-R/MW/CONF/OBJECT.CFG"), HasSubstr("no CONF in " + stick.path().string())));

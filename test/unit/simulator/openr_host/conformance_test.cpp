@@ -6,7 +6,7 @@
 #include "Surveyor_stub.h"
 #include "fake_robot.h"
 #include "simulator/openr_host/machine.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace openr_host {
 namespace {
@@ -33,7 +33,7 @@ class ConformanceTest : public testing::Test {
     return console_.str();
   }
 
-  TemporaryFolder stick_;
+  test_support::TemporaryFolder stick_;
   SteppedClock clock_;
   FakeRobot robot_;
   std::ostringstream console_;

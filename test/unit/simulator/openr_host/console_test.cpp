@@ -2,12 +2,13 @@
 #include <OPENR/OSyslog.h>
 #include <gmock/gmock.h>
 
-#include "test_client.h"
+#include "support/test_client.h"
 #include "test_system.h"
 
 namespace openr_host {
 namespace {
 
+using test_support::TestClient;
 using testing::HasSubstr;
 
 class ConsoleTest : public testing::Test {

@@ -7,12 +7,13 @@
 #include <cstring>
 #include <optional>
 
-#include "test_client.h"
+#include "support/test_client.h"
 #include "test_system.h"
 
 namespace openr_host {
 namespace {
 
+using test_support::TestClient;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

@@ -11,13 +11,14 @@
 
 #include "EchoServer_stub.h"
 #include "fake_robot.h"
-#include "temporary_folder.h"
-#include "test_client.h"
+#include "support/temporary_folder.h"
+#include "support/test_client.h"
 #include "test_system.h"
 
 namespace openr_host {
 namespace {
 
+using test_support::TestClient;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -135,7 +136,7 @@ class MachineTest : public testing::Test {
     }
   }
 
-  TemporaryFolder stick_;
+  test_support::TemporaryFolder stick_;
   std::ostringstream console_;
   SteppedClock clock_;
   FakeRobot robot_;

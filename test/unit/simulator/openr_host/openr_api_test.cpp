@@ -5,7 +5,7 @@
 #include <OPENR/OUnits.h>
 #include <gmock/gmock.h>
 
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "test_system.h"
 
 namespace openr_host {
@@ -22,7 +22,7 @@ class OpenrApiTest : public testing::Test {
     test_.as(object_, function);
   }
 
-  TemporaryFolder stick_;
+  test_support::TemporaryFolder stick_;
   TestSystem test_{stick_.path().string()};
   TestObject& object_ = test_.add("Object");
 };

@@ -1,0 +1,64 @@
+/// @file process.h
+#ifndef TEST_SUPPORT_PROCESS_H
+#define TEST_SUPPORT_PROCESS_H
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <regex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace test_support {
+
+/// A child process whose output is read. It is killed with the object, and when the test program ends.
+class Process {
+ public:
+  /// @param environment added to the environment of the test program
+  explicit Process(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment = {});
+  ~Process();
+
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Waits until the output so far, stdout and stderr, contains a match.
+  /// @return the groups of the match
+  /// @throw std::runtime_error it did not come in time; the text contains the output
+  std::vector<std::string> waitForOutput(const std::string& pattern, std::chrono::seconds timeout);
+
+  std::string output() const;
+
+  void signal(int number) const;
+
+  /// Ends it by SIGKILL, and reaps it.
+  void kill();
+
+  /// Waits for its end, and for all that it has printed.
+  /// @return the exit status, 128 + signal if a signal ended it; empty if it did not end in time
+  std::optional<int> waitForExit(std::chrono::milliseconds timeout);
+
+  bool isRunning() { return !waitForExit(std::chrono::milliseconds(0)).has_value(); }
+
+  pid_t pid() const { return pid_; }
+
+ private:
+  void readOutput();
+
+  pid_t pid_ = -1;
+  int output_descriptor_ = -1;
+  std::optional<int> exit_status_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::string output_;
+  bool output_complete_ = false;
+  std::thread reader_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_PROCESS_H

@@ -1,0 +1,233 @@
+#include "support/proxy/fault_proxy.h"
+
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "support/sockets.h"
+
+using aibo_driver::FileDescriptor;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+namespace test_support {
+namespace {
+
+constexpr milliseconds kLongestWait{1000};
+
+timespec timeUntil(TimePoint end) {
+  const auto left = std::clamp<steady_clock::duration>(end - steady_clock::now(), milliseconds(0), kLongestWait);
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
+  return {seconds.count(), std::chrono::nanoseconds(left - seconds).count()};
+}
+
+}  // namespace
+
+FaultProxy::FaultProxy(const Options& options)
+    : options_(options), address_(options.address), listener_(bindTo(address_, options.port)) {
+  port_ = portOf(listener_);
+  listener_ = bindTo(address_, port_);  // only an explicitly bound port stays reserved while nobody listens
+  check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
+  thread_ = std::thread([this] { run(); });
+}
+
+FaultProxy::FaultProxy(int target_port) : FaultProxy(Options{"127.0.0.1", target_port}) {}
+
+FaultProxy::~FaultProxy() {
+  stopping_ = true;
+  wake_up_.raise();
+  thread_.join();
+}
+
+template <typename Change>
+void FaultProxy::change(const Change& apply) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  apply();
+  wake_up_.raise();
+}
+
+void FaultProxy::setConditions(const Conditions& conditions) {
+  change([&] { conditions_ = conditions; });
+}
+
+void FaultProxy::setWelcome(Welcome welcome) {
+  change([&] { receiveClientsBy(welcome); });
+}
+
+void FaultProxy::add(const Fault& fault) {
+  change([&] { faults_.add(fault); });
+}
+
+void FaultProxy::clearFaults() {
+  change([&] { faults_.clear(); });
+}
+
+void FaultProxy::endConnections(Action end) {
+  change([&] {
+    for (Link& link : links_) {
+      link.end(end, Direction::kToClient);
+    }
+    held_.clear();
+  });
+}
+
+void FaultProxy::heal() {
+  change([&] {
+    conditions_ = Conditions();
+    faults_.clear();
+    held_.clear();
+    for (Link& link : links_) {
+      if (link.isSilent()) {
+        link.end(Action::kReset, Direction::kToClient);
+      }
+    }
+    receiveClientsBy(Welcome::kServe);
+  });
+}
+
+void FaultProxy::setTarget(const std::string& host, int port) {
+  change([&] {
+    options_.target_host = host;
+    options_.target_port = port;
+  });
+}
+
+void FaultProxy::moveTo(const std::string& address) {
+  change([&] {
+    FileDescriptor there = bindTo(address, port_);
+    check(::listen(there.get(), SOMAXCONN) == 0, "listen");
+    listener_ = std::move(there);
+    address_ = address;
+    for (Link& link : links_) {
+      link.end(Action::kSilence, Direction::kToClient);
+    }
+  });
+}
+
+std::size_t FaultProxy::connections() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return connections_;
+}
+
+std::size_t FaultProxy::faultsDone() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return faults_done_;
+}
+
+std::optional<FaultReport> FaultProxy::waitForFaults(std::size_t count, milliseconds timeout) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!fault_done_.wait_for(lock, timeout, [&] { return faults_done_ >= count; })) {
+    return std::nullopt;
+  }
+  return last_fault_;
+}
+
+void FaultProxy::receiveClientsBy(Welcome welcome) {
+  const auto listens = [](Welcome each) { return each != Welcome::kRefuse && each != Welcome::kUnreachable; };
+  if (listens(welcome) != listens(welcome_) || !listens(welcome)) {
+    fillers_.clear();
+    if (welcome_ != Welcome::kRefuse) {
+      ::shutdown(listener_.get(), SHUT_RDWR);  // stops listening, and the port stays reserved
+    }
+    if (listens(welcome)) {
+      check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
+    } else if (welcome == Welcome::kUnreachable) {
+      fillQueue();
+    }
+  }
+  welcome_ = welcome;
+}
+
+// When the queue of clients is full, the kernel does not answer further attempts.
+void FaultProxy::fillQueue() {
+  check(::listen(listener_.get(), 0) == 0, "listen");
+  for (int i = 0; i < 2; ++i) {
+    fillers_.push_back(beginConnecting(address_, port_));
+  }
+}
+
+void FaultProxy::run() {
+  std::vector<pollfd> polled;
+  while (!stopping_) {
+    polled.clear();
+    const TimePoint next = prepare(&polled);
+    const timespec timeout = timeUntil(next);
+    ::ppoll(polled.data(), polled.size(), &timeout, nullptr);
+    if (polled[0].revents != 0) {
+      wake_up_.clear();
+    }
+    serve(polled);
+  }
+}
+
+TimePoint FaultProxy::prepare(std::vector<pollfd>* polled) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const TimePoint now = steady_clock::now();
+  TimePoint next = TimePoint::max();
+  const bool accepts = welcome_ != Welcome::kRefuse && welcome_ != Welcome::kUnreachable;
+  polled->push_back({wake_up_.descriptor(), POLLIN, 0});
+  polled->push_back({accepts ? listener_.get() : -1, POLLIN, 0});
+  for (Link& link : links_) {
+    const auto interests = link.interests(now, conditions_);
+    polled->insert(polled->end(), interests.begin(), interests.end());
+    next = std::min(next, link.nextDue());
+  }
+  polled_links_ = links_.size();
+  return next == TimePoint::max() ? now + kLongestWait : next;
+}
+
+void FaultProxy::serve(const std::vector<pollfd>& polled) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const TimePoint now = steady_clock::now();
+  std::vector<FaultReport> reports;
+  std::size_t entry = 2;
+  for (auto link = links_.begin(); link != links_.end() && entry < 2 + 2 * polled_links_; ++link, entry += 2) {
+    if (!link->isOver()) {
+      link->serve({{polled[entry], polled[entry + 1]}}, now, conditions_, &faults_, options_.tap, &reports);
+    }
+  }
+  links_.remove_if([](const Link& link) { return link.isOver(); });
+  if (!reports.empty()) {
+    faults_done_ += reports.size();
+    last_fault_ = reports.back();
+    fault_done_.notify_all();
+  }
+  acceptClients();
+}
+
+void FaultProxy::acceptClients() {
+  while (welcome_ != Welcome::kRefuse && welcome_ != Welcome::kUnreachable) {
+    FileDescriptor client = acceptFrom(listener_);
+    if (!client.valid()) {
+      return;
+    }
+    receiveClient(std::move(client));
+  }
+}
+
+void FaultProxy::receiveClient(FileDescriptor client) {
+  switch (welcome_) {
+    case Welcome::kReset:
+      resetWhenClosed(client);
+      break;
+    case Welcome::kSilence:
+      held_.push_back(std::move(client));
+      break;
+    case Welcome::kServe:
+      try {
+        const auto seed = options_.seed + 2 * static_cast<unsigned>(connections_);
+        links_.emplace_back(connections_, std::move(client),
+                            beginConnecting(options_.target_host, options_.target_port), seed);
+        ++connections_;
+      } catch (const std::system_error&) {
+        // The server is unreachable: the client is turned away.
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace test_support

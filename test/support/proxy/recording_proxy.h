@@ -1,0 +1,74 @@
+/// @file recording_proxy.h
+#ifndef TEST_SUPPORT_PROXY_RECORDING_PROXY_H
+#define TEST_SUPPORT_PROXY_RECORDING_PROXY_H
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "support/proxy/fault_proxy.h"
+#include "support/proxy/scanners.h"
+
+namespace test_support {
+
+/// A proxy between a driver and a robot that passes every byte on, and remembers requests and pictures.
+class RecordingProxy {
+ public:
+  /// @param robot_port where the robot listens, on 127.0.0.1
+  explicit RecordingProxy(int robot_port);
+
+  int port() const { return proxy_.port(); }
+
+  /// Closes the present connection, if there is one.
+  void cut() { proxy_.endConnections(Action::kClose); }
+
+  /// While it is mute, nothing that the robot sends reaches the driver, though connections stay and are accepted.
+  void setMute(bool mute);
+
+  /// The JPEGs that the robot has sent since the proxy began, in this order.
+  std::vector<Bytes> picturesFromRobot() const;
+
+  /// What the driver has sent since the proxy began.
+  std::string bytesFromDriver() const;
+
+  /// How many connections there have been.
+  std::size_t connections() const { return proxy_.connections(); }
+
+  /// What the driver has requested of a version 2 server, in this order.
+  /// @param kinds only requests of these kinds
+  /// @param first_connection leave out the connections before this one; the first is 0
+  std::vector<Request> requestsFromDriver(const std::string& kinds, std::size_t first_connection = 0) const;
+
+  /// Waits until the driver has made a request of one of these kinds.
+  /// @return false if it did not come in time
+  bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout);
+
+ private:
+  struct Connection {
+    explicit Connection(std::vector<Bytes>* pictures)
+        : replies([pictures](Bytes jpeg) { pictures->push_back(std::move(jpeg)); }) {}
+    ReplyScanner replies;
+    RequestScanner request_scanner;
+    std::vector<Request> requests{};
+    Bytes from_driver{};
+  };
+
+  FaultProxy::Options options(int robot_port);
+  void record(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size);
+  std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const;
+
+  mutable std::mutex mutex_;  // guards what follows, down to the proxy
+  std::condition_variable changed_;
+  std::vector<Bytes> pictures_;
+  std::deque<Connection> connections_;
+  FaultProxy proxy_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_PROXY_RECORDING_PROXY_H

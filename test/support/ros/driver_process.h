@@ -1,0 +1,31 @@
+/// @file driver_process.h
+#ifndef TEST_SUPPORT_ROS_DRIVER_PROCESS_H
+#define TEST_SUPPORT_ROS_DRIVER_PROCESS_H
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+namespace test_support {
+
+/// The executable aibo_driver_node in a namespace of its own.
+class DriverProcess : public Process {
+ public:
+  /// @param name_space such as "/services"
+  /// @param port of its robot, on 127.0.0.1
+  /// @param parameters further private parameters, such as "_stream_on_start:=false"
+  /// @param environment as for Process
+  DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {},
+                const std::map<std::string, std::string>& environment = {});
+};
+
+/// The command that starts ROS' host of nodelets. In a build with a sanitizer, the sanitizer's library is preloaded,
+/// and leaks are not reported, because the host itself has some.
+/// @param arguments such as {"standalone", "aibo_driver/AiboDriverNodelet"}
+std::vector<std::string> nodeletHost(const std::vector<std::string>& arguments);
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_DRIVER_PROCESS_H

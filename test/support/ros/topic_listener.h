@@ -1,0 +1,93 @@
+/// @file topic_listener.h
+#ifndef TEST_SUPPORT_ROS_TOPIC_LISTENER_H
+#define TEST_SUPPORT_ROS_TOPIC_LISTENER_H
+
+#include <ros/node_handle.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace test_support {
+
+/// A safety net for messages that come within milliseconds. Only a failing test waits this long.
+constexpr std::chrono::seconds kSafetyNet{30};
+
+/// Subscribes to a topic, keeps all messages, and lets tests wait for them.
+template <typename Message>
+class TopicListener {
+ public:
+  using ConstPtr = boost::shared_ptr<const Message>;
+
+  explicit TopicListener(const std::string& topic) {
+    subscriber_ = ros::NodeHandle().subscribe<Message>(topic, 1000, [this](const ConstPtr& message) {
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        messages_.push_back(message);
+      }
+      changed_.notify_all();
+    });
+  }
+
+  ~TopicListener() { subscriber_.shutdown(); }
+
+  TopicListener(const TopicListener&) = delete;
+  TopicListener& operator=(const TopicListener&) = delete;
+
+  /// Waits until there are this many messages.
+  /// @return all messages; fewer than `count` if they did not come in time
+  std::vector<ConstPtr> waitForCount(std::size_t count, std::chrono::milliseconds timeout = kSafetyNet) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, timeout, [this, count] { return messages_.size() >= count; });
+    return messages_;
+  }
+
+  /// Waits for a message that fulfils the condition, among those so far and new ones.
+  /// @return null if it did not come in time
+  template <typename Condition>
+  ConstPtr waitFor(Condition condition, std::chrono::milliseconds timeout = kSafetyNet) {
+    ConstPtr found;
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, timeout, [this, &condition, &found] {
+      for (const ConstPtr& message : messages_) {
+        if (condition(*message)) {
+          found = message;
+          return true;
+        }
+      }
+      return false;
+    });
+    return found;
+  }
+
+  /// Waits for a message that comes after this call.
+  ConstPtr waitForNext(std::chrono::milliseconds timeout = kSafetyNet) {
+    const std::size_t before = count();
+    const std::vector<ConstPtr> messages = waitForCount(before + 1, timeout);
+    return messages.size() > before ? messages[before] : nullptr;
+  }
+
+  std::size_t count() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages_.size();
+  }
+
+  /// Forgets all messages.
+  void clear() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    messages_.clear();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<ConstPtr> messages_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_TOPIC_LISTENER_H

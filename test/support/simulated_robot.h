@@ -1,0 +1,48 @@
+/// @file simulated_robot.h
+#ifndef TEST_SUPPORT_SIMULATED_ROBOT_H
+#define TEST_SUPPORT_SIMULATED_ROBOT_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+namespace test_support {
+
+/// The executable aibo_rcserver with a simulated ERS-7, on a free port of 127.0.0.1.
+class SimulatedRobot {
+ public:
+  /// @param options further options of the executable, such as {"--protocol-version", "1"}
+  explicit SimulatedRobot(const std::vector<std::string>& options = {}) : options_(options) { start(0); }
+
+  int port() const { return port_; }
+
+  /// Types a line at its console, such as "press chin".
+  /// @return the answer, "ok: ..." or "error: ..."; empty if none came
+  /// @throw std::system_error the console cannot be reached
+  std::string type(const std::string& line) const;
+
+  /// Kills it by SIGKILL.
+  void kill() { process_.reset(); }
+
+  /// Starts it again, on the same port. Returns when it listens.
+  void restart() { start(port_); }
+
+  bool isRunning() { return process_ && process_->isRunning(); }
+
+  /// Its process; only until kill().
+  Process& process() { return *process_; }
+
+ private:
+  void start(int port);
+
+  const std::vector<std::string> options_;
+  int port_ = 0;
+  int console_port_ = 0;
+  std::unique_ptr<Process> process_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_SIMULATED_ROBOT_H

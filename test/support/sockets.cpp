@@ -1,0 +1,90 @@
+#include "support/sockets.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <stdexcept>
+#include <system_error>
+
+using aibo_driver::FileDescriptor;
+
+namespace test_support {
+namespace {
+
+// Small, so that few pictures grow stale in the test apparatus itself.
+constexpr int kBufferSize = 16 * 1024;
+
+sockaddr_in parse(const std::string& address, int port) {
+  sockaddr_in parsed = {};
+  parsed.sin_family = AF_INET;
+  parsed.sin_port = htons(static_cast<std::uint16_t>(port));
+  if (::inet_pton(AF_INET, address.c_str(), &parsed.sin_addr) != 1) {
+    throw std::invalid_argument("'" + address + "' is not an IPv4 address such as 127.0.0.1");
+  }
+  return parsed;
+}
+
+void setOption(int socket, int level, int name, int value) {
+  check(::setsockopt(socket, level, name, &value, sizeof value) == 0, "setsockopt");
+}
+
+void configure(const FileDescriptor& socket) {
+  setOption(socket.get(), IPPROTO_TCP, TCP_NODELAY, 1);
+  setOption(socket.get(), SOL_SOCKET, SO_RCVBUF, kBufferSize);
+  setOption(socket.get(), SOL_SOCKET, SO_SNDBUF, kBufferSize);
+}
+
+}  // namespace
+
+void check(bool good, const std::string& what) {
+  if (!good) {
+    throw std::system_error(errno, std::generic_category(), what);
+  }
+}
+
+FileDescriptor bindTo(const std::string& address, int port) {
+  const sockaddr_in parsed = parse(address, port);
+  FileDescriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  check(socket.valid(), "socket");
+  setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
+  configure(socket);
+  check(::bind(socket.get(), reinterpret_cast<const sockaddr*>(&parsed), sizeof parsed) == 0,
+        address + ":" + std::to_string(port));
+  return socket;
+}
+
+int portOf(const FileDescriptor& socket) {
+  sockaddr_in address = {};
+  socklen_t size = sizeof address;
+  check(::getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size) == 0, "getsockname");
+  return ntohs(address.sin_port);
+}
+
+FileDescriptor beginConnecting(const std::string& address, int port) {
+  const sockaddr_in parsed = parse(address, port);
+  FileDescriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  check(socket.valid(), "socket");
+  configure(socket);
+  const int result = ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&parsed), sizeof parsed);
+  check(result == 0 || errno == EINPROGRESS, "connect to " + address);
+  return socket;
+}
+
+FileDescriptor acceptFrom(const FileDescriptor& listener) {
+  FileDescriptor socket(::accept4(listener.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+  if (socket.valid()) {
+    setOption(socket.get(), IPPROTO_TCP, TCP_NODELAY, 1);
+  }
+  return socket;
+}
+
+void resetWhenClosed(const FileDescriptor& socket) {
+  const linger discard = {1, 0};
+  ::setsockopt(socket.get(), SOL_SOCKET, SO_LINGER, &discard, sizeof discard);
+}
+
+}  // namespace test_support

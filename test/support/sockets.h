@@ -1,0 +1,36 @@
+/// @file sockets.h
+/// TCP over IPv4 for test servers, clients and proxies.
+#ifndef TEST_SUPPORT_SOCKETS_H
+#define TEST_SUPPORT_SOCKETS_H
+
+#include <string>
+
+#include "client/file_descriptor.h"
+
+namespace test_support {
+
+/// A socket that is bound to an address of this computer, and does not listen yet.
+/// @param port 0 = any free one
+/// @throw std::system_error, std::invalid_argument
+aibo_driver::FileDescriptor bindTo(const std::string& address, int port);
+
+/// The port that a socket is bound to.
+int portOf(const aibo_driver::FileDescriptor& socket);
+
+/// A socket that is being connected; it does not block.
+/// @throw std::system_error, std::invalid_argument
+aibo_driver::FileDescriptor beginConnecting(const std::string& address, int port);
+
+/// Takes the next client of a listening socket; its socket does not block.
+/// @return no descriptor if there is none
+aibo_driver::FileDescriptor acceptFrom(const aibo_driver::FileDescriptor& listener);
+
+/// From now on, closing the socket resets the connection.
+void resetWhenClosed(const aibo_driver::FileDescriptor& socket);
+
+/// @throw std::system_error with what errno says, unless `good`
+void check(bool good, const std::string& what);
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_SOCKETS_H

@@ -1,0 +1,48 @@
+/// @file temporary_folder.h
+#ifndef TEST_SUPPORT_TEMPORARY_FOLDER_H
+#define TEST_SUPPORT_TEMPORARY_FOLDER_H
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace test_support {
+
+/// An empty folder that is removed, with all that is in it, together with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "aibo_driver_test.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw std::filesystem::filesystem_error("mkdtemp", name, std::make_error_code(std::errc::io_error));
+    }
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// @param name of a file or folder in this one
+  std::filesystem::path path(const std::string& name) const { return path_ / name; }
+
+  /// Writes a file, and makes its folders if they are missing.
+  void write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories(path(name).parent_path());
+    std::ofstream(path(name), std::ios::binary) << content;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_TEMPORARY_FOLDER_H

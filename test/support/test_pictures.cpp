@@ -1,0 +1,110 @@
+#include "support/test_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include "protocol/version1.h"
+
+namespace test_pictures {
+namespace {
+
+constexpr unsigned kScenes = 16;      // of named pictures
+constexpr std::ptrdiff_t kStart = 2;  // behind SOI
+constexpr std::array<std::uint8_t, 8> kComment = {0xFF, 0xFE, 0, 2 + 4 + 12, 'A', 'I', 'B', 'O'};
+constexpr std::ptrdiff_t kNameSize = 12;
+
+const Bytes& scene(std::uint64_t number) {
+  static const std::vector<Bytes> scenes = [] {
+    std::vector<Bytes> all;
+    for (unsigned seed = 0; seed < kScenes; ++seed) {
+      all.push_back(makeNumbered(seed));
+    }
+    return all;
+  }();
+  return scenes[number % kScenes];
+}
+
+void append(std::uint64_t value, int size, Bytes* out) {
+  for (int shift = 8 * (size - 1); shift >= 0; shift -= 8) {
+    out->push_back(static_cast<std::uint8_t>(value >> shift & 0xFF));
+  }
+}
+
+std::uint64_t read(const std::uint8_t* in, int size) {
+  std::uint64_t value = 0;
+  for (int i = 0; i < size; ++i) {
+    value = value << 8 | in[i];
+  }
+  return value;
+}
+
+}  // namespace
+
+Bytes make(const PictureKind& kind) {
+  std::vector<unsigned char> rgb(static_cast<std::size_t>(kind.width * kind.height * 3));
+  std::minstd_rand random(kind.seed);
+  std::uniform_int_distribution<int> noise(-6, 6);
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    const double phase = static_cast<double>(i % static_cast<std::size_t>(3 * kind.width)) / 90.0 + kind.seed;
+    rgb[i] = static_cast<unsigned char>(128 + 100 * std::sin(phase) + noise(random));
+  }
+  const std::unique_ptr<void, int (*)(tjhandle)> compressor(tjInitCompress(), &tjDestroy);
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  const int error = tjCompress2(compressor.get(), rgb.data(), kind.width, 0, kind.height, TJPF_RGB, &data, &size,
+                                kind.subsampling, kind.quality, kind.flags);
+  const std::unique_ptr<unsigned char, void (*)(unsigned char*)> owner(data, &tjFree);
+  if (error != 0) {
+    throw std::runtime_error(tjGetErrorStr2(compressor.get()));
+  }
+  return Bytes(data, data + size);
+}
+
+Bytes makeNumbered(unsigned seed) {
+  PictureKind kind;
+  kind.seed = seed;
+  return make(kind);
+}
+
+Bytes makeNamed(const Name& name) {
+  const Bytes& jpeg = scene(name.number);
+  Bytes picture;
+  picture.reserve(jpeg.size() + kComment.size() + kNameSize);
+  picture.assign(jpeg.begin(), jpeg.begin() + kStart);
+  picture.insert(picture.end(), kComment.begin(), kComment.end());
+  append(name.connection, 4, &picture);
+  append(name.number, 8, &picture);
+  picture.insert(picture.end(), jpeg.begin() + kStart, jpeg.end());
+  return picture;
+}
+
+std::optional<Name> nameOf(const Bytes& jpeg) {
+  if (jpeg.size() < kStart + kComment.size() + kNameSize ||
+      !std::equal(kComment.begin(), kComment.end(), jpeg.begin() + kStart)) {
+    return std::nullopt;
+  }
+  const std::uint8_t* const name = jpeg.data() + kStart + kComment.size();
+  return Name{static_cast<std::uint32_t>(read(name, 4)), read(name + 4, 8)};
+}
+
+std::size_t findMarker(const Bytes& jpeg, std::uint8_t marker) {
+  for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
+    if (jpeg[i] == 0xFF && jpeg[i + 1] == marker) {
+      return i;
+    }
+  }
+  throw std::runtime_error("no such marker");
+}
+
+Bytes makeReply(const Bytes& jpeg) {
+  Bytes reply(protocol::PICTURE_HEADER_SIZE);
+  protocol::encodePictureHeader(jpeg.size(), reply.data());
+  reply.insert(reply.end(), jpeg.begin(), jpeg.end());
+  return reply;
+}
+
+}  // namespace test_pictures

@@ -1,0 +1,69 @@
+#include "support/version2_frames.h"
+
+#include <algorithm>
+
+#include "protocol/hello.h"
+
+namespace version2_frames {
+
+namespace version2 = protocol::version2;
+
+Frame split(const Bytes& bytes) {
+  return {version2::decodeFrameHeader(bytes.data()), Bytes(bytes.begin() + version2::FRAME_HEADER_SIZE, bytes.end())};
+}
+
+Bytes makeFrame(char kind, int number, const Bytes& payload) {
+  version2::FrameHeader header = {};
+  header.kind = kind;
+  header.request_number = static_cast<unsigned short>(number);
+  header.payload_size = static_cast<unsigned>(payload.size());
+  Bytes frame(version2::FRAME_HEADER_SIZE);
+  version2::encodeFrameHeader(header, frame.data());
+  frame.insert(frame.end(), payload.begin(), payload.end());
+  return frame;
+}
+
+Bytes makeHello(const std::string& capabilities) {
+  const std::string text = "robot=ERS-7\nserver=a test 1.0\nframe_number=1000\ncapabilities=" + capabilities +
+                           "\nlimits=1:-1300000:0:3000000 2:-1500000:1600000:10000000\n";
+  return Bytes(text.begin(), text.end());
+}
+
+Bytes makePicture(const Bytes& jpeg, unsigned frame_number) {
+  version2::ImageHeader header = {};
+  header.image_count = kImageCount;
+  header.frame_number = frame_number;
+  header.width = 208;
+  header.height = 160;
+  header.quality = 85;
+  header.layer = version2::LAYER_HIGH;
+  Bytes payload(version2::IMAGE_HEADER_SIZE);
+  version2::encodeImageHeader(header, payload.data());
+  payload.insert(payload.end(), jpeg.begin(), jpeg.end());
+  return payload;
+}
+
+Bytes makeTelemetry(unsigned frame_number, const std::vector<version2::TelemetryEntry>& entries) {
+  version2::Telemetry telemetry = {};
+  telemetry.frame_number = frame_number;
+  telemetry.count = static_cast<unsigned short>(entries.size());
+  std::copy(entries.begin(), entries.end(), telemetry.entries);
+  Bytes payload(version2::MAX_TELEMETRY_SIZE);
+  payload.resize(version2::encodeTelemetry(telemetry, payload.data()));
+  return payload;
+}
+
+Bytes makeTargets(const version2::JointTargets& targets) {
+  Bytes payload(version2::MAX_JOINT_TARGETS_SIZE);
+  payload.resize(version2::encodeJointTargets(targets, payload.data()));
+  return payload;
+}
+
+Bytes makeError(int code, const std::string& text) {
+  Bytes payload(version2::MAX_ERROR_MESSAGE_SIZE);
+  payload.resize(
+      version2::encodeErrorMessage({static_cast<unsigned short>(code), text.data(), text.size()}, payload.data()));
+  return payload;
+}
+
+}  // namespace version2_frames

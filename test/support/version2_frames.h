@@ -1,0 +1,43 @@
+/// @file version2_frames.h
+/// Frames of a version 2 server, for tests.
+#ifndef TEST_SUPPORT_VERSION2_FRAMES_H
+#define TEST_SUPPORT_VERSION2_FRAMES_H
+
+#include <string>
+#include <vector>
+
+#include "protocol/version2.h"
+#include "support/test_pictures.h"
+
+namespace version2_frames {
+
+using test_pictures::Bytes;
+
+struct Frame {
+  protocol::version2::FrameHeader header{};
+  Bytes payload;
+};
+
+/// Splits one whole frame into header and payload.
+Frame split(const Bytes& bytes);
+
+Bytes makeFrame(char kind, int number, const Bytes& payload);
+
+// Payloads.
+
+/// An ERS-7 with two joints, 1 and 2, served by "a test 1.0".
+/// @param capabilities separated by blanks
+Bytes makeHello(const std::string& capabilities = "F W J V T O");
+
+constexpr unsigned kImageCount = 12345;
+Bytes makePicture(const Bytes& jpeg, unsigned frame_number);
+
+Bytes makeTelemetry(unsigned frame_number, const std::vector<protocol::version2::TelemetryEntry>& entries);
+
+Bytes makeTargets(const protocol::version2::JointTargets& targets);
+
+Bytes makeError(int code, const std::string& text);
+
+}  // namespace version2_frames
+
+#endif  // TEST_SUPPORT_VERSION2_FRAMES_H
