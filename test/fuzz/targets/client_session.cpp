@@ -1,6 +1,6 @@
-// The client's side of a connection: a server sends any bytes in any pieces, while users make requests of all kinds.
+// The client's side of a connection: a server that says anything, in any pieces, while users ask for everything.
 //
-// The first byte says how the connection begins. Then follow events: a byte for the Event, and its arguments.
+// The first byte says how the connection begins. Then come events, a byte each (Event) and what belongs to them.
 #include <deque>
 #include <future>
 #include <memory>
@@ -28,14 +28,14 @@ enum Event {
   COUNT
 };
 
-// More requests than can be waiting.
+// More requests than there can be for what is waiting.
 constexpr int kManyRequests = 10000;
 
 class Client {
  public:
   explicit Client(FuzzInput& input) : input_(input) {}
 
-  // A fault ends the connection. All pending requests are still answered.
+  // A fault ends a connection; whoever waits gets an answer all the same.
   void run() {
     try {
       begin();
@@ -43,16 +43,16 @@ class Client {
         play();
       }
     } catch (const Fault& fault) {
-      require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault has a reason and advice");
+      require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault says why, and what to do");
     }
     if (session_) {
       session_->failRequests(CallOutcome::kConnectionLost, "the connection ended");
     }
     for (const auto& answer : pictures_) {
-      require(isReady(answer), "a request for a picture is answered");
+      require(isReady(answer), "who waits for a picture gets an answer");
     }
     for (const auto& answer : answers_) {
-      require(isReady(answer), "a request to the robot is answered");
+      require(isReady(answer), "who asks the robot gets an answer");
     }
   }
 
@@ -93,7 +93,7 @@ class Client {
         beginVersion1(Version1Session::VersionAnswer::kRefused);
         break;
       default:
-        require(negotiation.result() != VersionNegotiation::Result::kOpen, "the negotiation ends at its deadline");
+        require(negotiation.result() != VersionNegotiation::Result::kOpen, "patience ends");
         beginVersion1(Version1Session::VersionAnswer::kOwed);
     }
     session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), now_);
@@ -127,12 +127,12 @@ class Client {
     look();
   }
 
-  // Like the client's loop, which looks at the socket at the session's next deadline at the latest.
+  // As in the client's loop: look at the socket when the session wants to, at the latest.
   void passTime(milliseconds time) {
     const auto end = now_ + time;
     while (now_ < end) {
       talk();
-      look();  // a timeout may have been 0
+      look();  // somebody may have been in no mood to wait at all
       talk();
       require(session_->nextDeadline() > now_, "the loop does not spin");
       now_ = std::min(end, session_->nextDeadline());
@@ -147,7 +147,7 @@ class Client {
 
   void talk() {
     for (int i = 0; !session_->nextRequest(wish_, now_).empty(); ++i) {
-      require(i < kManyRequests, "the number of requests is limited");
+      require(i < kManyRequests, "requests come to an end");
     }
   }
 
@@ -207,9 +207,9 @@ class Client {
   static RcServerClient::Callbacks callbacks() {
     RcServerClient::Callbacks callbacks;
     callbacks.on_picture = [](const PicturePtr& picture) {
-      require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not delivered");
+      require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not published");
     };
-    callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a log line is not empty"); };
+    callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a line says something"); };
     return callbacks;
   }
 

@@ -1,4 +1,4 @@
-// The reader of motion files: any bytes. Accepted motions are read, printed and checked.
+// The reader of motion files: any bytes. What it accepts is played, printed and checked.
 #include <sstream>
 #include <stdexcept>
 
@@ -13,7 +13,7 @@ namespace {
 
 void readEverything(const mtn::Motion& motion) {
   for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {
-    require(motion.milliseconds(key_frame) >= 0, "time does not run backwards");
+    require(motion.milliseconds(key_frame) >= 0, "time does not go back");
     for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
       const int position = motion.position(key_frame, joint);
       require(position >= -mtn::MAX_POSITION && position <= mtn::MAX_POSITION, "a position is within its range");
@@ -21,7 +21,7 @@ void readEverything(const mtn::Motion& motion) {
   }
 }
 
-// Only names with `#`, blanks or other character sets may be lost in the text form.
+// Texts in other character sets, with `#` or blanks in them, do not survive; all else does.
 void printAndReadAgain(const mtn::Motion& motion) {
   std::istringstream text(motion_tool::printTextForm(motion));
   try {
@@ -35,8 +35,7 @@ void printAndReadAgain(const mtn::Motion& motion) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   mtn::Motion motion;
   if (!motion.read(data, size)) {
-    require(motion.problem()[0] != '\0' && motion.numberOfJoints() == 0,
-            "a refused motion has a problem, and no joints");
+    require(motion.problem()[0] != '\0' && motion.numberOfJoints() == 0, "who refuses says why");
     return 0;
   }
   readEverything(motion);

@@ -1,4 +1,4 @@
-// The text form of motions: any text. An accepted text makes an acceptable motion file.
+// The readable form of motions: any text. What is accepted makes a motion file that is accepted.
 #include <sstream>
 #include <stdexcept>
 
@@ -16,6 +16,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   mtn::Motion motion;
-  require(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), "the file is a motion");
+  require(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()), "what is made is a motion");
   return 0;
 }

@@ -1,4 +1,4 @@
-// The readers of the configuration files on an OPEN-R memory stick: any text. The first byte chooses the file.
+// The configuration files of an OPEN-R memory stick: any text. The first byte says which file it is.
 #include <sstream>
 
 #include "fuzz_input.h"

@@ -2,12 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -19,6 +18,12 @@ using ::testing::SizeIs;
 
 class FileLoaderTest : public ::testing::Test {
  protected:
+  FileLoaderTest() {
+    std::string pattern = (fs::temp_directory_path() / "file_loader_test.XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~FileLoaderTest() override { fs::remove_all(folder_); }
+
   std::string write(const std::string& content) const {
     const std::string path = (folder_ / "nod.mtn").string();
     std::ofstream(path, std::ios::binary) << content;
@@ -34,8 +39,7 @@ class FileLoaderTest : public ::testing::Test {
     return "loaded";
   }
 
-  const test_support::TemporaryFolder temporary_folder_;
-  const fs::path folder_ = temporary_folder_.path();
+  fs::path folder_;
 };
 
 TEST_F(FileLoaderTest, ReadsAWholeFileUpToTheLengthAllowed) {

@@ -4,12 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-
-#include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -19,6 +18,12 @@ using ::testing::HasSubstr;
 
 class FileSaverTest : public ::testing::Test {
  protected:
+  FileSaverTest() {
+    std::string pattern = (fs::temp_directory_path() / "file_saver_test.XXXXXX").string();
+    folder_ = fs::canonical(::mkdtemp(pattern.data()));
+  }
+  ~FileSaverTest() override { fs::remove_all(folder_); }
+
   static std::string read(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -37,8 +42,7 @@ class FileSaverTest : public ::testing::Test {
     return "saved";
   }
 
-  const test_support::TemporaryFolder temporary_folder_;
-  const fs::path folder_ = fs::canonical(temporary_folder_.path());
+  fs::path folder_;
 };
 
 TEST_F(FileSaverTest, SavesAndTellsWhere) {
