@@ -1,6 +1,6 @@
-// The client's side of a connection: a server sends any bytes in any pieces, while users make requests of all kinds.
+// The client's side of a connection: a server that says anything, in any pieces, while users ask for everything.
 //
-// The first byte says how the connection begins. Then follow events: a byte for the Event, and its arguments.
+// The first byte says how the connection begins. Then come events, a byte each (Event) and what belongs to them.
 #include <deque>
 #include <future>
 #include <memory>
@@ -28,7 +28,7 @@ enum Event {
   COUNT
 };
 
-// More requests than can be waiting.
+// More requests than there can be for what is waiting.
 constexpr int kManyRequests = 10000;
 
 class Client {
@@ -45,7 +45,7 @@ class Client {
     } catch (const ProtocolException& error) {
       require(!std::string(error.what()).empty(), "a protocol error says why");
     } catch (const Fault& fault) {
-      require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault has a reason and advice");
+      require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault says why, and what to do");
     }
     connection_.calls.failAll(makeFailure(CallOutcome::kConnectionLost, "the connection ended"));
     for (const auto& answer : answers_) {
@@ -85,7 +85,7 @@ class Client {
         beginVersion1(Version1Session::VersionAnswer::kRefused);
         break;
       default:
-        require(negotiation.result() != VersionNegotiation::Result::kOpen, "the negotiation ends at its deadline");
+        require(negotiation.result() != VersionNegotiation::Result::kOpen, "patience ends");
         beginVersion1(Version1Session::VersionAnswer::kOwed);
     }
     connection_.pictures.bytesArrived(now_);
@@ -121,12 +121,12 @@ class Client {
     look();
   }
 
-  // Like the client's loop, which looks at the socket at the session's next deadline at the latest.
+  // As in the client's loop: look at the socket when the session wants to, at the latest.
   void passTime(milliseconds time) {
     const auto end = now_ + time;
     while (now_ < end) {
       talk();
-      look();  // a timeout may have been 0
+      look();  // somebody may have been in no mood to wait at all
       talk();
       require(session_->nextDeadline() > now_, "the loop does not spin");
       now_ = std::min(end, session_->nextDeadline());
@@ -141,7 +141,7 @@ class Client {
 
   void talk() {
     for (int i = 0; !session_->nextRequest(wish_, now_).empty(); ++i) {
-      require(i < kManyRequests, "the number of requests is limited");
+      require(i < kManyRequests, "requests come to an end");
     }
   }
 
@@ -200,9 +200,9 @@ class Client {
   static RcServerClient::Callbacks callbacks() {
     RcServerClient::Callbacks callbacks;
     callbacks.on_picture = [](const PicturePtr& picture) {
-      require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not delivered");
+      require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not published");
     };
-    callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a log line is not empty"); };
+    callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a line says something"); };
     return callbacks;
   }
 

@@ -10,7 +10,7 @@ namespace {
 
 void readEverything(const mtn::Motion& motion) {
   for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {
-    require(motion.milliseconds(key_frame) >= 0, "time does not run backwards");
+    require(motion.milliseconds(key_frame) >= 0, "time does not go back");
     for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
       const int position = motion.position(key_frame, joint);
       require(position >= -mtn::MAX_POSITION && position <= mtn::MAX_POSITION, "a position is within its range");

@@ -13,7 +13,7 @@
 
 namespace aibo_driver::tools {
 
-/// A path for a log in a temporary folder.
+/// A path for a log in a folder of its own. Both are deleted after the test.
 class LogFileFixture : public testing::Test {
  protected:
   std::string path() const { return folder_.path("picture_log"); }

@@ -10,6 +10,11 @@
 #include <memory>
 #include <string>
 
+<<<<<<< HEAD
+=======
+#include "simulator/ers7/camera/photo_show.h"
+
+>>>>>>> tests
 namespace simulated_ers7 {
 namespace {
 
@@ -50,8 +55,17 @@ std::string jpeg(int width, int height, const Paint& paint) {
   return encoded;
 }
 
+/// A folder that is gone after the test.
 class PhotographTest : public testing::Test {
  protected:
+  PhotographTest() {
+    std::string name = (std::filesystem::temp_directory_path() / "photograph_test_XXXXXX").string();
+    EXPECT_NE(mkdtemp(&name[0]), nullptr);
+    folder_ = name;
+  }
+
+  ~PhotographTest() override { std::filesystem::remove_all(folder_); }
+
   std::filesystem::path write(const std::string& name, const std::string& content) {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
@@ -66,8 +80,7 @@ class PhotographTest : public testing::Test {
     return "no error";
   }
 
-  const test_support::TemporaryFolder temporary_folder_;
-  const std::filesystem::path folder_ = temporary_folder_.path();
+  std::filesystem::path folder_;
 };
 
 std::size_t at(int x, int y) {
