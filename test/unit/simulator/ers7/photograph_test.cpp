@@ -10,11 +10,6 @@
 #include <memory>
 #include <string>
 
-<<<<<<< HEAD
-=======
-#include "simulator/ers7/camera/photo_show.h"
-
->>>>>>> tests
 namespace simulated_ers7 {
 namespace {
 
