@@ -32,6 +32,7 @@ struct Answer {
   int stream_quality = 0;          ///< answers `F`: of the running stream that the picture is from; 0 = from none
   bool motors_on = false;          ///< answers `O`
   std::vector<std::string> names;  ///< answers `N`: of the motions
+  std::string changes;             ///< answers `P`: what the robot plays differently than the file says
 };
 
 /// The answer of a call that has failed.
@@ -43,6 +44,7 @@ struct Call {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   char letter = 0;   ///< of the request; the same in both versions of the protocol
+  int id = 0;        ///< `P` and `U` in version 2: bits of motion_requests.h
   int number = 0;    ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
   std::string name;  ///< of a motion; `P` alone may go without
   Bytes content;     ///< of the motion to upload

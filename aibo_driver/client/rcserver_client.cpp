@@ -6,6 +6,7 @@
 #include "aibo_driver/exceptions.h"
 #include "client/argument_checks.h"
 #include "client/connection_loop.h"
+#include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
 namespace aibo_driver {
@@ -85,7 +86,8 @@ RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks
     : RcServerClient(options, std::move(callbacks), std::make_unique<TcpTransport>()) {}
 
 RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks,
-                               std::unique_ptr<TcpTransport> transport) {
+                               std::unique_ptr<TcpTransport> transport)
+    : motion_bits_(options.leave_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0) {
   checkClientOptions(options);
   loop_ = std::make_unique<ConnectionLoop>(options, std::move(callbacks), std::move(transport));
 }
@@ -156,9 +158,11 @@ void RcServerClient::commandEars(bool left, bool right) {
   });
 }
 
-void RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout) {
+std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout) {
   checkRange("repetitions", repetitions, 1, 65535);
-  ask(loop_.get(), makeCall(version2::REQUEST_PLAY, repetitions, checkedMotionName(name)), timeout, "playMotion()");
+  Call call = makeCall(version2::REQUEST_PLAY, repetitions, checkedMotionName(name));
+  call.id = version2::TELL_CHANGES | motion_bits_;
+  return ask(loop_.get(), std::move(call), timeout, "playMotion()").changes;
 }
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
@@ -170,6 +174,7 @@ void RcServerClient::uploadMotion(const std::string& name, const std::vector<std
                                   milliseconds timeout) {
   checkMotionContent(content);
   Call call = makeCall(version2::REQUEST_UPLOAD, 0, checkedMotionName(name));
+  call.id = motion_bits_;
   call.content = content;
   ask(loop_.get(), std::move(call), timeout, "uploadMotion()");
 }

@@ -181,7 +181,7 @@ void TcpTransport::checkConnected(int socket) const {
 }
 
 bool TcpTransport::wait(TimePoint deadline) {
-  const short events = pollOnce(socket_.get(), unsent_.empty() ? POLLIN : POLLIN | POLLOUT, deadline);
+  const short events = pollOnce(socket_.get(), hasUnsent() ? POLLIN | POLLOUT : POLLIN, deadline);
   if ((events & POLLOUT) != 0) {
     sendOn();
   }

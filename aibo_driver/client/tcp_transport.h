@@ -44,6 +44,9 @@ class TcpTransport {
   /// @throw Fault the connection is over, or the peer has long stopped reading
   void send(const std::uint8_t* data, std::size_t size);
 
+  /// True if the network has not taken all that send() was given.
+  bool hasUnsent() const { return !unsent_.empty(); }
+
   /// Ends the connection, if there is one.
   void close() noexcept;
 

@@ -103,7 +103,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
-  Bytes frame = makeFrame(call->letter, 0, largestPayload(*call),
+  Bytes frame = makeFrame(call->letter, call->id, largestPayload(*call),
                           [&](unsigned char* out) { return encodeForVersion2(*call, out); });
   call->request_number = last_number_;
   connection_.callSent(*call, frame.size(), now);
@@ -381,6 +381,10 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
     version2::MotionList list;
     expectGood(version2::decodeMotionList(payload.data, payload.size, &list), "list of motions");
     answer.names.assign(list.names, list.names + list.count);
+  } else if (call.letter == version2::REQUEST_PLAY) {
+    version2::MotionChanges changes;
+    expectGood(version2::decodeMotionChanges(payload.data, payload.size, &changes), "reply to a motion");
+    answer.changes.assign(changes.text, changes.text_size);
   }
   connection_.calls.transferEnds(now_);
   connection_.calls.answer(call.request_number, std::move(answer));

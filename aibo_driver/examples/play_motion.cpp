@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
       return EXIT_SUCCESS;
     }
     robot.setMotors(true, 5s);
-    robot.playMotion(argv[2], 1, 5s);  // returns when the robot has begun
+    const std::string changes = robot.playMotion(argv[2], 1, 5s);  // returns when the robot has begun
+    std::cout << (changes.empty() ? "" : "Played differently than in the file: " + changes + ".\n");
     std::cout << "Press Enter to end. The robot stops its motions when this program disconnects.\n";
     std::cin.get();
     return EXIT_SUCCESS;

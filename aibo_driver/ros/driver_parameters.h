@@ -16,7 +16,7 @@ namespace aibo_driver::node {
 /// The driver's private parameters, read once at start. Some of them can be changed later: see LiveSettings.
 /// docs/ros_interface.md describes each of them for users.
 struct DriverParameters {
-  ClientOptions client;           ///< host, port, jpeg_quality, the time limits and the reconnect waits
+  ClientOptions client;           ///< host, port, jpeg_quality, time limits, reconnect waits, missing joints of motions
   bool stream_on_start = true;    ///< whether the stream is wanted before set_streaming is called
   bool stream_on_demand = false;  ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";

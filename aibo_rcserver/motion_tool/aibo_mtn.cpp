@@ -1,6 +1,8 @@
 // Makes motion files from their text form, and prints motion files in it (docs/motions.md).
+#include <algorithm>
 #include <exception>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <sstream>
@@ -8,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "motion_tool/archive.h"
 #include "motion_tool/motion_tool.h"
 
 namespace {
@@ -16,8 +19,10 @@ constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
 const char kUsage[] =
-    "usage: aibo_mtn TEXT MOTION.MTN   make a motion file from its text form\n"
-    "       aibo_mtn MOTION.MTN        print the text form of a motion file\n";
+    "usage: aibo_mtn TEXT MOTION.MTN                      make a motion file from its text form\n"
+    "       aibo_mtn MOTION.MTN                           print the text form of a motion file\n"
+    "       aibo_mtn ARCHIVE.ODA                          list the files in an archive of motions\n"
+    "       aibo_mtn [--force] --unpack ARCHIVE.ODA DIR   write them to a folder; --force overwrites files there\n";
 
 std::string readFile(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
@@ -41,15 +46,19 @@ void read(const std::string& bytes, const std::string& file, mtn::Motion& motion
   }
 }
 
-// Names what the robot cannot do exactly. That may be intended, so it does not stop the author.
-void warn(const mtn::Motion& motion) {
+// The table of the motion's robot; null, with a warning, if it is not known.
+const robot_model::RobotModel* robotOf(const mtn::Motion& motion) {
   const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
   if (robot == nullptr) {
-    std::cerr << "aibo_mtn: not checked: there is no robot with the design \"" << motion.design() << "\"\n";
-    return;
+    std::cerr << "aibo_mtn: not checked: there is no robot with the design \""
+              << motion_tool::printable(motion.design()) << "\"\n";
   }
-  for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
-    std::cerr << "aibo_mtn: " << obstacle << '\n';
+  return robot;
+}
+
+void warn(const std::string& remark) {
+  if (!remark.empty()) {
+    std::cerr << "aibo_mtn: " << remark << '\n';
   }
 }
 
@@ -76,29 +85,78 @@ void make(const std::string& source, const std::string& target) {
   }
   mtn::Motion motion;
   read(bytes, target, motion);
-  warn(motion);
+  if (const robot_model::RobotModel* robot = robotOf(motion)) {
+    // The author needs every place that the robot cannot do exactly. They may be intended, so they do not stop
+    // anything.
+    for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
+      warn(obstacle);
+    }
+    warn(motion_tool::describeChanges(motion, *robot));
+  }
   writeFile(target, bytes);
+}
+
+void list(const std::vector<motion_tool::ArchivedFile>& files) {
+  for (const motion_tool::ArchivedFile& file : files) {
+    std::cout << std::setw(8) << file.content.size() << "  " << motion_tool::fileNameOf(file) << "  ("
+              << motion_tool::printable(file.name) << ")\n";
+  }
+}
+
+std::vector<motion_tool::ArchivedFile> filesIn(const std::string& bytes, const std::string& source) {
+  try {
+    return motion_tool::readArchive(bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(source + ": " + error.what());
+  }
+}
+
+void unpack(const std::string& archive, const std::string& folder, bool overwrite) {
+  const std::vector<motion_tool::ArchivedFile> files = filesIn(readFile(archive), archive);
+  motion_tool::unpack(files, folder, overwrite);
+  list(files);
 }
 
 void print(const std::string& source) {
   const std::string bytes = readFile(source);
+  if (motion_tool::isArchive(bytes)) {
+    list(filesIn(bytes, source));
+    return;
+  }
   mtn::Motion motion;
   read(bytes, source, motion);
   std::cout << motion_tool::printTextForm(motion);
-  warn(motion);
+  if (const robot_model::RobotModel* robot = robotOf(motion)) {
+    warn(motion_tool::describeChanges(motion, *robot));
+  }
+}
+
+// Takes an option off the arguments, wherever it is.
+bool takeOption(const std::string& option, std::vector<std::string>& arguments) {
+  const auto end = std::remove(arguments.begin(), arguments.end(), option);
+  const bool is_there = end != arguments.end();
+  arguments.erase(end, arguments.end());
+  return is_there;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.empty() || arguments.size() > 2 || arguments[0] == "--help") {
-    const bool is_help = arguments.size() == 1;
-    (is_help ? std::cout : std::cerr) << kUsage;
-    return is_help ? 0 : kWrongUsage;
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (takeOption("--help", arguments)) {
+    std::cout << kUsage;
+    return 0;
+  }
+  const bool overwrites = takeOption("--force", arguments);
+  const bool unpacks = takeOption("--unpack", arguments);
+  if (arguments.empty() || arguments.size() > 2 || (unpacks && arguments.size() != 2) || (overwrites && !unpacks)) {
+    std::cerr << kUsage;
+    return kWrongUsage;
   }
   try {
-    if (arguments.size() == 2) {
+    if (unpacks) {
+      unpack(arguments[0], arguments[1], overwrites);
+    } else if (arguments.size() == 2) {
       make(arguments[0], arguments[1]);
     } else {
       print(arguments[0]);

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "motion_tool/motion_tool.h"
+#include "mtn/fitted_motion.h"
 
 namespace motion_tool {
 namespace {
@@ -11,6 +12,8 @@ using robot_model::Coupling;
 using robot_model::Joint;
 using robot_model::NO_JOINT;
 using robot_model::RobotModel;
+
+constexpr int kTolerance = mtn::FittedMotion::TOLERANCE;
 
 std::string inDegrees(double microradians) {
   char text[32];
@@ -28,7 +31,8 @@ class Check {
 
   std::vector<std::string> run() {
     for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-      if (jointOf(i) == nullptr) {
+      const bool is_ear = findEarByLocator(robot_, motion_.locator(i)) != robot_model::NO_EAR;
+      if (jointOf(i) == nullptr && !is_ear) {
         obstacles_.push_back(std::string("an ") + robot_.design + " has no joint " + motion_.locator(i));
       }
     }
@@ -58,7 +62,7 @@ class Check {
     for (int i = 0; i < motion_.numberOfJoints(); ++i) {
       const Joint* joint = jointOf(i);
       const int position = motion_.position(key_frame, i);
-      if (joint != nullptr && (position < joint->lowest || position > joint->highest)) {
+      if (joint != nullptr && (position < joint->lowest - kTolerance || position > joint->highest + kTolerance)) {
         obstacles_.push_back(when_ + joint->name + " is at " + inDegrees(position) + " degrees, outside " +
                              inDegrees(joint->lowest) + " to " + inDegrees(joint->highest));
       }
@@ -75,7 +79,7 @@ class Check {
       }
       const int at = motion_.position(key_frame, leader);
       const int lowest = coupledLowest(coupling, at);
-      if (motion_.position(key_frame, follower) < lowest) {
+      if (motion_.position(key_frame, follower) < lowest - kTolerance) {
         obstacles_.push_back(when_ + jointOf(follower)->name + " is below " + inDegrees(lowest) +
                              " degrees, where it hits " + jointOf(leader)->name + " at " + inDegrees(at));
       }
@@ -89,8 +93,9 @@ class Check {
     for (int i = 0; i < motion_.numberOfJoints(); ++i) {
       const Joint* joint = jointOf(i);
       const double distance = std::abs(motion_.position(key_frame, i) - motion_.position(key_frame - 1, i));
-      const double speed = distance * 1000 / motion_.milliseconds(key_frame);
-      if (joint != nullptr && speed > joint->highest_speed) {
+      const double seconds = motion_.milliseconds(key_frame) / 1000.0;
+      const double speed = distance / seconds;
+      if (joint != nullptr && distance > joint->highest_speed * seconds + kTolerance) {
         obstacles_.push_back(when_ + joint->name + " would have moved at " + inDegrees(speed) +
                              " degrees a second, above its limit of " + inDegrees(joint->highest_speed));
       }
@@ -108,6 +113,20 @@ class Check {
 
 std::vector<std::string> findObstacles(const mtn::Motion& motion, const RobotModel& robot) {
   return Check(motion, robot).run();
+}
+
+std::string describeChanges(const mtn::Motion& motion, const RobotModel& robot) {
+  mtn::FittedMotion fitted;
+  if (!fitted.fit(motion, robot, false)) {
+    return std::string("an ") + robot.design + " does not play it: it " + fitted.problem();
+  }
+  std::vector<int> speed_limits;
+  for (int i = 0; i < robot.number_of_joints; ++i) {
+    speed_limits.push_back(robot.joints[i].highest_speed);
+  }
+  char text[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
+  fitted.describe(speed_limits.data(), text);
+  return text[0] == '\0' ? "" : std::string("on an ") + robot.design + ", " + text;
 }
 
 }  // namespace motion_tool

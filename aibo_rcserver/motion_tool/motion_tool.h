@@ -37,7 +37,8 @@ struct KeyFrameMotion {
 ///     at 640   neck_tilt 0
 ///
 /// A `#` begins a comment. Joints and degrees may also follow their `at` on lines of their own. The first key frame
-/// names all joints of the motion.
+/// names all joints of the motion. The ears left_ear and right_ear have states instead of degrees, whole numbers such
+/// as 0 and 1.
 /// @throw std::runtime_error all mistakes, one "line 3: ..." per line of the message
 KeyFrameMotion parseTextForm(std::istream& text);
 
@@ -50,12 +51,20 @@ std::string printTextForm(const mtn::Motion& motion);
 ///   multiples of a frame; the message says why
 std::string encodeMtn(const KeyFrameMotion& motion);
 
+/// What the robot plays differently than the motion says when its joints move as fast as they can, or why it does not
+/// play it (mtn::FittedMotion).
+/// @return one line; empty if the robot plays all of it as it is
+std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotModel& robot);
+
+/// The text with `?` for whatever does not belong onto a terminal: files come from anywhere.
+std::string printable(std::string text);
+
 /// The table of the robot that a motion file with this design is for; null if there is none.
 const robot_model::RobotModel* modelOf(const std::string& design);
 
 /// Everything in the motion that the robot could not do exactly: joints that it does not have, positions beyond their
-/// limits, joints in each other's way, and joints that would have to move faster than they can. Joints that are not in
-/// the motion are assumed to be out of the way.
+/// limits, joints in each other's way, and joints that would have to move faster than they can. For the motion's
+/// author. Joints that are not in the motion are assumed to be out of the way.
 /// @return one line each; empty if the robot can do all of it
 std::vector<std::string> findObstacles(const mtn::Motion& motion, const robot_model::RobotModel& robot);
 

@@ -35,6 +35,11 @@ std::string robotOf(const std::string& design) {
   return design;
 }
 
+bool isEar(const std::string& design, const std::string& locator) {
+  const robot_model::RobotModel* robot = modelOf(design);
+  return robot != nullptr && findEarByLocator(*robot, locator.c_str()) != robot_model::NO_EAR;
+}
+
 template <typename Number>
 Number parseNumber(const std::string& word, const char* what) {
   std::istringstream stream(word);
@@ -146,11 +151,24 @@ class Parser {
   }
 
   void parsePosition(const std::string& joint, const std::string& degrees) {
+    const std::string locator = locatorOf(joint);
+    if (isEar(motion_.design, locator)) {
+      setPosition(locator, joint, parseEar(joint, degrees));
+      return;
+    }
     const double microradians = parseNumber<double>(degrees, "degrees") * kMicroradiansPerDegree;
     if (!(std::abs(microradians) <= mtn::MAX_POSITION)) {
       throw std::runtime_error(joint + " is more than a turn away");
     }
-    setPosition(locatorOf(joint), joint, static_cast<int>(std::lround(microradians)));
+    setPosition(locator, joint, static_cast<int>(std::lround(microradians)));
+  }
+
+  static int parseEar(const std::string& ear, const std::string& word) {
+    const int value = parseNumber<int>(word, "states");
+    if (value < -mtn::MAX_POSITION || value > mtn::MAX_POSITION) {
+      throw std::runtime_error(ear + " has a state that does not fit into a motion: 0 and 1 are enough");
+    }
+    return value;
   }
 
   std::string locatorOf(const std::string& joint) const {
@@ -160,6 +178,10 @@ class Parser {
     const robot_model::RobotModel* robot = modelOf(motion_.design);
     if (robot == nullptr) {
       throw std::runtime_error("which robot? \"robot ERS-7\" or \"robot ERS-210\" comes first");
+    }
+    const int ear = robot_model::findEarByName(*robot, joint.c_str());
+    if (ear != robot_model::NO_EAR) {
+      return robot->ears[ear].locator;
     }
     const int index = robot_model::findJointByName(*robot, joint.c_str());
     if (index == robot_model::NO_JOINT) {
@@ -199,20 +221,40 @@ std::string degreesOf(int microradians) {
   return digits == "-0" ? "0" : digits;
 }
 
-// Motion files come from anywhere, and this text may go to a terminal.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~' || c == '#'; }, '?');
-  return text;
+// A text in the text form, where a '#' would begin a comment.
+std::string quoted(const std::string& text) {
+  std::string result = printable(text);
+  std::replace(result.begin(), result.end(), '#', '?');
+  return result;
 }
 
 std::string jointName(const mtn::Motion& motion, int joint) {
   const robot_model::RobotModel* robot = modelOf(motion.design());
-  const int index = robot == nullptr ? robot_model::NO_JOINT : findJointByLocator(*robot, motion.locator(joint));
-  return index == robot_model::NO_JOINT ? motion.locator(joint) : robot->joints[index].name;
+  const char* const locator = motion.locator(joint);
+  if (robot == nullptr) {
+    return locator;
+  }
+  const int ear = findEarByLocator(*robot, locator);
+  if (ear != robot_model::NO_EAR) {
+    return robot->ears[ear].name;
+  }
+  const int index = findJointByLocator(*robot, locator);
+  return index == robot_model::NO_JOINT ? locator : robot->joints[index].name;
+}
+
+// An ear's value is a state, not an angle.
+std::string valueOf(const mtn::Motion& motion, int key_frame, int joint) {
+  const int value = motion.position(key_frame, joint);
+  return isEar(motion.design(), motion.locator(joint)) ? std::to_string(value) : degreesOf(value);
 }
 
 }  // namespace
+
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
 
 const robot_model::RobotModel* modelOf(const std::string& design) {
   return robot_model::findRobotModel(robotOf(design).c_str());
@@ -224,14 +266,14 @@ KeyFrameMotion parseTextForm(std::istream& text) {
 
 std::string printTextForm(const mtn::Motion& motion) {
   std::ostringstream text;
-  text << "name " << printable(motion.name()) << "\ncreator " << printable(motion.creator()) << "\nrobot "
-       << printable(robotOf(motion.design())) << "\nframe " << motion.frameMilliseconds() << '\n';
+  text << "name " << quoted(motion.name()) << "\ncreator " << quoted(motion.creator()) << "\nrobot "
+       << quoted(robotOf(motion.design())) << "\nframe " << motion.frameMilliseconds() << '\n';
   int milliseconds = 0;
   for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {
     milliseconds += motion.milliseconds(key_frame);
     text << "\nat " << milliseconds << '\n';
     for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
-      text << "  " << jointName(motion, joint) << ' ' << degreesOf(motion.position(key_frame, joint)) << '\n';
+      text << "  " << jointName(motion, joint) << ' ' << valueOf(motion, key_frame, joint) << '\n';
     }
   }
   return text.str();

@@ -80,6 +80,23 @@ const char* decodeMotionOrder(const unsigned char* payload, size_t size, MotionO
   return problem;
 }
 
+size_t encodeMotionChanges(const MotionChanges& changes, unsigned char* out) {
+  memcpy(out, changes.text, changes.text_size);
+  return changes.text_size;
+}
+
+const char* decodeMotionChanges(const unsigned char* payload, size_t size, MotionChanges* changes) {
+  if (size > MAX_MOTION_CHANGES_SIZE) {
+    return "the text is too long";
+  }
+  if (!isPlainText(textOf(payload), size)) {
+    return "the text is not plain UTF-8";
+  }
+  changes->text = textOf(payload);
+  changes->text_size = size;
+  return NULL;
+}
+
 size_t encodeMotionList(const MotionList& list, unsigned char* out) {
   size_t size = 0;
   for (size_t i = 0; i < list.count; ++i) {

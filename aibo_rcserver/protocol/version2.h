@@ -36,7 +36,7 @@ bool agreesToVersion2(const ValueReply& reply);
 /// The first bytes of every frame.
 struct FrameHeader {
   char kind;                      ///< capital letter = request, lower-case letter = reply or push
-  unsigned char id;               ///< JPEG quality of `F` and `W`; 0 for all other kinds
+  unsigned char id;               ///< JPEG quality of `F` and `W`, bits of `U` and `P`; 0 for all other kinds
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
 };

@@ -313,7 +313,7 @@ bool Version1::HandleMotion() {
       Answer(motions_.Delete(name));
       break;
     default:
-      Answer(motions_.Play(name, file.a));
+      Answer(motions_.Play(name, file.a, false));
       break;
   }
   return true;
@@ -340,7 +340,7 @@ bool Version1::TakeContent(RequestReader& reader) {
     return false;
   }
   is_uploading_ = false;
-  Answer(motions_.Upload(upload_name_, upload_buffer_, uploaded_));
+  Answer(motions_.Upload(upload_name_, upload_buffer_, uploaded_, false));
   return true;
 }
 

@@ -81,6 +81,8 @@ class Version2 {
   bool Play();
   bool List();
   /// @}
+  bool LeavesOutMissingJoints() const;
+  void ConfirmPlay();
   void Answer(MotionCommands::Outcome outcome);
 
   void PushJointFaults();

@@ -1,5 +1,6 @@
 // The requests of version 2 that need motion files on the memory stick.
 #include <stdio.h>
+#include <string.h>
 
 #include "rcserver/Version2.h"
 
@@ -13,7 +14,7 @@ bool Version2::Upload() {
   if (motions_.IsBusy()) {
     return false;
   }
-  Answer(motions_.Upload(upload.name, upload.content, upload.content_size));
+  Answer(motions_.Upload(upload.name, upload.content, upload.content_size, LeavesOutMissingJoints()));
   return true;
 }
 
@@ -42,7 +43,7 @@ bool Version2::Play() {
   if (motions_.IsBusy()) {
     return false;
   }
-  Answer(motions_.Play(order.name, order.repetitions));
+  Answer(motions_.Play(order.name, order.repetitions, LeavesOutMissingJoints()));
   return true;
 }
 
@@ -62,9 +63,21 @@ void Version2::FileDone(const FileResult& result) {
   const MotionCommands::Outcome outcome = motions_.Finish(result);
   if (request_.kind == REQUEST_LIST && outcome == MotionCommands::DONE) {
     Reply(encodeMotionList(result.list, Payload()));
+  } else if (request_.kind == REQUEST_PLAY && outcome == MotionCommands::DONE) {
+    ConfirmPlay();
   } else {
     Answer(outcome);
   }
+}
+
+bool Version2::LeavesOutMissingJoints() const {
+  return (request_.id & LEAVE_OUT_MISSING_JOINTS) != 0;
+}
+
+void Version2::ConfirmPlay() {
+  const bool tells = (request_.id & TELL_CHANGES) != 0;
+  const MotionChanges changes = {motions_.Changes(), tells ? strlen(motions_.Changes()) : 0};
+  Reply(encodeMotionChanges(changes, Payload()));
 }
 
 void Version2::Answer(MotionCommands::Outcome outcome) {

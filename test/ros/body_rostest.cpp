@@ -269,6 +269,14 @@ TEST(PlayMotionService, PlaysEachMotionOfTheRobotAndStopsIt) {
   }
 }
 
+// The driver's default limit is 3 rad/s, and the tail of WAG needs 4.8.
+TEST(PlayMotionService, SaysByHowMuchAMotionIsLonger) {
+  BodyUser user("/longer");
+  const auto played = user.play("wag", 1);
+  EXPECT_TRUE(played.success) << played.message;
+  EXPECT_THAT(played.message, AllOf(HasSubstr("WAG.MTN has begun and plays once: "), HasSubstr(" s longer.")));
+}
+
 TEST(PlayMotionService, SaysWhyItDoesNotPlay) {
   BodyUser user("/no_motion");
   const auto missing = user.play("fly", 1);

@@ -26,6 +26,7 @@ class FakeClient : public aibo_driver::RcServerClient {
   aibo_driver::ConnectionStatus present;      ///< for status()
   bool motors_work = true;                    ///< false: the motors stay as they are not wanted
   std::vector<std::string> motions;           ///< on the robot's memory stick
+  std::string motion_changes;                 ///< what the robot says that it plays differently
   aibo_driver::PicturePtr picture;            ///< for takePicture()
   int stream_quality = 0;                     ///< of the stream that the picture is from
   std::vector<aibo_driver::LedCommand> leds;  ///< of the last command
@@ -60,8 +61,9 @@ class FakeClient : public aibo_driver::RcServerClient {
   void commandEars(bool left, bool right) override {
     tell(std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
   }
-  void playMotion(const std::string& name, int repetitions, Milliseconds) override {
+  std::string playMotion(const std::string& name, int repetitions, Milliseconds) override {
     tell("play " + name + " " + std::to_string(repetitions));
+    return motion_changes;
   }
   void stopMotion(const std::string& name, Milliseconds) override { tell("stop " + name); }
   void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content, Milliseconds) override {

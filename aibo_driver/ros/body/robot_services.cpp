@@ -89,8 +89,9 @@ bool RobotServices::playMotion(PlayMotion::Request& request, PlayMotion::Respons
     }
     const int repetitions = std::max<int>(1, request.repetitions);
     joints_.prepareForMotion();
-    client_.playMotion(name, repetitions, kMotionTimeout);
-    return name + " has begun and plays " + (repetitions == 1 ? "once." : std::to_string(repetitions) + " times.");
+    const std::string changes = client_.playMotion(name, repetitions, kMotionTimeout);
+    return name + " has begun and plays " + (repetitions == 1 ? "once" : std::to_string(repetitions) + " times") +
+           (changes.empty() ? "." : ": " + changes + ".");
   });
 }
 

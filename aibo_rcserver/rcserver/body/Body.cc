@@ -66,11 +66,21 @@ bool Body::AddVector(OSubject* effector) {
   if (joints_are_due) {
     joint_driver_.Fill(vector);
     joint_driver_.Sent(vectors_on_their_way_);
+    FlickEars();
   }
   light_driver_.Fill(vector);
   effector->SetData(vector);
   ++vectors_on_their_way_;
   return true;
+}
+
+// A motion has come to places where ears flick.
+void Body::FlickEars() {
+  for (int ear = 0; ear < model_.number_of_ears; ++ear) {
+    if (Joints().Motions().TakeFlick(ear)) {
+      light_driver_.SetEar(ear, true);
+    }
+  }
 }
 
 bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {

@@ -62,6 +62,7 @@ class Body {
 
   const robot_model::RobotModel& FindModel();
   bool AddVector(OSubject* effector);
+  void FlickEars();
 
   char design_[orobotdesignNAME_MAX + 1];
   CommandVectors vectors_;

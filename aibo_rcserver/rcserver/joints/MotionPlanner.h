@@ -78,6 +78,9 @@ class MotionPlanner {
   int SetSpeedLimit(int joint, int limit);
   int SpeedLimit(int joint) const { return speed_limits_[joint]; }
 
+  /// The limits of all joints, in the order of the robot's table.
+  const int* SpeedLimits() const { return speed_limits_; }
+
   /// @param limit is clamped to 15625..the one that reaches the joint's highest speed within one frame. A higher limit
   ///   than before takes effect at once, a lower one when the joint is slow enough to stop with it within one frame: it
   ///   would pass its target otherwise.

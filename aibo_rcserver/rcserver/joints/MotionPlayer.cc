@@ -11,6 +11,7 @@ const size_t MotionPlayer::MAX_PROBLEM_SIZE;
 MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot)
     : planner_(planner), robot_(robot) {
   problem_[0] = '\0';
+  changes_[0] = '\0';
   ClientGone();
 }
 
@@ -19,15 +20,17 @@ unsigned char* MotionPlayer::FindRoom() {
   return motion != NULL ? motion->Room() : NULL;
 }
 
-const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, int repetitions, const bool* commanded) {
+const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
+                               const bool* commanded) {
   PlayedMotion& motion = *FindFree();
-  if (!motion.Load(name, size, robot_)) {
+  if (!motion.Load(name, size, robot_, leave_out)) {
     sprintf(problem_, "%s %s", name, motion.Problem());
     return problem_;
   }
   if (!FindsJointsFree(motion) || (commanded != NULL && !FindsJointsUncommanded(motion, commanded))) {
     return problem_;
   }
+  motion.DescribeChanges(planner_, changes_);
   motion.Start(repetitions);
   return NULL;
 }
@@ -61,6 +64,14 @@ bool MotionPlayer::IsPlaying() const {
     }
   }
   return false;
+}
+
+bool MotionPlayer::TakeFlick(int ear) {
+  bool flicks = false;
+  for (int i = 0; i < MAX_PLAYING; ++i) {
+    flicks = motions_[i].TakeFlick(ear) || flicks;
+  }
+  return flicks;
 }
 
 void MotionPlayer::JointIsCommanded(int joint) {

@@ -32,11 +32,17 @@ class MotionPlayer {
   /// Begins to play the file in FindRoom().
   /// @param size of the file, 1..mtn::MAX_FILE_SIZE
   /// @param repetitions not below 1
+  /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is refused
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
   /// command
   ///   has precedence over the motion. NULL: no joint was
   /// @return NULL, or why it is not played, in words that a user can act on
-  const char* Play(const protocol::MotionName& name, size_t size, int repetitions, const bool* commanded);
+  const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
+                   const bool* commanded);
+
+  /// What the motion that Play() has begun last does differently than its file says, in one line such as "2 positions
+  /// are clipped, by up to 3.0 degrees (left_hind_knee at 2832 ms)"; empty if it is played as it is.
+  const char* Changes() const { return changes_; }
 
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
   void Stop(const protocol::MotionName& name);
@@ -46,6 +52,11 @@ class MotionPlayer {
   void EndRepetitions();
 
   bool IsPlaying() const;
+
+  /// True once for each time that a motion makes this ear flick. Call in each frame or every few. Any number of motions
+  /// may have ears.
+  /// @param ear index in the robot's table
+  bool TakeFlick(int ear);
 
   /// A joint gets another command: stops the motion that moves it.
   void JointIsCommanded(int joint);
@@ -83,6 +94,7 @@ class MotionPlayer {
   PlayedMotion motions_[MAX_PLAYING];
   Failure failures_[MAX_PLAYING];  ///< with NO_JOINT where there is no failure
   char problem_[MAX_PROBLEM_SIZE];
+  char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H

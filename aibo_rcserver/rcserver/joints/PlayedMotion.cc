@@ -7,34 +7,28 @@
 
 #include <algorithm>
 
-using robot_model::NO_JOINT;
+using robot_model::MAX_EARS;
+using robot_model::MAX_JOINTS;
 using robot_model::RobotModel;
 
 const int PlayedMotion::APPROACH_SPEED;
 
-const char* findJoints(const mtn::Motion& motion, const RobotModel& robot, int* joints) {
-  for (int i = 0; i < motion.numberOfJoints(); ++i) {
-    joints[i] = findJointByLocator(robot, motion.locator(i));
-    if (joints[i] == NO_JOINT) {
-      return motion.locator(i);
-    }
-  }
-  return NULL;
-}
-
-PlayedMotion::PlayedMotion() : phase_(OVER), repetitions_left_(0), key_frame_(0), milliseconds_(0) {
+PlayedMotion::PlayedMotion() : phase_(OVER), repetitions_left_(0), key_frame_(0), milliseconds_(0), duration_(0) {
   name_[0] = '\0';
   problem_[0] = '\0';
+  std::fill(begin_, begin_ + MAX_JOINTS, 0);
+  std::fill(end_, end_ + MAX_JOINTS, 0);
+  std::fill(flicks_, flicks_ + MAX_EARS, false);
 }
 
-bool PlayedMotion::Load(const protocol::MotionName& name, size_t size, const RobotModel& robot) {
+bool PlayedMotion::Load(const protocol::MotionName& name, size_t size, const RobotModel& robot, bool leave_out) {
   strcpy(name_, name);
   if (!motion_.read(file_, size)) {
     sprintf(problem_, "is not a motion file: %s", motion_.problem());
     return false;
   }
-  if (const char* missing = findJoints(motion_, robot, joints_)) {
-    sprintf(problem_, "moves the joint %s, which this robot does not have", missing);
+  if (!fitted_.fit(motion_, robot, leave_out)) {
+    strcpy(problem_, fitted_.problem());
     return false;
   }
   return true;
@@ -45,14 +39,14 @@ void PlayedMotion::Start(int repetitions) {
   repetitions_left_ = repetitions;
 }
 
-bool PlayedMotion::Moves(int joint) const {
-  return std::count(joints_, joints_ + motion_.numberOfJoints(), joint) > 0;
+void PlayedMotion::DescribeChanges(const MotionPlanner& planner, char* text) const {
+  fitted_.describe(planner.SpeedLimits(), text);
 }
 
 bool PlayedMotion::SharesJoint(const PlayedMotion& other, int* joint) const {
-  for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-    if (other.Moves(joints_[i])) {
-      *joint = joints_[i];
+  for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
+    if (other.Moves(fitted_.joint(i))) {
+      *joint = fitted_.joint(i);
       return true;
     }
   }
@@ -69,51 +63,77 @@ void PlayedMotion::NextFrame(MotionPlanner& planner) {
   }
   if (phase_ == APPROACHING && HaveArrived(planner)) {
     phase_ = PLAYING;
-    key_frame_ = 1;
     milliseconds_ = 0;
+    GoTo(1, planner);
   }
   if (phase_ == PLAYING) {
-    PassTime();
+    PassTime(planner);
     Follow(planner);
   }
 }
 
+bool PlayedMotion::TakeFlick(int ear) {
+  const bool flicks = flicks_[ear];
+  flicks_[ear] = false;
+  return flicks;
+}
+
 void PlayedMotion::Stop(MotionPlanner& planner) {
   phase_ = OVER;
-  for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-    planner.Hold(joints_[i]);
+  std::fill(flicks_, flicks_ + MAX_EARS, false);
+  for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
+    planner.Hold(fitted_.joint(i));
   }
 }
 
 void PlayedMotion::Approach(MotionPlanner& planner) {
-  MotionPlanner::JointTarget targets[mtn::MAX_JOINTS];
+  fitted_.posture(0, end_);
+  MotionPlanner::JointTarget targets[MAX_JOINTS];
   int farthest = 0;
-  for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-    targets[i].joint = joints_[i];
-    targets[i].position = motion_.position(0, i);
-    farthest = std::max(farthest, abs(targets[i].position - planner.Position(joints_[i])));
+  for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
+    targets[i].joint = fitted_.joint(i);
+    targets[i].position = end_[i];
+    farthest = std::max(farthest, abs(end_[i] - planner.Position(fitted_.joint(i))));
   }
   const double seconds = static_cast<double>(farthest) / APPROACH_SPEED;
-  planner.SetTargets(targets, motion_.numberOfJoints(), static_cast<int>(seconds * 1000));
+  planner.SetTargets(targets, fitted_.numberOfJoints(), static_cast<int>(seconds * 1000));
+}
+
+// From the key frame where the joints are now to this one, if the motion has it.
+void PlayedMotion::GoTo(int key_frame, const MotionPlanner& planner) {
+  key_frame_ = key_frame;
+  if (key_frame < fitted_.numberOfKeyFrames()) {
+    std::copy(end_, end_ + MAX_JOINTS, begin_);
+    fitted_.posture(key_frame, end_);
+    duration_ = fitted_.milliseconds(key_frame, planner.SpeedLimits());
+  }
 }
 
 // Finds the next key frame for this time, or the end of the repetition after the last one.
-void PlayedMotion::PassTime() {
+void PlayedMotion::PassTime(const MotionPlanner& planner) {
   milliseconds_ += MotionPlanner::FRAME_MILLISECONDS;
   while (phase_ == PLAYING) {
-    if (key_frame_ == motion_.numberOfKeyFrames()) {
+    if (key_frame_ == fitted_.numberOfKeyFrames()) {
       if (repetitions_left_ == 1 || !IsClosed()) {
         phase_ = ARRIVING;
       } else {
         --repetitions_left_;
-        key_frame_ = 1;
+        GoTo(1, planner);
       }
-    } else if (milliseconds_ >= motion_.milliseconds(key_frame_)) {
-      milliseconds_ -= motion_.milliseconds(key_frame_);
-      ++key_frame_;
+    } else if (milliseconds_ >= duration_) {
+      milliseconds_ -= duration_;
+      FlickEars();
+      GoTo(key_frame_ + 1, planner);
     } else {
       return;
     }
+  }
+}
+
+// The motion is at key_frame_.
+void PlayedMotion::FlickEars() {
+  for (int ear = 0; ear < MAX_EARS; ++ear) {
+    flicks_[ear] = fitted_.flicks(key_frame_, ear) || flicks_[ear];
   }
 }
 
@@ -122,19 +142,16 @@ void PlayedMotion::Repeat() {
   phase_ = repetitions_left_ > 0 ? BEGINNING : OVER;
 }
 
+// True if the last key frame, where the joints are, equals the first one.
 bool PlayedMotion::IsClosed() const {
-  const int last = motion_.numberOfKeyFrames() - 1;
-  for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-    if (motion_.position(last, i) != motion_.position(0, i)) {
-      return false;
-    }
-  }
-  return last > 0;
+  int first[MAX_JOINTS];
+  fitted_.posture(0, first);
+  return fitted_.numberOfKeyFrames() > 1 && std::equal(first, first + fitted_.numberOfJoints(), end_);
 }
 
 bool PlayedMotion::HaveArrived(const MotionPlanner& planner) const {
-  for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-    if (planner.FramesLeft(joints_[i]) > 0) {
+  for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
+    if (planner.FramesLeft(fitted_.joint(i)) > 0) {
       return false;
     }
   }
@@ -143,18 +160,17 @@ bool PlayedMotion::HaveArrived(const MotionPlanner& planner) const {
 
 int PlayedMotion::PositionNow(int i) const {
   if (phase_ == ARRIVING) {
-    return motion_.position(motion_.numberOfKeyFrames() - 1, i);
+    return end_[i];
   }
-  const double from = motion_.position(key_frame_ - 1, i);
-  const double way = motion_.position(key_frame_, i) - from;
-  return static_cast<int>(floor(from + way * milliseconds_ / motion_.milliseconds(key_frame_) + 0.5));
+  const double way = static_cast<double>(end_[i]) - begin_[i];
+  return static_cast<int>(floor(begin_[i] + way * milliseconds_ / duration_ + 0.5));
 }
 
 void PlayedMotion::Follow(MotionPlanner& planner) const {
-  MotionPlanner::JointTarget targets[mtn::MAX_JOINTS];
-  for (int i = 0; i < motion_.numberOfJoints(); ++i) {
-    targets[i].joint = joints_[i];
+  MotionPlanner::JointTarget targets[MAX_JOINTS];
+  for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
+    targets[i].joint = fitted_.joint(i);
     targets[i].position = PositionNow(i);
   }
-  planner.SetTargets(targets, motion_.numberOfJoints(), 0);
+  planner.SetTargets(targets, fitted_.numberOfJoints(), 0);
 }

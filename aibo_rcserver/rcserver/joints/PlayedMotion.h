@@ -5,15 +5,11 @@
 
 #include <stddef.h>
 
+#include "mtn/fitted_motion.h"
 #include "mtn/motion.h"
 #include "protocol/text.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "robot_model/robot_model.h"
-
-/// Finds the joints of a motion on a robot by their locators.
-/// @param[out] joints their indices in the robot's table; room for mtn::MAX_JOINTS
-/// @return NULL, or the locator of one that the robot does not have
-const char* findJoints(const mtn::Motion& motion, const robot_model::RobotModel& robot, int* joints);
 
 /// Plays one motion file a number of times: sets the targets of its joints, frame by frame.
 ///
@@ -22,6 +18,9 @@ const char* findJoints(const mtn::Motion& motion, const robot_model::RobotModel&
 /// the joints lag behind this line by up to 50 ms, and cut corners by the distance they need to stop. When they have
 /// arrived at the last key frame, the next repetition begins like the first; a motion whose last key frame equals its
 /// first one continues without a stop.
+///
+/// FittedMotion says what becomes of positions that a joint cannot reach, and of steps between key frames that are too
+/// fast for the joints' speed limits: those in force when the step begins count.
 class PlayedMotion {
  public:
   /// Greatest speed on the way to the first key frame, in microradian/s: 90 degrees a second, so that the robot neither
@@ -35,8 +34,9 @@ class PlayedMotion {
 
   /// Reads the motion that is in Room().
   /// @param size of the file, 0..mtn::MAX_FILE_SIZE
-  /// @return false if it is not a motion, or moves a joint that the robot does not have
-  bool Load(const protocol::MotionName& name, size_t size, const robot_model::RobotModel& robot);
+  /// @param leave_out the joints that the robot does not have are left out
+  /// @return false if it is not a motion, or the robot cannot play it
+  bool Load(const protocol::MotionName& name, size_t size, const robot_model::RobotModel& robot, bool leave_out);
 
   /// Why Load() failed; follows the name, as in "NOD.MTN ...".
   const char* Problem() const { return problem_; }
@@ -50,7 +50,11 @@ class PlayedMotion {
 
   bool IsPlaying() const { return phase_ != OVER; }
   const char* Name() const { return name_; }
-  bool Moves(int joint) const;
+  bool Moves(int joint) const { return fitted_.moves(joint); }
+
+  /// What is played differently than the file says, in one line; see FittedMotion::describe().
+  /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if nothing is
+  void DescribeChanges(const MotionPlanner& planner, char* text) const;
 
   /// True if both move the same joint.
   /// @param[out] joint that one
@@ -58,6 +62,10 @@ class PlayedMotion {
 
   /// Sets the targets for the next frame. Only if IsPlaying().
   void NextFrame(MotionPlanner& planner);
+
+  /// True once for each time that an ear has to flick: when the motion has come to a key frame where its value changes.
+  /// @param ear index in the robot's table
+  bool TakeFlick(int ear);
 
   /// Ends the motion. Its joints brake, stop and hold.
   void Stop(MotionPlanner& planner);
@@ -75,7 +83,9 @@ class PlayedMotion {
   PlayedMotion& operator=(const PlayedMotion&);
 
   void Approach(MotionPlanner& planner);
-  void PassTime();
+  void GoTo(int key_frame, const MotionPlanner& planner);
+  void PassTime(const MotionPlanner& planner);
+  void FlickEars();
   void Repeat();
   bool IsClosed() const;
   bool HaveArrived(const MotionPlanner& planner) const;
@@ -85,11 +95,15 @@ class PlayedMotion {
   Phase phase_;
   protocol::MotionName name_;
   mtn::Motion motion_;
-  int joints_[mtn::MAX_JOINTS];  ///< the robot's joint for each joint of the motion
-  int repetitions_left_;         ///< with the present one
-  int key_frame_;                ///< in PLAYING: the one that the joints move to, from 1
-  int milliseconds_;             ///< in PLAYING: since the previous key frame
-  char problem_[mtn::Motion::MAX_PROBLEM_SIZE + 32];
+  mtn::FittedMotion fitted_;
+  int repetitions_left_;                ///< with the present one
+  int key_frame_;                       ///< in PLAYING: the one that the joints move to, from 1
+  int milliseconds_;                    ///< in PLAYING: since the previous key frame
+  int duration_;                        ///< in PLAYING: milliseconds from the previous key frame to this one
+  int begin_[robot_model::MAX_JOINTS];  ///< positions in the previous key frame
+  int end_[robot_model::MAX_JOINTS];    ///< positions in key_frame_, or in the last one
+  bool flicks_[robot_model::MAX_EARS];  ///< ears that have to flick
+  char problem_[mtn::FittedMotion::MAX_PROBLEM_SIZE];
   unsigned char file_[mtn::MAX_FILE_SIZE];
 };
 

@@ -40,7 +40,7 @@ const char* LieDown::Play(const FileResult& result, JointControl& joints) {
     return "LIE.MTN cannot be read from OPEN-R/MW/DATA/P on the memory stick";
   }
   memcpy(room, result.content, result.size);
-  if (const char* problem = player.Play(MOTION, result.size, 1, NULL)) {
+  if (const char* problem = player.Play(MOTION, result.size, 1, false, NULL)) {
     return problem;
   }
   state_ = LYING_DOWN;

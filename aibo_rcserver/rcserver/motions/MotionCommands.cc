@@ -1,5 +1,6 @@
 #include "rcserver/motions/MotionCommands.h"
 
+#include <OPENR/OSyslog.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -15,16 +16,18 @@ MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, 
       ticket_(0),
       operation_(FileJob::LIST),
       repetitions_(0),
+      leave_out_(false),
       cancelled_why_(NULL) {
   problem_[0] = '\0';
   name_[0] = '\0';
 }
 
-MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions) {
+MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out) {
   if (CheckPlay() != DONE) {
     return REFUSED;
   }
   repetitions_ = repetitions;
+  leave_out_ = leave_out;
   cancelled_why_ = NULL;
   joints_.ForgetCommands();
   return Post(FileJob::READ, name, NULL, 0);
@@ -60,16 +63,15 @@ MotionCommands::Outcome MotionCommands::CheckUpload(size_t size) {
 }
 
 MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name, const unsigned char* content,
-                                               size_t size) {
+                                               size_t size, bool leave_out) {
   if (CheckUpload(size) != DONE) {
     return REFUSED;
   }
   if (!checked_.read(content, size)) {
     return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
   }
-  int joints[mtn::MAX_JOINTS];
-  if (const char* missing = findJoints(checked_, joints_.Robot(), joints)) {
-    return Fail(REFUSED, "%s moves the joint %s, which this robot does not have", name, missing);
+  if (!fitted_.fit(checked_, joints_.Robot(), leave_out)) {
+    return Fail(REFUSED, "%s %s", name, fitted_.problem());
   }
   return Post(FileJob::STORE, name, content, size);
 }
@@ -133,8 +135,13 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   }
   MotionPlayer& player = joints_.Motions();
   memcpy(player.FindRoom(), result.content, result.size);
-  const char* const problem = player.Play(name_, result.size, repetitions_, joints_.CommandedSince());
-  return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
+  if (const char* problem = player.Play(name_, result.size, repetitions_, leave_out_, joints_.CommandedSince())) {
+    return Fail(REFUSED, "%s", problem);
+  }
+  if (Changes()[0] != '\0') {
+    OSYSPRINT(("RCServer: %s: %s\n", name_, Changes()));
+  }
+  return DONE;
 }
 
 MotionCommands::Outcome MotionCommands::FailOnMemoryStick() {

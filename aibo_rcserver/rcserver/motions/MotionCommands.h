@@ -3,6 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
 #define AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
 
+#include "mtn/fitted_motion.h"
 #include "mtn/motion.h"
 #include "protocol/text.h"
 #include "rcserver/joints/JointControl.h"
@@ -43,7 +44,12 @@ class MotionCommands {
 
   /// Begins to play a motion: PENDING until its file has been read.
   /// @param repetitions not below 1
-  Outcome Play(const protocol::MotionName& name, int repetitions);
+  /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is REFUSED
+  Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out);
+
+  /// Once Play() is DONE: what is played differently than the file says (MotionPlayer::Changes()). The console has it,
+  /// too.
+  const char* Changes() const { return joints_.Motions().Changes(); }
 
   /// Stops a motion, if it is being played. If its file is still being read, Play() will be REFUSED.
   /// @param name empty: all of them
@@ -56,8 +62,9 @@ class MotionCommands {
   /// Checks whether a file of this size may be uploaded, whatever its content: DONE or REFUSED.
   Outcome CheckUpload(size_t size);
 
-  /// Stores a file, if it is a motion for this robot.
-  Outcome Upload(const protocol::MotionName& name, const unsigned char* content, size_t size);
+  /// Stores a file, if it is a motion that this robot can play.
+  /// @param leave_out as for Play()
+  Outcome Upload(const protocol::MotionName& name, const unsigned char* content, size_t size, bool leave_out);
 
   Outcome Delete(const protocol::MotionName& name);
 
@@ -86,7 +93,8 @@ class MotionCommands {
   const MotorSwitch& motors_;
   FileJobs& files_;
   const Settings& settings_;
-  mtn::Motion checked_;  ///< the upload that is checked
+  mtn::Motion checked_;       ///< the upload that is checked
+  mtn::FittedMotion fitted_;  ///< the same
   char problem_[MAX_PROBLEM_SIZE];
 
   /// @name The pending request
@@ -95,6 +103,7 @@ class MotionCommands {
   FileJob::Operation operation_;
   protocol::MotionName name_;
   int repetitions_;            ///< READ: how often the motion is to be played
+  bool leave_out_;             ///< READ: without the joints that the robot does not have
   const char* cancelled_why_;  ///< READ: why the motion is not to be played after all, or NULL
   /// @}
 };

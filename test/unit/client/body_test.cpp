@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "newest_client_fixture.h"
+#include "protocol/motion_requests.h"
 
 using namespace aibo_driver;
+using protocol::version2::LEAVE_OUT_MISSING_JOINTS;
+using protocol::version2::TELL_CHANGES;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using test_pictures::Bytes;
@@ -59,6 +62,51 @@ TEST_F(BodyTest, MotionsAreStoredListedPlayedStoppedAndDeletedInAnyCase) {
     answer(&peer, kind);
   }
   EXPECT_THAT(calls.get(), ElementsAre(name));
+}
+
+TEST_F(BodyTest, TheRobotSaysWhatItPlaysDifferently) {
+  ScriptedPeer peer = connectVersion2();
+  const std::string changes = "2 positions are clipped";
+  for (const std::string& text : {changes, std::string()}) {
+    auto call = inBackground([this] { return client().playMotion("NOD.MTN", 2, seconds(20)); });
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(TELL_CHANGES, request.header.id);
+    peer.send(makeFrame('p', request.header.request_number, Bytes(text.begin(), text.end())));
+    EXPECT_EQ(text, call.get());
+  }
+  auto stop = inBackground([this] { client().stopMotion("NOD.MTN", seconds(20)); });
+  const version2_frames::Frame request = peer.readRequest();
+  EXPECT_EQ(0, request.header.id);
+  peer.send(makeFrame('p', request.header.request_number, {}));
+  stop.get();
+}
+
+TEST_F(BodyTest, ARobotThatTellsNonsenseAboutAMotionIsDisconnected) {
+  ScriptedPeer peer = connectVersion2();
+  auto call = inBackground([this] { client().playMotion("NOD.MTN", 2, seconds(20)); });
+  peer.send(makeFrame('p', peer.readRequest().header.request_number, {0x1b, '[', 'J'}));
+  EXPECT_THROW(call.get(), NetworkException);
+}
+
+TEST_F(BodyTest, JointsThatTheRobotDoesNotHaveAreLeftOutIfItIsAnOption) {
+  ClientOptions options = newest(server_);
+  options.leave_out_missing_joints = true;
+  RcServerClient client(options, recorder_.callbacks());
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("U P");
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  auto calls = inBackground([&client] {
+    client.uploadMotion("NOD.MTN", {1}, seconds(20));
+    client.playMotion("NOD.MTN", 1, seconds(20));
+  });
+  version2_frames::Frame request = peer.readRequest();
+  EXPECT_EQ(LEAVE_OUT_MISSING_JOINTS, request.header.id);
+  peer.send(makeFrame('u', request.header.request_number, {}));
+  request = peer.readRequest();
+  EXPECT_EQ(LEAVE_OUT_MISSING_JOINTS | TELL_CHANGES, request.header.id);
+  peer.send(makeFrame('p', request.header.request_number, {}));
+  calls.get();
 }
 
 TEST_F(BodyTest, TheRobotIsShutDownAndTheClientWaitsForItsReturn) {

@@ -91,6 +91,12 @@ TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
   EXPECT_EQ(lastTold(), "play NOD.MTN 3");
 }
 
+TEST_F(RobotServicesTest, SayWhatTheRobotPlaysDifferently) {
+  client_.motion_changes = "1 step is too fast, so it takes 2.98 s, which is 1.38 s longer";
+  EXPECT_EQ(play("nod", 3).message,
+            "NOD.MTN has begun and plays 3 times: 1 step is too fast, so it takes 2.98 s, which is 1.38 s longer.");
+}
+
 TEST_F(RobotServicesTest, LetAMotionMoveAllJointsAsFastAsTheirLimitsAllow) {
   play("nod");
   ASSERT_EQ(client_.told.size(), table_.size() + 1);

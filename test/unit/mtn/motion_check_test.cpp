@@ -12,12 +12,23 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-std::vector<std::string> obstaclesOf(const std::string& key_frames, const std::string& on = "ERS-7") {
+// What a function of motion_tool.h says of a motion of an ERS-7 on this robot.
+template <typename Result>
+Result verdict(Result (*function)(const mtn::Motion&, const robot_model::RobotModel&), const std::string& key_frames,
+               const std::string& on) {
   std::istringstream text("robot ERS-7\n" + key_frames);
   const std::string bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
   mtn::Motion motion;
   EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
-  return motion_tool::findObstacles(motion, *robot_model::findRobotModel(on.c_str()));
+  return function(motion, *robot_model::findRobotModel(on.c_str()));
+}
+
+std::vector<std::string> obstaclesOf(const std::string& key_frames, const std::string& on = "ERS-7") {
+  return verdict(motion_tool::findObstacles, key_frames, on);
+}
+
+std::string changesOf(const std::string& key_frames) {
+  return verdict(motion_tool::describeChanges, key_frames, "ERS-7");
 }
 
 TEST(MotionCheckTest, findsNothingInAMotionWithinAllLimits) {
@@ -37,6 +48,25 @@ TEST(MotionCheckTest, findsJointsInEachOthersWay) {
 TEST(MotionCheckTest, findsAJointThatWouldBeTooFast) {
   EXPECT_THAT(obstaclesOf("at 0 neck_tilt 0\nat 160 neck_tilt -40\n"),
               ElementsAre(HasSubstr("at 160 ms, neck_tilt would have moved at 250.0 degrees a second")));
+}
+
+TEST(MotionCheckTest, toleratesAThousandthOfADegree) {
+  EXPECT_THAT(obstaclesOf("at 0 head_pan 88.0009 neck_tilt -60 head_tilt 4.9991\nat 16 neck_tilt -57.0793\n"),
+              IsEmpty());
+}
+
+TEST(MotionCheckTest, knowsTheEars) {
+  EXPECT_THAT(obstaclesOf("at 0 head_pan 0 left_ear 0 right_ear 0\nat 16 left_ear 1\n"), IsEmpty());
+}
+
+TEST(MotionCheckTest, describesAWholeMotionInOneLine) {
+  EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 80\n"), "");
+  EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 90\nat 3200 head_pan -90\nat 3232 head_pan -60\n"),
+            "on an ERS-7, 2 positions are clipped, by up to 2.0 degrees (head_pan at 1600 ms); "
+            "1 step is too fast, so it takes 3.25 s, which is 0.02 s longer");
+  EXPECT_EQ(changesOf("at 0 head_pan 100\n"),
+            "an ERS-7 does not play it: it moves head_pan to 100.0 degrees at 0 ms, 12.0 beyond what it can do there; "
+            "up to 5.0 are clipped");
 }
 
 TEST(MotionCheckTest, findsJointsThatTheRobotDoesNotHave) {

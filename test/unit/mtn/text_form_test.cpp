@@ -65,6 +65,19 @@ TEST(TextFormTest, knowsTheJointsOfAnErs210) {
   EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3-Joint2:j3", "PRM:/r6/c2-Joint2:j2"));
 }
 
+TEST(TextFormTest, namesTheEarsAndTheirStates) {
+  const std::string text = "robot ERS-7\nat 0 left_ear 0 right_ear -1\nat 16 left_ear 1000000\n";
+  const KeyFrameMotion motion = parse(text);
+  EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3/e5-Joint4:15", "PRM:/r1/c1/c2/c3/e6-Joint4:16"));
+  EXPECT_THAT(motion.key_frames[1].positions, ElementsAre(1000000, -1)) << "not in degrees";
+  const std::string bytes = motion_tool::encodeMtn(motion);
+  EXPECT_THAT(print(bytes), HasSubstr("at 16\n  left_ear 1000000\n  right_ear -1\n"));
+  EXPECT_EQ(motion_tool::encodeMtn(parse(print(bytes))), bytes);
+  EXPECT_THAT(parse("robot ERS-210\nat 0 left_ear 0\n").locators, ElementsAre("PRM:/r1/c1/c2/c3/e1-Joint3:j5"));
+  EXPECT_THAT(problemOf("robot ERS-7\nat 0 left_ear 0.5\n"), HasSubstr("\"0.5\" is not a number of states"));
+  EXPECT_THAT(problemOf("robot ERS-7\nat 0 left_ear 6283186\n"), HasSubstr("left_ear has a state that does not fit"));
+}
+
 TEST(TextFormTest, survivesTheRoundTrip) {
   KeyFrameMotion motion = sampleMotion();
   motion.key_frames[1].positions = {1234567, -7654};

@@ -125,6 +125,26 @@ TEST(MotionOrder, IsUnchangedWhenItIsRefused) {
   EXPECT_STREQ(order.name, "WAG.MTN");
 }
 
+TEST(MotionChanges, AreAPlainText) {
+  const std::string text = "2 positions are clipped";
+  const Bytes bytes = encoded(encodeMotionChanges, MotionChanges{text.data(), text.size()}, MAX_MOTION_CHANGES_SIZE);
+  EXPECT_EQ(bytes, bytesOf(text));
+  MotionChanges changes{};
+  ASSERT_THAT(decodeMotionChanges(bytes.data(), bytes.size(), &changes), IsNull());
+  EXPECT_EQ(std::string(changes.text, changes.text_size), text);
+  ASSERT_THAT(decodeMotionChanges(bytes.data(), 0, &changes), IsNull()) << "nothing is different";
+  EXPECT_EQ(changes.text_size, 0U);
+}
+
+TEST(MotionChanges, AreRefusedIfTheyAreNotPlainOrTooLong) {
+  EXPECT_THAT(verdict(decodeMotionChanges)(bytesOf("a\nb")), HasSubstr("plain"));
+  EXPECT_THAT(verdict(decodeMotionChanges)(hex("ff")), HasSubstr("plain"));
+  EXPECT_THAT(verdict(decodeMotionChanges)(Bytes(MAX_MOTION_CHANGES_SIZE + 1, 'a')), HasSubstr("too long"));
+  MotionChanges changes{};
+  EXPECT_THAT(decodeMotionChanges(Bytes(MAX_MOTION_CHANGES_SIZE, 'a').data(), MAX_MOTION_CHANGES_SIZE, &changes),
+              IsNull());
+}
+
 MotionList listOf(size_t count) {
   MotionList list{};
   list.count = count;

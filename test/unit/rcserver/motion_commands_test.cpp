@@ -13,11 +13,14 @@
 #include "protocol/motion_requests.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "rcserver/body/LightDriver.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver_fixture.h"
 
 namespace {
 
+using protocol::version2::LEAVE_OUT_MISSING_JOINTS;
+using protocol::version2::TELL_CHANGES;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -49,6 +52,12 @@ class MotionsTest : public FakeRobotFixture {
   void expectNothingTouchedOutside() const {
     EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/OUT.MTN")), motion_);
     EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
+  }
+
+  // The number of frames in which an ear was drawn.
+  std::ptrdiff_t framesDrawn(std::size_t ear) const {
+    const std::vector<bool>& path = robot_.ears[ear].path;
+    return std::count(path.begin(), path.end(), true);
   }
 
   double degrees(const std::string& joint) { return robot_.joint(joint).position * 180e-6 / std::acos(-1.0); }
@@ -88,6 +97,20 @@ TEST_F(Version1MotionsTest, playsAMotionFromTheMemoryStick) {
   const std::vector<int>& path = robot_.joint("neck_tilt").path;
   EXPECT_LT(*std::min_element(path.begin(), path.end()), -450000) << "it has nodded";
   EXPECT_NEAR(degrees("neck_tilt"), -10, 0.01);
+}
+
+TEST_F(Version1MotionsTest, flicksTheEarsOfAMotionAndTellsTheConsoleWhatIsDifferent) {
+  start("");
+  stick_.write(std::string(kFolder) + "/EARS.MTN",
+               motionBytes("at 0 head_pan 0 left_ear 0\nat 800 head_pan 90 left_ear 1\nat 1600 head_pan 90\n"));
+  EXPECT_EQ(answerTo(fileRequest('P', "EARS.MTN", 1)), "p7 0");
+  passFrames(kLongestMotion);
+  EXPECT_NEAR(degrees("head_pan"), 88, 0.01);
+  EXPECT_EQ(framesDrawn(0), LightDriver::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(1), 0);
+  const std::string line = "RCServer: EARS.MTN: 2 positions are clipped, by up to 2.0 degrees (head_pan at 800 ms)\n";
+  EXPECT_THAT(console_.str(), HasSubstr(line));
+  EXPECT_EQ(console_.str().find(line), console_.str().rfind(line)) << "once";
 }
 
 TEST_F(Version1MotionsTest, reportsMotionsThatCannotBePlayedByErrorCode) {
@@ -169,6 +192,7 @@ TEST_F(Version1MotionsTest, aFileThatIsNotAMotionIsNotStored) {
   EXPECT_EQ(answerTo(upload("NEW.MTN", "")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.TXT", motion_)), "e0 2");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n"))), "e0 0");
+  EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("at 0 head_pan 110\n"))), "e0 0") << "it could not be played";
   EXPECT_EQ(answerTo(fileRequest('U', "NEW.MTN", 1000)), "e0 0") << "at once, before any of the content has arrived";
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
@@ -202,12 +226,13 @@ class Version2MotionsTest : public MotionsTest {
 
   static std::string frame(char kind, const std::string& payload) { return ::frame(kind, 0, 1, payload); }
 
-  static std::string play(const std::string& name, int repetitions) {
-    return frame('P', playPayload(name, repetitions));
+  /// @param bits the id, of motion_requests.h
+  static std::string play(const std::string& name, int repetitions, int bits = 0) {
+    return ::frame('P', bits, 1, playPayload(name, repetitions));
   }
 
-  static std::string upload(const std::string& name, const std::string& content) {
-    return frame('U', uploadPayload(name, content));
+  static std::string upload(const std::string& name, const std::string& content, int bits = 0) {
+    return ::frame('U', bits, 1, uploadPayload(name, content));
   }
 
   // The next frame: its kind, the code if it is an error, and its payload.
@@ -240,6 +265,49 @@ TEST_F(Version2MotionsTest, listsPlaysAndStops) {
   passFrames(300);
   EXPECT_EQ(answerTo(play("", 0)), "p");
   EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
+}
+
+TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
+  startVersion2("");
+  stick_.write(std::string(kFolder) + "/FAST.MTN", motionBytes("at 0 head_pan 0\nat 160 head_pan 91\nat 1600\n"));
+  EXPECT_EQ(answerTo(play("FAST.MTN", 1)), "p") << "clients from before expect nothing more";
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: FAST.MTN: 2 positions are clipped"));
+  EXPECT_EQ(answerTo(play("", 0, TELL_CHANGES)), "p");
+  EXPECT_EQ(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),
+            "p2 positions are clipped, by up to 3.0 degrees (head_pan at 160 ms)");
+  EXPECT_EQ(answerTo(play("", 0)), "p");
+  EXPECT_EQ(answerTo(::frame('V', 0, 1, std::string("\2\0\0\0\0\x0f\x42\x40", 8))).front(), 'v') << "1 rad/s";
+  EXPECT_THAT(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),
+              HasSubstr("; 1 step is too fast, so it takes 2.98 s, which is 1.38 s longer"));
+  EXPECT_EQ(answerTo(play("WAG.MTN", 1, TELL_CHANGES)), "p") << "as it is in the file";
+}
+
+TEST_F(Version2MotionsTest, leavesOutJointsThatTheRobotDoesNotHaveIfItIsTold) {
+  startVersion2("ALLOW_UPLOAD=yes\n");
+  const std::string motion = motionBytes("at 0 PRM:/r1/c1/c2/c3-Joint2:j3 0 head_pan 0\nat 800 head_pan 30\n");
+  EXPECT_THAT(answerTo(upload("NEW.MTN", motion)),
+              HasSubstr("e0 NEW.MTN moves the joint PRM:/r1/c1/c2/c3-Joint2:j3, which this robot does not have"));
+  EXPECT_EQ(answerTo(upload("NEW.MTN", motion, LEAVE_OUT_MISSING_JOINTS)), "u");
+  EXPECT_THAT(answerTo(play("NEW.MTN", 1)), HasSubstr("which this robot does not have"));
+  EXPECT_THAT(answerTo(play("NEW.MTN", 1, TELL_CHANGES)), HasSubstr("which this robot does not have"));
+  EXPECT_EQ(answerTo(play("NEW.MTN", 1, LEAVE_OUT_MISSING_JOINTS)), "p");
+  passFrames(300);
+  EXPECT_NEAR(degrees("head_pan"), 30, 0.01);
+  EXPECT_EQ(answerTo(play("NEW.MTN", 1, LEAVE_OUT_MISSING_JOINTS | TELL_CHANGES)),
+            "p1 joint that this robot does not have is left out");
+}
+
+TEST_F(Version2MotionsTest, flicksTheEarsOfAMotion) {
+  startVersion2("ALLOW_UPLOAD=yes\n");
+  const std::string motion = motionBytes("at 0 left_ear 0 right_ear 0\nat 800 right_ear 1\nat 1600 right_ear 0\n");
+  EXPECT_EQ(answerTo(upload("EARS.MTN", motion)), "u");
+  EXPECT_EQ(answerTo(play("EARS.MTN", 1, TELL_CHANGES)), "p");
+  passFrames(150);
+  EXPECT_EQ(framesDrawn(1), LightDriver::EAR_FRAMES);
+  passFrames(100);
+  EXPECT_EQ(framesDrawn(1), 2 * LightDriver::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(0), 0);
+  EXPECT_FALSE(robot_.ears[1].drawn);
 }
 
 TEST_F(Version2MotionsTest, reportsWhyAMotionCannotBePlayed) {

@@ -33,6 +33,9 @@ struct ClientOptions {
   std::chrono::milliseconds read_timeout{500};         ///< 50 ms..60 s; a stream that is silent for longer is dead
   std::chrono::milliseconds reconnect_wait_min{100};   ///< 10 ms..reconnect_wait_max; the wait doubles at each failure
   std::chrono::milliseconds reconnect_wait_max{2000};  ///< 10 ms..60 s; the longest wait from one attempt to the next
+  /// The robot plays and stores motions for other robots, too, without the joints that it does not have. Otherwise it
+  /// refuses them. Version 1 servers always refuse.
+  bool leave_out_missing_joints = false;
 };
 
 enum class ConnectionState { kDisconnected, kConnecting, kConnected };
@@ -236,7 +239,10 @@ class RcServerClient {
   /// @param name of the file, such as NOD.MTN: 8 characters at most, then .MTN, in capitals or not
   /// @param repetitions 1..65535
   /// @param timeout longest time to wait, 1 ms..1 h
-  virtual void playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
+  /// @return what the robot plays differently than the file says, in one line: positions that it clips, by how much the
+  ///   motion is longer because it is too fast for the joints' speed limits, joints left out; empty if nothing, and
+  ///   with a server that does not tell (version 1, or older than this)
+  virtual std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
 
   /// Stops a motion. Its joints hold their positions.
   /// @param name of the motion; empty = all that are playing
@@ -285,6 +291,7 @@ class RcServerClient {
   virtual ClientStatistics statistics() const;
 
  private:
+  const int motion_bits_;  // of the id in requests about motions (protocol/motion_requests.h)
   std::unique_ptr<ConnectionLoop> loop_;
 };
 

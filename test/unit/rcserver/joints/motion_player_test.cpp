@@ -14,7 +14,10 @@
 
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using ::testing::StrEq;
 
 constexpr int kFrame = MotionPlanner::FRAME_MILLISECONDS;
@@ -35,7 +38,7 @@ class MotionPlayerTest : public ::testing::Test {
   double at(const std::string& name) const { return degrees(planner_.Position(joint(name))); }
 
   // The problem from Play(); empty if the motion is played.
-  std::string play(const std::string& name, const std::string& bytes, int repetitions = 1) {
+  std::string play(const std::string& name, const std::string& bytes, int repetitions = 1, bool leave_out = false) {
     unsigned char* const room = player_->FindRoom();
     if (room == nullptr) {
       return "no room";
@@ -43,7 +46,7 @@ class MotionPlayerTest : public ::testing::Test {
     std::memcpy(room, bytes.data(), bytes.size());
     protocol::MotionName motion_name;
     EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
-    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, nullptr);
+    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, leave_out, nullptr);
     return problem != nullptr ? problem : "";
   }
 
@@ -157,16 +160,66 @@ TEST_F(MotionPlayerTest, aSingleKeyFrameIsAPosture) {
   EXPECT_NEAR(at("tail_pan"), -20, 1e-4);
 }
 
-TEST_F(MotionPlayerTest, jointsStayWithinTheirLimitsWhateverTheFileSays) {
+TEST_F(MotionPlayerTest, positionsALittleBeyondALimitAreClipped) {
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 neck_tilt 0 head_tilt 0\n"
-                                      "at 16 head_pan 300 neck_tilt -300 head_tilt -300\n"
+                                      "at 1600 head_pan 92 neck_tilt -79 head_tilt 1\n"
                                       "at 2000\n")),
             "");
+  EXPECT_THAT(player_->Changes(), StrEq("6 positions are clipped, by up to 4.0 degrees (head_pan at 1600 ms)"));
   const std::vector<double> path = pathOf("head_pan");
-  EXPECT_LE(greatestStep(path), degrees(robot_.joints[joint("head_pan")].highest_speed) * kFrame / 1000);
+  EXPECT_LE(*std::max_element(path.begin(), path.end()), 88 + 1e-4);
   EXPECT_NEAR(at("head_pan"), 88, 1e-4);
   EXPECT_NEAR(at("neck_tilt"), -75, 1e-4);
   EXPECT_NEAR(at("head_tilt"), 5, 1e-4) << "its limit for this neck";
+}
+
+TEST_F(MotionPlayerTest, refusesPositionsFarBeyondALimit) {
+  EXPECT_THAT(
+      play("A.MTN", motionBytes("at 0 head_pan 0\nat 1600 head_pan 300\n")),
+      StrEq("A.MTN moves head_pan to 300.0 degrees at 1600 ms, 212.0 beyond what it can do there; up to 5.0 are "
+            "clipped"));
+  EXPECT_FALSE(player_->IsPlaying());
+}
+
+TEST_F(MotionPlayerTest, aJointOutsideOfTheMotionStillRestrictsIt) {
+  planner_.SetPosition(joint("neck_tilt"), robot_.joints[joint("neck_tilt")].lowest);
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_tilt 20\nat 800 head_tilt -10\n")), "");
+  pathOf("head_tilt");
+  EXPECT_NEAR(at("head_tilt"), 5, 1e-4) << "its limit for this neck";
+}
+
+// A knee moves 302.5 degrees a second at most.
+TEST_F(MotionPlayerTest, aStepThatIsTooFastTakesLongerAndTheNextOneKeepsItsTime) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 left_front_knee 0 head_pan 0\n"
+                                      "at 160 left_front_knee 100 head_pan 10\n"
+                                      "at 960 left_front_knee 100 head_pan 60\n")),
+            "");
+  EXPECT_THAT(player_->Changes(), StrEq("1 step is too fast, so it takes 1.13 s, which is 0.17 s longer"));
+  const std::vector<double> path = pathOf("head_pan");
+  EXPECT_LT(distance(path, 331 / kFrame * kFrame, 10), 0.5) << "the other joints wait for it";
+  EXPECT_LT(distance(path, 731 / kFrame * kFrame, 35), 0.5);
+  EXPECT_NEAR(static_cast<double>(path.size()) * kFrame, 1131, 80);
+}
+
+TEST_F(MotionPlayerTest, aKneeThatWouldBeTooFastReachesItsKeyFrames) {
+  ASSERT_EQ(
+      play("A.MTN", motionBytes("at 0 left_front_knee 0\nat 160 left_front_knee 100\nat 320 left_front_knee 0\n")), "");
+  const std::vector<double> path = pathOf("left_front_knee");
+  EXPECT_GT(*std::max_element(path.begin(), path.end()), 90) << "100, less the way it needs to stop";
+}
+
+TEST_F(MotionPlayerTest, aLowerSpeedLimitMakesItLongerFromTheNextStepOn) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 800 head_pan 40\nat 1600 head_pan 0\n"), 2), "");
+  EXPECT_THAT(player_->Changes(), StrEq(""));
+  planner_.SetSpeedLimit(joint("head_pan"), 349066);  // 20 degrees a second: 2 s for each step
+  const double seconds = static_cast<double>(pathOf("head_pan").size()) * kFrame / 1000;
+  EXPECT_NEAR(seconds, 8, 0.2);
+}
+
+TEST_F(MotionPlayerTest, playsAMotionThatEndsWhereItBeganOnceClipped) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 89\nat 800 head_pan 0\nat 1600 head_pan 90\n"), 2), "");
+  planner_.SetPosition(joint("head_pan"), robot_.joints[joint("head_pan")].highest);
+  EXPECT_NEAR(static_cast<double>(pathOf("head_pan").size()) * kFrame, 3200, 60) << "without a stop";
 }
 
 TEST_F(MotionPlayerTest, playsMotionsOfOtherJointsAtOnce) {
@@ -207,6 +260,64 @@ TEST_F(MotionPlayerTest, refusesAFileThatIsNotAMotion) {
 TEST_F(MotionPlayerTest, refusesAMotionOfAnotherRobotsJointByItsName) {
   EXPECT_THAT(play("A.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n")),
               StrEq("A.MTN moves the joint PRM:/r1/c1/c2/c3-Joint2:j3, which this robot does not have"));
+}
+
+TEST_F(MotionPlayerTest, leavesOutJointsOfAnotherRobotIfItIsTold) {
+  const std::string motion = motionBytes("at 0 PRM:/r1/c1/c2/c3-Joint2:j3 0 head_pan 0\nat 800 head_pan 20\n");
+  EXPECT_THAT(play("A.MTN", motion), HasSubstr("which this robot does not have"));
+  ASSERT_EQ(play("A.MTN", motion, 1, true), "");
+  EXPECT_THAT(player_->Changes(), StrEq("1 joint that this robot does not have is left out"));
+  pathOf("head_pan");
+  EXPECT_NEAR(at("head_pan"), 20, 1e-4);
+  ASSERT_EQ(play("B.MTN", motionBytes("at 0 head_pan 5\n")), "");
+  EXPECT_THAT(player_->Changes(), StrEq("")) << "of the motion before";
+}
+
+// ----------------------------------------------------------------------------------------------------------- ears
+
+class MotionOfEarsTest : public MotionPlayerTest {
+ protected:
+  // The times in milliseconds at which an ear flicks until no motion is played any more.
+  std::vector<int> flicksOf(const std::string& ear) {
+    std::vector<int> times;
+    for (int time = 0; player_->IsPlaying() && time < kPatience; time += kFrame) {
+      passFrame();
+      if (player_->TakeFlick(findEarByName(robot_, ear.c_str()))) {
+        times.push_back(time);
+      }
+    }
+    return times;
+  }
+};
+
+TEST_F(MotionOfEarsTest, earsFlickWhenTheirValuesChange) {
+  const std::string motion = motionBytes(
+      "at 0 left_ear 0 right_ear 0\nat 400 left_ear 1\nat 800 right_ear 5\nat 1200 left_ear 0\nat 1600 left_ear 0\n");
+  ASSERT_EQ(play("A.MTN", motion), "");
+  EXPECT_THAT(player_->Changes(), StrEq(""));
+  EXPECT_THAT(flicksOf("left_ear"), ElementsAre(400 - kFrame, 1200 - kFrame));
+  EXPECT_TRUE(player_->TakeFlick(findEarByName(robot_, "right_ear"))) << "nobody has taken it yet";
+  EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "right_ear")));
+}
+
+TEST_F(MotionOfEarsTest, earsFlickInEachRepetitionAndOnlyWhereTheFileSays) {
+  const std::string motion = motionBytes("at 0 head_pan 0 left_ear 7\nat 400 left_ear 8\nat 800\n");
+  ASSERT_EQ(play("A.MTN", motion, 3), "");
+  EXPECT_THAT(flicksOf("left_ear"), SizeIs(3));
+}
+
+TEST_F(MotionOfEarsTest, severalMotionsMayHaveEars) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 left_ear 0\nat 400 left_ear 1\n")), "");
+  ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0 left_ear 0\nat 800 left_ear 1\n")), "");
+  EXPECT_THAT(flicksOf("left_ear"), SizeIs(2));
+}
+
+TEST_F(MotionOfEarsTest, earsOfAStoppedMotionDoNotFlick) {
+  ASSERT_EQ(play("A.MTN", motionBytes("frame 8\nat 0 left_ear 0\nat 8 left_ear 1\nat 16 left_ear 0\n")), "");
+  passFrames(2);
+  player_->StopAll();
+  EXPECT_THAT(flicksOf("left_ear"), IsEmpty());
+  EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "left_ear")));
 }
 
 // -------------------------------------------------------------------------------------------------- stopped early

@@ -1,0 +1,127 @@
+#include "motion_tool/archive.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+namespace motion_tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kMagic = "ODAR";
+constexpr std::size_t kHeaderSize = 64;
+constexpr std::size_t kCountOffset = 8;
+constexpr std::size_t kEntrySizeOffset = 12;
+
+// An entry.
+constexpr std::size_t kEntrySize = 144;
+constexpr std::size_t kTypeSize = 4;
+constexpr std::size_t kNameSize = 128;
+constexpr std::size_t kOffsetOffset = kTypeSize + kNameSize;
+constexpr std::size_t kSizeOffset = kOffsetOffset + 4;
+
+std::size_t decode32(const std::string& bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i > 0; --i) {
+    value = value << 8 | static_cast<unsigned char>(bytes[offset + i - 1]);
+  }
+  return value;
+}
+
+ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
+  const std::size_t entry = kHeaderSize + number * kEntrySize;
+  const std::string name = bytes.substr(entry + kTypeSize, kNameSize);
+  const std::size_t offset = decode32(bytes, entry + kOffsetOffset);
+  const std::size_t size = decode32(bytes, entry + kSizeOffset);
+  if (offset > bytes.size() || size > bytes.size() - offset) {
+    throw std::runtime_error("file " + std::to_string(number + 1) + " of the archive is cut off: it has " +
+                             std::to_string(size) + " bytes from byte " + std::to_string(offset) +
+                             ", and the archive has " + std::to_string(bytes.size()));
+  }
+  return {name.substr(0, name.find('\0')), bytes.substr(entry, kTypeSize), bytes.substr(offset, size)};
+}
+
+// Makes a new file, so that nothing is written through a link.
+void write(const fs::path& path, const std::string& content) {
+  fs::remove(path);
+  std::FILE* const file = std::fopen(path.c_str(), "wbx");
+  const bool is_written = file != nullptr && std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  const bool is_closed = file != nullptr && std::fclose(file) == 0;
+  if (!is_written || !is_closed) {
+    throw std::runtime_error(path.string() + " cannot be written");
+  }
+}
+
+}  // namespace
+
+bool isArchive(const std::string& bytes) {
+  return bytes.compare(0, kMagic.size(), kMagic) == 0;
+}
+
+std::vector<ArchivedFile> readArchive(const std::string& bytes) {
+  if (!isArchive(bytes)) {
+    throw std::runtime_error("it is not an archive: it does not begin with " + kMagic);
+  }
+  if (bytes.size() < kHeaderSize) {
+    throw std::runtime_error("the archive is cut off within its header");
+  }
+  const std::size_t entry_size = decode32(bytes, kEntrySizeOffset);
+  if (entry_size != kEntrySize) {
+    throw std::runtime_error("the archive has entries of " + std::to_string(entry_size) + " bytes; only " +
+                             std::to_string(kEntrySize) + " are supported");
+  }
+  const std::size_t count = decode32(bytes, kCountOffset);
+  if (count > (bytes.size() - kHeaderSize) / kEntrySize) {
+    throw std::runtime_error("the archive is cut off: it claims to have " + std::to_string(count) + " files");
+  }
+  std::vector<ArchivedFile> files;
+  std::size_t size = kHeaderSize + count * kEntrySize;
+  for (std::size_t i = 0; i < count; ++i) {
+    files.push_back(readEntry(bytes, i));
+    size += files.back().content.size();
+    if (size > bytes.size()) {  // unpacked, it could fill any disk
+      throw std::runtime_error("the files of the archive overlap: together they are larger than the archive");
+    }
+  }
+  return files;
+}
+
+std::string fileNameOf(const ArchivedFile& file) {
+  std::string name = file.name.empty() ? "_" : file.name;
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return c > '~' || (std::isalnum(c) == 0 && c != '-' && c != '_'); }, '_');
+  if (name.front() == '-') {  // an option, for most programs
+    name.front() = '_';
+  }
+  if (file.type == "OMTN") {
+    return name + ".mtn";
+  }
+  return name + (file.type == "WAVE" ? ".wav" : ".bin");
+}
+
+void unpack(const std::vector<ArchivedFile>& files, const std::string& folder, bool overwrite) {
+  std::set<std::string> names;
+  for (const ArchivedFile& file : files) {
+    const std::string name = fileNameOf(file);
+    if (!names.insert(name).second) {
+      throw std::runtime_error("nothing was written: the archive has two files that would be named " + name);
+    }
+    if (!overwrite && fs::exists(fs::symlink_status(fs::path(folder) / name))) {
+      throw std::runtime_error("nothing was written: " + (fs::path(folder) / name).string() +
+                               " is there already; --force overwrites it");
+    }
+  }
+  fs::create_directories(folder);
+  for (const ArchivedFile& file : files) {
+    write(fs::path(folder) / fileNameOf(file), file.content);
+  }
+}
+
+}  // namespace motion_tool

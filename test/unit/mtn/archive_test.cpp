@@ -1,0 +1,253 @@
+#include "motion_tool/archive.h"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using motion_tool::ArchivedFile;
+using motion_tool::fileNameOf;
+using motion_tool::readArchive;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+namespace fs = std::filesystem;
+
+std::string encode32(std::size_t value) {
+  std::string bytes;
+  for (int i = 0; i < 4; ++i) {
+    bytes.push_back(static_cast<char>(value >> (8 * i)));
+  }
+  return bytes;
+}
+
+std::string padded(std::string text, std::size_t size) {
+  text.resize(size, '\0');
+  return text;
+}
+
+/// An archive, made as archive.h describes it.
+std::string archiveOf(const std::vector<ArchivedFile>& files) {
+  std::string bytes = padded("ODAR" + std::string("\0\0\3\0", 4) + encode32(files.size()) + encode32(144), 64);
+  std::size_t offset = 64 + 144 * files.size();
+  for (const ArchivedFile& file : files) {
+    bytes +=
+        padded(file.type, 4) + padded(file.name, 128) + encode32(offset) + encode32(file.content.size()) + encode32(0);
+    offset += file.content.size();
+  }
+  for (const ArchivedFile& file : files) {
+    bytes += file.content;
+  }
+  return bytes;
+}
+
+std::string problemOf(const std::string& bytes) {
+  try {
+    readArchive(bytes);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+const std::vector<ArchivedFile> kFiles = {{"a_sit#wave", "OMTN", "OMTN..."}, {"bark", "WAVE", "RIFF"}};
+
+TEST(ArchiveTest, isReadWithNamesTypesAndContents) {
+  const std::vector<ArchivedFile> files = readArchive(archiveOf(kFiles));
+  ASSERT_THAT(files, SizeIs(2));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(files[i].name, kFiles[i].name);
+    EXPECT_EQ(files[i].type, kFiles[i].type);
+    EXPECT_EQ(files[i].content, kFiles[i].content);
+  }
+}
+
+TEST(ArchiveTest, mayBeEmptyOrHoldEmptyFilesOrNamesOfAnyLength) {
+  EXPECT_THAT(readArchive(archiveOf({})), IsEmpty());
+  const std::string longest(128, 'n');
+  const std::vector<ArchivedFile> files = readArchive(archiveOf({{longest, "OMTN", ""}}));
+  ASSERT_THAT(files, SizeIs(1));
+  EXPECT_EQ(files[0].name, longest);
+  EXPECT_EQ(files[0].content, "");
+}
+
+TEST(ArchiveTest, isRefusedWhereverItIsCutOff) {
+  const std::string bytes = archiveOf(kFiles);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_NE(problemOf(bytes.substr(0, size)), "") << size;
+  }
+  EXPECT_THAT(problemOf("OMTN"), HasSubstr("does not begin with ODAR"));
+  EXPECT_THAT(problemOf(bytes.substr(0, 63)), HasSubstr("within its header"));
+  EXPECT_THAT(problemOf(bytes.substr(0, 300)), HasSubstr("claims to have 2 files"));
+  EXPECT_THAT(problemOf(bytes.substr(0, bytes.size() - 1)),
+              HasSubstr("file 2 of the archive is cut off: it has 4 bytes from byte 359, and the archive has 362"));
+}
+
+TEST(ArchiveTest, isRefusedIfANumberLeadsBeyondItsEnd) {
+  constexpr std::size_t kCount = 8;
+  constexpr std::size_t kEntrySize = 12;
+  constexpr std::size_t kOffset = 64 + 132;
+  constexpr std::size_t kSize = 64 + 136;
+  for (const std::size_t place : {kCount, kEntrySize, kOffset, kSize}) {
+    for (const std::size_t value : {0x7fffffffU, 0x80000000U, 0xffffffffU, 0xfffffff0U}) {
+      EXPECT_NE(problemOf(archiveOf(kFiles).replace(place, 4, encode32(value))), "") << place << " " << value;
+    }
+  }
+}
+
+TEST(ArchiveTest, isRefusedIfItsFilesOverlap) {
+  std::string bytes = archiveOf({{"a", "OMTN", std::string(200, 'x')}, {"b", "OMTN", std::string(200, 'y')}});
+  bytes.replace(64 + 144 + 132, 8, encode32(64) + encode32(bytes.size() - 64));
+  EXPECT_THAT(problemOf(bytes), HasSubstr("overlap"));
+}
+
+TEST(ArchiveTest, survivesRandomDamage) {
+  const std::string bytes = archiveOf(kFiles);
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string damaged = bytes;
+    for (int j = 0; j < 3; ++j) {
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    }
+    refused += problemOf(damaged).empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 20000);
+}
+
+TEST(ArchiveTest, noNameLeadsOutOfTheFolder) {
+  EXPECT_EQ(fileNameOf({"a_sit#sit-1", "OMTN", ""}), "a_sit_sit-1.mtn");
+  EXPECT_EQ(fileNameOf({"bark", "WAVE", ""}), "bark.wav");
+  EXPECT_EQ(fileNameOf({"x", std::string("LED\0", 4), ""}), "x.bin");
+  EXPECT_EQ(fileNameOf({"../../etc/passwd", "OMTN", ""}), "______etc_passwd.mtn");
+  EXPECT_EQ(fileNameOf({"/etc/x", "OMTN", ""}), "_etc_x.mtn");
+  EXPECT_EQ(fileNameOf({"C:\\x", "OMTN", ""}), "C__x.mtn");
+  EXPECT_EQ(fileNameOf({".bashrc", "OMTN", ""}), "_bashrc.mtn");
+  EXPECT_EQ(fileNameOf({"-rf", "OMTN", ""}), "_rf.mtn");
+  EXPECT_EQ(fileNameOf({"", "OMTN", ""}), "_.mtn");
+  EXPECT_EQ(fileNameOf({"\x1b[2J\n\xc3\xa4", "OMTN", ""}), "__2J___.mtn");
+}
+
+class UnpackTest : public ::testing::Test {
+ protected:
+  UnpackTest() {
+    std::string pattern = (fs::temp_directory_path() / "archive_test.XXXXXX").string();
+    root_ = ::mkdtemp(pattern.data());
+    folder_ = root_ / "new" / "motions";
+  }
+  ~UnpackTest() override { fs::remove_all(root_); }
+
+  std::string problemOf(const std::vector<ArchivedFile>& files, bool overwrite = false) const {
+    try {
+      motion_tool::unpack(files, folder_, overwrite);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::ptrdiff_t numberOfFiles() const {
+    return fs::exists(folder_) ? std::distance(fs::directory_iterator(folder_), fs::directory_iterator()) : 0;
+  }
+
+  fs::path root_;
+  fs::path folder_;
+};
+
+TEST_F(UnpackTest, writesAllFilesToANewFolder) {
+  EXPECT_EQ(problemOf(kFiles), "");
+  EXPECT_EQ(contentOf(folder_ / "a_sit_wave.mtn"), "OMTN...");
+  EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
+  EXPECT_EQ(numberOfFiles(), 2);
+}
+
+TEST_F(UnpackTest, overwritesNothingUnlessItIsTold) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "bark.wav") << "mine";
+  EXPECT_THAT(problemOf(kFiles), HasSubstr("bark.wav is there already; --force overwrites it"));
+  EXPECT_EQ(contentOf(folder_ / "bark.wav"), "mine");
+  EXPECT_EQ(numberOfFiles(), 1) << "all or nothing";
+  EXPECT_EQ(problemOf(kFiles, true), "");
+  EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
+}
+
+TEST_F(UnpackTest, writesThroughNoLink) {
+  fs::create_directories(folder_);
+  std::ofstream(root_ / "outside") << "mine";
+  fs::create_symlink(root_ / "outside", folder_ / "bark.wav");
+  fs::create_symlink(root_ / "nothing", folder_ / "a_sit_wave.mtn");
+  EXPECT_THAT(problemOf(kFiles), HasSubstr("a_sit_wave.mtn is there already"));
+  EXPECT_EQ(problemOf(kFiles, true), "");
+  EXPECT_EQ(contentOf(root_ / "outside"), "mine");
+  EXPECT_FALSE(fs::exists(root_ / "nothing"));
+}
+
+TEST_F(UnpackTest, refusesTwoFilesOfTheSameName) {
+  EXPECT_THAT(problemOf({{"a#b", "OMTN", "1"}, {"a_b", "OMTN", "2"}}, true),
+              HasSubstr("two files that would be named a_b.mtn"));
+  EXPECT_EQ(numberOfFiles(), 0);
+}
+
+TEST_F(UnpackTest, namesAFileThatCannotBeWritten) {
+  fs::create_directories(folder_ / "bark.wav" / "full");
+  EXPECT_THAT(problemOf(kFiles, true), HasSubstr("bark.wav"));
+}
+
+// The program itself.
+class AiboMtnTest : public UnpackTest {
+ protected:
+  AiboMtnTest() { std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles); }
+
+  /// Its output and errors, then its exit code.
+  std::string run(const std::string& arguments) const {
+    std::string output;
+    FILE* const pipe = ::popen((AIBO_MTN " " + arguments + " 2>&1").c_str(), "r");
+    std::array<char, 256> buffer{};
+    while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
+      output += buffer.data();
+    }
+    return output + std::to_string(WEXITSTATUS(::pclose(pipe)));
+  }
+
+  std::string archive() const { return (root_ / "x.oda").string(); }
+};
+
+TEST_F(AiboMtnTest, listsAnArchive) {
+  EXPECT_EQ(run(archive()), "       7  a_sit_wave.mtn  (a_sit#wave)\n       4  bark.wav  (bark)\n0");
+  EXPECT_EQ(numberOfFiles(), 0);
+}
+
+TEST_F(AiboMtnTest, unpacksAnArchive) {
+  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("a_sit_wave.mtn"));
+  EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
+  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("is there already; --force"));
+  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("bark.wav  (bark)\n0"));
+}
+
+TEST_F(AiboMtnTest, saysWhatIsWrongAndFails) {
+  std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles).substr(0, 100);
+  EXPECT_EQ(run(archive()), "aibo_mtn: " + archive() + ": the archive is cut off: it claims to have 2 files\n1");
+  EXPECT_THAT(run("--unpack " + archive()), HasSubstr("usage:"));
+  EXPECT_THAT(run("--force " + archive()), HasSubstr("usage:"));
+}
+
+}  // namespace

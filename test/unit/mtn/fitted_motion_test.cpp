@@ -1,0 +1,204 @@
+#include "mtn/fitted_motion.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "motion_tool/motion_tool.h"
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StrEq;
+
+int microradians(double degrees) {
+  return static_cast<int>(std::lround(degrees * std::acos(-1.0) / 180e-6));
+}
+
+class FittedMotionTest : public ::testing::Test {
+ protected:
+  FittedMotionTest() {
+    for (int i = 0; i < robot_.number_of_joints; ++i) {
+      speed_limits_.push_back(robot_.joints[i].highest_speed);
+    }
+  }
+
+  /// Fits a motion in text form to an ERS-7.
+  bool fit(const std::string& key_frames, bool leave_out = false, const std::string& robot = "ERS-7") {
+    std::istringstream text("robot " + robot + "\n" + key_frames);
+    bytes_ = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
+    EXPECT_TRUE(motion_.read(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size()))
+        << motion_.problem();
+    return fitted_.fit(motion_, robot_, leave_out);
+  }
+
+  std::vector<int> posture(int key_frame) const {
+    std::vector<int> positions(static_cast<std::size_t>(fitted_.numberOfJoints()));
+    fitted_.posture(key_frame, positions.data());
+    return positions;
+  }
+
+  std::string description() const {
+    char text[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
+    fitted_.describe(speed_limits_.data(), text);
+    return text;
+  }
+
+  const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
+  std::vector<int> speed_limits_;
+  std::string bytes_;
+  mtn::Motion motion_;
+  mtn::FittedMotion fitted_;
+};
+
+TEST_F(FittedMotionTest, isUnchangedIfTheRobotCanDoAllOfIt) {
+  ASSERT_TRUE(fit("at 0 head_pan 0 tail_pan 45\nat 1600 head_pan -88\n"));
+  EXPECT_THAT(posture(1), ElementsAre(microradians(-88), microradians(45)));
+  EXPECT_EQ(fitted_.milliseconds(1, speed_limits_.data()), 1600);
+  EXPECT_EQ(description(), "");
+}
+
+TEST_F(FittedMotionTest, positionsAtALimitToAThousandthOfADegreeAreInIt) {
+  ASSERT_TRUE(fit("at 0 head_pan 88.0009 neck_tilt -60 head_tilt 4.9991\nat 1600\n"));
+  EXPECT_EQ(fitted_.changes().clipped, 0);
+  EXPECT_EQ(description(), "");
+  EXPECT_THAT(posture(0), ElementsAre(microradians(88), microradians(-60), microradians(5))) << "to the last digit";
+  ASSERT_TRUE(fit("at 0 head_pan 88.0011\n"));
+  EXPECT_EQ(fitted_.changes().clipped, 1);
+}
+
+TEST_F(FittedMotionTest, positionsBeyondALimitByAFewDegreesAreClippedAndDescribedInOneLine) {
+  ASSERT_TRUE(fit("at 0 left_hind_knee 122 head_pan 0\nat 1600 left_hind_knee 125 head_pan 89\nat 3200\n"));
+  EXPECT_THAT(posture(1), ElementsAre(microradians(122), microradians(88)));
+  EXPECT_EQ(description(), "4 positions are clipped, by up to 3.0 degrees (left_hind_knee at 1600 ms)");
+  ASSERT_TRUE(fit("at 0 head_pan 90.04\n"));
+  EXPECT_EQ(description(), "1 position is clipped, by up to 2.0 degrees (head_pan at 0 ms)");
+}
+
+TEST_F(FittedMotionTest, jointsInEachOthersWayAreClipped) {
+  // Model Information ERS-7, 2.1.2: with the rotator at -22 degrees, the elevator is not below -7.
+  ASSERT_TRUE(fit("at 0 right_front_rotator -22 right_front_elevator -9.5\n"));
+  EXPECT_THAT(posture(0), ElementsAre(microradians(-22), microradians(-7)));
+  EXPECT_EQ(description(), "1 position is clipped, by up to 2.5 degrees (right_front_elevator at 0 ms)");
+}
+
+TEST_F(FittedMotionTest, followersMakeRoomForWhereTheirLeadersReallyGo) {
+  // Beyond its limit of 0, the neck is in the last row of the table, where the head may be at -5.
+  ASSERT_TRUE(fit("at 0 head_tilt -5 neck_tilt 2\n"));
+  EXPECT_THAT(posture(0), ElementsAre(microradians(-5), 0));
+  EXPECT_EQ(fitted_.changes().clipped, 1);
+}
+
+TEST_F(FittedMotionTest, jointsThatAreNotInTheMotionAreOutOfTheWay) {
+  ASSERT_TRUE(fit("at 0 head_tilt -15\n"));
+  EXPECT_EQ(fitted_.changes().clipped, 0);
+}
+
+TEST_F(FittedMotionTest, positionsFurtherOffAreRefusedWithTheWorst) {
+  EXPECT_TRUE(fit("at 0 head_pan 93\n"));
+  EXPECT_FALSE(fit("at 0 head_pan 0\nat 1600 head_pan 93.1\nat 3200 head_pan -110\nat 4800 head_pan 0\n"));
+  EXPECT_THAT(fitted_.problem(), StrEq("moves head_pan to -110.0 degrees at 3200 ms, 22.0 beyond what it can do there; "
+                                       "up to 5.0 are clipped"));
+  EXPECT_EQ(fitted_.numberOfJoints(), 0);
+  EXPECT_EQ(fitted_.numberOfKeyFrames(), 0);
+  EXPECT_FALSE(fit("at 0 neck_tilt -60 head_tilt -1\n"));
+  EXPECT_THAT(fitted_.problem(), HasSubstr("moves head_tilt to -1.0 degrees at 0 ms, 6.0 beyond"));
+}
+
+TEST_F(FittedMotionTest, aStepThatIsTooFastTakesLongerAndTheOthersDoNot) {
+  // A knee moves at 5.279621 rad/s, 302.5 degrees a second, at most: 30 degrees take 99.2 ms.
+  ASSERT_TRUE(
+      fit("at 0 left_front_knee 0 head_pan 0\nat 16 left_front_knee 30 head_pan 2\nat 176 left_front_knee 60\n"
+          "at 192 head_pan 4\n"));
+  EXPECT_EQ(fitted_.milliseconds(1, speed_limits_.data()), 100);
+  EXPECT_EQ(fitted_.milliseconds(2, speed_limits_.data()), 160);
+  EXPECT_EQ(fitted_.milliseconds(3, speed_limits_.data()), 16);
+  EXPECT_EQ(description(), "1 step is too fast, so it takes 0.28 s, which is 0.08 s longer");
+}
+
+TEST_F(FittedMotionTest, theSpeedLimitsInForceDecide) {
+  ASSERT_TRUE(fit("at 0 head_pan 0\nat 800 head_pan 80\nat 1600 head_pan 0\n"));
+  EXPECT_EQ(description(), "");
+  speed_limits_[static_cast<std::size_t>(findJointByName(robot_, "head_pan"))] = microradians(40);
+  EXPECT_EQ(fitted_.milliseconds(1, speed_limits_.data()), 2000);
+  EXPECT_EQ(description(), "2 steps are too fast, so it takes 4.00 s, which is 2.40 s longer");
+}
+
+TEST_F(FittedMotionTest, aStepAtTheHighestSpeedIsNotTooFastBecauseOfRounding) {
+  // 16 ms at 5.279621 rad/s are 84473.9 microradians.
+  ASSERT_TRUE(fit("at 0 left_front_knee 0\nat 16 left_front_knee 4.84001\n"));
+  EXPECT_EQ(fitted_.milliseconds(1, speed_limits_.data()), 16);
+}
+
+TEST_F(FittedMotionTest, timeIsForTheClippedPositions) {
+  ASSERT_TRUE(fit("at 0 left_front_knee 108\nat 48 left_front_knee 125\n"));
+  EXPECT_EQ(fitted_.milliseconds(1, speed_limits_.data()), 48) << "122 is 14 degrees away: 46.3 ms";
+}
+
+TEST_F(FittedMotionTest, hasTheRobotsEarsApartFromItsJoints) {
+  ASSERT_TRUE(
+      fit("at 0 head_pan 0 left_ear 0 right_ear 0\nat 160 left_ear 1\nat 320 left_ear 0 right_ear 7\nat 480\n"));
+  EXPECT_EQ(fitted_.numberOfJoints(), 1);
+  EXPECT_TRUE(fitted_.moves(findJointByName(robot_, "head_pan")));
+  EXPECT_FALSE(fitted_.moves(findJointByName(robot_, "mouth")));
+  EXPECT_EQ(fitted_.changes().left_out, 0);
+  const int left = findEarByName(robot_, "left_ear");
+  const int right = findEarByName(robot_, "right_ear");
+  EXPECT_TRUE(fitted_.flicks(1, left));
+  EXPECT_FALSE(fitted_.flicks(1, right));
+  EXPECT_TRUE(fitted_.flicks(2, left));
+  EXPECT_TRUE(fitted_.flicks(2, right));
+  EXPECT_FALSE(fitted_.flicks(3, left));
+  EXPECT_FALSE(fitted_.flicks(3, right));
+}
+
+TEST_F(FittedMotionTest, earsThatAreNotInTheMotionNeverFlick) {
+  ASSERT_TRUE(fit("at 0 head_pan 0 right_ear 0\nat 160 right_ear 1\n"));
+  EXPECT_FALSE(fitted_.flicks(1, findEarByName(robot_, "left_ear")));
+}
+
+TEST_F(FittedMotionTest, jointsThatTheRobotDoesNotHaveAreRefusedUnlessTheyAreLeftOut) {
+  const std::string text =
+      "at 0 head_pan 0 PRM:/r9/c1-Joint2:91 0 PRM:/r9/c2-Joint2:92 300 tail_pan 0\n"
+      "at 1600 PRM:/r9/c1-Joint2:91 90 tail_pan 20\n";
+  EXPECT_FALSE(fit(text));
+  EXPECT_THAT(fitted_.problem(), StrEq("moves the joint PRM:/r9/c1-Joint2:91, which this robot does not have"));
+  ASSERT_TRUE(fit(text, true));
+  EXPECT_THAT(posture(1), ElementsAre(0, microradians(20)));
+  EXPECT_EQ(description(), "2 joints that this robot does not have are left out");
+}
+
+TEST_F(FittedMotionTest, aMotionOfNoneOfTheRobotsJointsIsRefusedInAnyCase) {
+  EXPECT_FALSE(fit("at 0 head_roll 0 tail_tilt 1\n", true, "ERS-210"));
+  EXPECT_THAT(fitted_.problem(), StrEq("moves no joint that this robot has"));
+}
+
+TEST_F(FittedMotionTest, describesAllChangesInOneLine) {
+  ASSERT_TRUE(fit("at 0 head_pan 0 PRM:/r9/c1-Joint2:91 0\nat 16 head_pan 90\n", true));
+  EXPECT_EQ(description(),
+            "1 joint that this robot does not have is left out; "
+            "1 position is clipped, by up to 2.0 degrees (head_pan at 16 ms); "
+            "1 step is too fast, so it takes 0.15 s, which is 0.14 s longer");
+}
+
+TEST_F(FittedMotionTest, theLongestTextsFit) {
+  std::string text = "at 0 right_front_elevator -12";
+  for (int i = 0; i < 10; ++i) {
+    text += " PRM:/" + std::string(57, static_cast<char>('a' + i)) + " 0";
+  }
+  for (int time = 60000; time < 60000 * 300; time += 60000) {
+    text += "\nat " + std::to_string(time) + " right_front_elevator " + (time / 60000 % 2 == 0 ? "-12" : "90.1");
+  }
+  ASSERT_TRUE(fit(text, true));
+  std::fill(speed_limits_.begin(), speed_limits_.end(), 125);  // the lowest that can be set
+  EXPECT_THAT(description(), HasSubstr("299 steps are too fast"));
+  EXPECT_LT(description().size(), mtn::FittedMotion::MAX_DESCRIPTION_SIZE - 50);
+  EXPECT_FALSE(fit(text));
+}
+
+}  // namespace
