@@ -44,6 +44,7 @@ const char* ReasonOf(TCPEndpointError error) {
 }  // namespace
 
 const longword RCServer::HEARTBEAT_FRAMES;
+const longword RCServer::FIRST_REQUEST_FRAMES;
 
 RCServer::RCServer()
     : endpoints_(0),
@@ -52,6 +53,7 @@ RCServer::RCServer()
       power_order_(POWER_STAYS_ON),
       session_(NULL),
       now_(0),
+      admitted_(0),
       last_bytes_received_(0),
       last_sign_of_life_(0),
       was_silent_(false),
@@ -237,6 +239,10 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
   last_bytes_received_ = now_;
   client_->Received();
   session_->AddInput(client_->ReceivedBytes(), static_cast<size_t>(answer->sizeMin));
+  if (session_->IsWithBrowser()) {
+    DropClient("it sent HTTP or TLS: a web browser, perhaps at the orders of a web page", true);
+    return;
+  }
   ServeClient();
 }
 
@@ -369,7 +375,11 @@ void RCServer::CheckClient() {
   }
 }
 
+// A client that connects and asks for nothing may be anybody, so it gets less time, whatever bytes it sends.
 bool RCServer::IsClientSilent() const {
+  if (!session_->HasRequested() && now_ - admitted_ >= FIRST_REQUEST_FRAMES) {
+    return true;
+  }
   return now_ - last_sign_of_life_ >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
 }
 
@@ -393,6 +403,7 @@ Connection* RCServer::FindConnection(const void* continuation) {
 
 void RCServer::Admit(Connection* newcomer) {
   client_ = newcomer;
+  admitted_ = now_;
   last_sign_of_life_ = now_;
   last_bytes_received_ = now_;
   was_silent_ = false;

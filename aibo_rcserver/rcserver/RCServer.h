@@ -37,6 +37,9 @@ class RCServer : public OObject {
   /// A client of version 2 that has sent nothing for this many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
 
+  /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
+  static const longword FIRST_REQUEST_FRAMES = 250;
+
   RCServer();
   virtual ~RCServer() {}
 
@@ -121,6 +124,7 @@ class RCServer : public OObject {
   Settings settings_;
   Session* session_;  ///< from DoInit to DoDestroy
   longword now_;
+  longword admitted_;             ///< when the client was
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client
   bool was_silent_;               ///< the client, at the last look

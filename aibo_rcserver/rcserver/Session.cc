@@ -17,6 +17,7 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       motions_(robot.joints, robot.motors, robot.files, settings),
       version1_(robot_, settings, motions_, camera_, outbox_, payload_),
       version2_(robot_, settings, motions_, camera_, outbox_),
+      has_requested_(false),
       frame_reader_(payload_, sizeof(payload_)),
       has_request_(false),
       has_frame_(false),
@@ -33,6 +34,8 @@ void Session::Begin() {
   has_requests_ = false;
   input_begin_ = 0;
   input_end_ = 0;
+  opening_ = protocol::Opening();
+  has_requested_ = false;
   request_reader_.reset();
   frame_reader_.reset();
   outbox_.Clear();
@@ -55,7 +58,7 @@ bool Session::WantsInput() const {
 void Session::AddInput(const unsigned char* bytes, size_t size) {
   if (version_ == 1) {
     request_reader_.append(bytes, size);
-    has_requests_ = true;
+    has_requests_ = opening_.add(bytes, size) == protocol::Opening::CLIENT;
     return;
   }
   memcpy(input_, bytes, size);
@@ -127,6 +130,7 @@ bool Session::HandleRequestOfVersion1() {
   if (!has_requests_) {
     return false;
   }
+  has_requested_ = true;
   const bool asks_for_version2 = request_.valid && request_.basic.command == protocol::REQUEST_NEWER_VERSION &&
                                  request_.basic.identifier == protocol::version2::VERSION;
   if (asks_for_version2 && newest_version_ >= protocol::version2::VERSION) {

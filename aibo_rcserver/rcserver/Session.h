@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "protocol/frame_reader.h"
+#include "protocol/opening.h"
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
 #include "rcserver/Outbox.h"
@@ -50,6 +51,12 @@ class Session {
 
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
+
+  /// True if the first bytes are a web browser's (Opening). None of its bytes is handled; it has to be dropped.
+  bool IsWithBrowser() const { return opening_.verdict() == protocol::Opening::BROWSER; }
+
+  /// True if the client has sent at least one whole request, valid or not.
+  bool HasRequested() const { return has_requested_; }
 
   /// Handles requests as long as there is room for the answers. Call when bytes were added or taken, and when the
   /// memory stick has become free.
@@ -111,6 +118,8 @@ class Session {
   MotionCommands motions_;
   Version1 version1_;
   Version2 version2_;
+  protocol::Opening opening_;
+  bool has_requested_;
   protocol::RequestReader request_reader_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: the content of an upload
   protocol::version2::FrameReader frame_reader_;

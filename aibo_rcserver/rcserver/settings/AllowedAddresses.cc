@@ -1,5 +1,6 @@
 #include "rcserver/settings/AllowedAddresses.h"
 
+#include <stdio.h>
 #include <string.h>
 
 namespace {
@@ -47,6 +48,7 @@ unsigned MaskOf(unsigned bits) {
 }  // namespace
 
 const int AllowedAddresses::MAX_RANGES;
+const size_t AllowedAddresses::ENTRY_TEXT_SIZE;
 
 void AllowedAddresses::AllowOnlyThisComputer() {
   is_any_ = false;
@@ -86,6 +88,19 @@ bool AllowedAddresses::Allow(unsigned address) const {
     is_allowed = is_allowed || (address & ranges_[i].mask) == ranges_[i].address;
   }
   return is_allowed;
+}
+
+void AllowedAddresses::PrintEntry(int entry, char (&text)[ENTRY_TEXT_SIZE]) const {
+  const unsigned address = ranges_[entry].address;
+  const int size =
+      sprintf(text, "%u.%u.%u.%u", address >> 24, (address >> 16) & 0xff, (address >> 8) & 0xff, address & 0xff);
+  unsigned bits = 0;
+  while (bits < 32 && MaskOf(bits) != ranges_[entry].mask) {
+    ++bits;
+  }
+  if (bits < 32) {
+    sprintf(text + size, "/%u", bits);
+  }
 }
 
 // Reads a.b.c.d or a.b.c.d/n and steps over it.

@@ -3,6 +3,8 @@
 #ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 #define AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 
+#include <stddef.h>
+
 /// A list of IPv4 addresses, which are numbers here: 127.0.0.1 is 0x7f000001. Its memory has a fixed size.
 class AllowedAddresses {
  public:
@@ -22,6 +24,19 @@ class AllowedAddresses {
   const char* Read(const char* list);
 
   bool Allow(unsigned address) const;
+
+  bool IsAny() const { return is_any_; }
+
+  /// Entries of the list; 0 for any address.
+  int NumberOfEntries() const { return number_of_ranges_; }
+
+  /// Room for one entry as text: "192.168.100.100/24" and a zero byte.
+  static const size_t ENTRY_TEXT_SIZE = sizeof("255.255.255.255/32");
+
+  /// Prints an entry as in RCSERVER.CFG, without the bits that do not matter: "192.168.1.0/24".
+  /// @param entry 0..NumberOfEntries() - 1
+  /// @param[out] text ends in a zero byte
+  void PrintEntry(int entry, char (&text)[ENTRY_TEXT_SIZE]) const;
 
  private:
   struct Range {

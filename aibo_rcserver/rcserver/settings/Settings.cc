@@ -5,6 +5,9 @@
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+
+#include "protocol/text.h"
 
 namespace {
 
@@ -54,6 +57,7 @@ class LineReader {
   LineReader(const LineReader&);
   LineReader& operator=(const LineReader&);
 
+  void SkipNewline();
   void Add(int character);
   void Trim();
 
@@ -98,14 +102,25 @@ bool LineReader::Next() {
   size_ = 0;
   is_text_ = true;
   bool is_comment = false;
-  for (; character != EOF && character != '\n'; character = getc(file_)) {
+  for (; character != EOF && character != '\n' && character != '\r'; character = getc(file_)) {
     is_comment = is_comment || character == '#';
     if (!is_comment) {
       Add(character);
     }
   }
+  if (character == '\r') {
+    SkipNewline();
+  }
   Trim();
   return true;
+}
+
+// A carriage return ends a line, and so does a carriage return with a newline after it.
+void LineReader::SkipNewline() {
+  const int next = getc(file_);
+  if (next != '\n') {
+    ungetc(next, file_);  // does nothing at the end of the file
+  }
 }
 
 void LineReader::Add(int character) {
@@ -215,12 +230,13 @@ void Reader::Ignore(const char* problem, const char* text) {
   first_ignored_ = first_ignored_ == 0 ? line_ : first_ignored_;
 }
 
-// A line that was ignored may have been meant to keep others out.
+// A line that was ignored may have been meant to keep others out. In the file as distributed, the setting is "any"; a
+// misspelt line beside it must not be lost.
 void Reader::DoubtAddresses() {
-  if (first_ignored_ > 0 && !is_set_[ALLOWED_ADDRESSES]) {
+  if (first_ignored_ > 0 && settings_.allowed_addresses.IsAny()) {
     char text[128];
-    sprintf(text, "%s is not set, and this line may have been meant to: %s", SETTINGS[ALLOWED_ADDRESSES].name,
-            MakeSafe(ALLOWED_ADDRESSES));
+    sprintf(text, "%s is %s, and this line may have been meant to set it: %s", SETTINGS[ALLOWED_ADDRESSES].name,
+            is_set_[ALLOWED_ADDRESSES] ? "any" : "not set", MakeSafe(ALLOWED_ADDRESSES));
     problems_.Report(first_ignored_, text);
   }
 }
@@ -232,19 +248,53 @@ class OnConsole : public SettingsProblems {
   }
 };
 
-// fopen() cannot tell whether the file exists: it may fail for other reasons.
-bool IsThere(const HostSettings& host) {
+// The name of SETTINGS_FILE without its folder.
+const char* SettingsFileName() {
+  return SETTINGS_FILE + sizeof(SETTINGS_FOLDER);
+}
+
+bool BeginsWith(const char* text, const char* beginning) {
+  return strncasecmp(text, beginning, strlen(beginning)) == 0;
+}
+
+// A file that its owner may have meant to be RCSERVER.CFG, such as RCSERVER.CFG.txt, which some editors write. Where
+// names have at most eight characters, RCSERV~1.TXT stands for it.
+bool IsLookAlike(const char* name) {
+  return (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) && strcasecmp(name, SettingsFileName()) != 0;
+}
+
+bool IsSettingsFile(const char* name) {
+  return strcasecmp(name, SettingsFileName()) == 0;
+}
+
+// Copies the first name in the settings' folder that is of this kind. False if there is none.
+bool FindInFolder(const HostSettings& host, bool (*is_wanted)(const char* name), char (&found)[64]) {
   char path[MAX_PATH_SIZE];
   DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;
   if (folder == NULL) {
     return false;
   }
   const dirent* entry = readdir(folder);
-  while (entry != NULL && strcasecmp(entry->d_name, SETTINGS_FILE + sizeof(SETTINGS_FOLDER)) != 0) {
+  while (entry != NULL && !is_wanted(entry->d_name)) {
     entry = readdir(folder);
+  }
+  if (entry != NULL) {
+    sprintf(found, "%.63s", entry->d_name);
   }
   closedir(folder);
   return entry != NULL;
+}
+
+// Each address in a print of its own: OSYSPRINT() cuts off what is longer than 242 characters.
+void ReportWhoMayConnect(const AllowedAddresses& addresses) {
+  if (addresses.IsAny()) {
+    OSYSPRINT(("RCServer: any address may connect\n"));
+  }
+  for (int i = 0; i < addresses.NumberOfEntries(); ++i) {
+    char entry[AllowedAddresses::ENTRY_TEXT_SIZE];
+    addresses.PrintEntry(i, entry);
+    OSYSPRINT(("RCServer: %s %s may connect\n", i == 0 ? "only" : "and", entry));
+  }
 }
 
 }  // namespace
@@ -256,17 +306,24 @@ void readSettings(FILE* file, Settings* settings, SettingsProblems& problems) {
 Settings readSettingsFile(const HostSettings& host) {
   Settings settings;
   char path[MAX_PATH_SIZE];
+  char name[64];
   FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? fopen(path, "rb") : NULL;
   if (file != NULL) {
     OnConsole problems;
     readSettings(file, &settings, problems);
     fclose(file);
-  } else if (IsThere(host)) {
+  } else if (FindInFolder(host, IsSettingsFile, name)) {  // fopen() cannot tell whether the file exists
     settings.allowed_addresses.AllowOnlyThisComputer();
     OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; only 127.0.0.1 may connect", SETTINGS_FILE));
   } else {
     OSYSPRINT(("RCServer: no %s on the memory stick: upload, delete, shutting down and rebooting are not allowed\n",
                SETTINGS_FILE));
   }
+  if (FindInFolder(host, IsLookAlike, name)) {
+    settings.allowed_addresses.AllowOnlyThisComputer();
+    OSYSLOG1((osyslogERROR, "RCServer: %s has another file, %s, which is not read; rename it to %s or remove it",
+              SETTINGS_FOLDER, protocol::isPlainText(name, strlen(name)) ? name : "RCSERVER...", SettingsFileName()));
+  }
+  ReportWhoMayConnect(settings.allowed_addresses);
   return settings;
 }

@@ -50,11 +50,13 @@ class SettingsProblems {
 /// Reads lines NAME=VALUE. Empty lines and comments after a # are skipped, upper and lower case are the same, and lines
 /// may end as on any system. A line that is not NAME=VALUE or names no setting is ignored. A wrong value, or a name
 /// that appears twice, sets the safe value: not allowed, motors off at boot, power monitored, 10 s, only 127.0.0.1. If
-/// a line was ignored and none sets ALLOWED_ADDRESSES, the ignored line may have been that one: only 127.0.0.1, too.
+/// a line was ignored and any address would be allowed, the ignored line may have been meant to prevent that: only
+/// 127.0.0.1, too.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
-/// Reads RCSERVER.CFG from the memory stick, and names on the console each line that is wrong. Without the file, the
-/// defaults hold; if it cannot be read, only 127.0.0.1 may connect. The console says so.
+/// Reads RCSERVER.CFG from the memory stick, and names on the console each line that is wrong, and who may connect.
+/// Without the file, the defaults hold. If it cannot be read, or another file beside it has a name that begins with
+/// RCSERVER, only 127.0.0.1 may connect.
 Settings readSettingsFile(const HostSettings& host);
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

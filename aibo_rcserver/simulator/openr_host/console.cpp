@@ -2,6 +2,7 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <ostream>
 #include <utility>
@@ -55,6 +56,14 @@ void Console::read(Listener& listener) {
   if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
     listener.socket.close();
   }
+  if (count > 0) {
+    listener.last_typed = now_();
+    const auto* bytes = reinterpret_cast<const unsigned char*>(typed);
+    if (listener.opening.add(bytes, static_cast<std::size_t>(count)) == protocol::Opening::BROWSER) {
+      listener.socket.close();
+      print("The console drops a listener that sent HTTP or TLS: a web browser, perhaps at the orders of a web page\n");
+    }
+  }
   for (ssize_t i = 0; i < count && listener.socket.isOpen(); ++i) {
     take(listener, typed[i]);
   }
@@ -80,13 +89,38 @@ void Console::acceptListeners() {
   while (auto connection = port_->accept()) {
     Listener listener;
     listener.socket = std::move(connection->socket);
-    if (listeners_.size() < kMostListeners) {
+    listener.last_typed = now_();
+    if (makeRoom()) {
       listeners_.push_back(std::move(listener));
     } else {
       print(listener,
             "This console has " + std::to_string(kMostListeners) + " listeners already. Close one of them.\n");
     }
   }
+}
+
+/// Disconnects the listener that has been idle longest if there are too many. Its place in the list is still in use
+/// until the next addTo().
+/// @return false if none has been idle for long enough
+bool Console::makeRoom() {
+  std::size_t connected = 0;
+  Listener* idlest = nullptr;
+  for (auto& listener : listeners_) {
+    connected += listener.socket.isOpen() ? 1 : 0;
+    if (listener.socket.isOpen() && (idlest == nullptr || listener.last_typed < idlest->last_typed)) {
+      idlest = &listener;
+    }
+  }
+  if (connected < kMostListeners) {
+    return true;
+  }
+  if (now_() - idlest->last_typed < kIdleTime) {
+    return false;
+  }
+  print(*idlest, "This console was idle, and another listener needs its place.\n");
+  idlest->socket.close();
+  idlest->unsent.clear();
+  return true;
 }
 
 void Console::addTo(PollSet& poll_set) {

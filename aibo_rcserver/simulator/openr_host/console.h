@@ -2,6 +2,7 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
 
+#include <chrono>
 #include <functional>
 #include <iosfwd>
 #include <list>
@@ -9,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "protocol/opening.h"
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/tcp_listener.h"
 
@@ -16,10 +18,17 @@ namespace openr_host {
 
 /// The wireless console: text that objects print goes to a stream and to all telnet connections. Lines typed there are
 /// passed to a callback; objects never see them, as on the robot.
+///
+/// A web page could make a browser send lines to this port. So a listener whose first bytes are a browser's is dropped
+/// (protocol::Opening), and nothing that it sent is obeyed.
 class Console {
  public:
-  /// Further listeners get a message and are disconnected.
+  /// A further listener takes the place of the one that has been idle longest, or gets a message and is disconnected if
+  /// none has been idle for kIdleTime.
   static constexpr std::size_t kMostListeners = 8;
+
+  /// A listener that has typed nothing for this long may lose its place.
+  static constexpr std::chrono::seconds kIdleTime{60};
 
   /// Bytes kept for a listener that does not read. It loses any text beyond that, and is told about it.
   static constexpr std::size_t kMostUnread = 64 * 1024;
@@ -30,9 +39,13 @@ class Console {
   /// Receives a line that a listener typed, without its end. The result is printed to that listener only.
   using OnLine = std::function<std::string(const std::string& line)>;
 
+  using Time = std::chrono::steady_clock::time_point;
+
   /// @param output may be null
   /// @param on_line may be empty: then typed lines are ignored
-  Console(std::ostream* output, OnLine on_line) : output_(output), on_line_(std::move(on_line)) {}
+  /// @param now another clock, for tests
+  Console(std::ostream* output, OnLine on_line, std::function<Time()> now = &std::chrono::steady_clock::now)
+      : output_(output), on_line_(std::move(on_line)), now_(std::move(now)) {}
 
   /// Takes a port of this computer for listeners.
   /// @return the port taken
@@ -51,6 +64,8 @@ class Console {
     std::string unsent;
     std::size_t lost = 0;  ///< number of prints that did not fit
     std::string typed;     ///< the unfinished line; at most one character too long
+    protocol::Opening opening;
+    Time last_typed;  ///< or connected
   };
 
   static void print(Listener& listener, const std::string& text);
@@ -58,9 +73,11 @@ class Console {
   void read(Listener& listener);
   void take(Listener& listener, char typed);
   void acceptListeners();
+  bool makeRoom();
 
   std::ostream* const output_;
   const OnLine on_line_;
+  const std::function<Time()> now_;
   std::optional<TcpListener> port_;
   std::list<Listener> listeners_;
 };

@@ -107,7 +107,81 @@ TEST_F(ConnectionsTest, ConnectionOfAClientTurnedAwayIsFreeAtOnce) {
   EXPECT_TRUE(isServed(*next));
 }
 
+// ------------------------------------------------------------------------------------------------- web browsers
+
+// A request that a web page may send to any port, with a body that would switch to version 2 and move a joint.
+std::string webPage(const std::string& method) {
+  return method + " / HTTP/1.1\r\nHost: 127.0.0.1:54321\r\nContent-Type: text/plain\r\n\r\n" + request('X', 2) +
+         frame('J', 0, 1, std::string("\0\0\1\0\x34\0\0\0\0\x0d\xbb\xa0", 12));
+}
+
+TEST_F(ConnectionsTest, WebBrowserIsDroppedBeforeAByteIsHandledAndOthersAreServed) {
+  const std::vector<int> before = positions();
+  for (const std::string method : {"GET", "POST", "PUT", "HEAD", "OPTIONS", "DELETE", "CONNECT", "TRACE", "PATCH"}) {
+    console_.str("");
+    auto browser = connect();
+    browser->send(webPage(method));
+    EXPECT_TRUE(awaitEnd(*browser)) << method;
+    EXPECT_EQ(browser->received(), "") << method;
+    EXPECT_EQ(timesSaid("it sent HTTP or TLS"), 1U) << method;
+    passFrames(130);
+    EXPECT_EQ(positions(), before) << method;
+  }
+  auto client = connect();
+  EXPECT_TRUE(isServed(*client));
+}
+
+TEST_F(ConnectionsTest, WebBrowserIsRecognisedByteByByteAndByTls) {
+  auto browser = connect();
+  for (const char byte : std::string("POST")) {
+    browser->send({byte});
+    machine_->runPending();
+    EXPECT_FALSE(browser->ended());
+  }
+  browser->send(" ");
+  EXPECT_TRUE(awaitEnd(*browser));
+  EXPECT_EQ(browser->received(), "");
+  auto secure = connect();
+  secure->send("\x16\x03\x01");
+  EXPECT_TRUE(awaitEnd(*secure));
+}
+
+TEST_F(ConnectionsTest, RequestThatBeginsLikeAMethodIsServedInAnyPieces) {
+  const std::string play = "POST.MTN" + std::string(10, '\0');
+  for (std::size_t split = 1; split < play.size(); ++split) {
+    auto client = connect();
+    client->send(play.substr(0, split));
+    machine_->runPending();
+    client->send(play.substr(split));
+    const std::optional<Reply> reply = await(*client);
+    ASSERT_TRUE(reply) << split;
+    EXPECT_EQ(reply->letter, 'p') << split << ": the motion is stopped";
+    client->close();
+    machine_->runPending();
+  }
+}
+
+TEST_F(ConnectionsTest, MethodAfterTheFirstBytesIsAnUnknownRequest) {
+  auto client = connectServed();
+  client->send("GET / HTTP/1.1\r\n");
+  EXPECT_TRUE(await(*client));
+  EXPECT_FALSE(client->ended());
+}
+
 // ------------------------------------------------------------------------------------------------- silent clients
+
+TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
+  auto idle = connect();
+  passFrames(230);
+  auto too_early = connect();
+  EXPECT_TRUE(awaitEnd(*too_early));
+  idle->send("P");  // the beginning of a request
+  passFrames(30);
+  EXPECT_FALSE(idle->ended()) << "nobody else has come";
+  auto next = connect();
+  EXPECT_TRUE(isServed(*next));
+  EXPECT_TRUE(awaitEnd(*idle));
+}
 
 class PlayingClientTest : public ConnectionsTest {
  protected:

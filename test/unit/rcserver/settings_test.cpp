@@ -144,11 +144,11 @@ class MisspeltAddresses : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MisspeltAddresses, AllowOnlyThisComputer) {
   const Read result = read("ALLOW_REBOOT=yes\n" + GetParam() + "\nnonsense\n");
-  EXPECT_THAT(
-      result.problems,
-      ElementsAre(
-          Pair(2, HasSubstr("the line is ignored")), Pair(3, HasSubstr("the line is ignored")),
-          Pair(2, "ALLOWED_ADDRESSES is not set, and this line may have been meant to: only 127.0.0.1 may connect")));
+  EXPECT_THAT(result.problems,
+              ElementsAre(Pair(2, HasSubstr("the line is ignored")), Pair(3, HasSubstr("the line is ignored")),
+                          Pair(2,
+                               "ALLOWED_ADDRESSES is not set, and this line may have been meant to set it: only "
+                               "127.0.0.1 may connect")));
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
   EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
 }
@@ -157,6 +157,29 @@ INSTANTIATE_TEST_SUITE_P(Lines, MisspeltAddresses,
                          ::testing::Values("ALLOWED_ADDRESSES 192.168.1.20", "ALLOWED_ADRESSES=192.168.1.20",
                                            "ALLOWED_ADDRESSES=192.168.1.20," + std::string(1024, ' ') +
                                                "192.168.1.21"));
+
+// As in the file that is distributed, with a line of the owner's below.
+TEST(Settings, IgnoredLineOverridesAny) {
+  const Read result = read("ALLOWED_ADDRESSES=any\nALLOWED_ADRESSES=192.168.1.20");
+  EXPECT_THAT(result.problems,
+              ElementsAre(Pair(2, HasSubstr("no such setting")), Pair(2, HasSubstr("ALLOWED_ADDRESSES is any, and"))));
+  EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
+  EXPECT_TRUE(result.settings.allowed_addresses.Allow(kLoopback));
+}
+
+class LineEnds : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(LineEnds, EndLinesAndComments) {
+  const std::string& end = GetParam();
+  const Read result =
+      read("# mine" + end + "ALLOWED_ADDRESSES=192.168.1.20" + end + end + "nonsense" + end + "ALLOW_UPLOAD=yes");
+  EXPECT_THAT(result.problems, ElementsAre(Pair(4, HasSubstr("the line is ignored"))));
+  EXPECT_TRUE(result.settings.allowed_addresses.Allow(0xc0a80114));
+  EXPECT_FALSE(result.settings.allowed_addresses.Allow(kLoopback));
+  EXPECT_TRUE(result.settings.allow_upload);
+}
+
+INSTANTIATE_TEST_SUITE_P(Systems, LineEnds, ::testing::Values("\n", "\r\n", "\r"));
 
 TEST(Settings, IgnoredLineDoesNotChangeAddressesThatAreSet) {
   const Read result = read("nonsense\nALLOWED_ADDRESSES=192.168.1.20");
@@ -200,6 +223,21 @@ TEST(AllowedAddresses, WrongListIsRefusedAndChangesNothing) {
   EXPECT_FALSE(addresses.Allow(0x01020305));
 }
 
+TEST(AllowedAddresses, ArePrintedAsTheyAreRead) {
+  AllowedAddresses addresses;
+  EXPECT_TRUE(addresses.IsAny());
+  EXPECT_EQ(addresses.NumberOfEntries(), 0);
+  ASSERT_EQ(addresses.Read("192.168.1.20, 255.255.255.255/31, 10.1.2.3/8, 1.2.3.4/0"), nullptr);
+  EXPECT_FALSE(addresses.IsAny());
+  std::vector<std::string> printed;
+  for (int i = 0; i < addresses.NumberOfEntries(); ++i) {
+    char text[AllowedAddresses::ENTRY_TEXT_SIZE];
+    addresses.PrintEntry(i, text);
+    printed.emplace_back(text);
+  }
+  EXPECT_THAT(printed, ElementsAre("192.168.1.20", "255.255.255.254/31", "10.0.0.0/8", "0.0.0.0/0"));
+}
+
 TEST(AllowedAddresses, HaveRoomForUpTo32Entries) {
   std::string list = "10.0.0.0";
   for (int i = 1; i < AllowedAddresses::MAX_RANGES; ++i) {
@@ -238,6 +276,43 @@ TEST_F(SettingsOnTheRobotTest, UnreadableFileAllowsOnlyThisComputerAndIsReported
   console_.str("");
   start();
   EXPECT_THAT(console_.str(), AllOf(HasSubstr("line 1: it cannot be read"), HasSubstr("only 127.0.0.1")));
+}
+
+TEST_F(SettingsOnTheRobotTest, ConsoleNamesAtEachStartWhoMayConnect) {
+  startWith("ALLOWED_ADDRESSES=any");
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: any address may connect\n"));
+  startWith("ALLOWED_ADDRESSES=192.168.1.20, 10.0.0.0/8");
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: only 192.168.1.20 may connect\nRCServer: and 10.0.0.0/8 may"));
+  startWith("ALLOWED_ADDRESSES=192.168.1");
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: only 127.0.0.1 may connect\n"));
+  std::filesystem::remove(stick_.path(SETTINGS_FILE));
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: any address may connect\n"));
+}
+
+class LookAlikes : public SettingsOnTheRobotTest, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(LookAlikes, AllowOnlyThisComputerAndAreNamedOnTheConsole) {
+  const std::string name = std::string(SETTINGS_FOLDER) + "/" + GetParam();
+  stick_.write(name, "ALLOWED_ADDRESSES=192.168.1.20");
+  startWith("ALLOWED_ADDRESSES=any\nALLOW_UPLOAD=yes");
+  EXPECT_THAT(console_.str(), AllOf(HasSubstr("another file, " + GetParam() + ", which is not read"),
+                                    HasSubstr("only 127.0.0.1 may connect")));
+  std::filesystem::remove(stick_.path(SETTINGS_FILE));
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("only 127.0.0.1 may connect"));
+  std::filesystem::remove(stick_.path(name));
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr("any address may connect"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, LookAlikes,
+                         ::testing::Values("RCSERVER.CFG.txt", "rcserver.cfg~", "RCSERVER.TXT", "RCSERV~1.TXT"));
+
+TEST_F(SettingsOnTheRobotTest, LookAlikeWithAnUnprintableNameIsReportedWithoutIt) {
+  stick_.write(std::string(SETTINGS_FOLDER) + "/RCSERVER\x1b[2J", "");
+  start();
+  EXPECT_THAT(console_.str(), AllOf(HasSubstr("another file, RCSERVER..."), Not(HasSubstr("\x1b"))));
 }
 
 TEST_F(SettingsOnTheRobotTest, ClientWithoutAnAllowedAddressIsTurnedAwayAtOnce) {

@@ -2,6 +2,10 @@
 #include <OPENR/OSyslog.h>
 #include <gmock/gmock.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "support/test_client.h"
 #include "test_system.h"
 
@@ -162,6 +166,67 @@ TEST_F(ConsoleTest, OneListenerTooManyGetsAMessageAndIsDisconnected) {
   TestClient next(port_);
   awaitAccepted(next);
   EXPECT_FALSE(next.isAtEnd());
+}
+
+// The body has lines that would be obeyed.
+TEST_F(ConsoleTest, AWebBrowserIsDroppedAndNothingOfItIsObeyed) {
+  std::vector<std::string> lines;
+  test_.on_console_line = [&](const std::string& line) {
+    lines.push_back(line);
+    return "ok\n";
+  };
+  for (const std::string method : {"GET", "POST", "PUT", "HEAD", "OPTIONS", "DELETE", "CONNECT", "TRACE", "PATCH"}) {
+    test_.output.str("");
+    TestClient browser(port_);
+    browser.send(method + " / HTTP/1.1\r\nHost: 127.0.0.1:59000\r\n\r\npress pause\r\n");
+    ASSERT_TRUE(test_.runUntil([&] { return browser.ended(); })) << method;
+    EXPECT_THAT(lines, testing::IsEmpty()) << method;
+    EXPECT_THAT(test_.output.str(), testing::StartsWith("The console drops a listener")) << method;
+  }
+}
+
+TEST_F(ConsoleTest, AWebBrowserIsDroppedHoweverItsBytesArrive) {
+  TestClient browser(port_);
+  browser.send("POS");
+  test_.runPending();
+  EXPECT_FALSE(browser.ended());
+  browser.send("T / HTTP/1.1\r\npress pause\r\n");
+  EXPECT_TRUE(test_.runUntil([&] { return browser.ended(); }));
+  TestClient secure(port_);
+  secure.send("\x16\x03\x01");
+  EXPECT_TRUE(test_.runUntil([&] { return secure.ended(); }));
+}
+
+TEST(ConsoleIdleTest, AListenerThatTypesNothingForAMinuteLosesItsPlaceToTheNinth) {
+  Console::Time now{};
+  Console console(nullptr, {}, [&] { return now; });
+  const std::uint16_t port = console.takePort("127.0.0.1", 0);
+  const auto run = [&] {
+    for (bool had_event = true; had_event;) {
+      PollSet poll_set;
+      console.addTo(poll_set);
+      had_event = poll_set.wait(std::chrono::steady_clock::time_point());
+    }
+  };
+  std::vector<std::unique_ptr<TestClient>> listeners;
+  for (std::size_t i = 0; i < Console::kMostListeners; ++i) {
+    listeners.push_back(std::make_unique<TestClient>(port));
+    run();
+  }
+  now += Console::kIdleTime - std::chrono::seconds(1);
+  listeners.front()->send("x");
+  run();
+  TestClient too_early(port);
+  run();
+  EXPECT_TRUE(too_early.isAtEnd());
+  now += std::chrono::seconds(1);
+  TestClient newcomer(port);
+  run();
+  EXPECT_FALSE(newcomer.ended());
+  EXPECT_FALSE(listeners.front()->ended()) << "it has typed";
+  EXPECT_TRUE(listeners[1]->isAtEnd());
+  EXPECT_THAT(listeners[1]->received(), HasSubstr("was idle"));
+  EXPECT_FALSE(listeners[2]->ended()) << "one place is enough";
 }
 
 }  // namespace
