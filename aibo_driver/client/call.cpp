@@ -107,6 +107,19 @@ bool Call::isForPicture() const {
   return letter == version2::REQUEST_PICTURE;
 }
 
+bool Call::stopsRobot() const {
+  return letter == version2::REQUEST_HOLD || (letter == version2::REQUEST_MOTORS && number == 0);
+}
+
+bool Call::stopsMotions() const {
+  return letter == version2::REQUEST_PLAY && number == 0;
+}
+
+bool Call::needsMemoryStick() const {
+  return letter == version2::REQUEST_UPLOAD || letter == version2::REQUEST_DELETE || letter == version2::REQUEST_LIST ||
+         (letter == version2::REQUEST_PLAY && number > 0);
+}
+
 bool Call::takesOverJoints() const {
   return letter == version2::REQUEST_MOTORS || (letter == version2::REQUEST_PLAY && number > 0);
 }
@@ -180,11 +193,27 @@ std::size_t encodeForVersion2(const Call& call, unsigned char* out) {
   }
 }
 
-Call* PendingCalls::nextUnsent(bool for_picture) {
-  const auto found = std::find_if(calls_.begin(), calls_.end(), [for_picture](const Call& call) {
-    return call.request_number == 0 && call.isForPicture() == for_picture;
-  });
+template <typename Condition>
+Call* PendingCalls::nextUnsent(const Condition& condition) {
+  const auto found = std::find_if(calls_.begin(), calls_.end(),
+                                  [&](const Call& call) { return call.request_number == 0 && condition(call); });
   return found == calls_.end() ? nullptr : &*found;
+}
+
+Call* PendingCalls::nextForPicture() {
+  return nextUnsent([](const Call& call) { return call.isForPicture(); });
+}
+
+Call* PendingCalls::nextStop() {
+  return nextUnsent([](const Call& call) { return call.stopsRobot(); });
+}
+
+Call* PendingCalls::nextForRobot() {
+  const bool is_at_work = std::any_of(calls_.begin(), calls_.end(), [](const Call& call) {
+    return call.request_number != 0 && call.needsMemoryStick();
+  });
+  return nextUnsent(
+      [is_at_work](const Call& call) { return !call.isForPicture() && !(is_at_work && call.needsMemoryStick()); });
 }
 
 Call* PendingCalls::find(int request_number) {
@@ -240,6 +269,15 @@ void PendingCalls::expire(TimePoint now, const std::string& remark) {
                                                         std::to_string(call.timeout.count()) + " ms" +
                                                         (call.isForPicture() ? remark : "."));
         });
+}
+
+void PendingCalls::failUnsentMotions(const std::string& name, const Answer& failure) {
+  endIf(
+      [&name](const Call& call) {
+        return call.request_number == 0 && call.letter == version2::REQUEST_PLAY && call.number > 0 &&
+               (name.empty() || call.name == name);
+      },
+      [&failure](const Call&) { return failure; });
 }
 
 void PendingCalls::failAll(const Answer& failure) {

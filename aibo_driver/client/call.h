@@ -59,6 +59,15 @@ struct Call {
 
   bool isForPicture() const;
 
+  /// True if it stops the robot: holds joints, or switches the motors off. Such a call goes before everything else.
+  bool stopsRobot() const;
+
+  /// True if it stops a motion, or all.
+  bool stopsMotions() const;
+
+  /// True if the robot needs its memory stick for the answer.
+  bool needsMemoryStick() const;
+
   /// True if from then on it decides the positions of joints, as a motion and the motors' switch do. Commands that the
   /// joints were given before it are dropped.
   bool takesOverJoints() const;
@@ -94,9 +103,12 @@ class PendingCalls {
   void add(Call call) { calls_.push_back(std::move(call)); }
 
   /// The oldest call for a picture that has not been sent; null if there is none.
-  Call* nextForPicture() { return nextUnsent(true); }
-  /// The oldest other call that has not been sent; null if there is none.
-  Call* nextForRobot() { return nextUnsent(false); }
+  Call* nextForPicture();
+  /// The oldest call that stops the robot and has not been sent; null if there is none.
+  Call* nextStop();
+  /// The oldest other call that has not been sent; null if there is none. While the robot is at work on its memory
+  /// stick, calls that need it wait, so that the robot need not make one wait.
+  Call* nextForRobot();
 
   /// The call whose request was sent with this number; null if there is none. A request of number 0 was never sent.
   Call* find(int request_number);
@@ -115,6 +127,10 @@ class PendingCalls {
   /// @param remark added to the problem of those for a picture
   void expire(TimePoint now, const std::string& remark);
 
+  /// Ends the calls to play a motion that have not been sent.
+  /// @param name of the motion; empty = any
+  void failUnsentMotions(const std::string& name, const Answer& failure);
+
   /// Ends all calls.
   void failAll(const Answer& failure);
 
@@ -126,7 +142,9 @@ class PendingCalls {
   TimePoint transferEnd() const { return transfer_end_; }
 
  private:
-  Call* nextUnsent(bool for_picture);
+  /// The oldest call that has not been sent and that the condition holds for; null if there is none.
+  template <typename Condition>
+  Call* nextUnsent(const Condition& condition);
 
   /// Ends the calls that the condition holds for.
   template <typename Condition, typename MakeAnswer>

@@ -57,6 +57,12 @@ bool JointCommands::dropOlderThan(TimePoint time) {
   return removeCommands(&commands_, [time](const JointCommand& command) { return command.since < time; });
 }
 
+void JointCommands::drop(const std::vector<int>& ids) {
+  removeTargets(&commands_, [&ids](const JointTarget& target) {
+    return ids.empty() || std::find(ids.begin(), ids.end(), target.id) != ids.end();
+  });
+}
+
 JointCommand JointCommands::takeCommand() {
   JointCommand command = std::move(commands_.front());
   commands_.pop_front();

@@ -79,6 +79,10 @@ class JointCommands {
   /// @return false if there were none
   bool dropOlderThan(TimePoint time);
 
+  /// Drops what these joints were commanded.
+  /// @param ids none = all joints
+  void drop(const std::vector<int>& ids);
+
   bool empty() const { return commands_.empty(); }
   void clear() { commands_.clear(); }
 

@@ -35,6 +35,15 @@ void Connection::dropStaleJointCommands(TimePoint now) {
   }
 }
 
+void Connection::stopComes(const Call& call) {
+  if (call.stopsRobot()) {
+    commands.joints.drop(call.joints);
+  }
+  calls.failUnsentMotions(call.name,
+                          makeFailure(CallOutcome::kRefused, context.address + " was told to " + describe(call) +
+                                                                 " before it was asked to play the motion."));
+}
+
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   if (call.takesOverJoints()) {
     commands.joints.clear();

@@ -59,6 +59,10 @@ struct Connection {
     return call.takesOverJoints() && !commands.speed_limits.empty();
   }
 
+  /// To be called when a call comes that stops the robot or motions: what came before it and has not been sent must not
+  /// move the robot after it.
+  void stopComes(const Call& call);
+
   /// To be called when a call's request, of this many bytes, is sent.
   void callSent(const Call& call, std::size_t size, TimePoint now);
 

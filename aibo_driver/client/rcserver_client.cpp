@@ -49,6 +49,9 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
     if (std::this_thread::get_id() == shared.thread) {
       throw Exception(caller + " cannot be called from a callback: it would wait for itself");
     }
+    if (call.stopsRobot() && shared.status.protocol_version > 1) {
+      shared.commands.joints.drop(call.joints);  // later commands wait until the robot has been told to stop
+    }
     shared.calls.push_back(std::move(call));
   });
   Answer answer = pending.get();

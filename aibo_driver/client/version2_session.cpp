@@ -84,8 +84,19 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       reader_(buffer_.data(), buffer_.size()),
       next_hello_(connected) {}
 
+void Version2Session::add(Call call) {
+  if (call.stopsRobot() || call.stopsMotions()) {
+    connection_.stopComes(call);
+  }
+  connection_.calls.add(std::move(call));
+}
+
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   const PictureIntake& pictures = connection_.pictures;
+  Call* const stop = connection_.calls.nextStop();
+  if (ready_ && stop != nullptr) {
+    return requestCall(stop, now);
+  }
   if (now >= next_hello_) {
     return requestHello(now);
   }

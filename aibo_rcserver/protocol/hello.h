@@ -5,7 +5,7 @@
 ///     robot=ERS-7
 ///     server=aibo_rcserver 0.1.0
 ///     frame_number=123456
-///     capabilities=H F W J V T O L K P N
+///     capabilities=H F W J V T O I L K P N
 ///     limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460
 ///
 /// All five keys must be there, each once, in any order. Other keys are for newer clients and are ignored.

@@ -153,7 +153,7 @@ class Client {
   }
 
   void askRobot() {
-    const std::string letters = "ODPUNQR";
+    const std::string letters = "ODPUNQRI";
     Call call;
     call.letter = letters[input_.takeByte() % letters.size()];
     call.name = "NOD.MTN";

@@ -91,6 +91,17 @@ TEST(JointCommandsTest, OldCommandsCanBeDroppedAndNewerOnesStay) {
   EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:3 in 200"));
 }
 
+TEST(JointCommandsTest, CommandsToSomeJointsOrToAllCanBeDropped) {
+  JointCommands commands;
+  commands.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
+  commands.add({milliseconds(200), {{3, 0.3}}});
+  commands.add({milliseconds(300), {{4, 0.4}}});
+  commands.drop({1, 3, 9});
+  EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:2 in 100", "4:4 in 300"));
+  commands.drop({});
+  EXPECT_TRUE(commands.empty());
+}
+
 std::string takeAll(LatestById<LedCommand> leds) {
   std::string taken;
   while (!leds.empty()) {

@@ -219,4 +219,27 @@ TEST_F(JointsTest, WhatIsToBeHeldIsCheckedFirst) {
   EXPECT_THROW(client().hold({2}, seconds(1)), NetworkException);
 }
 
+TEST_F(JointsTest, WhatWasCommandedBeforeAHoldIsNotSentAfterIt) {
+  ScriptedPeer peer = connectVersion2();
+  std::vector<int> numbers;
+  for (int i = 0; i < 4; ++i) {  // as many as may be unanswered
+    client().commandJoints({{1, 0.1 * i}}, milliseconds(0));
+    numbers.push_back(peer.readRequest().header.request_number);
+  }
+  client().commandJoints({{2, 0.1}, {3, 0.1}}, milliseconds(0));
+  auto held = std::async(std::launch::async, [&] { client().hold({2}, seconds(20)); });
+  const version2_frames::Frame frame = peer.readRequest();
+  EXPECT_EQ('I', frame.header.kind);
+  peer.send(makeFrame('i', frame.header.request_number, {}));
+  held.get();
+  client().commandJoints({{2, 0.5}}, milliseconds(0));
+  for (const int number : numbers) {
+    peer.send(makeFrame('j', number, version2_frames::makeTargets({})));
+  }
+  EXPECT_EQ(3, peer.readRequest().payload.at(4));
+  const version2_frames::Frame last = peer.readRequest();
+  EXPECT_EQ(2, last.payload.at(4)) << "commanded after the hold";
+  EXPECT_EQ(1, last.payload.at(2));
+}
+
 }  // namespace

@@ -463,29 +463,29 @@ TEST_F(Version2SessionTest, MotorsAreSwitchedAndTheirStateReported) {
 
 TEST_F(Version2SessionTest, MotionsAreUploadedPlayedStoppedListedAndDeleted) {
   auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3});
-  auto play = ask('P', "NOD.MTN", 258);
-  auto stop = ask('P');
-  auto list = ask('N');
-  auto deletion = ask('D', "NOD.MTN");
   EXPECT_EQ("U2", request());
   EXPECT_EQ(Bytes({7, 'N', 'O', 'D', '.', 'M', 'T', 'N', 1, 2, 3}), frame_.payload);
+  receive(makeFrame('u', 2, {}));
+  EXPECT_EQ(CallOutcome::kDone, upload.get().outcome);
+  auto play = ask('P', "NOD.MTN", 258);
   EXPECT_EQ("P3", request());
   EXPECT_EQ(Bytes({1, 2, 'N', 'O', 'D', '.', 'M', 'T', 'N'}), frame_.payload);
+  auto stop = ask('P');
   EXPECT_EQ("P4", request());
   EXPECT_EQ(Bytes({0, 0}), frame_.payload);
+  receive(makeFrame('p', 4, {}));
+  EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
+  EXPECT_FALSE(done(play));
+  receive(makeFrame('p', 3, {}));
+  EXPECT_EQ(CallOutcome::kDone, play.get().outcome);
+  auto list = ask('N');
   EXPECT_EQ("N5", request());
-  EXPECT_EQ("D6", request());
-  EXPECT_EQ(Bytes({'N', 'O', 'D', '.', 'M', 'T', 'N'}), frame_.payload);
   receive(makeFrame('n', 5, {'A', '.', 'M', 'T', 'N', '\n', 'B', '.', 'M', 'T', 'N'}));
   EXPECT_THAT(list.get().names, testing::ElementsAre("A.MTN", "B.MTN"));
-  EXPECT_FALSE(done(upload));
-  receive(makeFrame('u', 2, {}));
-  receive(makeFrame('p', 3, {}));
-  receive(makeFrame('p', 4, {}));
+  auto deletion = ask('D', "NOD.MTN");
+  EXPECT_EQ("D6", request());
+  EXPECT_EQ(Bytes({'N', 'O', 'D', '.', 'M', 'T', 'N'}), frame_.payload);
   receive(makeError(6, 1, "there is no motion NOD.MTN"));
-  EXPECT_EQ(CallOutcome::kDone, upload.get().outcome);
-  EXPECT_EQ(CallOutcome::kDone, play.get().outcome);
-  EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
   EXPECT_EQ("robot:54321 refused to delete the motion NOD.MTN: there is no motion NOD.MTN (error code 1).",
             deletion.get().problem);
 }
@@ -658,6 +658,101 @@ TEST_F(Version2SessionTest, EveryKindAndWayOfEndIsToldAndThoseOfANewerServerAreU
 
 TEST_F(Version2SessionTest, ADamagedReportOfAnEndIsAFault) {
   EXPECT_THAT(faultOf(makeFrame('i', 0, {1, 0, 0, 0})), HasSubstr("bad report of an end: there is no newline"));
+}
+
+class StopFirstTest : public Version2SessionTest, public testing::WithParamInterface<char> {};
+
+TEST_P(StopFirstTest, AnOrderToStopGoesBeforeEverythingElse) {
+  pass(milliseconds(500));  // a heartbeat is due
+  wish_ = {true, 85, 4};
+  commandJoints({{2, 0.1}});
+  limitSpeed({{2, 1.0}});
+  commandLeds({{1, 255}});
+  auto picture = takePicture(10);
+  auto motors = ask('O', "", 1);
+  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3});
+  auto stop = ask(GetParam());
+  const Bytes payload = GetParam() == 'O' ? Bytes{0} : Bytes();
+  EXPECT_EQ(GetParam(), request()[0]);
+  EXPECT_EQ(payload, frame_.payload);
+  receive(makeFrame(version2::replyKind(GetParam()), 2, payload));
+  EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
+  std::string others;
+  for (std::string each = request(); !each.empty(); each = request()) {
+    others += each[0];
+  }
+  EXPECT_EQ("HWFVOUTL", others) << "without J, which came before";
+}
+
+INSTANTIATE_TEST_SUITE_P(Stops, StopFirstTest, testing::Values('I', 'O'),
+                         [](const auto& letter) { return std::string(1, letter.param); });
+
+TEST_F(Version2SessionTest, OnlyTheJointsThatAreHeldForgetTheirCommands) {
+  commandJoints({{2, 0.1}, {3, 0.2}});
+  commandJoints({{4, 0.3}});
+  auto held = askToHold({2, 4});
+  commandJoints({{4, 0.4}});
+  EXPECT_EQ("I2", request());
+  EXPECT_EQ("J3", request());
+  EXPECT_EQ(3, frame_.payload.at(4)) << "without joint 2";
+  EXPECT_EQ("J4", request());
+  EXPECT_EQ(4, frame_.payload.at(4)) << "commanded later";
+  EXPECT_EQ("", request());
+}
+
+TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsNotPlayedAfterAnOrderToStop) {
+  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3});
+  EXPECT_EQ("U2", request());
+  auto earlier = ask('P', "NOD.MTN", 1);
+  auto held = ask('I');
+  auto later = ask('P', "SIT.MTN", 1);
+  const Answer refusal = earlier.get();
+  EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
+  EXPECT_EQ("robot:54321 was told to hold its joints before it was asked to play the motion.", refusal.problem);
+  EXPECT_EQ("I3", request());
+  EXPECT_EQ("", request());
+  receive(makeFrame('u', 2, {}));
+  EXPECT_EQ("P4", request());
+  EXPECT_FALSE(done(later));
+}
+
+TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsStoppedByItsName) {
+  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3});
+  EXPECT_EQ("U2", request());
+  commandJoints({{2, 0.1}});
+  auto nod = ask('P', "NOD.MTN", 1);
+  auto sit = ask('P', "SIT.MTN", 1);
+  auto stop = ask('P', "NOD.MTN", 0);
+  EXPECT_EQ("robot:54321 was told to stop the motion NOD.MTN before it was asked to play the motion.",
+            nod.get().problem);
+  EXPECT_EQ("P3", request()) << "stopping a motion needs no memory stick";
+  EXPECT_EQ("J4", request()) << "it stops no joint";
+  auto stop_all = ask('P');
+  EXPECT_EQ(CallOutcome::kRefused, sit.get().outcome);
+}
+
+TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthersGoOn) {
+  auto play = ask('P', "NOD.MTN", 1);
+  auto list = ask('N');
+  auto erase = ask('D', "NOD.MTN");
+  auto motors = ask('O', "", 1);
+  EXPECT_EQ("P2", request());
+  EXPECT_EQ("O3", request());
+  EXPECT_EQ("", request());
+  receive(makeFrame('p', 2, {}));
+  EXPECT_EQ("N4", request());
+  EXPECT_EQ("", request());
+  receive(makeError(4, 0, "busy"));
+  EXPECT_EQ("D5", request());
+}
+
+TEST_F(Version2SessionTest, ARequestForTheMemoryStickIsSentAfterOneThatWasNotAnsweredInTime) {
+  auto play = ask('P', "NOD.MTN", 1, {}, milliseconds(300));
+  auto list = ask('N');
+  EXPECT_EQ("P2", request());
+  EXPECT_EQ("", request());
+  pass(milliseconds(300));
+  EXPECT_EQ("N3", request());
 }
 
 }  // namespace

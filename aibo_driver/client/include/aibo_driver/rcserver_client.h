@@ -198,7 +198,8 @@ class RcServerClient {
   /// @throw as commandJoints()
   virtual void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 
-  /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand.
+  /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. Switching them
+  /// off is sent before everything that waits, and drops commands to the joints and motions that have not been sent.
   /// @param timeout longest time to wait, 1 ms..1 h
   /// @return true if the robot says that its motors are now on
   /// @throw InvalidArgumentException timeout out of range
@@ -210,7 +211,8 @@ class RcServerClient {
   virtual bool setMotors(bool on, std::chrono::milliseconds timeout);
 
   /// Stops joints: each brakes within its limits and stays where it comes to rest. Motions that move one of them end.
-  /// Commands to these joints that have not been sent are dropped. Returns when the robot has answered.
+  /// This is sent before everything that waits. Commands to these joints that have not been sent are dropped, and so
+  /// are motions that have not been sent: their callers get a CommandException. Returns when the robot has answered.
   /// @param joints 0..32 identifiers of joints, each once; none = everything that moves
   /// @param timeout longest time to wait, 1 ms..1 h
   /// @throw InvalidArgumentException an argument is out of range
@@ -263,7 +265,8 @@ class RcServerClient {
   ///   with a server that does not tell (version 1, or older than this)
   virtual std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
 
-  /// Stops a motion. Its joints hold their positions.
+  /// Stops a motion. Its joints hold their positions. With a version 2 server, calls to play it that have not been sent
+  /// end with a CommandException.
   /// @param name of the motion; empty = all that are playing
   /// @param timeout longest time to wait, 1 ms..1 h
   virtual void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
