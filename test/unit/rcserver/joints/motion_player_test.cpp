@@ -315,7 +315,7 @@ TEST_F(MotionOfEarsTest, severalMotionsMayHaveEars) {
 TEST_F(MotionOfEarsTest, earsOfAStoppedMotionDoNotFlick) {
   ASSERT_EQ(play("A.MTN", motionBytes("frame 8\nat 0 left_ear 0\nat 8 left_ear 1\nat 16 left_ear 0\n")), "");
   passFrames(2);
-  player_->StopAll();
+  player_->StopAll(MotionPlayer::STOPPED);
   EXPECT_THAT(flicksOf("left_ear"), IsEmpty());
   EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "left_ear")));
 }
