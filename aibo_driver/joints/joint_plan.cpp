@@ -91,10 +91,10 @@ void JointPlan::command(const JointOrders& orders, const std::string& source, St
   }
 }
 
-std::shared_ptr<const TrajectoryFate> JointPlan::add(const TrajectoryRequest& request, const std::string& source,
-                                                     SteadyTime start, SteadyTime now, milliseconds oldest,
-                                                     double* stretch) {
-  Job job{request, source, start, oldest, std::make_shared<TrajectoryFate>(), std::nullopt};
+std::shared_ptr<const MovementFate> JointPlan::add(const TrajectoryRequest& request, const std::string& source,
+                                                   SteadyTime start, SteadyTime now, milliseconds oldest,
+                                                   double* stretch) {
+  Job job{request, source, start, oldest, std::make_shared<MovementFate>(), std::nullopt};
   *stretch = plan(job, now).stretch();  // also refuses now what could only be refused later
   takeFromWaiting(job);
   jobs_.push_back(job);
@@ -124,7 +124,7 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
   return steps;
 }
 
-JointOrders JointPlan::holdingOrders(SteadyTime now, const TrajectoryFate* only) const {
+JointOrders JointPlan::holdingOrders(SteadyTime now, const MovementFate* only) const {
   JointOrders orders;
   for (std::size_t joint = 0; joint < commands_.size() && only == nullptr; ++joint) {
     const std::optional<Command>& command = commands_[joint];
@@ -146,18 +146,22 @@ JointOrders JointPlan::holdingOrders(SteadyTime now, const TrajectoryFate* only)
   return orders;
 }
 
-void JointPlan::endAll(MovementEnd how, const std::string& reason) {
+void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
   for (const Job& job : jobs_) {
     noteEnd(job, how, reason);
   }
   removeEnded();
+}
+
+void JointPlan::endAll(MovementEnd how, const std::string& reason) {
+  endTrajectories(how, reason);
   if (commanding_) {
     endCommands(how, reason);
   }
   commands_.assign(table_.size(), std::nullopt);
 }
 
-void JointPlan::end(const TrajectoryFate& trajectory, MovementEnd how, const std::string& reason) {
+void JointPlan::end(const MovementFate& trajectory, MovementEnd how, const std::string& reason) {
   for (const Job& job : jobs_) {
     if (job.fate.get() == &trajectory) {
       noteEnd(job, how, reason);
@@ -166,11 +170,11 @@ void JointPlan::end(const TrajectoryFate& trajectory, MovementEnd how, const std
   removeEnded();
 }
 
-std::vector<int> JointPlan::jointsOf(const TrajectoryFate& trajectory) const {
+std::vector<int> JointPlan::jointsOf(const MovementFate& trajectory) const {
   std::vector<int> ids;
-  for (const Job& job : jobs_) {
-    for (const std::string& joint : job.names()) {
-      if (job.fate.get() == &trajectory) {
+  for (std::size_t i = 0; i < jobs_.size(); ++i) {
+    for (const std::string& joint : jobs_[i].names()) {
+      if (jobs_[i].run && jobs_[i].fate.get() == &trajectory && !isSentByNewer(i, joint)) {
         ids.push_back(table_[*table_.findByName(joint)].id);
       }
     }
@@ -178,7 +182,7 @@ std::vector<int> JointPlan::jointsOf(const TrajectoryFate& trajectory) const {
   return ids;
 }
 
-std::vector<Trajectory::Start> JointPlan::wantedBy(const TrajectoryFate& trajectory, SteadyTime now) const {
+std::vector<Trajectory::Start> JointPlan::wantedBy(const MovementFate& trajectory, SteadyTime now) const {
   std::vector<Trajectory::Start> states;
   for (const Job& job : jobs_) {
     if (job.fate.get() != &trajectory || !job.run || job.run->clock.at(now) < 0) {

@@ -22,7 +22,8 @@ enum class MovementEnd {
   kReplaced,  ///< something else moves its joints now
   kStopped,   ///< somebody has stopped it
   kRefused,   ///< it could not go on
-  kFell       ///< the robot fell or was lifted
+  kFell,      ///< the robot fell or was lifted
+  kUnknown    ///< it was begun, and the robot does not say when it ends
 };
 
 /// What moves a robot, or has moved it.
@@ -43,11 +44,11 @@ struct EndedMovement {
   std::string reason;  ///< in words that follow a colon; empty if it is done
 };
 
-/// A trajectory that was accepted, for whoever wants to know what becomes of it.
-struct TrajectoryFate {
+/// What becomes of a movement that was begun.
+struct MovementFate {
   std::optional<MovementEnd> end;
   std::string reason;  ///< why it ended, if not because it is done
-  /// What it was to move is in part moved by a newer trajectory, and the rest goes on.
+  /// A newer trajectory moves some of its joints, and it goes on for the others.
   bool partly_replaced = false;
 };
 
@@ -93,9 +94,8 @@ class JointPlan {
   /// @param[out] stretch as Trajectory::stretch()
   /// @return what becomes of it: changes only during calls of this object
   /// @throw InvalidArgumentException it is refused; the message says why
-  std::shared_ptr<const TrajectoryFate> add(const TrajectoryRequest& request, const std::string& source,
-                                            SteadyTime start, SteadyTime now, std::chrono::milliseconds oldest,
-                                            double* stretch);
+  std::shared_ptr<const MovementFate> add(const TrajectoryRequest& request, const std::string& source, SteadyTime start,
+                                          SteadyTime now, std::chrono::milliseconds oldest, double* stretch);
 
   /// Moves everything on. To be called every kPeriod, and after add().
   /// @return what has to be sent now
@@ -105,21 +105,24 @@ class JointPlan {
   /// that cannot be told to hold. On its way to a command's target, that is where it should be by now; in a trajectory,
   /// where it was last sent.
   /// @param only joints of this trajectory; null: all
-  JointOrders holdingOrders(SteadyTime now, const TrajectoryFate* only = nullptr) const;
+  JointOrders holdingOrders(SteadyTime now, const MovementFate* only = nullptr) const;
 
   /// Ends everything.
   /// @param reason in words that follow a colon
   void endAll(MovementEnd how, const std::string& reason);
 
-  /// Ends a trajectory, if it has not ended yet.
-  void end(const TrajectoryFate& trajectory, MovementEnd how, const std::string& reason);
+  /// Ends all trajectories, and leaves commands as they are.
+  void endTrajectories(MovementEnd how, const std::string& reason);
 
-  /// The identifiers of the joints that a trajectory moves or will move; none if it has ended.
-  std::vector<int> jointsOf(const TrajectoryFate& trajectory) const;
+  /// Ends a trajectory, if it has not ended yet.
+  void end(const MovementFate& trajectory, MovementEnd how, const std::string& reason);
+
+  /// The identifiers of the joints that a trajectory moves; none before its beginning and after its end.
+  std::vector<int> jointsOf(const MovementFate& trajectory) const;
 
   /// Where a trajectory wants its joints to be, in its own order of joints.
   /// @return empty before its beginning and after its end
-  std::vector<Trajectory::Start> wantedBy(const TrajectoryFate& trajectory, SteadyTime now) const;
+  std::vector<Trajectory::Start> wantedBy(const MovementFate& trajectory, SteadyTime now) const;
 
   /// True if nothing moves or waits for its time to move.
   bool empty() const { return jobs_.empty() && !commanding_; }
@@ -155,7 +158,7 @@ class JointPlan {
     std::string source;
     SteadyTime start;
     std::chrono::milliseconds oldest{0};
-    std::shared_ptr<TrajectoryFate> fate;
+    std::shared_ptr<MovementFate> fate;
     std::optional<Run> run;  // none while it waits for its time
 
     bool moves(std::size_t place) const { return !run || run->moves[place]; }

@@ -25,6 +25,8 @@
 #include "ros/driver_diagnostics.h"
 #include "ros/driver_parameters.h"
 #include "ros/joints/joint_commander.h"
+#include "ros/joints/joint_mover.h"
+#include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
 
@@ -63,6 +65,7 @@ class AiboDriver {
   const robot_model::RobotModel& model_;
   ros::NodeHandle handle_;
 
+  CallbackThreads stop_threads_;     ///< stop and motors: wait for nothing else
   CallbackThreads joint_thread_;     ///< everything that moves joints, in order
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
   CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
@@ -84,6 +87,8 @@ class AiboDriver {
 
   // What needs the client.
   StreamServices stream_services_;
+  JointMover mover_;
+  MotionStatePublisher motion_state_;
   JointCommander joints_;
   ExpressionCommander expression_;
   RobotServices robot_services_;

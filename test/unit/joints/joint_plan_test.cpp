@@ -48,7 +48,7 @@ class JointPlanTest : public ::testing::Test {
     return {{"head_pan", "mouth"}, {{time, {pan, mouth}, {}}}};
   }
 
-  std::shared_ptr<const TrajectoryFate> add(const TrajectoryRequest& request, double start, double now) {
+  std::shared_ptr<const MovementFate> add(const TrajectoryRequest& request, double start, double now) {
     double stretch = 0;
     auto fate = plan_.add(request, "test", at(start), at(now), milliseconds(300), &stretch);
     advance(now);
@@ -81,8 +81,8 @@ class JointPlanTest : public ::testing::Test {
     }
   }
 
-  double wanted(const TrajectoryFate& fate, double now) { return plan_.wantedBy(fate, at(now)).at(0).position; }
-  double velocity(const TrajectoryFate& fate, double now) { return plan_.wantedBy(fate, at(now)).at(0).velocity; }
+  double wanted(const MovementFate& fate, double now) { return plan_.wantedBy(fate, at(now)).at(0).position; }
+  double velocity(const MovementFate& fate, double now) { return plan_.wantedBy(fate, at(now)).at(0).velocity; }
 
   JointTable table_{"ERS-7", 3.0};
   MeasuredJoints measured_{table_};
