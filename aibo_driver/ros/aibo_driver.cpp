@@ -65,12 +65,15 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       joints_(joint_table_, mover_),
       expression_(model_, client_),
       robot_services_(client_, mover_),
+      motion_action_(client_, mover_),
       settings_(private_handle, client_, joint_table_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
   mover_.setListener({[this] { motion_state_.publish(); }, [this] { joints_.moveOn(); }});
   joints_.subscribe(joint_thread_.handle());
+  motion_action_.start(joint_thread_.handle());
+  trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
   robot_services_.advertise(stop_threads_.handle(), joint_thread_.handle(), body_thread_.handle());
   stream_services_.advertise(handle_, picture_threads_.handle());

@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 
+#include <memory>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
@@ -12,6 +13,7 @@
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
+#include "ros/body/play_motion_server.h"
 #include "ros/body/power_status.h"
 #include "ros/body/robot_services.h"
 #include "ros/body/telemetry_publishers.h"
@@ -24,6 +26,7 @@
 #include "ros/connection_publisher.h"
 #include "ros/driver_diagnostics.h"
 #include "ros/driver_parameters.h"
+#include "ros/joints/follow_trajectory_server.h"
 #include "ros/joints/joint_commander.h"
 #include "ros/joints/joint_mover.h"
 #include "ros/joints/motion_state_publisher.h"
@@ -92,6 +95,8 @@ class AiboDriver {
   JointCommander joints_;
   ExpressionCommander expression_;
   RobotServices robot_services_;
+  PlayMotionServer motion_action_;
+  std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
   LiveSettings settings_;
   DriverDiagnostics diagnostics_;
 };

@@ -129,9 +129,9 @@ joints::MovementFate JointMover::look(const Fate& movement) const {
   return *movement;
 }
 
-std::vector<joints::Trajectory::Start> JointMover::wantedBy(const Fate& trajectory) const {
+std::vector<joints::Trajectory::Start> JointMover::wantedBy(const Fate& trajectory, SteadyTime time) const {
   const Lock lock(mutex_);
-  return plan_.wantedBy(*trajectory, steady_clock::now());
+  return plan_.wantedBy(*trajectory, time);
 }
 
 void JointMover::cancel(const Fate& trajectory, const std::string& reason) {

@@ -90,8 +90,9 @@ class JointMover {
   /// What has become of a movement so far.
   joints::MovementFate look(const Fate& movement) const;
 
-  /// Where a trajectory wants its joints to be; empty before its beginning and after its end.
-  std::vector<joints::Trajectory::Start> wantedBy(const Fate& trajectory) const;
+  /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints; empty
+  /// before its beginning and after its end.
+  std::vector<joints::Trajectory::Start> wantedBy(const Fate& trajectory, SteadyTime time) const;
 
   /// Ends a trajectory, and holds its joints.
   /// @throw as hold()

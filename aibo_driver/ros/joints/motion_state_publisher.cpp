@@ -26,24 +26,6 @@ std::uint8_t kindConstant(joints::Movement::Kind kind) {
   return Movement::MOTION;
 }
 
-std::uint8_t endConstant(MovementEnd how) {
-  switch (how) {
-    case MovementEnd::kDone:
-      return MotionState::DONE;
-    case MovementEnd::kReplaced:
-      return MotionState::REPLACED;
-    case MovementEnd::kStopped:
-      return MotionState::STOPPED;
-    case MovementEnd::kRefused:
-      return MotionState::REFUSED;
-    case MovementEnd::kFell:
-      return MotionState::FELL;
-    case MovementEnd::kUnknown:
-      break;
-  }
-  return MotionState::UNKNOWN;
-}
-
 std::string describe(const Movement& movement) {
   std::string text = movement.kind == Movement::COMMAND      ? "command"
                      : movement.kind == Movement::TRAJECTORY ? "trajectory"
@@ -100,6 +82,24 @@ bool areSame(const MotionState& a, const MotionState& b) {
 }
 
 }  // namespace
+
+std::uint8_t endConstant(MovementEnd how) {
+  switch (how) {
+    case MovementEnd::kDone:
+      return MotionState::DONE;
+    case MovementEnd::kReplaced:
+      return MotionState::REPLACED;
+    case MovementEnd::kStopped:
+      return MotionState::STOPPED;
+    case MovementEnd::kRefused:
+      return MotionState::REFUSED;
+    case MovementEnd::kFell:
+      return MotionState::FELL;
+    case MovementEnd::kUnknown:
+      break;
+  }
+  return MotionState::UNKNOWN;
+}
 
 MotionState toMessage(const JointMover::State& state, JointMover::SteadyTime steady_now, const ros::Time& now) {
   MotionState message;

@@ -5,11 +5,15 @@
 #include <aibo_driver/MotionState.h>
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <mutex>
 
 #include "ros/joints/joint_mover.h"
 
 namespace aibo_driver::node {
+
+/// The constant of MotionState.
+std::uint8_t endConstant(joints::MovementEnd how);
 
 /// As a message.
 /// @param steady_now, now the same time by two clocks; the second one is that of the stamps
