@@ -23,10 +23,10 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
       // Frame numbers have 32 bits and may wrap around; the difference is still right.
       const double seconds = telemetry.frame_number && entry->frame_number
                                  ? kFrame * static_cast<std::uint32_t>(*telemetry.frame_number - *entry->frame_number)
-                                 : std::chrono::duration<double>(telemetry.arrival - entry->arrival).count();
+                                 : std::chrono::duration<double>(telemetry.arrival - entry->joint.arrival).count();
       velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
     }
-    entry = Entry{{*index, reading.position, velocity}, telemetry.frame_number, telemetry.arrival};
+    entry = Entry{{*index, reading.position, velocity, telemetry.arrival}, telemetry.frame_number};
     updated.push_back(entry->joint);
   }
   return updated;

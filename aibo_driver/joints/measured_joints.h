@@ -16,9 +16,10 @@ namespace aibo_driver::joints {
 
 /// Where a joint was last measured.
 struct MeasuredJoint {
-  std::size_t index = 0;  ///< in the JointTable
-  double position = 0;    ///< rad
-  double velocity = 0;    ///< rad/s; 0 until the second measurement
+  std::size_t index = 0;                          ///< in the JointTable
+  double position = 0;                            ///< rad
+  double velocity = 0;                            ///< rad/s; 0 until the second measurement
+  std::chrono::steady_clock::time_point arrival;  ///< of the measurement
 };
 
 /// The last measured position and velocity of each joint. From any thread.
@@ -42,7 +43,6 @@ class MeasuredJoints {
   struct Entry {
     MeasuredJoint joint;
     std::optional<std::uint32_t> frame_number;
-    std::chrono::steady_clock::time_point arrival;
   };
 
   const JointTable& table_;

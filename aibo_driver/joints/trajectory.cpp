@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "aibo_driver/exceptions.h"
 
@@ -36,6 +37,26 @@ bool allFinite(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age) {
+  if (age <= 0 || request.points.empty()) {
+    return request;
+  }
+  std::vector<Point> left;
+  for (Point& point : request.points) {
+    // A time that is not a number stays, for the trajectory's check.
+    if (!(point.time_from_start <= age)) {
+      point.time_from_start -= age;
+      left.push_back(std::move(point));
+    }
+  }
+  if (left.empty()) {
+    refuse("its last point was " + number(age - request.points.back().time_from_start) +
+           " s ago. Is the clock of the machine that sent it right?");
+  }
+  request.points = std::move(left);
+  return request;
+}
 
 Trajectory::Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
                        bool slow_down) {
@@ -74,16 +95,30 @@ double Trajectory::duration() const {
   return segments_.back().begin + segments_.back().length;
 }
 
-std::vector<double> Trajectory::sample(double time) const {
+const Trajectory::Segment& Trajectory::segmentAt(double time) const {
   const auto after = std::upper_bound(segments_.begin(), segments_.end(), time,
                                       [](double t, const Segment& segment) { return t < segment.begin; });
-  const Segment& segment = after == segments_.begin() ? segments_.front() : *std::prev(after);
+  return after == segments_.begin() ? segments_.front() : *std::prev(after);
+}
+
+std::vector<double> Trajectory::sample(double time) const {
+  const Segment& segment = segmentAt(time);
   const double t = std::clamp(time - segment.begin, 0.0, segment.length);
   std::vector<double> positions;
   for (const Cubic& cubic : segment.joints) {
     positions.push_back(cubic.at(t));
   }
   return positions;
+}
+
+std::vector<double> Trajectory::velocities(double time) const {
+  const Segment& segment = segmentAt(time);
+  const double t = std::clamp(time - segment.begin, 0.0, segment.length);
+  std::vector<double> velocities;
+  for (const Cubic& cubic : segment.joints) {
+    velocities.push_back(time < duration() ? cubic.velocityAt(t) : 0);
+  }
+  return velocities;
 }
 
 void Trajectory::findJoints(const TrajectoryRequest& request, const JointTable& table) {
@@ -143,8 +178,8 @@ Point Trajectory::startingPoint(const JointTable& table, const std::vector<Start
       refuse("the position of " + table[joint].name + " has not been measured yet");
     }
     from.positions.push_back(found->position);
+    from.velocities.push_back(found->velocity);
   }
-  from.velocities.assign(joints_.size(), 0.0);
   return from;
 }
 
@@ -158,9 +193,10 @@ void Trajectory::addSegments(const Point& from, const std::vector<Point>& points
     const bool curved = !last.velocities.empty() && !point.velocities.empty();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const double slope = (point.positions[i] - last.positions[i]) / length;
-      if (curved) {
+      const bool moves_already = segments_.empty() && last.velocities[i] != 0;
+      if (curved || moves_already) {
         const double v0 = last.velocities[i];
-        const double v1 = point.velocities[i];
+        const double v1 = curved ? point.velocities[i] : slope;
         segment.joints.push_back(
             {{last.positions[i], v0, (3 * slope - 2 * v0 - v1) / length, (v0 + v1 - 2 * slope) / (length * length)}});
       } else {
@@ -189,8 +225,8 @@ void Trajectory::checkPositions(const JointTable& table) const {
         const double begin = segment.joints[i].at(0);
         if (position < std::min(joint.lowest, begin) - kPositionTolerance ||
             position > std::max(joint.highest, begin) + kPositionTolerance) {
-          refuse("between two points, at " + number(segment.begin + time) + " s, the given velocities carry " +
-                 joint.name + " to " + number(position) + " rad; it can go from " + number(joint.lowest) + " to " +
+          refuse("between two points, at " + number(segment.begin + time) + " s, the velocities carry " + joint.name +
+                 " to " + number(position) + " rad; it can go from " + number(joint.lowest) + " to " +
                  number(joint.highest) + " rad");
         }
       }
@@ -234,16 +270,16 @@ double Trajectory::Cubic::at(double t) const {
   return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
 }
 
-double Trajectory::Cubic::speedAt(double t) const {
-  return std::abs(c[1] + t * (2 * c[2] + t * 3 * c[3]));
+double Trajectory::Cubic::velocityAt(double t) const {
+  return c[1] + t * (2 * c[2] + t * 3 * c[3]);
 }
 
 double Trajectory::Cubic::highestSpeed(double length) const {
-  double highest = std::max(speedAt(0), speedAt(length));
+  double highest = std::max(std::abs(velocityAt(0)), std::abs(velocityAt(length)));
   if (c[3] != 0) {
     const double vertex = -c[2] / (3 * c[3]);
     if (vertex > 0 && vertex < length) {
-      highest = std::max(highest, speedAt(vertex));
+      highest = std::max(highest, std::abs(velocityAt(vertex)));
     }
   }
   return highest;

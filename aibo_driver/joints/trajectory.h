@@ -23,16 +23,24 @@ struct TrajectoryRequest {
   std::vector<Point> points;
 };
 
+/// Leaves out the points that are over when a trajectory begins late.
+/// @param age how long ago it should have begun, in seconds; not below 0
+/// @return what is left, in time from now
+/// @throw InvalidArgumentException nothing is left
+TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age);
+
 /// A motion of some joints, from where they are now through given points, that keeps their limits.
 ///
 /// Between two points with velocities it is a cubic polynomial that has these velocities at both points; otherwise it
-/// is a straight line. The joints begin at rest.
+/// is a straight line. A joint that is moving when the trajectory begins keeps its velocity: it goes on a cubic to the
+/// first point, and if that has no velocities, arrives with the average velocity of this way.
 class Trajectory {
  public:
   /// Where a joint is when the trajectory begins.
   struct Start {
     std::size_t joint = 0;  ///< index in the table
     double position = 0;    ///< rad
+    double velocity = 0;    ///< rad/s
   };
 
   /// @param start of each joint of the request; others are ignored
@@ -59,13 +67,17 @@ class Trajectory {
   /// @return one position for each joint, in radians, in the order of joints()
   std::vector<double> sample(double time) const;
 
+  /// How fast the joints should move; 0 after the end.
+  /// @param time, return as for sample(), in rad/s
+  std::vector<double> velocities(double time) const;
+
  private:
   /// c[0] + c[1] t + c[2] t^2 + c[3] t^3
   struct Cubic {
     double c[4];
 
     double at(double t) const;
-    double speedAt(double t) const;
+    double velocityAt(double t) const;
     double highestSpeed(double length) const;
     std::vector<double> turningPoints(double length) const;
   };
@@ -76,6 +88,7 @@ class Trajectory {
     std::vector<Cubic> joints;
   };
 
+  const Segment& segmentAt(double time) const;
   void findJoints(const TrajectoryRequest& request, const JointTable& table);
   void checkPoints(const TrajectoryRequest& request, const JointTable& table) const;
   TrajectoryRequest::Point startingPoint(const JointTable& table, const std::vector<Start>& start) const;

@@ -10,6 +10,9 @@ namespace {
 // How many callers of take_picture may wait at the same time; the next one waits for one of them.
 constexpr int kPictureThreads = 4;
 
+// Stop does not wait behind motors, nor motors behind stop.
+constexpr int kStopThreads = 2;
+
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   for (const std::string& name : parameters.unknown) {
     ROS_WARN_STREAM("The driver has no parameter " << name_prefix << "/" << name
@@ -41,6 +44,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
     : parameters_(readDriverParameters(private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
       handle_(inDriverNamespace(handle, "aibo")),
+      stop_threads_(handle_, kStopThreads),
       joint_thread_(handle_),
       body_thread_(handle_),
       picture_threads_(handle_, kPictureThreads),
@@ -56,20 +60,27 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       telemetry_(handle_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
-      joints_(joint_table_, measured_joints_, client_, parameters_),
+      mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
+      motion_state_(handle_, mover_),
+      joints_(joint_table_, mover_),
       expression_(model_, client_),
-      robot_services_(client_, joints_),
+      robot_services_(client_, mover_),
+      motion_action_(client_, mover_),
       settings_(private_handle, client_, joint_table_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
+  mover_.setListener({[this] { motion_state_.publish(); }, [this] { joints_.moveOn(); }});
   joints_.subscribe(joint_thread_.handle());
+  motion_action_.start(joint_thread_.handle());
+  trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
-  robot_services_.advertise(joint_thread_.handle(), body_thread_.handle());
+  robot_services_.advertise(stop_threads_.handle(), joint_thread_.handle(), body_thread_.handle());
   stream_services_.advertise(handle_, picture_threads_.handle());
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();
+  stop_threads_.start();
   joint_thread_.start();
   body_thread_.start();
   picture_threads_.start();
@@ -80,6 +91,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
 AiboDriver::~AiboDriver() {
   policy_.stop();
   client_.stop();
+  stop_threads_.stop();
   joint_thread_.stop();
   body_thread_.stop();
   picture_threads_.stop();
@@ -91,6 +103,7 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_status = [this](const ConnectionStatus& status) { updateConnection(status); };
   callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const Telemetry& telemetry) { publishTelemetry(telemetry); };
+  callbacks.on_ended = [this](const MotionEnd& end) { mover_.motionEnded(end); };
   callbacks.log = logForClient;
   return callbacks;
 }
@@ -109,6 +122,7 @@ void AiboDriver::updateConnection(const ConnectionStatus& status) {
   connection_.publish(status);
   if (status.state != ConnectionState::kConnected) {
     measured_joints_.clear();
+    mover_.disconnected();
     power_.clear();
   } else if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     ROS_WARN_STREAM_NAMED("joints", "The robot says that it is an "

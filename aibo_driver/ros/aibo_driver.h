@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 
+#include <memory>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
@@ -12,6 +13,7 @@
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
+#include "ros/body/play_motion_server.h"
 #include "ros/body/power_status.h"
 #include "ros/body/robot_services.h"
 #include "ros/body/telemetry_publishers.h"
@@ -24,7 +26,10 @@
 #include "ros/connection_publisher.h"
 #include "ros/driver_diagnostics.h"
 #include "ros/driver_parameters.h"
+#include "ros/joints/follow_trajectory_server.h"
 #include "ros/joints/joint_commander.h"
+#include "ros/joints/joint_mover.h"
+#include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
 
@@ -63,6 +68,7 @@ class AiboDriver {
   const robot_model::RobotModel& model_;
   ros::NodeHandle handle_;
 
+  CallbackThreads stop_threads_;     ///< stop and motors: wait for nothing else
   CallbackThreads joint_thread_;     ///< everything that moves joints, in order
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
   CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
@@ -84,9 +90,13 @@ class AiboDriver {
 
   // What needs the client.
   StreamServices stream_services_;
+  JointMover mover_;
+  MotionStatePublisher motion_state_;
   JointCommander joints_;
   ExpressionCommander expression_;
   RobotServices robot_services_;
+  PlayMotionServer motion_action_;
+  std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
   LiveSettings settings_;
   DriverDiagnostics diagnostics_;
 };

@@ -22,14 +22,11 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
-#include "support/proxy/recording_proxy.h"
 #include "support/ros/diagnostics_listener.h"
-#include "support/ros/driver_process.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
+#include "support/ros/joint_user.h"
 #include "support/ros/topic_listener.h"
-#include "support/ros/topic_publishers.h"
-#include "support/simulated_robot.h"
 
 namespace {
 
@@ -37,23 +34,17 @@ using aibo_driver::Connection;
 using sensor_msgs::JointState;
 using test_support::command;
 using test_support::DiagnosticsListener;
-using test_support::DriverProcess;
 using test_support::JointListener;
-using test_support::kSafetyNet;
+using test_support::JointUser;
+using test_support::kQuick;
 using test_support::positionOf;
 using test_support::Posture;
-using test_support::RecordingProxy;
-using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using test_support::TopicPublishers;
 using test_support::trajectory;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using trajectory_msgs::JointTrajectory;
-
-// As fast as joints can move and without a slow approach, for tests of something else.
-const std::vector<std::string> kQuick{"_stream_on_start:=false", "_joint_speed_limit:=20", "_approach_speed:=20"};
 
 // Two encoder steps within 32 ms, and the settling of the servo.
 constexpr double kSpeedTolerance = 0.12;  // rad/s
@@ -71,77 +62,6 @@ Posture postureAt(double fraction) {
   }
   return posture;
 }
-
-// Robot, proxy and driver, connected with each other, and a user who moves the joints.
-class JointUser {
- public:
-  explicit JointUser(const std::string& name_space, const std::vector<std::string>& parameters = kQuick,
-                     const std::vector<std::string>& robot_options = {})
-      : robot(robot_options),
-        proxy(robot.port()),
-        joints(name_space),
-        connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), parameters),
-        name_space_(name_space),
-        publishers_(name_space) {
-    EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
-    EXPECT_TRUE(joints.messages().waitForNext());
-  }
-
-  template <typename Message>
-  void publish(const std::string& topic, const Message& message) {
-    publishers_.publish(topic, message);
-  }
-
-  // Ready to be published on without delay.
-  template <typename Message>
-  ros::Publisher& publisherOf(const std::string& topic) {
-    return publishers_.publisherOf<Message>(topic);
-  }
-
-  std_srvs::SetBool::Response setMotors(bool on) {
-    std_srvs::SetBool service;
-    service.request.data = on;
-    EXPECT_TRUE(ros::service::call(name_space_ + "/motors", service)) << "the call itself failed";
-    return service.response;
-  }
-
-  bool waitForConnection(std::uint8_t state) {
-    return connection.waitFor([state](const Connection& message) { return message.state == state; }) != nullptr;
-  }
-
-  // Breaks the connection and waits for the next one.
-  void reconnect() {
-    connection.clear();
-    proxy.cut();
-    EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
-    joints.messages().clear();
-    EXPECT_TRUE(joints.messages().waitForNext());
-  }
-
-  bool waitForPanBeyond(double position) {
-    const auto isBeyond = [position](const JointState& state) {
-      return positionOf(state, "head_pan").value_or(position) > position;
-    };
-    return joints.messages().waitFor(isBeyond) != nullptr;
-  }
-
-  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
-
-  std::size_t jointRequests(std::size_t first_connection = 0) const {
-    return proxy.requestsFromDriver("J", first_connection).size();
-  }
-
-  SimulatedRobot robot;
-  RecordingProxy proxy;
-  JointListener joints;
-  TopicListener<Connection> connection;
-  DriverProcess driver;
-
- private:
-  const std::string name_space_;
-  TopicPublishers publishers_;
-};
 
 TEST(JointStates, ContainAllServosWithVelocitiesAndIncreasingStamps) {
   const JointUser user("/states");
@@ -296,7 +216,7 @@ TEST(JointTrajectory, CutOffByADisconnectStaysCutOff) {
   ASSERT_TRUE(user.waitForPanBeyond(0.1));
   const std::size_t connections = user.proxy.connections();
   user.reconnect();
-  user.waitForWarning("The trajectory ends early");
+  user.waitForWarning("trajectory of head_pan ends early");
   const double first = user.joints.position("head_pan");
   user.joints.messages().clear();
   user.joints.messages().waitForCount(15);
@@ -382,7 +302,7 @@ TEST(Motors, ACallThatFailsEndsTheTrajectoryToo) {
   user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
   ASSERT_TRUE(user.waitForPanBeyond(0.1));
   EXPECT_FALSE(user.setMotors(false).success) << "version 1 has no such request";
-  user.waitForWarning("The trajectory ends early");
+  user.waitForWarning("trajectory of head_pan ends early");
 }
 
 TEST(PlayMotion, IsNotSlowedDownByTheApproachOfACommandBefore) {

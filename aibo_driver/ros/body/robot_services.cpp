@@ -1,5 +1,7 @@
 #include "ros/body/robot_services.h"
 
+#include <boost/make_shared.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
@@ -28,15 +30,39 @@ bool answer(Response& response, const std::string& failure, const Work& work) {
   return true;
 }
 
-// The client checks whether the robot allows such a name. The empty name stays empty.
-std::string motionFileName(const std::string& name) {
-  std::string file = name;
-  if (!file.empty() && file.find('.') == std::string::npos) {
-    file += ".MTN";
+/// While it lives, and until the callbacks that are in a queue when it ends have run, nothing new moves the robot.
+class Interruption {
+ public:
+  /// @param queue may be null: no callback is older
+  Interruption(JointMover& mover, ros::CallbackQueueInterface* queue) : mover_(mover), queue_(queue) { mover_.block(); }
+
+  ~Interruption() {
+    if (queue_ == nullptr) {
+      mover_.unblock();
+    } else {
+      queue_->addCallback(boost::make_shared<End>(mover_));
+    }
   }
-  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
-  return file;
-}
+
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+ private:
+  class End : public ros::CallbackInterface {
+   public:
+    explicit End(JointMover& mover) : mover_(mover) {}
+    CallResult call() override {
+      mover_.unblock();
+      return Success;
+    }
+
+   private:
+    JointMover& mover_;
+  };
+
+  JointMover& mover_;
+  ros::CallbackQueueInterface* const queue_;
+};
 
 std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
   if (request.file.empty() == request.data.empty()) {
@@ -51,9 +77,22 @@ std::string nameOf(const UploadMotion::Request& request) {
 
 }  // namespace
 
-void RobotServices::advertise(const ros::NodeHandle& joint_handle, const ros::NodeHandle& handle) {
+std::string motionFileName(const std::string& name) {
+  std::string file = name;
+  if (!file.empty() && file.find('.') == std::string::npos) {
+    file += ".MTN";
+  }
+  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
+  return file;
+}
+
+void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& joint_handle,
+                              const ros::NodeHandle& handle) {
+  joint_queue_ = joint_handle.getCallbackQueue();
+  ros::NodeHandle stop_services(stop_handle);
+  servers_.push_back(stop_services.advertiseService("stop", &RobotServices::stop, this));
+  servers_.push_back(stop_services.advertiseService("motors", &RobotServices::setMotors, this));
   ros::NodeHandle joint_services(joint_handle);
-  servers_.push_back(joint_services.advertiseService("motors", &RobotServices::setMotors, this));
   servers_.push_back(joint_services.advertiseService("play_motion", &RobotServices::playMotion, this));
   ros::NodeHandle services(handle);
   servers_.push_back(services.advertiseService("list_motions", &RobotServices::listMotions, this));
@@ -63,10 +102,19 @@ void RobotServices::advertise(const ros::NodeHandle& joint_handle, const ros::No
   servers_.push_back(services.advertiseService("reboot", &RobotServices::reboot, this));
 }
 
+bool RobotServices::stop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, "The robot could not be told to stop", [&] {
+    const Interruption interruption(mover_, joint_queue_);
+    mover_.hold("stop was called");
+    return "The robot holds: nothing moves it any more.";
+  });
+}
+
 bool RobotServices::setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
   return answer(response, "The motors were not switched", [&] {
     const bool wanted = request.data != 0;
-    joints_.prepareForMotors();
+    const Interruption interruption(mover_, joint_queue_);
+    mover_.prepareForMotors();
     const bool on = client_.setMotors(wanted, kMotionTimeout);
     if (on != wanted) {
       throw CommandException(std::string("the robot says that they are still ") + (on ? "on." : "off."));
@@ -88,8 +136,8 @@ bool RobotServices::playMotion(PlayMotion::Request& request, PlayMotion::Respons
       throw InvalidArgumentException("give the name of a motion. list_motions lists them.");
     }
     const int repetitions = std::max<int>(1, request.repetitions);
-    joints_.prepareForMotion();
-    const std::string changes = client_.playMotion(name, repetitions, kMotionTimeout);
+    std::string changes;
+    mover_.play(name, repetitions, kMotionTimeout, &changes);
     return name + " has begun and plays " + (repetitions == 1 ? "once" : std::to_string(repetitions) + " times") +
            (changes.empty() ? "." : ": " + changes + ".");
   });

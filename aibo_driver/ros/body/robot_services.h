@@ -6,25 +6,31 @@
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/UploadMotion.h>
+#include <ros/callback_queue_interface.h>
 #include <ros/node_handle.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
+#include <string>
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/joints/joint_commander.h"
+#include "ros/joints/joint_mover.h"
 
 namespace aibo_driver::node {
 
-/// The services that the robot carries out: motors, play_motion, list_motions, upload_motion, delete_motion, shut_down
-/// and reboot.
+/// The name of a motion's file on the robot: "nod", "NOD.MTN" and "nod.mtn" all mean NOD.MTN. The empty name stays
+/// empty. The client checks whether the robot allows such a name.
+std::string motionFileName(const std::string& name);
+
+/// The services that the robot carries out: stop, motors, play_motion, list_motions, upload_motion, delete_motion,
+/// shut_down and reboot.
 ///
 /// Each call waits for the robot and is answered: if something cannot be done, success is false and message says why.
 /// The call itself never fails.
 ///
-/// A motion may be called by its name alone: "nod", "NOD.MTN" and "nod.mtn" all mean the robot's file NOD.MTN.
+/// A motion may be called by its name alone: see motionFileName().
 class RobotServices {
  public:
   /// How long each kind of call waits for the robot's answer. A memory stick is slow.
@@ -33,15 +39,19 @@ class RobotServices {
   static constexpr std::chrono::milliseconds kUploadTimeout{15000};
   static constexpr std::chrono::milliseconds kPowerTimeout{5000};
 
-  /// @param client, joints must outlive the services
-  RobotServices(RcServerClient& client, JointCommander& joints) : client_(client), joints_(joints) {}
+  /// @param client, mover must outlive the services
+  RobotServices(RcServerClient& client, JointMover& mover) : client_(client), mover_(mover) {}
 
-  /// @param joint_handle for motors and play_motion: the handle of the joint commander, so that neither of them and no
-  ///   joint command overtakes another
+  /// @param stop_handle for stop and motors, which wait for nothing else. What the joint handle's callback queue
+  ///   contains when they are called is older, and is refused
+  /// @param joint_handle for play_motion: the handle of the joint commander, so that neither of them overtakes the
+  /// other
   /// @param handle for the others
-  void advertise(const ros::NodeHandle& joint_handle, const ros::NodeHandle& handle);
+  void advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& joint_handle,
+                 const ros::NodeHandle& handle);
 
   // The services. All of them return true, as roscpp wants.
+  bool stop(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool playMotion(PlayMotion::Request& request, PlayMotion::Response& response);
   bool listMotions(ListMotions::Request& request, ListMotions::Response& response);
@@ -52,7 +62,8 @@ class RobotServices {
 
  private:
   RcServerClient& client_;
-  JointCommander& joints_;
+  JointMover& mover_;
+  ros::CallbackQueueInterface* joint_queue_ = nullptr;
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -2,7 +2,11 @@
 
 #include <std_msgs/Float64.h>
 
+#include <utility>
+
 #include "aibo_driver/exceptions.h"
+#include "joints/joint_plan.h"
+#include "ros/joints/trajectory_messages.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -10,88 +14,91 @@ namespace {
 // Several programs may each command some of the joints.
 constexpr std::uint32_t kQueueSize = 10;
 
-}  // namespace
+// A newer trajectory may replace another one, or move other joints.
+constexpr std::uint32_t kTrajectoryQueueSize = 5;
 
-JointCommander::JointCommander(const joints::JointTable& table, const joints::MeasuredJoints& measured,
-                               RcServerClient& client, const DriverParameters& parameters)
-    : table_(table),
-      link_(client),
-      filter_(table, measured, parameters.approach_speed),
-      trajectories_(table, measured, link_, parameters.slow_down) {}
+template <typename Message>
+ros::Subscriber subscribeTo(const std::string& topic, std::uint32_t queue_size, ros::NodeHandle* topics,
+                            const boost::function<void(const ros::MessageEvent<Message const>&)>& receive) {
+  return topics->subscribe<Message>(topic, queue_size, receive, ros::VoidConstPtr(),
+                                    ros::TransportHints().tcpNoDelay());
+}
+
+}  // namespace
 
 void JointCommander::subscribe(const ros::NodeHandle& handle) {
   ros::NodeHandle topics(handle);
   constexpr bool kOneShot = true;
   constexpr bool kAutostart = false;
+  using Seconds = std::chrono::duration<double>;
   collecting_ = topics.createSteadyTimer(
-      ros::WallDuration(std::chrono::duration<double>(kCollectingTime).count()),
-      [this](const ros::SteadyTimerEvent&) { send(); }, kOneShot, kAutostart);
-  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+      ros::WallDuration(Seconds(kCollectingTime).count()), [this](const ros::SteadyTimerEvent&) { sendCollected(); },
+      kOneShot, kAutostart);
+  const auto move_on = [this](const ros::SteadyTimerEvent&) {
+    if (!mover_.goOn()) {
+      timer_.stop();
+    }
+  };
+  timer_ = topics.createSteadyTimer(ros::WallDuration(Seconds(joints::JointPlan::kPeriod).count()), move_on, !kOneShot,
+                                    kAutostart);
   using Position = std_msgs::Float64;
   for (const joints::JointProperties& joint : table_.joints()) {
-    const boost::function<void(const Position::ConstPtr&)> receive =
-        [this, name = joint.name](const Position::ConstPtr& message) { receivePosition(name, message->data); };
-    subscribers_.push_back(topics.subscribe<Position>(joint.name + "_position_controller/command", 1, receive,
-                                                      ros::VoidConstPtr(), hints));
+    subscribers_.push_back(
+        subscribeTo<Position>(joint.name + "_position_controller/command", 1, &topics,
+                              [this, name = joint.name](const ros::MessageEvent<Position const>& event) {
+                                receivePosition(name, event.getMessage()->data, event.getPublisherName());
+                              }));
   }
-  const boost::function<void(const sensor_msgs::JointState::ConstPtr&)> receive =
-      [this](const sensor_msgs::JointState::ConstPtr& message) { this->receive(*message); };
-  subscribers_.push_back(
-      topics.subscribe<sensor_msgs::JointState>("joint_command", kQueueSize, receive, ros::VoidConstPtr(), hints));
-  trajectories_.subscribe(handle);
+  using sensor_msgs::JointState;
+  subscribers_.push_back(subscribeTo<JointState>("joint_command", kQueueSize, &topics,
+                                                 [this](const ros::MessageEvent<JointState const>& event) {
+                                                   receive(*event.getMessage(), event.getPublisherName());
+                                                 }));
+  using trajectory_msgs::JointTrajectory;
+  subscribers_.push_back(subscribeTo<JointTrajectory>("joint_trajectory", kTrajectoryQueueSize, &topics,
+                                                      [this](const ros::MessageEvent<JointTrajectory const>& event) {
+                                                        receive(*event.getMessage(), event.getPublisherName());
+                                                      }));
 }
 
-void JointCommander::receive(const sensor_msgs::JointState& message) {
-  collect(message.name, message.position, message.velocity);
-  send();
+void JointCommander::receive(const sensor_msgs::JointState& message, const std::string& source) {
+  sendCollected();  // they came before
+  mover_.command(message.name, message.position, message.velocity, source, mover_.epoch());
 }
 
-void JointCommander::prepareForMotors() {
-  trajectories_.end("the motors are being switched");
-  filter_.startApproach();
-}
-
-void JointCommander::prepareForMotion() {
-  trajectories_.end("play_motion was called");
-  link_.limitSpeeds(table_.speedLimits());
-}
-
-void JointCommander::receivePosition(const std::string& name, double position) {
-  if (waiting_.empty()) {
-    collecting_.stop();  // a timer that has run out starts again only after this
-    collecting_.start();
-  }
-  collect({name}, {position}, {});
-}
-
-void JointCommander::collect(const std::vector<std::string>& names, const std::vector<double>& positions,
-                             const std::vector<double>& velocities) {
-  const std::uint64_t present = link_.connection();
-  if (connection_ != present) {
-    connection_ = present;
-    filter_.startApproach();
-    waiting_.clear();
-  }
-  for (const std::string& refusal :
-       filter_.filter(names, positions, velocities, std::chrono::steady_clock::now(), &waiting_)) {
-    warnings_.warn(refusal);
-  }
-}
-
-void JointCommander::send() {
-  joints::JointOrders orders;
-  orders.swap(waiting_);
-  if (orders.empty() || connection_ != link_.connection()) {
-    return;
-  }
+void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, const std::string& source) {
   try {
-    trajectories_.yieldTo(orders);
-    link_.send(orders, std::chrono::milliseconds(0));
+    if (message.points.empty()) {
+      mover_.hold("a trajectory without points came from " + source);
+    } else {
+      mover_.start(toRequest(message), waitBeforeStart(message.header.stamp, ros::Time::now()), source);
+    }
+  } catch (const InvalidArgumentException& error) {
+    warnings_.warn(error.what());
   } catch (const StoppedException&) {
     return;  // the driver is ending
   } catch (const Exception& error) {
-    filter_.startApproach();
-    warnings_.warn(std::string("A joint command was dropped: ") + error.what());
+    warnings_.warn(std::string("Trajectory dropped: ") + error.what());
+  }
+}
+
+void JointCommander::receivePosition(const std::string& joint, double position, const std::string& source) {
+  const std::uint64_t epoch = mover_.epoch();
+  if (collected_.name.empty() || epoch != collected_epoch_) {
+    collected_ = {};
+    collected_epoch_ = epoch;
+    collecting_.stop();  // a timer that has run out starts again only after this
+    collecting_.start();
+  }
+  collected_.name.push_back(joint);
+  collected_.position.push_back(position);
+  collected_source_ = source;
+}
+
+void JointCommander::sendCollected() {
+  if (!collected_.name.empty()) {
+    const sensor_msgs::JointState message = std::exchange(collected_, {});
+    mover_.command(message.name, message.position, {}, collected_source_, collected_epoch_);
   }
 }
 

@@ -3,31 +3,28 @@
 #define AIBO_DRIVER_ROS_JOINTS_JOINT_COMMANDER_H
 
 #include <ros/console.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/JointState.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
 #include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
-#include "joints/joint_command_filter.h"
-#include "joints/joint_link.h"
 #include "joints/joint_table.h"
-#include "joints/measured_joints.h"
-#include "ros/driver_parameters.h"
-#include "ros/joints/trajectory_executor.h"
+#include "ros/joints/joint_mover.h"
 #include "ros/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
-/// Everything that commands joints: the topics joint_command, JOINT_position_controller/command and joint_trajectory.
+/// The topics that command joints: joint_command, JOINT_position_controller/command and joint_trajectory.
 ///
-/// A message of joint_command goes to the robot at once and as a whole, through the JointCommandFilter. A
-/// position_controller topic belongs to one joint: what these topics bring within kCollectingTime is sent together. A
-/// trajectory gives way to a command to one of its joints. Nothing is kept while there is no connection.
+/// A message of joint_command goes to the robot at once and as a whole. A position_controller topic belongs to one
+/// joint: what these topics bring within kCollectingTime is sent together. A trajectory without points holds
+/// everything.
 ///
 /// From one thread at a time.
 class JointCommander {
@@ -35,9 +32,8 @@ class JointCommander {
   /// How long commands to single joints are collected: half of the 8 ms in which the robot takes new positions.
   static constexpr std::chrono::milliseconds kCollectingTime{4};
 
-  /// @param table, measured, client must outlive the commander
-  JointCommander(const joints::JointTable& table, const joints::MeasuredJoints& measured, RcServerClient& client,
-                 const DriverParameters& parameters);
+  /// @param table, mover must outlive the commander
+  JointCommander(const joints::JointTable& table, JointMover& mover) : table_(table), mover_(mover) {}
 
   JointCommander(const JointCommander&) = delete;
   JointCommander& operator=(const JointCommander&) = delete;
@@ -45,32 +41,26 @@ class JointCommander {
   /// @param handle whose callback queue one thread serves
   void subscribe(const ros::NodeHandle& handle);
 
+  /// To be called when something begins to move, on the thread of the callback queue: moves it on from now on.
+  void moveOn() { timer_.start(); }
+
   /// What was not sent is logged.
-  void receive(const sensor_msgs::JointState& message);
-
-  /// To be called before the motors are switched. Ends the trajectory. From now on the posture may be any, so all
-  /// joints are approached again: see JointCommandFilter.
-  void prepareForMotors();
-
-  /// To be called before the robot plays a motion of its own. Ends the trajectory, and lets all joints move as fast as
-  /// their limits allow: the robot would keep to lower limits of earlier commands.
-  /// @throw as RcServerClient::setJointSpeedLimits()
-  void prepareForMotion();
+  /// @param source the node that sent the message
+  void receive(const sensor_msgs::JointState& message, const std::string& source);
+  void receive(const trajectory_msgs::JointTrajectory& message, const std::string& source);
 
  private:
-  void receivePosition(const std::string& name, double position);
-  void collect(const std::vector<std::string>& names, const std::vector<double>& positions,
-               const std::vector<double>& velocities);
-  void send();
+  void receivePosition(const std::string& joint, double position, const std::string& source);
+  void sendCollected();
 
   const joints::JointTable& table_;
-  joints::JointLink link_;
-  joints::JointCommandFilter filter_;
-  TrajectoryExecutor trajectories_;
+  JointMover& mover_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
-  std::uint64_t connection_ = 0;  ///< over which what waits may be sent
-  joints::JointOrders waiting_;
+  sensor_msgs::JointState collected_;
+  std::string collected_source_;
+  std::uint64_t collected_epoch_ = 0;
   ros::SteadyTimer collecting_;
+  ros::SteadyTimer timer_;
   std::vector<ros::Subscriber> subscribers_;
 };
 

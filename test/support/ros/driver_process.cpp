@@ -5,8 +5,9 @@
 namespace test_support {
 namespace {
 
-std::vector<std::string> command(const std::string& name_space, int port, const std::vector<std::string>& parameters) {
-  std::vector<std::string> result{AIBO_DRIVER_NODE, "__ns:=" + name_space, "_port:=" + std::to_string(port)};
+std::vector<std::string> command(const std::string& program, const std::string& name_space, int port,
+                                 const std::vector<std::string>& parameters) {
+  std::vector<std::string> result{program, "__ns:=" + name_space, "_port:=" + std::to_string(port)};
   result.insert(result.end(), parameters.begin(), parameters.end());
   return result;
 }
@@ -14,8 +15,8 @@ std::vector<std::string> command(const std::string& name_space, int port, const 
 }  // namespace
 
 DriverProcess::DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters,
-                             const std::map<std::string, std::string>& environment)
-    : Process(command(name_space, port, parameters), environment) {}
+                             const std::map<std::string, std::string>& environment, const std::string& program)
+    : Process(command(program, name_space, port, parameters), environment) {}
 
 std::vector<std::string> nodeletHost(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"rosrun"};

@@ -17,8 +17,10 @@ class DriverProcess : public Process {
   /// @param port of its robot, on 127.0.0.1
   /// @param parameters further private parameters, such as "_stream_on_start:=false"
   /// @param environment as for Process
+  /// @param program another executable that takes the same arguments
   DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {},
-                const std::map<std::string, std::string>& environment = {});
+                const std::map<std::string, std::string>& environment = {},
+                const std::string& program = AIBO_DRIVER_NODE);
 };
 
 /// The command that starts ROS' host of nodelets. In a build with a sanitizer, the sanitizer's library is preloaded,

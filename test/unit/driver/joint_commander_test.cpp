@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <map>
 #include <string>
 
@@ -10,11 +11,8 @@
 namespace aibo_driver::node {
 namespace {
 
-using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
-using ::testing::StartsWith;
 
 constexpr int kHeadPan = 2;
 
@@ -27,23 +25,27 @@ class JointCommanderTest : public ::testing::Test {
       message.name.push_back(name);
       message.position.push_back(position);
     }
-    commander_.receive(message);
+    commander_.receive(message, "test");
   }
 
   // Ends the approach of the head's pan.
   void arriveAt(double position) {
     command({{"head_pan", position}});
     Telemetry telemetry;
+    telemetry.arrival = std::chrono::steady_clock::now();
     telemetry.joints = {{kHeadPan, position}};
     measured_.update(telemetry);
     command({{"head_pan", position + 0.2}});
     client_.told.clear();
   }
 
+  JointCommanderTest() { ros::Time::init(); }
+
   test_support::FakeClient client_;
   joints::JointTable table_{"ERS-7", 3.0};
   joints::MeasuredJoints measured_{table_};
-  JointCommander commander_{table_, measured_, client_, DriverParameters()};
+  JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
+  JointCommander commander_{table_, mover_};
 };
 
 TEST_F(JointCommanderTest, SendsAMessageAtOnceAndAsAWhole) {
@@ -79,22 +81,16 @@ TEST_F(JointCommanderTest, ApproachesAgainOverANewConnection) {
   EXPECT_THAT(client_.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0"));
 }
 
-TEST_F(JointCommanderTest, ApproachesAgainAfterTheMotorsWereSwitched) {
-  arriveAt(0.0);
-  commander_.prepareForMotors();
-  command({{"head_pan", 1.0}});
-  EXPECT_THAT(client_.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0"));
+TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
+  commander_.receive(trajectory_msgs::JointTrajectory(), "/test");
+  EXPECT_THAT(client_.told, ElementsAre("hold"));
 }
 
-TEST_F(JointCommanderTest, PreparesForAMotionWithTheSpeedLimitsOfAllJoints) {
-  command({{"head_pan", 0.5}});
-  client_.told.clear();
-  commander_.prepareForMotion();
-  EXPECT_THAT(client_.told, SizeIs(table_.size()));
-  EXPECT_THAT(client_.told, Each(StartsWith("V ")));
-  client_.told.clear();
-  commander_.prepareForMotion();
-  EXPECT_THAT(client_.told, IsEmpty()) << "they are in force already";
+TEST_F(JointCommanderTest, ARefusedTrajectoryIsNotSent) {
+  trajectory_msgs::JointTrajectory message;
+  message.points.resize(1);
+  commander_.receive(message, "/test");
+  EXPECT_THAT(client_.told, IsEmpty());
 }
 
 }  // namespace

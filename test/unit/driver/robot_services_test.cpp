@@ -55,9 +55,30 @@ class RobotServicesTest : public ::testing::Test {
   test_support::FakeClient client_;
   joints::JointTable table_{"ERS-7", 3.0};
   joints::MeasuredJoints measured_{table_};
-  JointCommander joints_{table_, measured_, client_, DriverParameters()};
-  RobotServices services_{client_, joints_};
+  JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
+  RobotServices services_{client_, mover_};
 };
+
+TEST_F(RobotServicesTest, Stop) {
+  std_srvs::Trigger::Request request;
+  std_srvs::Trigger::Response response;
+  EXPECT_TRUE(services_.stop(request, response));
+  EXPECT_TRUE(response.success);
+  EXPECT_THAT(client_.told, ElementsAre("hold"));
+  client_.problem = "there is no robot";
+  response = {};
+  EXPECT_TRUE(services_.stop(request, response));
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "The robot could not be told to stop: there is no robot");
+}
+
+TEST_F(RobotServicesTest, AcceptWhatIsAskedForAfterAStop) {
+  std_srvs::Trigger::Request request;
+  std_srvs::Trigger::Response response;
+  services_.stop(request, response);
+  setMotors(true);
+  EXPECT_TRUE(play("nod").success);
+}
 
 TEST_F(RobotServicesTest, SwitchTheMotors) {
   const auto on = setMotors(true);

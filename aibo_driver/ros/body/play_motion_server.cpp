@@ -1,0 +1,89 @@
+#include "ros/body/play_motion_server.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+#include "ros/body/robot_services.h"
+#include "ros/joints/motion_state_publisher.h"
+
+namespace aibo_driver::node {
+
+void PlayMotionServer::start(const ros::NodeHandle& handle) {
+  ros::NodeHandle actions(handle);
+  constexpr bool kOneShot = false;
+  constexpr bool kAutostart = false;
+  timer_ = actions.createSteadyTimer(
+      ros::WallDuration(std::chrono::duration<double>(kFeedbackPeriod).count()),
+      [this](const ros::SteadyTimerEvent&) { report(); }, kOneShot, kAutostart);
+  server_ = std::make_unique<Server>(
+      actions, "play_motion", [this](const Server::GoalHandle& goal) { accept(goal); },
+      [this](const Server::GoalHandle& goal) { cancel(goal); }, kAutostart);
+  server_->start();
+}
+
+void PlayMotionServer::accept(Server::GoalHandle goal) {
+  PlayMotionResult result;
+  const std::string name = motionFileName(goal.getGoal()->name);
+  const int repetitions = std::max<int>(1, goal.getGoal()->repetitions);
+  try {
+    if (name.empty()) {
+      throw InvalidArgumentException("give the name of a motion. list_motions lists them.");
+    }
+    const auto motion = mover_.play(name, repetitions, RobotServices::kMotionTimeout);
+    goal.setAccepted(name + " plays");
+    playing_.push_back({goal, motion, std::chrono::steady_clock::now()});
+    timer_.start();
+  } catch (const Exception& error) {
+    result.end = MotionState::REFUSED;
+    result.message = std::string("Nothing was played: ") + error.what();
+    goal.setRejected(result, result.message);
+  }
+}
+
+// The robot reports the end of the motion, and with it the goal ends.
+void PlayMotionServer::cancel(const Server::GoalHandle& goal) {
+  try {
+    client_.stopMotion(motionFileName(goal.getGoal()->name), RobotServices::kMotionTimeout);
+  } catch (const Exception& error) {
+    ROS_WARN_STREAM_NAMED("joints", "The motion of a goal that was cancelled was not stopped: " << error.what());
+  }
+}
+
+void PlayMotionServer::report() {
+  for (auto playing = playing_.begin(); playing != playing_.end();) {
+    const joints::MovementFate fate = mover_.look(playing->motion);
+    if (fate.end) {
+      finish(playing->goal, fate);
+      playing = playing_.erase(playing);
+    } else {
+      PlayMotionFeedback feedback;
+      const auto time = std::chrono::steady_clock::now() - playing->begin;
+      feedback.time = ros::Duration(std::chrono::duration<double>(time).count());
+      playing->goal.publishFeedback(feedback);
+      ++playing;
+    }
+  }
+  if (playing_.empty()) {
+    timer_.stop();
+  }
+}
+
+void PlayMotionServer::finish(Server::GoalHandle goal, const joints::MovementFate& fate) {
+  PlayMotionResult result;
+  result.success = static_cast<std::uint8_t>(fate.end == joints::MovementEnd::kDone);
+  result.end = endConstant(*fate.end);
+  result.message = fate.end == joints::MovementEnd::kDone ? "It was played to its end." : fate.reason;
+  const bool was_cancelled = goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING;
+  if (fate.end == joints::MovementEnd::kDone || fate.end == joints::MovementEnd::kUnknown) {
+    goal.setSucceeded(result, result.message);
+  } else if (was_cancelled || fate.end == joints::MovementEnd::kReplaced) {
+    goal.setCanceled(result, result.message);
+  } else {
+    goal.setAborted(result, result.message);
+  }
+}
+
+}  // namespace aibo_driver::node

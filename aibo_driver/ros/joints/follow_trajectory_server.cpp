@@ -1,0 +1,295 @@
+#include "ros/joints/follow_trajectory_server.h"
+
+#include <actionlib/server/action_server.h>
+#include <control_msgs/FollowJointTrajectoryAction.h>
+#include <ros/console.h>
+#include <ros/steady_timer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "joints/joint_plan.h"
+#include "ros/joints/trajectory_messages.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using control_msgs::FollowJointTrajectoryAction;
+using control_msgs::FollowJointTrajectoryFeedback;
+using control_msgs::FollowJointTrajectoryGoal;
+using control_msgs::FollowJointTrajectoryResult;
+using joints::MovementEnd;
+using std::chrono::steady_clock;
+using Server = actionlib::ActionServer<FollowJointTrajectoryAction>;
+using Result = FollowJointTrajectoryResult;
+using Tolerances = std::map<std::string, control_msgs::JointTolerance>;
+
+constexpr std::chrono::milliseconds kPeriod{50};
+
+// How long joints may take to settle within the tolerances if the goal does not say.
+constexpr double kSettling = 0.3;  // s
+
+/// A goal that cannot be accepted.
+struct GoalRefusal {
+  std::int32_t code;
+  std::string reason;
+};
+
+double secondsSince(steady_clock::time_point begin) {
+  return std::chrono::duration<double>(steady_clock::now() - begin).count();
+}
+
+Tolerances tolerancesOf(const std::vector<control_msgs::JointTolerance>& list,
+                        const trajectory_msgs::JointTrajectory& trajectory) {
+  Tolerances tolerances;
+  for (const control_msgs::JointTolerance& tolerance : list) {
+    const auto& names = trajectory.joint_names;
+    if (std::find(names.begin(), names.end(), tolerance.name) == names.end()) {
+      throw GoalRefusal{Result::INVALID_GOAL, "it has a tolerance for " + tolerance.name + ", which it does not move"};
+    }
+    tolerances[tolerance.name] = tolerance;
+  }
+  return tolerances;
+}
+
+bool isBeyond(double error, double tolerance) {
+  return tolerance > 0 && !(std::abs(error) <= tolerance);
+}
+
+/// The first joint that is not within its tolerance, in words; empty if all are.
+std::string violation(const Tolerances& tolerances, const FollowJointTrajectoryFeedback& state) {
+  for (std::size_t i = 0; i < state.joint_names.size(); ++i) {
+    const auto found = tolerances.find(state.joint_names[i]);
+    if (found == tolerances.end()) {
+      continue;
+    }
+    const double position = state.error.positions[i];
+    const double velocity = state.error.velocities[i];
+    if (isBeyond(position, found->second.position)) {
+      return state.joint_names[i] + " is " + std::to_string(std::abs(position)) + " rad from where it should be; " +
+             std::to_string(found->second.position) + " rad are allowed";
+    }
+    if (isBeyond(velocity, found->second.velocity)) {
+      return state.joint_names[i] + " is " + std::to_string(std::abs(velocity)) + " rad/s from its speed; " +
+             std::to_string(found->second.velocity) + " rad/s are allowed";
+    }
+  }
+  return "";
+}
+
+class ActionServer : public FollowTrajectoryServer {
+ public:
+  ActionServer(const ros::NodeHandle& handle, const joints::JointTable& table, const joints::MeasuredJoints& measured,
+               JointMover& mover)
+      : table_(table), measured_(measured), mover_(mover) {
+    ros::NodeHandle actions(handle);
+    constexpr bool kOneShot = false;
+    constexpr bool kAutostart = false;
+    timer_ = actions.createSteadyTimer(
+        ros::WallDuration(std::chrono::duration<double>(kPeriod).count()),
+        [this](const ros::SteadyTimerEvent&) { watch(); }, kOneShot, kAutostart);
+    server_ = std::make_unique<Server>(
+        actions, "follow_joint_trajectory", [this](const Server::GoalHandle& goal) { accept(goal); },
+        [this](const Server::GoalHandle& goal) { cancel(goal); }, kAutostart);
+    server_->start();
+  }
+
+ private:
+  struct Following {
+    Server::GoalHandle goal;
+    JointMover::Fate trajectory;
+    Tolerances path;
+    Tolerances end;
+    double time_to_settle = kSettling;                // s
+    std::optional<steady_clock::time_point> arrived;  // when it was over
+  };
+
+  void accept(Server::GoalHandle goal);
+  void begin(const Server::GoalHandle& goal);
+  void cancel(Server::GoalHandle goal);
+  void watch();
+  bool isOver(Following* following);
+  bool hasArrived(Following* following);
+  void checkJoints(const trajectory_msgs::JointTrajectory& trajectory) const;
+  FollowJointTrajectoryFeedback stateOf(const Following& following) const;
+
+  const joints::JointTable& table_;
+  const joints::MeasuredJoints& measured_;
+  JointMover& mover_;
+  std::unique_ptr<Server> server_;
+  std::vector<Following> following_;
+  ros::SteadyTimer timer_;
+};
+
+Result resultOf(std::int32_t code, const std::string& text) {
+  Result result;
+  result.error_code = code;
+  result.error_string = text;
+  return result;
+}
+
+void ActionServer::accept(Server::GoalHandle goal) {
+  GoalRefusal refusal{Result::INVALID_GOAL, ""};
+  try {
+    begin(goal);
+    return;
+  } catch (const GoalRefusal& error) {
+    refusal = error;
+  } catch (const Exception& error) {
+    refusal.reason = error.what();
+  }
+  goal.setRejected(resultOf(refusal.code, refusal.reason), refusal.reason);
+}
+
+void ActionServer::begin(const Server::GoalHandle& goal) {
+  Following following;
+  following.goal = goal;
+  const FollowJointTrajectoryGoal& request = *goal.getGoal();
+  checkJoints(request.trajectory);
+  following.path = tolerancesOf(request.path_tolerance, request.trajectory);
+  following.end = tolerancesOf(request.goal_tolerance, request.trajectory);
+  if (!request.goal_time_tolerance.isZero()) {
+    following.time_to_settle = request.goal_time_tolerance.toSec();
+  }
+  std::chrono::nanoseconds wait{0};
+  try {
+    wait = waitBeforeStart(request.trajectory.header.stamp, ros::Time::now());
+  } catch (const InvalidArgumentException& error) {
+    throw GoalRefusal{Result::OLD_HEADER_TIMESTAMP, error.what()};
+  }
+  following.trajectory = mover_.start(toRequest(request.trajectory), wait, goal.getGoalID().id);
+  following.goal.setAccepted();
+  following_.push_back(following);
+  timer_.start();
+}
+
+void ActionServer::checkJoints(const trajectory_msgs::JointTrajectory& trajectory) const {
+  for (const std::string& name : trajectory.joint_names) {
+    if (!table_.findByName(name)) {
+      throw GoalRefusal{Result::INVALID_JOINTS, "the " + table_.design() + " has no joint '" + name + "'"};
+    }
+  }
+}
+
+void ActionServer::cancel(Server::GoalHandle goal) {
+  const auto is_it = [&goal](const Following& following) { return following.goal == goal; };
+  const auto found = std::find_if(following_.begin(), following_.end(), is_it);
+  if (found == following_.end()) {
+    return;
+  }
+  const std::string reason = "the goal was cancelled";
+  try {
+    mover_.cancel(found->trajectory, reason);
+  } catch (const Exception& error) {
+    ROS_WARN_STREAM_NAMED("joints", "The joints of a goal that was cancelled were not held: " << error.what());
+  }
+  following_.erase(found);
+  goal.setCanceled(resultOf(Result::SUCCESSFUL, reason), reason);
+}
+
+void ActionServer::watch() {
+  const auto is_over = [this](Following& following) { return isOver(&following); };
+  following_.erase(std::remove_if(following_.begin(), following_.end(), is_over), following_.end());
+  if (following_.empty()) {
+    timer_.stop();
+  }
+}
+
+bool ActionServer::isOver(Following* following) {
+  const joints::MovementFate fate = mover_.look(following->trajectory);
+  if (fate.end == MovementEnd::kDone) {
+    return hasArrived(following);
+  }
+  if (fate.end == MovementEnd::kReplaced || fate.partly_replaced) {
+    const std::string reason = fate.end ? fate.reason : "a newer trajectory moves some of its joints";
+    following->goal.setCanceled(resultOf(Result::SUCCESSFUL, reason), reason);
+    return true;
+  }
+  if (fate.end) {
+    following->goal.setAborted(resultOf(Result::INVALID_GOAL, fate.reason), fate.reason);
+    return true;
+  }
+  const FollowJointTrajectoryFeedback state = stateOf(*following);
+  if (state.joint_names.empty()) {
+    return false;
+  }
+  following->goal.publishFeedback(state);
+  const std::string problem = violation(following->path, state);
+  if (problem.empty()) {
+    return false;
+  }
+  try {
+    mover_.cancel(following->trajectory, problem);
+  } catch (const Exception& error) {
+    ROS_WARN_STREAM_NAMED("joints", "The joints of a goal that failed were not held: " << error.what());
+  }
+  following->goal.setAborted(resultOf(Result::PATH_TOLERANCE_VIOLATED, problem), problem);
+  return true;
+}
+
+// Until its joints have settled.
+bool ActionServer::hasArrived(Following* following) {
+  if (!following->arrived) {
+    following->arrived = steady_clock::now();
+  }
+  const std::string problem = violation(following->end, stateOf(*following));
+  if (problem.empty()) {
+    following->goal.setSucceeded(resultOf(Result::SUCCESSFUL, ""));
+    return true;
+  }
+  if (secondsSince(*following->arrived) > following->time_to_settle) {
+    following->goal.setAborted(resultOf(Result::GOAL_TOLERANCE_VIOLATED, problem), problem);
+    return true;
+  }
+  return false;
+}
+
+// Where the joints should be and are. Before the beginning it is empty; after the end, the last point counts. Measured
+// positions are compared with where the joints should have been then.
+FollowJointTrajectoryFeedback ActionServer::stateOf(const Following& following) const {
+  FollowJointTrajectoryFeedback state;
+  const trajectory_msgs::JointTrajectory& trajectory = following.goal.getGoal()->trajectory;
+  for (std::size_t i = 0; i < trajectory.joint_names.size(); ++i) {
+    const std::size_t joint = *table_.findByName(trajectory.joint_names[i]);
+    const std::optional<joints::MeasuredJoint> measured = measured_.find(joint);
+    if (!measured) {
+      continue;
+    }
+    std::optional<joints::Trajectory::Start> wanted;
+    if (following.arrived) {
+      wanted = joints::Trajectory::Start{joint, trajectory.points.back().positions[i], 0};
+    } else {
+      const auto all = mover_.wantedBy(following.trajectory, measured->arrival);
+      wanted = i < all.size() ? std::optional<joints::Trajectory::Start>(all[i]) : std::nullopt;
+    }
+    if (wanted) {
+      state.joint_names.push_back(trajectory.joint_names[i]);
+      state.desired.positions.push_back(wanted->position);
+      state.desired.velocities.push_back(wanted->velocity);
+      state.actual.positions.push_back(measured->position);
+      state.actual.velocities.push_back(measured->velocity);
+      state.error.positions.push_back(wanted->position - measured->position);
+      state.error.velocities.push_back(wanted->velocity - measured->velocity);
+    }
+  }
+  state.header.stamp = ros::Time::now();
+  return state;
+}
+
+}  // namespace
+
+std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle& handle,
+                                                                    const joints::JointTable& table,
+                                                                    const joints::MeasuredJoints& measured,
+                                                                    JointMover& mover) {
+  return std::make_unique<ActionServer>(handle, table, measured, mover);
+}
+
+}  // namespace aibo_driver::node

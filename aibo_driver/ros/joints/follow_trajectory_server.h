@@ -1,0 +1,33 @@
+/// @file follow_trajectory_server.h
+#ifndef AIBO_DRIVER_ROS_JOINTS_FOLLOW_TRAJECTORY_SERVER_H
+#define AIBO_DRIVER_ROS_JOINTS_FOLLOW_TRAJECTORY_SERVER_H
+
+#include <ros/node_handle.h>
+
+#include <memory>
+
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
+#include "ros/joints/joint_mover.h"
+
+namespace aibo_driver::node {
+
+/// The action follow_joint_trajectory of control_msgs. A goal is a trajectory as the topic joint_trajectory takes it,
+/// with tolerances; goals for different joints run side by side. Cancelling a goal holds its joints.
+class FollowTrajectoryServer {
+ public:
+  virtual ~FollowTrajectoryServer() = default;
+};
+
+/// Starts the action.
+/// @param handle whose callback queue one thread serves
+/// @param table, measured, mover must outlive the server
+/// @return null if the driver was built without control_msgs
+std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle& handle,
+                                                                    const joints::JointTable& table,
+                                                                    const joints::MeasuredJoints& measured,
+                                                                    JointMover& mover);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_JOINTS_FOLLOW_TRAJECTORY_SERVER_H

@@ -1,0 +1,170 @@
+/// @file joint_mover.h
+#ifndef AIBO_DRIVER_ROS_JOINTS_JOINT_MOVER_H
+#define AIBO_DRIVER_ROS_JOINTS_JOINT_MOVER_H
+
+#include <ros/console.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "aibo_driver/motion_end.h"
+#include "aibo_driver/rcserver_client.h"
+#include "joints/joint_command_filter.h"
+#include "joints/joint_link.h"
+#include "joints/joint_plan.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
+#include "ros/driver_parameters.h"
+#include "ros/throttled_warnings.h"
+
+namespace aibo_driver::node {
+
+/// Everything that moves the robot: commands to joints, trajectories and the robot's own motions. It sends them, knows
+/// what moves at the moment, and stops it. How each movement ends is logged.
+///
+/// Every member function may be called from any thread. Those that wait for the robot have a timeout; meanwhile the
+/// others go on. Nothing is kept while there is no connection, and nothing goes on over another one.
+///
+/// After a stop, nothing that was asked for before it moves the robot: see epoch() and block().
+class JointMover {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+  using Fate = std::shared_ptr<const joints::MovementFate>;
+
+  /// How long it waits for the robot to hold.
+  static constexpr std::chrono::milliseconds kHoldTimeout{2000};
+  /// A trajectory begins only if its joints were measured this lately.
+  static constexpr std::chrono::milliseconds kFresh{300};
+  /// The same with a version 1 server, which reports one joint after the other, each about once a second.
+  static constexpr std::chrono::milliseconds kFreshVersion1{2000};
+
+  struct State {
+    std::vector<joints::Movement> movements;    ///< now
+    std::optional<joints::EndedMovement> last;  ///< the last one that ended
+  };
+
+  /// What it tells others, on the thread of the call that caused it, and without a lock.
+  struct Listener {
+    std::function<void()> on_change;  ///< state() may have changed
+    std::function<void()> on_begin;   ///< goOn() has to be called from now on
+  };
+
+  /// @param table, measured, client must outlive the mover
+  /// @param telemetry_wanted false if the robot is not asked to report its joints
+  JointMover(const joints::JointTable& table, const joints::MeasuredJoints& measured, RcServerClient& client,
+             const DriverParameters& parameters, std::function<bool()> telemetry_wanted);
+
+  JointMover(const JointMover&) = delete;
+  JointMover& operator=(const JointMover&) = delete;
+
+  /// To be called before anything moves.
+  void setListener(Listener listener) { listener_ = std::move(listener); }
+
+  /// Changes when something is stopped, and with each connection. What was asked for in another epoch must not be sent.
+  std::uint64_t epoch() const;
+
+  /// Sends joints to positions, through the JointCommandFilter. What is not sent is logged.
+  /// @param names, positions, velocities as in sensor_msgs/JointState
+  /// @param source who asks
+  /// @param epoch in which it was asked for
+  void command(const std::vector<std::string>& names, const std::vector<double>& positions,
+               const std::vector<double>& velocities, const std::string& source, std::uint64_t epoch);
+
+  /// Begins a trajectory. See JointPlan for how trajectories follow each other.
+  /// @param wait until it begins; below 0 if it should have begun before
+  /// @return what becomes of it, for look()
+  /// @throw InvalidArgumentException it is refused; the message says why
+  Fate start(const joints::TrajectoryRequest& request, std::chrono::nanoseconds wait, const std::string& source);
+
+  /// Moves everything on. To be called every JointPlan::kPeriod from Listener::on_begin on.
+  /// @return false if there is nothing to move on any more
+  bool goOn();
+
+  /// What has become of a movement so far.
+  joints::MovementFate look(const Fate& movement) const;
+
+  /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints; empty
+  /// before its beginning and after its end.
+  std::vector<joints::Trajectory::Start> wantedBy(const Fate& trajectory, SteadyTime time) const;
+
+  /// Ends a trajectory, and holds its joints.
+  /// @throw as hold()
+  void cancel(const Fate& trajectory, const std::string& reason);
+
+  /// Ends everything that moves the robot, and holds all joints where they should be by now.
+  /// @param reason for the log and the state
+  /// @throw NetworkException, TimeoutException, StoppedException the robot could not be told: everything has ended here
+  void hold(const std::string& reason);
+
+  /// Plays a motion of the robot's own, at speeds up to the limits of all joints. Ends the trajectories.
+  /// @param[out] changes if not null: what RcServerClient::playMotion() returns
+  /// @return what becomes of it, for look()
+  /// @throw as RcServerClient::playMotion()
+  Fate play(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
+            std::string* changes = nullptr);
+
+  /// To be called before the motors are switched. Ends everything. From now on the posture may be any, so all joints
+  /// are approached again: see JointCommandFilter.
+  void prepareForMotors();
+
+  /// To be called when the connection is lost.
+  void disconnected();
+
+  /// The robot reports that something has ended.
+  void motionEnded(const MotionEnd& end);
+
+  /// From now on everything new is refused, until unblock() has been called as often. So what was asked for before a
+  /// stop, and is found in a queue after it, moves nothing.
+  void block();
+  void unblock();
+
+  State state() const;
+
+ private:
+  struct Motion {
+    joints::Movement movement;
+    std::shared_ptr<joints::MovementFate> fate;
+  };
+
+  std::uint64_t presentEpoch() const;
+  bool robotReportsEnds() const;
+  void refuseIfBlocked() const;
+  void checkConnection();
+  void checkTelemetry() const;
+  void send(const std::vector<joints::JointStep>& steps);
+  void holdRobot(const std::vector<int>& joints, const joints::JointOrders& orders, bool motions_too);
+  void endMotions(joints::MovementEnd how, const std::string& reason);
+  void endMotion(const std::shared_ptr<joints::MovementFate>& fate, joints::MovementEnd how, const std::string& reason);
+  void noteEnds();
+  void logEnd(const joints::EndedMovement& ended);
+  void changed() const;
+  void begun() const;
+
+  const joints::JointTable& table_;
+  RcServerClient& client_;
+  const std::function<bool()> telemetry_wanted_;
+  Listener listener_;
+
+  mutable std::mutex mutex_;  ///< of everything below; never held while waiting for the robot
+  joints::JointLink link_;
+  joints::JointCommandFilter filter_;
+  joints::JointPlan plan_;
+  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  std::vector<Motion> motions_;
+  std::uint64_t motions_connection_ = 0;  ///< over which a motion was played that may still be playing
+  std::optional<joints::EndedMovement> last_;
+  std::uint64_t connection_ = 0;  ///< over which everything that moves was begun
+  std::uint32_t stops_ = 0;
+  int blocks_ = 0;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_JOINTS_JOINT_MOVER_H

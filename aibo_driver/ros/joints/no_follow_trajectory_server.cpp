@@ -1,0 +1,12 @@
+// For a system without control_msgs, such as Debian 12.
+
+#include "ros/joints/follow_trajectory_server.h"
+
+namespace aibo_driver::node {
+
+std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle&, const joints::JointTable&,
+                                                                    const joints::MeasuredJoints&, JointMover&) {
+  return nullptr;
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,290 @@
+// The actions play_motion and follow_joint_trajectory.
+
+#include <actionlib/client/action_client.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotionAction.h>
+#include <control_msgs/FollowJointTrajectoryAction.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "support/ros/joint_messages.h"
+#include "support/ros/joint_user.h"
+
+namespace {
+
+using aibo_driver::MotionState;
+using aibo_driver::PlayMotionAction;
+using control_msgs::FollowJointTrajectoryAction;
+using control_msgs::FollowJointTrajectoryGoal;
+using control_msgs::FollowJointTrajectoryResult;
+using test_support::command;
+using test_support::JointListener;
+using test_support::JointUser;
+using test_support::kQuick;
+using test_support::kSafetyNet;
+using test_support::Posture;
+using test_support::trajectory;
+using ::testing::HasSubstr;
+using State = actionlib::TerminalState;
+
+// One goal of an action, from its beginning to its end.
+template <typename Action>
+class GoalWatch {
+ public:
+  using Client = actionlib::ActionClient<Action>;
+  using Goal = typename Action::_action_goal_type::_goal_type;
+  using Result = typename Action::_action_result_type::_result_type;
+  using Feedback = typename Action::_action_feedback_type::_feedback_type;
+  using ResultPtr = boost::shared_ptr<const Result>;
+  using FeedbackPtr = boost::shared_ptr<const Feedback>;
+
+  GoalWatch(Client& client, const Goal& goal) {
+    handle_ = client.sendGoal(
+        goal, [this](typename Client::GoalHandle handle) { changed(handle); },
+        [this](typename Client::GoalHandle, const FeedbackPtr& feedback) { received(feedback); });
+  }
+
+  ~GoalWatch() { handle_.reset(); }
+
+  GoalWatch(const GoalWatch&) = delete;
+  GoalWatch& operator=(const GoalWatch&) = delete;
+
+  // Null if none comes in time.
+  FeedbackPtr waitForFeedback() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, kSafetyNet, [this] { return feedback_ != nullptr; });
+    return feedback_;
+  }
+
+  // LOST if it does not end in time.
+  State::StateEnum waitForEnd() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, kSafetyNet, [this] { return over_; });
+    return over_ ? end_ : State::LOST;
+  }
+
+  ResultPtr result() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return result_;
+  }
+
+  void cancel() { handle_.cancel(); }
+
+ private:
+  void changed(typename Client::GoalHandle& handle) {
+    if (handle.getCommState() != actionlib::CommState::DONE) {
+      return;
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    over_ = true;
+    end_ = handle.getTerminalState().state_;
+    result_ = handle.getResult();
+    changed_.notify_all();
+  }
+
+  void received(const FeedbackPtr& feedback) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    feedback_ = feedback;
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool over_ = false;
+  State::StateEnum end_ = State::LOST;
+  ResultPtr result_;
+  FeedbackPtr feedback_;
+  typename Client::GoalHandle handle_;
+};
+
+using PlayGoal = GoalWatch<PlayMotionAction>;
+using FollowGoal = GoalWatch<FollowJointTrajectoryAction>;
+
+class PlayUser : public JointUser {
+ public:
+  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
+      : JointUser(name_space, kQuick, robot_options), client(name_space + "/play_motion") {
+    EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+  }
+
+  static PlayGoal::Goal nod(int repetitions) {
+    PlayGoal::Goal goal;
+    goal.name = "nod";
+    goal.repetitions = static_cast<std::uint16_t>(repetitions);
+    return goal;
+  }
+
+  PlayGoal::Client client;
+};
+
+class FollowUser : public JointUser {
+ public:
+  explicit FollowUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
+      : JointUser(name_space, kQuick, robot_options, AIBO_DRIVER_NODE_WITH_ACTIONS),
+        client(name_space + "/follow_joint_trajectory") {
+    EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+  }
+
+  static FollowJointTrajectoryGoal goal(const Posture& posture, double seconds) {
+    FollowJointTrajectoryGoal goal;
+    goal.trajectory = trajectory(posture, seconds);
+    return goal;
+  }
+
+  FollowGoal::Client client;
+};
+
+control_msgs::JointTolerance tolerance(const std::string& joint, double position) {
+  control_msgs::JointTolerance tolerance;
+  tolerance.name = joint;
+  tolerance.position = position;
+  return tolerance;
+}
+
+TEST(PlayMotionGoal, EndsWithTheMotion) {
+  PlayUser user("/play");
+  PlayGoal goal(user.client, PlayUser::nod(1));
+  const auto feedback = goal.waitForFeedback();
+  ASSERT_TRUE(feedback);
+  EXPECT_LT(feedback->time, ros::Duration(30));
+  EXPECT_EQ(goal.waitForEnd(), State::SUCCEEDED);
+  EXPECT_TRUE(goal.result()->success);
+  EXPECT_EQ(goal.result()->end, MotionState::DONE);
+}
+
+TEST(PlayMotionGoal, ThatIsCancelledStopsTheMotion) {
+  PlayUser user("/play_cancelled");
+  PlayGoal goal(user.client, PlayUser::nod(100));
+  ASSERT_TRUE(goal.waitForFeedback());
+  goal.cancel();
+  EXPECT_EQ(goal.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(goal.result()->end, MotionState::STOPPED);
+}
+
+TEST(PlayMotionGoal, SaysWhyTheMotionEndedEarly) {
+  PlayUser user("/play_ended");
+  PlayGoal goal(user.client, PlayUser::nod(100));
+  ASSERT_TRUE(goal.waitForFeedback());
+  user.publish("joint_command", command({{"neck_tilt", -0.1}}));
+  EXPECT_EQ(goal.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(goal.result()->end, MotionState::REPLACED);
+  EXPECT_THAT(goal.result()->message, HasSubstr("neck_tilt"));
+}
+
+TEST(PlayMotionGoal, ThatIsStoppedIsAborted) {
+  PlayUser user("/play_stopped");
+  PlayGoal goal(user.client, PlayUser::nod(100));
+  ASSERT_TRUE(goal.waitForFeedback());
+  EXPECT_TRUE(user.call<std_srvs::Trigger>("stop").success);
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(goal.result()->end, MotionState::STOPPED);
+}
+
+TEST(PlayMotionGoal, OfAMotionThatIsNotThereIsRejected) {
+  PlayUser user("/play_rejected");
+  PlayGoal::Goal request;
+  request.name = "fly";
+  PlayGoal goal(user.client, request);
+  EXPECT_EQ(goal.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(goal.result()->message, HasSubstr("Nothing was played"));
+}
+
+TEST(PlayMotionGoal, OfAVersion1ServerSucceedsWhenItHasBegun) {
+  PlayUser user("/play_1", {"--protocol-version", "1"});
+  PlayGoal goal(user.client, PlayUser::nod(100));
+  EXPECT_EQ(goal.waitForEnd(), State::SUCCEEDED);
+  EXPECT_EQ(goal.result()->end, MotionState::UNKNOWN);
+}
+
+TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
+  FollowUser user("/follow");
+  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 0.5}}, 1.0);
+  request.path_tolerance = {tolerance("head_pan", 0.3)};
+  request.goal_tolerance = {tolerance("head_pan", 0.03)};
+  FollowGoal goal(user.client, request);
+  const auto feedback = goal.waitForFeedback();
+  ASSERT_TRUE(feedback);
+  EXPECT_THAT(feedback->joint_names, ::testing::ElementsAre("head_pan"));
+  EXPECT_NEAR(feedback->error.positions.at(0), feedback->desired.positions.at(0) - feedback->actual.positions.at(0),
+              1e-9);
+  EXPECT_EQ(goal.waitForEnd(), State::SUCCEEDED);
+  EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::SUCCESSFUL);
+  EXPECT_NEAR(user.joints.position("head_pan"), 0.5, 0.05);
+}
+
+TEST(FollowGoal, ThatIsCancelledHoldsItsJoints) {
+  for (const std::string version : {"1", "2"}) {
+    FollowUser user("/follow_cancelled" + version, {"--protocol-version", version});
+    FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 1.4}}, 7.0));
+    ASSERT_TRUE(user.waitForPanBeyond(0.1));
+    goal.cancel();
+    EXPECT_EQ(goal.waitForEnd(), State::PREEMPTED);
+    EXPECT_TRUE(user.joints.waitForSpeedBelow("head_pan", 0.03));
+    EXPECT_LT(user.joints.position("head_pan"), 1.0);
+  }
+}
+
+TEST(FollowGoal, IsAbortedIfAJointLeavesItsPath) {
+  FollowUser user("/follow_path");
+  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.4}}, 1.0);
+  request.path_tolerance = {tolerance("head_pan", 0.0001)};
+  FollowGoal goal(user.client, request);
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::PATH_TOLERANCE_VIOLATED);
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("head_pan is"));
+}
+
+TEST(FollowGoal, IsAbortedIfAJointDoesNotArrive) {
+  FollowUser user("/follow_end");
+  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 0.5}}, 0.5);
+  request.goal_tolerance = {tolerance("head_pan", 1e-9)};
+  request.goal_time_tolerance = ros::Duration(0.2);
+  FollowGoal goal(user.client, request);
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::GOAL_TOLERANCE_VIOLATED);
+}
+
+TEST(FollowGoal, IsPreemptedByANewerOneForItsJointsOnly) {
+  FollowUser user("/follow_two");
+  FollowGoal head(user.client, FollowUser::goal({{"head_pan", 1.0}}, 4.0));
+  FollowGoal knee(user.client, FollowUser::goal({{"left_front_knee", 0.5}}, 1.0));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
+  FollowGoal back(user.client, FollowUser::goal({{"head_pan", 0.0}}, 1.0));
+  EXPECT_EQ(head.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(back.waitForEnd(), State::SUCCEEDED);
+  EXPECT_EQ(knee.waitForEnd(), State::SUCCEEDED);
+}
+
+TEST(FollowGoal, ThatCannotBeFollowedIsRejectedWithItsCode) {
+  FollowUser user("/follow_rejected");
+  FollowGoal unknown(user.client, FollowUser::goal({{"third_leg", 1.0}}, 1.0));
+  EXPECT_EQ(unknown.waitForEnd(), State::REJECTED);
+  EXPECT_EQ(unknown.result()->error_code, FollowJointTrajectoryResult::INVALID_JOINTS);
+  FollowJointTrajectoryGoal old = FollowUser::goal({{"head_pan", 1.0}}, 1.0);
+  old.trajectory.header.stamp = ros::Time::now() - ros::Duration(10);
+  FollowGoal late(user.client, old);
+  EXPECT_EQ(late.waitForEnd(), State::REJECTED);
+  EXPECT_EQ(late.result()->error_code, FollowJointTrajectoryResult::OLD_HEADER_TIMESTAMP);
+  FollowGoal fast(user.client, FollowUser::goal({{"head_pan", 1.0}}, 0.01));
+  EXPECT_EQ(fast.waitForEnd(), State::REJECTED);
+  EXPECT_EQ(fast.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
+}
+
+TEST(FollowGoal, IsAbortedByStop) {
+  FollowUser user("/follow_stopped");
+  FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 1.0}}, 4.0));
+  ASSERT_TRUE(goal.waitForFeedback());
+  EXPECT_TRUE(user.call<std_srvs::Trigger>("stop").success);
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("stop was called"));
+}
+
+}  // namespace

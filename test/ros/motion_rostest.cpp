@@ -1,0 +1,296 @@
+// Stopping the robot, trajectories that follow each other, and what is reported about all that moves.
+
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotion.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/ros/joint_messages.h"
+#include "support/ros/joint_user.h"
+
+namespace {
+
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
+using aibo_driver::PlayMotion;
+using sensor_msgs::JointState;
+using std_srvs::Trigger;
+using test_support::command;
+using test_support::JointListener;
+using test_support::JointUser;
+using test_support::kQuick;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::TopicListener;
+using test_support::trajectory;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using trajectory_msgs::JointTrajectory;
+
+// Without a slow approach, at 3 rad/s at most.
+const std::vector<std::string> kFast{"_stream_on_start:=false", "_approach_speed:=20"};
+
+JointState commandAtSpeed(const std::string& joint, double position, double speed) {
+  JointState message = command({{joint, position}});
+  message.velocity = {speed};
+  return message;
+}
+
+PlayMotion::Response play(JointUser& user, const std::string& name, int repetitions = 1) {
+  PlayMotion::Request request;
+  request.name = name;
+  request.repetitions = static_cast<std::uint16_t>(repetitions);
+  return user.call<PlayMotion>("play_motion", request);
+}
+
+// What all servers have to do, with each version of the protocol.
+class StopTest : public ::testing::TestWithParam<std::string> {
+ protected:
+  std::vector<std::string> options() { return {"--protocol-version", GetParam()}; }
+  std::string nameSpace(const std::string& name) { return "/" + name + GetParam(); }
+
+  // Positions of the head's pan in the next half second, and longer with a server that reports it once a second.
+  static std::vector<double> watchPan(JointUser& user) {
+    std::vector<double> positions;
+    user.joints.messages().clear();
+    user.joints.messages().waitForCount(45);
+    for (const auto& message : user.joints.messages().waitForCount(1)) {
+      if (const auto position = test_support::positionOf(*message, "head_pan")) {
+        positions.push_back(*position);
+      }
+    }
+    return positions;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Versions, StopTest, ::testing::Values("1", "2"));
+
+TEST_P(StopTest, HoldsASlowCommandAtOnce) {
+  JointUser user(nameSpace("slow"), kFast, options());
+  user.publish("joint_command", commandAtSpeed("head_pan", 1.0, 0.05));
+  ASSERT_TRUE(user.waitForPanBeyond(0.03));
+  user.publish("joint_trajectory", JointTrajectory());
+  const std::vector<double> after = watchPan(user);
+  ASSERT_FALSE(after.empty());
+  EXPECT_LT(after.back(), 0.2);
+  EXPECT_NEAR(after.back(), after[after.size() / 2], 0.01) << "it stands";
+}
+
+TEST_P(StopTest, HoldsACommandThatHasJustBeenSent) {
+  JointUser user(nameSpace("just_sent"), kFast, options());
+  user.publish("joint_command", commandAtSpeed("head_pan", 1.0, 0.5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const auto answer = user.call<Trigger>("stop");
+  EXPECT_TRUE(answer.success) << answer.message;
+  EXPECT_LT(watchPan(user).back(), 0.3);
+}
+
+TEST_P(StopTest, DoesNotDriveAFastJointBackwards) {
+  JointUser user(nameSpace("fast"), kFast, options());
+  user.publish("joint_command", command({{"head_pan", -1.5}}));
+  ASSERT_TRUE(user.joints.waitForPosition("head_pan", -1.5));
+  user.publish("joint_command", command({{"head_pan", 1.5}}));
+  ASSERT_TRUE(user.waitForPanBeyond(-1.3));
+  user.call<Trigger>("stop");
+  const std::vector<double> after = watchPan(user);
+  double highest = -2;
+  for (const double position : after) {
+    EXPECT_GT(position, highest - JointListener::kTolerance);
+    highest = std::max(highest, position);
+  }
+}
+
+TEST_P(StopTest, DoesNotDriveATrajectoryBackwards) {
+  JointUser user(nameSpace("trajectory"), kFast, options());
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 1.4));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
+  user.publish("joint_trajectory", JointTrajectory());
+  const std::vector<double> after = watchPan(user);
+  EXPECT_GT(after.back(), 0.1);
+  for (std::size_t i = 1; i < after.size(); ++i) {
+    EXPECT_GT(after[i], after[i - 1] - JointListener::kTolerance);
+  }
+}
+
+TEST_P(StopTest, EndsMotions) {
+  JointUser user(nameSpace("nod"), kFast, options());
+  const auto played = play(user, "nod", 100);
+  ASSERT_TRUE(played.success) << played.message;
+  user.joints.messages().clear();
+  ASSERT_TRUE(user.joints.messages().waitFor(
+      [](const JointState& state) { return test_support::speedOf(state, "neck_tilt").value_or(0) > 0.1; }));
+  EXPECT_TRUE(user.call<Trigger>("stop").success);
+  EXPECT_TRUE(user.joints.waitForSpeedBelow("neck_tilt", 0.03));
+  const double first = user.joints.position("neck_tilt");
+  user.joints.messages().clear();
+  user.joints.messages().waitForCount(45);
+  EXPECT_NEAR(user.joints.position("neck_tilt"), first, JointListener::kTolerance);
+}
+
+TEST(Stop, WaitsForNothingElseAndWhatWaitedBeforeItDoesNotMoveTheRobot) {
+  JointUser user("/urgent", kQuick);
+  auto& commands = user.publisherOf<JointState>("joint_command");
+  user.proxy.setMute(true);
+  std::atomic<bool> played{false};
+  std::thread player([&] {
+    play(user, "nod");
+    played = true;
+  });
+  ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
+  commands.publish(command({{"head_pan", 0.5}}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // so that it waits in the driver
+  Trigger::Response answer;
+  std::thread stopper([&] { answer = user.call<Trigger>("stop"); });
+  ASSERT_TRUE(user.proxy.waitForRequest("I", kSafetyNet));
+  EXPECT_FALSE(played);
+  user.proxy.setMute(false);
+  player.join();
+  stopper.join();
+  EXPECT_TRUE(answer.success) << answer.message;
+  user.waitForWarning("A joint command was dropped: everything was stopped after it was sent");
+  EXPECT_EQ(user.jointRequests(), 0u);
+  commands.publish(command({{"head_pan", 0.5}}));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.5)) << "what comes later does";
+}
+
+TEST(Motors, DoNotWaitBehindPlayMotion) {
+  JointUser user("/motors_urgent", kQuick);
+  user.proxy.setMute(true);
+  std::atomic<bool> played{false};
+  std::thread player([&] {
+    play(user, "nod");
+    played = true;
+  });
+  ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
+  std::thread switcher([&] { user.setMotors(false); });
+  EXPECT_TRUE(user.proxy.waitForRequest("O", kSafetyNet));
+  EXPECT_FALSE(played);
+  user.proxy.setMute(false);
+  player.join();
+  switcher.join();
+}
+
+TEST(Stop, WithoutARobotSaysWhy) {
+  JointUser user("/nobody", kQuick);
+  user.connection.clear();
+  user.robot.kill();
+  ASSERT_TRUE(user.waitForConnection(aibo_driver::Connection::DISCONNECTED));
+  const auto answer = user.call<Trigger>("stop");
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("could not be told to stop"));
+}
+
+TEST(Trajectories, OfDisjointJointsRunSideBySide) {
+  JointUser user("/disjoint", kQuick);
+  user.publish("joint_trajectory", trajectory({{"left_front_knee", 0.8}}, 2.0));
+  user.publish("joint_trajectory", trajectory({{"head_pan", 0.6}}, 1.0));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.6));
+  EXPECT_TRUE(user.joints.waitForPosition("left_front_knee", 0.8));
+}
+
+TEST(Trajectories, ReplaceEachOtherWithoutAJoltAndSayIt) {
+  JointUser user("/replaced", kQuick);
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 2.8));
+  ASSERT_TRUE(user.waitForPanBeyond(0.3));
+  user.joints.messages().clear();
+  user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 1.5));
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.4));
+  user.waitForWarning("trajectory of head_pan ends early: a newer trajectory moves its joints");
+}
+
+TEST(Trajectories, WithoutTelemetryAreRefusedAtOnceWithWhatToDo) {
+  const test_support::SimulatedRobot robot;
+  TopicListener<aibo_driver::Connection> connection("/no_telemetry/connection");
+  test_support::DriverProcess driver("/no_telemetry", robot.port(), {"_stream_on_start:=false", "_telemetry_rate:=0"});
+  ASSERT_TRUE(connection.waitFor([](const auto& message) { return message.state == message.CONNECTED; }));
+  test_support::TopicPublishers topics("/no_telemetry");
+  topics.publish("joint_trajectory", trajectory({{"head_pan", 0.5}}, 2.0));
+  driver.waitForOutput("WARN.*Trajectory refused: telemetry_rate is 0", kSafetyNet);
+}
+
+TEST(Trajectories, OfJointsThatWereNotMeasuredLatelyAreRefused) {
+  JointUser user("/stale", kQuick);
+  user.publisherOf<JointTrajectory>("joint_trajectory");
+  user.proxy.setMute(true);
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));  // the time is part of what is tested
+  user.publish("joint_trajectory", trajectory({{"head_pan", 0.5}}, 2.0));
+  user.waitForWarning("head_pan was last measured 0.[0-9] s ago");
+  EXPECT_EQ(user.jointRequests(), 0u);
+}
+
+TEST(MotionStateTopic, SaysWhatMovesTheRobotAndHowItEnded) {
+  JointUser user("/state", kQuick);
+  TopicListener<MotionState> states("/state/motion_state");
+  EXPECT_TRUE(states.waitFor([](const MotionState& state) { return state.movements.empty(); })) << "it is latched";
+  user.publish("joint_trajectory", trajectory({{"head_pan", 0.5}}, 1.0));
+  const auto moving = states.waitFor([](const MotionState& state) { return !state.movements.empty(); });
+  ASSERT_TRUE(moving);
+  EXPECT_EQ(moving->movements[0].kind, Movement::TRAJECTORY);
+  EXPECT_EQ(moving->movements[0].source, ros::this_node::getName());
+  EXPECT_NEAR((moving->movements[0].end - moving->header.stamp).toSec(), 1.0, 0.05);
+  EXPECT_TRUE(states.waitFor([](const MotionState& state) {
+    return state.movements.empty() && state.last.kind == Movement::TRAJECTORY && state.last_end == MotionState::DONE;
+  }));
+  user.publish("joint_command", commandAtSpeed("head_pan", 0.0, 1.0));
+  EXPECT_TRUE(states.waitFor([](const MotionState& state) {
+    return !state.movements.empty() && state.movements[0].kind == Movement::COMMAND;
+  }));
+  EXPECT_TRUE(states.waitFor([](const MotionState& state) {
+    return state.movements.empty() && state.last.kind == Movement::COMMAND && state.last_end == MotionState::DONE;
+  }));
+}
+
+TEST(MotionStateTopic, SaysThatACommandEndedAMotion) {
+  JointUser user("/motion_lost", kQuick);
+  TopicListener<MotionState> states("/motion_lost/motion_state");
+  ASSERT_TRUE(play(user, "nod", 100).success);
+  EXPECT_TRUE(states.waitFor(
+      [](const MotionState& state) { return !state.movements.empty() && state.movements[0].name == "NOD.MTN"; }));
+  user.publish("joint_command", command({{"neck_tilt", -0.1}}));
+  const auto ended = states.waitFor([](const MotionState& state) { return state.last.kind == Movement::MOTION; });
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->last.name, "NOD.MTN");
+  EXPECT_EQ(ended->last_end, MotionState::REPLACED);
+  user.waitForWarning("motion NOD.MTN ends early");
+}
+
+TEST(MotionStateTopic, SaysThatAMotionIsDone) {
+  JointUser user("/motion_done", kQuick);
+  TopicListener<MotionState> states("/motion_done/motion_state");
+  ASSERT_TRUE(play(user, "nod").success);
+  const auto ended = states.waitFor([](const MotionState& state) { return state.last.kind == Movement::MOTION; });
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->last_end, MotionState::DONE);
+}
+
+TEST(LookAround, PausesWhileAnythingElseMovesTheRobot) {
+  JointUser user("/look", kQuick);
+  TopicListener<MotionState> states("/look/motion_state");
+  Process look_around({AIBO_LOOK_AROUND, "__ns:=/look"});
+  ASSERT_TRUE(states.waitFor([](const MotionState& state) {
+    return !state.movements.empty() && state.movements[0].source == "/look/aibo_look_around";
+  }));
+  user.publish("joint_command", commandAtSpeed("left_front_knee", 1.5, 0.1));
+  const auto has_only_the_knee = [](const MotionState& state) {
+    return state.movements.size() == 1 && state.movements[0].kind == Movement::COMMAND;
+  };
+  ASSERT_TRUE(states.waitFor(has_only_the_knee)) << "its glance ends, and no other begins";
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  states.clear();
+  EXPECT_TRUE(user.call<Trigger>("stop").success);
+  EXPECT_TRUE(states.waitFor([](const MotionState& state) {
+    return state.movements.size() == 1 && state.movements[0].kind == Movement::TRAJECTORY;
+  })) << "then it goes on";
+}
+
+}  // namespace

@@ -1,0 +1,49 @@
+#include "ros/joints/trajectory_messages.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::HasSubstr;
+
+constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
+
+const ros::Time kNow(1800000000, 500000000);
+
+std::string refusalOf(const ros::Time& stamp, const ros::Time& now) {
+  try {
+    waitBeforeStart(stamp, now);
+  } catch (const InvalidArgumentException& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(WaitBeforeStart, IsTheTimeUntilTheStamp) {
+  EXPECT_EQ(waitBeforeStart(ros::Time(), kNow), milliseconds(0));
+  EXPECT_NEAR(static_cast<double>(waitBeforeStart(kNow - ros::Duration(0.9), kNow).count()), -0.9e9, 1e3);
+  EXPECT_NEAR(static_cast<double>(waitBeforeStart(kNow + ros::Duration(2.5), kNow).count()), 2.5e9, 1e3);
+}
+
+TEST(WaitBeforeStart, IsRefusedForAnOldStamp) {
+  EXPECT_THAT(refusalOf(kNow - ros::Duration(1.5), kNow), HasSubstr("1.500000 s ago"));
+}
+
+TEST(WaitBeforeStart, IsRefusedForAStampThatCannotBeMeant) {
+  EXPECT_THAT(refusalOf(kNow + ros::Duration(4000), kNow), HasSubstr("4000.000000 s ahead"));
+  ros::Time garbage;
+  garbage.sec = garbage.nsec = kHighest;
+  EXPECT_THAT(refusalOf(garbage, kNow), HasSubstr("s ahead"));
+  EXPECT_THAT(refusalOf(ros::Time(kHighest, 0), ros::Time(5, 0)), HasSubstr("s ahead")) << "under /use_sim_time";
+  EXPECT_THAT(refusalOf(ros::Time(1, 0), ros::Time(kHighest, 0)), HasSubstr("s ago"));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node
