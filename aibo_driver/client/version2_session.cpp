@@ -463,6 +463,9 @@ void Version2Session::onEnded(const Payload& payload) {
   end.how = endedHow(message.how);
   end.name.assign(message.name, message.name_size);
   end.reason.assign(message.reason, message.reason_size);
+  if (end.kind == EndedKind::kJam && connection_.robot_message.find(end.name) != std::string::npos) {
+    connection_.robot_message.clear();
+  }
   connection_.context.notifier.ended(end);
 }
 

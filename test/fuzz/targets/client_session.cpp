@@ -159,6 +159,9 @@ class Client {
     call.name = "NOD.MTN";
     call.number = static_cast<int>(input_.takeByte() % 2);
     call.content.resize(1 + input_.takeByte());
+    if (call.number == 1) {
+      call.joints = {2, 52};
+    }
     add(std::move(call));
   }
 

@@ -639,6 +639,15 @@ TEST_F(Version2SessionTest, WhatHasEndedIsReported) {
   EXPECT_EQ("", ended_[1].reason);
 }
 
+TEST_F(Version2SessionTest, AReportIsKeptUntilTheJointThatItNamesFollowsAgain) {
+  receive(makeError(0, 3, "head_pan is jammed"));
+  receive(makeFrame('i', 0, version2_frames::makeEnd(1, 0, "head_pan", "")));
+  receive(makeFrame('i', 0, version2_frames::makeEnd(4, 0, "tail_pan", "")));
+  EXPECT_THAT(connection_.robot_message, HasSubstr("head_pan is jammed"));
+  receive(makeFrame('i', 0, version2_frames::makeEnd(4, 0, "head_pan", "")));
+  EXPECT_EQ("", connection_.robot_message);
+}
+
 TEST_F(Version2SessionTest, EveryKindAndWayOfEndIsToldAndThoseOfANewerServerAreUnknown) {
   for (const int value : {0, 1, 2, 3, 4, 5, 255}) {
     receive(makeFrame('i', 0, version2_frames::makeEnd(value, value, "", "")));
