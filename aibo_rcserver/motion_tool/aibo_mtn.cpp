@@ -45,20 +45,21 @@ void read(const std::string& bytes, const std::string& file, mtn::Motion& motion
 void warn(const mtn::Motion& motion) {
   const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
   if (robot == nullptr) {
-    std::cerr << "aibo_mtn: not checked: there is no robot with the design \"" << motion.design() << "\"\n";
+    std::cerr << "aibo_mtn: not checked: there is no robot with the design \""
+              << motion_tool::forTerminal(motion.design()) << "\"\n";
     return;
   }
   for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
-    std::cerr << "aibo_mtn: " << obstacle << '\n';
+    std::cerr << "aibo_mtn: " << motion_tool::forTerminal(obstacle) << '\n';
   }
 }
 
-// The text with `prefix` before each line.
+// The text with `prefix` before each line, as it may go to a terminal.
 std::string eachLineAfter(const std::string& prefix, const std::string& text) {
   std::string result;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    result += prefix + line + '\n';
+    result += prefix + motion_tool::forTerminal(line) + '\n';
   }
   return result;
 }

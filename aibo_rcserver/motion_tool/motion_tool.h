@@ -50,6 +50,10 @@ std::string printTextForm(const mtn::Motion& motion);
 ///   multiples of a frame; the message says why
 std::string encodeMtn(const KeyFrameMotion& motion);
 
+/// A line as it may go to a terminal: unchanged if it is plain text (protocol::isPlainText()), otherwise with a '?' for
+/// each byte that is not a printable character of ASCII. Motion files come from anywhere.
+std::string forTerminal(std::string line);
+
 /// The table of the robot that a motion file with this design is for; null if there is none.
 const robot_model::RobotModel* modelOf(const std::string& design);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "motion_tool/motion_tool.h"
+#include "protocol/text.h"
 
 namespace motion_tool {
 namespace {
@@ -213,6 +214,14 @@ std::string jointName(const mtn::Motion& motion, int joint) {
 }
 
 }  // namespace
+
+std::string forTerminal(std::string line) {
+  if (!protocol::isPlainText(line.data(), line.size())) {
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  }
+  return line;
+}
 
 const robot_model::RobotModel* modelOf(const std::string& design) {
   return robot_model::findRobotModel(robotOf(design).c_str());
