@@ -288,6 +288,11 @@ TEST(WithoutComments, CommentsAndApplicationDataAreLeftOut) {
   }
 }
 
+TEST_F(SaveJpegTest, SavesNoComments) {
+  saveJpeg(folder_.string(), "picture.jpg", withSegment(jpegWith('a'), 0xFE, "\nssh-rsa key of a stranger\n"));
+  expectSaved("picture.jpg", 'a');
+}
+
 TEST(WithoutComments, ADamagedPictureIsRefused) {
   const Bytes picture = test_pictures::make();
   for (std::size_t size = 0; size < test_pictures::findMarker(picture, 0xDA); ++size) {
