@@ -109,4 +109,15 @@ std::string checkedMotionName(const std::string& name) {
   return checked;
 }
 
+std::string checkedNewMotionName(const std::string& name) {
+  protocol::MotionName checked;
+  const std::string read = checkedMotionName(name);
+  read.copy(checked, protocol::MAX_MOTION_NAME_SIZE);
+  checked[read.size()] = '\0';
+  if (const char* problem = protocol::problemOfNewMotionName(checked)) {
+    throw InvalidArgumentException("'" + name + "': " + problem);
+  }
+  return read;
+}
+
 }  // namespace aibo_driver

@@ -26,6 +26,9 @@ void checkMotionContent(const std::vector<std::uint8_t>& content);
 /// @return the name as it is sent: in capitals
 std::string checkedMotionName(const std::string& name);
 
+/// Like checkedMotionName(), for a file that is stored; see protocol::problemOfNewMotionName().
+std::string checkedNewMotionName(const std::string& name);
+
 }  // namespace aibo_driver
 
 #endif  // AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
+#include "client/log_limit.h"
 
 namespace aibo_driver {
 
-/// Calls the callbacks of the client's user, as far as they are set. An exception from a callback is logged.
+/// Calls the callbacks of the client's user, as far as they are set. An exception from a callback is logged. Nearly
+/// everything that is logged can be caused by what the robot sends, so there is a limit for all of it (LogLimit).
 class Notifier {
  public:
   explicit Notifier(RcServerClient::Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
@@ -30,8 +32,15 @@ class Notifier {
 
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
-      if (callbacks_.log) {
-        callbacks_.log(level, message);
+      const LogLimit::Admission admission = log_limit_.admit(LogLimit::TimePoint::clock::now());
+      const std::string left_out = std::to_string(admission.left_out);
+      if (!callbacks_.log) {
+        return;
+      }
+      if (!admission.is_logged && admission.left_out == 1) {
+        callbacks_.log(LogLevel::kWarn, "More messages come than can be logged; some are left out, and counted.");
+      } else if (admission.is_logged) {
+        callbacks_.log(level, admission.left_out == 0 ? message : message + " (" + left_out + " before it left out)");
       }
     } catch (...) {  // there is nothing left to report it to
     }
@@ -50,6 +59,7 @@ class Notifier {
   }
 
   RcServerClient::Callbacks callbacks_;
+  mutable LogLimit log_limit_;
 };
 
 }  // namespace aibo_driver

@@ -197,7 +197,7 @@ void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
 void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                                   milliseconds timeout) {
   checkMotionContent(content);
-  Call call = makeCall(version2::REQUEST_UPLOAD, 0, checkedMotionName(name));
+  Call call = makeCall(version2::REQUEST_UPLOAD, 0, checkedNewMotionName(name));
   call.id = motion_bits_;
   call.content = content;
   ask(loop_.get(), std::move(call), timeout, "uploadMotion()");

@@ -8,6 +8,7 @@
 #include "client/units.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
+#include "protocol/text.h"
 
 namespace aibo_driver {
 
@@ -37,11 +38,16 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
   return robot;
 }
 
+// A robot's text may have as many bytes as fit into a frame; a log and a diagnostic message need the beginning.
+constexpr std::size_t kLongestText = 512;
+
 std::string describeError(const unsigned char* payload, std::size_t size) {
   version2::ErrorMessage message;
   expectGood(version2::decodeErrorMessage(payload, size, &message), "error message");
   const std::string code = "error code " + std::to_string(message.code);
-  return message.text_size == 0 ? code : std::string(message.text, message.text_size) + " (" + code + ")";
+  const std::size_t shown = protocol::sizeOfWholeCharacters(message.text, message.text_size, kLongestText);
+  const std::string text = std::string(message.text, shown) + (shown < message.text_size ? "..." : "");
+  return text.empty() ? code : text + " (" + code + ")";
 }
 
 EndedKind endedKind(unsigned what) {

@@ -162,6 +162,10 @@ bool isCameraName(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
+bool isAbsoluteOrEmpty(const std::string& text) {
+  return text.empty() || text.front() == '/';
+}
+
 bool isCameraInfoUrl(const std::string& text) {
   return text.empty() || text.rfind("file:///", 0) == 0 || text.rfind("file://${ROS_HOME}", 0) == 0 ||
          text.rfind("package://", 0) == 0;
@@ -199,6 +203,8 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("stream_on_start", &parameters.stream_on_start);
   reader.read("stream_on_demand", &parameters.stream_on_demand);
   reader.read("take_picture_timeout", 0.1, 60.0, &parameters.take_picture_timeout);
+  reader.read("picture_folder", "the absolute path of a folder, or empty", isAbsoluteOrEmpty,
+              &parameters.picture_folder);
   reader.read("use_robot_time", &parameters.use_robot_time);
   reader.read("time_offset", -60.0, 60.0, &parameters.time_offset);
 

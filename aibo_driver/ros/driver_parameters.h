@@ -25,6 +25,7 @@ struct DriverParameters {
   bool use_robot_time = true;                            ///< stamp by the robot's frame numbers, if it sends them
   std::chrono::nanoseconds time_offset{0};               ///< added to every stamp; at most 60 s either way
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
+  std::string picture_folder;                            ///< for save_to; empty: see pictureFolder()
 
   std::string robot = "ERS-7";     ///< or "ERS-210"
   double telemetry_rate = 31.25;   ///< 0..31.25 messages a second, joint_states and sensors; 0: none

@@ -4,8 +4,11 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -30,6 +33,56 @@ void refuseTilde(const std::string& path, const char* verb) {
 bool isJpegName(const fs::path& path) {
   const std::string extension = path.extension().string();
   return ::strcasecmp(extension.c_str(), ".jpg") == 0 || ::strcasecmp(extension.c_str(), ".jpeg") == 0;
+}
+
+/// Whether an existing file begins as a JPEG.
+bool isJpeg(const fs::path& path) {
+  std::array<char, 3> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return begin == std::array<char, 3>{'\xff', '\xd8', '\xff'};
+}
+
+bool isWithin(const fs::path& folder, const fs::path& target) {
+  return std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first == folder.end();
+}
+
+/// The folder without links in it.
+fs::path canonicalFolder(const std::string& folder) {
+  std::error_code error;
+  const fs::path canonical = fs::canonical(folder, error);
+  if (error) {
+    throw FileException("cannot write to the folder for pictures, '" + folder + "': " + error.message() +
+                        "; make it, or set ~picture_folder to another one");
+  }
+  return canonical;
+}
+
+void checkTarget(const fs::path& target) {
+  std::error_code error;
+  if (!fs::is_directory(target.parent_path(), error)) {
+    throw FileException("cannot write " + target.string() + ": the folder " + target.parent_path().string() +
+                        " does not exist on the driver's machine or may not be entered; make it first");
+  }
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
+    throw FileException("cannot write " + target.string() + ": it exists and is not a regular file");
+  }
+  if (fs::exists(target, error) && !isJpeg(target)) {
+    throw FileException("cannot write " + target.string() +
+                        ": it exists and is not a JPEG, or cannot be read; give another name, or remove it");
+  }
+}
+
+/// Whether a segment belongs to the image.
+/// @param segment without its marker: two bytes for its size, then its content
+bool isOfImage(std::uint8_t marker, const std::uint8_t* segment, std::size_t size) {
+  constexpr std::uint8_t kComment = 0xFE;
+  constexpr std::uint8_t kApplication0 = 0xE0;
+  constexpr std::uint8_t kApplication15 = 0xEF;
+  constexpr std::size_t kJfifSize = 16;  // JFIF 1.02, without a thumbnail
+  if (marker == kApplication0 && size == kJfifSize) {
+    return std::memcmp(segment + 2, "JFIF", sizeof("JFIF")) == 0;
+  }
+  return marker != kComment && (marker < kApplication0 || marker > kApplication15);
 }
 
 /// A file with a name of its own, which is deleted unless it is renamed.
@@ -118,11 +171,56 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   return bytes;
 }
 
-std::string saveJpeg(const std::string& path, const std::vector<std::uint8_t>& jpeg) {
-  refuseTilde(path, "write");
+std::string pictureFolder(const std::string& chosen) {
+  if (!chosen.empty()) {
+    return chosen;
+  }
+  const char* const home = std::getenv("HOME");
+  const fs::path user = home == nullptr ? fs::path() : fs::path(home);
   std::error_code error;
-  // Follows a link: the file that it points to is replaced, not the link.
-  const fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (home != nullptr && fs::is_directory(user / "Pictures", error)) {
+    return user / "Pictures";
+  }
+  const char* const ros_home = std::getenv("ROS_HOME");
+  return ros_home != nullptr && *ros_home != '\0' ? ros_home : user / ".ros";
+}
+
+std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg) {
+  constexpr std::size_t kStart = 2;  // the marker SOI
+  constexpr std::uint8_t kStartOfScan = 0xDA;
+  std::vector<std::uint8_t> kept(jpeg.begin(),
+                                 jpeg.begin() + static_cast<std::ptrdiff_t>(std::min(kStart, jpeg.size())));
+  std::size_t at = kStart;
+  while (at + 4 <= jpeg.size() && jpeg[at] == 0xFF) {
+    const std::uint8_t marker = jpeg[at + 1];
+    const std::size_t size = static_cast<std::size_t>(jpeg[at + 2] << 8 | jpeg[at + 3]);  // without the marker
+    const auto begin = jpeg.begin() + static_cast<std::ptrdiff_t>(at);
+    if (marker == kStartOfScan) {
+      kept.insert(kept.end(), begin, jpeg.end());
+      return kept;
+    }
+    if (marker == 0xFF) {  // a fill byte before the marker
+      ++at;
+      continue;
+    }
+    if (size < 2 || size > jpeg.size() - at - 2) {
+      break;
+    }
+    if (isOfImage(marker, &jpeg[at + 2], size)) {
+      kept.insert(kept.end(), begin, begin + 2 + static_cast<std::ptrdiff_t>(size));
+    }
+    at += 2 + size;
+  }
+  throw FileException("the picture is not a JPEG that can be saved: a segment at byte " + std::to_string(at) +
+                      " is damaged");
+}
+
+std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg) {
+  refuseTilde(path, "write");
+  const fs::path allowed = canonicalFolder(folder);
+  std::error_code error;
+  // Follows links: the file that a link points to has to be in the folder, and is replaced, not the link.
+  const fs::path target = fs::weakly_canonical(allowed / path, error);
   if (error || target.filename().empty() || path.back() == '/' || fs::is_directory(target, error)) {
     throw FileException("cannot write '" + path + "': that does not name a file" +
                         (error ? " (" + error.message() + ")" : ""));
@@ -131,15 +229,17 @@ std::string saveJpeg(const std::string& path, const std::vector<std::uint8_t>& j
     throw FileException("cannot write '" + path + "': the picture is a JPEG; name it " +
                         fs::path(path).replace_extension(".jpg").string());
   }
-  if (!fs::is_directory(target.parent_path(), error)) {
-    throw FileException("cannot write " + target.string() + ": the folder " + target.parent_path().string() +
-                        " does not exist on the driver's machine or may not be entered; make it first");
+  if (!isJpegName(target)) {
+    throw FileException("cannot write '" + path + "': it is a link to " + target.string());
   }
-  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
-    throw FileException("cannot write " + target.string() + ": it exists and is not a regular file");
+  if (!isWithin(allowed, target)) {
+    throw FileException("cannot write " + target.string() + ": it is not in the folder for pictures, " +
+                        allowed.string() + "; ~picture_folder sets another one");
   }
+  checkTarget(target);
+  const std::vector<std::uint8_t> content = withoutComments(jpeg);
   TemporaryFile file(target);
-  file.write(jpeg);
+  file.write(content);
   file.renameTo(target);
   return target.string();
 }

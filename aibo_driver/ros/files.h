@@ -1,6 +1,5 @@
 /// @file files.h
-/// Files on the driver's machine that users name in service calls. A path is absolute, or relative to the working
-/// directory of the process; `~` is not expanded.
+/// Files on the driver's machine that users name in service calls. `~` is not expanded.
 #ifndef AIBO_DRIVER_ROS_FILES_H
 #define AIBO_DRIVER_ROS_FILES_H
 
@@ -20,17 +19,32 @@ class FileException : public Exception {
 };
 
 /// Reads a whole file.
+/// @param path absolute, or relative to the working directory of the process
 /// @param longest the most bytes that it may have
 /// @throw FileException it does not exist, may not be read, is not a regular file, is longer, ...
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest);
 
-/// Writes a whole file. On any error it leaves what was there before; nobody ever sees half a file.
-/// @param path ends in .jpg or .jpeg, in upper or lower case: programs go by the name, and the robot's pictures are
-///   JPEGs
+/// Where pictures are saved.
+/// @param chosen by the user; empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
+std::string pictureFolder(const std::string& chosen);
+
+/// Writes a picture to a file, without its comments and application data (withoutComments()). On any error it leaves
+/// what was there before; nobody ever sees half a file.
+///
+/// Anybody who reaches the ROS master may call take_picture, and whoever plays the robot chooses the picture. So it
+/// gets only into the folder for pictures, and replaces nothing but JPEGs.
+/// @param folder for pictures; "/" allows all
+/// @param path in this folder, absolute or relative to it; ends in .jpg or .jpeg, in upper or lower case: programs go
+///   by the name, and the robot's pictures are JPEGs
 /// @return the absolute path of the file
-/// @throw FileException the name is not that of a JPEG, the folder does not exist, permission is missing, the disk is
-///   full, the path names something other than a regular file, ...
-std::string saveJpeg(const std::string& path, const std::vector<std::uint8_t>& jpeg);
+/// @throw FileException the file is not in the folder, the name is not that of a JPEG, the file exists and is not a
+///   JPEG, its folder does not exist, permission is missing, the disk is full, ...
+std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg);
+
+/// The picture without the segments that programs ignore and in which anything could be hidden: comments, and
+/// application data other than a JFIF header without a thumbnail. Everything that makes up the image stays as it is.
+/// @throw FileException the bytes before the image data are not segments of a JPEG
+std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg);
 
 }  // namespace aibo_driver::node
 

@@ -38,7 +38,10 @@ ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std
     }
   }
   const bool by_frame = robot_clock_ != nullptr && frame_number;
-  ros::Time stamp = toRosTime(by_frame ? robot_clock_->timeOf(connection_number, *frame_number, arrival) : arrival);
+  // A robot whose frame numbers run too fast must not take the stamps into the future.
+  const SteadyTime taken =
+      by_frame ? std::min(robot_clock_->timeOf(connection_number, *frame_number, arrival), arrival) : arrival;
+  ros::Time stamp = toRosTime(taken);
   if (count_ > 0) {
     const ros::Time last = latest_[(count_ - 1) % kRemembered].stamp;
     const bool clock_was_set_back = stamp + ros::Duration(kClockStep.count()) < last;

@@ -19,7 +19,9 @@
 namespace aibo_driver::node {
 
 /// Stamps the messages of one stream, pictures or telemetry, with the time on ROS' clock when the robot took or
-/// measured them. A message without a frame number, as from a version 1 server, is stamped with its arrival.
+/// measured them. A message without a frame number, as from a version 1 server, is stamped with its arrival. No stamp
+/// is later than the arrival of its message, whatever the frame number says, except for the nanoseconds that tell
+/// messages apart that arrive together, and for `time_offset`.
 ///
 /// The time is computed on the steady clock and mapped to ROS' clock when the stamp is first asked for. So when ROS'
 /// clock is set, the stamps follow at once; with a simulated clock they are as fine as its steps. Stamps of different

@@ -54,7 +54,9 @@ bool PathInFolder(const HostSettings& host, const char* file, char (&path)[MAX_P
   return pathOnMemoryStick(host, name, path);
 }
 
+// Replaces the file. On a computer it could be a link to another one, which must not be written.
 bool WriteFile(const char* path, const unsigned char* bytes, size_t size) {
+  remove(path);
   FILE* const file = fopen(path, "wb");
   if (file == NULL) {
     return false;

@@ -51,23 +51,23 @@ const robot_model::RobotModel* robotOf(const mtn::Motion& motion) {
   const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
   if (robot == nullptr) {
     std::cerr << "aibo_mtn: not checked: there is no robot with the design \""
-              << motion_tool::printable(motion.design()) << "\"\n";
+              << motion_tool::forTerminal(motion.design()) << "\"\n";
   }
   return robot;
 }
 
 void warn(const std::string& remark) {
   if (!remark.empty()) {
-    std::cerr << "aibo_mtn: " << remark << '\n';
+    std::cerr << "aibo_mtn: " << motion_tool::forTerminal(remark) << '\n';
   }
 }
 
-// The text with `prefix` before each line.
+// The text with `prefix` before each line, as it may go to a terminal.
 std::string eachLineAfter(const std::string& prefix, const std::string& text) {
   std::string result;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    result += prefix + line + '\n';
+    result += prefix + motion_tool::forTerminal(line) + '\n';
   }
   return result;
 }
@@ -99,7 +99,7 @@ void make(const std::string& source, const std::string& target) {
 void list(const std::vector<motion_tool::ArchivedFile>& files) {
   for (const motion_tool::ArchivedFile& file : files) {
     std::cout << std::setw(8) << file.content.size() << "  " << motion_tool::fileNameOf(file) << "  ("
-              << motion_tool::printable(file.name) << ")\n";
+              << motion_tool::forTerminal(file.name) << ")\n";
   }
 }
 

@@ -56,8 +56,9 @@ std::string encodeMtn(const KeyFrameMotion& motion);
 /// @return one line; empty if the robot plays all of it as it is
 std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotModel& robot);
 
-/// The text with `?` for whatever does not belong onto a terminal: files come from anywhere.
-std::string printable(std::string text);
+/// A line as it may go to a terminal: unchanged if it is plain text (protocol::isPlainText()), otherwise with a '?' for
+/// each byte that is not a printable character of ASCII. Motion files come from anywhere.
+std::string forTerminal(std::string line);
 
 /// The table of the robot that a motion file with this design is for; null if there is none.
 const robot_model::RobotModel* modelOf(const std::string& design);

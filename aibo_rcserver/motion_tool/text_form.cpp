@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "motion_tool/motion_tool.h"
+#include "protocol/text.h"
 
 namespace motion_tool {
 namespace {
@@ -223,7 +224,7 @@ std::string degreesOf(int microradians) {
 
 // A text in the text form, where a '#' would begin a comment.
 std::string quoted(const std::string& text) {
-  std::string result = printable(text);
+  std::string result = forTerminal(text);
   std::replace(result.begin(), result.end(), '#', '?');
   return result;
 }
@@ -250,10 +251,12 @@ std::string valueOf(const mtn::Motion& motion, int key_frame, int joint) {
 
 }  // namespace
 
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
+std::string forTerminal(std::string line) {
+  if (!protocol::isPlainText(line.data(), line.size())) {
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  }
+  return line;
 }
 
 const robot_model::RobotModel* modelOf(const std::string& design) {

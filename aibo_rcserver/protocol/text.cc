@@ -30,10 +30,32 @@ size_t characterSize(unsigned char first) {
   return (first & 0xf8) == 0xf0 ? 4 : 0;
 }
 
+struct Range {
+  unsigned first;
+  unsigned last;
+};
+
+// Unicode's characters that format others (category Cf), ends of lines (Zl, Zp), and variation selectors. Arabic and
+// other scripts use some of them, but a robot's messages do not.
+const Range FORMAT_CHARACTERS[] = {{0xad, 0xad},     {0x61c, 0x61c},     {0x180b, 0x180e},  {0x200b, 0x200f},
+                                   {0x2028, 0x202e}, {0x2060, 0x206f},   {0xfe00, 0xfe0f},  {0xfeff, 0xfeff},
+                                   {0xfff9, 0xfffb}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff}};
+const size_t NUMBER_OF_FORMAT_RANGES = sizeof(FORMAT_CHARACTERS) / sizeof(FORMAT_CHARACTERS[0]);
+
+bool formatsOthers(unsigned code_point) {
+  for (size_t i = 0; i < NUMBER_OF_FORMAT_RANGES; ++i) {
+    if (code_point >= FORMAT_CHARACTERS[i].first && code_point <= FORMAT_CHARACTERS[i].last) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool isPlainCharacter(unsigned code_point, size_t size) {
   static const unsigned SMALLEST_OF_SIZE[] = {0, 0x20, 0xa0, 0x800, 0x10000};
   const bool is_surrogate = code_point >= 0xd800 && code_point <= 0xdfff;
-  return code_point >= SMALLEST_OF_SIZE[size] && code_point != 0x7f && !is_surrogate && code_point <= LAST_CODE_POINT;
+  return code_point >= SMALLEST_OF_SIZE[size] && code_point != 0x7f && !is_surrogate && !formatsOthers(code_point) &&
+         code_point <= LAST_CODE_POINT;
 }
 
 // Bytes of the first character; 0 if it is not well-formed or a control character.
@@ -71,6 +93,27 @@ bool isAllowedInName(const char* stem, size_t size) {
     }
   }
   return true;
+}
+
+// As Windows: whatever the ending is.
+bool isDevice(const char* name, size_t stem_size) {
+  static const char* const DEVICES[] = {"CON", "PRN", "AUX", "NUL", "CLOCK$"};
+  for (size_t i = 0; i < sizeof(DEVICES) / sizeof(DEVICES[0]); ++i) {
+    if (stem_size == strlen(DEVICES[i]) && strncmp(name, DEVICES[i], stem_size) == 0) {
+      return true;
+    }
+  }
+  const bool is_port = strncmp(name, "COM", 3) == 0 || strncmp(name, "LPT", 3) == 0;
+  return is_port && stem_size == 4 && name[3] >= '0' && name[3] <= '9';
+}
+
+// True for "WAG~1".
+bool standsForLongName(const char* name, size_t stem_size) {
+  size_t digits = 0;
+  while (digits < stem_size && name[stem_size - 1 - digits] >= '0' && name[stem_size - 1 - digits] <= '9') {
+    ++digits;
+  }
+  return digits > 0 && digits < stem_size && name[stem_size - 1 - digits] == '~';
 }
 
 bool hasMotionEnding(const char* text, size_t size) {
@@ -124,6 +167,17 @@ const char* readMotionName(const char* text, size_t size, MotionName& name) {
     name[i] = capital(text[i]);
   }
   name[size] = '\0';
+  return NULL;
+}
+
+const char* problemOfNewMotionName(const MotionName& name) {
+  const size_t stem_size = strlen(name) - MOTION_ENDING_SIZE;
+  if (isDevice(name, stem_size)) {
+    return "the name of the motion is that of a device on Windows, where it could not be read; choose another one";
+  }
+  if (standsForLongName(name, stem_size)) {
+    return "the name of the motion ends in ~ and digits, and could stand for another file; choose another one";
+  }
   return NULL;
 }
 

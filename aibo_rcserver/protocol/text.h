@@ -1,5 +1,5 @@
 /// @file text.h
-/// Texts on the wire, in both versions: UTF-8 without control characters, and the names of motion files. Used by both
+/// Texts on the wire, in both versions: UTF-8 that shows as it is, and the names of motion files. Used by both
 /// sides.
 #ifndef AIBO_RCSERVER_PROTOCOL_TEXT_H
 #define AIBO_RCSERVER_PROTOCOL_TEXT_H
@@ -9,8 +9,9 @@
 namespace protocol {
 
 /// True if the bytes are well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF) without
-/// control characters (U+0000..U+001F, U+007F..U+009F). Such a text can go into a log or onto a terminal as it is. An
-/// empty text is plain, too.
+/// control characters (U+0000..U+001F, U+007F..U+009F), and without characters that are not seen but change how others
+/// are shown: ends of lines and paragraphs, marks that turn the direction of writing, characters without width, tags.
+/// Such a text can go into a log or onto a terminal as it is. An empty text is plain, too.
 bool isPlainText(const char* bytes, size_t size);
 
 /// The largest size, at most `limit`, to which a well-formed text can be cut without splitting a character.
@@ -30,6 +31,12 @@ typedef char MotionName[MAX_MOTION_NAME_SIZE + 1];
 /// @param[out] name the name in capital letters; unchanged on an error
 /// @return NULL, or what is wrong in a few words that a user can act on
 const char* readMotionName(const char* text, size_t size, MotionName& name);
+
+/// What is wrong with storing a file under a name that readMotionName() has accepted. Such names can be on a memory
+/// stick, but must not be made by strangers: Windows takes CON, COM1 and their like for devices, and a name that ends
+/// in `~` and digits stands for a file with a longer name, which would be replaced.
+/// @return NULL, or what is wrong in a few words that a user can act on
+const char* problemOfNewMotionName(const MotionName& name);
 
 }  // namespace protocol
 

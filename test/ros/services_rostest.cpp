@@ -8,7 +8,6 @@
 #include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -24,6 +23,7 @@
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
@@ -173,20 +173,20 @@ TEST(TakePicture, DuringTheStreamOfAnOldServerAnswersTheStreamsNextPictureAndSay
 
 TEST(TakePicture, SavesTheSameBytes) {
   namespace fs = std::filesystem;
-  const fs::path file = fs::temp_directory_path() / ("services_rostest." + std::to_string(::getpid()) + ".jpg");
-  ConnectedDriver connected("/saved");
-  const TakePicture::Response answer = takePicture("/saved", 0, file.string());
+  const test_support::TemporaryFolder folder;
+  const fs::path file = fs::canonical(folder.path()) / "picture.jpg";
+  ConnectedDriver connected("/saved", {"_picture_folder:=" + folder.path().string()});
+  const TakePicture::Response answer = takePicture("/saved", 0, "picture.jpg");
   ASSERT_TRUE(answer.success) << answer.message;
   EXPECT_THAT(answer.message, HasSubstr("Saved to " + file.string()));
   EXPECT_EQ(readFile(file), answer.image.data);
-  fs::remove(file);
 }
 
 TEST(TakePicture, ThatCannotBeSavedSaysWhyAndStillAnswersThePicture) {
   ConnectedDriver connected("/unsaved");
   const TakePicture::Response answer = takePicture("/unsaved", 0, "/no/such/folder/picture.jpg");
   EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("the folder /no/such/folder does not exist"));
+  EXPECT_THAT(answer.message, HasSubstr("/no/such/folder/picture.jpg: it is not in the folder for pictures"));
   EXPECT_THAT(connected.proxy.picturesFromRobot(), Contains(answer.image.data));
 }
 

@@ -11,6 +11,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "mtn/layout.h"
+#include "mtn/motion.h"
 #include "ros/files.h"
 
 namespace aibo_driver::node {
@@ -64,11 +65,22 @@ class Interruption {
   ros::CallbackQueueInterface* const queue_;
 };
 
+// Anybody who reaches the ROS master may name any file, and the robot's place may be taken by somebody else. So nothing
+// but motions leaves this computer.
+std::vector<std::uint8_t> loadMotion(const std::string& file) {
+  std::vector<std::uint8_t> content = loadFile(file, mtn::MAX_FILE_SIZE);
+  mtn::Motion motion;
+  if (!motion.read(content.data(), content.size())) {
+    throw FileException("'" + file + "' is not a motion file: " + motion.problem());
+  }
+  return content;
+}
+
 std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
   if (request.file.empty() == request.data.empty()) {
     throw InvalidArgumentException(request.file.empty() ? "give a file or data" : "give a file or data, not both");
   }
-  return request.file.empty() ? request.data : loadFile(request.file, mtn::MAX_FILE_SIZE);
+  return request.file.empty() ? request.data : loadMotion(request.file);
 }
 
 std::string nameOf(const UploadMotion::Request& request) {

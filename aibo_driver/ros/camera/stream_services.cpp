@@ -31,7 +31,11 @@ std::string describePicture(const Picture& picture, int asked_quality, int strea
 
 StreamServices::StreamServices(const DriverParameters& parameters, RcServerClient& client, StreamPolicy& policy,
                                ToMessage to_message)
-    : parameters_(parameters), client_(client), policy_(policy), to_message_(std::move(to_message)) {}
+    : parameters_(parameters),
+      picture_folder_(pictureFolder(parameters.picture_folder)),
+      client_(client),
+      policy_(policy),
+      to_message_(std::move(to_message)) {}
 
 void StreamServices::advertise(const ros::NodeHandle& handle, const ros::NodeHandle& picture_handle) {
   ros::NodeHandle services(handle);
@@ -49,7 +53,7 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
     response.image = to_message_(*picture);
     response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {
-      response.message += " Saved to " + saveJpeg(request.save_to, picture->jpeg) + ".";
+      response.message += " Saved to " + saveJpeg(picture_folder_, request.save_to, picture->jpeg) + ".";
     }
     response.success = true;
   } catch (const FileException& error) {

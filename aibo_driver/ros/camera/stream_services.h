@@ -8,6 +8,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
@@ -43,6 +44,7 @@ class StreamServices {
   bool answerStreaming(bool wanted, Response& response) const;
 
   const DriverParameters parameters_;
+  const std::string picture_folder_;  ///< where save_to may write
   RcServerClient& client_;
   StreamPolicy& policy_;
   const ToMessage to_message_;

@@ -65,6 +65,9 @@ MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name,
   if (CheckUpload(size) != DONE) {
     return REFUSED;
   }
+  if (const char* problem = protocol::problemOfNewMotionName(name)) {
+    return Fail(REFUSED, "%s: %s", name, problem);
+  }
   if (!checked_.read(content, size)) {
     return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
   }

@@ -76,6 +76,14 @@ std::string complaintAboutOptions(const Change& change) {
   return "";
 }
 
+TEST(ArgumentChecksTest, ANameThatIsDangerousForANewMotionIsRefusedOnlyForThat) {
+  EXPECT_EQ("WAG~1.MTN", checkedMotionName("wag~1.mtn"));
+  EXPECT_EQ("WAG.MTN", checkedNewMotionName("wag.mtn"));
+  for (const std::string name : {"CON.MTN", "com1.mtn", "WAG~1.MTN"}) {
+    EXPECT_THROW(checkedNewMotionName(name), InvalidArgumentException) << name;
+  }
+}
+
 TEST(ArgumentChecksTest, TheDefaultOptionsAreAllowed) {
   EXPECT_EQ("", complaintAboutOptions([](ClientOptions&) {}));
 }

@@ -543,6 +543,19 @@ TEST_F(Version2SessionTest, UnrequestedReportsAreLoggedAndKept) {
   EXPECT_EQ(1, logged("reports: joint head_pan does not move"));
 }
 
+TEST_F(Version2SessionTest, TextsAreCutAt512BytesBetweenCharacters) {
+  const auto report = [this](const std::string& text) {
+    Bytes payload = {0, 3};
+    payload.insert(payload.end(), text.begin(), text.end());
+    receive(makeFrame('e', 0, payload));
+  };
+  const std::string most(511, 'x');
+  report(most + "\xc3\xa9" + std::string(60000, 'y'));
+  EXPECT_EQ(most + "... (error code 3)", connection_.robot_message);
+  report(most + "x");
+  EXPECT_EQ(most + "x (error code 3)", connection_.robot_message);
+}
+
 TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
   receive(makeFrame('z', 0, {1, 2, 3}));
   receive(makeFrame('j', 4711, {1, 2, 3}));

@@ -44,6 +44,7 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_EQ(parameters.frame_id, "camera_optical_frame");
   EXPECT_TRUE(parameters.use_robot_time);
   EXPECT_EQ(parameters.time_offset.count(), 0);
+  EXPECT_EQ(parameters.picture_folder, "");
   EXPECT_EQ(parameters.robot, "ERS-7");
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
@@ -52,6 +53,12 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_FALSE(parameters.slow_down);
   EXPECT_FALSE(parameters.client.leave_out_missing_joints);
   EXPECT_THAT(parameters.unknown, IsEmpty());
+}
+
+TEST(DriverParameters, TheFolderForPicturesIsAnAbsolutePath) {
+  EXPECT_EQ(parse(one("picture_folder", "/srv/pictures")).picture_folder, "/srv/pictures");
+  EXPECT_THAT(refusal("picture_folder", "pictures"), HasSubstr("the absolute path of a folder, or empty"));
+  EXPECT_THAT(refusal("picture_folder", "~/pictures"), HasSubstr("absolute path"));
 }
 
 TEST(DriverParameters, ATelemetryRateIsRoundedToAMultipleOf4Frames) {

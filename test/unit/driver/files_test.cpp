@@ -4,12 +4,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include "support/temporary_folder.h"
+#include "support/test_pictures.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -79,66 +83,118 @@ TEST_F(LoadFileTest, SaysWhyItFails) {
 
 class SaveJpegTest : public FilesTest {
  protected:
-  static std::string saveRefusal(const std::string& path) {
-    return refusalOf([&] { saveJpeg(path, {'a'}); });
+  // An image of one byte, which no program would show.
+  static std::vector<std::uint8_t> jpegWith(std::uint8_t byte) {
+    return {0xFF, 0xD8, 0xFF, 0xDA, 0, 2, byte, 0xFF, 0xD9};
+  }
+
+  std::string save(const std::string& path, std::uint8_t byte = 'a') const {
+    return saveJpeg(folder_.string(), path, jpegWith(byte));
+  }
+
+  std::string saveRefusal(const std::string& path) const {
+    return refusalOf([&] { save(path); });
+  }
+
+  void expectSaved(const std::string& name, std::uint8_t byte) const {
+    const std::vector<std::uint8_t> jpeg = jpegWith(byte);
+    EXPECT_EQ(read(folder_ / name), std::string(jpeg.begin(), jpeg.end())) << name;
   }
 };
 
 TEST_F(SaveJpegTest, SavesAndReturnsThePath) {
-  EXPECT_EQ(saveJpeg((folder_ / "picture.jpg").string(), {'a', 'b'}), (folder_ / "picture.jpg").string());
-  EXPECT_EQ(read(folder_ / "picture.jpg"), "ab");
+  EXPECT_EQ(save((folder_ / "picture.jpg").string()), (folder_ / "picture.jpg").string());
+  expectSaved("picture.jpg", 'a');
 }
 
-TEST_F(SaveJpegTest, ReplacesAnExistingFileAndLeavesNothingElse) {
-  saveJpeg((folder_ / "picture.jpg").string(), {'a', 'b', 'c'});
-  saveJpeg((folder_ / "picture.jpg").string(), {'d'});
-  EXPECT_EQ(read(folder_ / "picture.jpg"), "d");
+TEST_F(SaveJpegTest, ReplacesAnExistingJpegAndLeavesNothingElse) {
+  save("picture.jpg", 'a');
+  save("picture.jpg", 'b');
+  expectSaved("picture.jpg", 'b');
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
 TEST_F(SaveJpegTest, GivesTheFileTheUsualPermissions) {
   const mode_t old_mask = ::umask(022);
-  saveJpeg((folder_ / "picture.jpg").string(), {'a'});
+  save("picture.jpg");
   ::umask(old_mask);
   EXPECT_EQ(fs::status(folder_ / "picture.jpg").permissions(), fs::perms(0644));
 }
 
-TEST_F(SaveJpegTest, FollowsALinkToAFile) {
-  saveJpeg((folder_ / "picture.jpg").string(), {'a'});
+TEST_F(SaveJpegTest, FollowsALinkToAJpegInTheFolder) {
+  save("picture.jpg", 'a');
   fs::create_symlink("picture.jpg", folder_ / "latest.jpg");
-  saveJpeg((folder_ / "latest.jpg").string(), {'b'});
+  save("latest.jpg", 'b');
   EXPECT_TRUE(fs::is_symlink(folder_ / "latest.jpg"));
-  EXPECT_EQ(read(folder_ / "picture.jpg"), "b");
+  expectSaved("picture.jpg", 'b');
 }
 
-TEST_F(SaveJpegTest, TakesARelativePathFromTheWorkingDirectory) {
-  const fs::path before = fs::current_path();
-  fs::current_path(folder_);
-  const std::string saved = saveJpeg("picture.jpg", {'a'});
-  fs::current_path(before);
-  EXPECT_EQ(saved, (folder_ / "picture.jpg").string());
+TEST_F(SaveJpegTest, TakesARelativePathFromTheFolder) {
+  fs::create_directory(folder_ / "album");
+  EXPECT_EQ(save("album/../album/picture.jpg"), (folder_ / "album" / "picture.jpg").string());
+}
+
+TEST_F(SaveJpegTest, WritesNothingOutsideTheFolder) {
+  const fs::path album = folder_ / "album";
+  fs::create_directory(album);
+  fs::create_symlink(folder_, album / "out");
+  save("outside.jpg");
+  fs::create_symlink(folder_ / "outside.jpg", album / "link.jpg");
+  const std::string neighbour = (folder_ / "album2.jpg").string();
+  for (const std::string path : {"../picture.jpg", "out/picture.jpg", "link.jpg", neighbour.c_str(), "/picture.jpg"}) {
+    EXPECT_THAT(refusalOf([&] { saveJpeg(album.string(), path, jpegWith('b')); }),
+                HasSubstr("not in the folder for pictures, " + album.string()))
+        << path;
+  }
+  EXPECT_EQ(filesInFolder(), 2u);
+  expectSaved("outside.jpg", 'a');
+}
+
+TEST_F(SaveJpegTest, WritesEverywhereIfTheFolderIsTheRoot) {
+  EXPECT_EQ(saveJpeg("/", (folder_ / "picture.jpg").string(), jpegWith('a')), (folder_ / "picture.jpg").string());
+}
+
+TEST_F(SaveJpegTest, FindsTheFolderThroughALink) {
+  fs::create_directory(folder_ / "album");
+  fs::create_symlink("album", folder_ / "pictures");
+  const std::string link = (folder_ / "pictures").string();
+  EXPECT_EQ(saveJpeg(link, link + "/picture.jpg", jpegWith('a')), (folder_ / "album" / "picture.jpg").string());
+}
+
+TEST_F(SaveJpegTest, ReplacesNothingButJpegs) {
+  for (const std::string content : {"ssh-rsa key", "", "\xff\xd8"}) {
+    std::ofstream(folder_ / "key.jpg", std::ios::binary) << content;
+    EXPECT_THAT(saveRefusal("key.jpg"), HasSubstr("it exists and is not a JPEG"));
+    EXPECT_EQ(read(folder_ / "key.jpg"), content);
+  }
+  std::ofstream(folder_ / "authorized_keys") << "ssh-rsa key";
+  fs::create_symlink("authorized_keys", folder_ / "link.jpg");
+  EXPECT_THAT(saveRefusal("link.jpg"), HasSubstr("it is a link to"));
+  EXPECT_EQ(read(folder_ / "authorized_keys"), "ssh-rsa key");
 }
 
 TEST_F(SaveJpegTest, NamesTheFolderThatDoesNotExist) {
-  EXPECT_THAT(saveRefusal((folder_ / "missing" / "picture.jpg").string()),
+  EXPECT_THAT(saveRefusal("missing/picture.jpg"),
               HasSubstr("the folder " + (folder_ / "missing").string() + " does not exist"));
+  EXPECT_THAT(refusalOf([&] { saveJpeg((folder_ / "missing").string(), "picture.jpg", jpegWith('a')); }),
+              HasSubstr("make it, or set ~picture_folder"));
 }
 
 TEST_F(SaveJpegTest, RefusesAPathThatDoesNotNameAFile) {
   EXPECT_THAT(saveRefusal(folder_.string()), HasSubstr("does not name a file"));
   EXPECT_THAT(saveRefusal(folder_.string() + "/"), HasSubstr("does not name a file"));
-  EXPECT_THAT(saveRefusal((folder_ / "picture.jpg").string() + "/"), HasSubstr("does not name a file"));
+  EXPECT_THAT(saveRefusal("picture.jpg/"), HasSubstr("does not name a file"));
 }
 
 TEST_F(SaveJpegTest, TakesBothNamesOfAJpegInAnyCase) {
-  EXPECT_EQ(saveJpeg((folder_ / "picture.jpeg").string(), {'a'}), (folder_ / "picture.jpeg").string());
-  EXPECT_EQ(saveJpeg((folder_ / "PICTURE.JPG").string(), {'a'}), (folder_ / "PICTURE.JPG").string());
+  EXPECT_EQ(save("picture.jpeg"), (folder_ / "picture.jpeg").string());
+  EXPECT_EQ(save("PICTURE.JPG"), (folder_ / "PICTURE.JPG").string());
 }
 
 TEST_F(SaveJpegTest, RefusesANameThatIsNotThatOfAJpegAndSuggestsOne) {
   EXPECT_THAT(saveRefusal((folder_ / "picture.png").string()),
               HasSubstr("name it " + (folder_ / "picture.jpg").string()));
-  EXPECT_THAT(saveRefusal((folder_ / "picture").string()), HasSubstr("name it " + (folder_ / "picture.jpg").string()));
+  EXPECT_THAT(saveRefusal("picture"), HasSubstr("name it picture.jpg"));
   EXPECT_EQ(filesInFolder(), 0u);
 }
 
@@ -148,7 +204,7 @@ TEST_F(SaveJpegTest, SaysThatATildeIsNotExpanded) {
 
 TEST_F(SaveJpegTest, DoesNotReplaceADevice) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.jpg").c_str(), 0600), 0);
-  EXPECT_THAT(saveRefusal((folder_ / "pipe.jpg").string()), HasSubstr("not a regular file"));
+  EXPECT_THAT(saveRefusal("pipe.jpg"), HasSubstr("not a regular file"));
   EXPECT_TRUE(fs::is_fifo(folder_ / "pipe.jpg"));
 }
 
@@ -157,8 +213,94 @@ TEST_F(SaveJpegTest, SaysThatPermissionIsMissing) {
     GTEST_SKIP() << "root may write everywhere";
   }
   fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_THAT(saveRefusal((folder_ / "picture.jpg").string()), HasSubstr("Permission denied"));
+  EXPECT_THAT(saveRefusal("picture.jpg"), HasSubstr("Permission denied"));
   fs::permissions(folder_, fs::perms::owner_all);
+}
+
+/// Sets a variable of the environment; at its end it has its old value again.
+class EnvironmentVariable {
+ public:
+  EnvironmentVariable(const char* name, const std::string& value) : name_(name) {
+    const char* const old = std::getenv(name);
+    had_value_ = old != nullptr;
+    old_value_ = had_value_ ? old : "";
+    ::setenv(name, value.c_str(), 1);
+  }
+  ~EnvironmentVariable() {
+    if (had_value_) {
+      ::setenv(name_, old_value_.c_str(), 1);
+    } else {
+      ::unsetenv(name_);
+    }
+  }
+
+  EnvironmentVariable(const EnvironmentVariable&) = delete;
+  EnvironmentVariable& operator=(const EnvironmentVariable&) = delete;
+
+ private:
+  const char* name_;
+  bool had_value_ = false;
+  std::string old_value_;
+};
+
+TEST(PictureFolder, IsTheChosenOneOrPicturesOrThatOfRos) {
+  const test_support::TemporaryFolder home;
+  const EnvironmentVariable home_variable("HOME", home.path().string());
+  const EnvironmentVariable ros_home("ROS_HOME", "");
+  EXPECT_EQ(pictureFolder("/chosen"), "/chosen");
+  EXPECT_EQ(pictureFolder(""), home.path(".ros"));
+  {
+    const EnvironmentVariable set("ROS_HOME", "/ros_home");
+    EXPECT_EQ(pictureFolder(""), "/ros_home");
+    home.write("Pictures/picture", "");
+    EXPECT_EQ(pictureFolder(""), home.path("Pictures"));
+  }
+}
+
+// ---------------------------------------------------------------------------------------- what is left out of pictures
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes withSegment(const Bytes& jpeg, std::uint8_t marker, const std::string& content) {
+  const std::size_t size = content.size() + 2;
+  Bytes segment = {0xFF, marker, static_cast<std::uint8_t>(size >> 8), static_cast<std::uint8_t>(size)};
+  segment.insert(segment.end(), content.begin(), content.end());
+  Bytes result = jpeg;
+  result.insert(result.begin() + 2, segment.begin(), segment.end());
+  return result;
+}
+
+TEST(WithoutComments, APictureOfACameraStaysAsItIs) {
+  const Bytes picture = test_pictures::make();
+  EXPECT_EQ(withoutComments(picture), picture);
+}
+
+TEST(WithoutComments, CommentsAndApplicationDataAreLeftOut) {
+  const Bytes picture = test_pictures::make();
+  const std::string key = "\nssh-rsa key of a stranger\n";
+  EXPECT_EQ(withoutComments(withSegment(picture, 0xFE, key)), picture);
+  EXPECT_EQ(withoutComments(withSegment(withSegment(picture, 0xFE, ""), 0xFE, std::string(65533, 'x'))), picture);
+  for (int application = 0; application < 16; ++application) {
+    const auto marker = static_cast<std::uint8_t>(0xE0 + application);
+    EXPECT_EQ(withoutComments(withSegment(picture, marker, key)), picture) << application;
+    EXPECT_EQ(withoutComments(withSegment(picture, marker, std::string("JFIF\0\1\2\0\0\1\0\1\1\1xxx", 17))), picture)
+        << application << ": a thumbnail";
+  }
+}
+
+TEST_F(SaveJpegTest, SavesNoComments) {
+  saveJpeg(folder_.string(), "picture.jpg", withSegment(jpegWith('a'), 0xFE, "\nssh-rsa key of a stranger\n"));
+  expectSaved("picture.jpg", 'a');
+}
+
+TEST(WithoutComments, ADamagedPictureIsRefused) {
+  const Bytes picture = test_pictures::make();
+  for (std::size_t size = 0; size < test_pictures::findMarker(picture, 0xDA); ++size) {
+    EXPECT_THROW(withoutComments(Bytes(picture.begin(), picture.begin() + static_cast<std::ptrdiff_t>(size))),
+                 FileException)
+        << size;
+  }
+  EXPECT_THROW(withoutComments({0xFF, 0xD8, 0xFF, 0xFE, 0, 1, 0xFF, 0xDA, 0, 2}), FileException);
 }
 
 }  // namespace

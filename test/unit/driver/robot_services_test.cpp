@@ -2,14 +2,13 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "support/fake_client.h"
+#include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -19,6 +18,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
+
+const std::string kMotion = std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P/NOD.MTN";
 
 class RobotServicesTest : public ::testing::Test {
  protected:
@@ -155,14 +156,23 @@ TEST_F(RobotServicesTest, UploadDataUnderItsName) {
 }
 
 TEST_F(RobotServicesTest, UploadAFileUnderItsOwnNameUnlessThereIsAnother) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "robot_services_test.XXXXXX").string();
-  const std::filesystem::path folder = ::mkdtemp(pattern.data());
-  const std::string file = (folder / "bow.mtn").string();
-  std::ofstream(file) << "abc";
+  const test_support::TemporaryFolder folder;
+  const std::string file = folder.path("bow.mtn").string();
+  std::filesystem::copy_file(kMotion, file);
   EXPECT_TRUE(upload("", file, {}).success);
   EXPECT_TRUE(upload("wag", file, {}).success);
-  std::filesystem::remove_all(folder);
-  EXPECT_THAT(client_.told, ElementsAre("upload BOW.MTN 3", "upload WAG.MTN 3"));
+  const std::string size = std::to_string(std::filesystem::file_size(kMotion));
+  EXPECT_THAT(client_.told, ElementsAre("upload BOW.MTN " + size, "upload WAG.MTN " + size));
+}
+
+TEST_F(RobotServicesTest, UploadNoFileThatIsNotAWholeMotion) {
+  EXPECT_THAT(upload("env", "/proc/self/environ", {}).message, HasSubstr("is not a motion file"));
+  const test_support::TemporaryFolder folder;
+  const std::string file = folder.path("cut.mtn").string();
+  std::filesystem::copy_file(kMotion, file);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
+  EXPECT_THAT(upload("", file, {}).message, HasSubstr("cut.mtn' is not a motion file: section 3"));
+  EXPECT_THAT(client_.told, IsEmpty());
 }
 
 TEST_F(RobotServicesTest, UploadNothingWithoutExactlyOneSource) {

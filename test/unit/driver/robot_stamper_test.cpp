@@ -53,6 +53,19 @@ TEST_F(RobotStamperTest, StampsKeepTheIntervalOfTheFrameNumbersEvenIfAMessageIsL
   EXPECT_EQ(second, first + ros::Duration(0, 40000000));
 }
 
+// 40 frames of 8 ms in 10 ms, and jumps of less than a second.
+TEST_F(RobotStamperTest, NoStampIsLaterThanItsArrivalHoweverFastTheFrameNumbersGrow) {
+  for (const std::uint32_t frames : {2U, 40U, 60U, 120U}) {
+    RobotStamper stamper = makeStamper(0ns, &robot_clock_);
+    std::uint32_t frame = 100;
+    for (int i = 0; i < 500; ++i) {
+      frame += frames;
+      EXPECT_LE(stamper.stamp(telemetryOf(frame, steady_now_)), ros_now_) << frames << " " << i;
+      advance(10ms);
+    }
+  }
+}
+
 TEST_F(RobotStamperTest, StampsOfPicturesAndTelemetryOfOneFrameAreTheSame) {
   RobotStamper pictures = makeStamper(0ns, &robot_clock_);
   RobotStamper telemetries = makeStamper(0ns, &robot_clock_);

@@ -68,7 +68,7 @@ TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
 TEST_F(StreamServicesTest, AnswerAPictureThatWasNotSavedAndSayWhy) {
   const auto answer = takePicture(0, "/no/such/folder/picture.jpg");
   EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("It was not saved: cannot write /no/such/folder/picture.jpg"));
+  EXPECT_THAT(answer.message, HasSubstr("It was not saved: cannot write "));
   EXPECT_THAT(answer.image.data, ElementsAre(1, 2, 3));
 }
 

@@ -127,6 +127,12 @@ TEST(TextFormTest, namesTheLineOfAMistake) {
   EXPECT_THAT(problemOf("frame 0\n" + begin + "at 160\n"), HasSubstr("a frame of 0 ms"));
 }
 
+TEST(TextFormTest, aLineForATerminalHasNothingThatATerminalObeys) {
+  EXPECT_EQ(motion_tool::forTerminal("Gr\xc3\xbc\xc3\x9f.mtn is cut off"), "Gr\xc3\xbc\xc3\x9f.mtn is cut off");
+  EXPECT_EQ(motion_tool::forTerminal("DRX\x1b]0;title\x07"), "DRX?]0;title?");
+  EXPECT_EQ(motion_tool::forTerminal("\xe2\x80\xae"), "???");
+}
+
 TEST(TextFormTest, namesAllMistakesAtOnce) {
   EXPECT_EQ(problemOf("robot ERS-7\nat 0 head_pan 1 left_wing 2 mouth -5\nat 20 head_pan x mouth -400\n  mouth -10\n"
                       "at soon\nat 33\n"),

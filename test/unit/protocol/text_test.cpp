@@ -30,6 +30,19 @@ TEST(PlainText, HasNoControlCharacters) {
   EXPECT_FALSE(isPlain(std::string(1, '\0')));
 }
 
+// Soft hyphen, Arabic letter mark, zero width space, right-to-left mark, line and paragraph separator, right-to-left
+// override, word joiner, right-to-left isolate, variation selector, byte order mark, annotation, tag.
+TEST(PlainText, HasNoCharactersThatChangeHowOthersAreShown) {
+  for (const char* text :
+       {"\xc2\xad", "\xd8\x9c", "\xe2\x80\x8b", "\xe2\x80\x8f", "\xe2\x80\xa8", "\xe2\x80\xa9", "\xe2\x80\xae",
+        "\xe2\x81\xa0", "\xe2\x81\xa7", "\xef\xb8\x8f", "\xef\xbb\xbf", "\xef\xbf\xb9", "\xf3\xa0\x81\x81"}) {
+    EXPECT_FALSE(isPlain(std::string("a") + text + "b")) << text;
+  }
+  for (const char* text : {"\xe2\x80\x8a", "\xe2\x80\x90", "\xe2\x80\xa7", "\xe2\x80\xaf", "\xe2\x81\xb0"}) {
+    EXPECT_TRUE(isPlain(text)) << "their neighbours";
+  }
+}
+
 TEST(PlainText, HasNoMalformedUtf8) {
   for (const char* text :
        {"\x80", "\xbf", "\xfe", "\xff", "\xf8\x88\x80\x80\x80", "\xc3(", "\xe2\x82(", "\xf0\x9f\x90("}) {
@@ -100,6 +113,23 @@ TEST(MotionName, HasOneToEightCharactersBeforeItsEnding) {
   EXPECT_THAT(read(".MTN"), HasSubstr("nothing before .MTN"));
   EXPECT_THAT(read("123456789.MTN"), HasSubstr("more than 8 characters"));
   EXPECT_THAT(read(std::string(100000, 'A') + ".MTN"), HasSubstr("more than 8 characters"));
+}
+
+bool isAllowedForNew(const std::string& text) {
+  MotionName name;
+  EXPECT_EQ(readMotionName(text.data(), text.size(), name), nullptr) << text;
+  return problemOfNewMotionName(name) == nullptr;
+}
+
+TEST(MotionName, OfANewFileIsNeitherADeviceNorStandsForALongerName) {
+  for (const char* text : {"CON.MTN", "con.mtn", "PRN.MTN", "AUX.MTN", "NUL.MTN", "CLOCK$.MTN", "COM0.MTN", "COM1.MTN",
+                           "COM9.MTN", "LPT1.MTN", "WAG~1.MTN", "A~12.MTN", "SIT_AN~1.MTN", "~1.MTN"}) {
+    EXPECT_FALSE(isAllowedForNew(text)) << text;
+  }
+  for (const char* text : {"CONE.MTN", "CO.MTN", "COM.MTN", "COMA.MTN", "COM10.MTN", "LPT.MTN", "NULL.MTN", "ICON.MTN",
+                           "1.MTN", "12345678.MTN", "~.MTN", "~A1.MTN", "WAG~.MTN", "A1.MTN"}) {
+    EXPECT_TRUE(isAllowedForNew(text)) << text;
+  }
 }
 
 TEST(MotionName, CannotLeadOutOfAFolder) {

@@ -193,6 +193,8 @@ TEST_F(Version1MotionsTest, aFileThatIsNotAMotionIsNotStored) {
   EXPECT_EQ(answerTo(upload("NEW.MTN", "no motion")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.MTN", "")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.TXT", motion_)), "e0 2");
+  EXPECT_EQ(answerTo(upload("COM1.MTN", motion_)), "e0 0");
+  EXPECT_EQ(answerTo(upload("WAG~1.MTN", motion_)), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n"))), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("at 0 head_pan 110\n"))), "e0 0") << "it could not be played";
   EXPECT_EQ(answerTo(fileRequest('U', "NEW.MTN", 1000)), "e0 0") << "at once, before any of the content has arrived";
@@ -367,6 +369,8 @@ TEST_F(Version2MotionsTest, noNameLeadsOutOfTheFolder) {
 
 TEST_F(Version2MotionsTest, reportsWhyAnUploadIsRefused) {
   startVersion2("ALLOW_UPLOAD=yes\n");
+  EXPECT_THAT(answerTo(upload("CON.MTN", motion_)), HasSubstr("that of a device on Windows"));
+  EXPECT_THAT(answerTo(upload("WAG~1.MTN", motion_)), HasSubstr("could stand for another file"));
   EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")),
               HasSubstr("e0 NEW.MTN is not a motion file: it ends before section 0"));
   EXPECT_THAT(answerTo(upload("NEW.MTN", std::string(mtn::MAX_FILE_SIZE + 1, 'x'))),

@@ -82,6 +82,17 @@ TEST_F(MotionFilesTest, anUploadReplacesAnExistingFile) {
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
 }
 
+TEST_F(MotionFilesTest, anUploadFollowsNoLink) {
+  stick_.write("elsewhere", "precious");
+  for (const char* name : {"UPLOAD.TMP", "HOP.MTN"}) {
+    std::filesystem::create_symlink(stick_.path("elsewhere"), folder_ / name);
+  }
+  EXPECT_TRUE(store("HOP.MTN", "new"));
+  EXPECT_EQ(fileContent(stick_.path("elsewhere")), "precious");
+  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder_ / "HOP.MTN"));
+}
+
 TEST_F(MotionFilesTest, findsAFileInUpperOrLowerCase) {
   stick_.write(std::string(MOTION_FOLDER) + "/Hop.mtn", "content");
   std::string content;
