@@ -15,6 +15,10 @@ namespace version2 = protocol::version2;
 
 namespace {
 
+// Two seconds at the highest rate. More can only have waited because this process was held up for long, and after
+// that the newest are worth more than a burst of all.
+constexpr std::size_t kMostTelemetryAtOnce = 64;
+
 /// @throw ProtocolException if a decoder has found a problem
 void expectGood(const char* problem, const char* what) {
   if (problem != nullptr) {
@@ -242,8 +246,8 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   if (!reader_.isBetweenFrames()) {
     connection_.pictures.signOfPicture(now);  // nothing else is so large that it comes in parts
   }
-  if (telemetry_) {
-    connection_.publish(*std::exchange(telemetry_, std::nullopt));
+  for (const Telemetry& telemetry : std::exchange(telemetry_, {})) {
+    connection_.publish(telemetry);
   }
 }
 
@@ -350,15 +354,19 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   version2::Telemetry measured;
   expectGood(version2::decodeTelemetry(payload.data, payload.size, &measured), "telemetry");
-  telemetry_ = Telemetry();
-  telemetry_->frame_number = measured.frame_number;
-  telemetry_->arrival = frame_began_;
+  if (telemetry_.size() == kMostTelemetryAtOnce) {
+    telemetry_.pop_front();
+    ++connection_.context.counters.dropped_telemetry;
+  }
+  Telemetry& telemetry = telemetry_.emplace_back();
+  telemetry.frame_number = measured.frame_number;
+  telemetry.arrival = frame_began_;
   for (std::size_t i = 0; i < measured.count; ++i) {
     const version2::TelemetryEntry& entry = measured.entries[i];
     if (entry.group == version2::GROUP_JOINT) {
-      telemetry_->joints.push_back({entry.id, fromMicro(entry.value)});
+      telemetry.joints.push_back({entry.id, fromMicro(entry.value)});
     } else {
-      telemetry_->sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
+      telemetry.sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
     }
   }
 }

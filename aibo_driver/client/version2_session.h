@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -96,8 +97,8 @@ class Version2Session final : public Session {
 
   bool ready_ = false;
   TimePoint next_hello_;
-  int telemetry_period_ = 0;            // as last requested
-  std::optional<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart
+  int telemetry_period_ = 0;         // as last requested
+  std::deque<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart, in this order
 };
 
 }  // namespace aibo_driver

@@ -139,6 +139,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   }
   status.add("measurements per second", oneDecimal(rate));
   status.add("measurements received", client.telemetry);
+  status.add("measurements dropped for newer ones", client.dropped_telemetry);
   status.add("requests refused by the robot", client.refusals);
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);

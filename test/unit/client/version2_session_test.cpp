@@ -301,15 +301,36 @@ TEST_F(Version2SessionTest, PicturesThatArrivedTogetherHaveDifferentTimes) {
   EXPECT_LT(pictures_[0]->first_byte_time, pictures_[1]->first_byte_time);
 }
 
-TEST_F(Version2SessionTest, OnlyTheNewestTelemetryOfThoseThatArrivedTogetherIsReported) {
+// Telemetry of the frames 4, 8, 12 ...
+Bytes makeBurst(unsigned count) {
   Bytes bytes;
-  for (unsigned frame = 1; frame <= 5; ++frame) {
-    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(frame, {{'J', 1, 0}}));
+  for (unsigned i = 1; i <= count; ++i) {
+    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(4 * i, {{'J', 1, 1000 * static_cast<int>(i)}}));
     bytes.insert(bytes.end(), each.begin(), each.end());
   }
-  receive(bytes);
-  ASSERT_EQ(1u, telemetry_.size());
-  EXPECT_EQ(5u, telemetry_[0].frame_number);
+  return bytes;
+}
+
+TEST_F(Version2SessionTest, AllTelemetryOfThoseThatArrivedTogetherIsReportedInOrder) {
+  receive(makeBurst(64));
+  ASSERT_EQ(64u, telemetry_.size());
+  for (unsigned i = 1; i <= 64; ++i) {
+    EXPECT_EQ(4 * i, telemetry_[i - 1].frame_number);
+    EXPECT_DOUBLE_EQ(0.001 * i, telemetry_[i - 1].joints.at(0).position);
+  }
+  EXPECT_EQ(64u, counters_.telemetry);
+  EXPECT_EQ(0u, counters_.dropped_telemetry);
+  receive(makeBurst(1));
+  EXPECT_EQ(65u, telemetry_.size()) << "each once";
+}
+
+TEST_F(Version2SessionTest, OfMoreTelemetryThanThatTheNewestIsReportedAndTheRestIsCounted) {
+  receive(makeBurst(70));
+  ASSERT_EQ(64u, telemetry_.size());
+  EXPECT_EQ(28u, telemetry_.front().frame_number);
+  EXPECT_EQ(280u, telemetry_.back().frame_number);
+  EXPECT_EQ(64u, counters_.telemetry);
+  EXPECT_EQ(6u, counters_.dropped_telemetry);
 }
 
 TEST_F(Version2SessionTest, JointsCommandedTogetherAreSentInOneRequest) {
@@ -590,6 +611,7 @@ TEST_F(Version2SessionTest, FramesAreFoundHoweverTheyAreSplitAndJoined) {
   }
   ASSERT_EQ(20u, pictures_.size());
   EXPECT_EQ(test_pictures::makeNumbered(20), pictures_[19]->jpeg);
+  ASSERT_EQ(20u, telemetry_.size());
   EXPECT_EQ(20u, telemetry_.back().frame_number);
 }
 

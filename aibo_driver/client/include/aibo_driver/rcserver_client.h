@@ -62,7 +62,8 @@ struct ClientStatistics {
   std::uint64_t stale_pictures = 0;       ///< good pictures dropped: this process was held up, and they waited unread
   std::uint64_t bytes_received = 0;       ///< bytes read from the socket
   std::uint64_t telemetry = 0;            ///< telemetry delivered
-  std::uint64_t refusals = 0;             ///< requests that the robot refused
+  std::uint64_t dropped_telemetry = 0;  ///< telemetry dropped: this process was held up, and more than 64 waited unread
+  std::uint64_t refusals = 0;           ///< requests that the robot refused
 };
 
 /// Keeps one connection to an RCServer: gets pictures and telemetry over it, moves the joints, and gives the robot
@@ -86,8 +87,8 @@ class RcServerClient {
   using StatusCallback = std::function<void(const ConnectionStatus& status)>;
   /// Called on the client's thread each time streaming() changes. Same rules.
   using StreamingCallback = std::function<void(bool streaming)>;
-  /// Called on the client's thread with measurements of the robot; if several arrived together, with the newest alone.
-  /// Same rules.
+  /// Called on the client's thread with measurements of the robot, in order. If several arrived together, such as after
+  /// the radio was held up, it is called for each: for the newest 64, if there are more. Same rules.
   using TelemetryCallback = std::function<void(const Telemetry& telemetry)>;
   /// Called on the client's thread with the targets that the robot accepted for joints, clamped to their limits. Same
   /// rules.
