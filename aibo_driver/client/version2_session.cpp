@@ -41,6 +41,15 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
   return robot;
 }
 
+// The server sends the duty of a joint after its position.
+void setDuty(int id, double duty, std::vector<JointReading>* joints) {
+  for (JointReading& joint : *joints) {
+    if (joint.id == id) {
+      joint.duty = duty;
+    }
+  }
+}
+
 std::string describeError(const unsigned char* payload, std::size_t size) {
   version2::ErrorMessage message;
   expectGood(version2::decodeErrorMessage(payload, size, &message), "error message");
@@ -102,7 +111,7 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
-  return request(version2::REQUEST_TELEMETRY, 0, now, version2::TELEMETRY_PERIOD_SIZE,
+  return request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_WITH_DUTY, now, version2::TELEMETRY_PERIOD_SIZE,
                  [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
 }
 
@@ -365,8 +374,10 @@ void Version2Session::onTelemetry(const Payload& payload) {
     const version2::TelemetryEntry& entry = measured.entries[i];
     if (entry.group == version2::GROUP_JOINT) {
       telemetry.joints.push_back({entry.id, fromMicro(entry.value)});
-    } else {
+    } else if (entry.group == version2::GROUP_SENSOR) {
       telemetry.sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
+    } else {
+      setDuty(entry.id, fromMicro(entry.value), &telemetry.joints);
     }
   }
 }

@@ -26,7 +26,7 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
                                  : std::chrono::duration<double>(telemetry.arrival - entry->arrival).count();
       velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
     }
-    entry = Entry{{*index, reading.position, velocity}, telemetry.frame_number, telemetry.arrival};
+    entry = Entry{{*index, reading.position, velocity, reading.duty}, telemetry.frame_number, telemetry.arrival};
     updated.push_back(entry->joint);
   }
   return updated;

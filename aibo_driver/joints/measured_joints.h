@@ -16,9 +16,10 @@ namespace aibo_driver::joints {
 
 /// Where a joint was last measured.
 struct MeasuredJoint {
-  std::size_t index = 0;  ///< in the JointTable
-  double position = 0;    ///< rad
-  double velocity = 0;    ///< rad/s; 0 until the second measurement
+  std::size_t index = 0;                      ///< in the JointTable
+  double position = 0;                        ///< rad
+  double velocity = 0;                        ///< rad/s; 0 until the second measurement
+  std::optional<double> duty = std::nullopt;  ///< of its motor, -1..1; empty if the robot does not report it
 };
 
 /// The last measured position and velocity of each joint. From any thread.

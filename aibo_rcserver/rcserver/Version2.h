@@ -98,6 +98,7 @@ class Version2 {
   protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick
   unsigned char message_[Outbox::MAX_REPLY_SIZE];
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
+  bool with_duty_;                   ///< telemetry has the duty of the motors
   bool has_pushed_telemetry_;        ///< since the period was set
   unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
 };

@@ -250,6 +250,7 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("T2", request());
   EXPECT_EQ(Bytes({0, 4}), frame_.payload);
+  EXPECT_EQ(version2::TELEMETRY_WITH_DUTY, frame_.header.id);
   receive(makeFrame('t', 2, {0, 4}));
   EXPECT_TRUE(telemetry_.empty()) << "that was the period";
   receive(makeFrame('t', 0,
@@ -259,13 +260,17 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
                                                         {'S', 5, 80000000},
                                                         {'S', 66, 870000},
                                                         {'S', 200, -1},
-                                                        {'J', 52, 1000000}})));
+                                                        {'J', 52, 1000000},
+                                                        {'D', 52, -250000},
+                                                        {'D', 77, 1}})));
   ASSERT_EQ(1u, telemetry_.size());
   EXPECT_EQ(99u, telemetry_[0].frame_number);
   ASSERT_EQ(2u, telemetry_[0].joints.size());
   EXPECT_EQ(2, telemetry_[0].joints[0].id);
   EXPECT_DOUBLE_EQ(-0.5, telemetry_[0].joints[0].position);
+  EXPECT_FALSE(telemetry_[0].joints[0].duty) << "not sent";
   EXPECT_EQ(52, telemetry_[0].joints[1].id);
+  EXPECT_EQ(-0.25, telemetry_[0].joints[1].duty);
   ASSERT_EQ(5u, telemetry_[0].sensors.size());
   EXPECT_EQ(53, telemetry_[0].sensors[0].id);
   EXPECT_DOUBLE_EQ(0.25, telemetry_[0].sensors[0].value) << "range_near, m";
