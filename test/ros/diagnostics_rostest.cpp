@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
@@ -53,9 +54,12 @@ Bytes cut(Bytes jpeg) {
   return jpeg;
 }
 
+// The frame numbers of a PictureServer do not keep pace with the time.
+const std::vector<std::string> kWithoutRobotTime = {"_use_robot_time:=false"};
+
 TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   PictureServer server(2, 20ms);
-  DriverProcess driver("/damage", server.port());
+  DriverProcess driver("/damage", server.port(), kWithoutRobotTime);
   DiagnosticsListener diagnostics;
   const auto wait_for = [&diagnostics](int level) {
     return diagnostics.waitFor("damage/aibo_driver: stream", [level](const auto& s) { return s.level == level; });
@@ -70,7 +74,7 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
 
 TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
   PictureServer server(2, 200ms);
-  DriverProcess driver("/slow_stream", server.port());
+  DriverProcess driver("/slow_stream", server.port(), kWithoutRobotTime);
   DiagnosticsListener diagnostics;
   const auto slow = diagnostics.waitFor("slow_stream/aibo_driver: stream", [](const auto& status) {
     return status.level == DiagnosticStatus::WARN && status.message.find("only ") == 0;

@@ -53,8 +53,10 @@ TEST_F(SlowStreamTest, IsMeasuredFromHalfOfTheRateThatIsAskedFor) {
 }
 
 TEST_F(SlowStreamTest, IsNoneWhileNoStreamIsAskedFor) {
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 0) << "it may have begun a moment ago";
   EXPECT_DOUBLE_EQ(slowForAfter(1), 1);
   EXPECT_DOUBLE_EQ(slowForAfter(0, 0), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 0);
   EXPECT_DOUBLE_EQ(slowForAfter(14), 1);
 }
 
