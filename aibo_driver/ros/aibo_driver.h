@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 
+#include <optional>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
@@ -12,6 +13,7 @@
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
+#include "ros/body/footprint_publisher.h"
 #include "ros/body/power_status.h"
 #include "ros/body/robot_services.h"
 #include "ros/body/telemetry_publishers.h"
@@ -79,6 +81,7 @@ class AiboDriver {
   CameraPublisher camera_;
   RawImagePublisher raw_images_;
   TelemetryPublishers telemetry_;
+  std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted
 
   RcServerClient client_;
 

@@ -214,6 +214,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("slow_down", &parameters.slow_down);
+  reader.read("publish_footprint", &parameters.publish_footprint);
 
   reader.checkRefusals();
   reader.addKnown("diagnostic_period");

@@ -50,6 +50,7 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 1.0);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.5);
   EXPECT_FALSE(parameters.slow_down);
+  EXPECT_TRUE(parameters.publish_footprint);
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
@@ -75,12 +76,14 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   values["speed_scale"] = 0.5;
   values["approach_speed"] = 0.25;
   values["slow_down"] = XmlRpcValue(true);
+  values["publish_footprint"] = XmlRpcValue(false);
   const DriverParameters parameters = parse(values);
   EXPECT_EQ(parameters.robot, "ERS-210");
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 2);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 0.5);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.25);
   EXPECT_TRUE(parameters.slow_down);
+  EXPECT_FALSE(parameters.publish_footprint);
 }
 
 TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
