@@ -13,15 +13,27 @@ namespace {
 constexpr double kFullTurn = 2 * 3.14159265358979323846;  // rad
 constexpr double kGreatestSpeed = 100;                    // rad/s
 
+int idOf(int id) {
+  return id;
+}
+
+template <typename Part>
+int idOf(const Part& part) {
+  return part.id;
+}
+
+/// @param parts identifiers, or structs that have one
 /// @param kind of part: "joint" or "LED"
 template <typename Part>
-void checkIds(const std::vector<Part>& parts, std::size_t most, const std::string& kind) {
-  checkRange("the number of " + kind + "s", static_cast<long long>(parts.size()), 1, static_cast<long long>(most));
+void checkIds(const std::vector<Part>& parts, std::size_t fewest, std::size_t most, const std::string& kind) {
+  checkRange("the number of " + kind + "s", static_cast<long long>(parts.size()), static_cast<long long>(fewest),
+             static_cast<long long>(most));
   std::set<int> ids;
   for (const Part& part : parts) {
-    checkRange("the id of a " + kind, part.id, 1, 255);
-    if (!ids.insert(part.id).second) {
-      throw InvalidArgumentException("the " + kind + " " + std::to_string(part.id) + " is given twice");
+    const int id = idOf(part);
+    checkRange("the id of a " + kind, id, 1, 255);
+    if (!ids.insert(id).second) {
+      throw InvalidArgumentException("the " + kind + " " + std::to_string(id) + " is given twice");
     }
   }
 }
@@ -56,7 +68,7 @@ void checkClientOptions(const ClientOptions& options) {
 }
 
 void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration) {
-  checkIds(targets, protocol::version2::MAX_JOINTS, "joint");
+  checkIds(targets, 1, protocol::version2::MAX_JOINTS, "joint");
   checkRange("duration", duration.count(), 0, 65535, " ms");
   for (const JointTarget& target : targets) {
     require(std::abs(target.position) <= kFullTurn, target.id,
@@ -64,8 +76,12 @@ void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::mil
   }
 }
 
+void checkJointsToHold(const std::vector<int>& joints) {
+  checkIds(joints, 0, protocol::version2::MAX_JOINTS, "joint");
+}
+
 void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
-  checkIds(limits, protocol::version2::MAX_JOINTS, "joint");
+  checkIds(limits, 1, protocol::version2::MAX_JOINTS, "joint");
   for (const JointSpeedLimit& limit : limits) {
     require(limit.speed > 0 && limit.speed <= kGreatestSpeed, limit.id,
             "its speed limit is " + std::to_string(limit.speed) + " rad/s, but has to be above 0 and at most 100");
@@ -73,7 +89,7 @@ void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
 }
 
 void checkLedCommands(const std::vector<LedCommand>& leds) {
-  checkIds(leds, protocol::version2::MAX_LEDS, "LED");
+  checkIds(leds, 1, protocol::version2::MAX_LEDS, "LED");
   for (const LedCommand& led : leds) {
     checkRange("the intensity of LED " + std::to_string(led.id), led.intensity, 0, 255);
   }

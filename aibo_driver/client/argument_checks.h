@@ -17,6 +17,8 @@ void checkRange(const std::string& name, long long value, long long lowest, long
 
 void checkClientOptions(const ClientOptions& options);
 void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
+/// @param joints may be empty
+void checkJointsToHold(const std::vector<int>& joints);
 void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkMotionContent(const std::vector<std::uint8_t>& content);

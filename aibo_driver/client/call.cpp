@@ -47,6 +47,14 @@ std::size_t encodeUpload(const Call& call, unsigned char* out) {
   return version2::encodeMotionUpload(upload, out);
 }
 
+std::size_t encodeJoints(const Call& call, unsigned char* out) {
+  version2::JointIds joints = {};
+  for (const int id : call.joints) {
+    joints.ids[joints.count++] = static_cast<unsigned char>(id);
+  }
+  return version2::encodeJointIds(joints, out);
+}
+
 std::size_t encodeName(const Call& call, unsigned char* out) {
   protocol::MotionName name;
   copyName(call.name, name);
@@ -109,6 +117,8 @@ std::string describe(const Call& call) {
       return "take a picture";
     case version2::REQUEST_MOTORS:
       return call.number != 0 ? "switch the motors on" : "switch the motors off";
+    case version2::REQUEST_HOLD:
+      return "hold its joints";
     case version2::REQUEST_UPLOAD:
       return "store the motion " + call.name;
     case version2::REQUEST_DELETE:
@@ -131,7 +141,8 @@ std::string explainRefusal(const Call& call, int code) {
 }
 
 bool isKnownToVersion1(const Call& call) {
-  return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_LIST;
+  return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_HOLD &&
+         call.letter != version2::REQUEST_LIST;
 }
 
 Call::Bytes encodeForVersion1(const Call& call) {
@@ -142,15 +153,22 @@ Call::Bytes encodeForVersion1(const Call& call) {
   return {static_cast<std::uint8_t>(call.letter), 0, 0, 0};
 }
 
-// No other request is longer than one about a file.
 std::size_t largestPayload(const Call& call) {
-  return protocol::FILE_REQUEST_SIZE + call.content.size();
+  // No other request of these is longer than one about a file.
+  return call.letter == version2::REQUEST_HOLD ? version2::MAX_JOINT_IDS_SIZE
+                                               : protocol::FILE_REQUEST_SIZE + call.content.size();
+}
+
+int idForVersion2(const Call& call) {
+  return call.letter == version2::REQUEST_HOLD && !call.joints.empty() ? version2::HOLD_JOINTS : 0;
 }
 
 std::size_t encodeForVersion2(const Call& call, unsigned char* out) {
   switch (call.letter) {
     case version2::REQUEST_MOTORS:
       return version2::encodeMotorState(call.number != 0, out);
+    case version2::REQUEST_HOLD:
+      return encodeJoints(call, out);
     case version2::REQUEST_UPLOAD:
       return encodeUpload(call, out);
     case version2::REQUEST_DELETE:

@@ -1,6 +1,7 @@
 /// @file call.h
 /// Calls of RcServerClient that wait for the robot's answer. The letters are those of the requests: `F` take a picture,
-/// `O` switch the motors, `P` play a motion, `U` upload, `D` delete and `N` list motions, `Q` shut down, `R` reboot.
+/// `O` switch the motors, `I` hold joints, `P` play a motion, `U` upload, `D` delete and `N` list motions, `Q` shut
+/// down, `R` reboot.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
@@ -42,10 +43,11 @@ struct Call {
   using Bytes = std::vector<std::uint8_t>;
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  char letter = 0;   ///< of the request; the same in both versions of the protocol
-  int number = 0;    ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
-  std::string name;  ///< of a motion; `P` alone may go without
-  Bytes content;     ///< of the motion to upload
+  char letter = 0;          ///< of the request; the same in both versions of the protocol
+  int number = 0;           ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
+  std::string name;         ///< of a motion; `P` alone may go without
+  Bytes content;            ///< of the motion to upload
+  std::vector<int> joints;  ///< `I`: identifiers; none = everything that moves
 
   std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
   TimePoint deadline;                    ///< when the caller stops waiting
@@ -74,6 +76,9 @@ Call::Bytes encodeForVersion1(const Call& call);
 
 /// Bytes that encodeForVersion2() writes at most.
 std::size_t largestPayload(const Call& call);
+
+/// The id in the header of the request of version 2. Not for pictures.
+int idForVersion2(const Call& call);
 
 /// The payload of the request of version 2. Not for pictures.
 /// @return the bytes written

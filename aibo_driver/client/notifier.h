@@ -26,6 +26,8 @@ class Notifier {
     call(callbacks_.on_joints_accepted, "on_joints_accepted", targets);
   }
 
+  void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
+
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
       if (callbacks_.log) {

@@ -79,6 +79,16 @@ void command(ConnectionLoop* loop, char letter, const std::string& parts, const 
   });
 }
 
+/// @throw CommandException this server cannot hold joints
+void requireHold(const std::string& address, const ConnectionStatus& status) {
+  if (!status.robot.hasCapability(std::string(1, version2::REQUEST_HOLD))) {
+    const std::string server = status.protocol_version == 1 ? "speaks version 1 of the protocol, which has no request"
+                                                            : "(" + status.robot.server + ") has no request";
+    throw CommandException(address + " " + server +
+                           " to hold joints; send the joints to where they were commanded instead");
+  }
+}
+
 }  // namespace
 
 RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks)
@@ -143,6 +153,17 @@ void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& lim
 
 bool RcServerClient::setMotors(bool on, milliseconds timeout) {
   return ask(loop_.get(), makeCall(version2::REQUEST_MOTORS, on ? 1 : 0), timeout, "setMotors()").motors_on;
+}
+
+void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
+  checkJointsToHold(joints);
+  loop_->read([this](const Shared& shared) {
+    loop_->requireConnection(shared);
+    requireHold(loop_->address(), shared.status);
+  });
+  Call call = makeCall(version2::REQUEST_HOLD);
+  call.joints = joints;
+  ask(loop_.get(), std::move(call), timeout, "hold()");
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {

@@ -57,6 +57,38 @@ std::string describeError(const unsigned char* payload, std::size_t size) {
   return message.text_size == 0 ? code : std::string(message.text, message.text_size) + " (" + code + ")";
 }
 
+EndedKind endedKind(unsigned what) {
+  switch (what) {
+    case version2::ENDED_MOTION:
+      return EndedKind::kMotion;
+    case version2::ENDED_WALK:
+      return EndedKind::kWalk;
+    case version2::ENDED_POSTURE:
+      return EndedKind::kPosture;
+    case version2::ENDED_JAM:
+      return EndedKind::kJam;
+    default:
+      return EndedKind::kUnknown;
+  }
+}
+
+EndedHow endedHow(unsigned how) {
+  switch (how) {
+    case version2::END_DONE:
+      return EndedHow::kDone;
+    case version2::END_REPLACED:
+      return EndedHow::kReplaced;
+    case version2::END_STOPPED:
+      return EndedHow::kStopped;
+    case version2::END_REFUSED:
+      return EndedHow::kRefused;
+    case version2::END_FELL:
+      return EndedHow::kFell;
+    default:
+      return EndedHow::kUnknown;
+  }
+}
+
 }  // namespace
 
 Version2Session::Version2Session(Connection& connection, TimePoint connected)
@@ -116,7 +148,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
-  Bytes frame = makeFrame(call->letter, 0, largestPayload(*call),
+  Bytes frame = makeFrame(call->letter, idForVersion2(*call), largestPayload(*call),
                           [&](unsigned char* out) { return encodeForVersion2(*call, out); });
   call->request_number = last_number_;
   connection_.callSent(*call, frame.size(), now);
@@ -280,6 +312,8 @@ void Version2Session::onPush(char kind, const Payload& payload) {
       return onStreamPicture(payload);
     case version2::TELEMETRY_PUSH:
       return onTelemetry(payload);
+    case version2::END_PUSH:
+      return onEnded(payload);
     case version2::ERROR_MESSAGE:
       return onReport(payload);
     default:
@@ -423,6 +457,17 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
     default:
       return refusals.refused(request_kind, "to move the ears: " + problem);
   }
+}
+
+void Version2Session::onEnded(const Payload& payload) {
+  version2::EndMessage message;
+  expectGood(version2::decodeEndMessage(payload.data, payload.size, &message), "report of an end");
+  MotionEnd end;
+  end.kind = endedKind(message.what);
+  end.how = endedHow(message.how);
+  end.name.assign(message.name, message.name_size);
+  end.reason.assign(message.reason, message.reason_size);
+  connection_.context.notifier.ended(end);
 }
 
 void Version2Session::onReport(const Payload& payload) {

@@ -78,6 +78,7 @@ class Version2Session final : public Session {
   void onJointsAccepted(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
   void onRefusal(char request_kind, const std::string& problem);
+  void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
 

@@ -15,6 +15,8 @@ const char REPLY_NEWER_VERSION = 'x';
 const size_t JOINT_TARGETS_HEADER_SIZE = 4;
 const size_t TELEMETRY_HEADER_SIZE = 8;
 const size_t ERROR_CODE_SIZE = 2;
+const size_t END_HEADER_SIZE = 4;
+const char END_SEPARATOR = '\n';
 
 // A joint's value and a telemetry entry share a layout: two bytes, uint16 0, int32 value.
 const size_t ENTRY_SIZE = 8;
@@ -25,6 +27,7 @@ const char WRONG_COUNT[] = "the count does not match the size of the payload";
 const char RESERVED_NOT_ZERO[] = "a reserved byte is not 0";
 const char UNKNOWN_LAYER[] = "the layer is not 0 (H), 1 (M), 2 (L) or 3 (double)";
 const char TOO_MANY_JOINTS[] = "more joints than any robot has";
+const char TEXT_NOT_PLAIN[] = "the text is not UTF-8 or holds control characters";
 const char JOINT_TWICE[] = "a joint is named twice";
 
 void encodeEntry(unsigned char first, unsigned char second, int value, unsigned char* out) {
@@ -267,6 +270,28 @@ const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on
   return NULL;
 }
 
+size_t encodeJointIds(const JointIds& joints, unsigned char* out) {
+  memcpy(out, joints.ids, joints.count);
+  return joints.count;
+}
+
+const char* decodeJointIds(const unsigned char* payload, size_t size, JointIds* joints) {
+  if (size == 0) {
+    return "no joint is named";
+  }
+  if (size > MAX_JOINTS) {
+    return TOO_MANY_JOINTS;
+  }
+  for (size_t i = 0; i < size; ++i) {
+    if (isNamedBefore(payload, i, 1)) {
+      return JOINT_TWICE;
+    }
+  }
+  joints->count = static_cast<unsigned char>(size);
+  memcpy(joints->ids, payload, size);
+  return NULL;
+}
+
 size_t encodeTelemetry(const Telemetry& telemetry, unsigned char* out) {
   encodeBigEndian32(telemetry.frame_number, out);
   encodeBigEndian16(telemetry.count, out + 4);
@@ -404,11 +429,49 @@ const char* decodeErrorMessage(const unsigned char* payload, size_t size, ErrorM
   const char* text = reinterpret_cast<const char*>(payload + ERROR_CODE_SIZE);
   const size_t text_size = size - ERROR_CODE_SIZE;
   if (!isPlainText(text, text_size)) {
-    return "the text is not UTF-8 or holds control characters";
+    return TEXT_NOT_PLAIN;
   }
   message->code = decodeBigEndian16(payload);
   message->text = text;
   message->text_size = text_size;
+  return NULL;
+}
+
+size_t encodeEndMessage(const EndMessage& message, unsigned char* out) {
+  const size_t name_size = sizeOfWholeCharacters(message.name, message.name_size, MAX_END_NAME_SIZE);
+  const size_t reason_size = sizeOfWholeCharacters(message.reason, message.reason_size, MAX_END_REASON_SIZE);
+  out[0] = message.what;
+  out[1] = message.how;
+  encodeBigEndian16(0, out + 2);
+  unsigned char* text = out + END_HEADER_SIZE;
+  memcpy(text, message.name, name_size);
+  text[name_size] = END_SEPARATOR;
+  memcpy(text + name_size + 1, message.reason, reason_size);
+  return END_HEADER_SIZE + name_size + 1 + reason_size;
+}
+
+const char* decodeEndMessage(const unsigned char* payload, size_t size, EndMessage* message) {
+  if (size < END_HEADER_SIZE) {
+    return WRONG_SIZE;
+  }
+  if (decodeBigEndian16(payload + 2) != 0) {
+    return RESERVED_NOT_ZERO;
+  }
+  const char* name = reinterpret_cast<const char*>(payload + END_HEADER_SIZE);
+  const char* end = reinterpret_cast<const char*>(payload + size);
+  const char* separator = static_cast<const char*>(memchr(name, END_SEPARATOR, end - name));
+  if (separator == NULL) {
+    return "there is no newline after the name";
+  }
+  if (!isPlainText(name, separator - name) || !isPlainText(separator + 1, end - separator - 1)) {
+    return TEXT_NOT_PLAIN;
+  }
+  message->what = payload[0];
+  message->how = payload[1];
+  message->name = name;
+  message->name_size = separator - name;
+  message->reason = separator + 1;
+  message->reason_size = end - separator - 1;
   return NULL;
 }
 

@@ -35,8 +35,8 @@ bool agreesToVersion2(const ValueReply& reply);
 
 /// The first bytes of every frame.
 struct FrameHeader {
-  char kind;                      ///< capital letter = request, lower-case letter = reply or push
-  unsigned char id;               ///< JPEG quality of `F` and `W`, TelemetryContent of `T`; 0 for all other kinds
+  char kind;         ///< capital letter = request, lower-case letter = reply or push
+  unsigned char id;  ///< JPEG quality of `F` and `W`, TelemetryContent of `T`, HoldScope of `I`; 0 for all other kinds
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
 };
@@ -59,6 +59,7 @@ const char REQUEST_JOINTS = 'J';        ///< moves joints; answered by the accep
 const char REQUEST_SPEED_LIMITS = 'V';  ///< sets or reads speed limits of joints; answered by those in force
 const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force; values are then pushed
 const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their state; answered by the state in force
+const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them; id = HoldScope; the reply has no payload
 const char REQUEST_LEDS = 'L';          ///< sets LEDs; answered by the accepted values
 const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by their new state
 const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
@@ -70,6 +71,7 @@ const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing fo
 
 const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
 const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; otherwise the reply to `T`, a period
+const char END_PUSH = 'i';        ///< something that the robot did has ended
 const char ERROR_MESSAGE = 'e';   ///< a request was refused; with request_number 0: a joint's fault, a power event,
                                   ///< or why the server closes the connection
 
@@ -170,6 +172,22 @@ const size_t MOTOR_STATE_SIZE = 1;
 size_t encodeMotorState(bool on, unsigned char* out);
 const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on);
 
+/// What `I` holds: its id.
+enum HoldScope {
+  HOLD_EVERYTHING = 0,  ///< everything that moves; no payload
+  HOLD_JOINTS = 1       ///< the joints in the payload
+};
+
+/// Payload of `I` for some joints: count x uint8 id. No id may appear twice.
+struct JointIds {
+  unsigned char count;  ///< of joints, 1..MAX_JOINTS
+  unsigned char ids[MAX_JOINTS];
+};
+
+const size_t MAX_JOINT_IDS_SIZE = MAX_JOINTS;
+size_t encodeJointIds(const JointIds& joints, unsigned char* out);
+const char* decodeJointIds(const unsigned char* payload, size_t size, JointIds* joints);
+
 /// Modes of the LEDs that have modes, with Sony's names. What they look like depends on the robot.
 enum LedMode { LED_MODE_A = 0, LED_MODE_B = 1 };
 
@@ -253,6 +271,43 @@ const size_t MAX_ERROR_MESSAGE_SIZE = 2 + MAX_ERROR_TEXT_SIZE;
 /// A text longer than MAX_ERROR_TEXT_SIZE is cut after a whole character.
 size_t encodeErrorMessage(const ErrorMessage& message, unsigned char* out);
 const char* decodeErrorMessage(const unsigned char* payload, size_t size, ErrorMessage* message);
+
+/// What has ended. A receiver must accept values that it does not know.
+enum {
+  ENDED_MOTION = 1,   ///< a motion; the name is its file's
+  ENDED_WALK = 2,     ///< walking
+  ENDED_POSTURE = 3,  ///< a change of posture; the name is the posture's
+  ENDED_JAM = 4       ///< a joint's fault: it follows its commands again; the name is the joint's
+};
+
+/// How it has ended. A receiver must accept values that it does not know.
+enum {
+  END_DONE = 0,      ///< it has reached its end
+  END_REPLACED = 1,  ///< a command or another motion took its joints
+  END_STOPPED = 2,   ///< the client, or the motors' switch, stopped it
+  END_REFUSED = 3,   ///< the robot could not go on with it, for instance because a joint did not follow
+  END_FELL = 4       ///< the robot fell or was lifted
+};
+
+/// Payload of a pushed `i`: uint8 what, uint8 how, uint16 0, then name, newline, reason, without an end mark.
+struct EndMessage {
+  unsigned char what;
+  unsigned char how;
+  const char* name;  ///< plain text (text.h), may be empty; after decoding, points into the payload
+  size_t name_size;
+  const char* reason;  ///< plain text that a user can act on, may be empty; after decoding, points into the payload
+  size_t reason_size;
+};
+
+/// Longest name and longest reason that encodeEndMessage() sends, in bytes.
+const size_t MAX_END_NAME_SIZE = 64;
+const size_t MAX_END_REASON_SIZE = 512;
+
+const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_SIZE;
+
+/// A name or reason that is too long is cut after a whole character.
+size_t encodeEndMessage(const EndMessage& message, unsigned char* out);
+const char* decodeEndMessage(const unsigned char* payload, size_t size, EndMessage* message);
 
 }  // namespace version2
 }  // namespace protocol

@@ -354,9 +354,7 @@ void RCServer::CheckClient() {
     return;
   }
   if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
-    DropClient(
-        session_->AwaitsFiles() ? "FileKeeper has not answered its request for 5 s" : "it has been silent for 5 s",
-        true);
+    DropClient("it has been silent for 5 s", true);
     return;
   }
   const bool was_silent = was_silent_;

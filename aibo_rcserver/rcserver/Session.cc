@@ -19,7 +19,6 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       version2_(robot_, settings, motions_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)),
       has_request_(false),
-      has_frame_(false),
       has_requests_(false),
       input_begin_(0),
       input_end_(0) {}
@@ -29,7 +28,6 @@ void Session::Begin() {
   is_over_ = false;
   power_reason_ = "it switched the robot off";
   has_request_ = false;
-  has_frame_ = false;
   has_requests_ = false;
   input_begin_ = 0;
   input_end_ = 0;
@@ -49,7 +47,7 @@ void Session::End() {
 }
 
 bool Session::WantsInput() const {
-  return !IsOver() && !has_requests_ && !has_frame_ && input_begin_ == input_end_;
+  return !IsOver() && !has_requests_ && input_begin_ == input_end_;
 }
 
 void Session::AddInput(const unsigned char* bytes, size_t size) {
@@ -139,14 +137,20 @@ bool Session::HandleRequestOfVersion1() {
 }
 
 void Session::HandleVersion2(unsigned now) {
-  while (!IsOver() && outbox_.HasRoom() && (has_frame_ || ReadFrame())) {
-    has_frame_ = !version2_.Handle(frame_reader_.header(), frame_reader_.payload(), now);
-    if (has_frame_) {
-      return;
-    }
+  while (MayHandleVersion2() && ReadFrame()) {
+    version2_.Handle(frame_reader_.header(), frame_reader_.payload(), now);
     outbox_.Reserve(motions_.IsPending());
-    motions_.NoticeMotors();
   }
+}
+
+// Reports and the request that waits for the memory stick go before new requests. False if those have to wait.
+bool Session::MayHandleVersion2() {
+  version2_.PushReports();
+  if (!IsOver() && outbox_.HasRoom()) {
+    version2_.HandleWaiting();
+    outbox_.Reserve(motions_.IsPending());
+  }
+  return !IsOver() && outbox_.HasRoom();
 }
 
 // False if there is no complete frame, or if it is too large, which ends the session.

@@ -20,8 +20,8 @@
 /// and keeps the answers until they can be sent. Its memory has a fixed size: while there is no room for an answer,
 /// requests wait and nothing more is received.
 ///
-/// A request that needs the memory stick is answered by FileDone(). Meanwhile, requests of version 2 are handled until
-/// a second one needs the memory stick; requests of version 1 wait, so that replies keep their order.
+/// A request that needs the memory stick is answered by FileDone(). Meanwhile, other requests of version 2 are handled;
+/// requests of version 1 wait, so that replies keep their order.
 class Session {
  public:
   /// Most bytes for one AddInput().
@@ -44,9 +44,6 @@ class Session {
 
   /// True if bytes may be added: all requests have been handled.
   bool WantsInput() const;
-
-  /// True if a request waits for the memory stick, so that nothing is received.
-  bool AwaitsFiles() const { return has_request_ || has_frame_; }
 
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
@@ -98,6 +95,7 @@ class Session {
   void HandleVersion1();
   bool HandleRequestOfVersion1();
   void HandleVersion2(unsigned now);
+  bool MayHandleVersion2();
   bool ReadFrame();
   void ChangeToVersion2();
 
@@ -116,7 +114,6 @@ class Session {
   protocol::version2::FrameReader frame_reader_;
   protocol::Request request_;
   bool has_request_;                                           ///< in request_: it waits for the memory stick
-  bool has_frame_;                                             ///< in frame_reader_: it waits for the memory stick
   bool has_requests_;                                          ///< of version 1, possibly complete ones
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
   size_t input_begin_;

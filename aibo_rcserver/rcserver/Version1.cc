@@ -313,7 +313,7 @@ bool Version1::HandleMotion() {
       Answer(motions_.Delete(name));
       break;
     default:
-      Answer(motions_.Play(name, file.a));
+      Answer(motions_.Play(name, file.a, robot_.joints.NumberOfCommands()));
       break;
   }
   return true;

@@ -13,7 +13,7 @@ using robot_model::NO_LED;
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O L K P N";  // whatever the settings are
+const char CAPABILITIES[] = "H F W J V T O I L K P N";  // whatever the settings are
 
 // Joints and sensors report every 4 frames.
 const unsigned short SENSOR_PERIOD = 4;
@@ -71,38 +71,43 @@ Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands&
       outbox_(outbox),
       request_(),
       payload_(NULL),
-      pending_() {
+      commands_(0),
+      pending_(),
+      has_waiting_(false),
+      waiting_(),
+      commands_before_waiting_(0) {
   sprintf(capabilities_, "%s%s%s%s%s", CAPABILITIES, settings.allow_upload ? " U" : "",
           settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
   Begin();
 }
 
 void Version2::Begin() {
+  has_waiting_ = false;
   telemetry_period_ = 0;
   with_duty_ = false;
   has_pushed_telemetry_ = false;
   last_telemetry_ = 0;
 }
 
-bool Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
+void Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
   request_ = request;
   payload_ = payload;
+  commands_ = robot_.joints.NumberOfCommands();
   if (request.request_number == 0) {
     Refuse(CODE_REFUSED, "bad request: number 0 is kept for messages that the server pushes; use 1 to 65535");
-    return true;
+    return;
   }
   switch (request.kind) {
     case REQUEST_UPLOAD:
-      return Upload();
     case REQUEST_DELETE:
-      return Delete();
     case REQUEST_PLAY:
-      return Play();
     case REQUEST_LIST:
-      return List();
+      if (!HandleFileRequest()) {
+        Wait();
+      }
+      break;
     default:
       Execute(now);
-      return true;
   }
 }
 
@@ -120,6 +125,8 @@ void Version2::Execute(unsigned now) {
       return LimitSpeeds();
     case REQUEST_MOTORS:
       return SwitchMotors();
+    case REQUEST_HOLD:
+      return Hold();
     case REQUEST_TELEMETRY:
       return SetTelemetry();
     case REQUEST_LEDS:
@@ -151,9 +158,14 @@ void Version2::PushPowerOff(const char* reason) {
   }
 }
 
-void Version2::Measured(unsigned frame) {
+void Version2::PushReports() {
   PushJointFaults();
-  PushMotionFailures();
+  PushRecoveries();
+  PushMotionEnds();
+}
+
+void Version2::Measured(unsigned frame) {
+  PushReports();
   if (telemetry_period_ != 0 && (!has_pushed_telemetry_ || frame - last_telemetry_ >= telemetry_period_)) {
     has_pushed_telemetry_ = true;
     last_telemetry_ = frame;
@@ -177,6 +189,14 @@ void Version2::SendError(unsigned short request_number, unsigned short code, con
   const ErrorMessage error = {code, text, strlen(text)};
   const size_t size = encodeErrorMessage(error, Payload());
   const FrameHeader header = {ERROR_MESSAGE, 0, request_number, static_cast<unsigned>(size)};
+  encodeFrameHeader(header, message_);
+  outbox_.Add(message_, FRAME_HEADER_SIZE + size);
+}
+
+void Version2::SendEnd(unsigned char what, unsigned char how, const char* name, const char* reason) {
+  const EndMessage end = {what, how, name, strlen(name), reason, strlen(reason)};
+  const size_t size = encodeEndMessage(end, Payload());
+  const FrameHeader header = {END_PUSH, 0, 0, static_cast<unsigned>(size)};
   encodeFrameHeader(header, message_);
   outbox_.Add(message_, FRAME_HEADER_SIZE + size);
 }
@@ -283,10 +303,17 @@ void Version2::LimitSpeeds() {
 // Refuses the request if the robot does not have one of these joints.
 bool Version2::HasJoints(const JointValue* joints, int count) {
   for (int i = 0; i < count; ++i) {
-    if (robot_.joints.Find(joints[i].id) == NO_JOINT) {
-      RefuseMissing("joint", joints[i].id);
+    if (!HasJoint(joints[i].id)) {
       return false;
     }
+  }
+  return true;
+}
+
+bool Version2::HasJoint(int identifier) {
+  if (robot_.joints.Find(identifier) == NO_JOINT) {
+    RefuseMissing("joint", identifier);
+    return false;
   }
   return true;
 }
@@ -310,6 +337,43 @@ void Version2::SwitchMotors() {
     }
   }
   Reply(encodeMotorState(motors.AreOn(), Payload()));
+  if (!motors.AreOn()) {
+    CancelPlay(ALL_MOTIONS, "is not played: the motors were switched off before its file had been read");
+  }
+}
+
+void Version2::Hold() {
+  switch (request_.id) {
+    case HOLD_EVERYTHING:
+      if (IsWellFormed(checkNoPayload(request_.payload_size))) {
+        robot_.joints.StopAll();
+        Reply(0);
+        CancelPlay(ALL_MOTIONS, "is not played: everything was told to hold before its file had been read");
+      }
+      break;
+    case HOLD_JOINTS:
+      HoldJoints();
+      break;
+    default:
+      Refuse(CODE_REFUSED, "bad request: the id is neither 0 (hold everything) nor 1 (the joints named)");
+  }
+}
+
+// A motion whose file has not been read yet is refused if it moves one of them: see JointControl::FindCommandedSince().
+void Version2::HoldJoints() {
+  JointIds named;
+  if (!IsWellFormed(decodeJointIds(payload_, request_.payload_size, &named))) {
+    return;
+  }
+  for (int i = 0; i < named.count; ++i) {
+    if (!HasJoint(named.ids[i])) {
+      return;
+    }
+  }
+  for (int i = 0; i < named.count; ++i) {
+    robot_.joints.Stop(robot_.joints.Find(named.ids[i]));
+  }
+  Reply(0);
 }
 
 void Version2::SetTelemetry() {
@@ -381,6 +445,14 @@ void Version2::PushJointFaults() {
       char text[MAX_ERROR_TEXT_SIZE];
       sprintf(text, "%s %s", robot_.joints.Name(i), WordsFor(fault));
       SendError(0, CODE_JOINT_FAULT, text);
+    }
+  }
+}
+
+void Version2::PushRecoveries() {
+  for (int i = 0; i < robot_.joints.NumberOfJoints() && outbox_.HasRoom(); ++i) {
+    if (robot_.joints.TakeRecovery(i)) {
+      SendEnd(ENDED_JAM, END_DONE, robot_.joints.Name(i), "it follows its commands again");
     }
   }
 }

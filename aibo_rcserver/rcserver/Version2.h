@@ -18,15 +18,18 @@ class Version2 {
   Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
            Outbox& outbox);
 
-  /// A new client: no telemetry is pushed.
+  /// A new client: no telemetry is pushed, and no request waits.
   void Begin();
 
-  /// Carries out a request and adds one message to the outbox. FileDone() answers a request that needs the memory
-  /// stick, the camera a request for a picture.
+  /// Carries out a request, and adds at most one reply to the outbox, and the refusal of a request that has waited.
+  /// FileDone() answers a request that needs the memory stick, the camera a request for a picture. If the memory stick
+  /// is busy, the request waits for HandleWaiting(); while one waits already, it is refused.
   /// @param payload as many bytes as the header says
   /// @param now OPEN-R frame
-  /// @return false if nothing was done because the memory stick is busy: call again when it is free
-  bool Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+  void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+
+  /// Carries out the request that waits, if the memory stick is free. Only if the outbox has room.
+  void HandleWaiting();
 
   /// Answers the request that has been waiting for the memory stick.
   /// @param result that MotionCommands awaits
@@ -38,7 +41,10 @@ class Version2 {
   /// Tells the client why the robot goes off, if there is room in the outbox.
   void PushPowerOff(const char* reason);
 
-  /// All joints have been measured: pushes faults, and telemetry if it is due.
+  /// Pushes what the joints and motions have to report, as far as there is room in the outbox.
+  void PushReports();
+
+  /// All joints have been measured: pushes what there is to report, and telemetry if it is due.
   /// @param frame in which they were measured
   void Measured(unsigned frame);
 
@@ -51,6 +57,7 @@ class Version2 {
   unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
   void Reply(size_t payload_size);
   void Refuse(unsigned short code, const char* text);
+  void SendEnd(unsigned char what, unsigned char how, const char* name, const char* reason);
   void SendError(unsigned short request_number, unsigned short code, const char* text);
   bool IsWellFormed(const char* problem);
   /// @}
@@ -65,8 +72,11 @@ class Version2 {
   void MoveJoints();
   void LimitSpeeds();
   bool HasJoints(const protocol::version2::JointValue* joints, int count);
+  bool HasJoint(int identifier);
   void RefuseMissing(const char* part, int identifier);
   void SwitchMotors();
+  void Hold();
+  void HoldJoints();
   void SetTelemetry();
   void SetLeds();
   void SetEars();
@@ -74,18 +84,26 @@ class Version2 {
   void GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting);
   /// @}
 
-  /// @name Requests that need the memory stick. They return false if nothing was done because it is busy
+  /// @name Requests that need the memory stick. They return false if they have to wait for it
   /// @{
   bool Upload();
   bool Delete();
   bool Play();
   bool List();
   /// @}
+  bool HandleFileRequest();
+  bool MustWaitForFiles() const;
+  void Wait();
+  void CancelPlay(const protocol::MotionName& name, const char* why);
   void Answer(MotionCommands::Outcome outcome);
 
   void PushJointFaults();
-  void PushMotionFailures();
+  void PushRecoveries();
+  void PushMotionEnds();
+  void PushMotionEnd(const MotionPlayer::End& end);
   void PushTelemetry(unsigned frame);
+
+  static const protocol::MotionName ALL_MOTIONS;
 
   const Robot& robot_;
   const Settings& settings_;
@@ -95,7 +113,12 @@ class Version2 {
   char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
   protocol::version2::FrameHeader request_;  ///< that is being handled
   const unsigned char* payload_;             ///< of the request
-  protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick
+  unsigned commands_;                        ///< how many commands the joints had had when it came
+  protocol::version2::FrameHeader pending_;  ///< the request that the memory stick is at work for
+  bool has_waiting_;                         ///< a request waits until the memory stick is free
+  protocol::version2::FrameHeader waiting_;
+  unsigned char waiting_payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
+  unsigned commands_before_waiting_;  ///< how many commands the joints had had when it came
   unsigned char message_[Outbox::MAX_REPLY_SIZE];
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
   bool with_duty_;                   ///< telemetry has the duty of the motors

@@ -1,16 +1,74 @@
 // The requests of version 2 that need motion files on the memory stick.
 #include <stdio.h>
+#include <string.h>
 
 #include "rcserver/Version2.h"
 
 using namespace protocol::version2;
+
+const protocol::MotionName Version2::ALL_MOTIONS = "";
+
+bool Version2::HandleFileRequest() {
+  switch (request_.kind) {
+    case REQUEST_UPLOAD:
+      return Upload();
+    case REQUEST_DELETE:
+      return Delete();
+    case REQUEST_PLAY:
+      return Play();
+    default:
+      return List();
+  }
+}
+
+void Version2::HandleWaiting() {
+  if (has_waiting_ && !motions_.IsBusy()) {
+    has_waiting_ = false;
+    request_ = waiting_;
+    payload_ = waiting_payload_;
+    commands_ = commands_before_waiting_;
+    HandleFileRequest();
+  }
+}
+
+// Requests for the memory stick keep their order.
+bool Version2::MustWaitForFiles() const {
+  return motions_.IsBusy() || has_waiting_;
+}
+
+// Only one waits, so that all others can be read and handled, above all those that stop the robot.
+void Version2::Wait() {
+  if (has_waiting_) {
+    Refuse(CODE_REFUSED, "the memory stick is busy and another request waits for it; try again after its answer");
+    return;
+  }
+  has_waiting_ = true;
+  waiting_ = request_;
+  commands_before_waiting_ = commands_;
+  memcpy(waiting_payload_, payload_, request_.payload_size);
+}
+
+// The motion will not be played if its file has not been read yet. There is room for this refusal beside a reply
+// without a list.
+void Version2::CancelPlay(const protocol::MotionName& name, const char* why) {
+  motions_.Cancel(name, why);
+  MotionOrder order;
+  if (has_waiting_ && waiting_.kind == REQUEST_PLAY &&
+      decodeMotionOrder(waiting_payload_, waiting_.payload_size, &order) == NULL &&
+      (name[0] == '\0' || strcmp(name, order.name) == 0)) {
+    has_waiting_ = false;
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "%s %s", order.name, why);
+    SendError(waiting_.request_number, CODE_REFUSED, text);
+  }
+}
 
 bool Version2::Upload() {
   MotionUpload upload;
   if (!IsWellFormed(decodeMotionUpload(payload_, request_.payload_size, &upload))) {
     return true;
   }
-  if (motions_.IsBusy()) {
+  if (MustWaitForFiles()) {
     return false;
   }
   Answer(motions_.Upload(upload.name, upload.content, upload.content_size));
@@ -22,7 +80,7 @@ bool Version2::Delete() {
   if (!IsWellFormed(decodeMotionName(payload_, request_.payload_size, name))) {
     return true;
   }
-  if (motions_.IsBusy()) {
+  if (MustWaitForFiles()) {
     return false;
   }
   Answer(motions_.Delete(name));
@@ -37,12 +95,13 @@ bool Version2::Play() {
   if (order.repetitions == 0) {
     motions_.Stop(order.name);
     Answer(MotionCommands::DONE);
+    CancelPlay(order.name, "was stopped before its file had been read");
     return true;
   }
-  if (motions_.IsBusy()) {
+  if (MustWaitForFiles()) {
     return false;
   }
-  Answer(motions_.Play(order.name, order.repetitions));
+  Answer(motions_.Play(order.name, order.repetitions, commands_));
   return true;
 }
 
@@ -50,7 +109,7 @@ bool Version2::List() {
   if (!IsWellFormed(checkNoPayload(request_.payload_size))) {
     return true;
   }
-  if (motions_.IsBusy()) {
+  if (MustWaitForFiles()) {
     return false;
   }
   Answer(motions_.List());
@@ -84,13 +143,37 @@ void Version2::Answer(MotionCommands::Outcome outcome) {
   }
 }
 
-// A failure for which there is no room is pushed the next time.
-void Version2::PushMotionFailures() {
-  MotionPlayer::Failure failure;
-  while (outbox_.HasRoom() && robot_.joints.Motions().TakeFailure(&failure)) {
-    char text[MAX_ERROR_TEXT_SIZE];
-    sprintf(text, "%s is stopped: %s does not follow. Its joints hold where they are", failure.name,
-            robot_.joints.Name(failure.joint));
-    SendError(0, CODE_JOINT_FAULT, text);
+// An end for which there is no room is pushed the next time.
+void Version2::PushMotionEnds() {
+  MotionPlayer::End end;
+  while (outbox_.HasRoom() && robot_.joints.Motions().TakeEnd(&end)) {
+    PushMotionEnd(end);
+  }
+}
+
+// There is room for both messages.
+void Version2::PushMotionEnd(const MotionPlayer::End& end) {
+  const char* const joint = end.joint == robot_model::NO_JOINT ? "" : robot_.joints.Name(end.joint);
+  char text[MAX_ERROR_TEXT_SIZE];
+  switch (end.cause) {
+    case MotionPlayer::PLAYED:
+      return SendEnd(ENDED_MOTION, END_DONE, end.name, "");
+    case MotionPlayer::STOPPED:
+      return SendEnd(ENDED_MOTION, END_STOPPED, end.name, "the client stopped it");
+    case MotionPlayer::EVERYTHING_HELD:
+      return SendEnd(ENDED_MOTION, END_STOPPED, end.name, "everything was told to hold");
+    case MotionPlayer::MOTORS_OFF:
+      return SendEnd(ENDED_MOTION, END_STOPPED, end.name, "the motors were switched off");
+    case MotionPlayer::JOINT_HELD:
+      sprintf(text, "%s was told to hold", joint);
+      return SendEnd(ENDED_MOTION, END_STOPPED, end.name, text);
+    case MotionPlayer::JOINT_COMMANDED:
+      sprintf(text, "%s was commanded", joint);
+      return SendEnd(ENDED_MOTION, END_REPLACED, end.name, text);
+    case MotionPlayer::JOINT_FAILED:
+      sprintf(text, "%s is stopped: %s does not follow. Its joints hold where they are", end.name, joint);
+      SendError(0, CODE_JOINT_FAULT, text);
+      sprintf(text, "%s does not follow", joint);
+      return SendEnd(ENDED_MOTION, END_REFUSED, end.name, text);
   }
 }

@@ -24,6 +24,7 @@ class FakeClient : public aibo_driver::RcServerClient {
   std::string problem;                        ///< unless empty, every request throws a NetworkException with this text
   std::uint64_t connections = 1;              ///< made so far
   aibo_driver::ConnectionStatus present;      ///< for status()
+  bool can_hold = true;                       ///< false: hold() is refused, as by version 1
   bool motors_work = true;                    ///< false: the motors stay as they are not wanted
   std::vector<std::string> motions;           ///< on the robot's memory stick
   aibo_driver::PicturePtr picture;            ///< for takePicture()
@@ -52,6 +53,16 @@ class FakeClient : public aibo_driver::RcServerClient {
   bool setMotors(bool on, Milliseconds) override {
     tell(on ? "motors on" : "motors off");
     return on == motors_work;
+  }
+  void hold(const std::vector<int>& joints, Milliseconds) override {
+    if (!can_hold) {
+      throw aibo_driver::CommandException("it has no request to hold joints");
+    }
+    std::string text = "hold";
+    for (const int joint : joints) {
+      text += " " + std::to_string(joint);
+    }
+    tell(text);
   }
   void commandLeds(const std::vector<aibo_driver::LedCommand>& commands) override {
     tell("LEDs");

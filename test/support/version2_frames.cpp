@@ -66,4 +66,12 @@ Bytes makeError(int code, const std::string& text) {
   return payload;
 }
 
+Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason) {
+  Bytes payload(version2::MAX_END_MESSAGE_SIZE);
+  payload.resize(version2::encodeEndMessage({static_cast<unsigned char>(what), static_cast<unsigned char>(how),
+                                             name.data(), name.size(), reason.data(), reason.size()},
+                                            payload.data()));
+  return payload;
+}
+
 }  // namespace version2_frames

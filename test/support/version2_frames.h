@@ -38,6 +38,8 @@ Bytes makeTargets(const protocol::version2::JointTargets& targets);
 
 Bytes makeError(int code, const std::string& text);
 
+Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason);
+
 }  // namespace version2_frames
 
 #endif  // TEST_SUPPORT_VERSION2_FRAMES_H

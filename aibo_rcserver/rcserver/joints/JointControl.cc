@@ -26,28 +26,64 @@ JointWatch::Verdict JointWatch::Look(const JointReading& reading, unsigned frame
   return abs(reading.duty) >= HIGH_DUTY ? JAMMED : UNCONTROLLABLE;
 }
 
+void JointRecovery::Reset(int position, unsigned frame) {
+  held_at_ = position;
+  since_ = frame;
+}
+
+bool JointRecovery::Look(const JointReading& reading, unsigned frame) {
+  if (!is_awaited_) {
+    return false;
+  }
+  const bool has_moved = abs(reading.position - held_at_) >= JointWatch::MOVEMENT &&
+                         abs(reading.reference - held_at_) >= JointWatch::MOVEMENT;
+  if (!has_moved || abs(reading.reference - reading.position) > JointWatch::TOLERANCE) {
+    since_ = frame;
+  }
+  is_awaited_ = frame - since_ < JointWatch::PATIENCE;
+  return !is_awaited_;
+}
+
 JointControl::JointControl(const robot_model::RobotModel& robot)
-    : robot_(robot), planner_(robot), motions_(planner_, robot) {
+    : robot_(robot), planner_(robot), motions_(planner_, robot), number_of_commands_(0) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
     positions_[i] = 0;
     duties_[i] = 0;
     faults_[i] = JointWatch::FOLLOWS;
-  }
-  ForgetCommands();
-}
-
-void JointControl::ForgetCommands() {
-  for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
-    commanded_[i] = false;
+    has_recovered_[i] = false;
+    last_commands_[i] = 0;
   }
 }
 
 void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, int duration) {
+  ++number_of_commands_;
   for (int i = 0; i < count; ++i) {
-    motions_.JointIsCommanded(targets[i].joint);
-    commanded_[targets[i].joint] = true;
+    motions_.StopMotionOf(targets[i].joint, MotionPlayer::JOINT_COMMANDED);
+    last_commands_[targets[i].joint] = number_of_commands_;
   }
   planner_.SetTargets(targets, count, duration);
+}
+
+void JointControl::Stop(int joint) {
+  motions_.StopMotionOf(joint, MotionPlayer::JOINT_HELD);
+  planner_.Hold(joint);
+  last_commands_[joint] = ++number_of_commands_;
+}
+
+void JointControl::StopAll() {
+  motions_.StopAll(MotionPlayer::EVERYTHING_HELD);
+  planner_.HoldAll();
+  ++number_of_commands_;
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    last_commands_[i] = number_of_commands_;
+  }
+}
+
+// The difference is right even after the numbers have begun again at 0.
+void JointControl::FindCommandedSince(unsigned number, bool* commanded) const {
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    commanded[i] = static_cast<int>(last_commands_[i] - number) > 0;
+  }
 }
 
 void JointControl::NextFrame() {
@@ -68,6 +104,7 @@ void JointControl::Hold(int joint, int position, unsigned frame) {
   positions_[joint] = position;
   planner_.SetPosition(joint, position);
   watches_[joint].Reset(position, frame);
+  recoveries_[joint].Reset(position, frame);
 }
 
 JointWatch::Verdict JointControl::Measured(int joint, const JointReading& reading, unsigned frame, bool driven) {
@@ -79,11 +116,19 @@ JointWatch::Verdict JointControl::Measured(int joint, const JointReading& readin
   }
   const JointWatch::Verdict verdict = watches_[joint].Look(reading, frame);
   if (verdict != JointWatch::FOLLOWS) {
-    faults_[joint] = verdict;
-    motions_.JointFails(joint);
+    motions_.StopMotionOf(joint, MotionPlayer::JOINT_FAILED);
     Hold(joint, reading.position, frame);
+    Failed(joint, verdict);
+  } else if (recoveries_[joint].Look(reading, frame)) {
+    has_recovered_[joint] = true;
   }
   return verdict;
+}
+
+void JointControl::Failed(int joint, JointWatch::Verdict fault) {
+  faults_[joint] = fault;
+  has_recovered_[joint] = false;
+  recoveries_[joint].Await();
 }
 
 JointWatch::Verdict JointControl::TakeFault(int joint) {
@@ -92,12 +137,20 @@ JointWatch::Verdict JointControl::TakeFault(int joint) {
   return fault;
 }
 
+bool JointControl::TakeRecovery(int joint) {
+  const bool has_recovered = has_recovered_[joint];
+  has_recovered_[joint] = false;
+  return has_recovered;
+}
+
 void JointControl::ClientGone() {
   // The limits go first: with low ones left by the client, a joint would take long to stop.
   for (int i = 0; i < NumberOfJoints(); ++i) {
     planner_.SetSpeedLimit(i, robot_.joints[i].highest_speed);
     planner_.SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));
     TakeFault(i);
+    TakeRecovery(i);
+    recoveries_[i].Forget();
   }
   motions_.ClientGone();
   planner_.HoldAll();

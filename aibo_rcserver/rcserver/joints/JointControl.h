@@ -65,6 +65,32 @@ class JointWatch {
   unsigned since_;  ///< frame of that
 };
 
+/// Finds out when a joint that did not follow its commands follows them again: since it was held, it and its reference
+/// have moved by JointWatch::MOVEMENT, and then it has been within JointWatch::TOLERANCE of its reference for
+/// JointWatch::PATIENCE. A joint that is only moved by hand does not follow.
+class JointRecovery {
+ public:
+  JointRecovery() : is_awaited_(false), held_at_(0), since_(0) {}
+
+  /// The joint is held at this position.
+  void Reset(int position, unsigned frame);
+
+  /// The joint has a fault.
+  void Await() { is_awaited_ = true; }
+
+  /// There is no fault to recover from.
+  void Forget() { is_awaited_ = false; }
+
+  /// Call for each reading.
+  /// @return true if the fault is over now
+  bool Look(const JointReading& reading, unsigned frame);
+
+ private:
+  bool is_awaited_;
+  int held_at_;
+  unsigned since_;  ///< frame of the last reading at which it did not follow
+};
+
 /// Connects clients' commands and motions with the motors; independent of OPEN-R. Joints are numbered by their index in
 /// the robot's table (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
 class JointControl {
@@ -87,12 +113,20 @@ class JointControl {
   /// A client's command: as MotionPlanner::SetTargets(), but motions that move one of these joints end.
   void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
 
-  /// @name Joints that clients have commanded since ForgetCommands(), one element for each joint. A motion whose file
-  /// was being read meanwhile must not move them
-  /// @{
-  void ForgetCommands();
-  const bool* CommandedSince() const { return commanded_; }
-  /// @}
+  /// A client's order to hold: the joint brakes within its limits and stays where it stops. A motion that moves it
+  /// ends.
+  void Stop(int joint);
+
+  /// The same for all joints.
+  void StopAll();
+
+  /// How many commands and orders to hold clients have given.
+  unsigned NumberOfCommands() const { return number_of_commands_; }
+
+  /// Finds the joints that clients have commanded, or told to hold, since NumberOfCommands() was `number`. A motion
+  /// that was requested then must not move them.
+  /// @param[out] commanded room for one element for each joint
+  void FindCommandedSince(unsigned number, bool* commanded) const;
 
   /// One frame passes: the planner's positions are those at its end.
   void NextFrame();
@@ -111,7 +145,7 @@ class JointControl {
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
   /// Records a fault that JointWatch cannot find. TakeFault() returns it.
-  void Failed(int joint, JointWatch::Verdict fault) { faults_[joint] = fault; }
+  void Failed(int joint, JointWatch::Verdict fault);
 
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
@@ -121,6 +155,9 @@ class JointControl {
 
   /// The fault found since the last call.
   JointWatch::Verdict TakeFault(int joint);
+
+  /// True once after the joint has begun to follow its commands again.
+  bool TakeRecovery(int joint);
 
   /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults
   /// are forgotten.
@@ -134,7 +171,10 @@ class JointControl {
   int duties_[robot_model::MAX_JOINTS];
   JointWatch watches_[robot_model::MAX_JOINTS];
   JointWatch::Verdict faults_[robot_model::MAX_JOINTS];
-  bool commanded_[robot_model::MAX_JOINTS];
+  JointRecovery recoveries_[robot_model::MAX_JOINTS];
+  bool has_recovered_[robot_model::MAX_JOINTS];
+  unsigned number_of_commands_;
+  unsigned last_commands_[robot_model::MAX_JOINTS];  ///< the number of each joint's last one
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H

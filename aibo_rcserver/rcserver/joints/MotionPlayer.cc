@@ -6,12 +6,12 @@
 using robot_model::NO_JOINT;
 
 const int MotionPlayer::MAX_PLAYING;
+const int MotionPlayer::MAX_ENDS;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
 
 MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot)
-    : planner_(planner), robot_(robot) {
+    : planner_(planner), robot_(robot), number_of_ends_(0) {
   problem_[0] = '\0';
-  ClientGone();
 }
 
 unsigned char* MotionPlayer::FindRoom() {
@@ -35,16 +35,22 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
 void MotionPlayer::Stop(const protocol::MotionName& name) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying() && strcmp(motions_[i].Name(), name) == 0) {
-      motions_[i].Stop(planner_);
+      Stop(motions_[i], STOPPED, NO_JOINT);
     }
   }
 }
 
-void MotionPlayer::StopAll() {
+void MotionPlayer::StopAll(Cause cause) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {
-      motions_[i].Stop(planner_);
+      Stop(motions_[i], cause, NO_JOINT);
     }
+  }
+}
+
+void MotionPlayer::StopMotionOf(int joint, Cause cause) {
+  if (PlayedMotion* const motion = FindMoving(joint)) {
+    Stop(*motion, cause, joint);
   }
 }
 
@@ -63,44 +69,28 @@ bool MotionPlayer::IsPlaying() const {
   return false;
 }
 
-void MotionPlayer::JointIsCommanded(int joint) {
-  if (PlayedMotion* const motion = FindMoving(joint)) {
-    motion->Stop(planner_);
+bool MotionPlayer::TakeEnd(End* end) {
+  if (number_of_ends_ == 0) {
+    return false;
   }
-}
-
-void MotionPlayer::JointFails(int joint) {
-  if (PlayedMotion* const motion = FindMoving(joint)) {
-    motion->Stop(planner_);
-    Failure& failure = failures_[motion - motions_];
-    strcpy(failure.name, motion->Name());
-    failure.joint = joint;
-  }
-}
-
-bool MotionPlayer::TakeFailure(Failure* failure) {
-  for (int i = 0; i < MAX_PLAYING; ++i) {
-    if (failures_[i].joint != NO_JOINT) {
-      *failure = failures_[i];
-      failures_[i].joint = NO_JOINT;
-      return true;
-    }
-  }
-  return false;
+  *end = ends_[0];
+  --number_of_ends_;
+  memmove(ends_, ends_ + 1, static_cast<size_t>(number_of_ends_) * sizeof(End));
+  return true;
 }
 
 void MotionPlayer::ClientGone() {
-  StopAll();
-  for (int i = 0; i < MAX_PLAYING; ++i) {
-    failures_[i].name[0] = '\0';
-    failures_[i].joint = NO_JOINT;
-  }
+  StopAll(STOPPED);
+  number_of_ends_ = 0;
 }
 
 void MotionPlayer::NextFrame() {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {
       motions_[i].NextFrame(planner_);
+      if (!motions_[i].IsPlaying()) {
+        Report(motions_[i], PLAYED, NO_JOINT);
+      }
     }
   }
 }
@@ -146,4 +136,21 @@ PlayedMotion* MotionPlayer::FindMoving(int joint) {
     }
   }
   return NULL;
+}
+
+void MotionPlayer::Stop(PlayedMotion& motion, Cause cause, int joint) {
+  motion.Stop(planner_);
+  Report(motion, cause, joint);
+}
+
+void MotionPlayer::Report(const PlayedMotion& motion, Cause cause, int joint) {
+  End oldest;
+  if (number_of_ends_ == MAX_ENDS) {
+    TakeEnd(&oldest);
+  }
+  End& end = ends_[number_of_ends_];
+  ++number_of_ends_;
+  strcpy(end.name, motion.Name());
+  end.cause = cause;
+  end.joint = joint;
 }

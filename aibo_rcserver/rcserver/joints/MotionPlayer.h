@@ -38,32 +38,46 @@ class MotionPlayer {
   /// @return NULL, or why it is not played, in words that a user can act on
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, const bool* commanded);
 
+  /// Why a motion has ended.
+  enum Cause {
+    PLAYED,           ///< it has reached its end
+    STOPPED,          ///< by its name, or with all others
+    JOINT_COMMANDED,  ///< one of its joints got another command
+    JOINT_HELD,       ///< one of its joints was told to hold
+    EVERYTHING_HELD,  ///< all joints were told to hold
+    MOTORS_OFF,       ///< the motors were switched off
+    JOINT_FAILED      ///< one of its joints does not follow
+  };
+
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
   void Stop(const protocol::MotionName& name);
-  void StopAll();
+
+  /// Stops all motions for this reason.
+  void StopAll(Cause cause);
+
+  /// Stops the motion that moves this joint, if there is one, for this reason.
+  void StopMotionOf(int joint, Cause cause);
 
   /// Every motion ends with its present repetition.
   void EndRepetitions();
 
   bool IsPlaying() const;
 
-  /// A joint gets another command: stops the motion that moves it.
-  void JointIsCommanded(int joint);
-
-  /// A joint does not follow: stops the motion that moves it, which TakeFailure() then returns.
-  void JointFails(int joint);
-
-  /// A motion that was stopped because one of its joints does not follow.
-  struct Failure {
+  /// A motion that has ended.
+  struct End {
     protocol::MotionName name;
-    int joint;
+    Cause cause;
+    int joint;  ///< of JOINT_COMMANDED, JOINT_HELD and JOINT_FAILED; otherwise NO_JOINT
   };
 
-  /// Returns each failed motion once.
-  /// @return false if there is none
-  bool TakeFailure(Failure* failure);
+  /// Most ends that are kept: those of all motions, twice. When there are more, the oldest is forgotten.
+  static const int MAX_ENDS = 2 * MAX_PLAYING;
 
-  /// Stops all motions and forgets failures.
+  /// Returns each end once, the oldest first.
+  /// @return false if there is none
+  bool TakeEnd(End* end);
+
+  /// Stops all motions and forgets how motions have ended.
   void ClientGone();
 
   /// Call once in each frame, before MotionPlanner::NextFrame().
@@ -77,11 +91,14 @@ class MotionPlayer {
   bool FindsJointsFree(const PlayedMotion& motion);
   bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
   PlayedMotion* FindMoving(int joint);
+  void Stop(PlayedMotion& motion, Cause cause, int joint);
+  void Report(const PlayedMotion& motion, Cause cause, int joint);
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
   PlayedMotion motions_[MAX_PLAYING];
-  Failure failures_[MAX_PLAYING];  ///< with NO_JOINT where there is no failure
+  End ends_[MAX_ENDS];  ///< that have not been taken, the oldest first
+  int number_of_ends_;
   char problem_[MAX_PROBLEM_SIZE];
 };
 

@@ -15,36 +15,33 @@ MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, 
       ticket_(0),
       operation_(FileJob::LIST),
       repetitions_(0),
+      commands_(0),
       cancelled_why_(NULL) {
   problem_[0] = '\0';
   name_[0] = '\0';
 }
 
-MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions) {
+MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, unsigned commands) {
   if (CheckPlay() != DONE) {
     return REFUSED;
   }
   repetitions_ = repetitions;
+  commands_ = commands;
   cancelled_why_ = NULL;
-  joints_.ForgetCommands();
   return Post(FileJob::READ, name, NULL, 0);
 }
 
 void MotionCommands::Stop(const protocol::MotionName& name) {
-  const bool is_all = name[0] == '\0';
-  if (is_all) {
-    joints_.Motions().StopAll();
+  if (name[0] == '\0') {
+    joints_.Motions().StopAll(MotionPlayer::STOPPED);
   } else {
     joints_.Motions().Stop(name);
   }
-  if (is_all || strcmp(name, name_) == 0) {
-    cancelled_why_ = "was stopped while its file was being read";
-  }
 }
 
-void MotionCommands::NoticeMotors() {
-  if (!motors_.AreOn()) {
-    cancelled_why_ = "is not played: the motors were switched off while its file was being read";
+void MotionCommands::Cancel(const protocol::MotionName& name, const char* why) {
+  if (name[0] == '\0' || strcmp(name, name_) == 0) {
+    cancelled_why_ = why;
   }
 }
 
@@ -133,7 +130,9 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   }
   MotionPlayer& player = joints_.Motions();
   memcpy(player.FindRoom(), result.content, result.size);
-  const char* const problem = player.Play(name_, result.size, repetitions_, joints_.CommandedSince());
+  bool commanded[robot_model::MAX_JOINTS];
+  joints_.FindCommandedSince(commands_, commanded);
+  const char* const problem = player.Play(name_, result.size, repetitions_, commanded);
   return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
 }
 

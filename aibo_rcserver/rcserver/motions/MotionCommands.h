@@ -43,15 +43,18 @@ class MotionCommands {
 
   /// Begins to play a motion: PENDING until its file has been read.
   /// @param repetitions not below 1
-  Outcome Play(const protocol::MotionName& name, int repetitions);
+  /// @param commands JointControl::NumberOfCommands() when it was requested: later commands to its joints have
+  /// precedence
+  Outcome Play(const protocol::MotionName& name, int repetitions, unsigned commands);
 
-  /// Stops a motion, if it is being played. If its file is still being read, Play() will be REFUSED.
+  /// Stops a motion, if it is being played.
   /// @param name empty: all of them
   void Stop(const protocol::MotionName& name);
 
-  /// Call when a request may have switched the motors off: a motion whose file is still being read is then REFUSED,
-  /// even if the motors are on again when it has been read.
-  void NoticeMotors();
+  /// If this motion's file is still being read, Play() will be REFUSED.
+  /// @param name empty: whichever it is
+  /// @param why follows the name of the motion, as in "NOD.MTN ..."; must outlive this
+  void Cancel(const protocol::MotionName& name, const char* why);
 
   /// Checks whether a file of this size may be uploaded, whatever its content: DONE or REFUSED.
   Outcome CheckUpload(size_t size);
@@ -95,6 +98,7 @@ class MotionCommands {
   FileJob::Operation operation_;
   protocol::MotionName name_;
   int repetitions_;            ///< READ: how often the motion is to be played
+  unsigned commands_;          ///< READ: how many commands there had been when it was requested
   const char* cancelled_why_;  ///< READ: why the motion is not to be played after all, or NULL
   /// @}
 };

@@ -58,6 +58,17 @@ void decodeErrorMessage(const Bytes& payload) {
   }
 }
 
+// The same for both of its texts.
+void decodeEndMessage(const Bytes& payload) {
+  version2::EndMessage message;
+  if (version2::decodeEndMessage(payload.data(), payload.size(), &message) == nullptr) {
+    require(4 + message.name_size + 1 + message.reason_size == payload.size(), "name and reason are the rest");
+    Bytes again(std::min(payload.size(), version2::MAX_END_MESSAGE_SIZE));
+    require(version2::encodeEndMessage(message, again.data()) <= again.size(),
+            "a message is not larger than its maximum");
+  }
+}
+
 void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodePictureRequest, version2::encodePictureRequest, payload);
   decode(version2::decodeStreamSettings, version2::encodeStreamSettings, payload);
@@ -66,6 +77,7 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeTelemetryPeriod, version2::encodeTelemetryPeriod, payload);
   decode(version2::decodeTelemetry, version2::encodeTelemetry, payload);
   decode(version2::decodeMotorState, version2::encodeMotorState, payload);
+  decode(version2::decodeJointIds, version2::encodeJointIds, payload);
   decode(version2::decodeLedValues, version2::encodeLedValues, payload);
   decode(version2::decodeEarPositions, version2::encodeEarPositions, payload);
   decode(version2::decodeMotionUpload, version2::encodeMotionUpload, payload);
@@ -74,6 +86,7 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeMotionList, version2::encodeMotionList, payload);
   decodePicture(payload);
   decodeErrorMessage(payload);
+  decodeEndMessage(payload);
 }
 
 // Returns the number of bytes taken.

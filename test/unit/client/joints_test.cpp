@@ -191,4 +191,32 @@ TEST_F(JointsTest, ArgumentsAreChecked) {
   EXPECT_THROW(client().setMotors(true, milliseconds(0)), InvalidArgumentException);
 }
 
+TEST_F(JointsTest, JointsAreHeld) {
+  ScriptedPeer peer = connectVersion2();
+  auto held = std::async(std::launch::async, [&] { client().hold({2, 3}, seconds(20)); });
+  const version2_frames::Frame frame = peer.readRequest();
+  EXPECT_EQ('I', frame.header.kind);
+  EXPECT_THAT(frame.payload, testing::ElementsAre(2, 3));
+  peer.send(version2_frames::makeFrame('i', frame.header.request_number, {}));
+  held.get();
+}
+
+TEST_F(JointsTest, AServerThatCannotHoldIsNotAsked) {
+  {
+    ScriptedPeer peer = connectVersion2("F W J V T O L K");
+    EXPECT_THAT(complaintOf<CommandException>([&] { client().hold({}, seconds(20)); }),
+                HasSubstr("(a test 1.0) has no request to hold joints; send the joints to where they were commanded"));
+  }
+  ScriptedPeer peer = connectVersion1();
+  ASSERT_TRUE(eventually([&] { return client().status().protocol_version == 1; }));
+  EXPECT_THAT(complaintOf<CommandException>([&] { client().hold({}, seconds(20)); }),
+              HasSubstr("speaks version 1 of the protocol, which has no request to hold joints; send the joints"));
+}
+
+TEST_F(JointsTest, WhatIsToBeHeldIsCheckedFirst) {
+  EXPECT_THROW(client().hold({0}, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().hold({2, 2}, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().hold({2}, seconds(1)), NetworkException);
+}
+
 }  // namespace

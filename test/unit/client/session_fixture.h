@@ -52,6 +52,18 @@ class SessionFixture : public testing::Test {
     call.name = name;
     call.number = number;
     call.content = content;
+    return add(std::move(call), timeout);
+  }
+
+  /// Has joints held.
+  std::future<aibo_driver::Answer> askToHold(const std::vector<int>& joints) {
+    aibo_driver::Call call;
+    call.letter = 'I';
+    call.joints = joints;
+    return add(std::move(call), milliseconds(2000));
+  }
+
+  std::future<aibo_driver::Answer> add(aibo_driver::Call call, milliseconds timeout) {
     call.timeout = timeout;
     call.since = now_;
     call.deadline = now_ + timeout;
@@ -90,6 +102,7 @@ class SessionFixture : public testing::Test {
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::Telemetry> telemetry_;
   std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
+  std::vector<aibo_driver::MotionEnd> ended_;
   std::vector<std::string> log_;
   aibo_driver::Notifier notifier_{record()};
   aibo_driver::Counters counters_;
@@ -110,6 +123,7 @@ class SessionFixture : public testing::Test {
     callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
       accepted_.push_back(targets);
     };
+    callbacks.on_ended = [this](const aibo_driver::MotionEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { log_.push_back(line); };
     return callbacks;
   }

@@ -637,4 +637,54 @@ TEST_F(Version2SessionTest, RequestNumbersBeginAgainAndSkipThoseStillAwaited) {
   EXPECT_EQ("J65535 J1 J3 ", numbers);
 }
 
+TEST_F(Version2SessionTest, HoldIsForEverythingOrForTheJointsNamed) {
+  auto everything = ask('I');
+  EXPECT_EQ("I2", request());
+  EXPECT_EQ(version2::HOLD_EVERYTHING, frame_.header.id);
+  EXPECT_EQ(Bytes(), frame_.payload);
+  auto two = askToHold({2, 52});
+  EXPECT_EQ("I3", request());
+  EXPECT_EQ(version2::HOLD_JOINTS, frame_.header.id);
+  EXPECT_EQ(Bytes({2, 52}), frame_.payload);
+  receive(makeFrame('i', 2, {}));
+  EXPECT_EQ(CallOutcome::kDone, everything.get().outcome);
+  EXPECT_FALSE(done(two));
+  receive(makeError(3, 0, "there is no joint 52"));
+  EXPECT_EQ("robot:54321 refused to hold its joints: there is no joint 52 (error code 0).", two.get().problem);
+}
+
+TEST_F(Version2SessionTest, WhatHasEndedIsReported) {
+  receive(makeFrame('i', 0, version2_frames::makeEnd(1, 1, "NOD.MTN", "head_pan was commanded")));
+  receive(makeFrame('i', 0, version2_frames::makeEnd(4, 0, "head_pan", "")));
+  ASSERT_EQ(2u, ended_.size());
+  EXPECT_EQ(EndedKind::kMotion, ended_[0].kind);
+  EXPECT_EQ(EndedHow::kReplaced, ended_[0].how);
+  EXPECT_EQ("NOD.MTN", ended_[0].name);
+  EXPECT_EQ("head_pan was commanded", ended_[0].reason);
+  EXPECT_EQ(EndedKind::kJam, ended_[1].kind);
+  EXPECT_EQ(EndedHow::kDone, ended_[1].how);
+  EXPECT_EQ("", ended_[1].reason);
+}
+
+TEST_F(Version2SessionTest, EveryKindAndWayOfEndIsToldAndThoseOfANewerServerAreUnknown) {
+  for (const int value : {0, 1, 2, 3, 4, 5, 255}) {
+    receive(makeFrame('i', 0, version2_frames::makeEnd(value, value, "", "")));
+  }
+  std::vector<EndedKind> kinds;
+  std::vector<EndedHow> hows;
+  for (const MotionEnd& end : ended_) {
+    kinds.push_back(end.kind);
+    hows.push_back(end.how);
+  }
+  EXPECT_THAT(kinds,
+              testing::ElementsAre(EndedKind::kUnknown, EndedKind::kMotion, EndedKind::kWalk, EndedKind::kPosture,
+                                   EndedKind::kJam, EndedKind::kUnknown, EndedKind::kUnknown));
+  EXPECT_THAT(hows, testing::ElementsAre(EndedHow::kDone, EndedHow::kReplaced, EndedHow::kStopped, EndedHow::kRefused,
+                                         EndedHow::kFell, EndedHow::kUnknown, EndedHow::kUnknown));
+}
+
+TEST_F(Version2SessionTest, ADamagedReportOfAnEndIsAFault) {
+  EXPECT_THAT(faultOf(makeFrame('i', 0, {1, 0, 0, 0})), HasSubstr("bad report of an end: there is no newline"));
+}
+
 }  // namespace

@@ -103,6 +103,7 @@ const Layout kLayouts[] = {
      {},
      {},
      false},
+    {"JointIds", hex(kTwoIds), verdict(decodeJointIds), again(decodeJointIds, encodeJointIds), {}, {1}, true},
     {"Telemetry",
      hex(kThreeValues),
      verdict(decodeTelemetry),
@@ -154,6 +155,13 @@ const Layout kLayouts[] = {
      again(decodeErrorMessage, encodeErrorMessage),
      {},
      {2},
+     true},
+    {"EndMessage",
+     hex(kEnd),
+     verdict(decodeEndMessage),
+     again(decodeEndMessage, encodeEndMessage),
+     {2, 3},
+     {12, 13},
      true},
 };
 

@@ -29,6 +29,13 @@ constexpr char kThreeValues[] =
     "53 3f 00 00 ff 6a 5c c6 "  // sensor 63: -9806650 (-1 g upwards)
     "53 0e 00 00 00 00 00 01";  // sensor 14, a paw: pressed
 
+constexpr char kTwoIds[] = "02 34";  // head_pan, tail_tilt
+
+constexpr char kEnd[] =
+    "01 01 00 00 "              // a motion was replaced
+    "4e 4f 44 2e 4d 54 4e 0a "  // NOD.MTN
+    "63 c3 a9";                 // a reason
+
 constexpr char kPicture[] =
     "00 01 02 03 0a 0b 0c 0d "  // image 66051, frame 168496141
     "00 d0 00 a0 55 00 00 00 "  // 208x160, quality 85, layer H

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <climits>
+#include <numeric>
 #include <string>
 
 #include "layouts.h"
@@ -421,6 +422,72 @@ TEST(ErrorMessage, IsCutAfterAWholeCharacter) {
 TEST(ErrorMessage, RefusesATextThatWouldSpoilALog) {
   EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 1b 5b 32 4a")), HasSubstr("control"));
   EXPECT_THAT(verdict(decodeErrorMessage)(hex("00 00 ff fe")), HasSubstr("UTF-8"));
+}
+
+EndMessage endOf(const std::string& name, const std::string& reason) {
+  return {ENDED_MOTION, END_REPLACED, name.data(), name.size(), reason.data(), reason.size()};
+}
+
+TEST(EndMessage, HasWhatHowNameAndReason) {
+  const std::string name = "NOD.MTN";
+  const std::string reason = "c\xc3\xa9";
+  const Bytes bytes = encoded(encodeEndMessage, endOf(name, reason), MAX_END_MESSAGE_SIZE);
+  EXPECT_EQ(bytes, hex(kEnd));
+
+  EndMessage message{};
+  ASSERT_THAT(decodeEndMessage(bytes.data(), bytes.size(), &message), IsNull());
+  EXPECT_EQ(message.what, ENDED_MOTION);
+  EXPECT_EQ(message.how, END_REPLACED);
+  EXPECT_EQ(std::string(message.name, message.name_size), name);
+  EXPECT_EQ(std::string(message.reason, message.reason_size), reason);
+}
+
+TEST(EndMessage, MayBeOfANewerServerAndHaveNeitherNameNorReason) {
+  EndMessage message{};
+  ASSERT_THAT(decodeEndMessage(hex("c8 c9 00 00 0a").data(), 5, &message), IsNull());
+  EXPECT_EQ(message.what, 200);
+  EXPECT_EQ(message.how, 201);
+  EXPECT_EQ(message.name_size, 0U);
+  EXPECT_EQ(message.reason_size, 0U);
+}
+
+TEST(EndMessage, IsCutAfterAWholeCharacter) {
+  const std::string name(MAX_END_NAME_SIZE - 1, 'n');
+  const std::string reason(MAX_END_REASON_SIZE - 1, 'r');
+  const std::string long_name = name + "\xc3\xa9";
+  const std::string long_reason = reason + "\xc3\xa9";
+  EXPECT_EQ(encoded(encodeEndMessage, endOf(long_name, long_reason), MAX_END_MESSAGE_SIZE),
+            hex("01 01 00 00") + bytesOf(name + "\n" + reason));
+}
+
+TEST(EndMessage, RefusesATextThatWouldSpoilALog) {
+  EXPECT_THAT(verdict(decodeEndMessage)(hex("01 00 00 00 1b 0a")), HasSubstr("control"));
+  EXPECT_THAT(verdict(decodeEndMessage)(hex("01 00 00 00 0a ff")), HasSubstr("UTF-8"));
+  EXPECT_THAT(verdict(decodeEndMessage)(hex("01 00 00 00 0a 41 0a 42")), HasSubstr("control"));
+  EXPECT_THAT(verdict(decodeEndMessage)(hex("01 00 00 00 41")), HasSubstr("newline"));
+}
+
+TEST(JointIds, AreOneByteEach) {
+  JointIds joints{};
+  joints.count = 2;
+  joints.ids[0] = 2;
+  joints.ids[1] = 52;
+  EXPECT_EQ(encoded(encodeJointIds, joints, MAX_JOINT_IDS_SIZE), hex(kTwoIds));
+
+  JointIds again{};
+  ASSERT_THAT(decodeJointIds(hex(kTwoIds).data(), 2, &again), IsNull());
+  ASSERT_EQ(again.count, 2);
+  EXPECT_EQ(again.ids[0], 2);
+  EXPECT_EQ(again.ids[1], 52);
+}
+
+TEST(JointIds, AreAtLeastOneAtMostAsManyAsThereIsRoomForAndEachOnce) {
+  Bytes ids(MAX_JOINTS);
+  std::iota(ids.begin(), ids.end(), static_cast<unsigned char>(1));
+  EXPECT_THAT(verdict(decodeJointIds)(ids), IsNull());
+  EXPECT_THAT(verdict(decodeJointIds)(ids + Bytes{77}), HasSubstr("more joints"));
+  EXPECT_THAT(verdict(decodeJointIds)(hex("02 03 02")), HasSubstr("twice"));
+  EXPECT_THAT(verdict(decodeJointIds)({}), HasSubstr("no joint"));
 }
 
 TEST(Version2, LeavesTheResultUnchangedWhenItRefuses) {

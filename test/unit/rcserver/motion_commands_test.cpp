@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "motion_bytes.h"
@@ -219,6 +221,10 @@ class Version2MotionsTest : public MotionsTest {
       return "none";
     }
     const std::string payload = textOf(*frame);
+    if (frame->header.kind == 'i' && frame->header.request_number == 0) {
+      return "ended " + std::to_string(static_cast<int>(payload.at(0))) + " " +
+             std::to_string(static_cast<int>(payload.at(1))) + " " + payload.substr(4);
+    }
     if (frame->header.kind != 'e') {
       return frame->header.kind + payload;
     }
@@ -239,6 +245,8 @@ TEST_F(Version2MotionsTest, listsPlaysAndStops) {
   EXPECT_THAT(answerTo(play("SIT.MTN", 1)), HasSubstr("e0 NOD.MTN is being played and moves neck_tilt, too"));
   passFrames(300);
   EXPECT_EQ(answerTo(play("", 0)), "p");
+  EXPECT_EQ(answer(), "ended 1 2 NOD.MTN\nthe client stopped it");
+  EXPECT_EQ(answer(), "ended 1 2 WAG.MTN\nthe client stopped it");
   EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
 }
 
@@ -303,10 +311,63 @@ TEST_F(Version2MotionsTest, reportsAMotionThatAFaultyJointStops) {
   passFrames(2 * JointWatch::PATIENCE);
   EXPECT_THAT(answer(), HasSubstr("e3 neck_tilt is jammed"));
   EXPECT_THAT(answer(), HasSubstr("e3 NOD.MTN is stopped: neck_tilt does not follow"));
+  EXPECT_EQ(answer(), "ended 1 3 NOD.MTN\nneck_tilt does not follow");
   passFrames(100);
   const int stopped_at = robot_.joint("head_tilt").position;
   passFrames(200);
   EXPECT_EQ(robot_.joint("head_tilt").position, stopped_at);
+}
+
+TEST_F(Version2MotionsTest, reportsTheEndOfAMotionOnceWhenItIsReached) {
+  startVersion2("");
+  EXPECT_EQ(answerTo(play("NOD.MTN", 1)), "p");
+  passFrames(100);
+  EXPECT_FALSE(client_->nextFrame());
+  passFrames(kLongestMotion);
+  EXPECT_EQ(answer(), "ended 1 0 NOD.MTN\n");
+  passFrames(100);
+  EXPECT_FALSE(client_->nextFrame());
+}
+
+TEST_F(Version2MotionsTest, reportsWhatHasStoppedAMotion) {
+  const std::string one_joint("\0\0\1\0\63\0\0\0\0\0\0\0", 12);
+  const std::pair<std::string, std::string> orders[] = {
+      {frame('J', one_joint), "ended 1 1 WAG.MTN\ntail_pan was commanded"},
+      {play("WAG.MTN", 0), "ended 1 2 WAG.MTN\nthe client stopped it"},
+      {frame('I', ""), "ended 1 2 WAG.MTN\neverything was told to hold"},
+      {::frame('I', 1, 1, "\2\63"), "ended 1 2 WAG.MTN\ntail_pan was told to hold"},
+      {frame('O', std::string(1, '\0')), "ended 1 2 WAG.MTN\nthe motors were switched off"}};
+  startVersion2("");
+  for (const auto& [order, end] : orders) {
+    EXPECT_EQ(answerTo(play("WAG.MTN", 1000)), "p");
+    passFrames(400);
+    EXPECT_EQ(answerTo(order).substr(0, 1), std::string(1, static_cast<char>(std::tolower(order[0]))));
+    EXPECT_EQ(answer(), end);
+    passFrames(100);
+    const int stopped_at = robot_.joint("tail_pan").position;
+    passFrames(100);
+    EXPECT_EQ(robot_.joint("tail_pan").position, stopped_at);
+  }
+}
+
+TEST_F(Version2MotionsTest, aClientThatDoesNotReadGetsEveryEndLater) {
+  startVersion2("");
+  client_->close();
+  connectVersion2(4096);
+  EXPECT_EQ(answerTo(play("WAG.MTN", 1000)), "p");
+  EXPECT_EQ(answerTo(play("NOD.MTN", 1)), "p");
+  stallBehind(::frame('P', 0, 1, playPayload("WAG.MTN", 0)));
+  passFrames(500);
+  std::vector<std::string> ended;
+  for (int limits = 0; limits < 4096 || ended.size() < 2;) {
+    const std::string next = answer();
+    ASSERT_NE(next, "none");
+    limits += next[0] == 'v' ? 1 : 0;
+    if (next.substr(0, 5) == "ended") {
+      ended.push_back(next);
+    }
+  }
+  EXPECT_THAT(ended, ElementsAre("ended 1 2 WAG.MTN\nthe client stopped it", "ended 1 0 NOD.MTN\n"));
 }
 
 TEST_F(Version2MotionsTest, endsWithTheClient) {

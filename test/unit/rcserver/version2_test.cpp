@@ -15,6 +15,7 @@
 #include "protocol/hello.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/ImageObserver.h"
+#include "rcserver/joints/JointControl.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -188,7 +189,7 @@ TEST_F(Version2Test, HelloHasRobotServerCapabilitiesAndLimits) {
   const Hello said = hello();
   EXPECT_STREQ(said.robot, "ERS-7");
   EXPECT_THAT(said.server, HasSubstr("aibo_rcserver"));
-  for (const char* const word : {"H", "F", "W", "J", "V", "T", "O", "L", "K", "P", "N"}) {
+  for (const char* const word : {"H", "F", "W", "J", "V", "T", "O", "I", "L", "K", "P", "N"}) {
     EXPECT_TRUE(hasCapability(said, word)) << word;
   }
   for (const char* const word : {"U", "D", "Q", "R"}) {
@@ -580,7 +581,120 @@ TEST_F(Version2Test, MotorsStayAsTheyAreForTheNextClient) {
   EXPECT_FALSE(motorsAfter(""));
 }
 
+// ---------------------------------------------------------------------------------------------------------------- I
+
+class HoldTest : public Version2Test {
+ protected:
+  // Head and tail are under way for a while yet.
+  void SetUp() override {
+    Version2Test::SetUp();
+    answerTo('J', 0, targets({{kHeadPan, 1500000}, {kTailPan, -700000}}, 4000));
+    passFrames(200);
+  }
+
+  bool moves(const std::string& joint) {
+    passFrames(40);  // it brakes, and two command vectors are on their way
+    const int before = positionOf(joint);
+    passFrames(40);
+    return positionOf(joint) != before;
+  }
+};
+
+TEST_F(HoldTest, EverythingStopsWithinAMomentAndNothingTurnsBack) {
+  const int before = positionOf("head_pan");
+  ASSERT_GT(before, 100000);
+  EXPECT_EQ(answerTo('I', HOLD_EVERYTHING).header.kind, 'i');
+  EXPECT_FALSE(moves("head_pan"));
+  EXPECT_FALSE(moves("tail_pan"));
+  EXPECT_LT(positionOf("head_pan"), before + 100000);
+  const std::vector<int>& path = robot_.joint("head_pan").path;
+  EXPECT_TRUE(std::is_sorted(path.begin(), path.end()));
+  answerTo('J', 0, targets({{kHeadPan, 0}}));
+  passFrames(200);
+  EXPECT_EQ(positionOf("head_pan"), 0) << "it can be commanded again";
+}
+
+TEST_F(HoldTest, TheJointsNamedStopAndTheOthersGoOn) {
+  EXPECT_EQ(answerTo('I', HOLD_JOINTS, {static_cast<char>(kHeadPan), 1}).header.kind, 'i');
+  EXPECT_FALSE(moves("head_pan"));
+  EXPECT_TRUE(moves("tail_pan"));
+  passFrames(kLongestMotion);
+  EXPECT_EQ(positionOf("tail_pan"), -700000);
+}
+
+TEST_F(HoldTest, WhatCannotBeHeldIsRefusedAndEverythingGoesOn) {
+  expectRefusal(answerTo('I', HOLD_JOINTS, {static_cast<char>(kHeadPan), static_cast<char>(kNoJoint)}), CODE_REFUSED,
+                "this robot has no joint 99, so nothing of the request was done");
+  expectRefusal(answerTo('I', HOLD_JOINTS), CODE_REFUSED, "bad request: no joint is named");
+  expectRefusal(answerTo('I', HOLD_EVERYTHING, "\2"), CODE_REFUSED, "bad request: the payload");
+  expectRefusal(answerTo('I', 2), CODE_REFUSED, "bad request: the id is neither 0");
+  EXPECT_TRUE(moves("head_pan"));
+}
+
+TEST_F(HoldTest, WithTheMotorsOffThereIsNothingToStop) {
+  EXPECT_FALSE(motorsAfter(std::string(1, '\0')));
+  EXPECT_EQ(answerTo('I', HOLD_EVERYTHING).header.kind, 'i');
+}
+
 // -------------------------------------------------------------------------------------------------------------- jam
+
+class JamTest : public Version2Test {
+ protected:
+  void SetUp() override {
+    Version2Test::SetUp();
+    robot_.joint("head_pan").jammed = true;
+    commandHead(1000000);
+    EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e head_pan is jammed")));
+  }
+
+  void commandHead(int position) {
+    answerTo('J', 0, targets({{kHeadPan, position}}));
+    passFrames(4 * JointWatch::PATIENCE);
+  }
+
+  // What was pushed.
+  std::vector<std::string> pushed() {
+    std::vector<std::string> all;
+    while (const std::optional<Frame> next = client_->nextFrame()) {
+      EXPECT_EQ(next->header.request_number, 0);
+      const std::string payload = textOf(*next);
+      all.push_back(next->header.kind == 'e' ? "e " + payload.substr(2)
+                                             : "i" + std::to_string(payload.at(0)) + std::to_string(payload.at(1)) +
+                                                   " " + payload.substr(4));
+    }
+    return all;
+  }
+};
+
+TEST_F(JamTest, IsOverOnceTheJointFollowsItsCommandsAgain) {
+  robot_.joint("head_pan").jammed = false;
+  passFrames(4 * JointWatch::PATIENCE);
+  EXPECT_THAT(pushed(), ElementsAre()) << "nobody knows before it is commanded";
+  commandHead(500000);
+  EXPECT_THAT(pushed(), ElementsAre("i40 head_pan\nit follows its commands again"));
+  commandHead(-500000);
+  EXPECT_THAT(pushed(), ElementsAre());
+}
+
+TEST_F(JamTest, IsReportedAgainWhileItLasts) {
+  commandHead(500000);
+  EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e head_pan is jammed")));
+}
+
+TEST_F(JamTest, IsNotOverBecauseTheMotorsAreSwitchedOffTheJointIsMovedByHandAndTheyAreOnAgain) {
+  EXPECT_FALSE(motorsAfter(std::string(1, '\0')));
+  robot_.joint("head_pan").position += 400000;
+  EXPECT_TRUE(motorsAfter("\1"));
+  passFrames(4 * JointWatch::PATIENCE);
+  EXPECT_THAT(pushed(), ElementsAre());
+}
+
+TEST_F(JamTest, IsNotTheNextClients) {
+  robot_.joint("head_pan").jammed = false;
+  reconnect();
+  commandHead(500000);
+  EXPECT_THAT(pushed(), ElementsAre());
+}
 
 TEST_F(Version2Test, JammedJointIsNamedOnceAndTheOthersGoOn) {
   robot_.joint("head_pan").jammed = true;
@@ -609,8 +723,8 @@ TEST_F(Version2Test, JointWhoseGainWentOffIsReportedAsNotFollowing) {
 
 TEST_F(Version2Test, UnknownRequestsAreNotSupported) {
   for (int kind = 0; kind < 256; ++kind) {
-    if (std::string("HFWJVTOLKPNUDQR").find(static_cast<char>(kind)) == std::string::npos) {
-      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O L K P N");
+    if (std::string("HFWJVTOILKPNUDQR").find(static_cast<char>(kind)) == std::string::npos) {
+      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O I L K P N");
     }
   }
   EXPECT_STREQ(hello().robot, "ERS-7");

@@ -14,6 +14,7 @@
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
 #include "aibo_driver/log.h"
+#include "aibo_driver/motion_end.h"
 #include "aibo_driver/picture.h"
 #include "aibo_driver/robot_info.h"
 #include "aibo_driver/telemetry.h"
@@ -93,6 +94,10 @@ class RcServerClient {
   /// Called on the client's thread with the targets that the robot accepted for joints, clamped to their limits. Same
   /// rules.
   using JointsAcceptedCallback = std::function<void(const std::vector<JointTarget>& targets)>;
+  /// Called on the client's thread each time a version 2 server reports that something it did has ended, such as a
+  /// motion. A motion that has not ended when the connection breaks is stopped by the robot, without a report. Same
+  /// rules.
+  using EndedCallback = std::function<void(const MotionEnd& end)>;
 
   /// Any of them may be empty.
   struct Callbacks {
@@ -101,6 +106,7 @@ class RcServerClient {
     StreamingCallback on_streaming;
     TelemetryCallback on_telemetry;
     JointsAcceptedCallback on_joints_accepted;
+    EndedCallback on_ended;
     LogSink log;
   };
 
@@ -200,6 +206,19 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
   virtual bool setMotors(bool on, std::chrono::milliseconds timeout);
+
+  /// Stops joints: each brakes within its limits and stays where it comes to rest. Motions that move one of them end.
+  /// Commands to these joints that have not been sent are dropped. Returns when the robot has answered.
+  /// @param joints 0..32 identifiers of joints, each once; none = everything that moves
+  /// @param timeout longest time to wait, 1 ms..1 h
+  /// @throw InvalidArgumentException an argument is out of range
+  /// @throw NetworkException no connection, or it broke while waiting: the robot may or may not have obeyed
+  /// @throw TimeoutException connected, but no answer came in time
+  /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `I`; nothing was
+  ///   sent or dropped then, and the message says what to do instead
+  /// @throw StoppedException stop() was called
+  /// @throw Exception called from a callback
+  virtual void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
   /// Sets LEDs. Returns without waiting, under the same rules as commandJoints(): if commands come faster than the
   /// robot answers, each LED gets its latest one.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace {
 
 const robot_model::RobotModel& ers7() {
@@ -24,6 +26,77 @@ TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
   }
   EXPECT_LT(joints.Planner().Position(pan), left_at + 20000) << "with its own limit, it would be 0.4 rad";
   EXPECT_EQ(joints.Planner().AccelerationLimit(pan), defaultAcceleration(ers7().joints[pan]));
+}
+
+// ---------------------------------------------------------------------------------------------------------- stopping
+
+class StoppedJointsTest : public ::testing::Test {
+ protected:
+  // Sends two joints far away, and waits until both are under way.
+  void SetUp() override {
+    MotionPlanner::JointTarget targets[] = {{pan_, 1500000}, {tail_, -700000}};
+    joints_.SetTargets(targets, 2, 0);
+    while (joints_.Planner().Speed(pan_) < 500000 || joints_.Planner().Speed(tail_) > -500000) {
+      joints_.NextFrame();
+    }
+  }
+
+  bool wasCommandedSince(unsigned number, int joint) const {
+    bool commanded[robot_model::MAX_JOINTS];
+    joints_.FindCommandedSince(number, commanded);
+    return commanded[joint];
+  }
+
+  // Runs until a joint stands, and checks that it brakes as its limit says, and never turns back.
+  void expectBrakes(int joint) {
+    MotionPlanner& planner = joints_.Planner();
+    const int limit = planner.AccelerationLimit(joint) / 125;  // change of speed in a frame
+    while (planner.Speed(joint) != 0) {
+      const int before = planner.Speed(joint);
+      joints_.NextFrame();
+      const int after = planner.Speed(joint);
+      ASSERT_LT(std::abs(after), std::abs(before));
+      ASSERT_LE(std::abs(after - before), limit);
+      ASSERT_GE(static_cast<double>(after) * before, 0) << "it turned back";
+    }
+    EXPECT_EQ(planner.FramesLeft(joint), 0);
+  }
+
+  JointControl joints_{ers7()};
+  const int pan_ = findJointByName(ers7(), "head_pan");
+  const int tail_ = findJointByName(ers7(), "tail_pan");
+};
+
+TEST_F(StoppedJointsTest, AJointBrakesWithinItsLimitsAndTheOthersGoOn) {
+  joints_.Stop(pan_);
+  expectBrakes(pan_);
+  while (joints_.AreMoving()) {
+    joints_.NextFrame();
+  }
+  EXPECT_EQ(joints_.Planner().Position(tail_), -700000);
+  EXPECT_LT(joints_.Planner().Position(pan_), 1000000);
+}
+
+TEST_F(StoppedJointsTest, AllJointsBrakeAtOnce) {
+  joints_.StopAll();
+  expectBrakes(pan_);
+  while (joints_.AreMoving()) {
+    joints_.NextFrame();
+  }
+  EXPECT_GT(joints_.Planner().Position(tail_), -700000);
+}
+
+TEST_F(StoppedJointsTest, CommandsAndStopsAreFoundByWhenTheyCame) {
+  const unsigned before = joints_.NumberOfCommands();
+  EXPECT_FALSE(wasCommandedSince(before, pan_));
+  EXPECT_TRUE(wasCommandedSince(before - 1, pan_));
+  joints_.Stop(pan_);
+  EXPECT_TRUE(wasCommandedSince(before, pan_));
+  EXPECT_FALSE(wasCommandedSince(before, tail_));
+  const unsigned later = joints_.NumberOfCommands();
+  joints_.StopAll();
+  EXPECT_TRUE(wasCommandedSince(later, pan_));
+  EXPECT_TRUE(wasCommandedSince(later, tail_));
 }
 
 // ---------------------------------------------------------------------------------------------------- JointWatch
@@ -79,6 +152,70 @@ TEST_F(JointWatchTest, FaultIsReportedAgainOnlyAfterAnotherHalfSecond) {
 TEST_F(JointWatchTest, RestCountsAsFollowingHoweverLongItLasts) {
   EXPECT_EQ(look(10 * JointWatch::PATIENCE, 0, 0), JointWatch::FOLLOWS);
   EXPECT_EQ(look(JointWatch::PATIENCE - kPeriod, kFar, 512), JointWatch::FOLLOWS);
+}
+
+// -------------------------------------------------------------------------------------------------- JointRecovery
+
+class JointRecoveryTest : public ::testing::Test {
+ protected:
+  JointRecoveryTest() {
+    recovery_.Reset(0, 0);
+    recovery_.Await();
+  }
+
+  // Looks at the same reading for a number of frames.
+  bool look(unsigned frames, int position, int reference) {
+    for (unsigned passed = 0; passed < frames; passed += kPeriod) {
+      frame_ += kPeriod;
+      if (recovery_.Look({position, reference, 0}, frame_)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  JointRecovery recovery_;
+  unsigned frame_ = 0;
+};
+
+TEST_F(JointRecoveryTest, JointThatHasFollowedACommandForHalfASecondHasRecovered) {
+  EXPECT_FALSE(look(JointWatch::PATIENCE - kPeriod, JointWatch::MOVEMENT, JointWatch::MOVEMENT));
+  EXPECT_TRUE(look(2 * kPeriod, JointWatch::MOVEMENT, JointWatch::MOVEMENT));
+  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, JointWatch::MOVEMENT, JointWatch::MOVEMENT)) << "reported once";
+}
+
+TEST_F(JointRecoveryTest, JointThatIsHeldHasNotRecoveredHoweverLongItRests) {
+  EXPECT_FALSE(look(100 * JointWatch::PATIENCE, 0, 0));
+}
+
+TEST_F(JointRecoveryTest, JointThatIsMovedByHandHasNotRecovered) {
+  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, JointWatch::TOLERANCE, 0));
+}
+
+TEST_F(JointRecoveryTest, JointThatIsCommandedAndDoesNotMoveHasNotRecovered) {
+  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, 0, JointWatch::TOLERANCE));
+}
+
+TEST_F(JointRecoveryTest, JointThatStaysFarBehindHasNotRecovered) {
+  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, JointWatch::MOVEMENT, kFar + JointWatch::MOVEMENT));
+}
+
+TEST_F(JointRecoveryTest, HalfASecondBeginsAgainWhenItFallsBehind) {
+  EXPECT_FALSE(look(JointWatch::PATIENCE - kPeriod, kFar, kFar));
+  EXPECT_FALSE(look(kPeriod, kFar, 3 * kFar));
+  EXPECT_FALSE(look(JointWatch::PATIENCE - kPeriod, kFar, kFar));
+  EXPECT_TRUE(look(2 * kPeriod, kFar, kFar));
+}
+
+TEST_F(JointRecoveryTest, JointThatIsHeldElsewhereHasToMoveFromThere) {
+  recovery_.Reset(kFar, frame_);
+  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, kFar, kFar)) << "switching the motors on moves nothing";
+  EXPECT_TRUE(look(2 * JointWatch::PATIENCE, 0, 0));
+}
+
+TEST_F(JointRecoveryTest, JointWithoutAFaultDoesNotRecover) {
+  recovery_.Forget();
+  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, kFar, kFar));
 }
 
 }  // namespace

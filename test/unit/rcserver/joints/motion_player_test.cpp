@@ -14,6 +14,7 @@
 
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StrEq;
 
@@ -220,6 +221,20 @@ class StoppedMotionTest : public MotionPlayerTest {
     EXPECT_GT(planner_.Speed(joint("head_pan")), 0);
   }
 
+  static std::string end(const std::string& name, MotionPlayer::Cause cause, const std::string& joint = "") {
+    return name + " " + std::to_string(cause) + " " + joint;
+  }
+
+  // The ends that have not been taken.
+  std::vector<std::string> ends() {
+    std::vector<std::string> all;
+    for (MotionPlayer::End taken; player_->TakeEnd(&taken);) {
+      all.push_back(
+          end(taken.name, taken.cause, taken.joint == robot_model::NO_JOINT ? "" : robot_.joints[taken.joint].name));
+    }
+    return all;
+  }
+
   // The joints of A.MTN brake and stop.
   void expectStopped() {
     const double at_first = at("head_pan");
@@ -241,13 +256,13 @@ TEST_F(StoppedMotionTest, isStoppedByItsName) {
 }
 
 TEST_F(StoppedMotionTest, allAreStoppedAtOnce) {
-  player_->StopAll();
+  player_->StopAll(MotionPlayer::MOTORS_OFF);
   EXPECT_FALSE(player_->IsPlaying());
   expectStopped();
 }
 
 TEST_F(StoppedMotionTest, commandingAJointEndsItsMotion) {
-  player_->JointIsCommanded(joint("head_tilt"));
+  player_->StopMotionOf(joint("head_tilt"), MotionPlayer::JOINT_COMMANDED);
   planner_.SetTarget(joint("head_tilt"), 0);
   passFrames(200);
   EXPECT_NEAR(at("head_tilt"), 0, 1e-4);
@@ -256,28 +271,49 @@ TEST_F(StoppedMotionTest, commandingAJointEndsItsMotion) {
 }
 
 TEST_F(StoppedMotionTest, endsWhenOneOfItsJointsFails) {
-  player_->JointFails(joint("head_tilt"));
+  player_->StopMotionOf(joint("head_tilt"), MotionPlayer::JOINT_FAILED);
   expectStopped();
-  MotionPlayer::Failure failure;
-  ASSERT_TRUE(player_->TakeFailure(&failure));
-  EXPECT_THAT(failure.name, StrEq("A.MTN"));
-  EXPECT_EQ(failure.joint, joint("head_tilt"));
-  EXPECT_FALSE(player_->TakeFailure(&failure)) << "reported once";
+  EXPECT_THAT(ends(), ElementsAre(end("A.MTN", MotionPlayer::JOINT_FAILED, "head_tilt")));
+  EXPECT_THAT(ends(), ElementsAre()) << "reported once";
   EXPECT_TRUE(player_->IsPlaying());
 }
 
-TEST_F(StoppedMotionTest, reportsAFailureByNameEvenIfAnotherMotionIsPlayedMeanwhile) {
-  player_->JointFails(joint("head_tilt"));
+TEST_F(StoppedMotionTest, reportsAnEndByNameEvenIfAnotherMotionIsPlayedMeanwhile) {
+  player_->StopMotionOf(joint("head_tilt"), MotionPlayer::JOINT_FAILED);
   ASSERT_EQ(play("C.MTN", motionBytes("at 0 mouth -10\n")), "");
-  MotionPlayer::Failure failure;
-  ASSERT_TRUE(player_->TakeFailure(&failure));
-  EXPECT_THAT(failure.name, StrEq("A.MTN"));
+  EXPECT_THAT(ends(), ElementsAre(end("A.MTN", MotionPlayer::JOINT_FAILED, "head_tilt")));
 }
 
 TEST_F(StoppedMotionTest, aJointOfNoMotionFailsWithoutConsequences) {
-  player_->JointFails(joint("mouth"));
-  MotionPlayer::Failure failure;
-  EXPECT_FALSE(player_->TakeFailure(&failure));
+  player_->StopMotionOf(joint("mouth"), MotionPlayer::JOINT_FAILED);
+  EXPECT_THAT(ends(), ElementsAre());
+}
+
+TEST_F(StoppedMotionTest, everyEndIsReportedWithItsCauseTheOldestFirst) {
+  stop("B.MTN");
+  player_->StopAll(MotionPlayer::MOTORS_OFF);
+  ASSERT_EQ(play("C.MTN", motionBytes("at 0 mouth -10\n")), "");
+  pathOf("mouth");
+  EXPECT_THAT(ends(), ElementsAre(end("B.MTN", MotionPlayer::STOPPED), end("A.MTN", MotionPlayer::MOTORS_OFF),
+                                  end("C.MTN", MotionPlayer::PLAYED)));
+}
+
+TEST_F(StoppedMotionTest, whatIsNotTakenIsForgottenAfterAWhileTheOldestFirst) {
+  player_->ClientGone();
+  for (int i = 0; i < MotionPlayer::MAX_ENDS + 2; ++i) {
+    ASSERT_EQ(play(std::to_string(i) + ".MTN", motionBytes("at 0 mouth -10\n")), "");
+    player_->StopAll(MotionPlayer::STOPPED);
+  }
+  const std::vector<std::string> kept = ends();
+  ASSERT_EQ(kept.size(), static_cast<size_t>(MotionPlayer::MAX_ENDS));
+  EXPECT_EQ(kept.front(), end("2.MTN", MotionPlayer::STOPPED));
+  EXPECT_EQ(kept.back(), end(std::to_string(MotionPlayer::MAX_ENDS + 1) + ".MTN", MotionPlayer::STOPPED));
+}
+
+TEST_F(StoppedMotionTest, isNotReportedToTheNextClient) {
+  player_->ClientGone();
+  EXPECT_FALSE(player_->IsPlaying());
+  EXPECT_THAT(ends(), ElementsAre());
 }
 
 // ------------------------------------------------------------------------------------------------ shipped motions
