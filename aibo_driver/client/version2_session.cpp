@@ -1,6 +1,7 @@
 #include "client/version2_session.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <utility>
 
@@ -18,6 +19,27 @@ namespace {
 // Two seconds at the highest rate. More can only have waited because this process was held up for long, and after
 // that the newest are worth more than a burst of all.
 constexpr std::size_t kMostTelemetryAtOnce = 64;
+
+// More than a robot has joints. Each report is kept once.
+constexpr std::size_t kMostReports = 32;
+
+template <typename Element, typename Predicate>
+void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
+  elements->erase(std::remove_if(elements->begin(), elements->end(), predicate), elements->end());
+}
+
+/// True if the text contains this word, and not only as a part of a longer name.
+bool hasWord(const std::string& text, const std::string& word) {
+  const auto is_of_name = [&text](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    if ((at == 0 || !is_of_name(at - 1)) && !is_of_name(at + word.size())) {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// @throw ProtocolException if a decoder has found a problem
 void expectGood(const char* problem, const char* what) {
@@ -467,12 +489,30 @@ void Version2Session::onEnded(const Payload& payload) {
   end.how = endedHow(message.how);
   end.name.assign(message.name, message.name_size);
   end.reason.assign(message.reason, message.reason_size);
+  if (end.kind == EndedKind::kJam) {
+    jointFollowsAgain(end.name);
+  }
   connection_.context.notifier.ended(end);
 }
 
 void Version2Session::onReport(const Payload& payload) {
-  connection_.robot_message = describeError(payload.data, payload.size);
-  connection_.context.warn("reports: " + connection_.robot_message);
+  version2::ErrorMessage message;
+  expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
+  const Report report = {describeError(payload.data, payload.size), message.code == version2::CODE_JOINT_FAULT};
+  removeIf(&reports_, [&report](const Report& each) { return each.text == report.text; });
+  reports_.push_back(report);
+  if (reports_.size() > kMostReports) {
+    reports_.erase(reports_.begin());
+  }
+  connection_.robot_message = report.text;
+  connection_.context.warn("reports: " + report.text);
+}
+
+// Its fault, and motions that were stopped because of it, are over.
+void Version2Session::jointFollowsAgain(const std::string& joint) {
+  removeIf(&reports_, [&joint](const Report& each) { return each.joint_fault && hasWord(each.text, joint); });
+  connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
+  connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
 }
 
 Session::TimePoint Version2Session::answerDeadline() const {

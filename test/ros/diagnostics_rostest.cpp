@@ -4,6 +4,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 
 #include <algorithm>
 #include <string>
@@ -14,6 +15,7 @@
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
 #include "support/simulated_robot.h"
 
 namespace {
@@ -29,6 +31,7 @@ using test_support::FaultProxy;
 using test_support::PictureServer;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using test_support::TopicPublishers;
 using ::testing::HasSubstr;
 
 bool hasGood(const DiagnosticArray& array, const std::string& name) {
@@ -81,6 +84,30 @@ TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
   });
   EXPECT_THAT(slow.message, HasSubstr("of 30.0 pictures/s: is the radio link weak"));
   EXPECT_EQ(DiagnosticsListener::value(slow, "pictures per second asked for"), "30.0");
+}
+
+TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
+  SimulatedRobot robot;
+  DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false"});
+  DiagnosticsListener diagnostics;
+  TopicPublishers topics("/jam");
+  const auto wait_for = [&](int level) {
+    return diagnostics.waitFor("jam/aibo_driver: joints", [&](const auto& s) { return s.level == level; });
+  };
+  const auto send_head_to = [&topics](double position) {
+    std_msgs::Float64 command;
+    command.data = position;
+    topics.publish("head_pan_position_controller/command", command);
+  };
+  EXPECT_THAT(wait_for(DiagnosticStatus::OK).message, HasSubstr("measurements/s"));
+  ASSERT_THAT(robot.type("jam head_pan"), HasSubstr("ok"));
+  send_head_to(1);
+  EXPECT_THAT(wait_for(DiagnosticStatus::ERROR).message, HasSubstr("head_pan is jammed"));
+  ASSERT_THAT(robot.type("free head_pan"), HasSubstr("ok"));
+  send_head_to(0.5);
+  const DiagnosticStatus free = wait_for(DiagnosticStatus::OK);
+  EXPECT_THAT(free.message, HasSubstr("measurements/s"));
+  EXPECT_EQ(DiagnosticsListener::value(free, "said by the robot"), "");
 }
 
 TEST(PowerDiagnostics, ForgetTheChargeOfARobotWhenAnotherOneThatReportsNoneTakesItsPlace) {

@@ -569,6 +569,36 @@ TEST_F(Version2SessionTest, UnrequestedReportsAreLoggedAndKept) {
   EXPECT_EQ(1, logged("reports: joint head_pan does not move"));
 }
 
+TEST_F(Version2SessionTest, ReportsOfAJointAreOverWhenItFollowsAgain) {
+  const auto follows = [this](const std::string& joint) {
+    receive(makeFrame('i', 0, version2_frames::makeEnd(version2::ENDED_JAM, version2::END_DONE, joint, "")));
+    return connection_.robot_message;
+  };
+  receive(makeError(0, 3, "mouth is jammed"));
+  receive(makeError(0, 3, "head_pan is jammed"));
+  receive(makeError(0, 3, "NOD.MTN is stopped: head_pan does not follow."));
+  EXPECT_EQ("NOD.MTN is stopped: head_pan does not follow. (error code 3)", connection_.robot_message);
+  EXPECT_EQ("NOD.MTN is stopped: head_pan does not follow. (error code 3)", follows("head"));
+  EXPECT_EQ("mouth is jammed (error code 3)", follows("head_pan"));
+  EXPECT_EQ("", follows("mouth"));
+  receive(makeError(0, 4, "the battery below the mouth is low"));
+  EXPECT_EQ("the battery below the mouth is low (error code 4)", follows("mouth")) << "no joint's fault";
+  EXPECT_EQ(2, logged("The joint mouth follows its commands again."));
+}
+
+TEST_F(Version2SessionTest, ReportsAreForgottenOnlyOneByOneHoweverManyThereAre) {
+  for (int i = 0; i < 100; ++i) {
+    receive(makeError(0, 3, "joint" + std::to_string(i) + " is jammed"));
+    receive(makeError(0, 3, "joint" + std::to_string(i) + " is jammed"));
+  }
+  for (int i = 99; i > 99 - 32; --i) {
+    EXPECT_EQ("joint" + std::to_string(i) + " is jammed (error code 3)", connection_.robot_message);
+    receive(makeFrame(
+        'i', 0, version2_frames::makeEnd(version2::ENDED_JAM, version2::END_DONE, "joint" + std::to_string(i), "")));
+  }
+  EXPECT_EQ("", connection_.robot_message);
+}
+
 TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
   receive(makeFrame('z', 0, {1, 2, 3}));
   receive(makeFrame('j', 4711, {1, 2, 3}));

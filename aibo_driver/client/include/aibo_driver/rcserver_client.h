@@ -47,7 +47,8 @@ struct ConnectionStatus {
   FaultKind fault = FaultKind::kNone;  ///< the same as `reason`, for programs; kNone when all is well
   RobotInfo robot;                     ///< from the server, once connected to one of version 2; else empty
   /// The last report of a version 2 server that answers no request, such as a joint that does not move, or why the
-  /// server hangs up. It is kept until the next connection; empty if there was none.
+  /// server hangs up. It is kept until the next connection; that of a joint is over when the server says that the joint
+  /// follows its commands again, and then the last report before it that still holds is here. Empty if there is none.
   std::string robot_message;
 };
 
