@@ -84,7 +84,7 @@ struct Connection {
   CommandOutbox commands;
   RefusalLog refusals;
   RobotInfo robot;            ///< as the server has introduced itself
-  std::string robot_message;  ///< what the robot last reported without being asked; empty if nothing
+  std::string robot_message;  ///< what the robot last reported without being asked and still holds
 
  private:
   TimePoint last_joint_turn_;  // when commands to the joints could be sent

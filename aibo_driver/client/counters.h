@@ -21,6 +21,7 @@ struct Counters {
   std::atomic<std::uint64_t> stale_pictures{0};
   std::atomic<std::uint64_t> bytes_received{0};
   std::atomic<std::uint64_t> telemetry{0};
+  std::atomic<std::uint64_t> dropped_telemetry{0};
   std::atomic<std::uint64_t> refusals{0};
 
   ClientStatistics snapshot() const {
@@ -35,6 +36,7 @@ struct Counters {
     result.stale_pictures = stale_pictures;
     result.bytes_received = bytes_received;
     result.telemetry = telemetry;
+    result.dropped_telemetry = dropped_telemetry;
     result.refusals = refusals;
     return result;
   }

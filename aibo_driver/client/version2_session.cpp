@@ -1,6 +1,7 @@
 #include "client/version2_session.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +16,31 @@ namespace aibo_driver {
 namespace version2 = protocol::version2;
 
 namespace {
+
+// Two seconds at the highest rate. More can only have waited because this process was held up for long, and after
+// that the newest are worth more than a burst of all.
+constexpr std::size_t kMostTelemetryAtOnce = 64;
+
+// More than a robot has joints. Each report is kept once.
+constexpr std::size_t kMostReports = 32;
+
+template <typename Element, typename Predicate>
+void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
+  elements->erase(std::remove_if(elements->begin(), elements->end(), predicate), elements->end());
+}
+
+/// True if the text contains this word, and not only as a part of a longer name.
+bool hasWord(const std::string& text, const std::string& word) {
+  const auto is_of_name = [&text](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    if ((at == 0 || !is_of_name(at - 1)) && !is_of_name(at + word.size())) {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// @throw ProtocolException if a decoder has found a problem
 void expectGood(const char* problem, const char* what) {
@@ -40,6 +66,14 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
 
 // A robot's text may have as many bytes as fit into a frame; a log and a diagnostic message need the beginning.
 constexpr std::size_t kLongestText = 512;
+// The server sends the duty of a joint after its position.
+void setDuty(int id, double duty, std::vector<JointReading>* joints) {
+  for (JointReading& joint : *joints) {
+    if (joint.id == id) {
+      joint.duty = duty;
+    }
+  }
+}
 
 std::string describeError(const unsigned char* payload, std::size_t size) {
   version2::ErrorMessage message;
@@ -147,7 +181,7 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
-  return request(version2::REQUEST_TELEMETRY, 0, now, version2::TELEMETRY_PERIOD_SIZE,
+  return request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_WITH_DUTY, now, version2::TELEMETRY_PERIOD_SIZE,
                  [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
 }
 
@@ -291,8 +325,8 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   if (!reader_.isBetweenFrames()) {
     connection_.pictures.signOfPicture(now);  // nothing else is so large that it comes in parts
   }
-  if (telemetry_) {
-    connection_.publish(*std::exchange(telemetry_, std::nullopt));
+  for (const Telemetry& telemetry : std::exchange(telemetry_, {})) {
+    connection_.publish(telemetry);
   }
 }
 
@@ -401,15 +435,21 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   version2::Telemetry measured;
   expectGood(version2::decodeTelemetry(payload.data, payload.size, &measured), "telemetry");
-  telemetry_ = Telemetry();
-  telemetry_->frame_number = measured.frame_number;
-  telemetry_->arrival = frame_began_;
+  if (telemetry_.size() == kMostTelemetryAtOnce) {
+    telemetry_.pop_front();
+    ++connection_.context.counters.dropped_telemetry;
+  }
+  Telemetry& telemetry = telemetry_.emplace_back();
+  telemetry.frame_number = measured.frame_number;
+  telemetry.arrival = frame_began_;
   for (std::size_t i = 0; i < measured.count; ++i) {
     const version2::TelemetryEntry& entry = measured.entries[i];
     if (entry.group == version2::GROUP_JOINT) {
-      telemetry_->joints.push_back({entry.id, fromMicro(entry.value)});
+      telemetry.joints.push_back({entry.id, fromMicro(entry.value)});
+    } else if (entry.group == version2::GROUP_SENSOR) {
+      telemetry.sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
     } else {
-      telemetry_->sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
+      setDuty(entry.id, fromMicro(entry.value), &telemetry.joints);
     }
   }
 }
@@ -469,15 +509,30 @@ void Version2Session::onEnded(const Payload& payload) {
   end.how = endedHow(message.how);
   end.name.assign(message.name, message.name_size);
   end.reason.assign(message.reason, message.reason_size);
-  if (end.kind == EndedKind::kJam && connection_.robot_message.find(end.name) != std::string::npos) {
-    connection_.robot_message.clear();
+  if (end.kind == EndedKind::kJam) {
+    jointFollowsAgain(end.name);
   }
   connection_.context.notifier.ended(end);
 }
 
 void Version2Session::onReport(const Payload& payload) {
-  connection_.robot_message = describeError(payload.data, payload.size);
-  connection_.context.warn("reports: " + connection_.robot_message);
+  version2::ErrorMessage message;
+  expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
+  const Report report = {describeError(payload.data, payload.size), message.code == version2::CODE_JOINT_FAULT};
+  removeIf(&reports_, [&report](const Report& each) { return each.text == report.text; });
+  reports_.push_back(report);
+  if (reports_.size() > kMostReports) {
+    reports_.erase(reports_.begin());
+  }
+  connection_.robot_message = report.text;
+  connection_.context.warn("reports: " + report.text);
+}
+
+// Its fault, and motions that were stopped because of it, are over.
+void Version2Session::jointFollowsAgain(const std::string& joint) {
+  removeIf(&reports_, [&joint](const Report& each) { return each.joint_fault && hasWord(each.text, joint); });
+  connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
+  connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
 }
 
 Session::TimePoint Version2Session::answerDeadline() const {

@@ -3,11 +3,13 @@
 #define AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "client/connection.h"
 #include "client/session.h"
@@ -42,6 +44,12 @@ class Version2Session final : public Session {
     char kind;
     TimePoint sent;
     TimePoint deadline;
+  };
+
+  /// What the robot said without being asked.
+  struct Report {
+    std::string text;
+    bool joint_fault;
   };
 
   /// The payload of the frame that has arrived.
@@ -79,6 +87,7 @@ class Version2Session final : public Session {
   void onRefusal(char request_kind, const std::string& problem);
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
+  void jointFollowsAgain(const std::string& joint);
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
 
   std::optional<char> kindOf(int number) const;
@@ -97,8 +106,9 @@ class Version2Session final : public Session {
 
   bool ready_ = false;
   TimePoint next_hello_;
-  int telemetry_period_ = 0;            // as last requested
-  std::optional<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart
+  int telemetry_period_ = 0;         // as last requested
+  std::vector<Report> reports_;      // that still hold, the newest last
+  std::deque<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart, in this order
 };
 
 }  // namespace aibo_driver

@@ -26,7 +26,7 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
                                  : std::chrono::duration<double>(telemetry.arrival - entry->joint.arrival).count();
       velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
     }
-    entry = Entry{{*index, reading.position, velocity, telemetry.arrival}, telemetry.frame_number};
+    entry = Entry{{*index, reading.position, velocity, telemetry.arrival, reading.duty}, telemetry.frame_number};
     updated.push_back(entry->joint);
   }
   return updated;

@@ -20,6 +20,7 @@ struct MeasuredJoint {
   double position = 0;                            ///< rad
   double velocity = 0;                            ///< rad/s; 0 until the second measurement
   std::chrono::steady_clock::time_point arrival;  ///< of the measurement
+  std::optional<double> duty = std::nullopt;      ///< of its motor, -1..1; empty if the robot does not report it
 };
 
 /// The last measured position and velocity of each joint. From any thread.

@@ -69,6 +69,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       settings_(private_handle, client_, joint_table_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
+  if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
+    footprint_.emplace(handle_, model_, joint_table_, measured_joints_, telemetry_stamper_);
+  }
   warnOfUnknown(parameters_, private_handle.getNamespace());
   mover_.setListener({[this] { motion_state_.publish(); }, [this] { joints_.moveOn(); }});
   joints_.subscribe(joint_thread_.handle());
@@ -115,6 +118,9 @@ void AiboDriver::publishPicture(const Picture& picture) {
 
 void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
   telemetry_.publish(telemetry);
+  if (footprint_) {
+    footprint_->publish(telemetry);
+  }
   power_.update(telemetry);
 }
 

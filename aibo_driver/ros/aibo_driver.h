@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
@@ -13,6 +14,7 @@
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
+#include "ros/body/footprint_publisher.h"
 #include "ros/body/play_motion_server.h"
 #include "ros/body/power_status.h"
 #include "ros/body/robot_services.h"
@@ -85,6 +87,7 @@ class AiboDriver {
   CameraPublisher camera_;
   RawImagePublisher raw_images_;
   TelemetryPublishers telemetry_;
+  std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted
 
   RcServerClient client_;
 

@@ -20,6 +20,9 @@ std::string oneDecimal(double value) {
   return text;
 }
 
+// A stream that has just begun, or a short gap, is no fault.
+constexpr double kSlowTime = 2.0;  // seconds
+
 // A robot cannot be driven well by hand with pictures that are older.
 constexpr double kLate = 0.25;  // seconds
 
@@ -74,7 +77,8 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
-  const StreamMeter::Reading reading = sources_.meter.read();
+  const double asked_rate = sources_.client.streaming() ? StreamMeter::kFullRate : 0;
+  const StreamMeter::Reading reading = sources_.meter.read(asked_rate);
   const ClientStatistics client = sources_.client.statistics();
   const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
   const std::uint64_t damaged = client.corrupt_pictures + raw.decode_errors;
@@ -85,6 +89,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
   status.add("streaming", yesOrNo(sources_.client.streaming()));
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
+  status.add("pictures per second asked for", oneDecimal(asked_rate));
   status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
   status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
   status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
@@ -103,6 +108,11 @@ void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, std
     status.summary(DiagnosticStatus::WARN, std::to_string(newly_damaged) +
                                                " damaged pictures dropped: is the RCServer on the robot the one that "
                                                "belongs to this driver, and its memory stick in order?");
+  } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
+    status.summary(DiagnosticStatus::WARN, "only " + oneDecimal(reading.picturesPerSecond()) + " of " +
+                                               oneDecimal(StreamMeter::kFullRate) +
+                                               " pictures/s: is the radio link weak, or the robot or this computer "
+                                               "busy?");
   } else if (reading.pictures > 0) {
     status.summary(DiagnosticStatus::OK, oneDecimal(reading.picturesPerSecond()) + " pictures/s, " +
                                              oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
@@ -139,6 +149,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   }
   status.add("measurements per second", oneDecimal(rate));
   status.add("measurements received", client.telemetry);
+  status.add("measurements dropped for newer ones", client.dropped_telemetry);
   status.add("requests refused by the robot", client.refusals);
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);

@@ -221,6 +221,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("slow_down", &parameters.slow_down);
   reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);
+  reader.read("publish_footprint", &parameters.publish_footprint);
 
   reader.checkRefusals();
   reader.addKnown("diagnostic_period");

@@ -35,8 +35,9 @@ bool agreesToVersion2(const ValueReply& reply);
 
 /// The first bytes of every frame.
 struct FrameHeader {
-  char kind;                      ///< capital letter = request, lower-case letter = reply or push
-  unsigned char id;               ///< JPEG quality of `F` and `W`, HoldScope of `I`, bits of `U` and `P`; 0 for others
+  char kind;  ///< capital letter = request, lower-case letter = reply or push
+  /// JPEG quality of `F` and `W`, TelemetryContent of `T`, HoldScope of `I`, bits of `U` and `P`; 0 for all other kinds
+  unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
 };
@@ -132,6 +133,10 @@ const size_t MAX_SPEED_LIMITS_SIZE = MAX_JOINTS * 8;
 size_t encodeSpeedLimits(const SpeedLimits& limits, unsigned char* out);
 const char* decodeSpeedLimits(const unsigned char* payload, size_t size, SpeedLimits* limits);
 
+/// What telemetry contains: the id of `T`. The reply's id is the one in force. A server that does not know an id sends
+/// positions and sensors.
+enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1 };
+
 /// Payload of `T` and of its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
 const size_t TELEMETRY_PERIOD_SIZE = 2;
 size_t encodeTelemetryPeriod(unsigned short frames, unsigned char* out);
@@ -139,10 +144,11 @@ const char* decodeTelemetryPeriod(const unsigned char* payload, size_t size, uns
 
 const char GROUP_JOINT = 'J';   ///< a position in microradian
 const char GROUP_SENSOR = 'S';  ///< millionths of the sensor's SI unit; a switch is 0 or 1
+const char GROUP_DUTY = 'D';    ///< of a joint's motor, in millionths of full duty; only TELEMETRY_WITH_DUTY
 
 /// One measured value.
 struct TelemetryEntry {
-  char group;  ///< GROUP_JOINT or GROUP_SENSOR
+  char group;  ///< GROUP_JOINT, GROUP_SENSOR or GROUP_DUTY
   unsigned char id;
   int value;
 };

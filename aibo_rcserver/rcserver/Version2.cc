@@ -44,6 +44,11 @@ unsigned short WholeSensorPeriods(unsigned short frames) {
   return static_cast<unsigned short>((frames + SENSOR_PERIOD - 1) / SENSOR_PERIOD * SENSOR_PERIOD);
 }
 
+// In an order of operations that does not overflow: a reported duty has 16 bits.
+int MillionthsOfFullDuty(int duty) {
+  return duty * (1000000 / 64) / (FULL_DUTY / 64);
+}
+
 const char* WordsFor(JointWatch::Verdict fault) {
   switch (fault) {
     case JointWatch::JAMMED:
@@ -79,6 +84,7 @@ Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands&
 void Version2::Begin() {
   has_waiting_ = false;
   telemetry_period_ = 0;
+  with_duty_ = false;
   has_pushed_telemetry_ = false;
   last_telemetry_ = 0;
 }
@@ -374,6 +380,8 @@ void Version2::SetTelemetry() {
   unsigned short frames = 0;
   if (IsWellFormed(decodeTelemetryPeriod(payload_, request_.payload_size, &frames))) {
     telemetry_period_ = WholeSensorPeriods(frames);
+    with_duty_ = request_.id == TELEMETRY_WITH_DUTY;
+    request_.id = static_cast<unsigned char>(with_duty_ ? TELEMETRY_WITH_DUTY : TELEMETRY_PLAIN);
     has_pushed_telemetry_ = false;
     outbox_.DropTelemetry();
     Reply(encodeTelemetryPeriod(telemetry_period_, Payload()));
@@ -468,6 +476,11 @@ void Version2::PushTelemetry(unsigned frame) {
       telemetry.entries[telemetry.count] = entry;
       ++telemetry.count;
     }
+  }
+  for (int i = 0; with_duty_ && i < joints.NumberOfJoints(); ++i) {
+    const TelemetryEntry entry = {GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i))};
+    telemetry.entries[telemetry.count] = entry;
+    ++telemetry.count;
   }
   const size_t size = encodeTelemetry(telemetry, Payload());
   const FrameHeader header = {TELEMETRY_PUSH, 0, 0, static_cast<unsigned>(size)};

@@ -123,6 +123,7 @@ class Version2 {
   unsigned commands_before_waiting_;  ///< how many commands the joints had had when it came
   unsigned char message_[Outbox::MAX_REPLY_SIZE];
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
+  bool with_duty_;                   ///< telemetry has the duty of the motors
   bool has_pushed_telemetry_;        ///< since the period was set
   unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
 };

@@ -14,6 +14,7 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/Range.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,44 @@ TEST(Acceleration, OfARobotThatLiesStillPointsUpwards) {
   EXPECT_GT(acceleration.z, 8);
   EXPECT_EQ(message->orientation_covariance[0], -1);
   EXPECT_EQ(message->angular_velocity_covariance[0], -1);
+}
+
+// The transforms from base_footprint to base_link.
+class Footprints {
+ public:
+  /// Waits for one with a height and a pitch between these limits.
+  bool waitFor(double lowest, double highest, double lowest_pitch, double highest_pitch) {
+    return listener_.waitFor([=](const tf2_msgs::TFMessage& message) {
+      const geometry_msgs::TransformStamped& each = message.transforms.front();
+      const auto& rotation = each.transform.rotation;
+      const double height = each.transform.translation.z;
+      const double pitch = std::asin(2 * (rotation.w * rotation.y - rotation.z * rotation.x)) * 180 / M_PI;
+      return each.header.frame_id == "base_footprint" && each.child_frame_id == "base_link" && height > lowest &&
+             height < highest && pitch > lowest_pitch && pitch < highest_pitch;
+    }) != nullptr;
+  }
+
+  std::size_t count() const { return listener_.count(); }
+
+ private:
+  TopicListener<tf2_msgs::TFMessage> listener_{"/tf"};
+};
+
+TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
+  Footprints footprints;
+  BodyUser user("/footprint");
+  EXPECT_TRUE(footprints.waitFor(0.12, 0.15, -3, 3));
+  EXPECT_TRUE(user.play("sit", 1).success);
+  EXPECT_TRUE(footprints.waitFor(0.08, 0.13, -28, -22)) << "leaning back by 25 degrees";
+}
+
+TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
+  SimulatedRobot robot;
+  Footprints footprints;
+  TopicListener<Imu> accelerations("/no_footprint/imu/data_raw");
+  DriverProcess driver("/no_footprint", robot.port(), {"_publish_footprint:=false"});
+  ASSERT_GE(accelerations.waitForCount(30).size(), 30u);
+  EXPECT_EQ(footprints.count(), 0u);
 }
 
 TEST(TouchTopic, FollowsWhatIsPressed) {

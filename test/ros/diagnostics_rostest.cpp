@@ -4,21 +4,35 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include "support/picture_server.h"
+#include "support/proxy/fault_proxy.h"
+#include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
 #include "support/simulated_robot.h"
 
 namespace {
 
+using namespace std::chrono_literals;
 using diagnostic_msgs::DiagnosticArray;
 using diagnostic_msgs::DiagnosticStatus;
+using test_support::Action;
+using test_support::Bytes;
+using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
+using test_support::FaultProxy;
+using test_support::PictureServer;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::HasSubstr;
 
 bool hasGood(const DiagnosticArray& array, const std::string& name) {
   return std::any_of(array.status.begin(), array.status.end(), [&name](const DiagnosticStatus& status) {
@@ -36,6 +50,82 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
       return hasGood(array, std::string("/Aibo/") + name);
     })) << name;
   }
+}
+
+Bytes cut(Bytes jpeg) {
+  jpeg.resize(jpeg.size() / 2);
+  return jpeg;
+}
+
+// The frame numbers of a PictureServer do not keep pace with the time.
+const std::vector<std::string> kWithoutRobotTime = {"_use_robot_time:=false"};
+
+TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
+  PictureServer server(2, 20ms);
+  DriverProcess driver("/damage", server.port(), kWithoutRobotTime);
+  DiagnosticsListener diagnostics;
+  const auto wait_for = [&diagnostics](int level) {
+    return diagnostics.waitFor("damage/aibo_driver: stream", [level](const auto& s) { return s.level == level; });
+  };
+  EXPECT_THAT(wait_for(DiagnosticStatus::OK).message, HasSubstr("pictures/s"));
+  server.spoilNext(cut);
+  EXPECT_THAT(wait_for(DiagnosticStatus::WARN).message, HasSubstr("1 damaged pictures dropped"));
+  const DiagnosticStatus later = wait_for(DiagnosticStatus::OK);
+  EXPECT_THAT(later.message, HasSubstr("pictures/s"));
+  EXPECT_EQ(DiagnosticsListener::value(later, "pictures damaged"), "1") << "it is still counted";
+}
+
+TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
+  PictureServer server(2, 200ms);
+  DriverProcess driver("/slow_stream", server.port(), kWithoutRobotTime);
+  DiagnosticsListener diagnostics;
+  const auto slow = diagnostics.waitFor("slow_stream/aibo_driver: stream", [](const auto& status) {
+    return status.level == DiagnosticStatus::WARN && status.message.find("only ") == 0;
+  });
+  EXPECT_THAT(slow.message, HasSubstr("of 30.0 pictures/s: is the radio link weak"));
+  EXPECT_EQ(DiagnosticsListener::value(slow, "pictures per second asked for"), "30.0");
+}
+
+TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
+  SimulatedRobot robot;
+  DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false"});
+  DiagnosticsListener diagnostics;
+  TopicPublishers topics("/jam");
+  const auto wait_for = [&](int level) {
+    return diagnostics.waitFor("jam/aibo_driver: joints", [&](const auto& s) { return s.level == level; });
+  };
+  const auto send_head_to = [&topics](double position) {
+    std_msgs::Float64 command;
+    command.data = position;
+    topics.publish("head_pan_position_controller/command", command);
+  };
+  EXPECT_THAT(wait_for(DiagnosticStatus::OK).message, HasSubstr("measurements/s"));
+  ASSERT_THAT(robot.type("jam head_pan"), HasSubstr("ok"));
+  send_head_to(1);
+  EXPECT_THAT(wait_for(DiagnosticStatus::ERROR).message, HasSubstr("head_pan is jammed"));
+  ASSERT_THAT(robot.type("free head_pan"), HasSubstr("ok"));
+  send_head_to(0.5);
+  const DiagnosticStatus free = wait_for(DiagnosticStatus::OK);
+  EXPECT_THAT(free.message, HasSubstr("measurements/s"));
+  EXPECT_EQ(DiagnosticsListener::value(free, "said by the robot"), "");
+}
+
+TEST(PowerDiagnostics, ForgetTheChargeOfARobotWhenAnotherOneThatReportsNoneTakesItsPlace) {
+  SimulatedRobot robot;
+  PictureServer without_sensors(2, 20ms);
+  FaultProxy proxy(robot.port());
+  DriverProcess driver("/charge", proxy.port());
+  DiagnosticsListener diagnostics;
+  const auto wait_for = [&diagnostics](const std::string& text) {
+    return diagnostics.waitFor("charge/aibo_driver: power",
+                               [&text](const auto& s) { return s.message.find(text) != std::string::npos; });
+  };
+  EXPECT_EQ(wait_for("battery at").level, DiagnosticStatus::OK);
+  proxy.setTarget("127.0.0.1", without_sensors.port());
+  proxy.endConnections(Action::kClose);
+  const DiagnosticStatus after = wait_for("does not report its battery");
+  EXPECT_EQ(after.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(DiagnosticsListener::value(after, "charge, %"), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/JointState.h>
 
 #include <algorithm>
@@ -12,13 +13,19 @@
 #include <string>
 #include <vector>
 
+#include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
 
 namespace {
 
+using namespace std::chrono_literals;
+using test_support::Action;
 using test_support::DriverProcess;
+using test_support::Fault;
+using test_support::FaultProxy;
+using test_support::kSafetyNet;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 
@@ -49,6 +56,35 @@ TEST(RobotTime, IntervalsOfPicturesAndJointStatesAreWholeFrames) {
   states.clear();
   EXPECT_GT(partInFrames(pictures.waitForCount(100)), 0.8);
   EXPECT_GT(partInFrames(states.waitForCount(100)), 0.8);
+}
+
+/// The longest interval between two stamps, in seconds.
+template <typename Message>
+double longestInterval(const std::vector<boost::shared_ptr<const Message>>& messages) {
+  double longest = 0;
+  for (std::size_t i = 1; i < messages.size(); ++i) {
+    longest = std::max(longest, (messages[i]->header.stamp - messages[i - 1]->header.stamp).toSec());
+  }
+  return longest;
+}
+
+TEST(RobotTime, NoMeasurementIsLostWhenTheRadioIsHeldUpAndEachHasTheTimeOfItsFrame) {
+  SimulatedRobot robot;
+  FaultProxy proxy(robot.port());
+  JointStates states("/robot_time_hold_up/joint_states");
+  TopicListener<sensor_msgs::Imu> accelerations("/robot_time_hold_up/imu/data_raw");
+  DriverProcess driver("/robot_time_hold_up", proxy.port(), {"_stream_on_start:=false"});
+  states.waitForCount(60);  // by then the clock is known
+  states.clear();
+  accelerations.clear();
+  Fault pause;
+  pause.action = Action::kPause;
+  pause.time = 300ms;
+  proxy.add(pause);
+  ASSERT_TRUE(proxy.waitForFaults(1, kSafetyNet));
+  EXPECT_LT(longestInterval(states.waitForCount(40)), 0.048) << "they come every 32 ms";
+  EXPECT_LT(longestInterval(accelerations.waitForCount(40)), 0.048);
+  EXPECT_GT(partInFrames(states.waitForCount(40)), 0.8);
 }
 
 TEST(RobotTime, StampsIncreaseAndBeginWithTheArrivalAgainWhenTheRobotWasRestarted) {

@@ -54,6 +54,12 @@ std::optional<sensor_msgs::JointState> JointStates::read(const Telemetry& teleme
     message.name.push_back(table_[joint.index].name);
     message.position.push_back(joint.position);
     message.velocity.push_back(joint.velocity);
+    if (joint.duty) {
+      message.effort.push_back(*joint.duty);
+    }
+  }
+  if (message.effort.size() != message.name.size()) {
+    message.effort.clear();  // a message has the effort of all its joints, or of none
   }
   return message.name.empty() ? std::nullopt : std::optional<Message>(std::move(message));
 }

@@ -8,8 +8,8 @@
 namespace aibo_driver::node {
 namespace {
 
-// For each subscriber. At 31 messages a second, one that cannot keep up is at most 160 ms behind.
-constexpr std::uint32_t kQueueSize = 5;
+// For each subscriber. As many messages can come at once after the radio was held up (rcserver_client.h).
+constexpr std::uint32_t kQueueSize = 64;
 
 constexpr const char* kBaseFrame = "base_link";
 

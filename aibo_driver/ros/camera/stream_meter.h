@@ -15,12 +15,17 @@ class StreamMeter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
+  /// Pictures per second of a stream with every image of the camera, which is what the driver always asks for (Model
+  /// Information ERS-7: 30 frames per second).
+  static constexpr double kFullRate = 30.0;
+
   struct Reading {
     double seconds = 0.0;        ///< since the previous reading
     std::uint64_t pictures = 0;  ///< published in this time
     std::uint64_t bytes = 0;     ///< of their JPEGs
     double mean_latency = 0.0;   ///< s, from a picture's first byte to its publication; 0 without pictures
     double max_latency = 0.0;    ///< s
+    double slow_for = 0.0;       ///< s, for how long there have been less than half of the pictures asked for
     double picturesPerSecond() const { return seconds > 0.0 ? static_cast<double>(pictures) / seconds : 0.0; }
     double kilobytesPerSecond() const { return seconds > 0.0 ? static_cast<double>(bytes) / seconds / 1000.0 : 0.0; }
   };
@@ -31,7 +36,10 @@ class StreamMeter {
   void add(std::size_t bytes, SteadyTime first_byte_time);
 
   /// The measurements since the last call, or since construction.
-  Reading read();
+  /// @param asked_rate pictures per second that the robot is asked for now; 0 if none are, or if that is not known.
+  /// Time before the
+  ///   first reading with a rate is not slow, because nothing may have been asked for in a part of it
+  Reading read(double asked_rate = 0);
 
  private:
   const std::function<SteadyTime()> now_;
@@ -39,6 +47,8 @@ class StreamMeter {
   SteadyTime last_reading_;
   Reading current_;
   double latency_sum_ = 0.0;
+  double slow_for_ = 0.0;
+  double last_asked_rate_ = 0.0;
 };
 
 }  // namespace aibo_driver::node

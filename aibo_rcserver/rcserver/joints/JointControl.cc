@@ -48,6 +48,7 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
     : robot_(robot), planner_(robot), motions_(planner_, robot), number_of_commands_(0) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
     positions_[i] = 0;
+    duties_[i] = 0;
     faults_[i] = JointWatch::FOLLOWS;
     has_recovered_[i] = false;
     last_commands_[i] = 0;
@@ -108,6 +109,7 @@ void JointControl::Hold(int joint, int position, unsigned frame) {
 
 JointWatch::Verdict JointControl::Measured(int joint, const JointReading& reading, unsigned frame, bool driven) {
   positions_[joint] = reading.position;
+  duties_[joint] = reading.duty;
   if (!driven) {
     watches_[joint].Reset(reading.position, frame);
     return JointWatch::FOLLOWS;

@@ -24,8 +24,11 @@ class MotorSwitch {
 struct JointReading {
   int position;   ///< measured, in microradian
   int reference;  ///< where it was commanded to be at that time, in microradian
-  int duty;       ///< of its motor: -512 is full power backward, 512 full power forward
+  int duty;       ///< of its motor: -FULL_DUTY is full power backward, FULL_DUTY full power forward
 };
+
+/// OJointValue::pwmDuty at full power, as Tekkotsu reads it on real robots.
+const int FULL_DUTY = 512;
 
 /// Finds out when one joint does not follow its commands.
 ///
@@ -45,7 +48,7 @@ class JointWatch {
   static const int TOLERANCE = 174533;  ///< microradian: 10 degrees
   static const int MOVEMENT = 17453;    ///< microradian: 1 degree
   static const unsigned PATIENCE = 63;  ///< frames of 8 ms: half a second
-  static const int HIGH_DUTY = 256;     ///< of 512
+  static const int HIGH_DUTY = FULL_DUTY / 2;
 
   JointWatch() : position_(0), since_(0) {}
 
@@ -147,6 +150,9 @@ class JointControl {
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
 
+  /// The duty of its motor then, of FULL_DUTY.
+  int Duty(int joint) const { return duties_[joint]; }
+
   /// The fault found since the last call.
   JointWatch::Verdict TakeFault(int joint);
 
@@ -162,6 +168,7 @@ class JointControl {
   MotionPlanner planner_;
   MotionPlayer motions_;
   int positions_[robot_model::MAX_JOINTS];
+  int duties_[robot_model::MAX_JOINTS];
   JointWatch watches_[robot_model::MAX_JOINTS];
   JointWatch::Verdict faults_[robot_model::MAX_JOINTS];
   JointRecovery recoveries_[robot_model::MAX_JOINTS];

@@ -126,14 +126,34 @@ TEST_F(StopTest, EndsCallsOfTakePictureThatAreWaiting) {
   }
 }
 
-TEST_F(StopTest, FromSeveralThreadsAtOnce) {
-  const ScriptedPeer peer = startStream();
-  std::vector<std::future<void>> stops;
+// The client's thread cannot end while it is in a callback, so that all calls wait for it at the same time.
+TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThemWhenTheThreadHasEnded) {
+  std::promise<void> in_callback;
+  std::promise<void> release;
+  RcServerClient::Callbacks callbacks;
+  callbacks.on_status = [&](const ConnectionStatus& status) {
+    if (status.state == ConnectionState::kConnected && status.reason.empty()) {
+      in_callback.set_value();
+      release.get_future().wait();
+    }
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  client.start();
+  const ScriptedPeer peer = server_.accept();
+  in_callback.get_future().wait();
+  std::vector<std::future<ConnectionState>> stops;
   for (int i = 0; i < 4; ++i) {
-    stops.push_back(std::async(std::launch::async, [&] { client_.stop(); }));
+    stops.push_back(std::async(std::launch::async, [&] {
+      client.stop();
+      return client.status().state;
+    }));
   }
   for (auto& each : stops) {
-    each.get();
+    EXPECT_EQ(std::future_status::timeout, each.wait_for(milliseconds(50))) << "a callback is still running";
+  }
+  release.set_value();
+  for (auto& each : stops) {
+    EXPECT_EQ(ConnectionState::kDisconnected, each.get());
   }
 }
 

@@ -250,6 +250,7 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   wish_.telemetry_period = 4;
   EXPECT_EQ("T2", request());
   EXPECT_EQ(Bytes({0, 4}), frame_.payload);
+  EXPECT_EQ(version2::TELEMETRY_WITH_DUTY, frame_.header.id);
   receive(makeFrame('t', 2, {0, 4}));
   EXPECT_TRUE(telemetry_.empty()) << "that was the period";
   receive(makeFrame('t', 0,
@@ -259,13 +260,17 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
                                                         {'S', 5, 80000000},
                                                         {'S', 66, 870000},
                                                         {'S', 200, -1},
-                                                        {'J', 52, 1000000}})));
+                                                        {'J', 52, 1000000},
+                                                        {'D', 52, -250000},
+                                                        {'D', 77, 1}})));
   ASSERT_EQ(1u, telemetry_.size());
   EXPECT_EQ(99u, telemetry_[0].frame_number);
   ASSERT_EQ(2u, telemetry_[0].joints.size());
   EXPECT_EQ(2, telemetry_[0].joints[0].id);
   EXPECT_DOUBLE_EQ(-0.5, telemetry_[0].joints[0].position);
+  EXPECT_FALSE(telemetry_[0].joints[0].duty) << "not sent";
   EXPECT_EQ(52, telemetry_[0].joints[1].id);
+  EXPECT_EQ(-0.25, telemetry_[0].joints[1].duty);
   ASSERT_EQ(5u, telemetry_[0].sensors.size());
   EXPECT_EQ(53, telemetry_[0].sensors[0].id);
   EXPECT_DOUBLE_EQ(0.25, telemetry_[0].sensors[0].value) << "range_near, m";
@@ -301,15 +306,36 @@ TEST_F(Version2SessionTest, PicturesThatArrivedTogetherHaveDifferentTimes) {
   EXPECT_LT(pictures_[0]->first_byte_time, pictures_[1]->first_byte_time);
 }
 
-TEST_F(Version2SessionTest, OnlyTheNewestTelemetryOfThoseThatArrivedTogetherIsReported) {
+// Telemetry of the frames 4, 8, 12 ...
+Bytes makeBurst(unsigned count) {
   Bytes bytes;
-  for (unsigned frame = 1; frame <= 5; ++frame) {
-    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(frame, {{'J', 1, 0}}));
+  for (unsigned i = 1; i <= count; ++i) {
+    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(4 * i, {{'J', 1, 1000 * static_cast<int>(i)}}));
     bytes.insert(bytes.end(), each.begin(), each.end());
   }
-  receive(bytes);
-  ASSERT_EQ(1u, telemetry_.size());
-  EXPECT_EQ(5u, telemetry_[0].frame_number);
+  return bytes;
+}
+
+TEST_F(Version2SessionTest, AllTelemetryOfThoseThatArrivedTogetherIsReportedInOrder) {
+  receive(makeBurst(64));
+  ASSERT_EQ(64u, telemetry_.size());
+  for (unsigned i = 1; i <= 64; ++i) {
+    EXPECT_EQ(4 * i, telemetry_[i - 1].frame_number);
+    EXPECT_DOUBLE_EQ(0.001 * i, telemetry_[i - 1].joints.at(0).position);
+  }
+  EXPECT_EQ(64u, counters_.telemetry);
+  EXPECT_EQ(0u, counters_.dropped_telemetry);
+  receive(makeBurst(1));
+  EXPECT_EQ(65u, telemetry_.size()) << "each once";
+}
+
+TEST_F(Version2SessionTest, OfMoreTelemetryThanThatTheNewestIsReportedAndTheRestIsCounted) {
+  receive(makeBurst(70));
+  ASSERT_EQ(64u, telemetry_.size());
+  EXPECT_EQ(28u, telemetry_.front().frame_number);
+  EXPECT_EQ(280u, telemetry_.back().frame_number);
+  EXPECT_EQ(64u, counters_.telemetry);
+  EXPECT_EQ(6u, counters_.dropped_telemetry);
 }
 
 TEST_F(Version2SessionTest, JointsCommandedTogetherAreSentInOneRequest) {
@@ -556,6 +582,36 @@ TEST_F(Version2SessionTest, TextsAreCutAt512BytesBetweenCharacters) {
   EXPECT_EQ(most + "x (error code 3)", connection_.robot_message);
 }
 
+TEST_F(Version2SessionTest, ReportsOfAJointAreOverWhenItFollowsAgain) {
+  const auto follows = [this](const std::string& joint) {
+    receive(makeFrame('i', 0, version2_frames::makeEnd(version2::ENDED_JAM, version2::END_DONE, joint, "")));
+    return connection_.robot_message;
+  };
+  receive(makeError(0, 3, "mouth is jammed"));
+  receive(makeError(0, 3, "head_pan is jammed"));
+  receive(makeError(0, 3, "NOD.MTN is stopped: head_pan does not follow."));
+  EXPECT_EQ("NOD.MTN is stopped: head_pan does not follow. (error code 3)", connection_.robot_message);
+  EXPECT_EQ("NOD.MTN is stopped: head_pan does not follow. (error code 3)", follows("head"));
+  EXPECT_EQ("mouth is jammed (error code 3)", follows("head_pan"));
+  EXPECT_EQ("", follows("mouth"));
+  receive(makeError(0, 4, "the battery below the mouth is low"));
+  EXPECT_EQ("the battery below the mouth is low (error code 4)", follows("mouth")) << "no joint's fault";
+  EXPECT_EQ(2, logged("The joint mouth follows its commands again."));
+}
+
+TEST_F(Version2SessionTest, ReportsAreForgottenOnlyOneByOneHoweverManyThereAre) {
+  for (int i = 0; i < 100; ++i) {
+    receive(makeError(0, 3, "joint" + std::to_string(i) + " is jammed"));
+    receive(makeError(0, 3, "joint" + std::to_string(i) + " is jammed"));
+  }
+  for (int i = 99; i > 99 - 32; --i) {
+    EXPECT_EQ("joint" + std::to_string(i) + " is jammed (error code 3)", connection_.robot_message);
+    receive(makeFrame(
+        'i', 0, version2_frames::makeEnd(version2::ENDED_JAM, version2::END_DONE, "joint" + std::to_string(i), "")));
+  }
+  EXPECT_EQ("", connection_.robot_message);
+}
+
 TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
   receive(makeFrame('z', 0, {1, 2, 3}));
   receive(makeFrame('j', 4711, {1, 2, 3}));
@@ -603,6 +659,7 @@ TEST_F(Version2SessionTest, FramesAreFoundHoweverTheyAreSplitAndJoined) {
   }
   ASSERT_EQ(20u, pictures_.size());
   EXPECT_EQ(test_pictures::makeNumbered(20), pictures_[19]->jpeg);
+  ASSERT_EQ(20u, telemetry_.size());
   EXPECT_EQ(20u, telemetry_.back().frame_number);
 }
 

@@ -52,6 +52,7 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.5);
   EXPECT_FALSE(parameters.slow_down);
   EXPECT_FALSE(parameters.client.leave_out_missing_joints);
+  EXPECT_TRUE(parameters.publish_footprint);
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
@@ -84,6 +85,7 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   values["approach_speed"] = 0.25;
   values["slow_down"] = XmlRpcValue(true);
   values["leave_out_missing_joints"] = XmlRpcValue(true);
+  values["publish_footprint"] = XmlRpcValue(false);
   const DriverParameters parameters = parse(values);
   EXPECT_EQ(parameters.robot, "ERS-210");
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 2);
@@ -91,6 +93,7 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.25);
   EXPECT_TRUE(parameters.slow_down);
   EXPECT_TRUE(parameters.client.leave_out_missing_joints);
+  EXPECT_FALSE(parameters.publish_footprint);
 }
 
 TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {

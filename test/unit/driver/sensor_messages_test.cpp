@@ -13,6 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using Readings = std::vector<std::pair<std::string, double>>;  // by the names of the robot's sensors
 
 constexpr double kGravity = 9.81;
@@ -48,7 +49,19 @@ TEST(JointStatesTest, NamesTheJointsAndRemembersWhereTheyAre) {
   EXPECT_THAT(message->name, ElementsAre("head_pan"));
   EXPECT_THAT(message->position, ElementsAre(0.5));
   EXPECT_THAT(message->velocity, ElementsAre(0.0));
+  EXPECT_THAT(message->effort, IsEmpty());
   EXPECT_EQ(measured.find(*table.findByName("head_pan"))->position, 0.5);
+}
+
+TEST(JointStatesTest, HaveTheDutyAsEffortIfItIsKnownOfAllJoints) {
+  const joints::JointTable table("ERS-7", 3.0);
+  joints::MeasuredJoints measured(table);
+  JointStates states(table, measured);
+  Telemetry telemetry;
+  telemetry.joints = {{1, 0.5, 0.25}, {2, 0.1, -1}};
+  EXPECT_THAT(states.read(telemetry)->effort, ElementsAre(0.25, -1));
+  telemetry.joints[0].duty.reset();
+  EXPECT_THAT(states.read(telemetry)->effort, IsEmpty());
 }
 
 class RangeFinderTest : public ::testing::Test {

@@ -14,23 +14,56 @@ TEST(StreamMeter, MeasuresRateBandwidthAndLatencySinceTheLastReading) {
   meter.add(1000, now - 2ms);
   meter.add(3000, now - 4ms);
   now += 1s;
-  const StreamMeter::Reading reading = meter.read();
+  const StreamMeter::Reading reading = meter.read(StreamMeter::kFullRate);
   EXPECT_DOUBLE_EQ(reading.picturesPerSecond(), 1.0);
   EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 2.0);
   EXPECT_DOUBLE_EQ(reading.mean_latency, 0.003);
   EXPECT_DOUBLE_EQ(reading.max_latency, 0.004);
 
   now += 1s;
-  const StreamMeter::Reading idle = meter.read();
+  const StreamMeter::Reading idle = meter.read(StreamMeter::kFullRate);
   EXPECT_EQ(idle.pictures, 0u);
   EXPECT_DOUBLE_EQ(idle.picturesPerSecond(), 0.0);
   EXPECT_DOUBLE_EQ(idle.max_latency, 0.0);
 }
 
+class SlowStreamTest : public ::testing::Test {
+ protected:
+  // Lets a second pass in which this many pictures come.
+  double slowForAfter(int pictures, double asked_rate = StreamMeter::kFullRate) {
+    for (int i = 0; i < pictures; ++i) {
+      meter_.add(1000, now_);
+    }
+    now_ += 1s;
+    return meter_.read(asked_rate).slow_for;
+  }
+
+  StreamMeter::SteadyTime now_{100s};
+  StreamMeter meter_{[this] { return now_; }};
+};
+
+TEST_F(SlowStreamTest, IsMeasuredFromHalfOfTheRateThatIsAskedFor) {
+  EXPECT_DOUBLE_EQ(slowForAfter(30), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(15), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 1);
+  EXPECT_DOUBLE_EQ(slowForAfter(0), 2);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 3);
+  EXPECT_DOUBLE_EQ(slowForAfter(15), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 1) << "it begins again";
+}
+
+TEST_F(SlowStreamTest, IsNoneWhileNoStreamIsAskedFor) {
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 0) << "it may have begun a moment ago";
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 1);
+  EXPECT_DOUBLE_EQ(slowForAfter(0, 0), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 1);
+}
+
 TEST(StreamMeter, DoesNotDivideByZero) {
   StreamMeter meter([] { return StreamMeter::SteadyTime{}; });
-  EXPECT_DOUBLE_EQ(meter.read().picturesPerSecond(), 0.0);
-  EXPECT_DOUBLE_EQ(meter.read().kilobytesPerSecond(), 0.0);
+  EXPECT_DOUBLE_EQ(meter.read(StreamMeter::kFullRate).picturesPerSecond(), 0.0);
+  EXPECT_DOUBLE_EQ(meter.read(StreamMeter::kFullRate).kilobytesPerSecond(), 0.0);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <thread>
+
 namespace aibo_driver::joints {
 namespace {
 
@@ -59,6 +62,30 @@ TEST_F(MeasuredJointsTest, KeepVelocityWhenTheSameFrameComesTwice) {
   measured_.update(telemetry(100, milliseconds(0), 0.0));
   measured_.update(telemetry(104, milliseconds(32), 0.032));
   EXPECT_NEAR(velocityOf(measured_.update(telemetry(104, milliseconds(40), 0.032))), 1.0, 1e-9);
+}
+
+// The positions alternate between -1 and 1, so that a velocity has the sign of its position unless the two are of
+// different measurements.
+TEST_F(MeasuredJointsTest, AreReadWholeWhileAnotherThreadUpdatesThem) {
+  const auto measure = [this](std::uint32_t round) {
+    measured_.update(telemetry(4 * round, milliseconds(0), round % 2 == 0 ? -1 : 1));
+  };
+  measure(0);
+  measure(1);
+  std::atomic<bool> done{false};
+  std::thread robot([&] {
+    for (std::uint32_t round = 2; !done; ++round) {
+      measure(round);
+    }
+  });
+  int mixed = 0;
+  for (int i = 0; i < 300000; ++i) {
+    const std::optional<MeasuredJoint> joint = measured_.find(pan_);
+    mixed += joint && joint->index == pan_ && joint->position * joint->velocity > 0 ? 0 : 1;
+  }
+  done = true;
+  robot.join();
+  EXPECT_EQ(mixed, 0);
 }
 
 TEST_F(MeasuredJointsTest, LeaveOutJointsThatAreNotInTheTable) {

@@ -276,7 +276,7 @@ TEST(Telemetry, RefusesACountThatDoesNotFitTheSize) {
 TEST(Telemetry, RefusesAnUnknownGroup) {
   Bytes bytes = hex(kThreeValues);
   bytes[16] = 'L';
-  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("neither J nor S"));
+  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("none of J, S and D"));
 }
 
 TEST(LedValues, HaveIntensityAndModeForEachLed) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool jammed = false;
     bool refuses_gain = false;   ///< EnableJointGain fails
     bool refuses_gains = false;  ///< SetJointGain fails
-    bool reports_no_duty = false;
+    std::optional<int> duty{};   ///< that it reports; otherwise it is full unless the joint is at its reference
     robot_model::PidGains gains = {};
     int position = 0;
     int reference = 0;
@@ -288,7 +289,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     OJointValue value{};
     value.value = joint.position;
     value.refValue = joint.reference;
-    value.pwmDuty = joint.reference == joint.position || joint.reports_no_duty ? 0 : 512;
+    const int duty = joint.reference == joint.position ? 0 : 512;
+    value.pwmDuty = static_cast<sword>(joint.duty.value_or(duty));
     return value;
   }
 

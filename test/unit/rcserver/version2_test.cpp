@@ -441,6 +441,27 @@ TEST_F(Version2Test, TelemetryComesAtItsPeriodWithAllJoints) {
   EXPECT_TRUE(telemetry().empty());
 }
 
+TEST_F(Version2Test, TelemetryHasTheDutyOfAllJointsIfItIsAskedFor) {
+  FakeRobot::FakeJoint& pan = robot_.joint("head_pan");
+  EXPECT_EQ(answerTo('T', TELEMETRY_WITH_DUTY, period(4)).header.id, TELEMETRY_WITH_DUTY);
+  passFrames(4);
+  const size_t others = 18 + static_cast<size_t>(robot_.model.number_of_sensors);
+  Telemetry measured = telemetry().back();
+  ASSERT_EQ(measured.count, others + 18);
+  for (size_t i = 0; i < 18; ++i) {
+    EXPECT_EQ(measured.entries[others + i].group, GROUP_DUTY);
+    EXPECT_EQ(measured.entries[others + i].id, robot_.model.joints[i].identifier);
+    EXPECT_EQ(measured.entries[others + i].value, 0) << "at rest";
+  }
+  pan.duty = -384;
+  passFrames(4);
+  EXPECT_EQ(telemetry().back().entries[others + 1].value, -750000);
+  EXPECT_EQ(answerTo('T', TELEMETRY_PLAIN, period(4)).header.id, TELEMETRY_PLAIN);
+  passFrames(4);
+  EXPECT_EQ(telemetry().back().count, others);
+  EXPECT_EQ(answerTo('T', 2, period(4)).header.id, TELEMETRY_PLAIN) << "an id of the future";
+}
+
 TEST_F(Version2Test, TelemetryFollowsTheMotionFrameByFrame) {
   answerTo('T', 0, period(4));
   send(frame('J', 0, 1, targets({{kHeadPan, 1000000}}, 1000)));
@@ -690,7 +711,7 @@ TEST_F(Version2Test, JammedJointIsNamedOnceAndTheOthersGoOn) {
 
 TEST_F(Version2Test, JointWhoseGainWentOffIsReportedAsNotFollowing) {
   robot_.joint("head_pan").gain = false;
-  robot_.joint("head_pan").reports_no_duty = true;
+  robot_.joint("head_pan").duty = 0;
   answerTo('J', 0, targets({{kHeadPan, 1000000}}));
   passFrames(kLongestMotion);
   const std::optional<Frame> pushed = client_->nextFrame();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "robot_model/robot_model.h"
+#include "ros/body/stance.h"
 #include "simulator/ers7/body/head_kinematics.h"
 #include "urdf_model.h"
 
@@ -206,6 +207,22 @@ TEST_F(RandomPostures, HaveTheCameraWhereTheSimulatedRobotHasIt) {
     ASSERT_LT((optical.translation() - camera.translation()).norm(), kPrecision);
     ASSERT_LT((optical.linear().col(2) - camera.linear().col(0)).norm(), kPrecision);
     ASSERT_LT((optical.linear().col(0) + camera.linear().col(1)).norm(), kPrecision);
+  }
+}
+
+TEST_F(RandomPostures, HaveTheFeetWhereTheDriverEstimatesTheStance) {
+  using aibo_driver::node::Leg;
+  const std::map<std::string, Leg> legs = {{"left_front", aibo_driver::node::kLeftFront},
+                                           {"left_hind", aibo_driver::node::kLeftHind},
+                                           {"right_front", aibo_driver::node::kRightFront},
+                                           {"right_hind", aibo_driver::node::kRightHind}};
+  for (int i = 0; i < 1000; ++i) {
+    const Posture posture = next();
+    for (const auto& [name, leg] : legs) {
+      const Vector3d foot = aibo_driver::node::footOf(
+          leg, {posture.at(name + "_rotator"), posture.at(name + "_elevator"), posture.at(name + "_knee")});
+      ASSERT_LT((foot - urdf_.linkPose(name + "_foot_link", posture).translation()).norm(), kPrecision) << name;
+    }
   }
 }
 

@@ -50,8 +50,8 @@ struct ConnectionStatus {
   FaultKind fault = FaultKind::kNone;  ///< the same as `reason`, for programs; kNone when all is well
   RobotInfo robot;                     ///< from the server, once connected to one of version 2; else empty
   /// The last report of a version 2 server that answers no request, such as a joint that does not move, or why the
-  /// server hangs up. It is kept until the next connection, or until the robot says that the joint that it names
-  /// follows its commands again; empty if there was none.
+  /// server hangs up. It is kept until the next connection; that of a joint is over when the server says that the joint
+  /// follows its commands again, and then the last report before it that still holds is here. Empty if there is none.
   std::string robot_message;
 };
 
@@ -67,7 +67,8 @@ struct ClientStatistics {
   std::uint64_t stale_pictures = 0;       ///< good pictures dropped: this process was held up, and they waited unread
   std::uint64_t bytes_received = 0;       ///< bytes read from the socket
   std::uint64_t telemetry = 0;            ///< telemetry delivered
-  std::uint64_t refusals = 0;             ///< requests that the robot refused
+  std::uint64_t dropped_telemetry = 0;  ///< telemetry dropped: this process was held up, and more than 64 waited unread
+  std::uint64_t refusals = 0;           ///< requests that the robot refused
 };
 
 /// Keeps one connection to an RCServer: gets pictures and telemetry over it, moves the joints, and gives the robot
@@ -91,8 +92,8 @@ class RcServerClient {
   using StatusCallback = std::function<void(const ConnectionStatus& status)>;
   /// Called on the client's thread each time streaming() changes. Same rules.
   using StreamingCallback = std::function<void(bool streaming)>;
-  /// Called on the client's thread with measurements of the robot; if several arrived together, with the newest alone.
-  /// Same rules.
+  /// Called on the client's thread with measurements of the robot, in order. If several arrived together, such as after
+  /// the radio was held up, it is called for each: for the newest 64, if there are more. Same rules.
   using TelemetryCallback = std::function<void(const Telemetry& telemetry)>;
   /// Called on the client's thread with the targets that the robot accepted for joints, clamped to their limits. Same
   /// rules.

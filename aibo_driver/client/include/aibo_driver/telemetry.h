@@ -9,10 +9,13 @@
 
 namespace aibo_driver {
 
-/// The position of a joint.
+/// The position of a joint, and how hard its motor works.
 struct JointReading {
   int id = 0;           ///< RCServer identifier (docs/protocol.md lists them)
   double position = 0;  ///< rad
+  /// The motor's share of full power: 1 is full power forward, -1 full power backward. Empty if the server does not
+  /// send it.
+  std::optional<double> duty = std::nullopt;
 };
 
 /// The value of a sensor.
@@ -23,7 +26,7 @@ struct SensorReading {
   double value = 0;
 };
 
-/// What the robot measured at one time. Neither version of the protocol has the load of a joint.
+/// What the robot measured at one time.
 struct Telemetry {
   /// OPEN-R frame (8 ms) in which the values were measured. A version 1 server does not send it.
   std::optional<std::uint32_t> frame_number;

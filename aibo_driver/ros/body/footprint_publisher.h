@@ -1,0 +1,53 @@
+/// @file footprint_publisher.h
+#ifndef AIBO_DRIVER_ROS_BODY_FOOTPRINT_PUBLISHER_H
+#define AIBO_DRIVER_ROS_BODY_FOOTPRINT_PUBLISHER_H
+
+#include <ros/node_handle.h>
+#include <ros/time.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "aibo_driver/telemetry.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
+#include "robot_model/robot_model.h"
+#include "ros/body/sensor_messages.h"
+#include "ros/body/stance.h"
+#include "ros/robot_stamper.h"
+
+namespace aibo_driver::node {
+
+/// Publishes in tf where the body of an ERS-7 is over the floor: base_link in base_footprint. stance.h says how this is
+/// estimated.
+class FootprintPublisher {
+ public:
+  /// All arguments but the handle must outlive the object.
+  /// @param model of an ERS-7; the legs of other robots are not known
+  FootprintPublisher(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
+                     const joints::JointTable& joint_table, const joints::MeasuredJoints& measured_joints,
+                     RobotStamper& stamper);
+
+  /// To be called when `measured_joints` has been updated. Publishes once all legs and the acceleration have been
+  /// measured, whenever there is a new measurement of a joint. From one thread at a time.
+  void publish(const Telemetry& telemetry);
+
+ private:
+  void updateAcceleration(const Telemetry& telemetry, const ros::Time& stamp);
+  std::optional<std::array<LegAngles, kLegs>> legs() const;
+
+  const joints::MeasuredJoints& measured_joints_;
+  RobotStamper& stamper_;
+  std::array<std::array<std::size_t, 3>, kLegs> leg_joints_;  ///< rotator, elevator and knee in the JointTable
+  Accelerometer accelerometer_;
+  std::optional<Eigen::Vector3d> acceleration_;  ///< smoothed
+  ros::Time last_acceleration_;
+  std::uint64_t connection_ = 0;
+  ros::Publisher publisher_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_BODY_FOOTPRINT_PUBLISHER_H

@@ -1,0 +1,104 @@
+#include "ros/body/stance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aibo_driver::node {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Translation3d;
+using Eigen::Vector3d;
+
+// Lengths of the links of the left front leg, in metres, as in urdf/ers7.urdf (Tekkotsu's kinematic table of the
+// ERS-7). The other legs are mirrored, except for the feet of the hind legs.
+const Vector3d kRotator(0.065, 0.0625, 0);
+const Vector3d kKnee(0.009, 0, -0.0695);
+const Vector3d kFrontFoot(-0.00503, 0.0047, -0.06524);
+const Vector3d kHindFoot(0.013529, 0.0047, -0.06628);
+constexpr double kFootRadius = 0.013;
+
+// The left front corner of the belly, raised by the radius of a foot, so that all supports are balls of the same size.
+// Our choice, from the look of the body.
+const Vector3d kBelly(0.085, 0.035, -0.032);
+
+// A foot that is no higher than this touches the floor: the travel of its switch, and some error of the joints.
+constexpr double kTouch = 0.003;  // m
+
+// How far the accelerometer may be off. Our choice: more than its errors and slight motion make, less than somebody
+// tilts a robot that he lifts.
+constexpr double kTrust = 0.26;  // rad: 15 degrees
+
+constexpr double kTolerance = 1e-6;  // m, of rounding
+
+using Supports = std::array<Vector3d, 2 * kLegs>;  // the feet, then the corners of the belly
+
+Supports supportsOf(const std::array<LegAngles, kLegs>& legs) {
+  Supports supports;
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    supports[i] = footOf(static_cast<Leg>(i), legs[i]);
+    supports[kLegs + i] =
+        kBelly.cwiseProduct(Vector3d(i == kLeftFront || i == kRightFront ? 1 : -1, i < kRightFront ? 1 : -1, 1));
+  }
+  return supports;
+}
+
+/// How far up the lowest support is, in metres from the body's origin; negative, because all are below it.
+double lowest(const Supports& supports, const Vector3d& up) {
+  double height = up.dot(supports[0]);
+  for (const Vector3d& support : supports) {
+    height = std::min(height, up.dot(support));
+  }
+  return height;
+}
+
+/// What is up for a body that stands on three supports with no other below them, as close as possible to `measured`.
+Vector3d upOf(const Supports& supports, const Vector3d& measured) {
+  Vector3d best = measured;
+  double best_cosine = std::cos(kTrust);
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    for (std::size_t j = i + 1; j < supports.size(); ++j) {
+      for (std::size_t k = j + 1; k < supports.size(); ++k) {
+        Vector3d up = (supports[j] - supports[i]).cross(supports[k] - supports[i]).normalized();
+        up *= up.dot(measured) < 0 ? -1 : 1;
+        const double cosine = up.dot(measured);
+        if (cosine > best_cosine && lowest(supports, up) >= up.dot(supports[i]) - kTolerance) {
+          best = up;
+          best_cosine = cosine;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Vector3d footOf(Leg leg, const LegAngles& angles) {
+  const bool front = leg == kLeftFront || leg == kRightFront;
+  const double side = leg == kLeftFront || leg == kLeftHind ? 1 : -1;
+  const double end = front ? 1 : -1;
+  const Vector3d mirror(end, side, 1);
+  return Translation3d(kRotator.cwiseProduct(mirror)) * AngleAxisd(-angles.rotator, Vector3d::UnitY()) *
+         AngleAxisd(side * angles.elevator, Vector3d::UnitX()) * Translation3d(kKnee.cwiseProduct(mirror)) *
+         AngleAxisd(-end * angles.knee, Vector3d::UnitY()) *
+         (front ? kFrontFoot : kHindFoot).cwiseProduct(Vector3d(1, side, 1));
+}
+
+Stance estimateStance(const std::array<LegAngles, kLegs>& legs, const Vector3d& acceleration) {
+  const Supports supports = supportsOf(legs);
+  const bool falls = !(acceleration.norm() > kTolerance);
+  const Vector3d up = upOf(supports, falls ? Vector3d::UnitZ() : Vector3d(acceleration.normalized()));
+  const double floor = lowest(supports, up);
+  Stance stance;
+  // Turned by roll and pitch alone, so that x stays ahead.
+  stance.body = Translation3d(0, 0, kFootRadius - floor) *
+                AngleAxisd(std::atan2(-up.x(), std::hypot(up.y(), up.z())), Vector3d::UnitY()) *
+                AngleAxisd(std::atan2(up.y(), up.z()), Vector3d::UnitX());
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    stance.foot_on_floor[i] = up.dot(supports[i]) - floor <= kTouch;
+  }
+  return stance;
+}
+
+}  // namespace aibo_driver::node
