@@ -15,7 +15,7 @@ constexpr std::uint32_t kQueueSize = 10;
 JointCommander::JointCommander(const joints::JointTable& table, const joints::MeasuredJoints& measured,
                                RcServerClient& client, const DriverParameters& parameters)
     : table_(table),
-      link_(client),
+      link_(client, table.design()),
       filter_(table, measured, parameters.approach_speed),
       trajectories_(table, measured, link_, parameters.slow_down) {}
 

@@ -105,6 +105,7 @@ void TrajectoryExecutor::receive(const trajectory_msgs::JointTrajectory& message
 }
 
 void TrajectoryExecutor::start(const trajectory_msgs::JointTrajectory& message) {
+  link_.requireDesign();
   const SteadyTime now = std::chrono::steady_clock::now();
   const std::chrono::nanoseconds wait = waitBeforeStart(message.header.stamp, ros::Time::now());
   joints::Trajectory trajectory(toRequest(message), table_, present(now), slow_down_);

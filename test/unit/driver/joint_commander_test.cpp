@@ -97,5 +97,11 @@ TEST_F(JointCommanderTest, PreparesForAMotionWithTheSpeedLimitsOfAllJoints) {
   EXPECT_THAT(client_.told, IsEmpty()) << "they are in force already";
 }
 
+TEST_F(JointCommanderTest, SendsNothingToARobotOfAnotherDesign) {
+  client_.present.robot.design = "ERS-210";
+  command({{"head_pan", 0.5}});
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
 }  // namespace
 }  // namespace aibo_driver::node

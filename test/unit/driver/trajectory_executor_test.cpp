@@ -85,6 +85,18 @@ TEST_F(TrajectoryExecutorTest, SendsNothingIfATrajectoryIsRefused) {
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
+TEST_F(TrajectoryExecutorTest, RefusesATrajectoryForARobotOfAnotherDesignBeforeItBegins) {
+  client_.present.robot.design = "ERS-210";
+  joints::JointLink link{client_, "ERS-7"};
+  TrajectoryExecutor executor(table_, measured_, link, false);
+  trajectory_msgs::JointTrajectory later = trajectory(1.0, 1.0);
+  later.header.stamp = ros::Time::now() + ros::Duration(60);
+  ::testing::internal::CaptureStderr();
+  executor.receive(later);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("it is an ERS-210"));
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
 TEST_F(TrajectoryExecutorTest, WithoutPointsStopsTheJointsOfTheTrajectory) {
   executor_.receive(trajectory(0.01, 10.0));
   client_.told.clear();
