@@ -17,6 +17,13 @@ void warnOfUnknown(const DriverParameters& parameters, const std::string& name_p
   }
 }
 
+void warnOfMissingModel(const std::string& design) {
+  if (design != "ERS-7") {
+    ROS_WARN_STREAM("There is no model (URDF) of the "
+                    << design << " here: its links have no tf frames, and rviz does not show it.");
+  }
+}
+
 // As the logger ros.aibo_driver.client.
 void logForClient(LogLevel level, const std::string& message) {
   switch (level) {
@@ -38,9 +45,9 @@ void logForClient(LogLevel level, const std::string& message) {
 }  // namespace
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
-    : parameters_(readDriverParameters(private_handle)),
+    : handle_(inDriverNamespace(handle, "aibo")),
+      parameters_(readDriverParameters(handle_, private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
-      handle_(inDriverNamespace(handle, "aibo")),
       joint_thread_(handle_),
       body_thread_(handle_),
       picture_threads_(handle_, kPictureThreads),
@@ -53,7 +60,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
               [this] { policy_.subscribersChanged(); }),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
-      telemetry_(handle_, model_, joint_table_, measured_joints_, telemetry_stamper_),
+      telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       joints_(joint_table_, measured_joints_, client_, parameters_),
@@ -63,6 +70,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   warnOfUnknown(parameters_, private_handle.getNamespace());
+  warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
   expression_.subscribe(body_thread_.handle());
   robot_services_.advertise(joint_thread_.handle(), body_thread_.handle());
@@ -113,7 +121,8 @@ void AiboDriver::updateConnection(const ConnectionStatus& status) {
   } else if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     ROS_WARN_STREAM_NAMED("joints", "The robot says that it is an "
                                         << status.robot.design << ", but the parameter robot is " << parameters_.robot
-                                        << ": its joints will not move correctly. Set the parameter.");
+                                        << ": commands are refused. Set the parameter, and start the "
+                                           "driver again.");
   }
 }
 
