@@ -21,7 +21,7 @@ struct DriverParameters {
   bool stream_on_demand = false;  ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";
   std::string camera_name;                               ///< letters, digits and underscores
-  std::string camera_info_url;                           ///< empty: camera_info_manager's own default
+  std::string camera_info_url;                           ///< empty: as for calibrationFile()
   bool use_robot_time = true;                            ///< stamp by the robot's frame numbers, if it sends them
   std::chrono::nanoseconds time_offset{0};               ///< added to every stamp; at most 60 s either way
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s

@@ -1,16 +1,17 @@
 #include "ros/camera/calibration.h"
 
 #include <camera_calibration_parsers/parse.h>
-#include <camera_info_manager/camera_info_manager.h>
 #include <ros/console.h>
 #include <ros/package.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "aibo_driver/exceptions.h"
@@ -23,6 +24,8 @@ namespace {
 using sensor_msgs::CameraInfo;
 
 constexpr const char* kDefaultUrl = "file://${ROS_HOME}/camera_info/${NAME}.yaml";  // camera_info_manager's
+constexpr std::string_view kFileScheme = "file://";
+constexpr std::string_view kPackageScheme = "package://";
 
 constexpr std::size_t kMostCoefficients = 14;  // OpenCV has no model with more
 
@@ -47,29 +50,15 @@ bool isCalibrated(const CameraInfo& info) {
   return info.K[0] != 0;  // CameraInfo.msg
 }
 
-// The file of a URL. camera_info_manager only checks how it is written.
-std::string findFile(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url) {
-  camera_info_manager::CameraInfoManager manager(camera_handle, camera_name);
-  const std::string parameter = "Parameter camera_info_url is '" + url + "', ";
-  if (!manager.validateURL(url)) {
-    throw InvalidArgumentException(
-        parameter +
-        "which cannot be resolved; allowed is file:///FILE.yaml, package://PACKAGE/FILE.yaml "
-        "of an installed package, or empty.");
+std::string environment(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : otherwise;
+}
+
+void replaceAll(const std::string& what, const std::string& with, std::string* text) {
+  for (std::size_t at = text->find(what); at != std::string::npos; at = text->find(what, at + with.size())) {
+    text->replace(at, what.size(), with);
   }
-  const std::string resolved = manager.resolveURL(url.empty() ? kDefaultUrl : url, camera_name);
-  const std::size_t begin = resolved.find("//") + 2;
-  if (resolved.front() == 'f' || resolved.front() == 'F') {
-    return resolved.substr(begin);
-  }
-  const std::size_t slash = resolved.find('/', begin);
-  const std::string package = resolved.substr(begin, slash - begin);
-  const std::string folder = ros::package::getPath(package);
-  if (folder.empty()) {
-    throw InvalidArgumentException(parameter + "but there is no package '" + package +
-                                   "' here: is its workspace sourced? Or give file:///FILE.yaml.");
-  }
-  return folder + resolved.substr(slash);
 }
 
 CameraInfo load(const std::string& file) {
@@ -102,6 +91,33 @@ void logCalibration(const CameraInfo& info, const std::string& file) {
 
 }  // namespace
 
+std::string calibrationFile(const std::string& url, const std::string& camera_name) {
+  const std::string ros_home = environment("ROS_HOME", environment("HOME", "") + "/.ros");
+  const std::string parameter = "Parameter camera_info_url is '" + url + "', ";
+  std::string resolved = url.empty() ? kDefaultUrl : url;
+  replaceAll("${ROS_HOME}", ros_home, &resolved);
+  replaceAll("${NAME}", camera_name, &resolved);
+  const bool in_package = resolved.rfind(kPackageScheme, 0) == 0;
+  const std::size_t begin = in_package ? kPackageScheme.size() : kFileScheme.size();
+  const std::size_t slash = resolved.find('/', begin);
+  const bool is_file = slash != std::string::npos && slash + 1 < resolved.size() && resolved.back() != '/';
+  if (!is_file || resolved.find("${") != std::string::npos) {
+    throw InvalidArgumentException(parameter +
+                                   "which does not name a file; allowed is file:///FILE.yaml, "
+                                   "package://PACKAGE/FILE.yaml, in both ${ROS_HOME} and ${NAME}, or empty.");
+  }
+  if (!in_package) {
+    return resolved.substr(begin);
+  }
+  const std::string package = resolved.substr(begin, slash - begin);
+  const std::string folder = package.empty() ? "" : ros::package::getPath(package);
+  if (folder.empty()) {
+    throw InvalidArgumentException(parameter + "but there is no package '" + package +
+                                   "' here: is its workspace sourced? Or give file:///FILE.yaml.");
+  }
+  return folder + resolved.substr(slash);
+}
+
 std::string problemOf(const sensor_msgs::CameraInfo& info) {
   if (info.width == 0 || info.height == 0 || info.width > kLargestPictureWidth || info.height > kLargestPictureHeight) {
     return "the camera has no pictures of " + std::to_string(info.width) + "x" + std::to_string(info.height);
@@ -120,10 +136,7 @@ std::string problemOf(const sensor_msgs::CameraInfo& info) {
 
 Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
                          const std::string& design)
-    : camera_name_(camera_name),
-      design_(design),
-      file_(findFile(camera_handle, camera_name, url)),
-      stored_(load(file_)) {
+    : camera_name_(camera_name), design_(design), file_(calibrationFile(url, camera_name)), stored_(load(file_)) {
   logCalibration(stored_, file_);
   service_ = ros::NodeHandle(camera_handle).advertiseService("set_camera_info", &Calibration::set, this);
 }

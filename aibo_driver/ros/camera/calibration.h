@@ -17,16 +17,15 @@ namespace aibo_driver::node {
 /// The camera's calibration, with the service set_camera_info. Until there is one, and while its size does not fit the
 /// robot's pictures, the nominal calibration takes its place (nominal_calibration.h).
 ///
-/// Files are found as camera_info_manager finds them. Its own service would accept and save anything, so this one takes
-/// its place: it refuses what cannot be a calibration of the robot's camera, and keeps the old one.
+/// Files are where camera_info_manager would have them. Its service accepts and saves anything; this one refuses what
+/// cannot be a calibration of the robot's camera, and keeps the old one.
 class Calibration {
  public:
   /// @param camera_handle the camera's namespace
   /// @param camera_name the name in the file
-  /// @param url of the file, as camera_info_manager understands it
+  /// @param url of the file, as for calibrationFile()
   /// @param design of the robot, as for nominalCalibration()
-  /// @throw InvalidArgumentException camera_info_manager does not understand the url, or it is in a package that does
-  ///   not exist
+  /// @throw InvalidArgumentException as calibrationFile()
   Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
               const std::string& design);
 
@@ -51,6 +50,15 @@ class Calibration {
 
   ros::ServiceServer service_;
 };
+
+/// The file of a calibration. From any thread.
+/// @param url file:///FILE or package://PACKAGE/FILE; ${ROS_HOME} stands for ~/.ros unless the environment has
+/// ROS_HOME,
+///   ${NAME} for the camera's name. Empty means file://${ROS_HOME}/camera_info/${NAME}.yaml, as with
+///   camera_info_manager.
+/// @param camera_name the camera's name
+/// @throw InvalidArgumentException the url names no file, or there is no such package
+std::string calibrationFile(const std::string& url, const std::string& camera_name);
 
 /// Finds out why a message cannot be a calibration of the robot's camera: a size that is not from 1x1 to that of the
 /// largest picture (jpeg_inspector.h); a distortion model other than plumb_bob, rational_polynomial, equidistant and
