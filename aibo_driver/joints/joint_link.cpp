@@ -17,6 +17,7 @@ void JointLink::send(const JointOrders& orders, std::chrono::milliseconds durati
 }
 
 void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
+  requireDesign();
   const std::uint64_t present = connection();
   if (present != speeds_connection_) {
     speeds_.clear();

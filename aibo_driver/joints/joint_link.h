@@ -5,10 +5,13 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "aibo_driver/joints.h"
 #include "aibo_driver/rcserver_client.h"
+#include "joints/design_check.h"
 
 namespace aibo_driver::joints {
 
@@ -28,16 +31,22 @@ using JointOrders = std::map<int, JointOrder>;
 class JointLink {
  public:
   /// @param client must outlive the link
-  explicit JointLink(RcServerClient& client) : client_(client) {}
+  /// @param design of the robot that the orders are for; empty: any. A robot of another one gets none: see
+  ///   requireDesign().
+  explicit JointLink(RcServerClient& client, std::string design = "") : client_(client), design_(std::move(design)) {}
 
   /// Sends nothing if there are no orders.
   /// @param duration as for RcServerClient::commandJoints()
-  /// @throw as RcServerClient::commandJoints()
+  /// @throw as requireDesign() and RcServerClient::commandJoints()
   void send(const JointOrders& orders, std::chrono::milliseconds duration);
+
+  /// For what is prepared now and sent later.
+  /// @throw as joints::requireDesign()
+  void requireDesign() const { joints::requireDesign(client_, design_); }
 
   /// Limits how fast joints may move, whoever moves them. Limits that the robot already has are not sent again.
   /// @param limits each joint once
-  /// @throw as RcServerClient::setJointSpeedLimits()
+  /// @throw as requireDesign() and RcServerClient::setJointSpeedLimits()
   void limitSpeeds(const std::vector<JointSpeedLimit>& limits);
 
   /// Counts the connections. If it has changed between two calls, there is a new connection, and nothing that was sent
@@ -46,6 +55,7 @@ class JointLink {
 
  private:
   RcServerClient& client_;
+  const std::string design_;
   std::uint64_t speeds_connection_ = 0;
   std::map<int, double> speeds_;  ///< rad/s, in force over that connection, by id
 };

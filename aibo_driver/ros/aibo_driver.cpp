@@ -20,6 +20,13 @@ void warnOfUnknown(const DriverParameters& parameters, const std::string& name_p
   }
 }
 
+void warnOfMissingModel(const std::string& design) {
+  if (design != "ERS-7") {
+    ROS_WARN_STREAM("There is no model (URDF) of the "
+                    << design << " here: its links have no tf frames, and rviz does not show it.");
+  }
+}
+
 // As the logger ros.aibo_driver.client.
 void logForClient(LogLevel level, const std::string& message) {
   switch (level) {
@@ -41,9 +48,9 @@ void logForClient(LogLevel level, const std::string& message) {
 }  // namespace
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
-    : parameters_(readDriverParameters(private_handle)),
+    : handle_(inDriverNamespace(handle, "aibo")),
+      parameters_(readDriverParameters(handle_, private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
-      handle_(inDriverNamespace(handle, "aibo")),
       stop_threads_(handle_, kStopThreads),
       joint_thread_(handle_),
       body_thread_(handle_),
@@ -57,7 +64,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
               [this] { policy_.subscribersChanged(); }),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
-      telemetry_(handle_, model_, joint_table_, measured_joints_, telemetry_stamper_),
+      telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
@@ -70,10 +77,11 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
-    footprint_.emplace(handle_, model_, joint_table_, measured_joints_, telemetry_stamper_);
+    footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
   warnOfUnknown(parameters_, private_handle.getNamespace());
   mover_.setListener({[this] { motion_state_.publish(); }, [this] { joints_.moveOn(); }});
+  warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
   motion_action_.start(joint_thread_.handle());
   trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
@@ -133,7 +141,8 @@ void AiboDriver::updateConnection(const ConnectionStatus& status) {
   } else if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     ROS_WARN_STREAM_NAMED("joints", "The robot says that it is an "
                                         << status.robot.design << ", but the parameter robot is " << parameters_.robot
-                                        << ": its joints will not move correctly. Set the parameter.");
+                                        << ": commands are refused. Set the parameter, and start the "
+                                           "driver again.");
   }
 }
 

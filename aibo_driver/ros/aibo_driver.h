@@ -66,9 +66,9 @@ class AiboDriver {
   robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
 
   // Each member uses only those before it. ROS may call back as soon as a topic or service is advertised.
+  ros::NodeHandle handle_;
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
-  ros::NodeHandle handle_;
 
   CallbackThreads stop_threads_;     ///< stop and motors: wait for nothing else
   CallbackThreads joint_thread_;     ///< everything that moves joints, in order

@@ -138,6 +138,10 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
 
   if (connection.state != ConnectionState::kConnected) {
     status.summary(DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
+  } else if (!connection.robot.design.empty() && connection.robot.design != sources_.parameters.robot) {
+    status.summary(DiagnosticStatus::ERROR, "commands are refused: the robot says that it is an " +
+                                                connection.robot.design + ", but the parameter robot is " +
+                                                sources_.parameters.robot);
   } else if (!connection.robot_message.empty()) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
   } else if (sources_.settings.telemetryPeriod() == 0) {

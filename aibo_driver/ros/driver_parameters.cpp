@@ -157,9 +157,18 @@ bool isFrame(const std::string& text) {
   return isWord(text) && text.front() != '/';
 }
 
+bool isFramePrefix(const std::string& text) {
+  return text.empty() || (isFrame(text) && text.back() != '/');
+}
+
 bool isCameraName(const std::string& text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+std::string cameraNameIn(const std::string& name_space) {
+  std::string name = name_space.substr(name_space.find_first_not_of('/'));
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
 }
 
 bool isAbsoluteOrEmpty(const std::string& text) {
@@ -186,7 +195,8 @@ double telemetryRateOf(int period) {
   return period == 0 ? 0 : kHighestTelemetryRate * kFramesOfMeasurement / period;
 }
 
-DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::string& name_prefix) {
+DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::string& name_prefix,
+                                       const std::string& name_space) {
   DriverParameters parameters;
   ParameterReader reader(values, name_prefix);
   reader.read("host", "the robot's name or address, without blanks", isWord, &parameters.client.host);
@@ -210,7 +220,13 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
 
   reader.read("frame_id", "a frame's name, not empty, without blanks, not beginning with '/'", isFrame,
               &parameters.frame_id);
-  reader.read("camera_name", "a name of letters, digits and underscores", isCameraName, &parameters.camera_name);
+  reader.read("frame_prefix", "a prefix for frames without blanks, not beginning or ending with '/', or empty",
+              isFramePrefix, &parameters.frame_prefix);
+  reader.read("camera_name", "a name of letters, digits and underscores, or empty", isCameraName,
+              &parameters.camera_name);
+  if (parameters.camera_name.empty()) {
+    parameters.camera_name = cameraNameIn(name_space);
+  }
   reader.read("camera_info_url", "file:///FILE.yaml, package://PACKAGE/FILE.yaml or empty", isCameraInfoUrl,
               &parameters.camera_info_url);
 
@@ -229,10 +245,10 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   return parameters;
 }
 
-DriverParameters readDriverParameters(const ros::NodeHandle& private_handle) {
+DriverParameters readDriverParameters(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle) {
   XmlRpcValue values;
   private_handle.getParam(private_handle.getNamespace(), values);
-  return parseDriverParameters(values, private_handle.getNamespace() + "/");
+  return parseDriverParameters(values, private_handle.getNamespace() + "/", handle.getNamespace());
 }
 
 }  // namespace aibo_driver::node

@@ -20,8 +20,8 @@ struct DriverParameters {
   bool stream_on_start = true;    ///< whether the stream is wanted before set_streaming is called
   bool stream_on_demand = false;  ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";
-  std::string camera_name = "aibo";                      ///< letters, digits and underscores
-  std::string camera_info_url;                           ///< empty: camera_info_manager's own default
+  std::string camera_name;                               ///< letters, digits and underscores
+  std::string camera_info_url;                           ///< empty: as for calibrationFile()
   bool use_robot_time = true;                            ///< stamp by the robot's frame numbers, if it sends them
   std::chrono::nanoseconds time_offset{0};               ///< added to every stamp; at most 60 s either way
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
@@ -34,9 +34,13 @@ struct DriverParameters {
   double approach_speed = 0.5;     ///< rad/s, 0.05..20; for the first motion of each joint, see JointCommandFilter
   bool slow_down = false;          ///< slow down a trajectory that is too fast, instead of refusing it
 
-  bool publish_footprint = true;   ///< tf from base_footprint to base_link; only of an ERS-7
+  bool publish_footprint = true;  ///< tf from base_footprint to base_link; only of an ERS-7
+  std::string frame_prefix;       ///< put before every frame; see frame()
 
   std::vector<std::string> unknown;  ///< given parameters that the driver does not have: most likely misspelt
+
+  /// The full name of one of the robot's frames, as robot_state_publisher makes it with the same tf_prefix.
+  std::string frame(const std::string& name) const { return frame_prefix.empty() ? name : frame_prefix + "/" + name; }
 };
 
 /// The nearest period that the robot can keep evenly: a multiple of the 4 OPEN-R frames of 8 ms in which it measures,
@@ -50,13 +54,17 @@ double telemetryRateOf(int period);
 /// Checks the parameters that a user gave. Needs no ROS master.
 /// @param values a struct of parameters, or an invalid value when there are none
 /// @param name_prefix for a parameter's name in messages, such as "/aibo/aibo_driver/"
+/// @param name_space the driver's, not the root. The camera has its name unless another is given, so that no two robots
+///   share a calibration: "/team/left" names the camera "team_left".
 /// @throw InvalidArgumentException values have the wrong type or are out of range; the message names all of them, and
 ///   says what is allowed
-DriverParameters parseDriverParameters(const XmlRpc::XmlRpcValue& values, const std::string& name_prefix);
+DriverParameters parseDriverParameters(const XmlRpc::XmlRpcValue& values, const std::string& name_prefix,
+                                       const std::string& name_space);
 
 /// Reads and checks the parameters in the namespace of `private_handle`.
+/// @param handle the driver's namespace
 /// @throw InvalidArgumentException as parseDriverParameters()
-DriverParameters readDriverParameters(const ros::NodeHandle& private_handle);
+DriverParameters readDriverParameters(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
 
 }  // namespace aibo_driver::node
 

@@ -7,30 +7,37 @@
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/SetCameraInfo.h>
 #include <std_msgs/Bool.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "support/good_calibration.h"
 #include "support/proxy/recording_proxy.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
+using sensor_msgs::CameraInfo;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
+using test_support::goodCalibration;
+using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using ::testing::Each;
+using ::testing::HasSubstr;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 using CameraInfoListener = TopicListener<sensor_msgs::CameraInfo>;
@@ -81,7 +88,7 @@ TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
   CameraInfoListener camera_infos("/stamps/camera/camera_info");
   ImageListener images("/stamps/camera/image_raw");
   const ros::Time begin = ros::Time::now();
-  DriverProcess driver("/stamps", robot.port(), {"_frame_id:=aibo_eye"});
+  DriverProcess driver("/stamps", robot.port(), {"_frame_id:=aibo_eye", "_frame_prefix:=left"});
   ASSERT_TRUE(images.waitFor([](const sensor_msgs::Image&) { return true; }));
   images.clear();
   const auto decoded = images.waitForCount(kEnough);
@@ -94,7 +101,7 @@ TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
     EXPECT_GE(image->header.stamp, begin);
     EXPECT_LE(image->header.stamp, end);
     last = image->header.stamp;
-    EXPECT_EQ(image->header.frame_id, "aibo_eye");
+    EXPECT_EQ(image->header.frame_id, "left/aibo_eye");
     const auto same_header = [&image](const auto& message) {
       return message.header.stamp == image->header.stamp && message.header.frame_id == image->header.frame_id;
     };
@@ -166,30 +173,128 @@ TEST(Camera, NobodyElsePublishesJpegsIfImageTransportHasACompressedPlugin) {
   }
 }
 
-TEST(Camera, CameraInfoIsZeroUntilTheCameraIsCalibratedAndThenTheCalibration) {
-  namespace fs = std::filesystem;
-  const fs::path file = fs::temp_directory_path() / ("camera_rostest." + std::to_string(::getpid()) + ".yaml");
-  SimulatedRobot robot;
-  CameraInfoListener camera_infos("/calibration/camera/camera_info");
-  DriverProcess driver("/calibration", robot.port(), {"_camera_info_url:=file://" + file.string()});
-  const auto published = camera_infos.waitForCount(1);
-  ASSERT_FALSE(published.empty());
-  EXPECT_EQ(published.front()->width, 208u);
-  EXPECT_EQ(published.front()->height, 160u);
-  EXPECT_THAT(published.front()->K, Each(0.0));
-  EXPECT_THAT(published.front()->P, Each(0.0));
-  EXPECT_EQ(published.front()->distortion_model, "");
+std::string contentOf(const std::string& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
 
-  sensor_msgs::SetCameraInfo set_camera_info;
-  set_camera_info.request.camera_info.width = 208;
-  set_camera_info.request.camera_info.height = 160;
-  set_camera_info.request.camera_info.distortion_model = "plumb_bob";
-  set_camera_info.request.camera_info.D.assign(5, 0.0);
-  set_camera_info.request.camera_info.K = {190.0, 0.0, 104.0, 0.0, 190.0, 80.0, 0.0, 0.0, 1.0};
-  ASSERT_TRUE(ros::service::call("/calibration/camera/set_camera_info", set_camera_info));
-  ASSERT_TRUE(set_camera_info.response.success) << set_camera_info.response.status_message;
-  EXPECT_TRUE(camera_infos.waitFor([](const sensor_msgs::CameraInfo& info) { return info.K[0] == 190.0; }));
-  fs::remove(file);
+// A driver that has its calibration in a file of its own.
+class CalibrationUser {
+ public:
+  explicit CalibrationUser(const std::string& name_space, const std::vector<std::string>& parameters = {})
+      : name_space_(name_space), camera_infos_(name_space + "/camera/camera_info"), parameters_(parameters) {
+    parameters_.push_back("_camera_info_url:=file://" + file());
+    restart();
+  }
+
+  std::string file() const { return folder_.path("camera.yaml").string(); }
+  Process& driver() { return *driver_; }
+
+  void restart() {
+    driver_.reset();
+    driver_ = std::make_unique<DriverProcess>(name_space_, robot_.port(), parameters_);
+  }
+
+  // What is published next; a message without numbers if nothing is.
+  CameraInfo next() {
+    const auto info = camera_infos_.waitForNext();
+    return info ? *info : CameraInfo();
+  }
+
+  sensor_msgs::SetCameraInfo::Response set(const CameraInfo& info) {
+    sensor_msgs::SetCameraInfo call;
+    call.request.camera_info = info;
+    const std::string service = name_space_ + "/camera/set_camera_info";
+    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(30)));
+    EXPECT_TRUE(ros::service::call(service, call));
+    return call.response;
+  }
+
+ private:
+  const std::string name_space_;
+  test_support::TemporaryFolder folder_;
+  SimulatedRobot robot_;
+  CameraInfoListener camera_infos_;
+  std::vector<std::string> parameters_;
+  std::unique_ptr<DriverProcess> driver_;
+};
+
+constexpr std::chrono::seconds kTimeToLog{30};
+
+TEST(Calibration, IsTheNominalOneUntilOneIsStoredAndTheLogSaysWhich) {
+  CalibrationUser user("/calibration");
+  const CameraInfo nominal = user.next();
+  EXPECT_EQ(nominal.width, 208u);
+  EXPECT_EQ(nominal.height, 160u);
+  EXPECT_NEAR(nominal.K[0], 191.9, 0.1);
+  EXPECT_NEAR(nominal.P[0], 191.9, 0.1);
+  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal one", kTimeToLog));
+
+  const auto answer = user.set(goodCalibration());
+  EXPECT_TRUE(answer.success) << answer.status_message;
+  EXPECT_THAT(answer.status_message, HasSubstr(user.file()));
+  EXPECT_NO_THROW(user.driver().waitForOutput("208x160 is stored in " + user.file(), kTimeToLog));
+  EXPECT_EQ(user.next().K, goodCalibration().K);
+
+  user.restart();
+  EXPECT_EQ(user.next().K, goodCalibration().K);
+  EXPECT_NO_THROW(user.driver().waitForOutput("calibration is that in " + user.file(), kTimeToLog));
+}
+
+TEST(Calibration, OfAnotherSizeIsScaledIfItFitsAndElseRefused) {
+  CalibrationUser user("/calibration_size");
+  ASSERT_EQ(user.next().width, 208u);
+  CameraInfo info = goodCalibration();
+  info.width = 200;
+  const auto refused = user.set(info);
+  EXPECT_FALSE(refused.success);
+  EXPECT_THAT(refused.status_message, HasSubstr("for pictures of 200x160, but the robot sends 208x160"));
+  EXPECT_NEAR(user.next().K[0], 191.9, 0.1) << "the nominal one stays";
+
+  info = goodCalibration();
+  info.width = 104;
+  info.height = 80;
+  EXPECT_TRUE(user.set(info).success);
+  const CameraInfo scaled = user.next();
+  EXPECT_EQ(scaled.width, 208u);
+  EXPECT_EQ(scaled.height, 160u);
+  EXPECT_DOUBLE_EQ(scaled.K[0], 2 * info.K[0]);
+}
+
+TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
+  CalibrationUser user("/calibration_file");
+  ASSERT_TRUE(user.set(goodCalibration()).success);
+  std::string text = contentOf(user.file());
+  text.replace(text.find("208"), 3, "200");
+  std::ofstream(user.file()) << text;
+  user.restart();
+  const CameraInfo info = user.next();
+  EXPECT_EQ(info.width, 208u);
+  EXPECT_NEAR(info.K[0], 191.9, 0.1);
+  EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends 208x160", kTimeToLog));
+}
+
+TEST(Calibration, OfAPackageThatDoesNotExistEndsTheDriverWithTheReason) {
+  DriverProcess driver("/calibration_package", 1, {"_camera_info_url:=package://no_such_package/camera.yaml"});
+  EXPECT_EQ(driver.waitForExit(kTimeToLog), EXIT_FAILURE);
+  EXPECT_THAT(driver.output(), HasSubstr("there is no package 'no_such_package'"));
+}
+
+TEST(Calibration, OfTwoRobotsIsInTwoFiles) {
+  const test_support::TemporaryFolder home;
+  SimulatedRobot robot;
+  for (const std::string name_space : {"/one", "/two"}) {
+    DriverProcess driver(name_space, robot.port(), {}, {{"ROS_HOME", home.path().string()}});
+    sensor_msgs::SetCameraInfo call;
+    call.request.camera_info = goodCalibration();
+    call.request.camera_info.K[0] = name_space == "/one" ? 190.0 : 200.0;
+    const std::string service = name_space + "/camera/set_camera_info";
+    ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(30)));
+    ASSERT_TRUE(ros::service::call(service, call));
+    EXPECT_TRUE(call.response.success) << call.response.status_message;
+  }
+  EXPECT_THAT(contentOf(home.path("camera_info/one.yaml").string()), HasSubstr("190"));
+  EXPECT_THAT(contentOf(home.path("camera_info/two.yaml").string()), HasSubstr("200"));
 }
 
 TEST(Camera, OnDemandTheRobotStreamsOnlyWhileThereIsASubscriber) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "aibo_driver/exceptions.h"
+#include "joints/design_check.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -123,6 +124,7 @@ void ExpressionCommander::receiveEars(const Ears& message) {
 
 void ExpressionCommander::send(const std::string& what, const std::function<void()>& command) {
   try {
+    joints::requireDesign(client_, model_.design);
     command();
   } catch (const StoppedException&) {
     // The driver is ending.

@@ -36,10 +36,11 @@ geometry_msgs::Transform toTransform(const Eigen::Isometry3d& pose) {
 
 }  // namespace
 
-FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
-                                       const joints::JointTable& joint_table,
+FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
+                                       const robot_model::RobotModel& model, const joints::JointTable& joint_table,
                                        const joints::MeasuredJoints& measured_joints, RobotStamper& stamper)
-    : measured_joints_(measured_joints),
+    : parameters_(parameters),
+      measured_joints_(measured_joints),
       stamper_(stamper),
       accelerometer_(sensorOf(model, "acceleration_front_back"), sensorOf(model, "acceleration_right_left"),
                      sensorOf(model, "acceleration_up_down")) {
@@ -60,8 +61,8 @@ void FootprintPublisher::publish(const Telemetry& telemetry) {
   }
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = stamp;
-  transform.header.frame_id = "base_footprint";
-  transform.child_frame_id = "base_link";
+  transform.header.frame_id = parameters_.frame("base_footprint");
+  transform.child_frame_id = parameters_.frame("base_link");
   transform.transform = toTransform(estimateStance(*angles, *acceleration_).body);
   tf2_msgs::TFMessage message;
   message.transforms.push_back(transform);

@@ -16,6 +16,7 @@
 #include "robot_model/robot_model.h"
 #include "ros/body/sensor_messages.h"
 #include "ros/body/stance.h"
+#include "ros/driver_parameters.h"
 #include "ros/robot_stamper.h"
 
 namespace aibo_driver::node {
@@ -26,9 +27,9 @@ class FootprintPublisher {
  public:
   /// All arguments but the handle must outlive the object.
   /// @param model of an ERS-7; the legs of other robots are not known
-  FootprintPublisher(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
-                     const joints::JointTable& joint_table, const joints::MeasuredJoints& measured_joints,
-                     RobotStamper& stamper);
+  FootprintPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
+                     const robot_model::RobotModel& model, const joints::JointTable& joint_table,
+                     const joints::MeasuredJoints& measured_joints, RobotStamper& stamper);
 
   /// To be called when `measured_joints` has been updated. Publishes once all legs and the acceleration have been
   /// measured, whenever there is a new measurement of a joint. From one thread at a time.
@@ -38,6 +39,7 @@ class FootprintPublisher {
   void updateAcceleration(const Telemetry& telemetry, const ros::Time& stamp);
   std::optional<std::array<LegAngles, kLegs>> legs() const;
 
+  const DriverParameters& parameters_;
   const joints::MeasuredJoints& measured_joints_;
   RobotStamper& stamper_;
   std::array<std::array<std::size_t, 3>, kLegs> leg_joints_;  ///< rotator, elevator and knee in the JointTable

@@ -20,10 +20,10 @@ const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const 
 
 }  // namespace
 
-TelemetryPublishers::TelemetryPublishers(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
-                                         const joints::JointTable& joint_table, joints::MeasuredJoints& measured_joints,
-                                         RobotStamper& stamper)
-    : handle_(handle), stamper_(stamper) {
+TelemetryPublishers::TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
+                                         const robot_model::RobotModel& model, const joints::JointTable& joint_table,
+                                         joints::MeasuredJoints& measured_joints, RobotStamper& stamper)
+    : handle_(handle), parameters_(parameters), stamper_(stamper) {
   add("joint_states", "", JointStates(joint_table, measured_joints));
   const std::string range_prefix = "range_";
   for (int i = 0; i < model.number_of_sensors; ++i) {
@@ -48,8 +48,9 @@ void TelemetryPublishers::publish(const Telemetry& telemetry) {
 }
 
 template <typename Source>
-void TelemetryPublishers::add(const std::string& topic, const std::string& frame_id, Source source) {
+void TelemetryPublishers::add(const std::string& topic, const std::string& frame, Source source) {
   using Message = typename Source::Message;
+  const std::string frame_id = frame.empty() ? "" : parameters_.frame(frame);
   publishers_.push_back([this, publisher = handle_.advertise<Message>(topic, kQueueSize), frame_id,
                          source = std::move(source)](const Telemetry& telemetry) mutable {
     if (auto reading = source.read(telemetry)) {

@@ -12,6 +12,7 @@
 #include "joints/joint_table.h"
 #include "joints/measured_joints.h"
 #include "robot_model/robot_model.h"
+#include "ros/driver_parameters.h"
 #include "ros/robot_stamper.h"
 
 namespace aibo_driver::node {
@@ -21,18 +22,19 @@ namespace aibo_driver::node {
 class TelemetryPublishers {
  public:
   /// All arguments but the handle must outlive the object.
-  TelemetryPublishers(const ros::NodeHandle& handle, const robot_model::RobotModel& model,
-                      const joints::JointTable& joint_table, joints::MeasuredJoints& measured_joints,
-                      RobotStamper& stamper);
+  TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
+                      const robot_model::RobotModel& model, const joints::JointTable& joint_table,
+                      joints::MeasuredJoints& measured_joints, RobotStamper& stamper);
 
   /// Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);
 
  private:
   template <typename Source>
-  void add(const std::string& topic, const std::string& frame_id, Source source);
+  void add(const std::string& topic, const std::string& frame, Source source);
 
   ros::NodeHandle handle_;
+  const DriverParameters& parameters_;
   RobotStamper& stamper_;
   std::vector<std::function<void(const Telemetry&)>> publishers_;  ///< one for each topic
 };

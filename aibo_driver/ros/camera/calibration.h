@@ -2,42 +2,63 @@
 #ifndef AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H
 #define AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H
 
-#include <camera_info_manager/camera_info_manager.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/SetCameraInfo.h>
 
+#include <cstdint>
+#include <mutex>
 #include <string>
+#include <utility>
 
 namespace aibo_driver::node {
 
-/// The camera's calibration, with the service set_camera_info.
+/// The camera's calibration, with the service set_camera_info. Until there is one, and while its size does not fit the
+/// robot's pictures, the nominal calibration takes its place (nominal_calibration.h).
 ///
-/// Files are found as camera_info_manager finds them. Its own service would accept and save anything, so this one takes
-/// its place: it refuses what cannot be a calibration of the robot's camera, and keeps the old one.
+/// Files are where camera_info_manager would have them. Its service accepts and saves anything; this one refuses what
+/// cannot be a calibration of the robot's camera, and keeps the old one.
 class Calibration {
  public:
   /// @param camera_handle the camera's namespace
   /// @param camera_name the name in the file
-  /// @param url of the file, as camera_info_manager understands it
-  /// @throw InvalidArgumentException camera_info_manager does not understand the url
-  Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url);
+  /// @param url of the file, as for calibrationFile()
+  /// @param design of the robot, as for nominalCalibration()
+  /// @throw InvalidArgumentException as calibrationFile()
+  Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
+              const std::string& design);
 
-  /// From any thread.
-  sensor_msgs::CameraInfo cameraInfo() { return manager_.getCameraInfo(); }
-
-  /// From any thread.
-  bool isCalibrated() { return manager_.isCalibrated(); }
+  /// The calibration for a picture, without a header. Always of the picture's size. From any thread.
+  /// @param width, height of the picture, above 0
+  sensor_msgs::CameraInfo infoFor(std::uint32_t width, std::uint32_t height);
 
  private:
   bool set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs::SetCameraInfo::Response& response);
+  std::pair<std::uint32_t, std::uint32_t> pictureSize();
+  std::string store(const sensor_msgs::CameraInfo& info);
 
   const std::string camera_name_;
-  camera_info_manager::CameraInfoManager manager_;
-  std::string file_;
+  const std::string design_;
+  const std::string file_;
+
+  std::mutex mutex_;
+  sensor_msgs::CameraInfo stored_;    ///< K[0] is 0 if there is none
+  bool misfit_reported_ = false;      ///< since the last change of stored_
+  std::uint32_t picture_width_ = 0;   ///< of the latest picture; 0 before the first one
+  std::uint32_t picture_height_ = 0;  ///< likewise
+
   ros::ServiceServer service_;
 };
+
+/// The file of a calibration. From any thread.
+/// @param url file:///FILE or package://PACKAGE/FILE; ${ROS_HOME} stands for ~/.ros unless the environment has
+/// ROS_HOME,
+///   ${NAME} for the camera's name. Empty means file://${ROS_HOME}/camera_info/${NAME}.yaml, as with
+///   camera_info_manager.
+/// @param camera_name the camera's name
+/// @throw InvalidArgumentException the url names no file, or there is no such package
+std::string calibrationFile(const std::string& url, const std::string& camera_name);
 
 /// Finds out why a message cannot be a calibration of the robot's camera: a size that is not from 1x1 to that of the
 /// largest picture (jpeg_inspector.h); a distortion model other than plumb_bob, rational_polynomial, equidistant and

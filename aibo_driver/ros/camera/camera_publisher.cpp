@@ -1,7 +1,6 @@
 #include "ros/camera/camera_publisher.h"
 
 #include <image_transport/camera_common.h>
-#include <ros/console.h>
 #include <sensor_msgs/CameraInfo.h>
 
 #include <cstdint>
@@ -20,9 +19,9 @@ constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
 
 CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
                                  robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
-    : frame_id_(parameters.frame_id),
+    : frame_id_(parameters.frame(parameters.frame_id)),
       stamper_(robot_clock, parameters.time_offset),
-      calibration_(camera_handle, parameters.camera_name, parameters.camera_info_url) {
+      calibration_(camera_handle, parameters.camera_name, parameters.camera_info_url, parameters.robot) {
   ros::NodeHandle handle(camera_handle);
   const std::string image_topic = handle.resolveName("image_raw");
   const ros::SubscriberStatusCallback on_change = [subscribers_changed](const ros::SingleSubscriberPublisher&) {
@@ -57,18 +56,9 @@ bool CameraPublisher::hasSubscribers() const {
 }
 
 void CameraPublisher::publishCameraInfo(const std_msgs::Header& header, const Picture& picture) {
-  const auto message = boost::make_shared<sensor_msgs::CameraInfo>(calibration_.cameraInfo());
-  const auto width = static_cast<std::uint32_t>(picture.width);
-  const auto height = static_cast<std::uint32_t>(picture.height);
+  const auto message = boost::make_shared<sensor_msgs::CameraInfo>(
+      calibration_.infoFor(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height)));
   message->header = header;
-  if (!calibration_.isCalibrated()) {
-    message->width = width;
-    message->height = height;
-  } else if (message->width != width || message->height != height) {
-    ROS_WARN_STREAM_ONCE_NAMED("camera", "The camera is calibrated for pictures of "
-                                             << message->width << "x" << message->height << ", but the robot sends "
-                                             << width << "x" << height << ": calibrate it again.");
-  }
   camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
 }
 

@@ -15,16 +15,14 @@
 
 namespace aibo_driver::node {
 
-/// Publishes each picture as the robot sent it (image_raw/compressed), and camera_info with the same header.
-///
-/// Without a calibration, camera_info holds the picture's width and height, and zeros, which mean uncalibrated
-/// (CameraInfo.msg).
+/// Publishes each picture as the robot sent it (image_raw/compressed), and camera_info of its size with the same
+/// header: see Calibration.
 class CameraPublisher {
  public:
   /// @param camera_handle the camera's namespace
   /// @param robot_clock must outlive the publisher; null: pictures are stamped with their arrival
   /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
-  /// @throw InvalidArgumentException camera_info_manager does not understand camera_info_url
+  /// @throw InvalidArgumentException as Calibration, for camera_info_url
   CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
                   robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
 

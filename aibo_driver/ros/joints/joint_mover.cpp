@@ -51,7 +51,7 @@ JointMover::JointMover(const joints::JointTable& table, const joints::MeasuredJo
     : table_(table),
       client_(client),
       telemetry_wanted_(std::move(telemetry_wanted)),
-      link_(client),
+      link_(client, table.design()),
       filter_(table, measured, parameters.approach_speed),
       plan_(table, measured, parameters.slow_down) {}
 
@@ -96,6 +96,7 @@ JointMover::Fate JointMover::start(const joints::TrajectoryRequest& request, std
     refuseIfBlocked();
     checkConnection();
     checkTelemetry();
+    link_.requireDesign();
     const SteadyTime now = steady_clock::now();
     double stretch = 1;
     const milliseconds oldest = client_.status().protocol_version == 1 ? kFreshVersion1 : kFresh;

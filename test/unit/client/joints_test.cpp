@@ -164,6 +164,16 @@ TEST_F(JointsTest, MotorsAreSwitchedAndTheirStateReturned) {
   EXPECT_TRUE(state.get());
 }
 
+TEST_F(JointsTest, TheStateOfTheMotorsIsThatOfTheRobotNotTheOneAskedFor) {
+  ScriptedPeer peer = connectVersion2();
+  for (const bool wanted : {true, false}) {
+    auto state = std::async(std::launch::async, [&] { return client().setMotors(wanted, seconds(20)); });
+    const std::uint8_t said = wanted ? 0 : 1;
+    peer.send(makeFrame('o', peer.readRequest().header.request_number, {said}));
+    EXPECT_EQ(state.get(), !wanted);
+  }
+}
+
 TEST_F(JointsTest, StoppingEndsACallOfSetMotors) {
   ScriptedPeer peer = connectVersion2();
   auto state = std::async(std::launch::async, [&] { return client().setMotors(true, seconds(60)); });

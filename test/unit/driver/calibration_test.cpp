@@ -1,12 +1,15 @@
 #include "ros/camera/calibration.h"
 
 #include <gmock/gmock.h>
+#include <ros/package.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
 
+#include "aibo_driver/exceptions.h"
 #include "support/good_calibration.h"
 
 namespace aibo_driver::node {
@@ -14,6 +17,7 @@ namespace {
 
 using sensor_msgs::CameraInfo;
 using test_support::goodCalibration;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -23,6 +27,45 @@ std::string problemWith(const std::function<void(CameraInfo*)>& change) {
   CameraInfo info = goodCalibration();
   change(&info);
   return problemOf(info);
+}
+
+std::string refusalOf(const std::string& url) {
+  try {
+    return "accepted as " + calibrationFile(url, "left");
+  } catch (const InvalidArgumentException& error) {
+    return error.what();
+  }
+}
+
+TEST(CalibrationFile, IsThatOfTheUrl) {
+  EXPECT_EQ(calibrationFile("file:///tmp/eye.yaml", "left"), "/tmp/eye.yaml");
+  EXPECT_EQ(calibrationFile("file:///tmp/${NAME}/${NAME}.yaml", "left"), "/tmp/left/left.yaml");
+  const std::string package = ros::package::getPath("std_msgs");
+  ASSERT_NE(package, "");
+  EXPECT_EQ(calibrationFile("package://std_msgs/eyes/left.yaml", "left"), package + "/eyes/left.yaml");
+}
+
+TEST(CalibrationFile, IsInRosHomeByDefault) {
+  const char* ros_home = std::getenv("ROS_HOME");
+  const std::string before = ros_home != nullptr ? ros_home : "";
+  ::setenv("ROS_HOME", "/var/ros", 1);
+  EXPECT_EQ(calibrationFile("", "left"), "/var/ros/camera_info/left.yaml");
+  ::unsetenv("ROS_HOME");
+  EXPECT_THAT(calibrationFile("", "left"), EndsWith("/.ros/camera_info/left.yaml"));
+  if (ros_home != nullptr) {
+    ::setenv("ROS_HOME", before.c_str(), 1);
+  }
+}
+
+TEST(CalibrationFile, OfAPackageThatDoesNotExistIsRefused) {
+  EXPECT_THAT(refusalOf("package://no_such_package/eye.yaml"), HasSubstr("there is no package 'no_such_package'"));
+  EXPECT_THAT(refusalOf("package:///eye.yaml"), HasSubstr("there is no package ''"));
+}
+
+TEST(CalibrationFile, OfAUrlThatNamesNoFileIsRefused) {
+  for (const char* url : {"package://std_msgs", "package://std_msgs/", "file:///", "file:///tmp/", "file:///${EYE}"}) {
+    EXPECT_THAT(refusalOf(url), HasSubstr("does not name a file")) << url;
+  }
 }
 
 TEST(Calibration, OfTheCameraIsAccepted) {

@@ -22,7 +22,7 @@ XmlRpcValue one(const std::string& name, const XmlRpcValue& value) {
 }
 
 DriverParameters parse(const XmlRpcValue& values) {
-  return parseDriverParameters(values, "/aibo/aibo_driver/");
+  return parseDriverParameters(values, "/aibo/aibo_driver/", "/aibo");
 }
 
 std::string refusal(const std::string& name, const XmlRpcValue& value) {
@@ -60,6 +60,21 @@ TEST(DriverParameters, TheFolderForPicturesIsAnAbsolutePath) {
   EXPECT_EQ(parse(one("picture_folder", "/srv/pictures")).picture_folder, "/srv/pictures");
   EXPECT_THAT(refusal("picture_folder", "pictures"), HasSubstr("the absolute path of a folder, or empty"));
   EXPECT_THAT(refusal("picture_folder", "~/pictures"), HasSubstr("absolute path"));
+}
+
+TEST(DriverParameters, TheCameraIsNamedAfterTheNamespaceUnlessItHasAName) {
+  EXPECT_EQ(parse(XmlRpcValue()).camera_name, "aibo");
+  EXPECT_EQ(parseDriverParameters(XmlRpcValue(), "", "/team/left").camera_name, "team_left");
+  EXPECT_EQ(parse(one("camera_name", "")).camera_name, "aibo");
+  EXPECT_EQ(parseDriverParameters(one("camera_name", "eye"), "", "/team/left").camera_name, "eye");
+}
+
+TEST(DriverParameters, AFramePrefixIsPutBeforeEveryFrame) {
+  EXPECT_EQ(parse(XmlRpcValue()).frame("imu_link"), "imu_link");
+  EXPECT_EQ(parse(one("frame_prefix", "left")).frame("imu_link"), "left/imu_link");
+  for (const char* wrong : {"/left", "left/", "my left"}) {
+    EXPECT_THAT(refusal("frame_prefix", wrong), HasSubstr("not beginning or ending with '/'")) << wrong;
+  }
 }
 
 TEST(DriverParameters, ATelemetryRateIsRoundedToAMultipleOf4Frames) {

@@ -116,6 +116,13 @@ TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefused) {
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
+TEST_F(ExpressionCommanderTest, SendsNothingToARobotOfAnotherDesign) {
+  client_.present.robot.design = "ERS-210";
+  commander_.receiveLeds(face(1.0F));
+  commander_.receiveEars(Ears());
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
 TEST_F(ExpressionCommanderTest, DropsWhatCannotBeSent) {
   client_.problem = "not connected";
   commander_.receiveLeds(face(1.0F));

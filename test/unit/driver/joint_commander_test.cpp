@@ -93,5 +93,11 @@ TEST_F(JointCommanderTest, ARefusedTrajectoryIsNotSent) {
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
+TEST_F(JointCommanderTest, SendsNothingToARobotOfAnotherDesign) {
+  client_.present.robot.design = "ERS-210";
+  command({{"head_pan", 0.5}});
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
 }  // namespace
 }  // namespace aibo_driver::node

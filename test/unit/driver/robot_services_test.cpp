@@ -93,9 +93,12 @@ TEST_F(RobotServicesTest, SwitchTheMotors) {
 
 TEST_F(RobotServicesTest, SayThatTheMotorsDidNotSwitch) {
   client_.motors_work = false;
-  const auto answer = setMotors(true);
-  EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still off")));
+  const auto on = setMotors(true);
+  EXPECT_FALSE(on.success);
+  EXPECT_THAT(on.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still off")));
+  const auto off = setMotors(false);
+  EXPECT_FALSE(off.success) << "somebody might take hold of a joint that moves";
+  EXPECT_THAT(off.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still on")));
 }
 
 TEST_F(RobotServicesTest, FindTheSameFileForAllWaysToWriteItsName) {
@@ -148,6 +151,15 @@ TEST_F(RobotServicesTest, ListTheMotions) {
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "Motions on the robot: 2.");
   EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));
+}
+
+TEST_F(RobotServicesTest, DoNotPlayOnARobotOfAnotherDesign) {
+  client_.present.robot.design = "ERS-210";
+  const auto answer = play("nod");
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("parameter robot is ERS-7"));
+  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_TRUE(setMotors(false).success) << "switching off is always allowed";
 }
 
 TEST_F(RobotServicesTest, UploadDataUnderItsName) {

@@ -54,6 +54,23 @@ TEST_F(JointLinkTest, LimitsSpeedsWithoutMovingAndRemembersThem) {
   EXPECT_THAT(told_, ElementsAre("V 1:0.50", "J 1:0.50 in 0"));
 }
 
+TEST_F(JointLinkTest, SendsNothingToARobotOfAnotherDesign) {
+  JointLink link{client_, "ERS-7"};
+  client_.present.robot.design = "ERS-210";
+  EXPECT_THROW(link.send({{1, {0.5, 2.0}}}, milliseconds(0)), CommandException);
+  EXPECT_THROW(link.limitSpeeds({{1, 2.0}}), CommandException);
+  EXPECT_THAT(told_, IsEmpty());
+  client_.present.robot.design = "ERS-7";
+  link.send({{1, {0.5, 2.0}}}, milliseconds(0));
+  EXPECT_THAT(told_, ElementsAre("V 1:2.00", "J 1:0.50 in 0"));
+}
+
+TEST_F(JointLinkTest, SendsToARobotThatDoesNotSayItsDesign) {
+  JointLink link{client_, "ERS-7"};
+  link.send({{1, {0.5, 2.0}}}, milliseconds(0));
+  EXPECT_THAT(told_, ElementsAre("V 1:2.00", "J 1:0.50 in 0")) << "a version 1 server";
+}
+
 TEST_F(JointLinkTest, SendsNothingWithoutOrders) {
   link_.send({}, milliseconds(0));
   EXPECT_THAT(told_, IsEmpty());

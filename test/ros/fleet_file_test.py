@@ -1,0 +1,132 @@
+"""The file that names the robots of a fleet, and what aibo_fleet and aibo_rviz make of it."""
+import importlib.machinery
+import importlib.util
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import roslaunch.config
+import yaml
+
+PROJECT = Path(__file__).resolve().parents[2]
+
+
+def program(name):
+    loader = importlib.machinery.SourceFileLoader(name, str(PROJECT / 'aibo_driver/tools' / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+fleet = program('aibo_fleet')
+rviz = program('aibo_rviz')
+
+
+def robots_in(text):
+    with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+        file.write(text)
+        file.flush()
+        robots = fleet.load(file.name)
+    fleet.check(robots, fleet.arguments_of_a_robot())
+    return robots
+
+
+def launch(text, with_rviz=False):
+    content = fleet.launch_file(robots_in(text), with_rviz)
+    return roslaunch.config.load_config_default([], None, roslaunch_strs=[content], assign_machines=False)
+
+
+class FleetFileTest(unittest.TestCase):
+
+    def assert_refused(self, text, reason):
+        with self.assertRaisesRegex(fleet.Problem, reason):
+            robots_in(text)
+
+    def test_the_example_is_accepted(self):
+        robots = robots_in((PROJECT / 'config/fleet.yaml').read_text(encoding='utf-8'))
+        self.assertEqual(list(robots), ['left', 'right'])
+
+    def test_mistakes_are_refused(self):
+        self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' is there twice")
+        self.assert_refused('robots: {a: {host: h, host: i}}', "'host' is there twice")
+        self.assert_refused('robots: {a: {port: 1}}', "robot 'a' has no host")
+        self.assert_refused('robots: {a: h}', "robot 'a' has no host")
+        self.assert_refused('robots: {a: {host: h, hots: i}}', "'hots'; allowed are .*jpeg_quality")
+        self.assert_refused('robots: {a: {host: h, ns: b}}', "has the setting 'ns'")
+        self.assert_refused('robots: {my dog: {host: h}}', "'my dog' cannot be the name")
+        self.assert_refused('robots: {fleet: {host: h}}', "'fleet' cannot be the name")
+        self.assert_refused('robots: {a: {host: h, pose: [1, 2]}}', r'pose should be \[x, y, yaw\]')
+        self.assert_refused('robots: {a: {host: h, pose: [1, 2, .nan]}}', 'pose should be')
+        for empty in ('', 'robots:', 'robots: []', 'a: {host: h}', 'robots: {a: {host: h}}\nrobot: {}'):
+            self.assert_refused(empty, "should contain 'robots:'")
+        self.assert_refused('robots: {a: {host: h}', 'it is not YAML')
+        with self.assertRaisesRegex(fleet.Problem, 'No such file.*absolute path'):
+            fleet.load('/no/such/file.yaml')
+
+    def test_what_two_robots_may_not_share_is_refused(self):
+        self.assert_refused('robots: {a: {host: h}, b: {host: h, port: 54321}}', "have the same host: h, port 54321")
+        self.assert_refused('robots: {a: {host: h}, b: {host: i, frame_prefix: a}}', 'have the same frame_prefix: a')
+        self.assert_refused('robots: {a: {host: h}, b: {host: i, camera_name: a}}', 'have the same camera_name: a')
+        self.assertEqual(len(robots_in('robots: {a: {host: h}, b: {host: h, port: 54322}}')), 2)
+
+    def test_each_driver_gets_its_settings(self):
+        config = launch('robots: {a: {host: h, stream_on_start: false}, b: {host: i, frame_prefix: none, port: 5}}')
+        values = {name: parameter.value for name, parameter in config.params.items()}
+        self.assertEqual(values['/a/aibo_driver/host'], 'h')
+        self.assertIs(values['/a/aibo_driver/stream_on_start'], False)
+        self.assertEqual(values['/a/aibo_driver/frame_prefix'], 'a')
+        self.assertEqual(values['/b/aibo_driver/host'], 'i')
+        self.assertEqual(values['/b/aibo_driver/port'], 5)
+        self.assertEqual(values['/b/aibo_driver/frame_prefix'], '')
+        self.assertEqual(values['/b/robot_state_publisher/tf_prefix'], '')
+
+    def test_the_robots_stand_in_one_frame(self):
+        config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none, pose: [1, 2, 0.5]}}')
+        model = ElementTree.fromstring(config.params['/fleet/robot_description'].value)
+        places = {joint.find('child').get('link'): (joint.find('origin').get('xyz'), joint.find('origin').get('rpy'))
+                  for joint in model.findall('joint')}
+        self.assertEqual(places, {'a/base_link': ('0 0.25 0', '0 0 0'), 'base_link': ('1 2 0', '0 0 0.5')})
+
+    def test_rviz_shows_all_robots(self):
+        config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none}}', with_rviz=True)
+        viewer = [node for node in config.nodes if node.name == 'rviz']
+        self.assertEqual([node.args for node in viewer], ['--fixed-frame fleet a:a b:'])
+
+
+class RvizConfigurationTest(unittest.TestCase):
+
+    def setUp(self):
+        self.template = yaml.safe_load((PROJECT / 'rviz/aibo.rviz').read_text(encoding='utf-8'))
+
+    def test_of_the_robot_in_aibo_is_the_file(self):
+        made = rviz.configuration(self.template, [('aibo', '')])
+        manager = made[rviz.MANAGER]
+        for display in self.template[rviz.MANAGER]['Displays']:
+            self.assertIn(display, manager['Displays'])
+        self.assertEqual(manager['Global Options'], self.template[rviz.MANAGER]['Global Options'])
+
+    def test_of_two_robots_has_each_in_a_group_of_its_own(self):
+        made = rviz.configuration(self.template, [('left', 'port'), ('right', '')], 'fleet')
+        manager = made[rviz.MANAGER]
+        self.assertEqual(manager['Global Options']['Fixed Frame'], 'fleet')
+        groups = {d['Name']: d['Displays'] for d in manager['Displays'] if d['Class'] == 'rviz/Group'}
+        self.assertEqual(set(groups), {'left', 'right'})
+        for name, prefix in (('left', 'port'), ('right', '')):
+            model = next(d for d in groups[name] if d['Class'] == 'rviz/RobotModel')
+            self.assertEqual((model['Robot Description'], model['TF Prefix']), ('/%s/robot_description' % name, prefix))
+            image = next(d for d in groups[name] if d['Class'] == 'rviz/Image')
+            self.assertEqual((image['Image Topic'], image['Name']),
+                             ('/%s/camera/image_raw' % name, '%s: Camera picture' % name))
+        self.assertNotIn('/aibo/', str(manager))
+        frames = next(d for d in manager['Displays'] if d['Class'] == 'rviz/TF')['Frames']
+        self.assertTrue(frames['port/camera_link']['Value'] and frames['camera_link']['Value'])
+
+    def test_the_fixed_frame_has_the_prefix(self):
+        made = rviz.configuration(self.template, [('left', 'port')])
+        frame = self.template[rviz.MANAGER]['Global Options']['Fixed Frame']
+        self.assertEqual(made[rviz.MANAGER]['Global Options']['Fixed Frame'], 'port/' + frame)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,131 @@
+"""What the launch files set: each argument has to arrive at the driver, and each default has to be the driver's own."""
+import re
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import roslaunch.config
+import yaml
+
+PROJECT = Path(__file__).resolve().parents[2]
+LAUNCH = PROJECT / 'launch'
+
+# Arguments of aibo.launch that are not the driver's parameters.
+NOT_OF_THE_DRIVER = {'ns', 'model', 'respawn', 'rviz'}
+
+# For each other argument a value that is not the default.
+OTHER_VALUES = {
+    'host': '192.168.1.20', 'port': 54322, 'jpeg_quality': 60, 'stream_on_start': False, 'stream_on_demand': True,
+    'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
+    'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0, 'speed_scale': 0.5,
+    'time_offset': -0.02, 'slow_down': True,
+}
+
+
+def resolve(name, **arguments):
+    """What roslaunch makes of a launch file, without starting it."""
+    values = ['%s:=%s' % (key, str(value).lower() if isinstance(value, bool) else value)
+              for key, value in arguments.items()]
+    return roslaunch.config.load_config_default([(str(LAUNCH / name), values)], port=None, assign_machines=False)
+
+
+def parameters(config):
+    leave_out = ('/robot_description', '/rosversion', '/rosdistro')
+    return {name: parameter.value for name, parameter in config.params.items() if not name.endswith(leave_out)}
+
+
+def driver_parameters(config, node='/aibo/aibo_driver'):
+    prefix = node + '/'
+    return {name[len(prefix):]: value for name, value in parameters(config).items() if name.startswith(prefix)}
+
+
+def nodes(config):
+    return {node.namespace + node.name: node for node in config.nodes}
+
+
+def documented_parameters():
+    """The driver's parameters with their defaults, from the table in docs/ros_interface.md."""
+    text = (PROJECT / 'docs/ros_interface.md').read_text(encoding='utf-8')
+    rows = re.findall(r'^\| `~(\w+)` \| ([^|]+) \|', text, re.MULTILINE)
+    defaults = {}
+    for name, default in rows:
+        value = default.strip().strip('`')
+        defaults[name] = '' if value.startswith('empty') else yaml.safe_load(re.sub(r' (s|Hz|rad/s)$', '', value))
+    return defaults
+
+
+class LaunchFilesTest(unittest.TestCase):
+
+    def test_the_documented_parameters_are_those_that_the_driver_reads(self):
+        source = (PROJECT / 'aibo_driver/ros/driver_parameters.cpp').read_text(encoding='utf-8')
+        self.assertEqual(set(re.findall(r'reader\.read\("(\w+)"', source)), set(documented_parameters()))
+
+    def test_every_argument_of_aibo_launch_arrives_at_the_driver(self):
+        names = {arg.get('name') for arg in ElementTree.parse(LAUNCH / 'aibo.launch').findall('arg')}
+        self.assertEqual(names, set(OTHER_VALUES) | NOT_OF_THE_DRIVER)
+        config = resolve('aibo.launch', ns='team/left', **OTHER_VALUES)
+        self.assertEqual(driver_parameters(config, '/team/left/aibo_driver'), OTHER_VALUES)
+
+    def test_the_defaults_of_aibo_launch_are_those_of_the_driver(self):
+        defaults = documented_parameters()
+        for name in ('aibo.launch', 'demo.launch'):
+            for parameter, value in driver_parameters(resolve(name)).items():
+                self.assertIn(parameter, defaults, name)
+                self.assertEqual(value, defaults[parameter], '%s in %s' % (parameter, name))
+                self.assertIs(type(value), type(defaults[parameter]), '%s in %s' % (parameter, name))
+
+    def test_the_other_launch_files_set_nothing_else(self):
+        model = {'/aibo/robot_state_publisher/tf_prefix': ''}
+        driver = {'/aibo/aibo_driver/' + name: documented_parameters()[name] for name in OTHER_VALUES}
+        aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
+        expected = {
+            'aibo.launch': {**driver, **model},
+            'demo.launch': {**driver, **model},
+            'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
+            'fleet.launch': {},
+            'model.launch': model,
+            'playback.launch': {**model, '/use_sim_time': False},
+            'record.launch': {},
+            'sliders.launch': {'/aibo/aibo_sliders/num_rows': 9},
+            'view.launch': {},
+        }
+        self.assertEqual(set(expected), {file.name for file in LAUNCH.glob('*.launch')})
+        required = {'fleet.launch': {'robots': '/tmp/robots.yaml'}, 'playback.launch': {'bag': '/tmp/a.bag'}}
+        for name, wanted in expected.items():
+            self.assertEqual(parameters(resolve(name, **required.get(name, {}))), wanted, name)
+
+    def test_demo_passes_on_where_the_robot_is(self):
+        given = driver_parameters(resolve('demo.launch', simulation=False, host='aibo.local', port=4711))
+        self.assertEqual((given['host'], given['port']), ('aibo.local', 4711))
+
+    def test_the_model_has_the_frame_prefix(self):
+        for name, required in (('aibo.launch', {}), ('model.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'})):
+            config = resolve(name, ns='left', frame_prefix='port/side', **required)
+            self.assertEqual(parameters(config)['/left/robot_state_publisher/tf_prefix'], 'port/side', name)
+
+    def test_an_ers210_has_no_model(self):
+        self.assertNotIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch', robot='ERS-210')))
+        self.assertIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch')))
+
+    def test_recording_playback_and_view_of_two_robots_stay_apart(self):
+        for name, required in (('record.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'}), ('view.launch', {})):
+            left = nodes(resolve(name, ns='left', **required))
+            right = nodes(resolve(name, ns='team/right', **required))
+            self.assertFalse(set(left) & set(right), name)
+            self.assertTrue(all(node.startswith('/left/') for node in left), (name, list(left)))
+        record = nodes(resolve('record.launch', ns='team/right', diagnostics=False))['/team/right/record'].args.split()
+        self.assertRegex(record[0], r"^--output-prefix='.*/team_right'$")
+        self.assertTrue(all(topic.startswith('/team/right/') for topic in record[1:]), record)
+        self.assertIn('/diagnostics', nodes(resolve('record.launch'))['/aibo/record'].args.split())
+
+
+def flat(prefix, values):
+    for name, value in values.items():
+        if isinstance(value, dict):
+            yield from flat(prefix + '/' + name, value)
+        else:
+            yield prefix + '/' + name, value
+
+
+if __name__ == '__main__':
+    unittest.main()

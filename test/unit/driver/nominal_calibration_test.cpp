@@ -1,0 +1,93 @@
+#include "ros/camera/nominal_calibration.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Core>
+#include <utility>
+
+#include "simulator/ers7/camera/camera_optics.h"
+#include "support/good_calibration.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using sensor_msgs::CameraInfo;
+using ::testing::DoubleEq;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::Pointwise;
+
+// Where a point in front of the camera appears according to the P of a calibration; x to the right, y down.
+std::pair<double, double> project(const CameraInfo& info, double x, double y, double z) {
+  return {(info.P[0] * x + info.P[2] * z) / z, (info.P[5] * y + info.P[6] * z) / z};
+}
+
+TEST(NominalCalibration, OfTheErs7IsThatOfItsFieldOfView) {
+  const CameraInfo info = nominalCalibration("ERS-7", 208, 160);
+  EXPECT_EQ(info.width, 208u);
+  EXPECT_EQ(info.height, 160u);
+  EXPECT_NEAR(info.K[0], 191.9, 0.05);
+  EXPECT_NEAR(info.K[4], 192.2, 0.05);
+  EXPECT_DOUBLE_EQ(info.K[2], 103.5);
+  EXPECT_DOUBLE_EQ(info.K[5], 79.5);
+  EXPECT_EQ(info.distortion_model, "plumb_bob");
+  EXPECT_THAT(info.D, ElementsAre(0, 0, 0, 0, 0));
+  EXPECT_THAT(info.R, ElementsAre(1, 0, 0, 0, 1, 0, 0, 0, 1));
+  EXPECT_THAT(info.P, ElementsAre(info.K[0], 0, info.K[2], 0, 0, info.K[4], info.K[5], 0, 0, 0, 1, 0));
+}
+
+TEST(NominalCalibration, IsThatOfTheSimulatedCamera) {
+  const CameraInfo info = nominalCalibration("ERS-7", 208, 160);
+  const auto [column, row] = project(info, 0.3, -0.2, 1.5);
+  // The simulated camera counts from the corner of the first pixel, ROS from its centre.
+  const Eigen::Vector2d place = simulated_ers7::placeOf({1.5, -0.3, 0.2});
+  EXPECT_NEAR(column, place.x() - 0.5, 1e-9);
+  EXPECT_NEAR(row, place.y() - 0.5, 1e-9);
+}
+
+TEST(NominalCalibration, OfTheErs210HasItsOwnFieldOfView) {
+  const CameraInfo info = nominalCalibration("ERS-210", 176, 144);
+  EXPECT_NEAR(info.K[0], 160.1, 0.05);  // 88 / tan(28.8 degrees)
+  EXPECT_NEAR(info.K[4], 162.5, 0.05);  // 72 / tan(23.9 degrees)
+}
+
+TEST(ScaleCalibration, KeepsThatOfTheSameSize) {
+  const auto scaled = scaleCalibration(test_support::goodCalibration(), 208, 160);
+  ASSERT_TRUE(scaled);
+  EXPECT_EQ(scaled->K, test_support::goodCalibration().K);
+  EXPECT_EQ(scaled->P, test_support::goodCalibration().P);
+}
+
+TEST(ScaleCalibration, FitsPicturesOfAMultipleOrAFractionOfTheSize) {
+  const CameraInfo info = nominalCalibration("ERS-7", 208, 160);
+  for (const auto& [width, height] : {std::pair{416u, 320u}, {104u, 80u}, {52u, 40u}}) {
+    const auto scaled = scaleCalibration(info, width, height);
+    ASSERT_TRUE(scaled) << width;
+    const CameraInfo wanted = nominalCalibration("ERS-7", width, height);
+    EXPECT_EQ(scaled->width, width);
+    EXPECT_EQ(scaled->height, height);
+    EXPECT_THAT(scaled->K, Pointwise(DoubleNear(1e-9), wanted.K));
+    EXPECT_THAT(scaled->P, Pointwise(DoubleNear(1e-9), wanted.P));
+    EXPECT_EQ(scaled->D, info.D) << "the coefficients do not depend on the size";
+  }
+}
+
+TEST(ScaleCalibration, LeavesAProjectionOfZerosAsItIs) {
+  const auto scaled = scaleCalibration(test_support::goodCalibration(), 104, 80);
+  ASSERT_TRUE(scaled);
+  EXPECT_DOUBLE_EQ(scaled->K[0], 95.0);
+  EXPECT_THAT(scaled->P, Each(DoubleEq(0)));
+}
+
+TEST(ScaleCalibration, DoesNotFitPicturesOfAnotherShapeOrNoWholeFactor) {
+  const CameraInfo info = nominalCalibration("ERS-7", 208, 160);
+  EXPECT_FALSE(scaleCalibration(info, 176, 144));
+  EXPECT_FALSE(scaleCalibration(info, 416, 160));
+  EXPECT_FALSE(scaleCalibration(info, 208, 80));
+  EXPECT_FALSE(scaleCalibration(info, 156, 120)) << "three quarters";
+  EXPECT_FALSE(scaleCalibration(CameraInfo(), 208, 160));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node
