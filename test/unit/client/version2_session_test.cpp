@@ -755,6 +755,7 @@ TEST_P(StopFirstTest, AnOrderToStopGoesBeforeEverythingElse) {
   EXPECT_EQ(GetParam(), request()[0]);
   EXPECT_EQ(payload, frame_.payload);
   receive(makeFrame(version2::replyKind(GetParam()), 2, payload));
+  ASSERT_TRUE(done(stop));
   EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
   std::string others;
   for (std::string each = request(); !each.empty(); each = request()) {
@@ -785,6 +786,7 @@ TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsNotPlayedAfterAnOrderToSt
   auto earlier = ask('P', "NOD.MTN", 1);
   auto held = ask('I');
   auto later = ask('P', "SIT.MTN", 1);
+  ASSERT_TRUE(done(earlier));
   const Answer refusal = earlier.get();
   EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
   EXPECT_EQ("robot:54321 was told to hold its joints before it was asked to play the motion.", refusal.problem);
@@ -802,11 +804,13 @@ TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsStoppedByItsName) {
   auto nod = ask('P', "NOD.MTN", 1);
   auto sit = ask('P', "SIT.MTN", 1);
   auto stop = ask('P', "NOD.MTN", 0);
+  ASSERT_TRUE(done(nod));
   EXPECT_EQ("robot:54321 was told to stop the motion NOD.MTN before it was asked to play the motion.",
             nod.get().problem);
   EXPECT_EQ("P3", request()) << "stopping a motion needs no memory stick";
   EXPECT_EQ("J4", request()) << "it stops no joint";
   auto stop_all = ask('P');
+  ASSERT_TRUE(done(sit));
   EXPECT_EQ(CallOutcome::kRefused, sit.get().outcome);
 }
 
