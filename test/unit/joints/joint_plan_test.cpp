@@ -64,10 +64,11 @@ class JointPlanTest : public ::testing::Test {
     return "accepted";
   }
 
-  // Where each joint was sent last.
   void advance(double now) {
+    std::map<int, double> sent;
     for (const JointStep& step : plan_.advance(at(now))) {
       for (const auto& [id, order] : step.orders) {
+        EXPECT_TRUE(sent.emplace(id, order.position).second) << "joint " << id << " is sent to two places";
         sent_[id] = order.position;
       }
     }
@@ -87,7 +88,7 @@ class JointPlanTest : public ::testing::Test {
   JointTable table_{"ERS-7", 3.0};
   MeasuredJoints measured_{table_};
   JointPlan plan_{table_, measured_, false};
-  std::map<int, double> sent_;
+  std::map<int, double> sent_;  // where each joint was sent last
 };
 
 TEST_F(JointPlanTest, ANewTrajectoryTakesOverWithThePlannedPositionAndVelocity) {
