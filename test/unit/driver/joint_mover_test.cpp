@@ -33,11 +33,12 @@ class PlayingClient : public test_support::FakeClient {
  public:
   std::function<void()> while_playing;
 
-  void playMotion(const std::string& name, int repetitions, Milliseconds timeout) override {
-    FakeClient::playMotion(name, repetitions, timeout);
+  std::string playMotion(const std::string& name, int repetitions, Milliseconds timeout) override {
+    std::string changes = FakeClient::playMotion(name, repetitions, timeout);
     if (while_playing) {
       while_playing();
     }
+    return changes;
   }
 };
 
@@ -223,6 +224,13 @@ TEST_F(JointMoverTest, RefusesTrajectoriesOfOldMeasurements) {
 TEST_F(JointMoverTest, RefusesTrajectoriesAtOnceWithoutTelemetry) {
   telemetry_ = false;
   EXPECT_THAT(refusal([this] { startPan(1.0, 1.0); }), HasSubstr("telemetry_rate is 0"));
+}
+
+TEST_F(JointMoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
+  client_.present.robot.design = "ERS-210";
+  EXPECT_THAT(refusal([this] { startPan(1.0, 1.0, milliseconds(60000)); }), HasSubstr("it is an ERS-210"));
+  commandPan(1.0);
+  EXPECT_THAT(client_.told, IsEmpty());
 }
 
 TEST_F(JointMoverTest, EndsEverythingOverANewConnection) {
