@@ -18,7 +18,7 @@ OTHER_VALUES = {
     'host': '192.168.1.20', 'port': 54322, 'jpeg_quality': 60, 'stream_on_start': False, 'stream_on_demand': True,
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
     'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0, 'speed_scale': 0.5,
-    'time_offset': -0.02, 'slow_down': True,
+    'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
 }
 
 
@@ -64,7 +64,8 @@ class LaunchFilesTest(unittest.TestCase):
         names = {arg.get('name') for arg in ElementTree.parse(LAUNCH / 'aibo.launch').findall('arg')}
         self.assertEqual(names, set(OTHER_VALUES) | NOT_OF_THE_DRIVER)
         config = resolve('aibo.launch', ns='team/left', **OTHER_VALUES)
-        self.assertEqual(driver_parameters(config, '/team/left/aibo_driver'), OTHER_VALUES)
+        expected = {**OTHER_VALUES, 'publish_footprint': True}  # together with the model
+        self.assertEqual(driver_parameters(config, '/team/left/aibo_driver'), expected)
 
     def test_the_defaults_of_aibo_launch_are_those_of_the_driver(self):
         defaults = documented_parameters()
@@ -76,7 +77,8 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_the_other_launch_files_set_nothing_else(self):
         model = {'/aibo/robot_state_publisher/tf_prefix': ''}
-        driver = {'/aibo/aibo_driver/' + name: documented_parameters()[name] for name in OTHER_VALUES}
+        driver = {'/aibo/aibo_driver/' + name: documented_parameters()[name]
+                  for name in [*OTHER_VALUES, 'publish_footprint']}
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
         expected = {
             'aibo.launch': {**driver, **model},
@@ -86,7 +88,7 @@ class LaunchFilesTest(unittest.TestCase):
             'model.launch': model,
             'playback.launch': {**model, '/use_sim_time': False},
             'record.launch': {},
-            'sliders.launch': {'/aibo/aibo_sliders/num_rows': 9},
+            'sliders.launch': {},
             'view.launch': {},
         }
         self.assertEqual(set(expected), {file.name for file in LAUNCH.glob('*.launch')})

@@ -5,7 +5,6 @@
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "protocol/text.h"
 
@@ -253,18 +252,24 @@ const char* SettingsFileName() {
   return SETTINGS_FILE + sizeof(SETTINGS_FOLDER);
 }
 
+// Whatever the case of the letters. The SDK has no strcasecmp().
 bool BeginsWith(const char* text, const char* beginning) {
-  return strncasecmp(text, beginning, strlen(beginning)) == 0;
+  while (*beginning != '\0' &&
+         tolower(static_cast<unsigned char>(*text)) == tolower(static_cast<unsigned char>(*beginning))) {
+    ++text;
+    ++beginning;
+  }
+  return *beginning == '\0';
+}
+
+bool IsSettingsFile(const char* name) {
+  return strlen(name) == strlen(SettingsFileName()) && BeginsWith(name, SettingsFileName());
 }
 
 // A file that its owner may have meant to be RCSERVER.CFG, such as RCSERVER.CFG.txt, which some editors write. Where
 // names have at most eight characters, RCSERV~1.TXT stands for it.
 bool IsLookAlike(const char* name) {
-  return (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) && strcasecmp(name, SettingsFileName()) != 0;
-}
-
-bool IsSettingsFile(const char* name) {
-  return strcasecmp(name, SettingsFileName()) == 0;
+  return (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) && !IsSettingsFile(name);
 }
 
 // Copies the first name in the settings' folder that is of this kind. False if there is none.
