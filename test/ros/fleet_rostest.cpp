@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -101,10 +103,11 @@ TEST_F(FleetTest, EveryMessageIsInAFrameOfItsOwnRobot) {
 }
 
 TEST_F(FleetTest, TheLinksOfEachRobotHaveFramesOfTheirOwnInOneTree) {
-  for (const char* topic : {"/tf", "/tf_static"}) {
+  std::map<std::string, std::set<std::string>> parents;  // of each frame
+  for (const std::string topic : {"/tf", "/tf_static"}) {
     TopicListener<tf2_msgs::TFMessage> transforms(topic);
     for (const std::string& name : kNames) {
-      const std::string child = name + (topic == std::string("/tf") ? "/head_pan_link" : "/imu_link");
+      const std::string child = name + (topic == "/tf" ? "/head_pan_link" : "/imu_link");
       EXPECT_TRUE(transforms.waitFor([&](const tf2_msgs::TFMessage& message) {
         return std::any_of(message.transforms.begin(), message.transforms.end(),
                            [&](const auto& transform) { return transform.child_frame_id == child; });
@@ -112,12 +115,22 @@ TEST_F(FleetTest, TheLinksOfEachRobotHaveFramesOfTheirOwnInOneTree) {
     }
     for (const auto& message : transforms.waitForCount(1)) {
       for (const auto& transform : message->transforms) {
-        const std::string& parent = transform.header.frame_id;
-        const std::string robot = transform.child_frame_id.substr(0, transform.child_frame_id.find('/'));
-        EXPECT_NE(std::find(kNames.begin(), kNames.end(), robot), kNames.end()) << transform.child_frame_id;
-        EXPECT_TRUE(parent == "fleet" || parent.rfind(robot + "/", 0) == 0) << parent;
+        parents[transform.child_frame_id].insert(transform.header.frame_id);
       }
     }
+  }
+  for (const std::string& name : kNames) {
+    std::string root = name + "/imu_link";
+    for (int depth = 0; depth < 10 && parents.count(root) > 0; ++depth) {
+      root = *parents[root].begin();
+    }
+    EXPECT_EQ(root, "fleet") << name << " does not stand in the frame of the fleet";
+  }
+  for (const auto& [child, all] : parents) {
+    ASSERT_EQ(all.size(), 1u) << child << " has two parents, " << *all.begin() << " and " << *all.rbegin();
+    const std::string robot = child.substr(0, child.find('/'));
+    EXPECT_EQ(std::count(kNames.begin(), kNames.end(), robot), 1) << child;
+    EXPECT_TRUE(*all.begin() == "fleet" || all.begin()->rfind(robot + "/", 0) == 0) << *all.begin();
   }
 }
 
