@@ -33,7 +33,7 @@ struct DriverParameters {
   double approach_speed = 0.5;     ///< rad/s, 0.05..20; for the first motion of each joint, see JointCommandFilter
   bool slow_down = false;          ///< slow down a trajectory that is too fast, instead of refusing it
 
-  bool publish_footprint = true;   ///< tf from base_footprint to base_link; only of an ERS-7
+  bool publish_footprint = true;  ///< tf from base_footprint to base_link; only of an ERS-7
 
   std::vector<std::string> unknown;  ///< given parameters that the driver does not have: most likely misspelt
 };
