@@ -86,7 +86,7 @@ class FleetFileTest(unittest.TestCase):
         model = ElementTree.fromstring(config.params['/fleet/robot_description'].value)
         places = {joint.find('child').get('link'): (joint.find('origin').get('xyz'), joint.find('origin').get('rpy'))
                   for joint in model.findall('joint')}
-        self.assertEqual(places, {'a/base_link': ('0 0.25 0', '0 0 0'), 'base_link': ('1 2 0', '0 0 0.5')})
+        self.assertEqual(places, {'a/base_footprint': ('0 0.25 0', '0 0 0'), 'base_footprint': ('1 2 0', '0 0 0.5')})
 
     def test_rviz_shows_all_robots(self):
         config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none}}', with_rviz=True)

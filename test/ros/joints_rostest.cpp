@@ -79,6 +79,18 @@ TEST(JointStates, ContainAllServosWithVelocitiesAndIncreasingStamps) {
   }
 }
 
+TEST(JointStates, HaveTheDutyOfAJammedJointAsEffort) {
+  JointUser user("/effort");
+  TopicListener<JointState> states("/effort/joint_states");
+  ASSERT_TRUE(states.waitForNext());
+  ASSERT_THAT(user.robot.type("jam head_pan"), HasSubstr("ok"));
+  user.publish("joint_command", command({{"head_pan", -1}}));
+  EXPECT_TRUE(states.waitFor([](const JointState& message) {
+    const auto pan = std::find(message.name.begin(), message.name.end(), "head_pan") - message.name.begin();
+    return message.effort.at(static_cast<std::size_t>(pan)) < -0.9;
+  }));
+}
+
 TEST(JointCommand, MovesEveryJointByOneRequest) {
   JointUser user("/command");
   const Posture posture = postureAt(0.5);
@@ -354,6 +366,9 @@ TEST(OldServer, MovesJointsDuringTheStream) {
   user.publish("joint_command", command(posture));
   EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
   EXPECT_GE(pictures.waitForCount(pictures.count() + 30).size(), 40u) << "the stream goes on";
+  const auto state = user.joints.messages().waitForNext();
+  ASSERT_TRUE(state);
+  EXPECT_THAT(state->effort, IsEmpty()) << "version 1 has no duties";
   const auto stream = diagnostics.waitForNext("old/aibo_driver: stream");
   EXPECT_EQ(DiagnosticsListener::value(stream, "pictures damaged"), "0");
   EXPECT_EQ(user.proxy.connections(), 1u);

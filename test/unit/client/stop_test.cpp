@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <future>
 #include <memory>
 
@@ -153,6 +155,10 @@ TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThemWhenTheThreadHasEnde
   }
   release.set_value();
   for (auto& each : stops) {
+    if (each.wait_for(seconds(20)) != std::future_status::ready) {
+      std::fputs("a call of stop() does not return\n", stderr);
+      std::abort();  // its thread cannot be ended, so the test could not, either
+    }
     EXPECT_EQ(ConnectionState::kDisconnected, each.get());
   }
 }
