@@ -59,6 +59,11 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::SizeIs;
 
+// All tests share a master, and this topic has the same name for all drivers.
+std::string ownTf(const std::string& name_space) {
+  return "/tf:=" + name_space + "/tf";
+}
+
 // Robot, proxy and driver, connected with each other, and a user.
 class BodyUser {
  public:
@@ -66,7 +71,7 @@ class BodyUser {
       : robot(robot_options),
         proxy(robot.port()),
         connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), {"_stream_on_start:=false"}),
+        driver(name_space, proxy.port(), {"_stream_on_start:=false", ownTf(name_space)}),
         topics(name_space),
         name_space_(name_space) {
     EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
@@ -145,6 +150,8 @@ TEST(Acceleration, OfARobotThatLiesStillPointsUpwards) {
 // The transforms from base_footprint to base_link.
 class Footprints {
  public:
+  explicit Footprints(const std::string& name_space) : listener_(name_space + "/tf") {}
+
   /// Waits for one with a height and a pitch between these limits.
   bool waitFor(double lowest, double highest, double lowest_pitch, double highest_pitch) {
     return listener_.waitFor([=](const tf2_msgs::TFMessage& message) {
@@ -160,11 +167,11 @@ class Footprints {
   std::size_t count() const { return listener_.count(); }
 
  private:
-  TopicListener<tf2_msgs::TFMessage> listener_{"/tf"};
+  TopicListener<tf2_msgs::TFMessage> listener_;
 };
 
 TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
-  Footprints footprints;
+  Footprints footprints("/footprint");
   BodyUser user("/footprint");
   EXPECT_TRUE(footprints.waitFor(0.12, 0.15, -3, 3));
   EXPECT_TRUE(user.play("sit", 1).success);
@@ -173,9 +180,9 @@ TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
 
 TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
   SimulatedRobot robot;
-  Footprints footprints;
+  Footprints footprints("/no_footprint");
   TopicListener<Imu> accelerations("/no_footprint/imu/data_raw");
-  DriverProcess driver("/no_footprint", robot.port(), {"_publish_footprint:=false"});
+  DriverProcess driver("/no_footprint", robot.port(), {"_publish_footprint:=false", ownTf("/no_footprint")});
   ASSERT_GE(accelerations.waitForCount(30).size(), 30u);
   EXPECT_EQ(footprints.count(), 0u);
 }
