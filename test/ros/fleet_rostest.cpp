@@ -106,12 +106,16 @@ TEST_F(FleetTest, TheLinksOfEachRobotHaveFramesOfTheirOwnInOneTree) {
   std::map<std::string, std::set<std::string>> parents;  // of each frame
   for (const std::string topic : {"/tf", "/tf_static"}) {
     TopicListener<tf2_msgs::TFMessage> transforms(topic);
+    const std::vector<std::string> links = topic == "/tf" ? std::vector<std::string>{"/head_pan_link", "/base_link"}
+                                                          : std::vector<std::string>{"/imu_link"};
     for (const std::string& name : kNames) {
-      const std::string child = name + (topic == "/tf" ? "/head_pan_link" : "/imu_link");
-      EXPECT_TRUE(transforms.waitFor([&](const tf2_msgs::TFMessage& message) {
-        return std::any_of(message.transforms.begin(), message.transforms.end(),
-                           [&](const auto& transform) { return transform.child_frame_id == child; });
-      })) << child;
+      for (const std::string& link : links) {
+        EXPECT_TRUE(transforms.waitFor([&](const tf2_msgs::TFMessage& message) {
+          return std::any_of(message.transforms.begin(), message.transforms.end(),
+                             [&](const auto& transform) { return transform.child_frame_id == name + link; });
+        })) << name
+            << link;
+      }
     }
     for (const auto& message : transforms.waitForCount(1)) {
       for (const auto& transform : message->transforms) {
