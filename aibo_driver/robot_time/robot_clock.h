@@ -18,12 +18,10 @@ namespace aibo_driver::robot_time {
 ///   frame numbers, by at least half of the frames' own time. They jump only where a new timeline begins.
 /// - No time is later than the arrival of its message, unless the time of an earlier frame already was.
 /// - The times are late by the shortest delay that any message has met, a few milliseconds, which cannot be measured
-/// from
-///   here. Until the first messages without delay have come, for a second or so, they are late by more.
+///   from here. Until the first messages without delay have come, for a second or so, they are late by more.
 /// - A new timeline begins when the robot was restarted: frame numbers of a new connection go back or do not fit. It
-/// also
-///   begins when a message comes a second too early, as after this computer was suspended, and when all messages of 5 s
-///   come more than a second too late.
+///   also begins when a message comes a second too early, as after this computer was suspended, and when all messages
+///   of 5 s come more than a second too late.
 ///
 /// Every function may be called from any thread.
 class RobotClock {

@@ -27,8 +27,7 @@ bool isArchive(const std::string& bytes);
 ///     contents
 ///
 /// @throw std::runtime_error it is not an archive, something in it lies beyond its end, or its files overlap; the
-/// message
-///   says what
+///   message says what
 std::vector<ArchivedFile> readArchive(const std::string& bytes);
 
 /// The name for such a file on a disk: letters, digits, `-` and `_` of its name, everything else replaced by `_`, then

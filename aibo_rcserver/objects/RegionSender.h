@@ -11,8 +11,7 @@
 /// A Content belongs to the receiver from Send() until the receiver is ready for the next one. Nothing is queued.
 ///
 /// @tparam REGIONS regions of memory that take turns. With 1, the next Content can be written when the receiver is
-/// ready
-///   for it; with 2, already while the receiver works on the last one
+///   ready for it; with 2, already while the receiver works on the last one
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:

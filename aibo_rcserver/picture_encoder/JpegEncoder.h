@@ -38,8 +38,7 @@ class JpegEncoder {
   /// @param[out] jpeg the JPEG file
   /// @param capacity bytes that fit into `jpeg`
   /// @return bytes of the JPEG file; 0 on failure: the image is empty or larger than MAX_WIDTH x MAX_HEIGHT, the buffer
-  /// is
-  ///   too small, or there is no memory. LastError() says which
+  ///   is too small, or there is no memory. LastError() says which
   size_t Encode(const CameraImage& image, int quality, unsigned char* jpeg, size_t capacity);
 
   /// Why Encode() last failed, in words.

@@ -139,8 +139,7 @@ class JointControl {
 
   /// A joint has reported.
   /// @param driven its motor pulls, so the joint is watched: if it does not follow, it is held where it is and its
-  /// motion
-  ///   ends
+  ///   motion ends
   /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 

@@ -14,16 +14,14 @@
 ///
 /// In each frame, whatever is commanded:
 /// - A joint is within its limits. It does not overshoot its target unless it was too fast to stop there when the
-/// target
-///   was set.
+///   target was set.
 /// - Its speed and its change of speed are within its limits. A joint that is faster than a new limit brakes.
 /// - It moves on a trapezoid (JointMotion.h), meets its target exactly, and takes a new target without a jump.
 /// - It does not hit the body: if the table couples two joints, the follower is never below the lower limit that
-/// belongs
-///   to the leader's position. Targets are adapted to each other when they are set. On the way, each joint in turn
-///   checks its next step against all positions that its partner can still reach while it brakes, so the limit would
-///   hold even if both started to brake now, whichever stopped first. A joint without room goes as far as it can and
-///   waits: the rotator for its elevator to rise, the elevator for its rotator to pass.
+///   belongs to the leader's position. Targets are adapted to each other when they are set. On the way, each joint in
+///   turn checks its next step against all positions that its partner can still reach while it brakes, so the limit
+///   would hold even if both started to brake now, whichever stopped first. A joint without room goes as far as it can
+///   and waits: the rotator for its elevator to rise, the elevator for its rotator to pass.
 ///
 /// Speeds are rounded down to whole microradians per frame, accelerations to whole microradians per frame squared.
 ///
@@ -51,18 +49,16 @@ class MotionPlanner {
 
   /// Sends a joint to a position as fast as its limits allow. Its follower is moved out of the way if necessary.
   /// @return the position accepted: within the joint's limits, and for a follower not below the lower limit that
-  /// belongs
-  ///   to its leaders' targets
+  ///   belongs to its leaders' targets
   int SetTarget(int joint, int position);
 
   /// Sends several joints to their positions. Their order does not matter; of two positions for one joint, the last
   /// counts.
   /// @param[in,out] targets replaced by the positions accepted, see SetTarget()
   /// @param duration in milliseconds. 0 or less: each joint moves as fast as its own limits allow. Otherwise all of
-  /// them,
-  ///   and followers that are moved out of their way, arrive in the same frame: the first one at or after the end of
-  ///   the duration in which all can arrive. New limits may make it later. A joint leaves the group if it gets another
-  ///   command, or if a coupling holds it back; the latter still tries to arrive in time.
+  ///   them, and followers that are moved out of their way, arrive in the same frame: the first one at or after the end
+  ///   of the duration in which all can arrive. New limits may make it later. A joint leaves the group if it gets
+  ///   another command, or if a coupling holds it back; the latter still tries to arrive in time.
   void SetTargets(JointTarget* targets, int count, int duration);
 
   /// Stops a joint as fast as its acceleration limit allows, within v^2 / (2 a). A leader whose target needs the joint

@@ -34,8 +34,7 @@ class MotionPlayer {
   /// @param repetitions not below 1
   /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is refused
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
-  /// command
-  ///   has precedence over the motion. NULL: no joint was
+  ///   command has precedence over the motion. NULL: no joint was
   /// @return NULL, or why it is not played, in words that a user can act on
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
                    const bool* commanded);

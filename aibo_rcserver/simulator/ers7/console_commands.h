@@ -19,8 +19,7 @@ namespace simulated_ers7 {
 ///     help              prints this list
 ///
 /// @return the answer in one or more complete lines: a confirmation, or an error and the possible commands; empty for
-/// an
-///         empty line
+///         an empty line
 std::string obeyConsole(SimulatedErs7& robot, const std::string& line);
 
 }  // namespace simulated_ers7

@@ -163,8 +163,7 @@ class RcServerClient {
   /// @param quality 0..100; 0 = the stream's quality
   /// @param timeout longest time to wait, 1 ms..1 h
   /// @param[out] stream_quality may be null; the quality of the running stream that the picture is from, 1..100, or 0
-  /// if
-  ///   it was taken for this call alone
+  ///   if it was taken for this call alone
   /// @return the picture, never null
   /// @throw InvalidArgumentException quality or timeout out of range
   /// @throw NetworkException no connection, or it broke while waiting; the message says why and what to check, and

@@ -23,9 +23,8 @@ namespace simulated_ers7 {
 ///   A lower proportional gain makes the joint softer; the other gains and the shifts have no effect.
 /// - A joint carries no weight. When its gain or the power is switched off, it stops at once and stays where it is.
 /// - A command does not move a joint whose gain is off, but takes effect when the gain is switched on. Then, as after
-/// any
-///   distant command, the joint moves at its highest speed; a real joint snaps the same way. A blocked motor shows only
-///   in its duty, because Sony documents no call that fails.
+///   any distant command, the joint moves at its highest speed; a real joint snaps the same way. A blocked motor shows
+///   only in its duty, because Sony documents no call that fails.
 class Joint {
  public:
   /// Number of readings that are kept: those of one OSensorFrameVectorData.

@@ -15,8 +15,7 @@ class SubjectService;
 /// - ASSERT-READY: it has asked for data. It gets the next notification at once, and is then in neither state.
 /// - DEASSERT-READY: it wants no data. Data for it is deleted.
 /// - neither: it is busy, or has not said anything yet. Notifications are kept for it until it is ready, by default
-/// only
-///   the newest one; SetBufferSize() and OObserver::SetBufCtrlParam() change the number.
+///   only the newest one; SetBufferSize() and OObserver::SetBufCtrlParam() change the number.
 class OSubject {
  public:
   OSubject();
