@@ -20,6 +20,7 @@ using ::testing::Not;
 
 constexpr int kPowerCode = 4;
 constexpr unsigned kFramesASecond = 125;
+constexpr int kSmallBuffer = 4096;
 
 class PowerTest : public FakeRobotFixture {
  protected:
@@ -57,10 +58,13 @@ class PowerTest : public FakeRobotFixture {
 
   void connectAndDoNotRead() {
     robot_.showNoise();
-    connectVersion2();
+    connectVersion2(kSmallBuffer);
     send(frame('W', 100, 1, kStreamOn));
-    passFrames(600);  // its buffers are full
-    send(frame('H', 0, 2));
+    for (size_t sent = 0; sends_.empty() || sent < sends_.size();) {
+      sent = sends_.size();
+      passFrames(kFramesASecond);  // no send ends any more when all buffers are full
+      send(frame('H', 0, 2));
+    }
   }
 
   // The machine may be off already, and the end of the connection still under way.
