@@ -54,6 +54,13 @@ def documented_parameters():
     return defaults
 
 
+def documented_topics():
+    """The topics that the driver publishes, from the table in docs/ros_interface.md."""
+    text = (PROJECT / 'docs/ros_interface.md').read_text(encoding='utf-8')
+    table = text.split('### Published topics')[1].split('| meaning |')[1].split('\n\n')[0]
+    return {name for row in table.splitlines() for name in re.findall(r'`([^`]+)`', row.split(' | ')[0])}
+
+
 class LaunchFilesTest(unittest.TestCase):
 
     def test_the_documented_parameters_are_those_that_the_driver_reads(self):
@@ -108,6 +115,11 @@ class LaunchFilesTest(unittest.TestCase):
     def test_an_ers210_has_no_model(self):
         self.assertNotIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch', robot='ERS-210')))
         self.assertIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch')))
+
+    def test_a_recording_has_what_the_driver_publishes(self):
+        record = nodes(resolve('record.launch', diagnostics=False))['/aibo/record'].args.split()[1:]
+        left_out = {'camera/image_raw', '/tf', '/diagnostics'}
+        self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out})
 
     def test_recording_playback_and_view_of_two_robots_stay_apart(self):
         for name, required in (('record.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'}), ('view.launch', {})):
