@@ -66,6 +66,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
+      settings_(private_handle, client_, joint_table_),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
       motion_state_(handle_, mover_),
@@ -73,7 +74,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       expression_(model_, client_),
       robot_services_(client_, mover_),
       motion_action_(client_, mover_),
-      settings_(private_handle, client_, joint_table_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {

@@ -92,6 +92,7 @@ class AiboDriver {
   RcServerClient client_;
 
   // What needs the client.
+  LiveSettings settings_;
   StreamServices stream_services_;
   JointMover mover_;
   MotionStatePublisher motion_state_;
@@ -100,7 +101,6 @@ class AiboDriver {
   RobotServices robot_services_;
   PlayMotionServer motion_action_;
   std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
-  LiveSettings settings_;
   DriverDiagnostics diagnostics_;
 };
 
