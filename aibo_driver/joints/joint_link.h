@@ -11,9 +11,14 @@
 
 #include "aibo_driver/joints.h"
 #include "aibo_driver/rcserver_client.h"
-#include "joints/design_check.h"
 
 namespace aibo_driver::joints {
+
+/// To be called before a command is sent: the numbers in it mean other joints and LEDs to a robot of another design.
+/// A version 1 server does not say which design its robot is, so everything passes. From any thread.
+/// @param design that the commands are made for, such as "ERS-7"; empty: any
+/// @throw CommandException the connected robot says that it is of another design
+void requireDesign(const RcServerClient& client, const std::string& design);
 
 /// Where a joint is to go, and how fast at most.
 struct JointOrder {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "aibo_driver/exceptions.h"
-#include "joints/design_check.h"
+#include "joints/joint_link.h"
 
 namespace aibo_driver::node {
 namespace {
