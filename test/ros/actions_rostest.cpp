@@ -242,6 +242,17 @@ TEST(FollowGoal, IsAbortedIfAJointLeavesItsPath) {
   EXPECT_THAT(goal.result()->error_string, HasSubstr("head_pan is"));
 }
 
+TEST(FollowGoal, IsAbortedIfAJointDoesNotKeepItsSpeed) {
+  FollowUser user("/follow_speed");
+  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.4}}, 1.0);
+  request.path_tolerance = {tolerance("head_pan", 0)};
+  request.path_tolerance[0].velocity = 0.001;
+  FollowGoal goal(user.client, request);
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::PATH_TOLERANCE_VIOLATED);
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("rad/s from its speed"));
+}
+
 TEST(FollowGoal, IsAbortedIfAJointDoesNotArrive) {
   FollowUser user("/follow_end");
   FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 0.5}}, 0.5);
@@ -261,6 +272,16 @@ TEST(FollowGoal, IsPreemptedByANewerOneForItsJointsOnly) {
   EXPECT_EQ(head.waitForEnd(), State::PREEMPTED);
   EXPECT_EQ(back.waitForEnd(), State::SUCCEEDED);
   EXPECT_EQ(knee.waitForEnd(), State::SUCCEEDED);
+}
+
+TEST(FollowGoal, IsPreemptedByANewerOneForOneOfItsJoints) {
+  FollowUser user("/follow_part");
+  FollowGoal both(user.client, FollowUser::goal({{"head_pan", 1.0}, {"left_front_knee", 1.0}}, 4.0));
+  ASSERT_TRUE(user.waitForPanBeyond(0.1));
+  FollowGoal back(user.client, FollowUser::goal({{"head_pan", 0.0}}, 1.0));
+  EXPECT_EQ(both.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(both.result()->error_string, "a newer trajectory moves some of its joints");
+  EXPECT_EQ(back.waitForEnd(), State::SUCCEEDED);
 }
 
 TEST(FollowGoal, ThatCannotBeFollowedIsRejectedWithItsCode) {

@@ -208,6 +208,13 @@ TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
   EXPECT_EQ(ended[0].how, MovementEnd::kReplaced);
 }
 
+TEST_F(JointPlanTest, ATrajectoryBeginsAtRestWhereACommandHasArrived) {
+  plan_.command({{kPan, {0.1, 1.0}}}, "test", at(0));
+  const auto fate = add(pan({{1, {1}, {0}}}), 0.15, 0.15);
+  EXPECT_NEAR(wanted(*fate, 0.15), 0.1, 1e-6) << "not yet measured there";
+  EXPECT_NEAR(velocity(*fate, 0.15), 0, 1e-6);
+}
+
 TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
   EXPECT_EQ(refusal(pan({{1, {0.5}, {}}}), 0.25, 0.25), "accepted");
   EXPECT_THAT(refusal(pan({{1, {0.5}, {}}}), 0.75, 0.75),
