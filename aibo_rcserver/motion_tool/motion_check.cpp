@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
@@ -120,10 +121,9 @@ std::string describeChanges(const mtn::Motion& motion, const RobotModel& robot) 
   if (!fitted.fit(motion, robot, false)) {
     return std::string("an ") + robot.design + " does not play it: it " + fitted.problem();
   }
-  std::vector<int> speed_limits;
-  for (int i = 0; i < robot.number_of_joints; ++i) {
-    speed_limits.push_back(robot.joints[i].highest_speed);
-  }
+  std::array<int, robot_model::MAX_JOINTS> speed_limits{};
+  std::transform(robot.joints, robot.joints + robot.number_of_joints, speed_limits.begin(),
+                 [](const Joint& joint) { return joint.highest_speed; });
   char text[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
   fitted.describe(speed_limits.data(), text);
   return text[0] == '\0' ? "" : std::string("on an ") + robot.design + ", " + text;
