@@ -21,12 +21,6 @@ void RefusalLog::refused(char letter, const std::string& problem) {
   }
 }
 
-void Connection::publish(Telemetry telemetry) {
-  telemetry.connection_number = context.number;
-  ++context.counters.telemetry;
-  context.notifier.telemetry(telemetry);
-}
-
 void Connection::dropStaleJointCommands(TimePoint now) {
   const TimePoint stale = now - kLongestJointWait;
   if (std::exchange(last_joint_turn_, now) < stale && commands.joints.dropOlderThan(stale)) {

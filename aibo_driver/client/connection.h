@@ -9,12 +9,12 @@
 #include <string>
 
 #include "aibo_driver/robot_info.h"
-#include "aibo_driver/telemetry.h"
 #include "client/call.h"
 #include "client/command_outbox.h"
 #include "client/counters.h"
 #include "client/notifier.h"
 #include "client/picture_intake.h"
+#include "client/telemetry_intake.h"
 
 namespace aibo_driver {
 
@@ -43,12 +43,13 @@ struct Connection {
 
   /// @param established when the connection was made
   Connection(const ConnectionContext& the_context, TimePoint established)
-      : context(the_context), pictures(context, established), refusals(context), last_joint_turn_(established) {}
+      : context(the_context),
+        pictures(context, established),
+        measurements(context),
+        refusals(context),
+        last_joint_turn_(established) {}
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-
-  /// Gives telemetry to the client's user.
-  void publish(Telemetry telemetry);
 
   /// To be called whenever commands to the joints could be sent, before they are. If that was not possible for long,
   /// because the robot was busy or the link stood still, it drops the commands from before: they are out of date.
@@ -80,6 +81,7 @@ struct Connection {
 
   const ConnectionContext context;
   PictureIntake pictures;
+  TelemetryIntake measurements;
   PendingCalls calls;
   CommandOutbox commands;
   RefusalLog refusals;

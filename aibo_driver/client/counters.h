@@ -22,6 +22,8 @@ struct Counters {
   std::atomic<std::uint64_t> bytes_received{0};
   std::atomic<std::uint64_t> telemetry{0};
   std::atomic<std::uint64_t> dropped_telemetry{0};
+  std::atomic<std::uint64_t> thinned_telemetry{0};
+  std::atomic<std::uint64_t> impossible_values{0};
   std::atomic<std::uint64_t> refusals{0};
 
   ClientStatistics snapshot() const {
@@ -37,6 +39,8 @@ struct Counters {
     result.bytes_received = bytes_received;
     result.telemetry = telemetry;
     result.dropped_telemetry = dropped_telemetry;
+    result.thinned_telemetry = thinned_telemetry;
+    result.impossible_values = impossible_values;
     result.refusals = refusals;
     return result;
   }

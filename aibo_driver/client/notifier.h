@@ -2,20 +2,26 @@
 #ifndef AIBO_DRIVER_CLIENT_NOTIFIER_H
 #define AIBO_DRIVER_CLIENT_NOTIFIER_H
 
+#include <chrono>
 #include <exception>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
-#include "client/log_limit.h"
+#include "client/rate_limit.h"
 
 namespace aibo_driver {
 
 /// Calls the callbacks of the client's user, as far as they are set. An exception from a callback is logged. Nearly
-/// everything that is logged can be caused by what the robot sends, so there is a limit for all of it (LogLimit).
+/// everything that is logged can be caused by what the robot sends, so there is a limit for all of it: a robot cannot
+/// fill the disk.
 class Notifier {
  public:
+  /// So many lines may be logged at once, in the long run one per kLogPeriod.
+  static constexpr int kLogBurst = 20;
+  static constexpr std::chrono::seconds kLogPeriod{1};
+
   explicit Notifier(RcServerClient::Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
 
   void picture(const PicturePtr& picture) const noexcept { call(callbacks_.on_picture, "on_picture", picture); }
@@ -32,14 +38,14 @@ class Notifier {
 
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
-      const LogLimit::Admission admission = log_limit_.admit(LogLimit::TimePoint::clock::now());
+      const RateLimit::Admission admission = log_limit_.admit(RateLimit::TimePoint::clock::now(), kLogPeriod);
       const std::string left_out = std::to_string(admission.left_out);
       if (!callbacks_.log) {
         return;
       }
-      if (!admission.is_logged && admission.left_out == 1) {
+      if (!admission.is_admitted && admission.left_out == 1) {
         callbacks_.log(LogLevel::kWarn, "More messages come than can be logged; some are left out, and counted.");
-      } else if (admission.is_logged) {
+      } else if (admission.is_admitted) {
         callbacks_.log(level, admission.left_out == 0 ? message : message + " (" + left_out + " before it left out)");
       }
     } catch (...) {  // there is nothing left to report it to
@@ -59,7 +65,7 @@ class Notifier {
   }
 
   RcServerClient::Callbacks callbacks_;
-  mutable LogLimit log_limit_;
+  mutable RateLimit log_limit_{kLogBurst};
 };
 
 }  // namespace aibo_driver

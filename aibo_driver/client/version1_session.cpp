@@ -315,7 +315,7 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
   } else {
     telemetry.sensors = {makeVersion1Reading(reply.identifier, reply.value)};
   }
-  connection_.publish(telemetry);
+  connection_.measurements.deliver(std::move(telemetry), "");
 }
 
 Call* Version1Session::owedPicture() const {

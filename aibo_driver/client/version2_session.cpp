@@ -17,10 +17,6 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// Two seconds at the highest rate. More can only have waited because this process was held up for long, and after
-// that the newest are worth more than a burst of all.
-constexpr std::size_t kMostTelemetryAtOnce = 64;
-
 // More than a robot has joints. Each report is kept once.
 constexpr std::size_t kMostReports = 32;
 
@@ -64,8 +60,6 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
   return robot;
 }
 
-// A robot's text may have as many bytes as fit into a frame; a log and a diagnostic message need the beginning.
-constexpr std::size_t kLongestText = 512;
 // The server sends the duty of a joint after its position.
 void setDuty(int id, double duty, std::vector<JointReading>* joints) {
   for (JointReading& joint : *joints) {
@@ -75,12 +69,18 @@ void setDuty(int id, double duty, std::vector<JointReading>* joints) {
   }
 }
 
+// A robot's text may have as many bytes as fit into a frame; a log and a diagnostic message need the beginning.
+std::string beginningOf(const char* text, std::size_t size) {
+  constexpr std::size_t kLongestText = 512;
+  const std::size_t shown = protocol::sizeOfWholeCharacters(text, size, kLongestText);
+  return std::string(text, shown) + (shown < size ? "..." : "");
+}
+
 std::string describeError(const unsigned char* payload, std::size_t size) {
   version2::ErrorMessage message;
   expectGood(version2::decodeErrorMessage(payload, size, &message), "error message");
   const std::string code = "error code " + std::to_string(message.code);
-  const std::size_t shown = protocol::sizeOfWholeCharacters(message.text, message.text_size, kLongestText);
-  const std::string text = std::string(message.text, shown) + (shown < message.text_size ? "..." : "");
+  const std::string text = beginningOf(message.text, message.text_size);
   return text.empty() ? code : text + " (" + code + ")";
 }
 
@@ -122,7 +122,9 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
     : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
-      next_hello_(connected) {}
+      next_hello_(connected) {
+  connection_.measurements.askedFor(telemetry_period_);
+}
 
 void Version2Session::add(Call call) {
   if (call.stopsRobot() || call.stopsMotions()) {
@@ -180,6 +182,7 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
+  connection_.measurements.askedFor(telemetry_period_);
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
   return request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_WITH_DUTY, now, version2::TELEMETRY_PERIOD_SIZE,
                  [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
@@ -325,8 +328,8 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   if (!reader_.isBetweenFrames()) {
     connection_.pictures.signOfPicture(now);  // nothing else is so large that it comes in parts
   }
-  for (const Telemetry& telemetry : std::exchange(telemetry_, {})) {
-    connection_.publish(telemetry);
+  for (Telemetry& telemetry : std::exchange(telemetry_, {})) {
+    connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
   }
 }
 
@@ -435,7 +438,8 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   version2::Telemetry measured;
   expectGood(version2::decodeTelemetry(payload.data, payload.size, &measured), "telemetry");
-  if (telemetry_.size() == kMostTelemetryAtOnce) {
+  if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
+    // They can only have waited because this process was held up for long. The newest are worth more than all of them.
     telemetry_.pop_front();
     ++connection_.context.counters.dropped_telemetry;
   }
@@ -507,8 +511,8 @@ void Version2Session::onEnded(const Payload& payload) {
   MotionEnd end;
   end.kind = endedKind(message.what);
   end.how = endedHow(message.how);
-  end.name.assign(message.name, message.name_size);
-  end.reason.assign(message.reason, message.reason_size);
+  end.name = beginningOf(message.name, message.name_size);
+  end.reason = beginningOf(message.reason, message.reason_size);
   if (end.kind == EndedKind::kJam) {
     jointFollowsAgain(end.name);
   }

@@ -1,11 +1,6 @@
 #include "joints/measured_joints.h"
 
 namespace aibo_driver::joints {
-namespace {
-
-constexpr double kFrame = 0.008;  // s, an OPEN-R frame
-
-}  // namespace
 
 MeasuredJoints::MeasuredJoints(const JointTable& table) : table_(table), entries_(table.size()) {}
 
@@ -20,10 +15,7 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
     std::optional<Entry>& entry = entries_[*index];
     double velocity = 0;
     if (entry) {
-      // Frame numbers have 32 bits and may wrap around; the difference is still right.
-      const double seconds = telemetry.frame_number && entry->frame_number
-                                 ? kFrame * static_cast<std::uint32_t>(*telemetry.frame_number - *entry->frame_number)
-                                 : std::chrono::duration<double>(telemetry.arrival - entry->joint.arrival).count();
+      const double seconds = secondsBetween(entry->frame_number, entry->joint.arrival, telemetry);
       velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
     }
     entry = Entry{{*index, reading.position, velocity, telemetry.arrival, reading.duty}, telemetry.frame_number};

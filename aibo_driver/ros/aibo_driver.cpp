@@ -139,10 +139,9 @@ void AiboDriver::updateConnection(const ConnectionStatus& status) {
     mover_.disconnected();
     power_.clear();
   } else if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
-    ROS_WARN_STREAM_NAMED("joints", "The robot says that it is an "
-                                        << status.robot.design << ", but the parameter robot is " << parameters_.robot
-                                        << ": commands are refused. Set the parameter, and start the "
-                                           "driver again.");
+    // The status changes as often as the robot likes.
+    design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
+                          parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
   }
 }
 

@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_ROS_AIBO_DRIVER_H
 #define AIBO_DRIVER_ROS_AIBO_DRIVER_H
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 
 #include <memory>
@@ -34,6 +35,7 @@
 #include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
+#include "ros/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -81,6 +83,7 @@ class AiboDriver {
   joints::JointTable joint_table_;
   joints::MeasuredJoints measured_joints_;
   PowerStatus power_;
+  ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   StreamMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;

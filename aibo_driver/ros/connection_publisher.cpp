@@ -1,6 +1,5 @@
 #include "ros/connection_publisher.h"
 
-#include <aibo_driver/Connection.h>
 #include <std_msgs/Bool.h>
 
 #include <cstdint>
@@ -59,7 +58,6 @@ ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const Cl
 
 void ConnectionPublisher::publish(const ConnectionStatus& status) {
   Connection message;
-  message.header.stamp = ros::Time::now();
   message.state = stateConstant(status.state);
   message.text = describeConnection(status, options_);
   message.host = options_.host;
@@ -68,6 +66,11 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
   message.reason = status.reason;
   message.advice = status.advice;
+  if (last_ && *last_ == message) {
+    return;  // what has changed is not in the message; a robot could change it without end
+  }
+  last_ = message;
+  message.header.stamp = ros::Time::now();
   connection_.publish(message);
 }
 

@@ -2,8 +2,10 @@
 #ifndef AIBO_DRIVER_ROS_CONNECTION_PUBLISHER_H
 #define AIBO_DRIVER_ROS_CONNECTION_PUBLISHER_H
 
+#include <aibo_driver/Connection.h>
 #include <ros/node_handle.h>
 
+#include <optional>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
@@ -22,7 +24,7 @@ class ConnectionPublisher {
   /// Publishes at once that there is no connection and no stream yet.
   ConnectionPublisher(const ros::NodeHandle& handle, const ClientOptions& options);
 
-  /// Never blocks. From one thread at a time.
+  /// Publishes nothing if the message would be the same as the last one. Never blocks. From one thread at a time.
   void publish(const ConnectionStatus& status);
   void publishStreaming(bool streaming);
 
@@ -30,6 +32,7 @@ class ConnectionPublisher {
   const ClientOptions options_;
   ros::Publisher connection_;
   ros::Publisher streaming_;
+  std::optional<Connection> last_;  ///< published, without its stamp
 };
 
 }  // namespace aibo_driver::node

@@ -3,6 +3,7 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "ros/connection_publisher.h"
 
@@ -135,6 +136,9 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
                       std::chrono::duration<double>(now - telemetry_reported_at_).count();
   reported_telemetry_ = client.telemetry;
   telemetry_reported_at_ = now;
+  const std::uint64_t impossible =
+      client.impossible_values - std::exchange(reported_impossible_, client.impossible_values);
+  const std::uint64_t thinned = client.thinned_telemetry - std::exchange(reported_thinned_, client.thinned_telemetry);
 
   if (connection.state != ConnectionState::kConnected) {
     status.summary(DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
@@ -144,6 +148,14 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
                                                 sources_.parameters.robot);
   } else if (!connection.robot_message.empty()) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
+  } else if (impossible > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(impossible) +
+                                               " impossible values dropped, which the log names: is that part of the "
+                                               "robot broken, or does its RCServer not belong to this driver?");
+  } else if (thinned > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(thinned) +
+                                               " measurements dropped: the robot sends more than twice as many as it "
+                                               "was asked for");
   } else if (sources_.settings.telemetryPeriod() == 0) {
     status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
   } else if (rate > 0) {
@@ -154,6 +166,8 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   status.add("measurements per second", oneDecimal(rate));
   status.add("measurements received", client.telemetry);
   status.add("measurements dropped for newer ones", client.dropped_telemetry);
+  status.add("measurements dropped, more than asked for", client.thinned_telemetry);
+  status.add("impossible values dropped", client.impossible_values);
   status.add("requests refused by the robot", client.refusals);
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);

@@ -52,6 +52,8 @@ class DriverDiagnostics {
   Sources sources_;
   std::uint64_t reported_damaged_ = 0;
   std::uint64_t reported_telemetry_ = 0;
+  std::uint64_t reported_impossible_ = 0;
+  std::uint64_t reported_thinned_ = 0;
   std::chrono::steady_clock::time_point telemetry_reported_at_ = std::chrono::steady_clock::now();
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer timer_;

@@ -407,7 +407,9 @@ void RCServer::Admit(Connection* newcomer) {
   was_silent_ = false;
   last_not_over_ = now_;
   session_->Begin();
-  OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
+  if (reports_.Admits(now_)) {
+    OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
+  }
   ServeClient();
 }
 
@@ -428,7 +430,9 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
 
 // Forgets the client and everything it has started.
 void RCServer::DropClient(const char* reason, bool abort) {
-  OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
+  if (reports_.Admits(now_)) {
+    OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
+  }
   client_->Close(abort, now_);
   client_ = NULL;
   session_->End();
@@ -440,7 +444,7 @@ void RCServer::DropClient(const char* reason, bool abort) {
 // Does everything that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
-  pictures_.ReportStream(session_->Camera());
+  pictures_.ReportStream(session_->Camera(), now_, &reports_);
   if (client_->HasWaitingPicture() && !session_->Camera().Wants(pictures_.Order())) {
     client_->DropWaitingPicture();
   }

@@ -11,6 +11,7 @@
 #include <def.h>
 
 #include "rcserver/Connection.h"
+#include "rcserver/ReportLimit.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
@@ -121,6 +122,7 @@ class RCServer : public OObject {
   FileDesk file_desk_;
   PictureTaker pictures_;
   LieDown lie_down_;
+  ReportLimit reports_;  ///< of clients that come and go
   Settings settings_;
   Session* session_;  ///< from DoInit to DoDestroy
   longword now_;

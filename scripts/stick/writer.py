@@ -72,7 +72,11 @@ def _copy_folder(source, target, keep=()):
 
 def _write_wlan_conf(path, text):
     if text is not None:
-        path.write_bytes(text.encode("ascii"))
+        if path.exists():
+            path.unlink()  # a new file has new permissions
+        # It has the WEP key, so on a computer's disk only its owner may read it. A memory stick has no permissions.
+        with open(str(path), "wb", opener=lambda name, flags: os.open(name, flags, 0o600)) as file:
+            file.write(text.encode("ascii"))
         return []
     if path.exists():
         return [f"{path} is as it was."]

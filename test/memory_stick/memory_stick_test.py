@@ -160,6 +160,15 @@ class TheNetwork(Workshop):
                          "IP_GATEWAY=192.168.7.1\r\nDNS_SERVER_1=192.168.7.1\r\nESSID=AIBO\r\nWEPENABLE=1\r\n"
                          "WEPKEY=Example4Robot\r\nAPMODE=1\r\nCHANNEL=3\r\n")
 
+    def test_has_a_key_that_only_its_owner_can_read(self):
+        conf = self.stick / "OPEN-R/SYSTEM/CONF/WLANCONF.TXT"
+        conf.parent.mkdir(parents=True)
+        conf.write_text("ESSID=OLD\r\n")
+        conf.chmod(0o644)
+        self.expect_stick("--essid", "AIBO", "--wep-key", "Example4Robot")
+        self.assertEqual(conf.stat().st_mode & 0o777, 0o600)
+        self.assertIn("WEPKEY=Example4Robot", self.wlan_conf())
+
     def test_with_dhcp_and_no_encryption(self):
         self.assertEqual(wlan_conf(Wlan("home!")), "HOSTNAME=AIBO\r\nUSE_DHCP=1\r\nESSID=home!\r\nWEPENABLE=0\r\n"
                                                    "WEPKEY=\r\nAPMODE=1\r\nCHANNEL=3\r\n")

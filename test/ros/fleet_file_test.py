@@ -47,6 +47,13 @@ class FleetFileTest(unittest.TestCase):
         robots = robots_in((PROJECT / 'config/fleet.yaml').read_text(encoding='utf-8'))
         self.assertEqual(list(robots), ['left', 'right'])
 
+    def test_nothing_in_it_is_replaced(self):
+        self.assert_refused('robots: {a: {host: "$(env HOME).example.com"}}', r"host '\$\(env HOME\)")
+        self.assert_refused('robots: {a: {host: h, camera_info_url: "$(eval 1 + 1)"}}', 'is not replaced in this file')
+
+    def test_a_tag_that_makes_objects_is_refused(self):
+        self.assert_refused('robots: {a: {host: !!python/object/apply:os.system [true]}}', 'it is not YAML')
+
     def test_mistakes_are_refused(self):
         self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' is there twice")
         self.assert_refused('robots: {a: {host: h, host: i}}', "'host' is there twice")

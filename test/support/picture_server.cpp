@@ -20,8 +20,17 @@ using std::chrono::steady_clock;
 namespace version2 = protocol::version2;
 
 namespace test_support {
-PictureServer::PictureServer(int version, std::chrono::microseconds period)
-    : version_(version), period_(period), listener_(bindTo("127.0.0.1", 0)), times_(kRemembered) {
+namespace {
+
+// A flood is made in portions of this size.
+constexpr std::size_t kFloodSize = 65536;
+
+constexpr milliseconds kTelemetryPeriod{32};
+
+}  // namespace
+
+PictureServer::PictureServer(int version, std::chrono::microseconds period, int port)
+    : version_(version), period_(period), listener_(bindTo("127.0.0.1", port)), times_(kRemembered) {
   test_pictures::makeNamed({});  // slow the first time
   port_ = portOf(listener_);
   check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
@@ -42,6 +51,19 @@ void PictureServer::setStopped(bool stopped) {
 void PictureServer::spoilNext(std::function<Bytes(Bytes jpeg)> change) {
   const std::lock_guard<std::mutex> lock(mutex_);
   spoil_ = std::move(change);
+}
+
+void PictureServer::misbehave(Misbehaviour misbehaviour) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    misbehaviour_ = std::make_shared<const Misbehaviour>(std::move(misbehaviour));
+  }
+  wake_up_.raise();
+}
+
+std::shared_ptr<const PictureServer::Misbehaviour> PictureServer::misbehaviour() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return misbehaviour_;
 }
 
 std::pair<test_pictures::Name, Bytes> PictureServer::lastSpoilt() const {
@@ -84,13 +106,20 @@ void PictureServer::serveAll() {
   }
   const TimePoint now = steady_clock::now();
   const bool picture = now >= next_picture_;
+  const bool telemetry = telemetry_ && now >= next_telemetry_;
+  const std::shared_ptr<const Misbehaviour> present = misbehaviour();
   for (Peer& peer : peers_) {
     receive(&peer);
     if (picture) {
       sendPictures(&peer);
     }
+    if (telemetry) {
+      sendTelemetry(&peer);
+    }
+    flood(*present, &peer);
     flush(&peer);
   }
+  next_telemetry_ = telemetry ? now + kTelemetryPeriod : next_telemetry_;
   peers_.remove_if([](const Peer& peer) { return peer.over; });
   if (picture) {
     next_picture_ = std::max(next_picture_ + period_, now);
@@ -104,7 +133,12 @@ void PictureServer::receive(Peer* peer) {
     peer->over = peer->over || count == 0 || (errno != EAGAIN && errno != EINTR);
     return;
   }
+  const std::shared_ptr<const Misbehaviour> present = misbehaviour();
   for (const Request& request : peer->requests.feed(buffer.data(), static_cast<std::size_t>(count))) {
+    if (const auto bytes = present->answer ? present->answer(request) : std::nullopt) {
+      append(*bytes, peer);
+      continue;
+    }
     request.version2 ? answerVersion2(request, peer) : answerVersion1(request, peer);
   }
 }
@@ -147,6 +181,9 @@ void PictureServer::answerVersion2(const Request& request, Peer* peer) {
     case version2::REQUEST_JOINTS:
       ++joint_commands_;
       break;
+    case version2::REQUEST_TELEMETRY:
+      peer->telemetry = request.payload != Bytes{0, 0};
+      break;
     default:
       break;
   }
@@ -167,6 +204,26 @@ void PictureServer::sendPictures(Peer* peer) {
     append(wrap(nextPicture(*peer, false), request, *peer), peer);
   } else if (peer->streaming) {
     append(wrap(nextPicture(*peer, true), 0, *peer), peer);
+  }
+}
+
+void PictureServer::sendTelemetry(Peer* peer) {
+  if (peer->version2 && peer->telemetry) {
+    const auto frame = static_cast<unsigned>(next_telemetry_.time_since_epoch() / milliseconds(8));
+    append(version2_frames::makeFrame(
+               version2::TELEMETRY_PUSH, 0,
+               version2_frames::makeTelemetry(frame, {{'J', 1, 0}, {'J', 2, 0}, {'S', 66, 500000}})),
+           peer);
+  }
+}
+
+void PictureServer::flood(const Misbehaviour& misbehaviour, Peer* peer) {
+  while (misbehaviour.flood && peer->out.size() < kFloodSize) {
+    const Bytes bytes = misbehaviour.flood(peer->version2);
+    if (bytes.empty()) {
+      return;
+    }
+    append(bytes, peer);
   }
 }
 

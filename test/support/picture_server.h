@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -30,9 +32,18 @@ namespace test_support {
 /// Every function may be called from any thread.
 class PictureServer {
  public:
+  /// What a hostile server does. Its functions are called on the server's thread, and may be empty.
+  struct Misbehaviour {
+    /// What it sends without being asked, as fast as the client reads. No bytes: nothing for now.
+    std::function<Bytes(bool version2)> flood;
+    /// Its answer to a request; nothing for the proper one.
+    std::function<std::optional<Bytes>(const Request& request)> answer;
+  };
+
   /// @param version newest version of the protocol that it speaks, 1 or 2
   /// @param period from one picture to the next
-  PictureServer(int version, std::chrono::microseconds period);
+  /// @param port 0 = any free one
+  PictureServer(int version, std::chrono::microseconds period, int port = 0);
   ~PictureServer();
 
   PictureServer(const PictureServer&) = delete;
@@ -43,6 +54,13 @@ class PictureServer {
 
   /// While it is stopped, it neither reads nor sends, like a process that is held by SIGSTOP.
   void setStopped(bool stopped);
+
+  /// From now on it misbehaves in this way, or not any more if both functions are empty.
+  void misbehave(Misbehaviour misbehaviour);
+
+  /// Whether it sends telemetry when it is asked for it (version 2): joints 1 and 2 at 0 and a battery half full, every
+  /// 32 ms. At first it does not.
+  void setTelemetry(bool on) { telemetry_ = on; }
 
   /// Has the next picture of a stream sent as this function changes it.
   void spoilNext(std::function<Bytes(Bytes jpeg)> change);
@@ -68,6 +86,7 @@ class PictureServer {
     RequestScanner requests;
     bool version2 = false;
     bool streaming = false;
+    bool telemetry = false;   // wanted
     std::vector<int> owed{};  // request numbers of pictures; 0 in version 1
     Bytes out{};
     bool over = false;
@@ -82,6 +101,9 @@ class PictureServer {
   void answerVersion1(const Request& request, Peer* peer);
   void answerVersion2(const Request& request, Peer* peer);
   void sendPictures(Peer* peer);
+  void sendTelemetry(Peer* peer);
+  void flood(const Misbehaviour& misbehaviour, Peer* peer);
+  std::shared_ptr<const Misbehaviour> misbehaviour() const;
   Bytes wrap(const Bytes& jpeg, int request, const Peer& peer) const;
   Bytes nextPicture(const Peer& peer, bool may_be_spoilt);
   static void append(const Bytes& bytes, Peer* peer);
@@ -97,10 +119,13 @@ class PictureServer {
   std::atomic<std::uint64_t> number_{0};
   std::atomic<std::uint64_t> joint_commands_{0};
   std::atomic<bool> stopped_{false};
+  std::atomic<bool> telemetry_{false};
+  TimePoint next_telemetry_;
   mutable std::mutex mutex_;  // guards what follows, down to the event
   std::vector<TimePoint> times_;
   std::function<Bytes(Bytes jpeg)> spoil_;
   std::pair<test_pictures::Name, Bytes> spoilt_;
+  std::shared_ptr<const Misbehaviour> misbehaviour_ = std::make_shared<Misbehaviour>();
   aibo_driver::Event wake_up_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

@@ -17,6 +17,7 @@ class SimulatedRobot {
   explicit SimulatedRobot(const std::vector<std::string>& options = {}) : options_(options) { start(0); }
 
   int port() const { return port_; }
+  int consolePort() const { return console_port_; }
 
   /// Types a line at its console, such as "press chin".
   /// @return the answer, "ok: ..." or "error: ..."; empty if none came

@@ -122,15 +122,21 @@ void PictureTaker::CountSent() {
   ++pictures_sent_;
 }
 
-void PictureTaker::ReportStream(const ImageObserver& camera) {
+void PictureTaker::ReportStream(const ImageObserver& camera, longword now, ReportLimit* limit) {
   const bool is_streaming = camera.State() == IOS_CONTINUOUS;
-  if (is_streaming && !is_streaming_) {
-    pictures_sent_ = 0;
-    images_left_out_ = 0;
+  if (is_streaming == is_streaming_) {
+    return;
+  }
+  is_streaming_ = is_streaming;
+  const bool is_reported = limit->Admits(now);
+  if (is_reported && is_streaming) {
     OSYSPRINT(("RCServer: stream on, quality %d\n", static_cast<int>(camera.StreamQuality())));
-  } else if (!is_streaming && is_streaming_) {
+  } else if (is_reported) {
     OSYSPRINT(
         ("RCServer: stream off after %lu pictures, %lu camera images left out\n", pictures_sent_, images_left_out_));
   }
-  is_streaming_ = is_streaming;
+  if (is_streaming) {
+    pictures_sent_ = 0;
+    images_left_out_ = 0;
+  }
 }

@@ -9,6 +9,7 @@
 #include "objects/RegionSender.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
+#include "rcserver/ReportLimit.h"
 #include "rcserver/camera/ImageObserver.h"
 
 /// Counts camera images, has pictures made of them one at a time, and reports on the console when a stream begins and
@@ -70,7 +71,7 @@ class PictureTaker {
 
   /// Reports on the console if the stream has begun, or stopped: with how many pictures, and how many camera images
   /// were left out. Call when requests have been handled.
-  void ReportStream(const ImageObserver& camera);
+  void ReportStream(const ImageObserver& camera, longword now, ReportLimit* limit);
 
  private:
   PictureTaker(const PictureTaker&);

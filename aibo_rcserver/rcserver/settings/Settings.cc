@@ -47,7 +47,7 @@ class LineReader {
   // From 1.
   int Number() const { return number_; }
 
-  // False if the line is too long or has a zero byte in it; Line() is not valid then.
+  // False if the line is too long or has a control character in it, also in its comment; Line() is not valid then.
   bool IsText() const { return is_text_; }
 
   const char* Line() const { return line_; }
@@ -102,6 +102,8 @@ bool LineReader::Next() {
   is_text_ = true;
   bool is_comment = false;
   for (; character != EOF && character != '\n' && character != '\r'; character = getc(file_)) {
+    // A comment with a line end that is none here may hide a setting.
+    is_text_ = is_text_ && (character == '\t' || !iscntrl(character));
     is_comment = is_comment || character == '#';
     if (!is_comment) {
       Add(character);
@@ -123,7 +125,7 @@ void LineReader::SkipNewline() {
 }
 
 void LineReader::Add(int character) {
-  if (size_ == MAX_SETTINGS_LINE_SIZE || character == '\0') {
+  if (size_ == MAX_SETTINGS_LINE_SIZE) {
     is_text_ = false;
     return;
   }
@@ -147,7 +149,7 @@ void Reader::Read(FILE* file) {
   while (reader.Next()) {
     line_ = reader.Number();
     if (!reader.IsText()) {
-      Ignore("it is not text, or longer than 1023 characters", "");
+      Ignore("it has a control character, or more than 1023 characters", "");
     } else if (reader.Line()[0] != '\0') {
       ReadLine(reader.Line());
     }

@@ -61,12 +61,24 @@ void Console::read(Listener& listener) {
     const auto* bytes = reinterpret_cast<const unsigned char*>(typed);
     if (listener.opening.add(bytes, static_cast<std::size_t>(count)) == protocol::Opening::BROWSER) {
       listener.socket.close();
-      print("The console drops a listener that sent HTTP or TLS: a web browser, perhaps at the orders of a web page\n");
+      reportBrowser();
     }
   }
   for (ssize_t i = 0; i < count && listener.socket.isOpen(); ++i) {
     take(listener, typed[i]);
   }
+}
+
+void Console::reportBrowser() {
+  ++browsers_;
+  if (browser_reported_ && now_() - *browser_reported_ < std::chrono::seconds(1)) {
+    return;
+  }
+  browser_reported_ = now_();
+  const std::string more = browsers_ > 1 ? " (" + std::to_string(browsers_ - 1) + " more before it)" : "";
+  browsers_ = 0;
+  print("The console drops a listener that sent HTTP or TLS: a web browser, perhaps at the orders of a web page" +
+        more + "\n");
 }
 
 void Console::take(Listener& listener, char typed) {

@@ -20,7 +20,7 @@ namespace openr_host {
 /// passed to a callback; objects never see them, as on the robot.
 ///
 /// A web page could make a browser send lines to this port. So a listener whose first bytes are a browser's is dropped
-/// (protocol::Opening), and nothing that it sent is obeyed.
+/// (protocol::Opening), and nothing that it sent is obeyed. That is printed at most once a second.
 class Console {
  public:
   /// A further listener takes the place of the one that has been idle longest, or gets a message and is disconnected if
@@ -72,6 +72,7 @@ class Console {
   static void flush(Listener& listener);
   void read(Listener& listener);
   void take(Listener& listener, char typed);
+  void reportBrowser();
   void acceptListeners();
   bool makeRoom();
 
@@ -80,6 +81,8 @@ class Console {
   const std::function<Time()> now_;
   std::optional<TcpListener> port_;
   std::list<Listener> listeners_;
+  std::size_t browsers_ = 0;              ///< dropped and not reported yet
+  std::optional<Time> browser_reported_;  ///< when one was reported last
 };
 
 }  // namespace openr_host

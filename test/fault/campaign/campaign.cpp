@@ -30,7 +30,7 @@ struct Options {
   unsigned seed = 1;
   std::vector<std::string> only{};
   int trial = -1;
-  double percent = 100;
+  double percent = 0;  // 0 = as --help says
   bool short_form = false;
   bool list = false;
 };
@@ -141,7 +141,7 @@ class RowRun {
 };
 
 void printHead() {
-  std::printf("%-5s %-52s %7s %10s %7s %9s %9s %9s %9s\n", "fault", "", "tried", "violations", "excused", "p50 ms",
+  std::printf("%-14s %-52s %7s %10s %7s %9s %9s %9s %9s\n", "fault", "", "tried", "violations", "excused", "p50 ms",
               "p99 ms", "worst ms", "mark ms");
 }
 
@@ -150,7 +150,7 @@ unsigned print(const Row& row, const Result& result, bool short_form) {
   const double p99 = quantile(result.recoveries, 0.99);
   const bool late = !short_form && row.recovery_mark.count() > 0 && p99 > row.recovery_mark.count();
   const bool excuses = !short_form && hasTooManyExcuses(result);
-  std::printf("%-5s %-52s %7u %10u %7u ", row.id.c_str(), row.title.c_str(), result.tried, result.violations,
+  std::printf("%-14s %-52s %7u %10u %7u ", row.id.c_str(), row.title.c_str(), result.tried, result.violations,
               result.excused);
   if (result.recoveries.empty()) {
     std::printf("%9s %9s %9s ", "-", "-", "-");
@@ -175,8 +175,8 @@ po::options_description describe(Options* options) {
     ("seed", po::value(&options->seed)->default_value(1), "seed of all random choices")
     ("only", po::value(&options->only)->composing(), "try only this row of the table, such as F2; may be repeated")
     ("trial", po::value(&options->trial), "try only the fault with this number; needs --only with one row")
-    ("percent", po::value(&options->percent)->default_value(100), "share of all faults to try")
-    ("short", po::bool_switch(&options->short_form), "1 percent, without time limits: for a busy computer");
+    ("percent", po::value(&options->percent), "share of all faults to try (default: 100, with --short 1)")
+    ("short", po::bool_switch(&options->short_form), "without time limits: for a busy computer");
   // clang-format on
   return description;
 }
@@ -218,15 +218,15 @@ int runCampaign(const Options& options) {
 
 int listRows() {
   for (const Row& row : allRows()) {
-    std::printf("%-5s %-60s %6u\n", row.id.c_str(), row.title.c_str(), row.trials);
+    std::printf("%-14s %-60s %6u\n", row.id.c_str(), row.title.c_str(), row.trials);
   }
   return EXIT_SUCCESS;
 }
 
 int run(Options* options) {
   checkOptions(*options);
-  if (options->short_form) {
-    options->percent = std::min(options->percent, 1.0);
+  if (options->percent == 0) {
+    options->percent = options->short_form ? 1 : 100;
   }
   return options->list ? listRows() : runCampaign(*options);
 }
@@ -235,7 +235,7 @@ int run(Options* options) {
 
 std::vector<Row> allRows() {
   std::vector<Row> rows;
-  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows(), wayRows()}) {
+  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows(), wayRows(), hostileRows()}) {
     rows.insert(rows.end(), some.begin(), some.end());
   }
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {

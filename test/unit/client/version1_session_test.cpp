@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -406,7 +407,7 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
     const std::string request = command();
     asked += request + " ";
     EXPECT_EQ("", command()) << "one at a time";
-    receiveValue(request, -1000);
+    receiveValue(request, request[0] == 'J' ? -1000 : 1);
     EXPECT_EQ("", command()) << "the next one is not due yet";
     pass(milliseconds(25));
   }
@@ -425,9 +426,12 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
 
 TEST_F(Version1SessionTest, SensorsAreReportedInTheirUnits) {
   wish_.telemetry_period = 4;
+  const std::set<std::string> switches = {"S9", "S14", "S24", "S34", "S44", "S94"};
   std::map<int, double> values;
   for (int i = 0; i < 36; ++i) {
-    receiveValue(command(), 42);
+    const std::string request = command();
+    const bool is_switch = switches.count(request) > 0;
+    receiveValue(request, is_switch ? 1 : 42);
     for (const SensorReading& reading : telemetry_.back().sensors) {
       values[reading.id] = reading.value;
     }
@@ -435,10 +439,25 @@ TEST_F(Version1SessionTest, SensorsAreReportedInTheirUnits) {
   }
   EXPECT_EQ(18u, values.size());
   EXPECT_DOUBLE_EQ(42, values[5]) << "head_touch, a strength";
+  EXPECT_DOUBLE_EQ(1, values[24]) << "paw_left_hind, a switch";
   EXPECT_DOUBLE_EQ(0.42, values[53]) << "range_near, m";
   EXPECT_DOUBLE_EQ(0.42, values[61]) << "acceleration_front_back, m/s^2";
   EXPECT_DOUBLE_EQ(0.42, values[66]) << "battery, of its capacity";
   EXPECT_DOUBLE_EQ(0.42, values[67]) << "temperature, degree Celsius";
+}
+
+TEST_F(Version1SessionTest, ImpossibleValuesAreDroppedAndNamed) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 72; ++i) {
+    const std::string request = command();
+    receiveValue(request, 32767);
+    pass(milliseconds(25));
+  }
+  EXPECT_TRUE(telemetry_.empty());
+  EXPECT_EQ(72u, counters_.impossible_values);
+  EXPECT_EQ(1, logged("sent an impossible value, which is dropped: the position of head_pan is 5.71892;"));
+  EXPECT_EQ(1, logged("head_touch is 32767;"));
+  EXPECT_EQ(Notifier::kLogBurst + 1, static_cast<int>(log_.size()));
 }
 
 TEST_F(Version1SessionTest, AnAnswerHasTheTimeOfItsFirstByteAndTheNumberOfItsConnection) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <random>
 #include <string>
 
@@ -317,6 +318,9 @@ Bytes makeBurst(unsigned count) {
 }
 
 TEST_F(Version2SessionTest, AllTelemetryOfThoseThatArrivedTogetherIsReportedInOrder) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("T2", request());
+  receive(makeFrame('t', 2, {0, 4}));
   receive(makeBurst(64));
   ASSERT_EQ(64u, telemetry_.size());
   for (unsigned i = 1; i <= 64; ++i) {
@@ -326,7 +330,36 @@ TEST_F(Version2SessionTest, AllTelemetryOfThoseThatArrivedTogetherIsReportedInOr
   EXPECT_EQ(64u, counters_.telemetry);
   EXPECT_EQ(0u, counters_.dropped_telemetry);
   receive(makeBurst(1));
-  EXPECT_EQ(65u, telemetry_.size()) << "each once";
+  EXPECT_EQ(64u, telemetry_.size()) << "each once, and no more than twice as often as asked for";
+  pass(milliseconds(32));
+  receive(makeBurst(1));
+  EXPECT_EQ(65u, telemetry_.size());
+  EXPECT_EQ(1u, counters_.thinned_telemetry);
+}
+
+TEST_F(Version2SessionTest, MeasurementsThatNobodyAskedForEnd) {
+  for (int i = 0; i < 100; ++i) {
+    receive(makeFrame('t', 0, version2_frames::makeTelemetry(4, {{'S', 66, 500000}})));
+    now_ += milliseconds(1);
+  }
+  EXPECT_EQ(64u, telemetry_.size());
+  EXPECT_EQ(36u, counters_.thinned_telemetry);
+}
+
+TEST_F(Version2SessionTest, ImpossibleValuesAreDroppedAndNamed) {
+  constexpr int kLargest = std::numeric_limits<int>::max();
+  receive(makeFrame('t', 0,
+                    version2_frames::makeTelemetry(
+                        4, {{'J', 2, kLargest}, {'J', 3, 0}, {'D', 3, kLargest}, {'S', 66, kLargest}, {'S', 67, -1}})));
+  ASSERT_EQ(1u, telemetry_.size());
+  ASSERT_EQ(1u, telemetry_[0].joints.size());
+  EXPECT_EQ(3, telemetry_[0].joints[0].id);
+  EXPECT_FALSE(telemetry_[0].joints[0].duty);
+  ASSERT_EQ(1u, telemetry_[0].sensors.size());
+  EXPECT_EQ(67, telemetry_[0].sensors[0].id);
+  EXPECT_EQ(3u, counters_.impossible_values);
+  EXPECT_EQ(1, logged("robot:54321 sent an impossible value, which is dropped: the position of head_pan is 2147.48;"));
+  EXPECT_EQ(1, logged("battery is 2147.48;"));
 }
 
 TEST_F(Version2SessionTest, OfMoreTelemetryThanThatTheNewestIsReportedAndTheRestIsCounted) {
@@ -580,6 +613,21 @@ TEST_F(Version2SessionTest, TextsAreCutAt512BytesBetweenCharacters) {
   EXPECT_EQ(most + "... (error code 3)", connection_.robot_message);
   report(most + "x");
   EXPECT_EQ(most + "x (error code 3)", connection_.robot_message);
+}
+
+TEST_F(Version2SessionTest, NamesAndReasonsOfEndsAreCutAt512Bytes) {
+  const std::string text(60000, 'x');
+  const std::string both = text + "\n" + text;
+  for (const std::uint8_t what : {version2::ENDED_MOTION, version2::ENDED_JAM}) {
+    Bytes payload = {what, version2::END_REFUSED, 0, 0};
+    payload.insert(payload.end(), both.begin(), both.end());
+    receive(makeFrame('i', 0, payload));
+  }
+  ASSERT_EQ(2u, ended_.size());
+  EXPECT_EQ(std::string(512, 'x') + "...", ended_[0].name);
+  EXPECT_EQ(std::string(512, 'x') + "...", ended_[0].reason);
+  ASSERT_EQ(1u, log_.size());
+  EXPECT_LT(log_[0].size(), 600u);
 }
 
 TEST_F(Version2SessionTest, ReportsOfAJointAreOverWhenItFollowsAgain) {

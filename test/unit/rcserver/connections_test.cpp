@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "rcserver/ReportLimit.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -129,6 +130,37 @@ TEST_F(ConnectionsTest, WebBrowserIsDroppedBeforeAByteIsHandledAndOthersAreServe
   }
   auto client = connect();
   EXPECT_TRUE(isServed(*client));
+}
+
+TEST_F(ConnectionsTest, ClientsThatComeAndGoAreReportedOnceASecondAfterAFew) {
+  for (int i = 0; i < 100; ++i) {
+    auto browser = connect();
+    browser->send(webPage("POST"));
+    EXPECT_TRUE(awaitEnd(*browser));
+  }
+  const auto lines = [this] {
+    const std::string text = console_.str();
+    return static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
+  };
+  EXPECT_GE(timesSaid("it sent HTTP or TLS"), ReportLimit::BURST / 2 - 1);
+  EXPECT_LT(lines(), ReportLimit::BURST + 10);
+  passFrames(30 * 125);
+  console_.str("");
+  auto client = connect();
+  EXPECT_TRUE(isServed(*client));
+  EXPECT_THAT(console_.str(), testing::AllOf(testing::HasSubstr("lines about clients were left out"),
+                                             testing::HasSubstr("is connected")));
+}
+
+TEST_F(ConnectionsTest, StreamThatIsSwitchedWithoutEndIsReportedOnceASecondAfterAFew) {
+  auto client = connectServed();
+  console_.str("");
+  for (int i = 0; i < 100; ++i) {
+    client->send("W\x55");
+    machine_->runPending();
+  }
+  EXPECT_LE(timesSaid("stream o"), ReportLimit::BURST);
+  EXPECT_GE(timesSaid("stream o"), ReportLimit::BURST - 3);
 }
 
 TEST_F(ConnectionsTest, WebBrowserIsRecognisedByteByByteAndByTls) {

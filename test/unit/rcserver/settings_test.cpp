@@ -111,21 +111,20 @@ TEST_P(BrokenLines, AreReportedAndTheSafeValueIsSet) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lines, BrokenLines,
-    ::testing::Values(BrokenLine{"ALLOW_UPLOAD", "it is not NAME=VALUE"}, BrokenLine{"ALLOW UPLOAD=yes", "NAME=VALUE"},
-                      BrokenLine{"=yes", "no such setting"}, BrokenLine{"ALLOW_UPLOADS=yes", "no such setting"},
-                      BrokenLine{"ALLOW_UPLOA=yes", "no such setting"},
-                      BrokenLine{"ALLOW_UPLOAD=", "ALLOW_UPLOAD= is neither yes nor no; it is set to no"},
-                      BrokenLine{"ALLOW_UPLOAD=1", "neither yes nor no"},
-                      BrokenLine{"ALLOW_UPLOAD=yes, sir", "neither yes nor no"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=0", "1 to 3600; it is set to 10"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=3601", "1 to 3600"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=-5", "1 to 3600"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=5s", "1 to 3600"},
-                      BrokenLine{"SILENT_CLIENT_SECONDS=99999999999999999999", "1 to 3600"},
-                      BrokenLine{"ALLOW_UPLOAD=" + std::string(300, 'x'), "neither yes nor no"},
-                      BrokenLine{std::string(300, 'x'), "NAME=VALUE"},
-                      BrokenLine{"ALLOW_UPLOAD=yes" + std::string(MAX_SETTINGS_LINE_SIZE, ' ') + "x", "not text"},
-                      BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "not text"}));
+    ::testing::Values(
+        BrokenLine{"ALLOW_UPLOAD", "it is not NAME=VALUE"}, BrokenLine{"ALLOW UPLOAD=yes", "NAME=VALUE"},
+        BrokenLine{"=yes", "no such setting"}, BrokenLine{"ALLOW_UPLOADS=yes", "no such setting"},
+        BrokenLine{"ALLOW_UPLOA=yes", "no such setting"},
+        BrokenLine{"ALLOW_UPLOAD=", "ALLOW_UPLOAD= is neither yes nor no; it is set to no"},
+        BrokenLine{"ALLOW_UPLOAD=1", "neither yes nor no"}, BrokenLine{"ALLOW_UPLOAD=yes, sir", "neither yes nor no"},
+        BrokenLine{"SILENT_CLIENT_SECONDS=0", "1 to 3600; it is set to 10"},
+        BrokenLine{"SILENT_CLIENT_SECONDS=3601", "1 to 3600"}, BrokenLine{"SILENT_CLIENT_SECONDS=-5", "1 to 3600"},
+        BrokenLine{"SILENT_CLIENT_SECONDS=5s", "1 to 3600"},
+        BrokenLine{"SILENT_CLIENT_SECONDS=99999999999999999999", "1 to 3600"},
+        BrokenLine{"ALLOW_UPLOAD=" + std::string(300, 'x'), "neither yes nor no"},
+        BrokenLine{std::string(300, 'x'), "NAME=VALUE"},
+        BrokenLine{"ALLOW_UPLOAD=yes" + std::string(MAX_SETTINGS_LINE_SIZE, ' ') + "x", "control character"},
+        BrokenLine{std::string("ALLOW_UPLOAD=yes\0", 17), "control character"}));
 
 TEST(Settings, NameThatAppearsTwiceIsNotAllowed) {
   const Read result = read("ALLOW_UPLOAD=yes\nALLOW_UPLOAD=yes");
@@ -180,6 +179,18 @@ TEST_P(LineEnds, EndLinesAndComments) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Systems, LineEnds, ::testing::Values("\n", "\r\n", "\r"));
+
+// They may have been meant to end lines: then what follows a # is no comment.
+TEST(Settings, ControlCharactersDoNotHideAddresses) {
+  for (const char character : {'\0', '\x01', '\v', '\f', '\x1a', '\x1b', '\x7f'}) {
+    const std::string end(1, character);
+    const Read result = read("# mine" + end + "ALLOWED_ADDRESSES=192.168.1.20" + end);
+    EXPECT_THAT(result.problems, ElementsAre(Pair(1, HasSubstr("has a control character")),
+                                             Pair(1, HasSubstr("only 127.0.0.1 may connect"))));
+    EXPECT_FALSE(result.settings.allowed_addresses.Allow(0x7f000002));
+  }
+  EXPECT_THAT(read("# by M\xc3\xbcller and M\xfcller\tALLOWED_ADDRESSES").problems, IsEmpty());
+}
 
 TEST(Settings, IgnoredLineDoesNotChangeAddressesThatAreSet) {
   const Read result = read("nonsense\nALLOWED_ADDRESSES=192.168.1.20");

@@ -68,7 +68,10 @@ struct ClientStatistics {
   std::uint64_t bytes_received = 0;       ///< bytes read from the socket
   std::uint64_t telemetry = 0;            ///< telemetry delivered
   std::uint64_t dropped_telemetry = 0;  ///< telemetry dropped: this process was held up, and more than 64 waited unread
-  std::uint64_t refusals = 0;           ///< requests that the robot refused
+  std::uint64_t thinned_telemetry = 0;  ///< telemetry dropped: it came more than twice as often as it was asked for
+  std::uint64_t impossible_values =
+      0;                       ///< values dropped from telemetry: no joint or sensor of this robot can have them
+  std::uint64_t refusals = 0;  ///< requests that the robot refused
 };
 
 /// Keeps one connection to an RCServer: gets pictures and telemetry over it, moves the joints, and gives the robot
@@ -93,7 +96,9 @@ class RcServerClient {
   /// Called on the client's thread each time streaming() changes. Same rules.
   using StreamingCallback = std::function<void(bool streaming)>;
   /// Called on the client's thread with measurements of the robot, in order. If several arrived together, such as after
-  /// the radio was held up, it is called for each: for the newest 64, if there are more. Same rules.
+  /// the radio was held up, it is called for each: for the newest 64, if there are more. What comes more than twice as
+  /// often as it was asked for is dropped, and so are values that no joint or sensor of this robot can have. Same
+  /// rules.
   using TelemetryCallback = std::function<void(const Telemetry& telemetry)>;
   /// Called on the client's thread with the targets that the robot accepted for joints, clamped to their limits. Same
   /// rules.

@@ -40,6 +40,16 @@ struct Telemetry {
   std::uint64_t connection_number = 0;
 };
 
+/// The time from an earlier measurement, over the same connection, to a later one: by the robot's clock, or by their
+/// arrivals if one of them has no frame number. Frame numbers may wrap around.
+/// @return seconds
+inline double secondsBetween(const std::optional<std::uint32_t>& earlier_frame,
+                             std::chrono::steady_clock::time_point earlier_arrival, const Telemetry& later) {
+  constexpr double kFrame = 0.008;  // s, an OPEN-R frame
+  return later.frame_number && earlier_frame ? kFrame * static_cast<std::uint32_t>(*later.frame_number - *earlier_frame)
+                                             : std::chrono::duration<double>(later.arrival - earlier_arrival).count();
+}
+
 }  // namespace aibo_driver
 
 #endif  // AIBO_DRIVER_TELEMETRY_H

@@ -1,0 +1,108 @@
+#include "client/possible_values.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "client/units.h"
+#include "robot_model/robot_model.h"
+
+namespace aibo_driver {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr ValueRange kNothing = {kInfinity, -kInfinity};
+constexpr ValueRange kEverything = {-kInfinity, kInfinity};
+
+constexpr double kPositionMargin = 0.2;   // rad
+constexpr double kMoveMargin = 0.05;      // rad
+constexpr double kSpeedFactor = 3;        // of the highest speed
+constexpr double kTwoTurns = 4 * 3.1416;  // rad
+constexpr double kAnySpeed = 100;         // rad/s, of a joint that is not in the tables
+
+std::vector<const robot_model::RobotModel*> modelsFor(const std::string& design) {
+  if (const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str())) {
+    return {model};
+  }
+  return {robot_model::findRobotModel("ERS-7"), robot_model::findRobotModel("ERS-210")};
+}
+
+std::vector<const robot_model::Joint*> jointsFor(const std::string& design, int id) {
+  std::vector<const robot_model::Joint*> joints;
+  for (const robot_model::RobotModel* const model : modelsFor(design)) {
+    const int index = robot_model::findJointByIdentifier(*model, id);
+    if (index != robot_model::NO_JOINT) {
+      joints.push_back(&model->joints[index]);
+    }
+  }
+  return joints;
+}
+
+std::vector<const robot_model::Sensor*> sensorsFor(const std::string& design, int id) {
+  std::vector<const robot_model::Sensor*> sensors;
+  for (const robot_model::RobotModel* const model : modelsFor(design)) {
+    const int index = robot_model::findSensorByIdentifier(*model, id);
+    if (index != robot_model::NO_SENSOR) {
+      sensors.push_back(&model->sensors[index]);
+    }
+  }
+  return sensors;
+}
+
+ValueRange hull(const ValueRange& one, const ValueRange& other) {
+  return {std::min(one.lowest, other.lowest), std::max(one.highest, other.highest)};
+}
+
+ValueRange possibleReadings(const robot_model::Sensor& sensor) {
+  switch (sensor.kind) {
+    case robot_model::SENSOR_TEMPERATURE:
+      return {-40, 125};
+    case robot_model::SENSOR_CHARGE:
+      return {0, 1.05};
+    case robot_model::SENSOR_TOUCH:
+      return {0, 10.0 * sensor.highest};
+    case robot_model::SENSOR_SWITCH:
+      return {0, 1};
+    default:  // in millionths of an SI unit
+      return {std::min(0.0, 2 * fromMicro(sensor.lowest)), 2 * fromMicro(sensor.highest)};
+  }
+}
+
+}  // namespace
+
+ValueRange possiblePositions(const std::string& design, int id) {
+  ValueRange range = kNothing;
+  for (const robot_model::Joint* const joint : jointsFor(design, id)) {
+    range = hull(range, {fromMicro(joint->mechanical_lowest) - kPositionMargin,
+                         fromMicro(joint->mechanical_highest) + kPositionMargin});
+  }
+  return range.lowest <= range.highest ? range : ValueRange{-kTwoTurns, kTwoTurns};
+}
+
+double longestMove(const std::string& design, int id, double seconds) {
+  double speed = 0;
+  for (const robot_model::Joint* const joint : jointsFor(design, id)) {
+    speed = std::max(speed, kSpeedFactor * fromMicro(joint->highest_speed));
+  }
+  return kMoveMargin + (speed > 0 ? speed : kAnySpeed) * seconds;
+}
+
+ValueRange possibleReadings(const std::string& design, int id) {
+  ValueRange range = kNothing;
+  for (const robot_model::Sensor* const sensor : sensorsFor(design, id)) {
+    range = hull(range, possibleReadings(*sensor));
+  }
+  return range.lowest <= range.highest ? range : kEverything;
+}
+
+std::string nameOfJoint(const std::string& design, int id) {
+  const auto joints = jointsFor(design, id);
+  return joints.empty() ? "joint " + std::to_string(id) : joints.front()->name;
+}
+
+std::string nameOfSensor(const std::string& design, int id) {
+  const auto sensors = sensorsFor(design, id);
+  return sensors.empty() ? "sensor " + std::to_string(id) : sensors.front()->name;
+}
+
+}  // namespace aibo_driver

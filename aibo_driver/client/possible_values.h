@@ -1,0 +1,48 @@
+/// @file possible_values.h
+/// Which values a robot's joints and sensors can have, with room for noise: whatever is outside did not come from a
+/// working robot. A design that is not known, as with version 1 of the protocol, is taken for any robot in the tables.
+///
+/// The numbers of robot_model.h say how far things go; how far beyond that a measurement can still be right is our own
+/// choice.
+#ifndef AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H
+#define AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H
+
+#include <string>
+
+namespace aibo_driver {
+
+/// Both ends are possible, too.
+struct ValueRange {
+  double lowest;
+  double highest;
+
+  bool contains(double value) const { return lowest <= value && value <= highest; }
+};
+
+/// Positions of a joint, in rad: the range in which it can be moved by hand, and 0.2 rad (11 degrees) more, for
+/// potentiometers that are a bit off. A joint that is not in the tables can be anywhere within two turns.
+/// @param design of the robot; empty if it is not known
+/// @param id of the joint
+ValueRange possiblePositions(const std::string& design, int id);
+
+/// How far a joint can seem to move in a time, in rad: at three times its highest speed, because somebody may move it
+/// by hand or it may fall, and 0.05 rad (3 degrees) more for noise.
+/// @param seconds not negative
+double longestMove(const std::string& design, int id, double seconds);
+
+/// Duties of a motor, in shares of full power.
+constexpr ValueRange kPossibleDuties = {-1, 1};
+
+/// Values of a sensor, in the units of SensorReading: twice its measuring range for distance, acceleration and force,
+/// ten times for touch, -40 to 125 degrees Celsius, 0 to 1.05 for the charge, 0 or 1 for a switch. Of a sensor that is
+/// not in the tables, everything is possible.
+ValueRange possibleReadings(const std::string& design, int id);
+
+/// The name of a joint for messages: "left_front_knee", or "joint 99" if it is not in the tables.
+std::string nameOfJoint(const std::string& design, int id);
+/// The same for a sensor.
+std::string nameOfSensor(const std::string& design, int id);
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H

@@ -1,0 +1,49 @@
+"""docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
+name."""
+import re
+import unittest
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+REFERENCE = re.compile(r'`([\w.]+):(\w+)`')
+
+
+def rows(document, heading):
+    """The rows of the first table below a heading: lists of cells."""
+    section = document.split(f"\n{heading}\n", 1)[1].split("\n## ", 1)[0]
+    lines = [line for line in section.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in line.strip("|").split(" | ")] for line in lines[2:]]
+
+
+def problem(reference):
+    """What is wrong with FILE and NAME; None if there is such a test."""
+    file, name = reference
+    files = sorted((PROJECT / "test").rglob(file))
+    if not files:
+        return f"there is no file {file} below test/"
+    if not any(re.search(rf"\b{name}\b", path.read_text(encoding="utf-8")) for path in files):
+        return f"{file} has no test {name}"
+    return None
+
+
+class SecurityTest(unittest.TestCase):
+    attacks = rows((PROJECT / "docs/security.md").read_text(encoding="utf-8"), "## Attacks")
+
+    def test_every_attack_has_tests_that_exist(self):
+        self.assertGreater(len(self.attacks), 30)
+        for row in self.attacks:
+            with self.subTest(attack=row[0]):
+                self.assertEqual(len(row), 3, row)
+                references = REFERENCE.findall(row[2])
+                self.assertTrue(references, f"no FILE:NAME in '{row[2]}'")
+                self.assertEqual(", ".join(f"`{file}:{name}`" for file, name in references), row[2])
+                self.assertEqual([p for p in map(problem, references) if p], [])
+
+    def test_a_test_that_does_not_exist_is_found(self):
+        self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
+        self.assertIn("no test", problem(("settings_test.cpp", "EndLines")))
+        self.assertIsNone(problem(("settings_test.cpp", "EndLinesAndComments")))
+
+
+if __name__ == "__main__":
+    unittest.main()

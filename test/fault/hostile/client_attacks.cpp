@@ -1,0 +1,211 @@
+// What hostile clients do.
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include "hostile/attacks.h"
+#include "support/raw_client.h"
+
+namespace hostile {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using test_support::RawClient;
+
+const std::string kVersion2 = {'X', 2};
+
+// A frame's header for version 2.
+std::string header(char kind, unsigned size) {
+  std::string bytes = {kind, 0, 0, 1};
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    bytes += static_cast<char>(size >> shift & 0xFF);
+  }
+  return bytes;
+}
+
+std::string anyBytes(Random& random, int most) {
+  std::string bytes(static_cast<std::size_t>(std::uniform_int_distribution<int>(1, most)(random)), '\0');
+  std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(random()); });
+  return bytes;
+}
+
+/// The server may have turned the client away: then nobody is there.
+std::unique_ptr<RawClient> connectTo(int port) {
+  try {
+    return std::make_unique<RawClient>(port);
+  } catch (const std::system_error&) {
+    return nullptr;
+  }
+}
+
+/// Sends what `more` makes until the server ends the connection, and then again over a new one.
+/// @param first what each connection begins with
+/// @param reads whether the answers are read
+template <typename More>
+void sendAgainAndAgain(int port, const std::string& first, bool reads, TimePoint end, const More& more) {
+  while (steady_clock::now() < end) {
+    const auto client = connectTo(port);
+    bool open = client && client->send(first);
+    while (open && steady_clock::now() < end) {
+      open = client->send(more());
+      if (reads) {
+        const auto answer = client->receive(milliseconds(0));
+        open = open && !(answer && answer->empty());
+      } else {
+        std::this_thread::sleep_for(milliseconds(1));  // nothing more can be sent soon
+      }
+    }
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+}
+
+/// Each connection sends this once, and stays open until the server ends it, or for 20 ms.
+void sendOnceEach(int port, const std::string& bytes, TimePoint end) {
+  do {
+    const auto client = connectTo(port);
+    if (client && client->send(bytes)) {
+      client->receive(milliseconds(20));
+    }
+  } while (steady_clock::now() < end);
+}
+
+/// One byte of this every 20 ms, again and again.
+void drip(int port, const std::string& bytes, TimePoint end) {
+  while (steady_clock::now() < end) {
+    const auto client = connectTo(port);
+    for (std::size_t i = 0; client && i < bytes.size() && steady_clock::now() < end && client->send({bytes[i]}); ++i) {
+      std::this_thread::sleep_for(milliseconds(20));
+    }
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+}
+
+/// Many connections at once, all of which only wait.
+void hold(int port, int count, const std::string& bytes, TimePoint end) {
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < count; ++i) {
+    clients.push_back(connectTo(port));
+    if (clients.back()) {
+      clients.back()->send(bytes);
+    }
+  }
+  std::this_thread::sleep_until(end);
+}
+
+// A browser's POST whose body asks for version 2 and moves the tail.
+std::string post() {
+  const std::string body =
+      kVersion2 + header('J', 12) + std::string({0, 0, 1, 0, 52, 0, 0, 0, 0, 0x0D, char(0xBB), char(0xA0)});
+  return "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: text/plain\r\nContent-Length: " +
+         std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+std::string anyRequest(Random& random) {
+  static const std::string kinds = "HFWJVTOIKLPUDNQRXZ";
+  const std::string payload = anyBytes(random, 300);
+  const char kind = kinds[random() % kinds.size()];
+  return header(kind == 'O' ? 'T' : kind, static_cast<unsigned>(payload.size())) + payload;  // the motors stay on
+}
+
+std::string upload() {
+  const std::string name = "../../../A";
+  std::string payload(1, static_cast<char>(name.size()));
+  payload += name + std::string(60000, 'O');
+  return header('U', static_cast<unsigned>(payload.size())) + payload;
+}
+
+}  // namespace
+
+const std::vector<ClientAttack>& clientAttacks() {
+  static const std::vector<ClientAttack> attacks = {
+      {"nonsense", "random bytes",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendAgainAndAgain(target.port, "", true, end, [&] { return anyBytes(random, 5000); });
+       }},
+      {"payloads", "every request with a random payload",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, true, end, [&] { return anyRequest(random); });
+       }},
+      {"unread", "requests whose answers it does not read",
+       [](const Target& target, Random&, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, false, end, [] { return header('H', 0) + header('N', 0); });
+       }},
+      {"pictures", "requests for pictures that it does not read",
+       [](const Target& target, Random&, TimePoint end) {
+         sendAgainAndAgain(target.port, "", false, end, [] { return std::string("F\x55"); });
+       }},
+      {"slow", "a request, one byte every 20 ms",
+       [](const Target& target, Random&, TimePoint end) {
+         drip(target.port, kVersion2 + header('U', 60000) + std::string(1000, 'x'), end);
+       }},
+      {"half", "half a frame, then nothing",
+       [](const Target& target, Random&, TimePoint end) { hold(target.port, 1, kVersion2 + header('U', 60000), end); }},
+      {"sizes", "frames that announce any size",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, true, end,
+                           [&] { return header('U', static_cast<unsigned>(random()) | 0x10000U); });
+       }},
+      {"uploads", "uploads with the name of another folder",
+       [](const Target& target, Random&, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, true, end, [] { return upload(); });
+       }},
+      {"browser", "a web page's POST that moves the tail",
+       [](const Target& target, Random&, TimePoint end) { sendOnceEach(target.port, post(), end); }},
+      {"tls", "a browser's hello for TLS",
+       [](const Target& target, Random&, TimePoint end) {
+         sendOnceEach(target.port, std::string({0x16, 3, 1, 2, 0, 1, 0, 1, char(0xFC), 3, 3}), end);
+       }},
+      {"connections", "a hundred connections that only wait",
+       [](const Target& target, Random&, TimePoint end) { hold(target.port, 100, "", end); }},
+      {"storm", "connections that end at once",
+       [](const Target& target, Random&, TimePoint end) {
+         while (steady_clock::now() < end) {
+           if (const auto client = connectTo(target.port)) {
+             client->reset();
+           }
+         }
+       }},
+      {"console-line", "an endless line at the console",
+       [](const Target& target, Random&, TimePoint end) {
+         sendAgainAndAgain(target.console_port, "", true, end, [] { return std::string(5000, 'a'); });
+       }},
+      {"console-commands", "wrong commands at the console",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendAgainAndAgain(target.console_port, "", true, end, [&] { return anyBytes(random, 60) + "\n"; });
+       }},
+      {"console-browser", "a web page's POST that presses a button",
+       [](const Target& target, Random&, TimePoint end) {
+         sendOnceEach(target.console_port, "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\npress pause\r\n", end);
+       }},
+      {"console-listeners", "twenty listeners at the console",
+       [](const Target& target, Random&, TimePoint end) { hold(target.console_port, 20, "", end); }},
+  };
+  return attacks;
+}
+
+const ClientAttack& findClientAttack(const std::string& name) {
+  std::string names;
+  for (const ClientAttack& attack : clientAttacks()) {
+    if (attack.name == name) {
+      return attack;
+    }
+    names += " " + attack.name;
+  }
+  throw std::invalid_argument("there is no attack '" + name + "' of clients, but" + names);
+}
+
+void checkLimits(const std::string& address, int seconds) {
+  if (address.rfind("127.", 0) != 0 || address.find_first_not_of("0123456789.") != std::string::npos) {
+    throw std::invalid_argument("'" + address + "' is not an address of this computer alone (127.0.0.1); others are " +
+                                "not attacked");
+  }
+  if (seconds < 1 || seconds > 600) {
+    throw std::invalid_argument("an attack takes 1 to 600 seconds, not " + std::to_string(seconds));
+  }
+}
+
+}  // namespace hostile

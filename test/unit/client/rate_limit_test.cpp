@@ -1,0 +1,88 @@
+#include "client/rate_limit.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/notifier.h"
+
+namespace aibo_driver {
+namespace {
+
+using ::testing::HasSubstr;
+
+class RateLimitTest : public ::testing::Test {
+ protected:
+  int admitted(int messages) {
+    int count = 0;
+    for (int i = 0; i < messages; ++i) {
+      count += limit_.admit(now_, kPeriod).is_admitted ? 1 : 0;
+    }
+    return count;
+  }
+
+  static constexpr int kBurst = 20;
+  static constexpr std::chrono::seconds kPeriod{1};
+
+  RateLimit limit_{kBurst};
+  RateLimit::TimePoint now_{std::chrono::hours(1)};
+};
+
+TEST_F(RateLimitTest, ABurstIsAdmittedAndThenOnePerPeriod) {
+  EXPECT_EQ(admitted(1000), kBurst);
+  now_ += std::chrono::milliseconds(500);
+  EXPECT_EQ(admitted(1000), 0);
+  now_ += std::chrono::milliseconds(500);
+  EXPECT_EQ(admitted(1000), 1);
+  now_ += 3 * kPeriod;
+  EXPECT_EQ(admitted(1000), 3);
+  now_ += std::chrono::hours(1);
+  EXPECT_EQ(admitted(1000), kBurst);
+}
+
+TEST_F(RateLimitTest, WhatComesRarelyIsAllAdmitted) {
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_TRUE(limit_.admit(now_, kPeriod).is_admitted);
+    now_ += kPeriod;
+  }
+}
+
+TEST_F(RateLimitTest, WhatWasLeftOutIsCountedOnce) {
+  EXPECT_EQ(admitted(1000), kBurst);
+  now_ += 2 * kPeriod;
+  EXPECT_EQ(limit_.admit(now_, kPeriod).left_out, 1000U - kBurst);
+  EXPECT_EQ(limit_.admit(now_, kPeriod).left_out, 0U);
+}
+
+TEST_F(RateLimitTest, WithoutAPeriodOnlyTheBurstIsAdmitted) {
+  int count = 0;
+  for (int i = 0; i < 100; ++i) {
+    count += limit_.admit(now_, RateLimit::Duration::zero()).is_admitted ? 1 : 0;
+    now_ += std::chrono::minutes(1);
+  }
+  EXPECT_EQ(count, kBurst);
+  limit_.admit(now_, RateLimit::Duration::zero());
+  EXPECT_EQ(admitted(10), 0) << "the time without a period does not count";
+  now_ += kPeriod;
+  EXPECT_EQ(admitted(10), 1);
+}
+
+// 1000 messages take far less than a second.
+TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
+  std::vector<std::string> lines;
+  RcServerClient::Callbacks callbacks;
+  callbacks.log = [&](LogLevel, const std::string& line) { lines.push_back(line); };
+  const Notifier notifier(std::move(callbacks));
+  for (int i = 0; i < 1000; ++i) {
+    notifier.log(LogLevel::kWarn, "a message");
+  }
+  ASSERT_GE(lines.size(), static_cast<std::size_t>(Notifier::kLogBurst) + 1);
+  EXPECT_LT(lines.size(), 2U * Notifier::kLogBurst);
+  EXPECT_EQ(lines[Notifier::kLogBurst - 1], "a message");
+  EXPECT_THAT(lines[Notifier::kLogBurst], HasSubstr("are left out"));
+}
+
+}  // namespace
+}  // namespace aibo_driver
