@@ -224,6 +224,7 @@ void Version2::Greet(unsigned now) {
     const JointLimits limits = {joint.identifier, joint.lowest, joint.highest, joint.highest_speed};
     hello.joints[i] = limits;
   }
+  hello.walk = WalkLimits();
   Reply(encodeHello(hello, Payload()));
 }
 
