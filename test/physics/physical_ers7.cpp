@@ -8,6 +8,8 @@
 
 #include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/body/sensor_frame_writer.h"
+#include "simulator/ers7/body/stance.h"
+#include "simulator/openr_host/clock.h"
 
 namespace physics {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using simulated_ers7::Leg;
+using robot_model::Leg;
 using simulated_ers7::PrimitiveKind;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -53,7 +55,7 @@ int microradian(double angle) {
   return static_cast<int>(std::lround(angle * 1e6));
 }
 
-simulated_ers7::LegAngles anglesOf(Leg leg, const std::function<double(std::size_t)>& position) {
+robot_model::LegAngles anglesOf(Leg leg, const std::function<double(std::size_t)>& position) {
   const std::size_t first = 4 + 3 * leg;  // in the robot's table
   return {position(first), position(first + 1), position(first + 2)};
 }
@@ -96,7 +98,7 @@ void PhysicalErs7::place(const Posture& posture, const Quaterniond& turn) {
     servos_[i].reference = jointPosition(i);
   }
   std::fill_n(state_->qvel, physics_->nv, 0);
-  std::array<simulated_ers7::LegAngles, simulated_ers7::kLegs> legs;
+  std::array<robot_model::LegAngles, robot_model::NUMBER_OF_LEGS> legs;
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
     legs[leg] = anglesOf(static_cast<Leg>(leg), [this](std::size_t joint) { return jointPosition(joint); });
   }
@@ -354,7 +356,7 @@ Vector3d PhysicalErs7::footPosition(Leg leg) const {
 }
 
 double PhysicalErs7::soleHeight(Leg leg) const {
-  return footPosition(leg).z() - simulated_ers7::kFootRadius;
+  return footPosition(leg).z() - robot_model::FOOT_RADIUS;
 }
 
 bool PhysicalErs7::touchesFloor(Leg leg) const {

@@ -6,15 +6,16 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "body_model.h"
+#include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/battery.h"
 #include "simulator/ers7/body/primitive_table.h"
-#include "simulator/ers7/body/stance.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/openr_host/virtual_robot.h"
 
@@ -89,17 +90,17 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
 
   /// @name The true state after the last frame
   /// @{
-  Eigen::Isometry3d body() const;                               ///< in the room, metres
-  double tilt() const;                                          ///< of the body's up against the room's, in radian
-  double jointPosition(std::size_t joint) const;                ///< radian
-  double jointSpeed(std::size_t joint) const;                   ///< radian/s
-  double torque(std::size_t joint) const;                       ///< of its motor, in N m
-  double duty(std::size_t joint) const;                         ///< of its motor, -1..1
-  double soleHeight(simulated_ers7::Leg leg) const;             ///< lowest point of the foot over the floor, metres
-  bool touchesFloor(simulated_ers7::Leg leg) const;             ///< the foot
-  bool bodyTouchesFloor() const;                                ///< anything else than feet and lower legs
-  Eigen::Vector3d footPosition(simulated_ers7::Leg leg) const;  ///< in the room, metres
-  bool motorsPull() const;                                      ///< power is on, and a joint has gain
+  Eigen::Isometry3d body() const;                            ///< in the room, metres
+  double tilt() const;                                       ///< of the body's up against the room's, in radian
+  double jointPosition(std::size_t joint) const;             ///< radian
+  double jointSpeed(std::size_t joint) const;                ///< radian/s
+  double torque(std::size_t joint) const;                    ///< of its motor, in N m
+  double duty(std::size_t joint) const;                      ///< of its motor, -1..1
+  double soleHeight(robot_model::Leg leg) const;             ///< lowest point of the foot over the floor, metres
+  bool touchesFloor(robot_model::Leg leg) const;             ///< the foot
+  bool bodyTouchesFloor() const;                             ///< anything else than feet and lower legs
+  Eigen::Vector3d footPosition(robot_model::Leg leg) const;  ///< in the room, metres
+  bool motorsPull() const;                                   ///< power is on, and a joint has gain
   /// @}
 
   const robot_model::RobotModel& model() const { return model_; }
@@ -130,7 +131,7 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   const ModelPointer physics_;
   const DataPointer state_;
   int body_;
-  std::array<int, simulated_ers7::kLegs> feet_;  ///< shapes
+  std::array<int, robot_model::NUMBER_OF_LEGS> feet_;  ///< shapes
   simulated_ers7::PrimitiveTable primitives_;
   std::vector<Servo> servos_;
   std::vector<std::array<OSensorValue, kReadings>> sensors_;

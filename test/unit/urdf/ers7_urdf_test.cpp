@@ -10,7 +10,6 @@
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/head_kinematics.h"
-#include "simulator/ers7/body/stance.h"
 #include "urdf_model.h"
 
 namespace {
@@ -243,11 +242,11 @@ TEST_F(Ers7Urdf, TouchesTheFloorWhereTheSimulatedRobotDoes) {
     const urdf::LinkConstSharedPtr link = urdf_.model().getLink(foot + std::string("_foot_link"));
     ASSERT_EQ(link->collision_array.size(), 1U) << foot;
     ASSERT_EQ(link->collision->geometry->type, urdf::Geometry::SPHERE) << foot;
-    EXPECT_EQ(static_cast<const urdf::Sphere&>(*link->collision->geometry).radius, simulated_ers7::kFootRadius);
+    EXPECT_EQ(static_cast<const urdf::Sphere&>(*link->collision->geometry).radius, robot_model::FOOT_RADIUS);
   }
   const urdf::CollisionSharedPtr belly = urdf_.model().getRoot()->collision;
   ASSERT_EQ(belly->geometry->type, urdf::Geometry::BOX);
-  EXPECT_NEAR(static_cast<const urdf::Box&>(*belly->geometry).dim.z / 2, 0.032 + simulated_ers7::kFootRadius, 1e-9);
+  EXPECT_NEAR(static_cast<const urdf::Box&>(*belly->geometry).dim.z / 2, 0.032 + robot_model::FOOT_RADIUS, 1e-9);
 }
 
 class RandomPostures : public Ers7Urdf {
