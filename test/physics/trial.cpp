@@ -193,6 +193,32 @@ Commands always(const Velocity& velocity) {
   return [velocity](double) { return velocity; };
 }
 
+std::vector<Direction> directionsWithin(const protocol::version2::WalkLimits& limits) {
+  const double forward = limits.forward * 1e-3;
+  const double back = limits.back * 1e-3;
+  const double left = limits.left * 1e-3;
+  const double turn = limits.turn * 1e-3;
+  return {
+      {"forward", {forward, 0, 0}},
+      {"back", {-back, 0, 0}},
+      {"left", {0, left, 0}},
+      {"right", {0, -left, 0}},
+      {"turn left", {0, 0, turn}},
+      {"turn right", {0, 0, -turn}},
+      {"slowly forward", {forward / 3, 0, 0}},
+      {"slowly back", {-back / 3, 0, 0}},
+      {"slowly right", {0, -left / 2, 0}},
+      {"forward and turn", {forward / 2, 0, turn / 2}},
+      {"back and left", {-back / 2, left / 2, 0}},
+      {"left and turn", {0, left / 2, -turn / 2}},
+  };
+}
+
+protocol::version2::WalkLimits walkLimits() {
+  static const protocol::version2::WalkLimits limits = Bench().hello().walk;
+  return limits;
+}
+
 Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed) {
   struct State {
     std::minstd_rand random;

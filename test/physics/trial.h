@@ -46,7 +46,20 @@ Record walk(const World& world, const Commands& commands, double seconds);
 /// The same velocity all the time.
 Commands always(const Velocity& velocity);
 
-/// Any velocity within the limits, another one every half to three seconds, sometimes none. Always the same for a seed.
+/// A velocity and what it is called.
+struct Direction {
+  const char* name;
+  Velocity velocity;
+};
+
+/// The directions that are tried: each of the highest velocities, slow ones, and combinations.
+std::vector<Direction> directionsWithin(const protocol::version2::WalkLimits& limits);
+
+/// The velocities that the robot walks at most.
+protocol::version2::WalkLimits walkLimits();
+
+/// Any velocities within the limits, another one every half to three seconds, sometimes none. Always the same for a
+/// seed.
 Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed);
 
 /// What must hold for every walk; each problem in a line.
