@@ -72,7 +72,7 @@ PhysicalErs7::PhysicalErs7(const World& world)
       sensors_(static_cast<std::size_t>(model_.number_of_sensors)),
       regions_(simulated_ers7::sensorFramesSize(sensorFrameEntries().size()),
                [](RCRegion* region) { simulated_ers7::prepareSensorFrames(region, sensorFrameEntries()); }) {
-  Posture posture;
+  JointAngles posture;
   for (int i = 0; i < model_.number_of_joints; ++i) {
     const char* name = model_.joints[i].name;
     const int joint = mj_name2id(physics_.get(), mjOBJ_JOINT, name);
@@ -89,10 +89,10 @@ PhysicalErs7::PhysicalErs7(const World& world)
   place(posture);
 }
 
-void PhysicalErs7::place(const Posture& posture, const Quaterniond& turn) {
+void PhysicalErs7::place(const JointAngles& angles, const Quaterniond& turn) {
   for (std::size_t i = 0; i < servos_.size(); ++i) {
-    const auto position = posture.find(model_.joints[i].name);
-    if (position != posture.end()) {
+    const auto position = angles.find(model_.joints[i].name);
+    if (position != angles.end()) {
       state_->qpos[servos_[i].position_address] = position->second * kDegree;
     }
     servos_[i].reference = jointPosition(i);

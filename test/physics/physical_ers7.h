@@ -29,8 +29,8 @@ struct World {
   double friction = 0.8;
 };
 
-/// Positions by joint, in degrees.
-using Posture = std::map<std::string, double>;
+/// Angles by joint, in degrees.
+using JointAngles = std::map<std::string, double>;
 
 /// Each joint is a DC motor. Its duty is proportional to the distance between the joint and its command, and full if
 /// that is what the joint moves in 3 frames at its highest speed, as in simulator/ers7/body/joint.h. Without a load it
@@ -70,7 +70,7 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
 
   /// Puts the robot on the floor in a posture, at rest; joints that are not named keep their positions.
   /// @param turn of the body against upright: lying on its left side, for example
-  void place(const Posture& posture, const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity());
+  void place(const JointAngles& angles, const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity());
 
   /// Commands a joint directly, for tests without objects: in radian, with power and full gain.
   void drive(std::size_t joint, double position);

@@ -92,7 +92,7 @@ TEST(OddPostures, AreLeftWithoutAFall) {
     PostureTaker taker;
     Bench& bench = taker.bench();
     bench.switchMotors(false);
-    physics::Posture bent;
+    physics::JointAngles bent;
     for (const char* leg : {"left_front", "left_hind", "right_front", "right_hind"}) {
       bent[leg + std::string("_rotator")] = between(-90, 90);
       bent[leg + std::string("_elevator")] = between(0, 40);
