@@ -31,6 +31,8 @@ double Part(double value, double highest) {
 GaitParameters::GaitParameters()
     : period(0.48),
       duty(0.503),
+      margin(0),
+      lag(0),
       height(0.112),
       lift(0.014),
       front_ahead(0.025),
@@ -54,22 +56,19 @@ WalkVelocity Gait::Limited(const WalkVelocity& wanted) const {
 }
 
 void Gait::FindPosture(double phase, const WalkVelocity& velocity, double effort, LegAngles* angles) const {
-  const double on_floor = parameters_.duty * parameters_.period;
+  const double with_floor = parameters_.duty + 2 * parameters_.margin;
   const double sine = sin(parameters_.nose_down);
   const double cosine = cos(parameters_.nose_down);
   for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     const Point middle = FootMiddle(leg);
     const double time = LegPhase(leg, phase);
-    double place = 0.5 - time / parameters_.duty;  // on its line: 0.5 at the front end, -0.5 at the rear end
-    double lift = 0;
-    if (time >= parameters_.duty) {
-      const double part = (time - parameters_.duty) / (1 - parameters_.duty);
-      place = WayThroughAir(part) - 0.5;
-      lift = effort * Lift(part);
-    }
-    const Point foot = {middle.x + place * on_floor * (velocity.forward - velocity.turn * middle.y),
-                        middle.y + place * on_floor * (velocity.left + velocity.turn * middle.x), middle.z + lift};
+    const double in_air = (time - parameters_.duty) / (1 - parameters_.duty);
+    const double lift = in_air >= 0 ? effort * Lift(in_air) : 0;
+    // With the floor's speed, the foot needs these seconds from here to its middle.
+    const double ahead = PlaceAt(time + parameters_.margin) * with_floor * parameters_.period - parameters_.lag;
+    const Point foot = {middle.x + ahead * (velocity.forward - velocity.turn * middle.y),
+                        middle.y + ahead * (velocity.left + velocity.turn * middle.x), middle.z + lift};
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
   }
@@ -81,9 +80,17 @@ double Gait::LegPhase(Leg leg, double phase) {
   return shifted - floor(shifted);
 }
 
-// The floor moves backward at this speed, in parts of the line and of the time in the air.
-double Gait::WayThroughAir(double part) const {
-  return Eased(part, parameters_.easing, -(1 - parameters_.duty) / parameters_.duty);
+// Where a foot is on its line: 0.5 at the front end, -0.5 at the rear end.
+// @param time since it has been at the front end, in parts of the period
+double Gait::PlaceAt(double time) const {
+  const double with_floor = parameters_.duty + 2 * parameters_.margin;
+  time -= floor(time);
+  if (time < with_floor) {
+    return 0.5 - time / with_floor;
+  }
+  // The floor moves backward at this speed, in parts of the line and of the time that is left.
+  const double speed = -(1 - with_floor) / with_floor;
+  return Eased((time - with_floor) / (1 - with_floor), parameters_.easing, speed) - 0.5;
 }
 
 double Gait::Lift(double part) const {
