@@ -35,7 +35,7 @@ class Fall : public ::testing::Test {
 TEST_F(Fall, EndsTheWalkAndLetsTheLegsGoSoft) {
   walk();
   bench_.robot().push({0, 16, 0});
-  passSeconds(0.6);
+  passSeconds(1);
   bench_.robot().push({0, 0, 0});
   ASSERT_GT(bench_.robot().tilt(), 1);
   const End end = bench_.awaitEnd(version2::ENDED_WALK, 2);

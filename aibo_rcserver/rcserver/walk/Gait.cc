@@ -29,18 +29,18 @@ double Part(double value, double highest) {
 }  // namespace
 
 GaitParameters::GaitParameters()
-    : period(0.48),
+    : period(0.453),
       duty(0.503),
-      margin(0),
-      lag(0),
-      height(0.112),
-      lift(0.014),
-      front_ahead(0.025),
-      hind_ahead(0.0086),
-      outward(0.031),
-      nose_down(0.02),
-      easing(0.2),
-      lift_easing(0.09),
+      margin(0.024),
+      lag(0.045),
+      height(0.115),
+      lift(0.015),
+      front_ahead(0.023),
+      hind_ahead(0.0103),
+      outward(0.0143),
+      nose_down(-0.019),
+      easing(0.187),
+      lift_easing(0.06),
       highest_forward(0.15),
       highest_back(0.1),
       highest_left(0.06),
@@ -72,6 +72,11 @@ void Gait::FindPosture(double phase, const WalkVelocity& velocity, double effort
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
   }
+}
+
+bool Gait::MovesWithFloor(Leg leg, double phase) const {
+  const double since = LegPhase(leg, phase) + parameters_.margin;
+  return since - floor(since) < parameters_.duty + 2 * parameters_.margin;
 }
 
 double Gait::LegPhase(Leg leg, double phase) {

@@ -79,6 +79,10 @@ class Gait {
   /// @param phase of the step, 0..1
   bool IsOnFloor(robot_model::Leg leg, double phase) const { return LegPhase(leg, phase) < parameters_.duty; }
 
+  /// True while a leg's foot moves with the floor: while it is on the floor, and for the margin before and after. With
+  /// a margin of a frame or more, a pair of legs always does so from one frame to the next.
+  bool MovesWithFloor(robot_model::Leg leg, double phase) const;
+
   /// Where the legs are.
   /// @param phase of the step, 0..1
   /// @param velocity that Limited() has returned
