@@ -29,16 +29,18 @@ double Part(double value, double highest) {
 }  // namespace
 
 GaitParameters::GaitParameters()
-    : period(0.48),
+    : period(0.453),
       duty(0.503),
-      height(0.112),
-      lift(0.014),
-      front_ahead(0.025),
-      hind_ahead(0.0086),
-      outward(0.031),
-      nose_down(0.02),
-      easing(0.2),
-      lift_easing(0.09),
+      margin(0.024),
+      lag(0.045),
+      height(0.115),
+      lift(0.015),
+      front_ahead(0.023),
+      hind_ahead(0.0103),
+      outward(0.0143),
+      nose_down(-0.019),
+      easing(0.187),
+      lift_easing(0.06),
       highest_forward(0.15),
       highest_back(0.1),
       highest_left(0.06),
@@ -54,25 +56,27 @@ WalkVelocity Gait::Limited(const WalkVelocity& wanted) const {
 }
 
 void Gait::FindPosture(double phase, const WalkVelocity& velocity, double effort, LegAngles* angles) const {
-  const double on_floor = parameters_.duty * parameters_.period;
+  const double with_floor = parameters_.duty + 2 * parameters_.margin;
   const double sine = sin(parameters_.nose_down);
   const double cosine = cos(parameters_.nose_down);
   for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     const Point middle = FootMiddle(leg);
     const double time = LegPhase(leg, phase);
-    double place = 0.5 - time / parameters_.duty;  // on its line: 0.5 at the front end, -0.5 at the rear end
-    double lift = 0;
-    if (time >= parameters_.duty) {
-      const double part = (time - parameters_.duty) / (1 - parameters_.duty);
-      place = WayThroughAir(part) - 0.5;
-      lift = effort * Lift(part);
-    }
-    const Point foot = {middle.x + place * on_floor * (velocity.forward - velocity.turn * middle.y),
-                        middle.y + place * on_floor * (velocity.left + velocity.turn * middle.x), middle.z + lift};
+    const double in_air = (time - parameters_.duty) / (1 - parameters_.duty);
+    const double lift = in_air >= 0 ? effort * Lift(in_air) : 0;
+    // With the floor's speed, the foot needs these seconds from here to its middle.
+    const double ahead = PlaceAt(time + parameters_.margin) * with_floor * parameters_.period - parameters_.lag;
+    const Point foot = {middle.x + ahead * (velocity.forward - velocity.turn * middle.y),
+                        middle.y + ahead * (velocity.left + velocity.turn * middle.x), middle.z + lift};
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
   }
+}
+
+bool Gait::MovesWithFloor(Leg leg, double phase) const {
+  const double since = LegPhase(leg, phase) + parameters_.margin;
+  return since - floor(since) < parameters_.duty + 2 * parameters_.margin;
 }
 
 double Gait::LegPhase(Leg leg, double phase) {
@@ -81,9 +85,17 @@ double Gait::LegPhase(Leg leg, double phase) {
   return shifted - floor(shifted);
 }
 
-// The floor moves backward at this speed, in parts of the line and of the time in the air.
-double Gait::WayThroughAir(double part) const {
-  return Eased(part, parameters_.easing, -(1 - parameters_.duty) / parameters_.duty);
+// Where a foot is on its line: 0.5 at the front end, -0.5 at the rear end.
+// @param time since it has been at the front end, in parts of the period
+double Gait::PlaceAt(double time) const {
+  const double with_floor = parameters_.duty + 2 * parameters_.margin;
+  time -= floor(time);
+  if (time < with_floor) {
+    return 0.5 - time / with_floor;
+  }
+  // The floor moves backward at this speed, in parts of the line and of the time that is left.
+  const double speed = -(1 - with_floor) / with_floor;
+  return Eased((time - with_floor) / (1 - with_floor), parameters_.easing, speed) - 0.5;
 }
 
 double Gait::Lift(double part) const {

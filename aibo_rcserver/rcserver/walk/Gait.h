@@ -26,6 +26,14 @@ struct GaitParameters {
   /// Share of the period in which a foot is on the floor. Two feet always are, from 0.5 on.
   double duty;
 
+  /// Share of the period for which a foot moves with the floor already before it touches down, and still after it has
+  /// lifted off. Motors follow late; a foot that is still turning round when it touches the floor drags the robot.
+  double margin;
+
+  /// s; feet stand where they would be this much later. Motors follow late, so feet on the floor are ahead of where
+  /// they should be, and the robot would lean back.
+  double lag;
+
   double height;       ///< m; of the shoulders over the floor
   double lift;         ///< m; how high a foot is lifted in the middle of its way through the air
   double front_ahead;  ///< m; where a front foot stands, ahead of its shoulder
@@ -33,8 +41,8 @@ struct GaitParameters {
   double outward;      ///< m; where a foot stands, farther from the middle of the body than its shoulder
   double nose_down;    ///< rad; how far the body leans forward
 
-  /// Share of its way through the air in which a foot turns from the floor's speed to its own; the same before it comes
-  /// down. 0..0.5; the smaller, the lower its highest speed and the higher its acceleration.
+  /// Share of its way to the front in which a foot turns from the floor's speed to its own; the same before it moves
+  /// with the floor again. 0..0.5; the smaller, the lower its highest speed and the higher its acceleration.
   double easing;
 
   /// Share of its way through the air in which a foot begins to rise; the same for the end of its rise, the beginning
@@ -71,6 +79,10 @@ class Gait {
   /// @param phase of the step, 0..1
   bool IsOnFloor(robot_model::Leg leg, double phase) const { return LegPhase(leg, phase) < parameters_.duty; }
 
+  /// True while a leg's foot moves with the floor: while it is on the floor, and for the margin before and after. With
+  /// a margin of a frame or more, a pair of legs always does so from one frame to the next.
+  bool MovesWithFloor(robot_model::Leg leg, double phase) const;
+
   /// Where the legs are.
   /// @param phase of the step, 0..1
   /// @param velocity that Limited() has returned
@@ -80,7 +92,7 @@ class Gait {
 
  private:
   static double LegPhase(robot_model::Leg leg, double phase);
-  double WayThroughAir(double part) const;
+  double PlaceAt(double time) const;
   double Lift(double part) const;
   robot_model::Point FootMiddle(robot_model::Leg leg) const;
 

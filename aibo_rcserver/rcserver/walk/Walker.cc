@@ -470,7 +470,7 @@ void Walker::Report(bool is_walk, Posture posture, Cause cause, int joint) {
   }
 }
 
-// The rigid motion of the body that comes nearest to that of the feet on the floor.
+// The rigid motion of the body that comes nearest to that of the feet that move with the floor.
 WalkVelocity Walker::VelocityOver(const LegAngles* before, const LegAngles* after) const {
   Point places[NUMBER_OF_LEGS];
   Point steps[NUMBER_OF_LEGS];  // of the body, seen from the foot
@@ -479,7 +479,7 @@ WalkVelocity Walker::VelocityOver(const LegAngles* before, const LegAngles* afte
   Point step = {0, 0, 0};
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
-    if (!gait_.IsOnFloor(leg, last_phase_) || !gait_.IsOnFloor(leg, phase_)) {
+    if (!gait_.MovesWithFloor(leg, last_phase_) || !gait_.MovesWithFloor(leg, phase_)) {
       continue;
     }
     const Point was = findFoot(leg, before[i]);
