@@ -1,13 +1,14 @@
 #include <gmock/gmock.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <map>
 #include <random>
 #include <set>
 #include <string>
 
+#include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
-#include "ros/body/stance.h"
 #include "simulator/ers7/body/head_kinematics.h"
 #include "urdf_model.h"
 
@@ -176,6 +177,78 @@ TEST_F(Ers7Urdf, MeasuresAccelerationInTheBodysAxes) {
   EXPECT_TRUE(urdf_.linkPose("imu_link", {}).linear().isIdentity(kPrecision));
 }
 
+Eigen::Matrix3d inertiaOf(const urdf::Inertial& inertial) {
+  Eigen::Matrix3d inertia;
+  inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
+      inertial.ixy, inertial.iyy, inertial.iyz,         //
+      inertial.ixz, inertial.iyz, inertial.izz;
+  return inertia;
+}
+
+TEST_F(Ers7Urdf, WeighsWhatSonySays) {
+  double mass = 0;
+  for (const auto& link : urdf_.model().links_) {
+    mass += link.second->inertial ? link.second->inertial->mass : 0;
+  }
+  EXPECT_NEAR(mass, 1.65, 1e-9);
+}
+
+// robot_state_publisher warns about a root link with a mass, because KDL cannot use it.
+TEST_F(Ers7Urdf, HasNoMassAtItsRoot) {
+  EXPECT_FALSE(urdf_.model().getRoot()->inertial);
+}
+
+TEST_F(Ers7Urdf, HasAMassAndAShapeInEveryPartThatMoves) {
+  for (int i = 0; i < table_.number_of_joints; ++i) {
+    const urdf::LinkConstSharedPtr link = urdf_.model().getLink(table_.joints[i].name + std::string("_link"));
+    EXPECT_TRUE(link->inertial) << link->name;
+    EXPECT_TRUE(link->collision) << link->name;
+  }
+}
+
+// Three positive principal moments, none of which exceeds the sum of the others: no body has anything else.
+TEST_F(Ers7Urdf, HasInertiasThatABodyCanHave) {
+  for (const auto& [name, link] : urdf_.model().links_) {
+    if (link->inertial) {
+      const Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertiaOf(*link->inertial)).eigenvalues();
+      EXPECT_GT(moments[0], 0) << name;
+      EXPECT_LE(moments[2], 1.001 * (moments[0] + moments[1])) << name;  // the file's numbers are rounded
+    }
+  }
+}
+
+TEST_F(Ers7Urdf, HasTheSameMassesOnBothSides) {
+  const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
+  int pairs = 0;
+  for (const auto& [name, left] : urdf_.model().links_) {
+    if (name.rfind("left_", 0) != 0 || !left->inertial) {
+      continue;
+    }
+    const urdf::LinkConstSharedPtr right = urdf_.model().getLink("right_" + name.substr(5));
+    ASSERT_TRUE(right && right->inertial) << name;
+    EXPECT_EQ(left->inertial->mass, right->inertial->mass) << name;
+    const urdf::Vector3& at = left->inertial->origin.position;
+    const urdf::Vector3& mirrored = right->inertial->origin.position;
+    EXPECT_EQ(Vector3d(at.x, at.y, at.z), Vector3d(mirrored.x, -mirrored.y, mirrored.z)) << name;
+    EXPECT_EQ(inertiaOf(*left->inertial), mirror * inertiaOf(*right->inertial) * mirror) << name;
+    ++pairs;
+  }
+  EXPECT_EQ(pairs, 2 * 3 + 1);  // two legs of three parts, and an ear
+}
+
+// Its feet are what it stands on, and its belly what it lies on, as in the simulated robot.
+TEST_F(Ers7Urdf, TouchesTheFloorWhereTheSimulatedRobotDoes) {
+  for (const char* foot : {"left_front", "left_hind", "right_front", "right_hind"}) {
+    const urdf::LinkConstSharedPtr link = urdf_.model().getLink(foot + std::string("_foot_link"));
+    ASSERT_EQ(link->collision_array.size(), 1U) << foot;
+    ASSERT_EQ(link->collision->geometry->type, urdf::Geometry::SPHERE) << foot;
+    EXPECT_EQ(static_cast<const urdf::Sphere&>(*link->collision->geometry).radius, robot_model::FOOT_RADIUS);
+  }
+  const urdf::CollisionSharedPtr belly = urdf_.model().getRoot()->collision;
+  ASSERT_EQ(belly->geometry->type, urdf::Geometry::BOX);
+  EXPECT_NEAR(static_cast<const urdf::Box&>(*belly->geometry).dim.z / 2, 0.032 + robot_model::FOOT_RADIUS, 1e-9);
+}
+
 class RandomPostures : public Ers7Urdf {
  protected:
   Posture next() {
@@ -210,18 +283,18 @@ TEST_F(RandomPostures, HaveTheCameraWhereTheSimulatedRobotHasIt) {
   }
 }
 
-TEST_F(RandomPostures, HaveTheFeetWhereTheDriverEstimatesTheStance) {
-  using aibo_driver::node::Leg;
-  const std::map<std::string, Leg> legs = {{"left_front", aibo_driver::node::kLeftFront},
-                                           {"left_hind", aibo_driver::node::kLeftHind},
-                                           {"right_front", aibo_driver::node::kRightFront},
-                                           {"right_hind", aibo_driver::node::kRightHind}};
+TEST_F(RandomPostures, HaveTheFeetWhereTheLegsOfTheRobotModelHaveThem) {
+  const std::map<std::string, robot_model::Leg> legs = {{"left_front", robot_model::LEFT_FRONT_LEG},
+                                                        {"left_hind", robot_model::LEFT_HIND_LEG},
+                                                        {"right_front", robot_model::RIGHT_FRONT_LEG},
+                                                        {"right_hind", robot_model::RIGHT_HIND_LEG}};
   for (int i = 0; i < 1000; ++i) {
     const Posture posture = next();
     for (const auto& [name, leg] : legs) {
-      const Vector3d foot = aibo_driver::node::footOf(
+      const robot_model::Point foot = robot_model::findFoot(
           leg, {posture.at(name + "_rotator"), posture.at(name + "_elevator"), posture.at(name + "_knee")});
-      ASSERT_LT((foot - urdf_.linkPose(name + "_foot_link", posture).translation()).norm(), kPrecision) << name;
+      const Vector3d expected = urdf_.linkPose(name + "_foot_link", posture).translation();
+      ASSERT_LT((Vector3d(foot.x, foot.y, foot.z) - expected).norm(), kPrecision) << name;
     }
   }
 }

@@ -1,0 +1,171 @@
+#include "bench.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "objects/HostSettings.h"
+#include "protocol/version1.h"
+#include "simulator/object_catalog.h"
+
+namespace physics {
+namespace {
+
+namespace version2 = protocol::version2;
+
+constexpr unsigned kFramesPerSecond = 125;
+constexpr unsigned kFramesBetweenSteering = 12;
+
+/// For the server to boot, and for an answer.
+constexpr unsigned kPatience = 100;
+
+short thousandths(double value) {
+  return static_cast<short>(std::lround(value * 1000));
+}
+
+}  // namespace
+
+Bench::Bench(const World& world) : robot_(world) {
+  HostSettings host;
+  host.memory_stick = MEMORY_STICK;
+  setHostSettings(host);
+  openr_host::MachineOptions options;
+  options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
+  options.memory_stick = host.memory_stick;
+  options.catalog = objectCatalog();
+  machine_ = std::make_unique<openr_host::Machine>(options, clock_, robot_);
+  machine_->boot();
+  connect();
+}
+
+void Bench::connect() {
+  client_ = std::make_unique<test_support::TestClient>(machine_->hostPort(protocol::RCSERVER_PORT));
+  const protocol::BasicGetCommand ask = version2::versionRequest();
+  client_->send({ask.command, static_cast<char>(ask.identifier)});
+  const bool agreed = machine_->runUntil([this] {
+    const auto answer = client_->take(protocol::VALUE_REPLY_SIZE);
+    return !answer.empty() && version2::agreesToVersion2(protocol::decodeValueReply(answer.data()));
+  });
+  if (!agreed) {
+    throw std::runtime_error("the server does not answer");
+  }
+  request(version2::REQUEST_HELLO, 0, {});
+  request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_WITH_WALK, {0, 1});
+  for (unsigned i = 0; i < kPatience; ++i) {
+    passFrame();
+  }
+}
+
+void Bench::request(char kind, int id, const std::vector<unsigned char>& payload) {
+  const version2::FrameHeader header = {kind, static_cast<unsigned char>(id), ++last_number_,
+                                        static_cast<unsigned>(payload.size())};
+  unsigned char bytes[version2::FRAME_HEADER_SIZE];
+  encodeFrameHeader(header, bytes);
+  client_->send(std::string(bytes, bytes + sizeof(bytes)) + std::string(payload.begin(), payload.end()));
+}
+
+void Bench::steer(const Velocity& velocity) {
+  wanted_ = velocity;
+  steering_ = true;
+}
+
+void Bench::take(version2::Posture posture) {
+  steering_ = false;
+  request(version2::REQUEST_POSTURE, posture, {});
+}
+
+void Bench::switchMotors(bool on) {
+  request(version2::REQUEST_MOTORS, 0, {static_cast<unsigned char>(on)});
+}
+
+void Bench::passFrame() {
+  if (clock_.frame() % kFramesPerSecond == 0) {
+    request(version2::REQUEST_HELLO, 0, {});
+  }
+  if (steering_ && clock_.frame() % kFramesBetweenSteering == 0) {
+    std::vector<unsigned char> payload(version2::VELOCITY_SIZE);
+    const version2::Velocity velocity = {thousandths(wanted_.forward), thousandths(wanted_.left),
+                                         thousandths(wanted_.turn)};
+    encodeVelocity(velocity, payload.data());
+    request(version2::REQUEST_STEER, 0, payload);
+  }
+  clock_.step();
+  machine_->runPending();
+  listen();
+}
+
+void Bench::listen() {
+  while (const auto frame = client_->nextFrame()) {
+    hear(*frame);
+  }
+  if (client_->ended()) {
+    throw std::runtime_error("the server has closed the connection");
+  }
+}
+
+void Bench::hear(const test_support::Frame& frame) {
+  const unsigned char* payload = frame.payload.data();
+  const size_t size = frame.payload.size();
+  version2::Velocity velocity = {};
+  version2::EndMessage end = {};
+  version2::ErrorMessage error = {};
+  if (version2::isError(frame.header.kind, size)) {
+    decodeErrorMessage(payload, size, &error);
+    errors_.emplace_back(error.text, error.text_size);
+  } else if (frame.header.kind == version2::replyKind(version2::REQUEST_HELLO)) {
+    decodeHello(payload, size, &hello_);
+  } else if (frame.header.kind == version2::replyKind(version2::REQUEST_STEER)) {
+    decodeVelocity(payload, size, &velocity);
+    in_force_ = {velocity.forward * 1e-3, velocity.left * 1e-3, velocity.turn * 1e-3};
+  } else if (frame.header.kind == version2::END_PUSH && decodeEndMessage(payload, size, &end) == nullptr) {
+    ends_.push_back({end.what, end.how, {end.name, end.name_size}, {end.reason, end.reason_size}});
+  } else if (frame.header.kind == version2::TELEMETRY_PUSH && frame.header.request_number == 0) {
+    hearTelemetry(frame);
+  }
+}
+
+void Bench::hearTelemetry(const test_support::Frame& frame) {
+  version2::Telemetry telemetry = {};
+  if (decodeTelemetry(frame.payload.data(), frame.payload.size(), &telemetry) != nullptr) {
+    throw std::runtime_error("the server sends telemetry that cannot be read");
+  }
+  for (size_t i = 0; i < telemetry.count; ++i) {
+    const version2::TelemetryEntry& entry = telemetry.entries[i];
+    if (entry.group != version2::GROUP_WALK) {
+      continue;
+    }
+    switch (entry.id) {
+      case version2::WALK_FORWARD:
+        step_.velocity.forward = entry.value * 1e-6;
+        break;
+      case version2::WALK_LEFT:
+        step_.velocity.left = entry.value * 1e-6;
+        break;
+      case version2::WALK_TURN:
+        step_.velocity.turn = entry.value * 1e-6;
+        break;
+      case version2::WALK_PHASE:
+        step_.phase = entry.value * 1e-6;
+        break;
+      case version2::WALK_STATE:
+        step_.state = entry.value;
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+End Bench::awaitEnd(int what, double seconds) {
+  const size_t before = ends_.size();
+  for (unsigned i = 0; i < seconds * kFramesPerSecond; ++i) {
+    passFrame();
+    for (size_t end = before; end < ends_.size(); ++end) {
+      if (ends_[end].what == what) {
+        return ends_[end];
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace physics

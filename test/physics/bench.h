@@ -1,0 +1,109 @@
+/// @file bench.h
+/// The robot's own program on a robot with weight, and a client that steers it.
+#ifndef TEST_PHYSICS_BENCH_H
+#define TEST_PHYSICS_BENCH_H
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "physical_ers7.h"
+#include "protocol/hello.h"
+#include "protocol/version2.h"
+#include "protocol/walk_requests.h"
+#include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/machine.h"
+#include "support/test_client.h"
+
+namespace physics {
+
+/// A velocity in m/s and radian/s: forward, to the left, turning to the left.
+struct Velocity {
+  double forward = 0;
+  double left = 0;
+  double turn = 0;
+};
+
+/// What the robot says about its walk in a frame.
+struct Step {
+  Velocity velocity;
+  double phase = 0;  ///< 0..1
+  int state = 0;     ///< protocol::version2::WalkState
+};
+
+/// What an end says that the robot pushes.
+struct End {
+  int what;
+  int how;
+  std::string name;
+  std::string reason;
+};
+
+/// All on one thread and in stepped time, so that each run is the same to the last bit.
+class Bench {
+ public:
+  /// Boots RCServer on the robot, and connects a client of version 2 that asks for telemetry in every frame. The motors
+  /// are on.
+  /// @throw std::runtime_error if the server does not answer
+  explicit Bench(const World& world = World());
+
+  PhysicalErs7& robot() { return robot_; }
+  const protocol::version2::Hello& hello() const { return hello_; }
+
+  /// From now on, the client steers ten times a second.
+  void steer(const Velocity& velocity);
+
+  /// From now on, the client does not steer; the robot stops by itself.
+  void letGo() { steering_ = false; }
+
+  /// Asks for a posture.
+  void take(protocol::version2::Posture posture);
+
+  void switchMotors(bool on);
+
+  /// One frame passes.
+  void passFrame();
+
+  /// Passes frames until something of this kind has ended.
+  /// @param what protocol::version2::ENDED_WALK, for example
+  /// @return the end; its `what` is 0 if none came in this time
+  End awaitEnd(int what, double seconds);
+
+  /// What the robot said last.
+  const Step& step() const { return step_; }
+
+  /// The velocity in force: the last answer to steering.
+  const Velocity& velocityInForce() const { return in_force_; }
+
+  /// Ends that the robot has pushed, and texts of its errors, all since the beginning.
+  const std::vector<End>& ends() const { return ends_; }
+  const std::vector<std::string>& errors() const { return errors_; }
+
+  /// OPEN-R's frames since the beginning.
+  unsigned frames() const { return clock_.frame(); }
+
+ private:
+  void request(char kind, int id, const std::vector<unsigned char>& payload);
+  void connect();
+  void listen();
+  void hear(const test_support::Frame& frame);
+  void hearTelemetry(const test_support::Frame& frame);
+
+  PhysicalErs7 robot_;
+  openr_host::SteppedClock clock_;
+  std::unique_ptr<openr_host::Machine> machine_;
+  std::unique_ptr<test_support::TestClient> client_;
+  protocol::version2::Hello hello_ = {};
+  unsigned short last_number_ = 0;
+  bool steering_ = false;
+  Velocity wanted_;
+  Velocity in_force_;
+  Step step_;
+  std::vector<End> ends_;
+  std::vector<std::string> errors_;
+};
+
+}  // namespace physics
+
+#endif  // TEST_PHYSICS_BENCH_H

@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "bench.h"
+
+namespace {
+
+using physics::Bench;
+using physics::End;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+namespace version2 = protocol::version2;
+
+class Fall : public ::testing::Test {
+ protected:
+  void passSeconds(double seconds) {
+    for (double time = 0; time < seconds; time += 0.008) {
+      bench_.passFrame();
+    }
+  }
+
+  void walk() {
+    bench_.steer({0.08, 0, 0});
+    passSeconds(4);
+    ASSERT_EQ(bench_.step().state, version2::WALK_STATE_WALKS);
+  }
+
+  Bench bench_;
+};
+
+// Pushed over, it stops walking at once, and after a second its legs no longer push against whatever is there.
+TEST_F(Fall, EndsTheWalkAndLetsTheLegsGoSoft) {
+  walk();
+  bench_.robot().push({0, 16, 0});
+  passSeconds(1);
+  bench_.robot().push({0, 0, 0});
+  ASSERT_GT(bench_.robot().tilt(), 1);
+  const End end = bench_.awaitEnd(version2::ENDED_WALK, 2);
+  EXPECT_EQ(end.how, version2::END_FELL);
+  EXPECT_THAT(end.reason, Not(IsEmpty()));
+  EXPECT_TRUE(bench_.robot().motorsPull());
+  passSeconds(1.5);
+  EXPECT_FALSE(bench_.robot().motorsPull());
+  EXPECT_EQ(bench_.step().state, version2::WALK_STATE_NONE);
+}
+
+TEST_F(Fall, IsNotSeenInAPushThatTheRobotWithstands) {
+  walk();
+  bench_.robot().push({0, 3, 0});
+  passSeconds(0.3);
+  bench_.robot().push({0, 0, 0});
+  passSeconds(3);
+  EXPECT_THAT(bench_.ends(), IsEmpty());
+  EXPECT_LT(bench_.robot().tilt(), 0.2);
+}
+
+TEST_F(Fall, InAHandTheWalkEnds) {
+  walk();
+  bench_.robot().hold(0.3);
+  const End end = bench_.awaitEnd(version2::ENDED_WALK, 3);
+  EXPECT_EQ(end.how, version2::END_FELL);
+  EXPECT_THAT(end.reason, HasSubstr("carried"));
+}
+
+}  // namespace

@@ -1,0 +1,302 @@
+#include "trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <random>
+#include <sstream>
+
+namespace physics {
+namespace {
+
+using Axes = Record::Axes;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kFrame = 0.008;
+constexpr unsigned kFramesPerSecond = 125;
+constexpr std::size_t kFirstJoint = 4;  ///< of the legs, in the robot's table
+constexpr std::size_t kLegJoints = 12;
+
+/// Until the robot has got up to speed: this is not measured.
+constexpr double kRunUp = 1.5;
+
+/// What must hold.
+constexpr double kSpeedError = 0.15;                  ///< of the commanded speed
+constexpr Axes kHighestDrift = {0.015, 0.012, 0.12};  ///< where nothing is commanded: m/s, m/s, radian/s
+constexpr double kLowestLift = 0.005;
+constexpr double kHighestTilt = 0.26;  ///< 15 degrees
+constexpr double kHighestShareAtFullDuty = 0.03;
+constexpr double kFall = 0.785;  ///< 45 degrees
+
+/// A speed of a joint that the floor may add to its limit: a foot that comes down is pushed.
+constexpr double kHighestJointSpeed = 1.1;
+
+/// Commanded less than this, in parts of a unit of its axis, is a drift rather than a walk.
+constexpr Axes kLeastCommand = {0.01, 0.01, 0.1};
+
+double headingOf(const Isometry3d& pose) {
+  return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
+}
+
+/// How the body got from one pose to the next, in its own directions.
+Axes wayBetween(const Isometry3d& from, const Isometry3d& to) {
+  const double turn = std::remainder(headingOf(to) - headingOf(from), 2 * M_PI);
+  const Vector3d way =
+      Eigen::AngleAxisd(-headingOf(from) - turn / 2, Vector3d::UnitZ()) * (to.translation() - from.translation());
+  return {way.x(), way.y(), turn};
+}
+
+/// The value that this share of all values does not exceed.
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) {
+    return 0;
+  }
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+class Recorder {
+ public:
+  explicit Recorder(Bench& bench) : bench_(bench), robot_(bench.robot()), last_(robot_.body()) {}
+
+  /// A frame has passed.
+  void add() {
+    const Step& step = bench_.step();
+    const Isometry3d body = robot_.body();
+    const Axes way = wayBetween(last_, body);
+    last_ = body;
+    addWay(way, {step.velocity.forward, step.velocity.left, step.velocity.turn});
+    addStep(step);
+    for (std::size_t i = kFirstJoint; i < kFirstJoint + kLegJoints; ++i) {
+      record_.highest_speed = std::max(record_.highest_speed, std::abs(robot_.jointSpeed(i)) / robot_.highestSpeed(i));
+      torques_.push_back(std::abs(robot_.torque(i)));
+      frames_at_full_duty_ += std::abs(robot_.duty(i)) >= 1 ? 1 : 0;
+    }
+    addCommands();
+    record_.highest_tilt = std::max(record_.highest_tilt, robot_.tilt());
+    record_.fell = record_.fell || robot_.tilt() > kFall || robot_.bodyTouchesFloor();
+    ++frames_;
+  }
+
+  Record result() {
+    record_.seconds = static_cast<double>(frames_) * kFrame;
+    for (std::size_t axis = 0; axis < Record::kAxes; ++axis) {
+      record_.commanded[axis] /= record_.seconds;
+      record_.walked[axis] /= record_.seconds;
+      record_.gain[axis] = squares_[axis] > 0 ? products_[axis] / squares_[axis] : 0;
+    }
+    record_.lowest_lift = quantile(lifts_, 0);
+    record_.usual_lift = quantile(lifts_, 0.05);
+    record_.usual_torque = quantile(torques_, 0.99);
+    record_.at_full_duty = static_cast<double>(frames_at_full_duty_) / static_cast<double>(torques_.size());
+    record_.ends = bench_.ends();
+    record_.errors = bench_.errors();
+    return record_;
+  }
+
+ private:
+  void addWay(const Axes& way, const Axes& commanded) {
+    for (std::size_t axis = 0; axis < Record::kAxes; ++axis) {
+      record_.walked[axis] += way[axis];
+      record_.commanded[axis] += commanded[axis] * kFrame;
+      second_walked_[axis] += way[axis];
+      second_commanded_[axis] += commanded[axis] * kFrame;
+    }
+    if (frames_ % kFramesPerSecond == kFramesPerSecond - 1) {
+      for (std::size_t axis = 0; axis < Record::kAxes; ++axis) {
+        products_[axis] += second_walked_[axis] * second_commanded_[axis];
+        squares_[axis] += second_commanded_[axis] * second_commanded_[axis];
+      }
+      second_walked_ = second_commanded_ = {};
+    }
+  }
+
+  // A step lasts from one beginning of the phase to the next. It counts if the robot walked all the time.
+  void addStep(const Step& step) {
+    const bool walks = step.state == protocol::version2::WALK_STATE_WALKS &&
+                       (step.velocity.forward != 0 || step.velocity.left != 0 || step.velocity.turn != 0);
+    if (!walks) {
+      whole_steps_ = -1;
+    } else if (step.phase < last_phase_) {
+      ++whole_steps_;
+      if (whole_steps_ > 1) {
+        lifts_.insert(lifts_.end(), tops_.begin(), tops_.end());
+      }
+      tops_ = {};
+    }
+    last_phase_ = step.phase;
+    for (std::size_t leg = 0; leg < tops_.size(); ++leg) {
+      tops_[leg] = std::max(tops_[leg], robot_.soleHeight(static_cast<robot_model::Leg>(leg)));
+    }
+  }
+
+  void addCommands() {
+    std::array<int, robot_model::MAX_JOINTS> posture;
+    for (std::size_t i = 0; i < posture.size(); ++i) {
+      posture[i] = static_cast<int>(std::lround(robot_.reference(i) * 1e6));
+    }
+    auto allowed = posture;
+    robot_model::clampPosture(robot_.model(), allowed.data());
+    for (std::size_t i = kFirstJoint; i < kFirstJoint + kLegJoints; ++i) {
+      record_.beyond_limits = std::max(record_.beyond_limits, std::abs(allowed[i] - posture[i]) * 1e-6);
+    }
+  }
+
+  Bench& bench_;
+  PhysicalErs7& robot_;
+  Isometry3d last_;
+  Record record_;
+  unsigned frames_ = 0;
+  std::size_t frames_at_full_duty_ = 0;
+  Axes second_walked_ = {};
+  Axes second_commanded_ = {};
+  Axes products_ = {};
+  Axes squares_ = {};
+  double last_phase_ = 0;
+  int whole_steps_ = -1;
+  std::array<double, robot_model::NUMBER_OF_LEGS> tops_ = {};
+  std::vector<double> lifts_;
+  std::vector<double> torques_;
+};
+
+std::string percent(double part) {
+  std::ostringstream text;
+  text << std::lround(100 * part) << " %";
+  return text.str();
+}
+
+}  // namespace
+
+Record walk(const World& world, const Commands& commands, double seconds) {
+  Bench bench(world);
+  for (double time = 0; time < kRunUp; time += kFrame) {
+    bench.steer(commands(time));
+    bench.passFrame();
+  }
+  for (double time = 0; bench.step().state != protocol::version2::WALK_STATE_WALKS && time < 5; time += kFrame) {
+    bench.passFrame();  // it stands up first
+  }
+  Recorder recorder(bench);
+  for (double time = kRunUp; time < kRunUp + seconds; time += kFrame) {
+    bench.steer(commands(time));
+    bench.passFrame();
+    recorder.add();
+  }
+  return recorder.result();
+}
+
+Commands always(const Velocity& velocity) {
+  return [velocity](double) { return velocity; };
+}
+
+std::vector<Direction> directionsWithin(const protocol::version2::WalkLimits& limits) {
+  const double forward = limits.forward * 1e-3;
+  const double back = limits.back * 1e-3;
+  const double left = limits.left * 1e-3;
+  const double turn = limits.turn * 1e-3;
+  return {
+      {"forward", {forward, 0, 0}},
+      {"back", {-back, 0, 0}},
+      {"left", {0, left, 0}},
+      {"right", {0, -left, 0}},
+      {"turn left", {0, 0, turn}},
+      {"turn right", {0, 0, -turn}},
+      {"slowly forward", {forward / 3, 0, 0}},
+      {"slowly back", {-back / 3, 0, 0}},
+      {"slowly right", {0, -left / 2, 0}},
+      {"forward and turn", {forward / 2, 0, turn / 2}},
+      {"back and left", {-back / 2, left / 2, 0}},
+      {"left and turn", {0, left / 2, -turn / 2}},
+  };
+}
+
+protocol::version2::WalkLimits walkLimits() {
+  static const protocol::version2::WalkLimits limits = Bench().hello().walk;
+  return limits;
+}
+
+Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed) {
+  struct State {
+    std::minstd_rand random;
+    double until = 0;
+    Velocity velocity;
+  };
+  const auto state = std::make_shared<State>();
+  state->random.seed(seed + 1);
+  // Not std::uniform_real_distribution, because its numbers differ between libraries.
+  const auto between = [state](double low, double high) {
+    return low + (high - low) * static_cast<double>(state->random()) / std::minstd_rand::max();
+  };
+  return [=](double time) {
+    if (time >= state->until) {
+      state->until = time + between(0.5, 3);
+      const bool stands = between(0, 1) < 0.15;
+      const double turn = limits.turn * 1e-3;
+      const double left = limits.left * 1e-3;
+      state->velocity = {between(-limits.back * 1e-3, limits.forward * 1e-3), between(-left, left),
+                         between(-turn, turn)};
+      state->velocity = stands ? Velocity() : state->velocity;
+    }
+    return state->velocity;
+  };
+}
+
+std::vector<std::string> problemsOf(const Record& record) {
+  constexpr const char* kNames[] = {"forward", "sideways", "turning"};
+  std::vector<std::string> problems;
+  const auto expect = [&](bool good, const std::string& problem) {
+    if (!good) {
+      problems.push_back(problem);
+    }
+  };
+  expect(!record.fell, "it fell");
+  for (std::size_t axis = 0; axis < Record::kAxes; ++axis) {
+    const double drift = record.walked[axis] - record.commanded[axis];
+    if (std::abs(record.commanded[axis]) < kLeastCommand[axis]) {
+      expect(std::abs(drift) <= kHighestDrift[axis], std::string("it drifts ") + kNames[axis]);
+    } else {
+      expect(std::abs(record.gain[axis] - 1) <= kSpeedError,
+             std::string(kNames[axis]) + " has " + percent(record.gain[axis]) + " of the commanded speed");
+    }
+  }
+  expect(record.usual_lift >= kLowestLift, "feet are lifted too little");
+  expect(record.highest_tilt <= kHighestTilt, "it tilts");
+  expect(record.highest_speed <= kHighestJointSpeed,
+         "a joint moves at " + percent(record.highest_speed) + " of its limit");
+  expect(record.at_full_duty <= kHighestShareAtFullDuty,
+         "motors have full duty in " + percent(record.at_full_duty) + " of the frames");
+  expect(record.beyond_limits == 0, "a joint is commanded beyond its limits");
+  for (const std::string& error : record.errors) {
+    problems.push_back("the robot says: " + error);
+  }
+  return problems;
+}
+
+void printHeader(std::ostream& out) {
+  out << "                         forward mm/s  sideways mm/s   turn rad/s  tilt  lift mm     joint   torque full\n"
+         "                          said    is    said    is   said    is  deg   least usual  speed   N m   duty\n";
+}
+
+void print(const std::string& name, const Record& record, std::ostream& out) {
+  out << std::fixed << std::left << std::setw(24) << name << std::right << std::setprecision(0);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    out << std::setw(7) << 1000 * record.commanded[axis] << std::setw(6) << 1000 * record.walked[axis] << ' ';
+  }
+  out << std::setprecision(2) << std::setw(7) << record.commanded[2] << std::setw(6) << record.walked[2]
+      << std::setprecision(1) << std::setw(6) << record.highest_tilt * 180 / M_PI << std::setw(7)
+      << 1000 * record.lowest_lift << std::setw(6) << 1000 * record.usual_lift << std::setprecision(2) << std::setw(7)
+      << record.highest_speed << std::setw(6) << record.usual_torque << std::setprecision(3) << std::setw(7)
+      << record.at_full_duty;
+  std::string separator = "  ";
+  for (const std::string& problem : problemsOf(record)) {
+    out << separator << problem;
+    separator = "; ";
+  }
+  out << '\n';
+}
+
+}  // namespace physics
