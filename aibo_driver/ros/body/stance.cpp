@@ -10,18 +10,6 @@ using Eigen::AngleAxisd;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-// Lengths of the links of the left front leg, in metres, as in urdf/ers7.urdf (Tekkotsu's kinematic table of the
-// ERS-7). The other legs are mirrored, except for the feet of the hind legs.
-const Vector3d kRotator(0.065, 0.0625, 0);
-const Vector3d kKnee(0.009, 0, -0.0695);
-const Vector3d kFrontFoot(-0.00503, 0.0047, -0.06524);
-const Vector3d kHindFoot(0.013529, 0.0047, -0.06628);
-constexpr double kFootRadius = 0.013;
-
-// The left front corner of the belly, raised by the radius of a foot, so that all supports are balls of the same size.
-// Our choice, from the look of the body.
-const Vector3d kBelly(0.085, 0.035, -0.032);
-
 // A foot that is no higher than this touches the floor: the travel of its switch, and some error of the joints.
 constexpr double kTouch = 0.003;  // m
 
@@ -33,12 +21,16 @@ constexpr double kTolerance = 1e-6;  // m, of rounding
 
 using Supports = std::array<Vector3d, 2 * kLegs>;  // the feet, then the corners of the belly
 
+Vector3d toVector(const robot_model::Point& point) {
+  return {point.x, point.y, point.z};
+}
+
 Supports supportsOf(const std::array<LegAngles, kLegs>& legs) {
   Supports supports;
   for (std::size_t i = 0; i < kLegs; ++i) {
-    supports[i] = footOf(static_cast<Leg>(i), legs[i]);
-    supports[kLegs + i] =
-        kBelly.cwiseProduct(Vector3d(i == kLeftFront || i == kRightFront ? 1 : -1, i < kRightFront ? 1 : -1, 1));
+    const Leg leg = static_cast<Leg>(i);
+    supports[i] = footOf(leg, legs[i]);
+    supports[kLegs + i] = toVector(robot_model::findBellyCorner(leg));
   }
   return supports;
 }
@@ -75,14 +67,7 @@ Vector3d upOf(const Supports& supports, const Vector3d& measured) {
 }  // namespace
 
 Vector3d footOf(Leg leg, const LegAngles& angles) {
-  const bool front = leg == kLeftFront || leg == kRightFront;
-  const double side = leg == kLeftFront || leg == kLeftHind ? 1 : -1;
-  const double end = front ? 1 : -1;
-  const Vector3d mirror(end, side, 1);
-  return Translation3d(kRotator.cwiseProduct(mirror)) * AngleAxisd(-angles.rotator, Vector3d::UnitY()) *
-         AngleAxisd(side * angles.elevator, Vector3d::UnitX()) * Translation3d(kKnee.cwiseProduct(mirror)) *
-         AngleAxisd(-end * angles.knee, Vector3d::UnitY()) *
-         (front ? kFrontFoot : kHindFoot).cwiseProduct(Vector3d(1, side, 1));
+  return toVector(robot_model::findFoot(leg, angles));
 }
 
 Stance estimateStance(const std::array<LegAngles, kLegs>& legs, const Vector3d& acceleration) {
@@ -92,7 +77,7 @@ Stance estimateStance(const std::array<LegAngles, kLegs>& legs, const Vector3d& 
   const double floor = lowest(supports, up);
   Stance stance;
   // Turned by roll and pitch alone, so that x stays ahead.
-  stance.body = Translation3d(0, 0, kFootRadius - floor) *
+  stance.body = Translation3d(0, 0, robot_model::FOOT_RADIUS - floor) *
                 AngleAxisd(std::atan2(-up.x(), std::hypot(up.y(), up.z())), Vector3d::UnitY()) *
                 AngleAxisd(std::atan2(up.y(), up.z()), Vector3d::UnitX());
   for (std::size_t i = 0; i < kLegs; ++i) {

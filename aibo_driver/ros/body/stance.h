@@ -7,17 +7,14 @@
 #include <array>
 #include <cstddef>
 
+#include "robot_model/legs.h"
+
 namespace aibo_driver::node {
 
-/// Angles of the joints of one leg, in radian; at zero it is straight down. Signs as in docs/protocol.md.
-struct LegAngles {
-  double rotator = 0;
-  double elevator = 0;
-  double knee = 0;
-};
+using robot_model::Leg;
+using robot_model::LegAngles;
 
-enum Leg : std::size_t { kLeftFront, kLeftHind, kRightFront, kRightHind };
-constexpr std::size_t kLegs = 4;
+constexpr std::size_t kLegs = robot_model::NUMBER_OF_LEGS;
 
 /// Centre of the ball that is the foot, in metres, in base_link.
 Eigen::Vector3d footOf(Leg leg, const LegAngles& angles);

@@ -19,8 +19,8 @@ using Legs = std::array<LegAngles, kLegs>;
 
 Legs legsAt(const LegAngles& front, const LegAngles& hind) {
   Legs legs;
-  legs[kLeftFront] = legs[kRightFront] = front;
-  legs[kLeftHind] = legs[kRightHind] = hind;
+  legs[robot_model::LEFT_FRONT_LEG] = legs[robot_model::RIGHT_FRONT_LEG] = front;
+  legs[robot_model::LEFT_HIND_LEG] = legs[robot_model::RIGHT_HIND_LEG] = hind;
   return legs;
 }
 
@@ -52,7 +52,8 @@ TEST(StanceTest, ARobotThatSitsLeansBackAndHasItsFeetOnTheFloorToo) {
   const Stance stance = estimateStance(kSitting, accelerationAt(0, -25 * kDegree));
   EXPECT_NEAR(pitchOf(stance), -25 * kDegree, 1 * kDegree);
   EXPECT_THAT(stance.foot_on_floor, Each(true));
-  for (const Leg leg : {kLeftFront, kLeftHind, kRightFront, kRightHind}) {
+  for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
+                        robot_model::RIGHT_HIND_LEG}) {
     EXPECT_NEAR(heightOfFoot(stance, kSitting, leg), 0, 1e-3) << leg;
   }
 }
@@ -68,7 +69,8 @@ TEST(StanceTest, FollowsTheAccelerometerWhenNoFeetFitIt) {
   EXPECT_TRUE((stance.body.linear() * accelerationAt(30 * kDegree, 0)).isApprox(kLevel, 1e-9));
   EXPECT_GT(stance.body.linear()(0, 0), 0.999) << "x is ahead";
   double lowest = 1;
-  for (const Leg leg : {kLeftFront, kLeftHind, kRightFront, kRightHind}) {
+  for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
+                        robot_model::RIGHT_HIND_LEG}) {
     lowest = std::min(lowest, heightOfFoot(stance, kStanding, leg));
   }
   EXPECT_NEAR(lowest, 0, 1e-9) << "it does not hover";
@@ -76,7 +78,7 @@ TEST(StanceTest, FollowsTheAccelerometerWhenNoFeetFitIt) {
 
 TEST(StanceTest, ALiftedFootIsNotOnTheFloor) {
   Legs legs = kStanding;
-  legs[kRightFront].knee += 60 * kDegree;
+  legs[robot_model::RIGHT_FRONT_LEG].knee += 60 * kDegree;
   EXPECT_THAT(estimateStance(legs, kLevel).foot_on_floor, ElementsAre(true, true, false, true));
 }
 

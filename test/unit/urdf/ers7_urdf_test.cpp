@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
+#include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
-#include "ros/body/stance.h"
 #include "simulator/ers7/body/head_kinematics.h"
 #include "urdf_model.h"
 
@@ -210,18 +210,18 @@ TEST_F(RandomPostures, HaveTheCameraWhereTheSimulatedRobotHasIt) {
   }
 }
 
-TEST_F(RandomPostures, HaveTheFeetWhereTheDriverEstimatesTheStance) {
-  using aibo_driver::node::Leg;
-  const std::map<std::string, Leg> legs = {{"left_front", aibo_driver::node::kLeftFront},
-                                           {"left_hind", aibo_driver::node::kLeftHind},
-                                           {"right_front", aibo_driver::node::kRightFront},
-                                           {"right_hind", aibo_driver::node::kRightHind}};
+TEST_F(RandomPostures, HaveTheFeetWhereTheLegsOfTheRobotModelHaveThem) {
+  const std::map<std::string, robot_model::Leg> legs = {{"left_front", robot_model::LEFT_FRONT_LEG},
+                                                        {"left_hind", robot_model::LEFT_HIND_LEG},
+                                                        {"right_front", robot_model::RIGHT_FRONT_LEG},
+                                                        {"right_hind", robot_model::RIGHT_HIND_LEG}};
   for (int i = 0; i < 1000; ++i) {
     const Posture posture = next();
     for (const auto& [name, leg] : legs) {
-      const Vector3d foot = aibo_driver::node::footOf(
+      const robot_model::Point foot = robot_model::findFoot(
           leg, {posture.at(name + "_rotator"), posture.at(name + "_elevator"), posture.at(name + "_knee")});
-      ASSERT_LT((foot - urdf_.linkPose(name + "_foot_link", posture).translation()).norm(), kPrecision) << name;
+      const Vector3d expected = urdf_.linkPose(name + "_foot_link", posture).translation();
+      ASSERT_LT((Vector3d(foot.x, foot.y, foot.z) - expected).norm(), kPrecision) << name;
     }
   }
 }

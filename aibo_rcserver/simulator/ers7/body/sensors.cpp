@@ -39,10 +39,10 @@ const std::map<std::string, Vector3d> kAccelerationAxes = {
 };
 
 const std::map<std::string, Leg> kPaws = {
-    {"paw_left_front", kLeftFrontLeg},
-    {"paw_left_hind", kLeftHindLeg},
-    {"paw_right_front", kRightFrontLeg},
-    {"paw_right_hind", kRightHindLeg},
+    {"paw_left_front", robot_model::LEFT_FRONT_LEG},
+    {"paw_left_hind", robot_model::LEFT_HIND_LEG},
+    {"paw_right_front", robot_model::RIGHT_FRONT_LEG},
+    {"paw_right_hind", robot_model::RIGHT_HIND_LEG},
 };
 
 Ray rayOf(const RangeFinder& finder, const Situation& situation) {

@@ -9,26 +9,18 @@
 namespace simulated_ers7 {
 namespace {
 
-using Eigen::AngleAxisd;
-using Eigen::Translation3d;
 using Eigen::Vector3d;
-
-// Lengths of the links of the left front leg, in metres (Tekkotsu's kinematic table of the ERS-7). The other legs are
-// mirrored, except for the feet of the hind legs.
-const Vector3d kRotator(0.065, 0.0625, 0);
-const Vector3d kKnee(0.009, 0, -0.0695);
-const Vector3d kFrontFoot(-0.00503, 0.0047, -0.06524);
-const Vector3d kHindFoot(0.013529, 0.0047, -0.06628);
-
-// The left front corner of the belly, minus the radius of a foot, so that all supports are balls of the same size. Our
-// choice, from the look of the body.
-const Vector3d kBelly(0.085, 0.035, -0.032);
+using robot_model::FOOT_RADIUS;
 
 /// How far outside its three supports the weight may be, in metres. Our choice: with less, a robot that lifts a paw
 /// would tip over onto it. A real robot prevents that by leaning away.
 constexpr double kBalance = 0.02;
 
 constexpr double kTolerance = 1e-6;
+
+Vector3d toVector(const robot_model::Point& point) {
+  return {point.x, point.y, point.z};
+}
 
 /// A plane in the body: z = slope_x * x + slope_y * y + height.
 struct Plane {
@@ -87,7 +79,7 @@ Plane supportingPlane(const Supports& supports) {
       }
     }
   }
-  return best.value_or(Plane{0, 0, kFootRadius - kStandingHeight});
+  return best.value_or(Plane{0, 0, FOOT_RADIUS - kStandingHeight});
 }
 
 /// The pose of a body with the centres of its supports in this plane.
@@ -98,34 +90,27 @@ Eigen::Isometry3d poseOver(const Plane& plane) {
   turn << ahead.transpose(), up.cross(ahead).transpose(), up.transpose();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = turn;
-  pose.translation().z() = kFootRadius - plane.height * up.z();
+  pose.translation().z() = FOOT_RADIUS - plane.height * up.z();
   return pose;
 }
 
 }  // namespace
 
 Vector3d footInBody(Leg leg, const LegAngles& angles) {
-  const bool left = leg == kLeftFrontLeg || leg == kLeftHindLeg;
-  const bool front = leg == kLeftFrontLeg || leg == kRightFrontLeg;
-  const double side = left ? 1 : -1;
-  const double end = front ? 1 : -1;
-  const Vector3d mirror_side(1, side, 1);
-  const Vector3d mirror_both(end, side, 1);
-  return Translation3d(kRotator.cwiseProduct(mirror_both)) * AngleAxisd(-angles.rotator, Vector3d::UnitY()) *
-         AngleAxisd(side * angles.elevator, Vector3d::UnitX()) * Translation3d(kKnee.cwiseProduct(mirror_both)) *
-         AngleAxisd(-end * angles.knee, Vector3d::UnitY()) * (front ? kFrontFoot : kHindFoot).cwiseProduct(mirror_side);
+  return toVector(robot_model::findFoot(leg, angles));
 }
 
 Stance standOn(const std::array<LegAngles, kLegs>& legs) {
   Supports supports;
   for (std::size_t i = 0; i < kLegs; ++i) {
-    supports[i] = footInBody(static_cast<Leg>(i), legs[i]);
-    supports[kLegs + i] = kBelly.cwiseProduct(Vector3d(i % 2 == 0 ? 1 : -1, i < 2 ? 1 : -1, 1));
+    const Leg leg = static_cast<Leg>(i);
+    supports[i] = footInBody(leg, legs[i]);
+    supports[kLegs + i] = toVector(robot_model::findBellyCorner(leg));
   }
   Stance stance;
   stance.body = poseOver(supportingPlane(supports));
   for (std::size_t i = 0; i < kLegs; ++i) {
-    stance.paw_down[i] = (stance.body * supports[i]).z() - kFootRadius <= kPawTravel;
+    stance.paw_down[i] = (stance.body * supports[i]).z() - FOOT_RADIUS <= kPawTravel;
   }
   return stance;
 }

@@ -7,21 +7,14 @@
 #include <array>
 #include <cstddef>
 
+#include "robot_model/legs.h"
+
 namespace simulated_ers7 {
 
-/// Angles of the three joints of one leg, in radian. At zero it is straight down.
-struct LegAngles {
-  double rotator = 0;   ///< positive swings the leg forward
-  double elevator = 0;  ///< positive lifts it away from the body
-  double knee = 0;      ///< positive bends front legs forward, hind legs backward
-};
+using robot_model::Leg;
+using robot_model::LegAngles;
 
-enum Leg : std::size_t { kLeftFrontLeg, kLeftHindLeg, kRightFrontLeg, kRightHindLeg };
-
-constexpr std::size_t kLegs = 4;
-
-/// Radius of a foot, which is a ball, in metres.
-constexpr double kFootRadius = 0.013;
+constexpr std::size_t kLegs = robot_model::NUMBER_OF_LEGS;
 
 /// Travel of a paw's switch in metres: a foot that is no higher over the floor presses it. Our choice, because joints
 /// are a few hundredths of a degree off their commands, and a real floor is not flat either.

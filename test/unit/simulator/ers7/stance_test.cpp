@@ -31,23 +31,26 @@ TEST(StanceTest, AtRestTheRobotStandsLevelOnAllFourAtItsStandingHeight) {
 
 TEST(StanceTest, FeetAreAtTheEndsOfTheLegsLinks) {
   // By hand: 0.065 + 0.009 - 0.00503, 0.0625 + 0.0047, -0.0695 - 0.06524; mirrored on the right.
-  EXPECT_TRUE(footInBody(kLeftFrontLeg, {}).isApprox(Eigen::Vector3d(0.06897, 0.0672, -0.13474), 1e-9));
-  EXPECT_TRUE(footInBody(kRightHindLeg, {}).isApprox(Eigen::Vector3d(-0.060471, -0.0672, -0.13578), 1e-9));
-  LegAngles forward;
+  EXPECT_TRUE(footInBody(robot_model::LEFT_FRONT_LEG, {}).isApprox(Eigen::Vector3d(0.06897, 0.0672, -0.13474), 1e-9));
+  EXPECT_TRUE(
+      footInBody(robot_model::RIGHT_HIND_LEG, {}).isApprox(Eigen::Vector3d(-0.060471, -0.0672, -0.13578), 1e-9));
+  LegAngles forward{};
   forward.rotator = 90 * kDegree;
-  EXPECT_NEAR(footInBody(kLeftFrontLeg, forward).x(), 0.065 + 0.13474, 1e-9);
-  LegAngles aside;
+  EXPECT_NEAR(footInBody(robot_model::LEFT_FRONT_LEG, forward).x(), 0.065 + 0.13474, 1e-9);
+  LegAngles aside{};
   aside.elevator = 90 * kDegree;
-  EXPECT_NEAR(footInBody(kRightFrontLeg, aside).y(), -(0.0625 + 0.13474), 1e-9);
-  LegAngles bent;
+  EXPECT_NEAR(footInBody(robot_model::RIGHT_FRONT_LEG, aside).y(), -(0.0625 + 0.13474), 1e-9);
+  LegAngles bent{};
   bent.knee = 90 * kDegree;
-  EXPECT_NEAR(footInBody(kLeftFrontLeg, bent).x(), 0.065 + 0.009 + 0.06524, 1e-9) << "front legs bend forward";
-  EXPECT_NEAR(footInBody(kLeftHindLeg, bent).x(), -0.065 - 0.009 - 0.06628, 1e-9) << "hind legs bend backward";
+  EXPECT_NEAR(footInBody(robot_model::LEFT_FRONT_LEG, bent).x(), 0.065 + 0.009 + 0.06524, 1e-9)
+      << "front legs bend forward";
+  EXPECT_NEAR(footInBody(robot_model::LEFT_HIND_LEG, bent).x(), -0.065 - 0.009 - 0.06628, 1e-9)
+      << "hind legs bend backward";
 }
 
 TEST(StanceTest, TheNoseGoesDownWithTheFrontLegs) {
   auto legs = kStraight;
-  for (const Leg leg : {kLeftFrontLeg, kRightFrontLeg}) {
+  for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::RIGHT_FRONT_LEG}) {
     legs[leg].elevator = 45 * kDegree;
   }
   const Stance stance = standOn(legs);
@@ -58,7 +61,8 @@ TEST(StanceTest, TheNoseGoesDownWithTheFrontLegs) {
 }
 
 TEST(StanceTest, ALiftedFootLeavesTheFloorAndTheOtherThreeStay) {
-  for (const Leg leg : {kLeftFrontLeg, kLeftHindLeg, kRightFrontLeg, kRightHindLeg}) {
+  for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
+                        robot_model::RIGHT_HIND_LEG}) {
     auto legs = kStraight;
     legs[leg].knee = 90 * kDegree;
     const Stance stance = standOn(legs);
@@ -93,7 +97,7 @@ TEST(StanceTest, NothingIsEverBelowTheFloor) {
     const Stance stance = standOn(legs);
     int down = 0;
     for (std::size_t i = 0; i < kLegs; ++i) {
-      const double height = (stance.body * footInBody(static_cast<Leg>(i), legs[i])).z() - kFootRadius;
+      const double height = (stance.body * footInBody(static_cast<Leg>(i), legs[i])).z() - robot_model::FOOT_RADIUS;
       ASSERT_GE(height, -1e-5) << "posture " << posture;
       down += stance.paw_down[i] ? 1 : 0;
     }

@@ -1,0 +1,116 @@
+#include "robot_model/legs.h"
+
+#include <math.h>
+
+#include <algorithm>
+
+namespace robot_model {
+
+namespace {
+
+// Tekkotsu's kinematic table of the ERS-7. These are the lengths of the left front leg; the others are mirrored, except
+// for the shanks of the hind legs.
+const Point SHOULDER = {0.065, 0.0625, 0};
+const Point KNEE = {0.009, 0, -0.0695};  // from the shoulder
+const Point FRONT_FOOT = {-0.00503, 0.0047, -0.06524};
+const Point HIND_FOOT = {-0.013529, 0.0047, -0.06628};  // as of a front leg
+const Point BELLY = {0.085, 0.035, -0.032};
+
+const double TOLERANCE = 1e-6;  // of rounding
+
+double sideOf(Leg leg) {
+  return isLeft(leg) ? 1 : -1;
+}
+
+double endOf(Leg leg) {
+  return isFront(leg) ? 1 : -1;
+}
+
+// Turns a place of the left front leg into that of another leg, and back.
+Point mirrored(Leg leg, const Point& point) {
+  const Point result = {endOf(leg) * point.x, sideOf(leg) * point.y, point.z};
+  return result;
+}
+
+const Point& shankOf(Leg leg) {
+  return isFront(leg) ? FRONT_FOOT : HIND_FOOT;
+}
+
+// Angle of a place in the plane of the leg: 0 straight down, positive forward.
+double angleOf(const Point& point) {
+  return atan2(point.x, -point.z);
+}
+
+double lengthOf(const Point& point) {
+  return sqrt(point.x * point.x + point.z * point.z);
+}
+
+// Finds rotator and elevator for a knee that puts the foot as far from the shoulder as it has to be.
+// @param way from the shoulder to the foot, as of the left front leg
+// @return false if the elevator cannot get it as far sideways as it has to be
+bool turnLeg(Leg leg, const Point& way, double knee, LegAngles* angles) {
+  const Point& shank = shankOf(leg);
+  const double forward = KNEE.x + shank.x * cos(knee) - shank.z * sin(knee);
+  const double up = KNEE.z + shank.x * sin(knee) + shank.z * cos(knee);
+
+  // The rotator does not move the foot sideways, and the elevator not forward.
+  const double sine = way.y / sqrt(shank.y * shank.y + up * up);
+  const double elevator = asin(std::min(std::max(sine, -1.0), 1.0)) - atan2(shank.y, -up);
+  const double lifted = shank.y * sin(elevator) + up * cos(elevator);
+
+  angles->rotator = endOf(leg) * atan2(forward * way.z - lifted * way.x, forward * way.x + lifted * way.z);
+  angles->elevator = elevator;
+  angles->knee = knee;
+  return fabs(sine) <= 1;
+}
+
+}  // namespace
+
+int legJointIdentifier(Leg leg, int number) {
+  return 10 * (leg + 1) + 1 + number;
+}
+
+Point findShoulder(Leg leg) {
+  return mirrored(leg, SHOULDER);
+}
+
+Point findFoot(Leg leg, const LegAngles& angles) {
+  const double rotator = endOf(leg) * angles.rotator;
+  const Point& shank = shankOf(leg);
+  const double forward = KNEE.x + shank.x * cos(angles.knee) - shank.z * sin(angles.knee);
+  const double up = KNEE.z + shank.x * sin(angles.knee) + shank.z * cos(angles.knee);
+  const double outward = shank.y * cos(angles.elevator) - up * sin(angles.elevator);
+  const double lifted = shank.y * sin(angles.elevator) + up * cos(angles.elevator);
+  const Point foot = {SHOULDER.x + forward * cos(rotator) - lifted * sin(rotator), SHOULDER.y + outward,
+                      SHOULDER.z + forward * sin(rotator) + lifted * cos(rotator)};
+  return mirrored(leg, foot);
+}
+
+bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {
+  Point way = mirrored(leg, foot);  // from the shoulder
+  way.x -= SHOULDER.x;
+  way.y -= SHOULDER.y;
+  way.z -= SHOULDER.z;
+
+  // The distance in the plane of the leg is the knee's doing alone.
+  const Point& shank = shankOf(leg);
+  const double square = way.x * way.x + way.y * way.y + way.z * way.z - shank.y * shank.y;
+  const double upper = lengthOf(KNEE);
+  const double lower = lengthOf(shank);
+  const double cosine = (square - upper * upper - lower * lower) / (2 * upper * lower);
+  const double stretched = angleOf(KNEE) - angleOf(shank);
+  const double bent = acos(std::min(std::max(cosine, -1.0), 1.0));
+
+  LegAngles overstretched;
+  if (!turnLeg(leg, way, stretched + bent, angles) && turnLeg(leg, way, stretched - bent, &overstretched)) {
+    *angles = overstretched;
+  }
+  const Point reached = findFoot(leg, *angles);
+  return std::max(fabs(reached.x - foot.x), std::max(fabs(reached.y - foot.y), fabs(reached.z - foot.z))) < TOLERANCE;
+}
+
+Point findBellyCorner(Leg leg) {
+  return mirrored(leg, BELLY);
+}
+
+}  // namespace robot_model
