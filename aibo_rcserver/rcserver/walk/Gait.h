@@ -12,6 +12,10 @@ struct WalkVelocity {
   double turn;     ///< rad/s, to the left
 };
 
+inline bool IsZero(const WalkVelocity& velocity) {
+  return velocity.forward == 0 && velocity.left == 0 && velocity.turn == 0;
+}
+
 /// The numbers of the gait. The defaults were found with the bench in test/physics, which counts falls, ways and the
 /// loads of the motors; none has been tried on a robot yet.
 struct GaitParameters {
