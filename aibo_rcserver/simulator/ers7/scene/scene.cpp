@@ -153,6 +153,19 @@ const Vector3d& Scene::ballCenter() const {
   return bodies_[kBall].position();
 }
 
+double Scene::clearance(const Vector3d& point) const {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    clearance = std::min({clearance, point[axis] - kLowestCorner[axis], kHighestCorner[axis] - point[axis]});
+  }
+  for (const Body& body : bodies_) {
+    if ((body.position() - point).norm() - body.reach() < clearance) {
+      clearance = std::min(clearance, body.signedDistance(point));
+    }
+  }
+  return clearance;
+}
+
 SceneHit Scene::castRay(const Ray& ray) const {
   SceneHit nearest = castRayAtRoom(ray);
   for (const Body& body : bodies_) {

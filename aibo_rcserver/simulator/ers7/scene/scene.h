@@ -118,6 +118,10 @@ class Scene {
   /// Everything in the room except the room itself.
   const std::vector<Body>& bodies() const { return bodies_; }
 
+  /// Distance from a point in the room to the nearest body or wall, in metres; negative inside of a body or beyond a
+  /// wall. Floor and ceiling do not count.
+  double clearance(const Eigen::Vector3d& point) const;
+
   /// The current centre of the ball.
   const Eigen::Vector3d& ballCenter() const;
 
