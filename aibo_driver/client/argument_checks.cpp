@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFullTurn = 2 * 3.14159265358979323846;  // rad
 constexpr double kGreatestSpeed = 100;                    // rad/s
+constexpr double kGreatestWalkVelocity = 32.767;          // m/s or rad/s: the most that version 2 can say
 
 int idOf(int id) {
   return id;
@@ -85,6 +86,15 @@ void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   for (const JointSpeedLimit& limit : limits) {
     require(limit.speed > 0 && limit.speed <= kGreatestSpeed, limit.id,
             "its speed limit is " + std::to_string(limit.speed) + " rad/s, but has to be above 0 and at most 100");
+  }
+}
+
+void checkWalkVelocity(const WalkVelocity& velocity) {
+  for (const double value : {velocity.forward, velocity.left, velocity.turn}) {
+    if (!(std::abs(value) <= kGreatestWalkVelocity)) {
+      throw InvalidArgumentException("the velocity to walk with has a value of " + std::to_string(value) +
+                                     ", but each has to be -32.767..32.767 m/s or rad/s");
+    }
   }
 }
 

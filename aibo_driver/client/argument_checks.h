@@ -20,6 +20,7 @@ void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::mil
 /// @param joints may be empty
 void checkJointsToHold(const std::vector<int>& joints);
 void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
+void checkWalkVelocity(const WalkVelocity& velocity);
 void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkMotionContent(const std::vector<std::uint8_t>& content);
 

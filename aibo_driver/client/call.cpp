@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "protocol/motion_requests.h"
+#include "protocol/walk_requests.h"
 
 namespace aibo_driver {
 
@@ -115,13 +116,22 @@ bool Call::stopsMotions() const {
   return letter == version2::REQUEST_PLAY && number == 0;
 }
 
+bool Call::cancels(const Call& other) const {
+  if (other.letter == version2::REQUEST_POSTURE) {
+    return stopsRobot();
+  }
+  return other.letter == version2::REQUEST_PLAY && other.number > 0 &&
+         (stopsRobot() || (stopsMotions() && (name.empty() || name == other.name)));
+}
+
 bool Call::needsMemoryStick() const {
   return letter == version2::REQUEST_UPLOAD || letter == version2::REQUEST_DELETE || letter == version2::REQUEST_LIST ||
          (letter == version2::REQUEST_PLAY && number > 0);
 }
 
 bool Call::takesOverJoints() const {
-  return letter == version2::REQUEST_MOTORS || (letter == version2::REQUEST_PLAY && number > 0);
+  return letter == version2::REQUEST_MOTORS || letter == version2::REQUEST_POSTURE ||
+         (letter == version2::REQUEST_PLAY && number > 0);
 }
 
 std::string describe(const Call& call) {
@@ -132,6 +142,8 @@ std::string describe(const Call& call) {
       return call.number != 0 ? "switch the motors on" : "switch the motors off";
     case version2::REQUEST_HOLD:
       return "hold its joints";
+    case version2::REQUEST_POSTURE:
+      return std::string("take the posture ") + version2::postureName(static_cast<version2::Posture>(call.id));
     case version2::REQUEST_UPLOAD:
       return "store the motion " + call.name;
     case version2::REQUEST_DELETE:
@@ -155,7 +167,7 @@ std::string explainRefusal(const Call& call, int code) {
 
 bool isKnownToVersion1(const Call& call) {
   return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_HOLD &&
-         call.letter != version2::REQUEST_LIST;
+         call.letter != version2::REQUEST_LIST && call.letter != version2::REQUEST_POSTURE;
 }
 
 Call::Bytes encodeForVersion1(const Call& call) {
@@ -271,13 +283,12 @@ void PendingCalls::expire(TimePoint now, const std::string& remark) {
         });
 }
 
-void PendingCalls::failUnsentMotions(const std::string& name, const Answer& failure) {
-  endIf(
-      [&name](const Call& call) {
-        return call.request_number == 0 && call.letter == version2::REQUEST_PLAY && call.number > 0 &&
-               (name.empty() || call.name == name);
-      },
-      [&failure](const Call&) { return failure; });
+void PendingCalls::failCancelledBy(const Call& stop, const std::string& address) {
+  endIf([&stop](const Call& call) { return call.request_number == 0 && stop.cancels(call); },
+        [&](const Call& call) {
+          return makeFailure(CallOutcome::kRefused, address + " was told to " + describe(stop) +
+                                                        " before it was asked to " + describe(call) + ".");
+        });
 }
 
 void PendingCalls::failAll(const Answer& failure) {

@@ -1,7 +1,7 @@
 /// @file call.h
 /// Calls of RcServerClient that wait for the robot's answer. The letters are those of the requests: `F` take a picture,
-/// `O` switch the motors, `I` hold joints, `P` play a motion, `U` upload, `D` delete and `N` list motions, `Q` shut
-/// down, `R` reboot.
+/// `O` switch the motors, `I` hold joints, `E` take a posture, `P` play a motion, `U` upload, `D` delete and `N` list
+/// motions, `Q` shut down, `R` reboot.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
@@ -45,7 +45,7 @@ struct Call {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   char letter = 0;          ///< of the request; the same in both versions of the protocol
-  int id = 0;               ///< `P` and `U` in version 2: bits of motion_requests.h
+  int id = 0;               ///< in version 2: `P` and `U`: bits of motion_requests.h; `E`: the posture
   int number = 0;           ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
   std::string name;         ///< of a motion; `P` alone may go without
   Bytes content;            ///< of the motion to upload
@@ -65,11 +65,14 @@ struct Call {
   /// True if it stops a motion, or all.
   bool stopsMotions() const;
 
+  /// True if `other`, which came before it and has not been sent, must not be sent any more.
+  bool cancels(const Call& other) const;
+
   /// True if the robot needs its memory stick for the answer.
   bool needsMemoryStick() const;
 
-  /// True if from then on it decides the positions of joints, as a motion and the motors' switch do. Commands that the
-  /// joints were given before it are dropped.
+  /// True if from then on it decides the positions of joints, as a motion, a posture and the motors' switch do.
+  /// Commands that the joints were given before it are dropped.
   bool takesOverJoints() const;
 };
 
@@ -127,9 +130,9 @@ class PendingCalls {
   /// @param remark added to the problem of those for a picture
   void expire(TimePoint now, const std::string& remark);
 
-  /// Ends the calls to play a motion that have not been sent.
-  /// @param name of the motion; empty = any
-  void failUnsentMotions(const std::string& name, const Answer& failure);
+  /// Ends the calls that a stop cancels.
+  /// @param address of the robot, for the message
+  void failCancelledBy(const Call& stop, const std::string& address);
 
   /// Ends all calls.
   void failAll(const Answer& failure);

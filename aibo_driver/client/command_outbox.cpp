@@ -85,6 +85,9 @@ JointTarget JointCommands::takeTargetAfter(int id) {
 void CommandOutbox::append(CommandOutbox newer, JointCommands::TimePoint now) {
   speed_limits.add(newer.speed_limits.items());
   joints.append(std::move(newer.joints), now);
+  if (newer.steering) {
+    steering = SteeringCommand{newer.steering->velocity, now};
+  }
   leds.add(newer.leds.items());
   ears.add(newer.ears.items());
 }

@@ -8,10 +8,12 @@
 #include <chrono>
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
+#include "aibo_driver/walk.h"
 
 namespace aibo_driver {
 
@@ -96,14 +98,21 @@ class JointCommands {
   std::deque<JointCommand> commands_;  // none without targets
 };
 
+/// The newest velocity to walk with.
+struct SteeringCommand {
+  WalkVelocity velocity;
+  std::chrono::steady_clock::time_point since{};  ///< when it began to wait, see CommandOutbox::append()
+};
+
 /// All commands that wait.
 struct CommandOutbox {
   LatestById<JointSpeedLimit> speed_limits;
   JointCommands joints;
+  std::optional<SteeringCommand> steering;
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
 
-  bool empty() const { return speed_limits.empty() && joints.empty() && leds.empty() && ears.empty(); }
+  bool empty() const { return speed_limits.empty() && joints.empty() && !steering && leds.empty() && ears.empty(); }
 
   /// Adds newer commands, which begin to wait now.
   void append(CommandOutbox newer, JointCommands::TimePoint now);

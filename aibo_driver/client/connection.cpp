@@ -35,13 +35,21 @@ void Connection::dropStaleJointCommands(TimePoint now) {
   }
 }
 
+void Connection::dropStaleSteering(TimePoint now) {
+  if (commands.steering && commands.steering->since < now - kLongestJointWait) {
+    commands.steering.reset();
+    context.notifier.log(LogLevel::kWarn, "A velocity to walk with that had to wait for " + context.address +
+                                              " for more than " + std::to_string(kLongestJointWait.count()) +
+                                              " ms is dropped.");
+  }
+}
+
 void Connection::stopComes(const Call& call) {
   if (call.stopsRobot()) {
     commands.joints.drop(call.joints);
+    commands.steering.reset();
   }
-  calls.failUnsentMotions(call.name,
-                          makeFailure(CallOutcome::kRefused, context.address + " was told to " + describe(call) +
-                                                                 " before it was asked to play the motion."));
+  calls.failCancelledBy(call, context.address);
 }
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {

@@ -54,6 +54,9 @@ struct Connection {
   /// because the robot was busy or the link stood still, it drops the commands from before: they are out of date.
   void dropStaleJointCommands(TimePoint now);
 
+  /// Drops the velocity to walk with if it had to wait for long: it is out of date. To be called before it is sent.
+  void dropStaleSteering(TimePoint now);
+
   /// True if this call has to wait until the speed limits have been sent: they hold for the motion that it begins.
   bool mustWaitForSpeedLimits(const Call& call) const {
     return call.takesOverJoints() && !commands.speed_limits.empty();

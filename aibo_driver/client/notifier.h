@@ -28,6 +28,8 @@ class Notifier {
     call(callbacks_.on_joints_accepted, "on_joints_accepted", targets);
   }
 
+  void steered(const WalkVelocity& in_force) const noexcept { call(callbacks_.on_steered, "on_steered", in_force); }
+
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
 
   void log(LogLevel level, const std::string& message) const noexcept {

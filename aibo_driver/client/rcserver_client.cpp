@@ -8,6 +8,7 @@
 #include "client/connection_loop.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
+#include "protocol/walk_requests.h"
 
 namespace aibo_driver {
 
@@ -52,6 +53,9 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
     if (call.stopsRobot() && shared.status.protocol_version > 1) {
       shared.commands.joints.drop(call.joints);  // later commands wait until the robot has been told to stop
     }
+    if (call.stopsRobot() || call.letter == version2::REQUEST_POSTURE) {
+      shared.commands.steering.reset();
+    }
     shared.calls.push_back(std::move(call));
   });
   Answer answer = pending.get();
@@ -83,14 +87,30 @@ void command(ConnectionLoop* loop, char letter, const std::string& parts, const 
   });
 }
 
-/// @throw CommandException this server cannot hold joints
-void requireHold(const std::string& address, const ConnectionStatus& status) {
-  if (!status.robot.hasCapability(std::string(1, version2::REQUEST_HOLD))) {
-    const std::string server = status.protocol_version == 1 ? "speaks version 1 of the protocol, which has no request"
-                                                            : "(" + status.robot.server + ") has no request";
-    throw CommandException(address + " " + server +
-                           " to hold joints; send the joints to where they were commanded instead");
+constexpr char kToHold[] = "to hold joints; send the joints to where they were commanded instead";
+constexpr char kToWalk[] = "to walk; it takes an ERS-7 with a newer RCServer";
+constexpr char kToTakePostures[] = "to take postures; it takes an ERS-7 with a newer RCServer";
+
+/// @param purpose of the request, and what to do without it
+/// @throw CommandException this server does not know the request
+void requireRequest(const std::string& address, const ConnectionStatus& status, char letter, const char* purpose) {
+  if (!status.robot.hasCapability(std::string(1, letter))) {
+    const std::string server = status.protocol_version == 1 ? "speaks version 1 of the protocol, which has no request "
+                                                            : "(" + status.robot.server + ") has no request ";
+    throw CommandException(address + " " + server + purpose);
   }
+}
+
+version2::Posture toProtocol(Posture posture) {
+  switch (posture) {
+    case Posture::kStand:
+      return version2::POSTURE_STAND;
+    case Posture::kSit:
+      return version2::POSTURE_SIT;
+    case Posture::kRest:
+      break;
+  }
+  return version2::POSTURE_REST;
 }
 
 }  // namespace
@@ -164,11 +184,30 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) 
   checkJointsToHold(joints);
   loop_->read([this](const Shared& shared) {
     loop_->requireConnection(shared);
-    requireHold(loop_->address(), shared.status);
+    requireRequest(loop_->address(), shared.status, version2::REQUEST_HOLD, kToHold);
   });
   Call call = makeCall(version2::REQUEST_HOLD);
   call.joints = joints;
   ask(loop_.get(), std::move(call), timeout, "hold()");
+}
+
+void RcServerClient::steer(const WalkVelocity& velocity) {
+  checkWalkVelocity(velocity);
+  loop_->change([&](Shared& shared) {
+    loop_->requireConnection(shared);
+    requireRequest(loop_->address(), shared.status, version2::REQUEST_STEER, kToWalk);
+    shared.commands.steering = SteeringCommand{velocity};
+  });
+}
+
+void RcServerClient::takePosture(Posture posture, milliseconds timeout) {
+  loop_->read([this](const Shared& shared) {
+    loop_->requireConnection(shared);
+    requireRequest(loop_->address(), shared.status, version2::REQUEST_POSTURE, kToTakePostures);
+  });
+  Call call = makeCall(version2::REQUEST_POSTURE);
+  call.id = toProtocol(posture);
+  ask(loop_.get(), std::move(call), timeout, "takePosture()");
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {

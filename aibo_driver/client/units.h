@@ -21,6 +21,15 @@ inline double fromMicro(int value) {
   return value * 1e-6;
 }
 
+/// Version 2 counts the walk in mm/s and mrad/s.
+inline short toMilli(double value) {
+  return static_cast<short>(std::lround(value * 1e3));
+}
+
+inline double fromMilli(short value) {
+  return value * 1e-3;
+}
+
 /// @param design of the robot. A sensor that this design is not known to have is taken for one with a unit.
 inline robot_model::SensorKind sensorKind(const std::string& design, int id) {
   const robot_model::RobotModel* model = robot_model::findRobotModel(design.c_str());

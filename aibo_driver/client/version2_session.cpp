@@ -10,6 +10,7 @@
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
 #include "protocol/text.h"
+#include "protocol/walk_requests.h"
 
 namespace aibo_driver {
 
@@ -61,6 +62,8 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
     const version2::JointLimits& joint = hello.joints[i];
     robot.joint_limits.push_back({joint.id, fromMicro(joint.lower), fromMicro(joint.upper), fromMicro(joint.speed)});
   }
+  robot.walk_limits = {fromMilli(hello.walk.forward), fromMilli(hello.walk.back), fromMilli(hello.walk.left),
+                       fromMilli(hello.walk.turn)};
   return robot;
 }
 
@@ -72,6 +75,45 @@ void setDuty(int id, double duty, std::vector<JointReading>* joints) {
     if (joint.id == id) {
       joint.duty = duty;
     }
+  }
+}
+
+WalkState walkState(int state) {
+  switch (state) {
+    case version2::WALK_STATE_NONE:
+      return WalkState::kNone;
+    case version2::WALK_STATE_GETS_READY:
+      return WalkState::kGetsReady;
+    case version2::WALK_STATE_WALKS:
+      return WalkState::kWalks;
+    default:
+      return WalkState::kUnknown;
+  }
+}
+
+// Identifiers that it does not know are a newer server's.
+void setWalk(int id, int value, std::optional<WalkReading>* walk) {
+  if (!*walk) {
+    walk->emplace();
+  }
+  switch (id) {
+    case version2::WALK_FORWARD:
+      (*walk)->velocity.forward = fromMicro(value);
+      break;
+    case version2::WALK_LEFT:
+      (*walk)->velocity.left = fromMicro(value);
+      break;
+    case version2::WALK_TURN:
+      (*walk)->velocity.turn = fromMicro(value);
+      break;
+    case version2::WALK_PHASE:
+      (*walk)->phase = fromMicro(value);
+      break;
+    case version2::WALK_STATE:
+      (*walk)->state = walkState(value);
+      break;
+    default:
+      break;
   }
 }
 
@@ -127,6 +169,8 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
 void Version2Session::add(Call call) {
   if (call.stopsRobot() || call.stopsMotions()) {
     connection_.stopComes(call);
+  } else if (call.letter == version2::REQUEST_POSTURE) {
+    connection_.commands.steering.reset();
   }
   connection_.calls.add(std::move(call));
 }
@@ -181,7 +225,9 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
-  return request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_WITH_DUTY, now, version2::TELEMETRY_PERIOD_SIZE,
+  const bool can_walk = connection_.robot.hasCapability(std::string(1, version2::REQUEST_STEER));
+  const int content = version2::TELEMETRY_WITH_DUTY | (can_walk ? version2::TELEMETRY_WITH_WALK : 0);
+  return request(version2::REQUEST_TELEMETRY, content, now, version2::TELEMETRY_PERIOD_SIZE,
                  [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
 }
 
@@ -205,6 +251,12 @@ bool Version2Session::mayCommandJoints() const {
 
 Session::Bytes Version2Session::nextCommand(TimePoint now) {
   const CommandOutbox& commands = connection_.commands;
+  if (commands.speed_limits.empty() && outstanding(version2::REQUEST_STEER) == 0) {
+    connection_.dropStaleSteering(now);
+    if (commands.steering) {
+      return requestSteering(now);
+    }
+  }
   if (mayCommandJoints()) {
     if (!commands.speed_limits.empty()) {
       return requestSpeedLimits(now);
@@ -241,6 +293,13 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
   }
   return request(version2::REQUEST_JOINTS, 0, now, version2::MAX_JOINT_TARGETS_SIZE,
                  [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); });
+}
+
+Session::Bytes Version2Session::requestSteering(TimePoint now) {
+  const WalkVelocity wanted = std::exchange(connection_.commands.steering, std::nullopt)->velocity;
+  const version2::Velocity velocity = {toMilli(wanted.forward), toMilli(wanted.left), toMilli(wanted.turn)};
+  return request(version2::REQUEST_STEER, 0, now, version2::VELOCITY_SIZE,
+                 [&](unsigned char* out) { return version2::encodeVelocity(velocity, out); });
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
@@ -364,7 +423,7 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   if (!request_kind) {
     return;  // the caller has stopped waiting
   }
-  if (kind == version2::ERROR_MESSAGE) {
+  if (version2::isError(kind, payload.size)) {
     const std::string problem = describeError(payload.data, payload.size);
     const Call* const call = connection_.calls.find(number);
     call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(*request_kind, problem);
@@ -385,6 +444,8 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
       return onRequestedPicture(number, payload);
     case version2::REQUEST_JOINTS:
       return onJointsAccepted(payload);
+    case version2::REQUEST_STEER:
+      return onSteered(payload);
     default:
       // The answers for stream, speed limits, telemetry, LEDs and ears only confirm what was requested.
       if (const Call* const call = connection_.calls.find(number)) {
@@ -448,8 +509,10 @@ void Version2Session::onTelemetry(const Payload& payload) {
       telemetry.joints.push_back({entry.id, fromMicro(entry.value)});
     } else if (entry.group == version2::GROUP_SENSOR) {
       telemetry.sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
-    } else {
+    } else if (entry.group == version2::GROUP_DUTY) {
       setDuty(entry.id, fromMicro(entry.value), &telemetry.joints);
+    } else {
+      setWalk(entry.id, entry.value, &telemetry.walk);
     }
   }
 }
@@ -462,6 +525,13 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
   }
   connection_.context.notifier.jointsAccepted(targets);
+}
+
+void Version2Session::onSteered(const Payload& payload) {
+  version2::Velocity velocity;
+  expectGood(version2::decodeVelocity(payload.data, payload.size, &velocity), "reply to steering");
+  connection_.context.notifier.steered(
+      {fromMilli(velocity.forward), fromMilli(velocity.left), fromMilli(velocity.turn)});
 }
 
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
@@ -492,6 +562,8 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
       return refusals.refused(request_kind, "to move joints: " + problem);
     case version2::REQUEST_SPEED_LIMITS:
       return refusals.refused(request_kind, "to limit the speed of joints: " + problem);
+    case version2::REQUEST_STEER:
+      return refusals.refused(request_kind, "to walk: " + problem);
     case version2::REQUEST_TELEMETRY:
       return refusals.refused(request_kind, "to send telemetry: " + problem);
     case version2::REQUEST_LEDS:

@@ -66,6 +66,7 @@ class Version2Session final : public Session {
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);
   Bytes requestTargets(TimePoint now);
+  Bytes requestSteering(TimePoint now);
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
   template <typename Encode>
@@ -83,6 +84,7 @@ class Version2Session final : public Session {
   void onRequestedPicture(int number, const Payload& payload);
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
+  void onSteered(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
   void onRefusal(char request_kind, const std::string& problem);
   void onEnded(const Payload& payload);

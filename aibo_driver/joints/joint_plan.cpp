@@ -153,6 +153,15 @@ void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
   removeEnded();
 }
 
+void JointPlan::endTrajectoriesOf(const std::vector<std::string>& joints, MovementEnd how, const std::string& reason) {
+  for (const Job& job : jobs_) {
+    if (std::any_of(joints.begin(), joints.end(), [&job](const std::string& joint) { return job.placeOf(joint); })) {
+      noteEnd(job, how, reason);
+    }
+  }
+  removeEnded();
+}
+
 void JointPlan::endAll(MovementEnd how, const std::string& reason) {
   endTrajectories(how, reason);
   if (commanding_) {

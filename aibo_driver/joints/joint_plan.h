@@ -28,12 +28,12 @@ enum class MovementEnd {
 
 /// What moves a robot, or has moved it.
 struct Movement {
-  enum class Kind { kCommand, kTrajectory, kMotion };
+  enum class Kind { kCommand, kTrajectory, kMotion, kWalk, kPosture };
 
   Kind kind = Kind::kCommand;
-  std::string name;                                          ///< of a motion
+  std::string name;                                          ///< of a motion or posture
   std::string source;                                        ///< who asked for it
-  std::vector<std::string> joints;                           ///< unknown for a motion
+  std::vector<std::string> joints;                           ///< unknown for what the robot does by itself
   std::optional<std::chrono::steady_clock::time_point> end;  ///< of a trajectory
 };
 
@@ -113,6 +113,9 @@ class JointPlan {
 
   /// Ends all trajectories, and leaves commands as they are.
   void endTrajectories(MovementEnd how, const std::string& reason);
+
+  /// Ends the trajectories that move one of these joints, or will.
+  void endTrajectoriesOf(const std::vector<std::string>& joints, MovementEnd how, const std::string& reason);
 
   /// Ends a trajectory, if it has not ended yet.
   void end(const MovementFate& trajectory, MovementEnd how, const std::string& reason);

@@ -19,6 +19,8 @@ struct JointProperties {
   double lowest = 0;         ///< rad
   double highest = 0;        ///< rad
   double highest_speed = 0;  ///< rad/s; JointTable::speedLimit() has the limit in force
+  double own_speed = 0;      ///< rad/s, which it can do by itself
+  bool is_of_leg = false;
 };
 
 /// The joints of a robot, as aibo_rcserver/robot_model lists them.
@@ -39,6 +41,12 @@ class JointTable {
 
   /// The speed limits of all joints. From any thread.
   std::vector<JointSpeedLimit> speedLimits() const;
+
+  /// The joints of the legs.
+  std::vector<std::string> namesOfLegs() const;
+
+  /// How fast the joints of the legs can move by themselves, whatever the speed limits are.
+  std::vector<JointSpeedLimit> ownSpeedsOfLegs() const;
 
   /// Scales the speed limits of all joints. From any thread.
   /// @param scale above 0, at most 1; initially 1

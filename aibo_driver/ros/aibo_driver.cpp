@@ -13,6 +13,9 @@ constexpr int kPictureThreads = 4;
 // Stop does not wait behind motors, nor motors behind stop.
 constexpr int kStopThreads = 2;
 
+// A posture does not wait until the one before it, which it ends, has answered.
+constexpr int kPostureThreads = 2;
+
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   for (const std::string& name : parameters.unknown) {
     ROS_WARN_STREAM("The driver has no parameter " << name_prefix << "/" << name
@@ -54,6 +57,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       stop_threads_(handle_, kStopThreads),
       joint_thread_(handle_),
       body_thread_(handle_),
+      posture_threads_(handle_, kPostureThreads),
       picture_threads_(handle_, kPictureThreads),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
       joint_table_(parameters_.robot, parameters_.joint_speed_limit),
@@ -65,11 +69,14 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
               [this] { policy_.subscribersChanged(); }),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
+      odometry_(handle_, parameters_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
+      walk_(parameters_.walk, client_, mover_),
+      postures_(mover_),
       expression_(model_, client_),
       robot_services_(client_, mover_),
       motion_action_(client_, mover_),
@@ -83,6 +90,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   mover_.setListener({[this] { motion_state_.publish(); }, [this] { joints_.moveOn(); }});
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
+  walk_.subscribe(joint_thread_.handle());
+  postures_.advertise(posture_threads_.handle());
   motion_action_.start(joint_thread_.handle());
   trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
@@ -94,6 +103,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   stop_threads_.start();
   joint_thread_.start();
   body_thread_.start();
+  posture_threads_.start();
   picture_threads_.start();
 }
 
@@ -105,6 +115,7 @@ AiboDriver::~AiboDriver() {
   stop_threads_.stop();
   joint_thread_.stop();
   body_thread_.stop();
+  posture_threads_.stop();
   picture_threads_.stop();
 }
 
@@ -114,7 +125,11 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_status = [this](const ConnectionStatus& status) { updateConnection(status); };
   callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const Telemetry& telemetry) { publishTelemetry(telemetry); };
-  callbacks.on_ended = [this](const MotionEnd& end) { mover_.motionEnded(end); };
+  callbacks.on_steered = [this](const WalkVelocity& in_force) { mover_.steered(in_force); };
+  callbacks.on_ended = [this](const MotionEnd& end) {
+    odometry_.motionEnded(end);
+    mover_.motionEnded(end);
+  };
   callbacks.log = logForClient;
   return callbacks;
 }
@@ -129,6 +144,7 @@ void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
   if (footprint_) {
     footprint_->publish(telemetry);
   }
+  odometry_.publish(telemetry);
   power_.update(telemetry);
 }
 

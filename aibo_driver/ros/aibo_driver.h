@@ -34,6 +34,9 @@
 #include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
+#include "ros/walk/odometry_publisher.h"
+#include "ros/walk/posture_services.h"
+#include "ros/walk/walk_commander.h"
 
 namespace aibo_driver::node {
 
@@ -73,6 +76,7 @@ class AiboDriver {
   CallbackThreads stop_threads_;     ///< stop and motors: wait for nothing else
   CallbackThreads joint_thread_;     ///< everything that moves joints, in order
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
+  CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
   CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
 
   // What the client's callbacks need.
@@ -88,6 +92,7 @@ class AiboDriver {
   RawImagePublisher raw_images_;
   TelemetryPublishers telemetry_;
   std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted
+  OdometryPublisher odometry_;
 
   RcServerClient client_;
 
@@ -96,6 +101,8 @@ class AiboDriver {
   JointMover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
+  WalkCommander walk_;
+  PostureServices postures_;
   ExpressionCommander expression_;
   RobotServices robot_services_;
   PlayMotionServer motion_action_;

@@ -239,6 +239,16 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);
   reader.read("publish_footprint", &parameters.publish_footprint);
 
+  WalkSettings& walk = parameters.walk;
+  reader.read("walk_speed_limit", "m/s", 0.0, 1.0, &walk.speed_limit);
+  reader.read("walk_side_limit", "m/s", 0.0, 1.0, &walk.side_limit);
+  reader.read("walk_turn_limit", "rad/s", 0.0, 10.0, &walk.turn_limit);
+  reader.read("walk_scale", "times", 0.2, 5.0, &walk.scale);
+  reader.read("walk_turn_scale", "times", 0.2, 5.0, &walk.turn_scale);
+  reader.read("walk_direction", "rad", -1.0, 1.0, &walk.direction);
+  reader.read("cmd_vel_timeout", 0.1, 0.5, &walk.timeout);
+  reader.read("publish_odom_tf", &walk.publish_odom_tf);
+
   reader.checkRefusals();
   reader.addKnown("diagnostic_period");
   parameters.unknown = reader.unknown();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
+#include "ros/walk/walk_settings.h"
 
 namespace aibo_driver::node {
 
@@ -33,6 +34,8 @@ struct DriverParameters {
   double speed_scale = 1.0;        ///< 0.1..1, of the speed limits
   double approach_speed = 0.5;     ///< rad/s, 0.05..20; for the first motion of each joint, see JointCommandFilter
   bool slow_down = false;          ///< slow down a trajectory that is too fast, instead of refusing it
+
+  WalkSettings walk;
 
   bool publish_footprint = true;  ///< tf from base_footprint to base_link; only of an ERS-7
   std::string frame_prefix;       ///< put before every frame; see frame()

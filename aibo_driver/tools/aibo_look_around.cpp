@@ -1,5 +1,5 @@
 // Lets the robot look to the left, to the right and ahead, again and again. Each glance is one joint_trajectory. While
-// anything else moves the robot, it waits.
+// anything else moves the robot, it waits. Walking is no reason to: that takes the legs alone.
 
 #include <aibo_driver/MotionState.h>
 #include <ros/ros.h>
@@ -37,7 +37,7 @@ class LookAround {
  private:
   void receiveMotion(const aibo_driver::MotionState::ConstPtr& state) {
     const auto is_other = [](const aibo_driver::Movement& movement) {
-      return movement.source != ros::this_node::getName();
+      return movement.source != ros::this_node::getName() && movement.kind != aibo_driver::Movement::WALK;
     };
     is_free_ = std::none_of(state->movements.begin(), state->movements.end(), is_other);
     if (!is_free_) {

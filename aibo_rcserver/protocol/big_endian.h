@@ -19,6 +19,16 @@ inline unsigned short decodeBigEndian16(const unsigned char* in) {
   return static_cast<unsigned short>((in[0] << 8) | in[1]);
 }
 
+/// Writes 2 bytes in two's complement.
+inline void encodeBigEndianSigned16(short value, unsigned char* out) {
+  encodeBigEndian16(static_cast<unsigned short>(value), out);
+}
+
+/// Reads 2 bytes in two's complement.
+inline short decodeBigEndianSigned16(const unsigned char* in) {
+  return static_cast<short>(decodeBigEndian16(in));
+}
+
 /// Writes 4 bytes.
 inline void encodeBigEndian32(unsigned value, unsigned char* out) {
   encodeBigEndian16(value >> 16, out);

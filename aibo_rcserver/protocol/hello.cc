@@ -11,9 +11,11 @@ namespace version2 {
 
 namespace {
 
-enum Key { KEY_ROBOT, KEY_SERVER, KEY_FRAME_NUMBER, KEY_CAPABILITIES, KEY_LIMITS, KEY_COUNT };
+enum Key { KEY_ROBOT, KEY_SERVER, KEY_FRAME_NUMBER, KEY_CAPABILITIES, KEY_LIMITS, KEY_WALK_LIMITS, KEY_COUNT };
 
-const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits"};
+const int REQUIRED_KEYS = KEY_WALK_LIMITS;  // those before it
+
+const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits", "walk_limits"};
 
 // A piece of the payload, without a zero byte at its end.
 struct Text {
@@ -114,6 +116,22 @@ const char* decodeLimits(Text value, Hello* hello) {
   return NULL;
 }
 
+bool parseSpeed(const Text& text, short* speed) {
+  unsigned value = 0;
+  if (!parseUnsigned(text, SHRT_MAX, &value)) {
+    return false;
+  }
+  *speed = static_cast<short>(value);
+  return true;
+}
+
+const char* decodeWalkLimits(Text value, WalkLimits* walk) {
+  const bool is_read = parseSpeed(takeUntil(':', &value), &walk->forward) &&
+                       parseSpeed(takeUntil(':', &value), &walk->back) &&
+                       parseSpeed(takeUntil(':', &value), &walk->left) && parseSpeed(value, &walk->turn);
+  return is_read ? NULL : "the limits of the walk are not forward:back:left:turn";
+}
+
 const char* decodeValue(Key key, const Text& value, Hello* hello) {
   switch (key) {
     case KEY_ROBOT:
@@ -126,6 +144,8 @@ const char* decodeValue(Key key, const Text& value, Hello* hello) {
       return decodeText(value, hello->capabilities);
     case KEY_LIMITS:
       return decodeLimits(value, hello);
+    case KEY_WALK_LIMITS:
+      return decodeWalkLimits(value, &hello->walk);
     default:
       return NULL;
   }
@@ -204,6 +224,12 @@ size_t encodeHello(const Hello& hello, unsigned char* out) {
     writer.append(limits);
   }
   writer.append("\n");
+  const WalkLimits& walk = hello.walk;
+  if (walk.forward > 0 || walk.back > 0 || walk.left > 0 || walk.turn > 0) {
+    char limits[64];
+    sprintf(limits, "%d:%d:%d:%d", walk.forward, walk.back, walk.left, walk.turn);
+    writer.appendLine(KEY_WALK_LIMITS, limits);
+  }
   return writer.size();
 }
 
@@ -220,7 +246,7 @@ const char* decodeHello(const unsigned char* payload, size_t size, Hello* hello)
       return problem;
     }
   }
-  for (int key = 0; key < KEY_COUNT; ++key) {
+  for (int key = 0; key < REQUIRED_KEYS; ++key) {
     if (!is_there[key]) {
       return "the hello lacks robot, server, frame_number, capabilities or limits";
     }

@@ -5,16 +5,19 @@
 ///     robot=ERS-7
 ///     server=aibo_rcserver 0.1.0
 ///     frame_number=123456
-///     capabilities=H F W J V T O I L K P N
+///     capabilities=H F W J V T O I L K P N S E
 ///     limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460
+///     walk_limits=150:100:60:1200
 ///
-/// All five keys must be there, each once, in any order. Other keys are for newer clients and are ignored.
+/// The first five keys must be there; walk_limits is there if the robot can walk. None may be there twice. The order
+/// does not matter. Other keys are for newer clients and are ignored.
 #ifndef AIBO_RCSERVER_PROTOCOL_HELLO_H
 #define AIBO_RCSERVER_PROTOCOL_HELLO_H
 
 #include <stddef.h>
 
 #include "protocol/version2.h"
+#include "protocol/walk_requests.h"
 
 namespace protocol {
 namespace version2 {
@@ -39,10 +42,11 @@ struct Hello {
                                                ///< words for other abilities; separated by spaces
   unsigned char joint_count;                   ///< 0..MAX_JOINTS
   JointLimits joints[MAX_JOINTS];              ///< `limits`: id:lower:upper:speed, separated by spaces
+  WalkLimits walk;                             ///< `walk_limits`: forward:back:left:turn, in mm/s and mrad/s
 };
 
-/// Room for the largest hello: keys, three texts, and at most 4 + 3 * 12 bytes per joint.
-const size_t MAX_HELLO_SIZE = 128 + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
+/// Room for the largest hello: keys, three texts, and at most 4 + 3 * 12 bytes per joint, 4 * 6 for the walk.
+const size_t MAX_HELLO_SIZE = 160 + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
 
 /// Writes the payload.
 /// @param out room for MAX_HELLO_SIZE bytes

@@ -102,8 +102,8 @@ const char* checkTelemetryEntries(const unsigned char* in, size_t count) {
   }
   for (size_t i = 0; i < count; ++i) {
     const unsigned char* entry = in + i * ENTRY_SIZE;
-    if (entry[0] != GROUP_JOINT && entry[0] != GROUP_SENSOR && entry[0] != GROUP_DUTY) {
-      return "the group of a value is none of J, S and D";
+    if (entry[0] != GROUP_JOINT && entry[0] != GROUP_SENSOR && entry[0] != GROUP_DUTY && entry[0] != GROUP_WALK) {
+      return "the group of a value is none of J, S, D and W";
     }
     if (decodeBigEndian16(entry + 2) != 0) {
       return RESERVED_NOT_ZERO;
@@ -152,6 +152,10 @@ FrameHeader decodeFrameHeader(const unsigned char* in) {
 
 char replyKind(char request_kind) {
   return static_cast<char>(request_kind - 'A' + 'a');
+}
+
+bool isError(char kind, size_t payload_size) {
+  return kind == ERROR_MESSAGE && payload_size > 0;
 }
 
 size_t encodePictureRequest(Layer layer, unsigned char* out) {

@@ -4,7 +4,8 @@
 /// A client asks for version 2 in version 1 (versionRequest()). Once the server has agreed (versionReply()), both sides
 /// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
 /// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
-/// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h.
+/// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h,
+/// those about walking in walk_requests.h.
 ///
 /// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
 /// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
@@ -36,7 +37,8 @@ bool agreesToVersion2(const ValueReply& reply);
 /// The first bytes of every frame.
 struct FrameHeader {
   char kind;  ///< capital letter = request, lower-case letter = reply or push
-  /// JPEG quality of `F` and `W`, TelemetryContent of `T`, HoldScope of `I`, bits of `U` and `P`; 0 for all other kinds
+  /// JPEG quality of `F` and `W`, bits of TelemetryContent of `T`, HoldScope of `I`, Posture of `E`, bits of `U` and
+  /// `P`; 0 for all other kinds
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
@@ -67,6 +69,8 @@ const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, 
 const char REQUEST_DELETE = 'D';        ///< deletes a motion
 const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
 const char REQUEST_LIST = 'N';          ///< answered by the names of the motions on the robot
+const char REQUEST_STEER = 'S';         ///< walks; answered by the velocity in force; layouts are in walk_requests.h
+const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; no payload; answered when it has begun
 const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down; nothing follows the reply
 const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing follows the reply
 
@@ -78,6 +82,10 @@ const char ERROR_MESSAGE = 'e';   ///< a request was refused; with request_numbe
 
 /// The kind of the reply to a request that is not refused: the small letter.
 char replyKind(char request_kind);
+
+/// True if a frame of this kind and payload is an error. The reply to `E` that is not refused is an `e`, too; it has no
+/// payload, while an error has at least its code.
+bool isError(char kind, size_t payload_size);
 
 /// Quality that means the server's own default. All other numbers above MAX_JPEG_QUALITY mean MAX_JPEG_QUALITY.
 const unsigned char SERVER_DEFAULT_QUALITY = 255;
@@ -133,9 +141,10 @@ const size_t MAX_SPEED_LIMITS_SIZE = MAX_JOINTS * 8;
 size_t encodeSpeedLimits(const SpeedLimits& limits, unsigned char* out);
 const char* decodeSpeedLimits(const unsigned char* payload, size_t size, SpeedLimits* limits);
 
-/// What telemetry contains: the id of `T`. The reply's id is the one in force. A server that does not know an id sends
-/// positions and sensors.
-enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1 };
+/// What telemetry contains besides positions and sensors: bits of the id of `T`. The reply's id has the bits in force:
+/// a server leaves out those that it does not know. A server that knows TELEMETRY_WITH_DUTY only takes an id with other
+/// bits for TELEMETRY_PLAIN, so ask for a walk only if the server has REQUEST_STEER.
+enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1, TELEMETRY_WITH_WALK = 2 };
 
 /// Payload of `T` and of its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
 const size_t TELEMETRY_PERIOD_SIZE = 2;
@@ -145,10 +154,11 @@ const char* decodeTelemetryPeriod(const unsigned char* payload, size_t size, uns
 const char GROUP_JOINT = 'J';   ///< a position in microradian
 const char GROUP_SENSOR = 'S';  ///< millionths of the sensor's SI unit; a switch is 0 or 1
 const char GROUP_DUTY = 'D';    ///< of a joint's motor, in millionths of full duty; only TELEMETRY_WITH_DUTY
+const char GROUP_WALK = 'W';    ///< how the robot walks (walk_requests.h); only TELEMETRY_WITH_WALK
 
 /// One measured value.
 struct TelemetryEntry {
-  char group;  ///< GROUP_JOINT, GROUP_SENSOR or GROUP_DUTY
+  char group;  ///< GROUP_JOINT, GROUP_SENSOR, GROUP_DUTY or GROUP_WALK
   unsigned char id;
   int value;
 };
@@ -276,14 +286,14 @@ const char* decodeErrorMessage(const unsigned char* payload, size_t size, ErrorM
 /// What has ended. A receiver must accept values that it does not know.
 enum {
   ENDED_MOTION = 1,   ///< a motion; the name is its file's
-  ENDED_WALK = 2,     ///< walking
-  ENDED_POSTURE = 3,  ///< a change of posture; the name is the posture's
+  ENDED_WALK = 2,     ///< walking; the name is WALK_NAME
+  ENDED_POSTURE = 3,  ///< a change of posture; the name is postureName()
   ENDED_JAM = 4       ///< a joint's fault: it follows its commands again; the name is the joint's
 };
 
 /// How it has ended. A receiver must accept values that it does not know.
 enum {
-  END_DONE = 0,      ///< it has reached its end
+  END_DONE = 0,      ///< it has reached its end; a walk: the robot stands because it was steered so
   END_REPLACED = 1,  ///< a command or another motion took its joints
   END_STOPPED = 2,   ///< the client, or the motors' switch, stopped it
   END_REFUSED = 3,   ///< the robot could not go on with it, for instance because a joint did not follow

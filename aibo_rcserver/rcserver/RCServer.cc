@@ -21,13 +21,6 @@ Vector* VectorOf(const ONotifyEvent& event) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
-// A problem that keeps the robot from lying down; NULL if there is none.
-void ReportLyingDown(const char* problem) {
-  if (problem != NULL) {
-    OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
-  }
-}
-
 const char* ReasonOf(TCPEndpointError error) {
   switch (error) {
     case TCP_CONNECTION_CLOSED:
@@ -44,6 +37,7 @@ const char* ReasonOf(TCPEndpointError error) {
 }  // namespace
 
 const longword RCServer::HEARTBEAT_FRAMES;
+const longword RCServer::LYING_DOWN_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
 
 RCServer::RCServer()
@@ -53,6 +47,7 @@ RCServer::RCServer()
       power_order_(POWER_STAYS_ON),
       session_(NULL),
       now_(0),
+      lies_down_since_(0),
       admitted_(0),
       last_bytes_received_(0),
       last_sign_of_life_(0),
@@ -139,9 +134,6 @@ void RCServer::ReadyEncodeJob(const OReadyEvent&) {
 void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   const FileResult& result = *static_cast<const FileResult*>(event.Data(0));
   session_->FileDone(result);
-  if (lie_down_.Awaits(result)) {
-    ReportLyingDown(lie_down_.Play(result, body_->Joints()));
-  }
   if (client_ != NULL) {
     ServeClient();
   }
@@ -287,6 +279,10 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
     case PowerSupply::NO_ALARM:
       break;
     case PowerSupply::PAUSE_PRESSED:
+      if (power_order_ == POWER_STAYS_ON && body_->Joints().Walking().IsMoving()) {
+        GoOff(POWER_LIE_DOWN, "the pause button was pressed: the robot lies down and shuts down");
+        break;
+      }
       body_->CutMotors();
       GoOff(POWER_SHUT_DOWN, "the pause button was pressed: motors off, the robot shuts down");
       break;
@@ -312,7 +308,7 @@ void RCServer::GoOff(PowerOrder order, const char* reason) {
 
 void RCServer::CarryOutPowerOrder() {
   if (power_order_ == POWER_LIE_DOWN && body_->Motors().AreOn()) {
-    lie_down_.Begin(now_);
+    LieDown();
   } else if (power_order_ != POWER_STAYS_ON) {
     SwitchOff();
   }
@@ -327,9 +323,24 @@ void RCServer::SwitchOff() {
   }
 }
 
+void RCServer::LieDown() {
+  Walker& walker = body_->Joints().Walking();
+  const char* const problem =
+      walker.CanWalk() ? walker.Problem(false) : "nobody knows how this kind of robot lies down";
+  lies_down_since_ = now_;
+  if (problem == NULL) {
+    body_->Joints().Take(protocol::version2::POSTURE_REST);
+  } else {
+    OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
+  }
+}
+
+// The motors go off when the robot lies. Until then, nobody commands it, so a pause in its moves is the end.
 void RCServer::ContinueLyingDown() {
-  ReportLyingDown(lie_down_.Continue(now_, file_desk_, body_->IsAtRest()));
-  if (!lie_down_.IsUnderWay()) {
+  if (!body_->Joints().Walking().IsActive()) {
+    SwitchOff();
+  } else if (now_ - lies_down_since_ >= LYING_DOWN_FRAMES) {
+    OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: it takes longer than 10 s"));
     SwitchOff();
   }
 }

@@ -17,7 +17,6 @@
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureTaker.h"
 #include "rcserver/motions/FileJobs.h"
-#include "rcserver/motions/LieDown.h"
 #include "rcserver/settings/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
@@ -31,11 +30,17 @@
 /// When the robot starts, all joints hold where they are, unless RCSERVER.CFG keeps the motors off. LEDs and ears are
 /// left alone.
 ///
-/// The pause button cuts the motors and shuts the robot down; a low battery makes it lie down first (PowerSupply.h).
+/// The pause button cuts the motors and shuts the robot down; a low battery makes it lie down first (PowerSupply.h). So
+/// does the pause button while the robot walks or takes a posture, when it would fall; pressed again, it cuts the
+/// motors.
 class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for this many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
+
+  /// Lying down before the motors go off is given up after this many frames: 10 s, twice what it takes from any posture
+  /// and walk.
+  static const longword LYING_DOWN_FRAMES = 1250;
 
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
@@ -96,6 +101,7 @@ class RCServer : public OObject {
   void GoOff(PowerOrder order, const char* reason);
   void CarryOutPowerOrder();
   void SwitchOff();
+  void LieDown();
   void ContinueLyingDown();
   void PassTime(longword frame);
   void CheckClient();
@@ -120,10 +126,10 @@ class RCServer : public OObject {
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;
   PictureTaker pictures_;
-  LieDown lie_down_;
   Settings settings_;
   Session* session_;  ///< from DoInit to DoDestroy
   longword now_;
+  longword lies_down_since_;
   longword admitted_;             ///< when the client was
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client

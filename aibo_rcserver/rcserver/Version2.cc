@@ -49,6 +49,56 @@ int MillionthsOfFullDuty(int duty) {
   return duty * (1000000 / 64) / (FULL_DUTY / 64);
 }
 
+short Thousandths(double value) {
+  return static_cast<short>(value * 1000 + (value < 0 ? -1e-6 : 1e-6));
+}
+
+int Millionths(double value) {
+  return static_cast<int>(value * 1e6 + (value < 0 ? -0.5 : 0.5));
+}
+
+WalkLimits WalkLimitsOf(const Walker& walker) {
+  const GaitParameters& gait = walker.Parameters();
+  const WalkLimits none = {0, 0, 0, 0};
+  const WalkLimits limits = {Thousandths(gait.highest_forward), Thousandths(gait.highest_back),
+                             Thousandths(gait.highest_left), Thousandths(gait.highest_turn)};
+  return walker.CanWalk() ? limits : none;
+}
+
+void AddWalk(Walker& walker, Telemetry* telemetry) {
+  const WalkVelocity velocity = walker.TakeVelocity();
+  const TelemetryEntry entries[] = {
+      {GROUP_WALK, WALK_FORWARD, Millionths(velocity.forward)},
+      {GROUP_WALK, WALK_LEFT, Millionths(velocity.left)},
+      {GROUP_WALK, WALK_TURN, Millionths(velocity.turn)},
+      {GROUP_WALK, WALK_PHASE, static_cast<int>(walker.Phase() * 1e6)},
+      {GROUP_WALK, WALK_STATE, walker.State()},
+  };
+  for (size_t i = 0; i < sizeof(entries) / sizeof(entries[0]); ++i) {
+    telemetry->entries[telemetry->count] = entries[i];
+    ++telemetry->count;
+  }
+}
+
+unsigned char HowEnded(Walker::Cause cause) {
+  switch (cause) {
+    case Walker::DONE:
+      return END_DONE;
+    case Walker::JOINT_COMMANDED:
+    case Walker::MOTION_BEGAN:
+    case Walker::POSTURE_BEGAN:
+    case Walker::WALK_BEGAN:
+      return END_REPLACED;
+    case Walker::JOINT_FAILED:
+    case Walker::JOINT_SLOW:
+      return END_REFUSED;
+    case Walker::FELL:
+      return END_FELL;
+    default:
+      return END_STOPPED;
+  }
+}
+
 const char* WordsFor(JointWatch::Verdict fault) {
   switch (fault) {
     case JointWatch::JAMMED:
@@ -76,15 +126,16 @@ Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands&
       has_waiting_(false),
       waiting_(),
       commands_before_waiting_(0) {
-  sprintf(capabilities_, "%s%s%s%s%s", CAPABILITIES, settings.allow_upload ? " U" : "",
-          settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
+  sprintf(capabilities_, "%s%s%s%s%s%s", CAPABILITIES, robot.joints.Walking().CanWalk() ? " S E" : "",
+          settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "",
+          settings.allow_reboot ? " R" : "");
   Begin();
 }
 
 void Version2::Begin() {
   has_waiting_ = false;
   telemetry_period_ = 0;
-  with_duty_ = false;
+  content_ = TELEMETRY_PLAIN;
   has_pushed_telemetry_ = false;
   last_telemetry_ = 0;
 }
@@ -129,6 +180,12 @@ void Version2::Execute(unsigned now) {
       return Hold();
     case REQUEST_TELEMETRY:
       return SetTelemetry();
+    case REQUEST_STEER:
+    case REQUEST_POSTURE:
+      if (robot_.joints.Walking().CanWalk()) {
+        return request_.kind == REQUEST_STEER ? Steer() : TakePosture();
+      }
+      break;
     case REQUEST_LEDS:
       return SetLeds();
     case REQUEST_EARS:
@@ -162,6 +219,7 @@ void Version2::PushReports() {
   PushJointFaults();
   PushRecoveries();
   PushMotionEnds();
+  PushWalkEnds();
 }
 
 void Version2::Measured(unsigned frame) {
@@ -212,7 +270,7 @@ bool Version2::IsWellFormed(const char* problem) {
 }
 
 void Version2::Greet(unsigned now) {
-  const JointControl& joints = robot_.joints;
+  JointControl& joints = robot_.joints;
   Hello hello;
   CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
@@ -224,6 +282,7 @@ void Version2::Greet(unsigned now) {
     const JointLimits limits = {joint.identifier, joint.lowest, joint.highest, joint.highest_speed};
     hello.joints[i] = limits;
   }
+  hello.walk = WalkLimitsOf(joints.Walking());
   Reply(encodeHello(hello, Payload()));
 }
 
@@ -376,12 +435,55 @@ void Version2::HoldJoints() {
   Reply(0);
 }
 
+// Velocities are whole mm/s and mrad/s on the wire. Those in force are rounded down, so that a client that sends them
+// back gets the same.
+void Version2::Steer() {
+  protocol::version2::Velocity wire;
+  if (!IsWellFormed(decodeVelocity(payload_, request_.payload_size, &wire))) {
+    return;
+  }
+  const WalkVelocity wanted = {wire.forward * 1e-3, wire.left * 1e-3, wire.turn * 1e-3};
+  if (!IsZero(wanted) && !MayWalk(true)) {
+    return;
+  }
+  const WalkVelocity accepted = robot_.joints.Steer(wanted);
+  wire.forward = Thousandths(accepted.forward);
+  wire.left = Thousandths(accepted.left);
+  wire.turn = Thousandths(accepted.turn);
+  Reply(encodeVelocity(wire, Payload()));
+}
+
+void Version2::TakePosture() {
+  if (!IsWellFormed(checkNoPayload(request_.payload_size))) {
+    return;
+  }
+  if (!isPosture(request_.id)) {
+    Refuse(CODE_REFUSED, "bad request: the id is none of the postures 1 (stand), 2 (sit) and 3 (rest)");
+    return;
+  }
+  if (MayWalk(false)) {
+    robot_.joints.Take(static_cast<Posture>(request_.id));
+    Reply(0);
+  }
+}
+
+// Refuses the request if the robot cannot walk or take a posture now.
+bool Version2::MayWalk(bool is_walk) {
+  const char* const problem =
+      robot_.motors.AreOn() ? robot_.joints.Walking().Problem(is_walk) : "the motors are off; switch them on first";
+  if (problem != NULL) {
+    Refuse(CODE_REFUSED, problem);
+  }
+  return problem == NULL;
+}
+
 void Version2::SetTelemetry() {
   unsigned short frames = 0;
   if (IsWellFormed(decodeTelemetryPeriod(payload_, request_.payload_size, &frames))) {
     telemetry_period_ = WholeSensorPeriods(frames);
-    with_duty_ = request_.id == TELEMETRY_WITH_DUTY;
-    request_.id = static_cast<unsigned char>(with_duty_ ? TELEMETRY_WITH_DUTY : TELEMETRY_PLAIN);
+    const bool can_walk = robot_.joints.Walking().CanWalk();
+    content_ = static_cast<unsigned char>(request_.id & (TELEMETRY_WITH_DUTY | (can_walk ? TELEMETRY_WITH_WALK : 0)));
+    request_.id = content_;
     has_pushed_telemetry_ = false;
     outbox_.DropTelemetry();
     Reply(encodeTelemetryPeriod(telemetry_period_, Payload()));
@@ -457,6 +559,20 @@ void Version2::PushRecoveries() {
   }
 }
 
+void Version2::PushWalkEnds() {
+  Walker& walker = robot_.joints.Walking();
+  Walker::End end;
+  while (outbox_.HasRoom() && walker.TakeEnd(&end)) {
+    char reason[Walker::MAX_TEXT_SIZE];
+    walker.Describe(end, reason);
+    SendEnd(end.is_walk ? ENDED_WALK : ENDED_POSTURE, HowEnded(end.cause),
+            end.is_walk ? WALK_NAME : postureName(end.posture), reason);
+  }
+  if (outbox_.HasRoom() && walker.TakeSoftened()) {
+    SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are soft");
+  }
+}
+
 // Takes the place of telemetry that still waits.
 void Version2::PushTelemetry(unsigned frame) {
   const JointControl& joints = robot_.joints;
@@ -477,10 +593,14 @@ void Version2::PushTelemetry(unsigned frame) {
       ++telemetry.count;
     }
   }
-  for (int i = 0; with_duty_ && i < joints.NumberOfJoints(); ++i) {
+  const bool with_duty = (content_ & TELEMETRY_WITH_DUTY) != 0;
+  for (int i = 0; with_duty && i < joints.NumberOfJoints(); ++i) {
     const TelemetryEntry entry = {GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i))};
     telemetry.entries[telemetry.count] = entry;
     ++telemetry.count;
+  }
+  if ((content_ & TELEMETRY_WITH_WALK) != 0) {
+    AddWalk(robot_.joints.Walking(), &telemetry);
   }
   const size_t size = encodeTelemetry(telemetry, Payload());
   const FrameHeader header = {TELEMETRY_PUSH, 0, 0, static_cast<unsigned>(size)};

@@ -41,7 +41,7 @@ class Version2 {
   /// Tells the client why the robot goes off, if there is room in the outbox.
   void PushPowerOff(const char* reason);
 
-  /// Pushes what the joints and motions have to report, as far as there is room in the outbox.
+  /// Pushes what joints, motions and the walk have to report, as far as there is room in the outbox.
   void PushReports();
 
   /// All joints have been measured: pushes what there is to report, and telemetry if it is due.
@@ -77,6 +77,9 @@ class Version2 {
   void SwitchMotors();
   void Hold();
   void HoldJoints();
+  void Steer();
+  void TakePosture();
+  bool MayWalk(bool is_walk);
   void SetTelemetry();
   void SetLeds();
   void SetEars();
@@ -103,6 +106,7 @@ class Version2 {
   void PushRecoveries();
   void PushMotionEnds();
   void PushMotionEnd(const MotionPlayer::End& end);
+  void PushWalkEnds();
   void PushTelemetry(unsigned frame);
 
   static const protocol::MotionName ALL_MOTIONS;
@@ -123,7 +127,7 @@ class Version2 {
   unsigned commands_before_waiting_;  ///< how many commands the joints had had when it came
   unsigned char message_[Outbox::MAX_REPLY_SIZE];
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
-  bool with_duty_;                   ///< telemetry has the duty of the motors
+  unsigned char content_;            ///< of telemetry: bits of TelemetryContent
   bool has_pushed_telemetry_;        ///< since the period was set
   unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
 };

@@ -182,6 +182,8 @@ void Version2::PushMotionEnd(const MotionPlayer::End& end) {
     case MotionPlayer::JOINT_COMMANDED:
       sprintf(text, "%s was commanded", joint);
       return SendEnd(ENDED_MOTION, END_REPLACED, end.name, text);
+    case MotionPlayer::LEGS_TAKEN:
+      return SendEnd(ENDED_MOTION, END_REPLACED, end.name, "the robot was told to walk or to take a posture");
     case MotionPlayer::JOINT_FAILED:
       sprintf(text, "%s is stopped: %s does not follow. Its joints hold where they are", end.name, joint);
       SendError(0, CODE_JOINT_FAULT, text);

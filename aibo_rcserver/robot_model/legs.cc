@@ -45,6 +45,17 @@ double lengthOf(const Point& point) {
   return sqrt(point.x * point.x + point.z * point.z);
 }
 
+// Where a place of the leg is in the body once elevator and rotator have turned it.
+// @param point from the shoulder, as of the left front leg, with the leg straight down
+Point turnedAboutShoulder(Leg leg, const Point& point, const LegAngles& angles) {
+  const double rotator = endOf(leg) * angles.rotator;
+  const double outward = point.y * cos(angles.elevator) - point.z * sin(angles.elevator);
+  const double up = point.y * sin(angles.elevator) + point.z * cos(angles.elevator);
+  const Point turned = {SHOULDER.x + point.x * cos(rotator) - up * sin(rotator), SHOULDER.y + outward,
+                        SHOULDER.z + point.x * sin(rotator) + up * cos(rotator)};
+  return mirrored(leg, turned);
+}
+
 // Finds rotator and elevator for a knee that puts the foot as far from the shoulder as it has to be.
 // @param way from the shoulder to the foot, as of the left front leg
 // @return false if the elevator cannot get it as far sideways as it has to be
@@ -74,16 +85,15 @@ Point findShoulder(Leg leg) {
   return mirrored(leg, SHOULDER);
 }
 
+Point findKnee(Leg leg, const LegAngles& angles) {
+  return turnedAboutShoulder(leg, KNEE, angles);
+}
+
 Point findFoot(Leg leg, const LegAngles& angles) {
-  const double rotator = endOf(leg) * angles.rotator;
   const Point& shank = shankOf(leg);
-  const double forward = KNEE.x + shank.x * cos(angles.knee) - shank.z * sin(angles.knee);
-  const double up = KNEE.z + shank.x * sin(angles.knee) + shank.z * cos(angles.knee);
-  const double outward = shank.y * cos(angles.elevator) - up * sin(angles.elevator);
-  const double lifted = shank.y * sin(angles.elevator) + up * cos(angles.elevator);
-  const Point foot = {SHOULDER.x + forward * cos(rotator) - lifted * sin(rotator), SHOULDER.y + outward,
-                      SHOULDER.z + forward * sin(rotator) + lifted * cos(rotator)};
-  return mirrored(leg, foot);
+  const Point from_shoulder = {KNEE.x + shank.x * cos(angles.knee) - shank.z * sin(angles.knee), KNEE.y + shank.y,
+                               KNEE.z + shank.x * sin(angles.knee) + shank.z * cos(angles.knee)};
+  return turnedAboutShoulder(leg, from_shoulder, angles);
 }
 
 bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {

@@ -49,6 +49,9 @@ int legJointIdentifier(Leg leg, int number);
 /// Where the rotator and the elevator meet.
 Point findShoulder(Leg leg);
 
+/// The axis of the knee.
+Point findKnee(Leg leg, const LegAngles& angles);
+
 /// Centre of the foot's ball.
 Point findFoot(Leg leg, const LegAngles& angles);
 

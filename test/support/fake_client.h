@@ -65,6 +65,13 @@ class FakeClient : public aibo_driver::RcServerClient {
     }
     tell(text);
   }
+  void steer(const aibo_driver::WalkVelocity& velocity) override {
+    tell("steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
+  }
+  void takePosture(aibo_driver::Posture posture, Milliseconds) override {
+    constexpr const char* kNames[] = {"stand", "sit", "rest"};
+    tell(kNames[static_cast<int>(posture)]);
+  }
   void commandLeds(const std::vector<aibo_driver::LedCommand>& commands) override {
     tell("LEDs");
     leds = commands;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -13,23 +12,10 @@
 #include "mtn/layout.h"
 #include "mtn/motion.h"
 #include "ros/files.h"
+#include "ros/service_answer.h"
 
 namespace aibo_driver::node {
 namespace {
-
-/// Answers a call with how it went.
-/// @param failure what was not done: begins the message if `work` throws
-/// @param work does what was asked, and returns the message that says so
-template <typename Response, typename Work>
-bool answer(Response& response, const std::string& failure, const Work& work) {
-  try {
-    response.message = work();
-    response.success = true;
-  } catch (const std::exception& error) {
-    response.message = failure + ": " + error.what();
-  }
-  return true;
-}
 
 /// While it lives, and until the callbacks that are in a queue when it ends have run, nothing new moves the robot.
 class Interruption {

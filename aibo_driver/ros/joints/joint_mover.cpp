@@ -34,14 +34,46 @@ MovementEnd movementEnd(EndedHow how) {
 }
 
 std::string nameOf(const joints::Movement& movement) {
-  if (movement.kind == joints::Movement::Kind::kMotion) {
-    return "The motion " + movement.name;
+  switch (movement.kind) {
+    case joints::Movement::Kind::kMotion:
+      return "The motion " + movement.name;
+    case joints::Movement::Kind::kPosture:
+      return "The posture " + movement.name;
+    case joints::Movement::Kind::kWalk:
+      return "The walk";
+    default:
+      break;
   }
   std::string names;
   for (const std::string& joint : movement.joints) {
     names += (names.empty() ? " of " : ", ") + joint;
   }
   return (movement.kind == joints::Movement::Kind::kTrajectory ? "The trajectory" : "The command") + names;
+}
+
+bool isMotionEnd(const joints::Movement& movement, const MotionEnd& end) {
+  switch (movement.kind) {
+    case joints::Movement::Kind::kMotion:
+      return end.kind == EndedKind::kMotion && movement.name == end.name;
+    case joints::Movement::Kind::kPosture:
+      return end.kind == EndedKind::kPosture && movement.name == end.name;
+    case joints::Movement::Kind::kWalk:
+      return end.kind == EndedKind::kWalk;
+    default:
+      return false;
+  }
+}
+
+std::string nameOf(Posture posture) {
+  switch (posture) {
+    case Posture::kStand:
+      return "stand";
+    case Posture::kSit:
+      return "sit";
+    case Posture::kRest:
+      break;
+  }
+  return "rest";
 }
 
 }  // namespace
@@ -186,35 +218,60 @@ void JointMover::holdRobot(const std::vector<int>& joints, const joints::JointOr
 
 JointMover::Fate JointMover::play(const std::string& name, int repetitions, milliseconds timeout,
                                   std::string* changes) {
-  Motion motion;
+  Begin motion;
   motion.movement.kind = joints::Movement::Kind::kMotion;
   motion.movement.name = name;
-  motion.fate = std::make_shared<joints::MovementFate>();
+  motion.prepare = [this] {
+    plan_.endTrajectories(MovementEnd::kReplaced, "play_motion was called");
+    link_.limitSpeeds(table_.speedLimits());  // the robot would keep to lower limits of earlier commands
+    motions_connection_ = link_.connection();
+  };
+  motion.ask = [&] {
+    const std::string played_differently = client_.playMotion(name, repetitions, timeout);
+    if (changes != nullptr) {
+      *changes = played_differently;
+    }
+  };
+  motion.undo = [&] { client_.stopMotion(name, timeout); };
+  return begin(motion);
+}
+
+JointMover::Fate JointMover::takePosture(Posture posture, milliseconds timeout) {
+  Begin change;
+  change.movement.kind = joints::Movement::Kind::kPosture;
+  change.movement.name = nameOf(posture);
+  change.prepare = [&] { freeLegs("the posture " + change.movement.name + " was asked for"); };
+  change.ask = [&] { client_.takePosture(posture, timeout); };
+  change.undo = [&] { client_.hold({}, timeout); };
+  return begin(change);
+}
+
+JointMover::Fate JointMover::begin(const Begin& begin) {
+  const Motion motion{begin.movement, std::make_shared<joints::MovementFate>()};
   const std::uint64_t before = epoch();
   {
     const Lock lock(mutex_);
     refuseIfBlocked();
     checkConnection();
-    plan_.endTrajectories(MovementEnd::kReplaced, "play_motion was called");
+    begin.prepare();
     noteEnds();
-    link_.limitSpeeds(table_.speedLimits());  // the robot would keep to lower limits of earlier commands
-    motions_.push_back(motion);               // now, because its end may be reported before the call returns
-    motions_connection_ = link_.connection();
+    motions_.push_back(motion);  // now, because its end may be reported before the call returns
   }
+  changed();
   try {
-    const std::string played_differently = client_.playMotion(name, repetitions, timeout);
-    if (changes != nullptr) {
-      *changes = played_differently;
-    }
+    begin.ask();
   } catch (const Exception&) {
-    const Lock lock(mutex_);
-    const auto is_it = [&motion](const Motion& each) { return each.fate == motion.fate; };
-    motions_.erase(std::remove_if(motions_.begin(), motions_.end(), is_it), motions_.end());
+    {
+      const Lock lock(mutex_);
+      const auto is_it = [&motion](const Motion& each) { return each.fate == motion.fate; };
+      motions_.erase(std::remove_if(motions_.begin(), motions_.end(), is_it), motions_.end());
+    }
+    changed();
     throw;
   }
   if (epoch() != before) {
-    client_.stopMotion(name, timeout);
-    throw CommandException("everything was stopped while the robot read it.");
+    begin.undo();
+    throw CommandException("everything was stopped while the robot was asked for it.");
   }
   if (!robotReportsEnds()) {
     const Lock lock(mutex_);
@@ -222,6 +279,91 @@ JointMover::Fate JointMover::play(const std::string& name, int repetitions, mill
   }
   changed();
   return motion.fate;
+}
+
+joints::MovementFate JointMover::waitForEnd(const Fate& movement, milliseconds timeout) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  ended_.wait_for(lock, timeout, [&movement] { return movement->end.has_value(); });
+  return *movement;
+}
+
+// Trajectories of the head go on. The robot would keep the legs to lower speed limits of earlier commands; a walk needs
+// what they can do.
+void JointMover::freeLegs(const std::string& reason) {
+  link_.requireDesign();
+  plan_.endTrajectoriesOf(table_.namesOfLegs(), MovementEnd::kReplaced, reason);
+  if (client_.status().robot.hasCapability("S")) {
+    link_.limitSpeeds(table_.ownSpeedsOfLegs());
+  }
+}
+
+void JointMover::steer(const WalkVelocity& velocity, const std::string& source, std::uint64_t epoch) {
+  {
+    const Lock lock(mutex_);
+    if (velocity.isZero() && !walks()) {
+      return;
+    }
+    if (blocks_ > 0 || epoch != presentEpoch()) {
+      warnings_.warn("A velocity to walk with was dropped: " + std::string(kStoppedAfter));
+      return;
+    }
+    checkConnection();
+    walk_stop_reason_.clear();
+    walker_ = source;
+    try {
+      if (!velocity.isZero()) {
+        freeLegs("the robot walks");
+      }
+      sendVelocity(velocity);
+    } catch (const StoppedException&) {
+      return;  // the driver is ending
+    } catch (const Exception& error) {
+      warnings_.warn(std::string("The robot does not walk: ") + error.what());
+    }
+    noteEnds();
+  }
+  changed();
+}
+
+void JointMover::stopWalking(const std::string& reason) {
+  const Lock lock(mutex_);
+  if (!walks()) {
+    return;
+  }
+  try {
+    sendVelocity({});
+    walk_stop_reason_ = reason;
+  } catch (const Exception& error) {  // then it stops by itself
+    ROS_DEBUG_STREAM_NAMED("walk", "The robot was not told to stop walking: " << error.what());
+  }
+}
+
+void JointMover::sendVelocity(const WalkVelocity& velocity) {
+  client_.steer(velocity);
+  velocity_ = velocity;
+  walk_connection_ = link_.connection();
+}
+
+// Also true of one that has been told to, and has not answered yet.
+bool JointMover::walks() const {
+  const auto is_walk = [](const Motion& each) { return each.movement.kind == joints::Movement::Kind::kWalk; };
+  const bool is_told_to = walk_connection_ == link_.connection() && !velocity_.isZero();
+  return is_told_to || std::any_of(motions_.begin(), motions_.end(), is_walk);
+}
+
+void JointMover::steered(const WalkVelocity& in_force) {
+  {
+    const Lock lock(mutex_);
+    const auto is_walk = [](const Motion& each) { return each.movement.kind == joints::Movement::Kind::kWalk; };
+    if (in_force.isZero() || std::any_of(motions_.begin(), motions_.end(), is_walk)) {
+      return;
+    }
+    Motion walk{{}, std::make_shared<joints::MovementFate>()};
+    walk.movement.kind = joints::Movement::Kind::kWalk;
+    walk.movement.source = walker_;
+    motions_.push_back(walk);
+  }
+  changed();
 }
 
 void JointMover::prepareForMotors() {
@@ -242,21 +384,29 @@ void JointMover::disconnected() {
     plan_.endAll(MovementEnd::kStopped, reason);
     endMotions(MovementEnd::kStopped, reason);
     noteEnds();
+    velocity_ = WalkVelocity();
   }
   changed();
 }
 
 void JointMover::motionEnded(const MotionEnd& end) {
-  if (end.kind != EndedKind::kMotion) {
-    return;
-  }
   {
     const Lock lock(mutex_);
     const auto motion = std::find_if(motions_.begin(), motions_.end(),
-                                     [&end](const Motion& each) { return each.movement.name == end.name; });
-    if (motion != motions_.end()) {
-      const std::shared_ptr<joints::MovementFate> fate = motion->fate;
-      endMotion(fate, movementEnd(end.how), end.reason);
+                                     [&end](const Motion& each) { return isMotionEnd(each.movement, end); });
+    if (motion == motions_.end()) {
+      return;
+    }
+    const joints::Movement::Kind kind = motion->movement.kind;
+    const bool ran_out =
+        kind == joints::Movement::Kind::kWalk && end.how == EndedHow::kDone && !walk_stop_reason_.empty();
+    const std::shared_ptr<joints::MovementFate> fate = motion->fate;
+    if (kind == joints::Movement::Kind::kWalk) {
+      velocity_ = WalkVelocity();
+    }
+    endMotion(fate, ran_out ? MovementEnd::kStopped : movementEnd(end.how), ran_out ? walk_stop_reason_ : end.reason);
+    if (kind != joints::Movement::Kind::kMotion) {
+      filter_.startApproach();  // the legs may be anywhere, and after "rest" in somebody's hands
     }
   }
   changed();
@@ -341,6 +491,7 @@ void JointMover::endMotion(const std::shared_ptr<joints::MovementFate>& fate, Mo
     fate->reason = reason;
     last_ = joints::EndedMovement{motion->movement, how, reason};
     motions_.erase(motion);
+    ended_.notify_all();
     logEnd(*last_);
   }
 }

@@ -5,6 +5,7 @@
 #include <ros/console.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -26,8 +27,8 @@
 
 namespace aibo_driver::node {
 
-/// Everything that moves the robot: commands to joints, trajectories and the robot's own motions. It sends them, knows
-/// what moves at the moment, and stops it. How each movement ends is logged.
+/// Everything that moves the robot: commands to joints, trajectories, the robot's own motions and postures, and
+/// walking. It sends them, knows what moves at the moment, and stops it. How each movement ends is logged.
 ///
 /// Every member function may be called from any thread. Those that wait for the robot have a timeout; meanwhile the
 /// others go on. Nothing is kept while there is no connection, and nothing goes on over another one.
@@ -110,6 +111,28 @@ class JointMover {
   Fate play(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
             std::string* changes = nullptr);
 
+  /// Lets the robot take a posture. Ends the trajectories that move legs. Returns when the robot has begun.
+  /// @return what becomes of it, for look() and waitForEnd()
+  /// @throw as RcServerClient::takePosture()
+  Fate takePosture(Posture posture, std::chrono::milliseconds timeout);
+
+  /// Waits until a movement has ended, at most for this time.
+  /// @return what has become of it so far
+  joints::MovementFate waitForEnd(const Fate& movement, std::chrono::milliseconds timeout) const;
+
+  /// Lets the robot walk: see RcServerClient::steer(). Ends the trajectories that move legs. A velocity of 0 is sent
+  /// only to a robot that walks: one that sits goes on sitting. What is not sent is logged.
+  /// @param source who asks
+  /// @param epoch in which it was asked for
+  void steer(const WalkVelocity& velocity, const std::string& source, std::uint64_t epoch);
+
+  /// Ends a walk, in an orderly way. Does nothing if the robot does not walk.
+  /// @param reason for the log and the state
+  void stopWalking(const std::string& reason);
+
+  /// The robot has accepted a velocity.
+  void steered(const WalkVelocity& in_force);
+
   /// To be called before the motors are switched. Ends everything. From now on the posture may be any, so all joints
   /// are approached again: see JointCommandFilter.
   void prepareForMotors();
@@ -128,9 +151,18 @@ class JointMover {
   State state() const;
 
  private:
+  /// What the robot does by itself, until it says that it has ended: a motion, a posture, a walk.
   struct Motion {
     joints::Movement movement;
     std::shared_ptr<joints::MovementFate> fate;
+  };
+
+  /// How the robot is asked for such a thing.
+  struct Begin {
+    joints::Movement movement;
+    std::function<void()> prepare;  ///< ends what it replaces; called with the lock
+    std::function<void()> ask;      ///< waits for the robot
+    std::function<void()> undo;     ///< everything was stopped meanwhile
   };
 
   std::uint64_t presentEpoch() const;
@@ -138,6 +170,10 @@ class JointMover {
   void refuseIfBlocked() const;
   void checkConnection();
   void checkTelemetry() const;
+  Fate begin(const Begin& begin);
+  void freeLegs(const std::string& reason);
+  void sendVelocity(const WalkVelocity& velocity);
+  bool walks() const;
   void send(const std::vector<joints::JointStep>& steps);
   void holdRobot(const std::vector<int>& joints, const joints::JointOrders& orders, bool motions_too);
   void endMotions(joints::MovementEnd how, const std::string& reason);
@@ -157,8 +193,13 @@ class JointMover {
   joints::JointCommandFilter filter_;
   joints::JointPlan plan_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  mutable std::condition_variable ended_;  ///< one of the motions
   std::vector<Motion> motions_;
   std::uint64_t motions_connection_ = 0;  ///< over which a motion was played that may still be playing
+  WalkVelocity velocity_;                 ///< that was sent last, over walk_connection_
+  std::uint64_t walk_connection_ = 0;
+  std::string walker_;            ///< who asked for it
+  std::string walk_stop_reason_;  ///< why it was stopped here, if nobody asked for that
   std::optional<joints::EndedMovement> last_;
   std::uint64_t connection_ = 0;  ///< over which everything that moves was begun
   std::uint32_t stops_ = 0;

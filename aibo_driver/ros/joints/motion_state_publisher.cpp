@@ -20,16 +20,33 @@ std::uint8_t kindConstant(joints::Movement::Kind kind) {
       return Movement::COMMAND;
     case joints::Movement::Kind::kTrajectory:
       return Movement::TRAJECTORY;
+    case joints::Movement::Kind::kWalk:
+      return Movement::WALK;
+    case joints::Movement::Kind::kPosture:
+      return Movement::POSTURE;
     case joints::Movement::Kind::kMotion:
       break;
   }
   return Movement::MOTION;
 }
 
+std::string kindOf(const Movement& movement) {
+  switch (movement.kind) {
+    case Movement::COMMAND:
+      return "command";
+    case Movement::TRAJECTORY:
+      return "trajectory";
+    case Movement::WALK:
+      return "walk";
+    case Movement::POSTURE:
+      return "posture " + movement.name;
+    default:
+      return "motion " + movement.name;
+  }
+}
+
 std::string describe(const Movement& movement) {
-  std::string text = movement.kind == Movement::COMMAND      ? "command"
-                     : movement.kind == Movement::TRAJECTORY ? "trajectory"
-                                                             : "motion " + movement.name;
+  std::string text = kindOf(movement);
   const char* separator = " of ";
   for (const std::string& joint : movement.joints) {
     text += separator + joint;

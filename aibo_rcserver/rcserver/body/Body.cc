@@ -7,6 +7,13 @@ using robot_model::MAX_JOINTS;
 using robot_model::MAX_LEDS;
 using robot_model::RobotModel;
 
+namespace {
+
+const char* const PAWS[robot_model::NUMBER_OF_LEGS] = {"paw_left_front", "paw_left_hind", "paw_right_front",
+                                                       "paw_right_hind"};
+
+}  // namespace
+
 Body::Body()
     : model_(FindModel()),
       joint_driver_(model_),
@@ -86,7 +93,50 @@ void Body::FlickEars() {
 bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {
   const bool have_sensors_reported = sensor_driver_.Read(sensors, frame);
   const bool have_joints_reported = joint_driver_.ReadSensors(sensors, frame);
+  if (have_sensors_reported) {
+    WatchWalk(*frame);
+  }
   return have_sensors_reported || have_joints_reported;
+}
+
+// The three sensors of the accelerometer measure gravity along their axes: forward, to the right, up.
+void Body::WatchWalk(longword frame) {
+  Walker& walker = Joints().Walking();
+  const FallWatch::Reading reading = {-Acceleration("acceleration_front_back"), Acceleration("acceleration_right_left"),
+                                      -Acceleration("acceleration_up_down"), TouchesFloor()};
+  walker.Measured(reading, frame);
+  if (walker.GoesSoft()) {
+    OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are soft\n", FallWatch::Words(walker.Fall().Now())));
+  }
+  if (walker.WantsMotorsOff()) {
+    joint_driver_.Switch(false);
+  }
+  ReportWalk();
+}
+
+double Body::Acceleration(const char* sensor) const {
+  const int found = findSensorByName(model_, sensor);
+  return found == robot_model::NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;
+}
+
+bool Body::TouchesFloor() const {
+  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+    const int paw = findSensorByName(model_, PAWS[leg]);
+    if (paw != robot_model::NO_SENSOR && sensor_driver_.Value(paw) != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Body::ReportWalk() {
+  Walker::End end;
+  while (Joints().Walking().TakeNews(&end)) {
+    char reason[Walker::MAX_TEXT_SIZE];
+    Joints().Walking().Describe(end, reason);
+    OSYSPRINT(("RCServer: %s has ended%s%s\n", end.is_walk ? protocol::version2::WALK_NAME : postureName(end.posture),
+               reason[0] == '\0' ? "" : ": ", reason));
+  }
 }
 
 void Body::CutMotors() {

@@ -40,7 +40,8 @@ class Body {
   /// READY has come: sends the next vectors.
   void EffectorIsReady(OSubject* effector);
 
-  /// Reads what joints and sensors report.
+  /// Reads what joints and sensors report. A robot that has fallen stops walking, and goes soft; one that has lain down
+  /// to rest has its motors switched off.
   /// @param[out] frame the last frame in the vector
   /// @return false if there is no report in it
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
@@ -62,6 +63,10 @@ class Body {
 
   const robot_model::RobotModel& FindModel();
   bool AddVector(OSubject* effector);
+  void WatchWalk(longword frame);
+  double Acceleration(const char* sensor) const;
+  bool TouchesFloor() const;
+  void ReportWalk();
   void FlickEars();
 
   char design_[orobotdesignNAME_MAX + 1];

@@ -24,7 +24,7 @@ bool JointDriver::Switch(bool on) {
     return SwitchOn();
   }
   state_ = OFF;
-  joints_.Motions().StopAll(MotionPlayer::MOTORS_OFF);
+  joints_.MotorsGoOff();
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds its position");
   }

@@ -45,7 +45,7 @@ bool JointRecovery::Look(const JointReading& reading, unsigned frame) {
 }
 
 JointControl::JointControl(const robot_model::RobotModel& robot)
-    : robot_(robot), planner_(robot), motions_(planner_, robot), number_of_commands_(0) {
+    : robot_(robot), planner_(robot), motions_(planner_, robot), walker_(planner_, robot), number_of_commands_(0) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
     positions_[i] = 0;
     duties_[i] = 0;
@@ -59,6 +59,9 @@ void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, in
   ++number_of_commands_;
   for (int i = 0; i < count; ++i) {
     motions_.StopMotionOf(targets[i].joint, MotionPlayer::JOINT_COMMANDED);
+    if (walker_.Moves(targets[i].joint)) {
+      walker_.Stop(Walker::JOINT_COMMANDED, targets[i].joint);
+    }
     last_commands_[targets[i].joint] = number_of_commands_;
   }
   planner_.SetTargets(targets, count, duration);
@@ -66,17 +69,46 @@ void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, in
 
 void JointControl::Stop(int joint) {
   motions_.StopMotionOf(joint, MotionPlayer::JOINT_HELD);
+  if (walker_.Moves(joint)) {
+    walker_.Stop(Walker::JOINT_HELD, joint);
+  }
   planner_.Hold(joint);
   last_commands_[joint] = ++number_of_commands_;
 }
 
 void JointControl::StopAll() {
   motions_.StopAll(MotionPlayer::EVERYTHING_HELD);
+  walker_.Stop(Walker::EVERYTHING_HELD, robot_model::NO_JOINT);
   planner_.HoldAll();
   ++number_of_commands_;
   for (int i = 0; i < NumberOfJoints(); ++i) {
     last_commands_[i] = number_of_commands_;
   }
+}
+
+WalkVelocity JointControl::Steer(const WalkVelocity& wanted) {
+  if (!walker_.IsActive() && !IsZero(wanted)) {
+    TakeLegs();
+  }
+  return walker_.Steer(wanted);
+}
+
+void JointControl::Take(protocol::version2::Posture posture) {
+  TakeLegs();
+  walker_.Take(posture);
+}
+
+void JointControl::MotionHasBegun() {
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    if (walker_.Moves(i) && motions_.Moves(i)) {
+      walker_.Stop(Walker::MOTION_BEGAN, i);
+    }
+  }
+}
+
+void JointControl::MotorsGoOff() {
+  motions_.StopAll(MotionPlayer::MOTORS_OFF);
+  walker_.Stop(Walker::MOTORS_OFF, robot_model::NO_JOINT);
 }
 
 // The difference is right even after the numbers have begun again at 0.
@@ -88,7 +120,9 @@ void JointControl::FindCommandedSince(unsigned number, bool* commanded) const {
 
 void JointControl::NextFrame() {
   motions_.NextFrame();
+  walker_.NextFrame();
   planner_.NextFrame();
+  walker_.HaveMoved();
 }
 
 bool JointControl::AreMoving() const {
@@ -97,7 +131,7 @@ bool JointControl::AreMoving() const {
       return true;
     }
   }
-  return motions_.IsPlaying();
+  return motions_.IsPlaying() || walker_.IsMoving();
 }
 
 void JointControl::Hold(int joint, int position, unsigned frame) {
@@ -117,6 +151,9 @@ JointWatch::Verdict JointControl::Measured(int joint, const JointReading& readin
   const JointWatch::Verdict verdict = watches_[joint].Look(reading, frame);
   if (verdict != JointWatch::FOLLOWS) {
     motions_.StopMotionOf(joint, MotionPlayer::JOINT_FAILED);
+    if (walker_.Moves(joint)) {
+      walker_.Stop(Walker::JOINT_FAILED, joint);
+    }
     Hold(joint, reading.position, frame);
     Failed(joint, verdict);
   } else if (recoveries_[joint].Look(reading, frame)) {
@@ -153,5 +190,17 @@ void JointControl::ClientGone() {
     recoveries_[i].Forget();
   }
   motions_.ClientGone();
+  walker_.ClientGone();
   planner_.HoldAll();
+}
+
+// Motions that move them end, and those that were requested before must not move them.
+void JointControl::TakeLegs() {
+  ++number_of_commands_;
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    if (walker_.Moves(i)) {
+      motions_.StopMotionOf(i, MotionPlayer::LEGS_TAKEN);
+      last_commands_[i] = number_of_commands_;
+    }
+  }
 }

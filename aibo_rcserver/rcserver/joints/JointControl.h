@@ -5,6 +5,7 @@
 
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
+#include "rcserver/walk/Walker.h"
 #include "robot_model/robot_model.h"
 
 /// Switches the motors of all joints at once.
@@ -109,16 +110,27 @@ class JointControl {
   MotionPlanner& Planner() { return planner_; }
   const MotionPlanner& Planner() const { return planner_; }
   MotionPlayer& Motions() { return motions_; }
+  Walker& Walking() { return walker_; }
 
-  /// A client's command: as MotionPlanner::SetTargets(), but motions that move one of these joints end.
+  /// A client's command: as MotionPlanner::SetTargets(), but motions, walks and postures that move one of these joints
+  /// end.
   void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
 
-  /// A client's order to hold: the joint brakes within its limits and stays where it stops. A motion that moves it
-  /// ends.
+  /// A client's order to hold: the joint brakes within its limits and stays where it stops. What moves it ends.
   void Stop(int joint);
 
   /// The same for all joints.
   void StopAll();
+
+  /// A client's order to walk or to take a posture: see Walker. Motions that move the legs end when it begins.
+  WalkVelocity Steer(const WalkVelocity& wanted);
+  void Take(protocol::version2::Posture posture);
+
+  /// A motion has begun: a walk or a posture ends if it moves the legs.
+  void MotionHasBegun();
+
+  /// The motors are being switched off: everything that moves ends.
+  void MotorsGoOff();
 
   /// How many commands and orders to hold clients have given.
   unsigned NumberOfCommands() const { return number_of_commands_; }
@@ -131,7 +143,7 @@ class JointControl {
   /// One frame passes: the planner's positions are those at its end.
   void NextFrame();
 
-  /// True if a joint has not arrived yet or a motion is being played.
+  /// True if a joint has not arrived yet, a motion is being played, or the robot walks or takes a posture.
   bool AreMoving() const;
 
   /// The joint is at this position, at rest, and holds it.
@@ -160,13 +172,16 @@ class JointControl {
   bool TakeRecovery(int joint);
 
   /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults
-  /// are forgotten.
+  /// are forgotten. A walk goes on until the robot stands.
   void ClientGone();
 
  private:
+  void TakeLegs();
+
   const robot_model::RobotModel& robot_;
   MotionPlanner planner_;
   MotionPlayer motions_;
+  Walker walker_;
   int positions_[robot_model::MAX_JOINTS];
   int duties_[robot_model::MAX_JOINTS];
   JointWatch watches_[robot_model::MAX_JOINTS];

@@ -28,6 +28,7 @@ JointMotion::JointMotion()
       step_limit_(1),
       acceleration_(1),
       wanted_acceleration_(1),
+      is_following_(false),
       fraction_of_step_(0) {}
 
 void JointMotion::Place(int position) {
@@ -48,9 +49,18 @@ void JointMotion::LimitAcceleration(int acceleration) {
 }
 
 void JointMotion::Aim(int target) {
+  is_following_ = false;
   target_ = target;
   fraction_of_step_ = 0;
   frames_left_ = FewestFrames();
+}
+
+void JointMotion::Follow(int target, int acceleration) {
+  acceleration_ = std::max(acceleration_, acceleration);
+  target_ = target;
+  fraction_of_step_ = 0;
+  frames_left_ = 1;
+  is_following_ = true;
 }
 
 void JointMotion::Stop() {
@@ -58,6 +68,9 @@ void JointMotion::Stop() {
 }
 
 int JointMotion::WantedStep() {
+  if (is_following_) {
+    return FollowingStep();
+  }
   if (frames_left_ == 0) {
     return 0;
   }
@@ -96,6 +109,7 @@ void JointMotion::Advance(int step) {
   position_ += step;
   step_ = step;
   frames_left_ = std::max(frames_left_ - 1, 0);
+  is_following_ = false;
   Review();
 }
 
@@ -178,6 +192,12 @@ int JointMotion::StepTowards(int cruise) const {
   const int top = sign * cruise;
   const int still_stops = frames_left_ > top / acceleration_ ? top : frames_left_ * acceleration_;
   return sign * std::max(std::min(still_stops, speed + acceleration_), speed - acceleration_);
+}
+
+// The step to the target, or the nearest one within the limits. A joint that is too fast brakes.
+int JointMotion::FollowingStep() const {
+  const int step = std::min(std::max(target_ - position_, -step_limit_), step_limit_);
+  return std::min(std::max(step, step_ - acceleration_), step_ + acceleration_);
 }
 
 int JointMotion::BrakingDistance(int step) const {

@@ -39,6 +39,12 @@ class JointMotion {
   /// A new target, to be reached as soon as the limits allow.
   void Aim(int target);
 
+  /// A target that moves: the joint is to be there at the end of the next frame, at whatever speed. It goes as near to
+  /// it as the limits allow. Call again for each frame; otherwise the joint returns to the last target, and stands.
+  /// @param acceleration not below 1; counts instead of the limit if it is higher, until the joint can stop with the
+  ///   limit within one frame
+  void Follow(int target, int acceleration);
+
   /// The new target is the position where the joint stops if it brakes from now on.
   void Stop();
 
@@ -77,6 +83,7 @@ class JointMotion {
   int FewestFrames() const;
   int CruisingStep() const;
   int StepTowards(int cruise) const;
+  int FollowingStep() const;
   int BrakingDistance(int step) const;
 
   int position_;
@@ -86,6 +93,7 @@ class JointMotion {
   int step_limit_;
   int acceleration_;         ///< limit in force
   int wanted_acceleration_;  ///< limit asked for
+  bool is_following_;        ///< in the next frame
   double fraction_of_step_;  ///< how far rounding has put the joint behind, in steps, 0..1
 };
 

@@ -6,6 +6,7 @@ using robot_model::Coupling;
 using robot_model::Joint;
 
 const int MotionPlanner::FRAME_MILLISECONDS;
+const int MotionPlanner::FOLLOWING;
 
 namespace {
 
@@ -56,25 +57,7 @@ int MotionPlanner::SetTarget(int joint, int position) {
 void MotionPlanner::SetTargets(JointTarget* targets, int count, int duration) {
   int posture[robot_model::MAX_JOINTS];
   bool commanded[robot_model::MAX_JOINTS] = {false};
-  for (int i = 0; i < robot_.number_of_joints; ++i) {
-    posture[i] = Target(i);
-  }
-  for (int i = 0; i < count; ++i) {
-    const Joint& limits = robot_.joints[targets[i].joint];
-    posture[targets[i].joint] = Clamped(targets[i].position, limits.lowest, limits.highest);
-    commanded[targets[i].joint] = true;
-  }
-  for (int i = 0; i < robot_.number_of_couplings; ++i) {
-    const Coupling& coupling = robot_.couplings[i];
-    const int lowest = coupledLowest(coupling, posture[coupling.leader]);
-    if ((commanded[coupling.leader] || commanded[coupling.follower]) && posture[coupling.follower] < lowest) {
-      posture[coupling.follower] = lowest;
-      commanded[coupling.follower] = true;
-    }
-  }
-  for (int i = 0; i < count; ++i) {
-    targets[i].position = posture[targets[i].joint];
-  }
+  FitTargets(targets, count, posture, commanded);
 
   const int frames = duration > 0 ? (duration - 1) / FRAME_MILLISECONDS + 1 : 0;
   const unsigned common_command = ++last_command_;
@@ -90,6 +73,18 @@ void MotionPlanner::SetTargets(JointTarget* targets, int count, int duration) {
     }
   }
   ArriveTogether();
+}
+
+void MotionPlanner::Follow(JointTarget* targets, int count) {
+  int posture[robot_model::MAX_JOINTS];
+  bool commanded[robot_model::MAX_JOINTS] = {false};
+  FitTargets(targets, count, posture, commanded);
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    if (commanded[i]) {
+      motions_[i].Follow(posture[i], defaultAcceleration(robot_.joints[i]) * FOLLOWING / ACCELERATION_UNIT);
+      LeaveCommand(i);
+    }
+  }
 }
 
 void MotionPlanner::Hold(int joint) {
@@ -134,6 +129,31 @@ void MotionPlanner::NextFrame() {
 
 int MotionPlanner::Speed(int joint) const {
   return motions_[joint].Step() * SPEED_UNIT;
+}
+
+// Adapts targets to limits and couplings.
+// @param[out] posture the targets of all joints then
+// @param[in,out] commanded true for each joint with a new target
+void MotionPlanner::FitTargets(JointTarget* targets, int count, int* posture, bool* commanded) const {
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    posture[i] = Target(i);
+  }
+  for (int i = 0; i < count; ++i) {
+    const Joint& limits = robot_.joints[targets[i].joint];
+    posture[targets[i].joint] = Clamped(targets[i].position, limits.lowest, limits.highest);
+    commanded[targets[i].joint] = true;
+  }
+  for (int i = 0; i < robot_.number_of_couplings; ++i) {
+    const Coupling& coupling = robot_.couplings[i];
+    const int lowest = coupledLowest(coupling, posture[coupling.leader]);
+    if ((commanded[coupling.leader] || commanded[coupling.follower]) && posture[coupling.follower] < lowest) {
+      posture[coupling.follower] = lowest;
+      commanded[coupling.follower] = true;
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    targets[i].position = posture[targets[i].joint];
+  }
 }
 
 void MotionPlanner::LeaveCommand(int joint) {
@@ -186,9 +206,13 @@ int MotionPlanner::AllowedStep(int joint, int wanted) const {
   return allowed;
 }
 
-// If two joints touch already, as they may after SetPosition(), neither may go deeper.
+// If two joints touch already, or one is outside its limits, as they may be after SetPosition(), none may go deeper.
 bool MotionPlanner::IsAllowed(int joint, const JointMotion::Span& next) const {
   const JointMotion::Span now = motions_[joint].BrakingSpan();
+  const Joint& limits = robot_.joints[joint];
+  if (next.low < std::min(now.low, limits.lowest) || next.high > std::max(now.high, limits.highest)) {
+    return false;
+  }
   for (int i = 0; i < robot_.number_of_couplings; ++i) {
     const Coupling& coupling = robot_.couplings[i];
     if (coupling.follower == joint) {

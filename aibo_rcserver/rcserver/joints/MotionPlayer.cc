@@ -52,8 +52,8 @@ void MotionPlayer::StopAll(Cause cause) {
 }
 
 void MotionPlayer::StopMotionOf(int joint, Cause cause) {
-  if (PlayedMotion* const motion = FindMoving(joint)) {
-    Stop(*motion, cause, joint);
+  if (Moves(joint)) {
+    Stop(motions_[FindMoving(joint)], cause, joint);
   }
 }
 
@@ -139,14 +139,13 @@ bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool
   return true;
 }
 
-// The motion that moves a joint: there is one at most.
-PlayedMotion* MotionPlayer::FindMoving(int joint) {
-  for (int i = 0; i < MAX_PLAYING; ++i) {
-    if (motions_[i].IsPlaying() && motions_[i].Moves(joint)) {
-      return &motions_[i];
-    }
+// The motion that moves a joint: there is one at most. MAX_PLAYING if there is none.
+int MotionPlayer::FindMoving(int joint) const {
+  int i = 0;
+  while (i < MAX_PLAYING && !(motions_[i].IsPlaying() && motions_[i].Moves(joint))) {
+    ++i;
   }
-  return NULL;
+  return i;
 }
 
 void MotionPlayer::Stop(PlayedMotion& motion, Cause cause, int joint) {

@@ -52,6 +52,7 @@ class MotionPlayer {
     JOINT_HELD,       ///< one of its joints was told to hold
     EVERYTHING_HELD,  ///< all joints were told to hold
     MOTORS_OFF,       ///< the motors were switched off
+    LEGS_TAKEN,       ///< the robot was told to walk, or to take a posture
     JOINT_FAILED      ///< one of its joints does not follow
   };
 
@@ -68,6 +69,9 @@ class MotionPlayer {
   void EndRepetitions();
 
   bool IsPlaying() const;
+
+  /// True if a motion that is being played moves this joint.
+  bool Moves(int joint) const { return FindMoving(joint) < MAX_PLAYING; }
 
   /// True once for each time that a motion makes this ear flick. Call in each frame or every few. Any number of motions
   /// may have ears.
@@ -101,7 +105,7 @@ class MotionPlayer {
   PlayedMotion* FindFree();
   bool FindsJointsFree(const PlayedMotion& motion);
   bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
-  PlayedMotion* FindMoving(int joint);
+  int FindMoving(int joint) const;
   void Stop(PlayedMotion& motion, Cause cause, int joint);
   void Report(const PlayedMotion& motion, Cause cause, int joint);
 

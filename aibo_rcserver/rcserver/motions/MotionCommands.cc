@@ -141,6 +141,7 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   if (const char* problem = player.Play(name_, result.size, repetitions_, leave_out_, commanded)) {
     return Fail(REFUSED, "%s", problem);
   }
+  joints_.MotionHasBegun();
   if (Changes()[0] != '\0') {
     OSYSPRINT(("RCServer: %s: %s\n", name_, Changes()));
   }

@@ -153,11 +153,12 @@ class Client {
   }
 
   void askRobot() {
-    const std::string letters = "ODPUNQRI";
+    const std::string letters = "ODPUNQRIE";
     Call call;
     call.letter = letters[input_.takeByte() % letters.size()];
     call.name = "NOD.MTN";
     call.number = static_cast<int>(input_.takeByte() % 2);
+    call.id = call.letter == 'E' ? 1 + call.number : 0;
     call.content.resize(1 + input_.takeByte());
     if (call.number == 1) {
       call.joints = {2, 52};
@@ -178,7 +179,7 @@ class Client {
     const int id = 1 + static_cast<int>(input_.takeByte() % 255);
     const double value = (static_cast<int>(input_.takeByte()) - 128) / 20.4;  // radian: to 2 pi
     CommandOutbox& commands = connection_.commands;
-    switch (kind % 4) {
+    switch (kind % 5) {
       case 0:
         commands.joints.add({milliseconds(8 * kind), {{id, value}}, now_});
         break;
@@ -187,6 +188,9 @@ class Client {
         break;
       case 2:
         commands.leds.add({{id, static_cast<int>(kind), LedMode::kB}});
+        break;
+      case 3:
+        commands.steering = SteeringCommand{{value, -value, value}, now_};
         break;
       default:
         commands.ears.add({{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});

@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   version2::Hello same;
   require(version2::decodeHello(again.data(), again_size, &same) == nullptr, "an encoded hello is accepted");
   require(std::strcmp(hello.robot, same.robot) == 0 && std::strcmp(hello.capabilities, same.capabilities) == 0 &&
-              hello.frame_number == same.frame_number && hello.joint_count == same.joint_count,
+              hello.frame_number == same.frame_number && hello.joint_count == same.joint_count &&
+              hello.walk.forward == same.walk.forward && hello.walk.turn == same.walk.turn,
           "an encoded hello is the same");
   return 0;
 }

@@ -2,6 +2,7 @@
 #include "fuzz_input.h"
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
+#include "protocol/walk_requests.h"
 
 namespace version2 = protocol::version2;
 using version2::FrameReader;
@@ -80,6 +81,7 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeJointIds, version2::encodeJointIds, payload);
   decode(version2::decodeLedValues, version2::encodeLedValues, payload);
   decode(version2::decodeEarPositions, version2::encodeEarPositions, payload);
+  decode(version2::decodeVelocity, version2::encodeVelocity, payload);
   decode(version2::decodeMotionUpload, version2::encodeMotionUpload, payload);
   decode(decodeName, encodeName, payload);
   decode(version2::decodeMotionOrder, version2::encodeMotionOrder, payload);

@@ -63,6 +63,18 @@ class SessionFixture : public testing::Test {
     return add(std::move(call), milliseconds(2000));
   }
 
+  /// Has a posture taken.
+  std::future<aibo_driver::Answer> askForPosture(int id) {
+    aibo_driver::Call call;
+    call.letter = 'E';
+    call.id = id;
+    return add(std::move(call), milliseconds(2000));
+  }
+
+  void steer(const aibo_driver::WalkVelocity& velocity) {
+    connection_.commands.steering = aibo_driver::SteeringCommand{velocity, now_};
+  }
+
   std::future<aibo_driver::Answer> add(aibo_driver::Call call, milliseconds timeout) {
     call.timeout = timeout;
     call.since = now_;
@@ -102,6 +114,7 @@ class SessionFixture : public testing::Test {
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::Telemetry> telemetry_;
   std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
+  std::vector<aibo_driver::WalkVelocity> steered_;
   std::vector<aibo_driver::MotionEnd> ended_;
   std::vector<std::string> log_;
   aibo_driver::Notifier notifier_{record()};
@@ -123,6 +136,7 @@ class SessionFixture : public testing::Test {
     callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
       accepted_.push_back(targets);
     };
+    callbacks.on_steered = [this](const aibo_driver::WalkVelocity& in_force) { steered_.push_back(in_force); };
     callbacks.on_ended = [this](const aibo_driver::MotionEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { log_.push_back(line); };
     return callbacks;

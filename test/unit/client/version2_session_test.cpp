@@ -429,6 +429,148 @@ TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {
   EXPECT_THROW(live(milliseconds(1)), Fault);
 }
 
+TEST_F(Version2SessionTest, OfVelocitiesToWalkWithTheNewestIsSentWhenTheOneBeforeIsAnswered) {
+  steer({0.15, -0.06, 1.2});
+  EXPECT_EQ("S2", request());
+  EXPECT_EQ(Bytes({0, 150, 0xff, 0xc4, 0x04, 0xb0, 0, 0}), frame_.payload);
+  for (int i = 0; i < 100; ++i) {
+    steer({0.001 * i, 0, 0});
+    EXPECT_EQ("", request());
+  }
+  EXPECT_TRUE(steered_.empty());
+  receive(makeFrame('s', 2, {0, 100, 0xff, 0xc4, 0x04, 0xb0, 0, 0}));
+  ASSERT_EQ(1u, steered_.size());
+  EXPECT_DOUBLE_EQ(0.1, steered_[0].forward) << "as the robot accepted it";
+  EXPECT_DOUBLE_EQ(-0.06, steered_[0].left);
+  EXPECT_DOUBLE_EQ(1.2, steered_[0].turn);
+  EXPECT_EQ("S3", request());
+  EXPECT_EQ(Bytes({0, 99, 0, 0, 0, 0, 0, 0}), frame_.payload);
+}
+
+TEST_F(Version2SessionTest, AVelocityThatHadToWaitForLongIsDropped) {
+  steer({0.1, 0, 0});
+  EXPECT_EQ("S2", request());
+  steer({0.05, 0, 0});
+  pass(milliseconds(490));
+  EXPECT_EQ("", request());
+  pass(milliseconds(10));
+  EXPECT_EQ("H3", request());
+  receive(makeFrame('h', 3, version2_frames::makeHello()));
+  pass(milliseconds(1));
+  receive(makeFrame('s', 2, {0, 100, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ("", request());
+  EXPECT_EQ(1, logged("A velocity to walk with that had to wait for robot:54321 for more than 500 ms is dropped"));
+}
+
+TEST_F(Version2SessionTest, AVelocityIsNotHeldUpByJointsButWaitsForTheirSpeedLimits) {
+  for (int i = 0; i < 4; ++i) {
+    commandJoints({{2, 0.1 * i}});
+    request();
+  }
+  steer({0.1, 0, 0});
+  EXPECT_EQ("S6", request());
+  receive(makeFrame('s', 6, {0, 100, 0, 0, 0, 0, 0, 0}));
+  limitSpeed({{11, 4.8}});
+  steer({0.1, 0, 0});
+  EXPECT_EQ("", request());
+  receive(makeFrame('j', 2, {0, 0, 0, 0}));
+  EXPECT_EQ("V7", request());
+  EXPECT_EQ("S8", request());
+}
+
+TEST_F(Version2SessionTest, WhatStopsTheRobotOrTakesAPostureDropsTheVelocityBeforeIt) {
+  for (const char letter : {'I', 'O', 'E'}) {
+    steer({0.1, 0, 0});
+    auto answer = ask(letter);
+    EXPECT_EQ(letter, request().at(0));
+    EXPECT_EQ("", request());
+  }
+  steer({0.1, 0, 0});
+  auto answer = ask('O', "", 1);
+  EXPECT_EQ('O', request().at(0));
+  EXPECT_EQ('S', request().at(0)) << "switching the motors on stops nothing";
+}
+
+TEST_F(Version2SessionTest, ARefusalToWalkIsLoggedOnceUntilItWalks) {
+  for (int i = 0; i < 3; ++i) {
+    steer({0.1, 0, 0});
+    request();
+    receive(makeError(frame_.header.request_number, 0, "its motors are off"));
+  }
+  EXPECT_EQ(1, logged("refused to walk: its motors are off"));
+  EXPECT_TRUE(steered_.empty());
+  steer({0.1, 0, 0});
+  request();
+  receive(makeFrame('s', frame_.header.request_number, {0, 100, 0, 0, 0, 0, 0, 0}));
+  steer({0.1, 0, 0});
+  request();
+  receive(makeError(frame_.header.request_number, 0, "its motors are off"));
+  EXPECT_EQ(2, logged("refused to walk: its motors are off"));
+}
+
+TEST_F(Version2SessionTest, ASteeringAnswerOfAnotherLayoutIsAProtocolError) {
+  steer({0.1, 0, 0});
+  request();
+  EXPECT_THAT(faultOf(makeFrame('s', 2, {0, 100, 0, 0, 0, 0})), HasSubstr("bad reply to steering"));
+}
+
+TEST_F(Version2SessionTest, APostureIsTakenByItsNumberAndItsAnswerIsNoError) {
+  auto posture = askForPosture(2);
+  EXPECT_EQ("E2", request());
+  EXPECT_EQ(2, frame_.header.id);
+  EXPECT_TRUE(frame_.payload.empty());
+  receive(makeFrame('e', 2, {}));
+  EXPECT_EQ(CallOutcome::kDone, posture.get().outcome);
+  auto refused = askForPosture(3);
+  EXPECT_EQ("E3", request());
+  receive(makeError(3, 0, "it lies on its side"));
+  EXPECT_EQ("robot:54321 refused to take the posture rest: it lies on its side (error code 0).", refused.get().problem);
+}
+
+TEST_F(Version2SessionTest, APostureThatHasNotBeenSentIsNotTakenAfterAStop) {
+  limitSpeed({{11, 4.8}});
+  auto posture = askForPosture(1);
+  auto stop_motions = ask('P');
+  EXPECT_FALSE(done(posture)) << "that stops motions only";
+  auto held = ask('I');
+  ASSERT_TRUE(done(posture));
+  EXPECT_EQ("robot:54321 was told to hold its joints before it was asked to take the posture stand.",
+            posture.get().problem);
+}
+
+TEST_F(Version2SessionTest, OnlyARobotThatWalksIsAskedHowItWalks) {
+  connection_.robot.capabilities.push_back("S");
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("T2", request());
+  EXPECT_EQ(version2::TELEMETRY_WITH_DUTY | version2::TELEMETRY_WITH_WALK, frame_.header.id);
+  receive(makeFrame('t', 2, {0, 4}));
+  receive(makeFrame(
+      't', 0,
+      version2_frames::makeTelemetry(
+          99, {{'W', 1, 120000}, {'W', 2, -30000}, {'W', 3, 500000}, {'W', 4, 250000}, {'W', 5, 2}, {'W', 77, 1}})));
+  ASSERT_EQ(1u, telemetry_.size());
+  ASSERT_TRUE(telemetry_[0].walk);
+  EXPECT_DOUBLE_EQ(0.12, telemetry_[0].walk->velocity.forward);
+  EXPECT_DOUBLE_EQ(-0.03, telemetry_[0].walk->velocity.left);
+  EXPECT_DOUBLE_EQ(0.5, telemetry_[0].walk->velocity.turn);
+  EXPECT_DOUBLE_EQ(0.25, telemetry_[0].walk->phase);
+  EXPECT_EQ(WalkState::kWalks, telemetry_[0].walk->state);
+  receive(makeFrame('t', 0, version2_frames::makeTelemetry(103, {{'W', 5, 9}, {'J', 1, 0}})));
+  EXPECT_EQ(WalkState::kUnknown, telemetry_[1].walk->state);
+  receive(makeFrame('t', 0, version2_frames::makeTelemetry(107, {{'J', 1, 0}})));
+  EXPECT_FALSE(telemetry_[2].walk);
+}
+
+TEST_F(Version2SessionTest, TheHelloHasTheLimitsOfTheWalk) {
+  pass(milliseconds(500));
+  EXPECT_EQ("H2", request());
+  receive(makeFrame('h', 2, version2_frames::makeHello("S")));
+  EXPECT_DOUBLE_EQ(0.15, connection_.robot.walk_limits.forward);
+  EXPECT_DOUBLE_EQ(0.1, connection_.robot.walk_limits.back);
+  EXPECT_DOUBLE_EQ(0.06, connection_.robot.walk_limits.left);
+  EXPECT_DOUBLE_EQ(1.2, connection_.robot.walk_limits.turn);
+}
+
 TEST_F(Version2SessionTest, LedsCommandedTogetherAreSentTogether) {
   commandLeds({{7, 255, LedMode::kB}, {8, 1}});
   EXPECT_EQ("L2", request());
@@ -789,7 +931,7 @@ TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsNotPlayedAfterAnOrderToSt
   ASSERT_TRUE(done(earlier));
   const Answer refusal = earlier.get();
   EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
-  EXPECT_EQ("robot:54321 was told to hold its joints before it was asked to play the motion.", refusal.problem);
+  EXPECT_EQ("robot:54321 was told to hold its joints before it was asked to play the motion NOD.MTN.", refusal.problem);
   EXPECT_EQ("I3", request());
   EXPECT_EQ("", request());
   receive(makeFrame('u', 2, {}));
@@ -805,7 +947,7 @@ TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsStoppedByItsName) {
   auto sit = ask('P', "SIT.MTN", 1);
   auto stop = ask('P', "NOD.MTN", 0);
   ASSERT_TRUE(done(nod));
-  EXPECT_EQ("robot:54321 was told to stop the motion NOD.MTN before it was asked to play the motion.",
+  EXPECT_EQ("robot:54321 was told to stop the motion NOD.MTN before it was asked to play the motion NOD.MTN.",
             nod.get().problem);
   EXPECT_EQ("P3", request()) << "stopping a motion needs no memory stick";
   EXPECT_EQ("J4", request()) << "it stops no joint";

@@ -120,6 +120,38 @@ TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));
 }
 
+TEST(DriverParameters, OfTheWalkAreRead) {
+  XmlRpcValue values;
+  values["walk_speed_limit"] = 0.1;
+  values["walk_side_limit"] = 0;
+  values["walk_turn_limit"] = 0.5;
+  values["walk_scale"] = 0.9;
+  values["walk_turn_scale"] = 1.1;
+  values["walk_direction"] = -0.05;
+  values["cmd_vel_timeout"] = 0.2;
+  values["publish_odom_tf"] = XmlRpcValue(false);
+  const WalkSettings walk = parse(values).walk;
+  EXPECT_EQ(walk.speed_limit, 0.1);
+  EXPECT_EQ(walk.side_limit, 0);
+  EXPECT_EQ(walk.turn_limit, 0.5);
+  EXPECT_EQ(walk.scale, 0.9);
+  EXPECT_EQ(walk.turn_scale, 1.1);
+  EXPECT_EQ(walk.direction, -0.05);
+  EXPECT_EQ(walk.timeout, std::chrono::milliseconds(200));
+  EXPECT_FALSE(walk.publish_odom_tf);
+}
+
+TEST(DriverParameters, OfTheWalkAreRefusedOutOfRange) {
+  EXPECT_THAT(refusal("walk_speed_limit", -0.1), HasSubstr("m/s, 0..1"));
+  EXPECT_THAT(refusal("walk_side_limit", 1.1), HasSubstr("m/s, 0..1"));
+  EXPECT_THAT(refusal("walk_turn_limit", 11), HasSubstr("rad/s, 0..10"));
+  EXPECT_THAT(refusal("walk_scale", 0), HasSubstr("0.2..5"));
+  EXPECT_THAT(refusal("walk_turn_scale", 6), HasSubstr("0.2..5"));
+  EXPECT_THAT(refusal("walk_direction", 1.5), HasSubstr("rad, -1..1"));
+  EXPECT_THAT(refusal("cmd_vel_timeout", 0.6), HasSubstr("seconds, 0.1..0.5"));
+  EXPECT_THAT(refusal("publish_odom_tf", 1), HasSubstr("true or false"));
+}
+
 TEST(DriverParameters, AreRead) {
   XmlRpcValue values;
   values["host"] = "aibo.local";

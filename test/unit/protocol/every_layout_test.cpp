@@ -13,6 +13,7 @@
 #include "protocol/frame_reader.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
+#include "protocol/walk_requests.h"
 
 namespace protocol {
 namespace version2 {
@@ -126,6 +127,7 @@ const Layout kLayouts[] = {
      {},
      {},
      false},
+    {"Velocity", hex(kVelocity), verdict(decodeVelocity), again(decodeVelocity, encodeVelocity), {6, 7}, {}, false},
     {"MotionUpload",
      hex(kUpload),
      verdict(decodeMotionUpload),

@@ -78,10 +78,37 @@ TEST(Hello, OfTheLargestSizeFits) {
   for (size_t i = 0; i < MAX_JOINTS; ++i) {
     hello.joints[i] = {static_cast<unsigned char>(255 - i), -INT_MAX, INT_MAX, INT_MAX};
   }
+  hello.walk = {SHRT_MAX, SHRT_MAX, SHRT_MAX, SHRT_MAX};
   Hello again{};
   ASSERT_THAT(decode(encode(hello), &again), IsNull());
   EXPECT_EQ(encode(again), encode(hello));
   EXPECT_EQ(again.joint_count, MAX_JOINTS);
+}
+
+TEST(Hello, HasTheLimitsOfTheWalkOfARobotThatWalks) {
+  const std::string text = std::string(kHello) + "walk_limits=150:100:60:1200\n";
+  Hello hello = exampleHello();
+  hello.walk = {150, 100, 60, 1200};
+  EXPECT_EQ(encode(hello), text);
+
+  Hello again{};
+  ASSERT_THAT(decode(text, &again), IsNull());
+  EXPECT_EQ(again.walk.forward, 150);
+  EXPECT_EQ(again.walk.back, 100);
+  EXPECT_EQ(again.walk.left, 60);
+  EXPECT_EQ(again.walk.turn, 1200);
+
+  ASSERT_THAT(decode(kHello, &again), IsNull());
+  EXPECT_EQ(again.walk.forward, 0);
+  EXPECT_EQ(again.walk.turn, 0);
+}
+
+TEST(Hello, IsRefusedWithMalformedLimitsOfTheWalk) {
+  for (const char* limits : {"", "150", "150:100:60", "150:100:60:1200:1", "-1:100:60:1200", "32768:100:60:1200",
+                             "150:100:60:", "150:100:60:1200 "}) {
+    EXPECT_THAT(verdict(kHello + ("walk_limits=" + std::string(limits) + "\n")), HasSubstr("forward:back:left:turn"))
+        << limits;
+  }
 }
 
 TEST(Hello, MayBeOfARobotWithoutJoints) {

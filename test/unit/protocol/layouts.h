@@ -45,6 +45,8 @@ constexpr char kTwoLeds[] =
     "02 ff 00 00 "  // 2: 255, mode A
     "1a 80 01 00";  // 26: 128, mode B
 
+constexpr char kVelocity[] = "00 96 ff c4 04 b0 00 00";  // 150 mm/s forward, 60 mm/s right, 1.2 rad/s left
+
 constexpr char kUpload[] =
     "07 4e 4f 44 2e 4d 54 4e "  // NOD.MTN
     "4f 4d 54 4e";              // a motion cut off after four bytes

@@ -79,6 +79,14 @@ TEST(FrameHeader, NamesTheReplyAfterTheRequest) {
   EXPECT_EQ(replyKind('Z'), 'z');
 }
 
+TEST(FrameHeader, OfAReplyToAPostureIsNoError) {
+  EXPECT_EQ(replyKind(REQUEST_POSTURE), ERROR_MESSAGE);
+  EXPECT_FALSE(isError('e', 0));
+  EXPECT_TRUE(isError('e', 1));  // too short, but that is for its decoder to say
+  EXPECT_TRUE(isError('e', 2));
+  EXPECT_FALSE(isError('s', 8));
+}
+
 TEST(PictureRequest, IsTheLayer) {
   EXPECT_EQ(encoded(encodePictureRequest, LAYER_DOUBLE, PICTURE_REQUEST_SIZE), hex("03"));
 
@@ -276,7 +284,15 @@ TEST(Telemetry, RefusesACountThatDoesNotFitTheSize) {
 TEST(Telemetry, RefusesAnUnknownGroup) {
   Bytes bytes = hex(kThreeValues);
   bytes[16] = 'L';
-  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("none of J, S and D"));
+  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("none of J, S, D and W"));
+}
+
+TEST(Telemetry, MayHaveDutiesAndTheWalk) {
+  for (const char group : {GROUP_DUTY, GROUP_WALK}) {
+    Bytes bytes = hex(kThreeValues);
+    bytes[16] = static_cast<unsigned char>(group);
+    EXPECT_THAT(verdict(decodeTelemetry)(bytes), IsNull()) << group;
+  }
 }
 
 TEST(LedValues, HaveIntensityAndModeForEachLed) {

@@ -18,6 +18,7 @@
 #include "aibo_driver/picture.h"
 #include "aibo_driver/robot_info.h"
 #include "aibo_driver/telemetry.h"
+#include "aibo_driver/walk.h"
 
 namespace aibo_driver {
 
@@ -98,9 +99,12 @@ class RcServerClient {
   /// Called on the client's thread with the targets that the robot accepted for joints, clamped to their limits. Same
   /// rules.
   using JointsAcceptedCallback = std::function<void(const std::vector<JointTarget>& targets)>;
-  /// Called on the client's thread each time a version 2 server reports that something it did has ended, such as a
-  /// motion. A motion that has not ended when the connection breaks is stopped by the robot, without a report. Same
+  /// Called on the client's thread with the velocity that the robot accepted for walking, within its limits. Same
   /// rules.
+  using SteeredCallback = std::function<void(const WalkVelocity& in_force)>;
+  /// Called on the client's thread each time a version 2 server reports that something it did has ended, such as a
+  /// motion. A motion, walk or posture that has not ended when the connection breaks is stopped by the robot, without a
+  /// report. Same rules.
   using EndedCallback = std::function<void(const MotionEnd& end)>;
 
   /// Any of them may be empty.
@@ -110,6 +114,7 @@ class RcServerClient {
     StreamingCallback on_streaming;
     TelemetryCallback on_telemetry;
     JointsAcceptedCallback on_joints_accepted;
+    SteeredCallback on_steered;
     EndedCallback on_ended;
     LogSink log;
   };
@@ -225,6 +230,35 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
   virtual void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
+
+  /// Lets the robot walk with a velocity. Returns without waiting for the answer, which goes to on_steered, or to the
+  /// log if the robot refuses.
+  ///
+  /// The robot stops walking and stands 500 ms after it was steered last, so call this again and again. A velocity of 0
+  /// stops it at once, in an orderly way. A robot that does not stand yet first stands up.
+  ///
+  /// The newest velocity counts: an older one that has not been sent is dropped. So is one that had to wait for more
+  /// than 500 ms, and one that is followed by hold(), takePosture() or motors off before it is sent. Without a
+  /// connection it is refused, and nothing is repeated after a reconnect.
+  ///
+  /// @param velocity at most 32.767 m/s and rad/s; the robot keeps to its limits (RobotInfo::walk_limits)
+  /// @throw InvalidArgumentException velocity out of range or not a number
+  /// @throw NetworkException not connected; the message says why and what to check, and kind() names the reason
+  /// @throw CommandException the server speaks version 1 or lacks the capability `S`
+  /// @throw StoppedException stop() was called
+  virtual void steer(const WalkVelocity& velocity);
+
+  /// Lets the robot take a posture. It ends a walk and the motions that move legs. Returns when the robot has begun; a
+  /// MotionEnd with the posture's name says when and how it has ended: "stand", "sit" or "rest". A call that has not
+  /// been sent when hold() is called ends with a CommandException.
+  /// @param timeout longest time to wait, 1 ms..1 h
+  /// @throw InvalidArgumentException timeout out of range
+  /// @throw NetworkException no connection, or it broke while waiting: the robot may or may not have obeyed
+  /// @throw TimeoutException connected, but no answer came in time
+  /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `E`
+  /// @throw StoppedException stop() was called
+  /// @throw Exception called from a callback
+  virtual void takePosture(Posture posture, std::chrono::milliseconds timeout);
 
   /// Sets LEDs. Returns without waiting, under the same rules as commandJoints(): if commands come faster than the
   /// robot answers, each LED gets its latest one.

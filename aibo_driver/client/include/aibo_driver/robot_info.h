@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aibo_driver/joints.h"
+#include "aibo_driver/walk.h"
 
 namespace aibo_driver {
 
@@ -16,6 +17,7 @@ struct RobotInfo {
   std::string server;                     ///< name and version of the server
   std::vector<std::string> capabilities;  ///< letters of the requests that it serves: "F", "J", "O"...
   std::vector<JointLimits> joint_limits;  ///< of each joint
+  WalkLimits walk_limits;
 
   /// @param word the letter of a request
   bool hasCapability(const std::string& word) const {

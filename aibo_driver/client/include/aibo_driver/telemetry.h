@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "aibo_driver/walk.h"
+
 namespace aibo_driver {
 
 /// The position of a joint, and how hard its motor works.
@@ -35,6 +37,7 @@ struct Telemetry {
   /// version 1 server: one joint or one sensor at a time, in turn.
   std::vector<JointReading> joints;
   std::vector<SensorReading> sensors;
+  std::optional<WalkReading> walk;  ///< only from a server that can walk (request `S`)
   /// Of the connection it came over: 1 for the client's first, 2 for its next. Frame numbers of one connection only
   /// grow (modulo 2^32); between two connections the robot may have been restarted.
   std::uint64_t connection_number = 0;

@@ -139,6 +139,11 @@ class RandomClient {
     return targets;
   }
 
+  void follow(MotionPlanner& planner) {
+    std::vector<JointTarget> command = targetsForAll();
+    planner.Follow(command.data(), static_cast<int>(command.size()));
+  }
+
   void command(MotionPlanner& planner) {
     const int joint = between(0, ers7().number_of_joints - 1);
     switch (between(0, 9)) {
@@ -188,8 +193,14 @@ class Inspector {
     }
   }
 
-  void nextFrame() {
+  // @param following targets that move were given for this frame
+  void nextFrame(bool following = false) {
     noteLimits();
+    for (const int i : allJoints()) {
+      int& acceleration = accelerations_[static_cast<size_t>(i)];
+      const int higher = robot_model::defaultAcceleration(ers7().joints[i]) * MotionPlanner::FOLLOWING;
+      acceleration = following ? std::max(acceleration, higher) : acceleration;
+    }
     planner_.NextFrame();
     const std::vector<int> before = posture_;
     posture_ = postureOf(planner_);
@@ -650,6 +661,89 @@ TEST(MotionPlanner, LeavesAForbiddenPostureWithoutGoingDeeper) {
     }
     ASSERT_EQ(postureOf(planner), targetsOf(planner));
   }
+}
+
+// As fast and as far as a knee swings when the robot walks.
+int swing(int frame) {
+  return microradians(90 - 11 * std::cos(2 * 3.14159 * frame / 30));
+}
+
+TEST(MotionPlanner, FollowsATargetThatMovesWithoutLag) {
+  MotionPlanner planner(ers7());
+  const int knee = joint("left_front_knee");
+  planner.SetTarget(knee, swing(0));
+  runUntilAllHaveArrived(planner);
+  for (int frame = 1; frame < 100; ++frame) {
+    JointTarget target = {knee, swing(frame)};
+    planner.Follow(&target, 1);
+    EXPECT_EQ(target.position, swing(frame));
+    planner.NextFrame();
+    ASSERT_EQ(planner.Position(knee), swing(frame)) << frame;
+  }
+}
+
+// Why there is Follow().
+TEST(MotionPlanner, LagsBehindATargetThatMovesIfItHasToBeAbleToStopThere) {
+  MotionPlanner planner(ers7());
+  const int knee = joint("left_front_knee");
+  planner.SetTarget(knee, swing(0));
+  runUntilAllHaveArrived(planner);
+  int farthest = 0;
+  for (int frame = 1; frame < 100; ++frame) {
+    planner.SetTarget(knee, swing(frame));
+    planner.NextFrame();
+    farthest = std::max(farthest, std::abs(planner.Position(knee) - swing(frame)));
+  }
+  EXPECT_GT(farthest, microradians(5));
+}
+
+TEST(MotionPlanner, NeverExceedsALimitWhateverItFollows) {
+  MotionPlanner planner(ers7());
+  RandomClient client(3);
+  Inspector inspector(planner);
+  for (int i = 0; i < 10000 && !HasFailure(); ++i) {
+    SCOPED_TRACE("command " + std::to_string(i));
+    if (client.between(0, 9) == 0) {
+      client.command(planner);
+      inspector.noteLimits();
+    }
+    const int frames = client.between(0, 5);
+    for (int frame = 0; frame < frames; ++frame) {
+      const bool follows = client.between(0, 3) > 0;
+      if (follows) {
+        client.follow(planner);
+      }
+      inspector.nextFrame(follows);
+    }
+  }
+}
+
+TEST(MotionPlanner, StopsAtTheLastTargetWhenThereAreNoMoreToFollow) {
+  MotionPlanner planner(ers7());
+  const int knee = joint("left_front_knee");
+  for (int frame = 1; frame < 20; ++frame) {
+    JointTarget target = {knee, frame * 35000};
+    planner.Follow(&target, 1);
+    planner.NextFrame();
+  }
+  EXPECT_GT(planner.Speed(knee), 4000000);
+  EXPECT_LT(runUntilAllHaveArrived(planner), 60);
+  EXPECT_EQ(planner.Position(knee), 19 * 35000);
+}
+
+TEST(MotionPlanner, MovesAJointThatHasFollowedWithItsOwnAccelerationAgain) {
+  MotionPlanner planner(ers7());
+  const int knee = joint("left_front_knee");
+  JointTarget target = {knee, 35000};
+  planner.Follow(&target, 1);
+  planner.NextFrame();
+  EXPECT_EQ(planner.Position(knee), 5 * 52796210 / 15625) << "five times the default acceleration";
+  planner.Hold(knee);
+  planner.NextFrame();
+  const int before = planner.Position(knee);
+  planner.SetTarget(knee, microradians(90));
+  planner.NextFrame();
+  EXPECT_EQ(planner.Position(knee) - before, 52796210 / 15625);
 }
 
 TEST(MotionPlanner, ServesARobotWithoutCouplings) {

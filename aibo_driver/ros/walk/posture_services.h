@@ -1,0 +1,49 @@
+/// @file posture_services.h
+#ifndef AIBO_DRIVER_ROS_WALK_POSTURE_SERVICES_H
+#define AIBO_DRIVER_ROS_WALK_POSTURE_SERVICES_H
+
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+
+#include <chrono>
+#include <vector>
+
+#include "aibo_driver/walk.h"
+#include "ros/joints/joint_mover.h"
+
+namespace aibo_driver::node {
+
+/// The services stand, sit and rest. Each is answered when the robot has taken the posture; if it cannot, success is
+/// false and message says why. A newer posture ends an older one.
+class PostureServices {
+ public:
+  /// How long the robot may take to begin.
+  static constexpr std::chrono::milliseconds kBeginTimeout{2000};
+  /// How long it may take from one posture to another: several times what it needs.
+  static constexpr std::chrono::milliseconds kEndTimeout{30000};
+
+  /// @param mover must outlive the services
+  explicit PostureServices(JointMover& mover) : mover_(mover) {}
+
+  PostureServices(const PostureServices&) = delete;
+  PostureServices& operator=(const PostureServices&) = delete;
+
+  /// @param handle whose callback queue several threads serve, so that a newer call does not wait for an older one
+  void advertise(const ros::NodeHandle& handle);
+
+  /// Takes a posture, and waits for its end.
+  /// @return true, as roscpp wants
+  bool take(Posture posture, std_srvs::Trigger::Response& response);
+
+ private:
+  bool stand(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool sit(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool rest(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  JointMover& mover_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_WALK_POSTURE_SERVICES_H

@@ -1,0 +1,58 @@
+#include "ros/walk/walk_commander.h"
+
+#include <ros/message_event.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace aibo_driver::node {
+namespace {
+
+using Twist = geometry_msgs::Twist;
+using Seconds = std::chrono::duration<double>;
+
+bool isFinite(const geometry_msgs::Vector3& vector) {
+  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+}  // namespace
+
+void WalkCommander::subscribe(const ros::NodeHandle& handle) {
+  ros::NodeHandle topics(handle);
+  constexpr bool kOneShot = true;
+  constexpr bool kAutostart = false;
+  timer_ = topics.createSteadyTimer(
+      ros::WallDuration(Seconds(settings_.timeout).count()), [this](const ros::SteadyTimerEvent&) { runOut(); },
+      kOneShot, kAutostart);
+  const boost::function<void(const ros::MessageEvent<Twist const>&)> receive =
+      [this](const ros::MessageEvent<Twist const>& event) {
+        this->receive(*event.getMessage(), event.getPublisherName());
+      };
+  constexpr std::uint32_t kNewest = 1;
+  subscriber_ =
+      topics.subscribe<Twist>("cmd_vel", kNewest, receive, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
+
+void WalkCommander::receive(const Twist& message, const std::string& source) {
+  if (!isFinite(message.linear) || !isFinite(message.angular)) {
+    warnings_.warn(
+        "A cmd_vel of " + source +
+        " was dropped: it has a value that is not a number or infinite. Without a good one the robot stops.");
+    return;
+  }
+  const WalkVelocity wanted{message.linear.x, message.linear.y, message.angular.z};
+  mover_.steer(velocityToSend(wanted, settings_, client_.status().robot.walk_limits), source, mover_.epoch());
+  timer_.stop();  // a timer that has run out starts again only after this
+  if (!wanted.isZero()) {
+    timer_.start();
+  }
+}
+
+void WalkCommander::runOut() {
+  char text[64];
+  std::snprintf(text, sizeof(text), "no cmd_vel came for %.1f s", Seconds(settings_.timeout).count());
+  mover_.stopWalking(text);
+}
+
+}  // namespace aibo_driver::node

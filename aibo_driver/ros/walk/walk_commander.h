@@ -1,0 +1,54 @@
+/// @file walk_commander.h
+#ifndef AIBO_DRIVER_ROS_WALK_WALK_COMMANDER_H
+#define AIBO_DRIVER_ROS_WALK_WALK_COMMANDER_H
+
+#include <geometry_msgs/Twist.h>
+#include <ros/console.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <string>
+
+#include "aibo_driver/rcserver_client.h"
+#include "ros/joints/joint_mover.h"
+#include "ros/throttled_warnings.h"
+#include "ros/walk/walk_settings.h"
+
+namespace aibo_driver::node {
+
+/// The topic cmd_vel: the robot walks with the newest velocity, within the limits, and stops when none has come for a
+/// while. Only the velocities forward, to the left and around the vertical count.
+///
+/// From one thread at a time.
+class WalkCommander {
+ public:
+  /// All arguments must outlive the commander.
+  WalkCommander(const WalkSettings& settings, RcServerClient& client, JointMover& mover)
+      : settings_(settings), client_(client), mover_(mover) {}
+
+  WalkCommander(const WalkCommander&) = delete;
+  WalkCommander& operator=(const WalkCommander&) = delete;
+
+  /// @param handle the joint commander's, so that neither of them overtakes the other, and what was sent before a stop
+  ///   moves nothing after it
+  void subscribe(const ros::NodeHandle& handle);
+
+  /// What is not sent is logged.
+  /// @param source the node that sent the message
+  void receive(const geometry_msgs::Twist& message, const std::string& source);
+
+  /// Nothing has come for WalkSettings::timeout.
+  void runOut();
+
+ private:
+  const WalkSettings& settings_;
+  RcServerClient& client_;
+  JointMover& mover_;
+  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("walk", text); }};
+  ros::SteadyTimer timer_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_ROS_WALK_WALK_COMMANDER_H

@@ -1,0 +1,64 @@
+#include "ros/walk/walked_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aibo_driver::node {
+namespace {
+
+constexpr double kFrame = 0.008;  // s, of OPEN-R
+
+// Within this time the robot may stop walking by itself and begin again: what it did between two measurements that are
+// further apart is a guess.
+constexpr double kLongGap = 0.5;  // s
+
+// A robot that walked when the connection broke walks on for up to half a second, and brakes.
+constexpr double kLostWay = 0.1;   // m
+constexpr double kLostTurn = 0.5;  // rad
+
+// Somebody who lifts a robot puts it down somewhere else, in any direction.
+constexpr double kLiftedWay = 1.0;   // m
+constexpr double kLiftedTurn = 3.2;  // rad
+
+WalkVelocity meanOf(const WalkVelocity& a, const WalkVelocity& b) {
+  return {(a.forward + b.forward) / 2, (a.left + b.left) / 2, (a.turn + b.turn) / 2};
+}
+
+}  // namespace
+
+bool WalkedWay::update(const Telemetry& telemetry) {
+  if (!telemetry.walk || !telemetry.frame_number) {
+    return false;
+  }
+  const Sample sample{realVelocity(telemetry.walk->velocity, settings_), telemetry.connection_number,
+                      *telemetry.frame_number};
+  if (const std::optional<Sample> last = std::exchange(last_, sample)) {
+    advance(*last, sample);
+  }
+  return true;
+}
+
+void WalkedWay::motionEnded(const MotionEnd& end) {
+  if (end.how == EndedHow::kFell) {
+    odometry_.lose(kLiftedWay, kLiftedTurn);
+  }
+}
+
+void WalkedWay::advance(const Sample& last, const Sample& sample) {
+  if (last.connection_number != sample.connection_number) {
+    if (!last.velocity.isZero()) {
+      odometry_.lose(kLostWay, kLostTurn);
+    }
+    return;
+  }
+  const double time = kFrame * static_cast<double>(sample.frame_number - last.frame_number);
+  const WalkVelocity velocity = meanOf(last.velocity, sample.velocity);
+  odometry_.walk(velocity, time);
+  if (time > kLongGap) {
+    odometry_.lose(std::hypot(velocity.forward, velocity.left) * time / 2,
+                   std::min(std::abs(velocity.turn) * time / 2, kLiftedTurn));
+  }
+}
+
+}  // namespace aibo_driver::node

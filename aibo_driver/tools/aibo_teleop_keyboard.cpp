@@ -1,0 +1,114 @@
+// Lets the robot walk as keys are pressed in a terminal.
+
+#include <geometry_msgs/Twist.h>
+#include <ros/ros.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <optional>
+
+#include "ros/node.h"
+#include "tools/teleop/key_steering.h"
+#include "tools/teleop/terminal.h"
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using teleop::KeySteering;
+
+// Well within the 0.5 s after which the robot stops.
+constexpr milliseconds kPeriod{100};
+
+// Longer than keyboards wait before they repeat a key that is held down.
+constexpr double kHold = 0.8;  // s
+
+std::atomic<bool> is_ending{false};
+
+void end(int) {
+  is_ending = true;
+}
+
+// Ends by its own handler, so that the robot is told to stop and the terminal is as before.
+void endOnSignals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    std::signal(number, end);
+  }
+}
+
+geometry_msgs::Twist toTwist(const aibo_driver::WalkVelocity& velocity) {
+  geometry_msgs::Twist twist;
+  twist.linear.x = velocity.forward;
+  twist.linear.y = velocity.left;
+  twist.angular.z = velocity.turn;
+  return twist;
+}
+
+void printSpeeds(const teleop::Speeds& speeds) {
+  std::printf("speeds: %.3f m/s, sideways %.3f m/s, turn %.2f rad/s\n", speeds.forward, speeds.left, speeds.turn);
+  std::fflush(stdout);
+}
+
+/// @throw std::runtime_error the terminal cannot be used
+void steer(KeySteering* keys, const ros::Publisher& publisher) {
+  teleop::Terminal terminal(STDIN_FILENO);
+  std::printf("\n%s\n", KeySteering::help());
+  printSpeeds(keys->speeds());
+  bool walks = false;
+  steady_clock::time_point next;
+  while (!is_ending && ros::ok()) {
+    const auto wait = std::max(milliseconds(0), std::chrono::ceil<milliseconds>(next - steady_clock::now()));
+    if (const std::optional<char> key = terminal.readKey(std::min(wait, kPeriod))) {
+      if (keys->press(*key, steady_clock::now())) {
+        printSpeeds(keys->speeds());
+      }
+    } else if (steady_clock::now() < next) {
+      continue;
+    }
+    const aibo_driver::WalkVelocity velocity = keys->velocity(steady_clock::now());
+    if (walks || !velocity.isZero()) {
+      publisher.publish(toTwist(velocity));
+    }
+    walks = !velocity.isZero();
+    next = steady_clock::now() + kPeriod;
+  }
+  if (walks) {
+    publisher.publish(geometry_msgs::Twist());
+    ros::WallDuration(0.2).sleep();  // until it has been sent
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "aibo_teleop_keyboard", ros::init_options::NoSigintHandler);
+  endOnSignals();
+  if (!ros::master::check()) {
+    std::fprintf(stderr, "There is no ROS master at %s. Start the driver first, or set ROS_MASTER_URI.\n",
+                 ros::master::getURI().c_str());
+    return EXIT_FAILURE;
+  }
+  ros::NodeHandle handle = aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo");
+  const ros::NodeHandle parameters("~");
+  teleop::Speeds speeds;
+  parameters.getParam("speed", speeds.forward);
+  parameters.getParam("side_speed", speeds.left);
+  parameters.getParam("turn_speed", speeds.turn);
+  const auto hold = milliseconds(std::lround(1000 * parameters.param("key_timeout", kHold)));
+  const ros::Publisher publisher = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+  KeySteering keys(speeds, hold);
+  try {
+    steer(&keys, publisher);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,37 @@
+/// @file terminal.h
+#ifndef AIBO_DRIVER_TOOLS_TELEOP_TERMINAL_H
+#define AIBO_DRIVER_TOOLS_TELEOP_TERMINAL_H
+
+#include <termios.h>
+
+#include <chrono>
+#include <optional>
+
+namespace teleop {
+
+/// A terminal whose keys are read one by one, without showing them. Ctrl-C still interrupts. When the object ends, the
+/// terminal is as it was before.
+class Terminal {
+ public:
+  /// @param descriptor of the terminal, usually stdin; stays open
+  /// @throw std::runtime_error it is no terminal, or cannot be switched; the message says what to do
+  explicit Terminal(int descriptor);
+  ~Terminal();
+
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  /// Waits for the next key.
+  /// @param timeout longest time to wait; a signal ends it, too
+  /// @return none if no key was pressed in time
+  /// @throw std::runtime_error the terminal was closed
+  std::optional<char> readKey(std::chrono::milliseconds timeout);
+
+ private:
+  const int descriptor_;
+  termios former_settings_{};
+};
+
+}  // namespace teleop
+
+#endif  // AIBO_DRIVER_TOOLS_TELEOP_TERMINAL_H

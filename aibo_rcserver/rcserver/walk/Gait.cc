@@ -1,0 +1,100 @@
+#include "rcserver/walk/Gait.h"
+
+#include <math.h>
+
+#include <algorithm>
+
+using robot_model::FOOT_RADIUS;
+using robot_model::Leg;
+using robot_model::LegAngles;
+using robot_model::Point;
+
+namespace {
+
+// How far something has come that speeds up evenly for `easing`, moves on, and slows down evenly for `easing` at the
+// end. All in parts of its whole way and time.
+// @param from its speed at both ends
+double Eased(double time, double easing, double from) {
+  const double top = (1 - easing * from) / (1 - easing);
+  const double left = std::min(time, 1 - time);
+  const double way = left < easing ? from * left + (top - from) * left * left / (2 * easing)
+                                   : (from + top) / 2 * easing + top * (left - easing);
+  return time < 0.5 ? way : 1 - way;
+}
+
+double Part(double value, double highest) {
+  return fabs(value) / highest;
+}
+
+}  // namespace
+
+GaitParameters::GaitParameters()
+    : period(0.48),
+      duty(0.503),
+      height(0.112),
+      lift(0.014),
+      front_ahead(0.025),
+      hind_ahead(0.0086),
+      outward(0.031),
+      nose_down(0.02),
+      easing(0.2),
+      lift_easing(0.09),
+      highest_forward(0.15),
+      highest_back(0.1),
+      highest_left(0.06),
+      highest_turn(1.2) {}
+
+WalkVelocity Gait::Limited(const WalkVelocity& wanted) const {
+  const double highest = wanted.forward < 0 ? parameters_.highest_back : parameters_.highest_forward;
+  const double sum = Part(wanted.forward, highest) + Part(wanted.left, parameters_.highest_left) +
+                     Part(wanted.turn, parameters_.highest_turn);
+  const double scale = sum > 1 ? 1 / sum : 1;
+  const WalkVelocity limited = {wanted.forward * scale, wanted.left * scale, wanted.turn * scale};
+  return limited;
+}
+
+void Gait::FindPosture(double phase, const WalkVelocity& velocity, double effort, LegAngles* angles) const {
+  const double on_floor = parameters_.duty * parameters_.period;
+  const double sine = sin(parameters_.nose_down);
+  const double cosine = cos(parameters_.nose_down);
+  for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
+    const Leg leg = static_cast<Leg>(i);
+    const Point middle = FootMiddle(leg);
+    const double time = LegPhase(leg, phase);
+    double place = 0.5 - time / parameters_.duty;  // on its line: 0.5 at the front end, -0.5 at the rear end
+    double lift = 0;
+    if (time >= parameters_.duty) {
+      const double part = (time - parameters_.duty) / (1 - parameters_.duty);
+      place = WayThroughAir(part) - 0.5;
+      lift = effort * Lift(part);
+    }
+    const Point foot = {middle.x + place * on_floor * (velocity.forward - velocity.turn * middle.y),
+                        middle.y + place * on_floor * (velocity.left + velocity.turn * middle.x), middle.z + lift};
+    const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
+    findLegAngles(leg, in_body, &angles[i]);
+  }
+}
+
+double Gait::LegPhase(Leg leg, double phase) {
+  const bool is_first_pair = leg == robot_model::LEFT_FRONT_LEG || leg == robot_model::RIGHT_HIND_LEG;
+  const double shifted = is_first_pair ? phase : phase + 0.5;
+  return shifted - floor(shifted);
+}
+
+// The floor moves backward at this speed, in parts of the line and of the time in the air.
+double Gait::WayThroughAir(double part) const {
+  return Eased(part, parameters_.easing, -(1 - parameters_.duty) / parameters_.duty);
+}
+
+double Gait::Lift(double part) const {
+  return parameters_.lift * Eased(2 * std::min(part, 1 - part), 2 * parameters_.lift_easing, 0);
+}
+
+// Seen from the middle of the shoulders, with z up.
+Point Gait::FootMiddle(Leg leg) const {
+  Point middle = findShoulder(leg);
+  middle.x += isFront(leg) ? parameters_.front_ahead : parameters_.hind_ahead;
+  middle.y += isLeft(leg) ? parameters_.outward : -parameters_.outward;
+  middle.z = FOOT_RADIUS - parameters_.height;
+  return middle;
+}

@@ -1,0 +1,110 @@
+#include "rcserver/walk/Postures.h"
+
+#include <math.h>
+
+#include <algorithm>
+
+using protocol::version2::Posture;
+using protocol::version2::POSTURE_REST;
+using protocol::version2::POSTURE_SIT;
+using protocol::version2::POSTURE_STAND;
+using robot_model::Leg;
+using robot_model::LegAngles;
+using robot_model::NUMBER_OF_LEGS;
+using robot_model::Point;
+
+namespace {
+
+const double DEGREE = 3.14159265358979323846 / 180;
+
+// Sitting, the body leans back by 25 degrees, and all paws are on the floor. Lying, it is on its belly.
+const LegAngles FRONT_SITS = {-35 * DEGREE, 5 * DEGREE, 15 * DEGREE};
+const LegAngles HIND_SITS = {60 * DEGREE, 5 * DEGREE, 115 * DEGREE};
+const LegAngles FRONT_RESTS = {65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
+const LegAngles HIND_RESTS = {-65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
+
+// How far a foot may be from a way, in metres, with the robot still on it. Our choice: more than loads and slipping
+// joints make, less than the length of a shank.
+const double NEAR = 0.03;
+
+// Places on a way that are looked at; they are less than NEAR apart.
+const int PLACES = 16;
+
+// Where feet may be when the robot stands. Our choice: from half crouching to straight legs.
+const double LOWEST_STAND = -0.07;  // m; foot below the body's origin
+const double STAND_SLANT = 0.03;    // m; difference in height between two feet
+const double STAND_AROUND = 0.06;   // m; from the foot's place, seen from above
+
+double Distance(const Point& a, const Point& b) {
+  return sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
+}
+
+LegAngles Between(const LegAngles& from, const LegAngles& to, double part) {
+  const LegAngles angles = {from.rotator + (to.rotator - from.rotator) * part,
+                            from.elevator + (to.elevator - from.elevator) * part,
+                            from.knee + (to.knee - from.knee) * part};
+  return angles;
+}
+
+}  // namespace
+
+const int Postures::MAX_WAY;
+
+Postures::Postures(const Gait& gait) {
+  const WalkVelocity none = {0, 0, 0};
+  gait.FindPosture(0, none, 0, legs_[POSTURE_STAND]);
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+    const bool front = isFront(static_cast<Leg>(i));
+    legs_[0][i] = legs_[POSTURE_STAND][i];  // no posture has this number
+    legs_[POSTURE_SIT][i] = front ? FRONT_SITS : HIND_SITS;
+    legs_[POSTURE_REST][i] = front ? FRONT_RESTS : HIND_RESTS;
+  }
+}
+
+int Postures::FindWay(const LegAngles* here, Posture wanted, Posture* way) const {
+  const bool stands = Stands(here);
+  const bool sits = !stands && IsBetween(POSTURE_STAND, POSTURE_SIT, here);
+  const bool rests = !stands && IsBetween(POSTURE_STAND, POSTURE_REST, here);
+  int count = 0;
+  if (!stands && !sits && !rests && wanted != POSTURE_REST) {
+    way[count++] = POSTURE_REST;
+  }
+  const bool comes_from_other_side = wanted == POSTURE_SIT ? !sits && !stands : wanted == POSTURE_REST && sits;
+  if (comes_from_other_side) {
+    way[count++] = POSTURE_STAND;
+  }
+  way[count++] = wanted;
+  return count;
+}
+
+bool Postures::Stands(const LegAngles* here) const {
+  double lowest = 0;
+  double highest = -1;
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+    const Leg leg = static_cast<Leg>(i);
+    const Point foot = findFoot(leg, here[i]);
+    const Point standing = findFoot(leg, legs_[POSTURE_STAND][i]);
+    lowest = std::min(lowest, foot.z);
+    highest = std::max(highest, foot.z);
+    if (fabs(foot.x - standing.x) > STAND_AROUND || fabs(foot.y - standing.y) > STAND_AROUND) {
+      return false;
+    }
+  }
+  return highest <= LOWEST_STAND && highest - lowest <= STAND_SLANT;
+}
+
+// True if all feet are near places that they pass at the same time.
+bool Postures::IsBetween(Posture from, Posture to, const LegAngles* here) const {
+  for (int place = 0; place <= PLACES; ++place) {
+    double farthest = 0;
+    for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+      const Leg leg = static_cast<Leg>(i);
+      const LegAngles there = Between(legs_[from][i], legs_[to][i], static_cast<double>(place) / PLACES);
+      farthest = std::max(farthest, Distance(findFoot(leg, here[i]), findFoot(leg, there)));
+    }
+    if (farthest <= NEAR) {
+      return true;
+    }
+  }
+  return false;
+}

@@ -1,0 +1,45 @@
+/// @file Postures.h
+/// The postures that the robot can take, and the safe ways between them.
+#ifndef AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
+#define AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
+
+#include "protocol/walk_requests.h"
+#include "rcserver/walk/Gait.h"
+#include "robot_model/legs.h"
+
+/// Knows how the legs are in each posture, and in which order to take postures to come from anywhere to one of them, so
+/// that the robot never stands on folded legs.
+///
+/// Between standing and sitting, and between standing and lying, all joints move at once, and the feet slide over the
+/// floor. All other ways lead over these. From a posture that is not known, the robot lies down first: its legs slide
+/// apart, so that the feet stay around the body all the way down.
+class Postures {
+ public:
+  /// The most postures on a way.
+  static const int MAX_WAY = 3;
+
+  /// @param gait whose posture without velocity is that of standing
+  explicit Postures(const Gait& gait);
+
+  /// The angles of the four legs in a posture, in the order of robot_model::Leg.
+  const robot_model::LegAngles* Legs(protocol::version2::Posture posture) const { return legs_[posture]; }
+
+  /// Finds the way to a posture.
+  /// @param here the angles of the four legs now
+  /// @param[out] way room for MAX_WAY postures to take one after the other; the last is the wanted one
+  /// @return how many there are
+  int FindWay(const robot_model::LegAngles* here, protocol::version2::Posture wanted,
+              protocol::version2::Posture* way) const;
+
+  /// True if the feet are below the body and about where they are when the robot stands: it can stand up straight at
+  /// once.
+  bool Stands(const robot_model::LegAngles* here) const;
+
+ private:
+  bool IsBetween(protocol::version2::Posture from, protocol::version2::Posture to,
+                 const robot_model::LegAngles* here) const;
+
+  robot_model::LegAngles legs_[protocol::version2::POSTURE_REST + 1][robot_model::NUMBER_OF_LEGS];
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H

@@ -1,0 +1,228 @@
+/// @file Walker.h
+/// Moves the legs when the robot walks or takes a posture.
+#ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
+#define AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
+
+#include "protocol/walk_requests.h"
+#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/walk/FallWatch.h"
+#include "rcserver/walk/Gait.h"
+#include "rcserver/walk/Postures.h"
+#include "robot_model/robot_model.h"
+
+/// Sets the targets of the legs' joints, frame by frame, while the robot walks or takes a posture. It does one of the
+/// two at a time; head, tail and mouth are left alone, except that the head is levelled while the robot lies down to
+/// rest.
+///
+/// A walk begins in the stand: from any other posture, the robot first rises, slowly. Its velocity changes by twice the
+/// highest one in a second, and it ends in the stand. A walk that is not steered for STEERING_TIMEOUT_MS ends.
+///
+/// The planner keeps all limits, as for motions and commands. What the feet really do is Velocity().
+class Walker {
+ public:
+  /// Greatest speed of a joint on the way to a posture, in microradian/s: 45 degrees a second. Our choice: half of what
+  /// motions take, because the legs bear the robot.
+  static const int POSTURE_SPEED = 785398;
+
+  /// Frames without Steer() after which a walk ends.
+  static const int STEERING_FRAMES =
+      (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / MotionPlanner::FRAME_MILLISECONDS + 1;
+
+  /// Room for the texts of Problem() and Describe().
+  static const int MAX_TEXT_SIZE = 160;
+
+  /// Both must outlive this.
+  Walker(MotionPlanner& planner, const robot_model::RobotModel& robot);
+
+  /// False if the robot's legs are not an ERS-7's. Then nothing else may be called but what asks.
+  bool CanWalk() const { return can_walk_; }
+
+  /// The numbers of the gait, with its limits.
+  const GaitParameters& Parameters() const { return gait_.Parameters(); }
+
+  /// Why the robot cannot walk or take a posture now, in words that a user can act on; NULL if it can.
+  const char* Problem(bool is_walk);
+
+  /// Walks, or goes on walking, with another velocity. All 0 ends the walk, and is ignored without one. Only if there
+  /// is no Problem().
+  /// @return the velocity that is walked: Gait::Limited()
+  WalkVelocity Steer(const WalkVelocity& wanted);
+
+  /// Takes a posture. A walk ends in the stand first. Only if there is no Problem().
+  void Take(protocol::version2::Posture posture);
+
+  /// Why a walk or a posture has ended.
+  enum Cause {
+    DONE,             ///< the posture is taken; the robot stands because it was steered so
+    NOT_STEERED,      ///< not for STEERING_TIMEOUT_MS
+    JOINT_COMMANDED,  ///< a joint of a leg got another command
+    JOINT_HELD,       ///< a joint of a leg was told to hold
+    EVERYTHING_HELD,  ///< all joints were told to hold
+    MOTORS_OFF,       ///< the motors were switched off
+    MOTION_BEGAN,     ///< a motion moves a joint of a leg
+    POSTURE_BEGAN,    ///< the robot was told to take another posture
+    WALK_BEGAN,       ///< the robot was told to walk
+    JOINT_FAILED,     ///< a joint of a leg does not follow
+    JOINT_SLOW,       ///< a joint of a leg was given a speed limit that is too low for walking
+    FELL,             ///< the robot fell or was lifted
+    CLIENT_GONE       ///< the client that steered it has gone
+  };
+
+  /// What has ended.
+  struct End {
+    bool is_walk;
+    protocol::version2::Posture posture;  ///< if it was no walk
+    Cause cause;
+    int joint;  ///< of JOINT_COMMANDED, JOINT_HELD, MOTION_BEGAN, JOINT_FAILED and JOINT_SLOW; else NO_JOINT
+    FallWatch::Verdict fall;  ///< of FELL
+  };
+
+  /// Ends what is being done at once: the legs brake, stop and hold.
+  /// @param joint see End
+  void Stop(Cause cause, int joint);
+
+  /// The client is gone. A walk ends in the stand, a posture at once; neither is reported to the next client.
+  void ClientGone();
+
+  /// True if this is a joint of a leg.
+  bool Moves(int joint) const;
+
+  /// True while the robot walks or takes a posture.
+  bool IsActive() const { return activity_ != IDLE; }
+
+  /// The same, unless it has only to wait for its motors to go off.
+  bool IsMoving() const { return activity_ != IDLE && !is_resting_; }
+
+  /// Sets the targets for the next frame. Call once in each frame, before MotionPlanner::NextFrame().
+  void NextFrame();
+
+  /// Looks at how the legs have moved. Call after MotionPlanner::NextFrame().
+  void HaveMoved();
+
+  /// What the accelerometer and the paws say: a robot that has fallen or is carried stops.
+  /// @param frame OPEN-R frame
+  void Measured(FallWatch::Reading reading, unsigned frame);
+
+  /// True if the motors have to go off, which Stop(MOTORS_OFF) confirms: the robot has lain down to rest; or
+  /// GoesSoft().
+  bool WantsMotorsOff() const { return has_rested_ || goes_soft_; }
+
+  /// True if the robot has been lying on its side or its back for a second, and its legs were last moved here. They
+  /// must not push against whatever is there.
+  bool GoesSoft() const { return goes_soft_; }
+
+  /// True once after the legs have gone soft.
+  bool TakeSoftened();
+
+  /// Returns each end once, the oldest first: to the client, and to the console.
+  /// @return false if there is none
+  bool TakeEnd(End* end) { return for_client_.Take(end); }
+  bool TakeNews(End* end) { return for_console_.Take(end); }
+
+  /// Says why, such as "left_front_knee was commanded"; empty for DONE.
+  /// @param[out] text room for MAX_TEXT_SIZE bytes
+  void Describe(const End& end, char* text) const;
+
+  const FallWatch& Fall() const { return fall_watch_; }
+
+  /// @name What telemetry says
+  /// @{
+  protocol::version2::WalkState State() const;
+  double Phase() const { return phase_; }
+
+  /// How the feet on the floor have moved the body since the last call, on average; the last value if no frame has
+  /// passed since. The sum over all calls is the way, if no foot has slipped.
+  WalkVelocity TakeVelocity();
+  /// @}
+
+ private:
+  enum Activity { IDLE, TAKING_POSTURE, WALKING };
+
+  // Ends that have not been taken, the oldest first. When there are too many, the oldest is forgotten.
+  class Ends {
+   public:
+    Ends() : count_(0) {}
+    void Add(const End& end);
+    bool Take(End* end);
+    void Clear() { count_ = 0; }
+
+   private:
+    static const int MAX_ENDS = 4;
+    End ends_[MAX_ENDS];
+    int count_;
+  };
+
+  Walker(const Walker&);
+  Walker& operator=(const Walker&);
+
+  bool FindJoints();
+  bool IsWalk() const { return IsActive() && is_walk_; }
+  int FindSlowJoint() const;
+  void FindLegs(robot_model::LegAngles* legs) const;
+  void Begin(bool is_walk, protocol::version2::Posture posture);
+  void TakeNextPosture();
+  bool HaveArrived() const;
+  void LevelHead(int milliseconds);
+  void EndWalkInStand(Cause cause, int joint);
+  void Walk();
+  void ChangeVelocity();
+  void SetFeet();
+  void StandsAfterWalk();
+  void ReplaceNext(Cause cause);
+  void Finish(Cause cause, int joint);
+  void Report(bool is_walk, protocol::version2::Posture posture, Cause cause, int joint);
+  WalkVelocity VelocityOver(const robot_model::LegAngles* before, const robot_model::LegAngles* after) const;
+
+  MotionPlanner& planner_;
+  const robot_model::RobotModel& robot_;
+  const Gait gait_;
+  const Postures postures_;
+  FallWatch fall_watch_;
+  Ends for_client_;
+  Ends for_console_;
+  int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< in the robot's table
+  bool can_walk_;
+  Activity activity_;
+  bool has_legs_;    ///< nobody else has moved them since
+  bool is_resting_;  ///< lies, and waits until the joints have followed
+  bool has_rested_;  ///< they have
+  bool goes_soft_;
+  bool has_softened_;
+  unsigned measured_;     ///< frame
+  unsigned rests_since_;  ///< frame
+  char problem_[MAX_TEXT_SIZE];
+
+  /// @name What is being done
+  /// @{
+  bool is_walk_;
+  protocol::version2::Posture posture_;  ///< if it is no walk
+  protocol::version2::Posture way_[Postures::MAX_WAY];
+  int way_size_;
+  int way_begun_;  ///< how many of its postures
+  /// @}
+
+  /// @name The walk
+  /// @{
+  bool ends_;  ///< in the stand, then cause_ is reported
+  Cause cause_;
+  int cause_joint_;
+  bool has_next_;  ///< then posture next_ is taken
+  protocol::version2::Posture next_;
+  WalkVelocity wanted_;
+  WalkVelocity velocity_;
+  double effort_;
+  double phase_;
+  double last_phase_;
+  int frames_since_steered_;
+  /// @}
+
+  /// @name What the feet have done
+  /// @{
+  robot_model::LegAngles last_legs_[robot_model::NUMBER_OF_LEGS];
+  WalkVelocity walked_;  ///< sum over frames
+  int walked_frames_;
+  WalkVelocity last_velocity_;
+  /// @}
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_WALK_WALKER_H

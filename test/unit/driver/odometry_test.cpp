@@ -1,0 +1,118 @@
+#include "ros/walk/odometry.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace aibo_driver::node {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Walks for a time in so many steps.
+void walk(Odometry* odometry, const WalkVelocity& velocity, double time, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    odometry->walk(velocity, time / steps);
+  }
+}
+
+TEST(Odometry, BeginsAtTheOriginWithoutUncertainty) {
+  const Odometry odometry;
+  EXPECT_EQ(odometry.x(), 0);
+  EXPECT_EQ(odometry.y(), 0);
+  EXPECT_EQ(odometry.yaw(), 0);
+  EXPECT_TRUE(odometry.covariance().isZero());
+}
+
+TEST(Odometry, GoesForwardAlongXAndLeftAlongY) {
+  Odometry odometry;
+  odometry.walk({0.1, 0.05, 0}, 2);
+  EXPECT_NEAR(odometry.x(), 0.2, 1e-12);
+  EXPECT_NEAR(odometry.y(), 0.1, 1e-12);
+  EXPECT_NEAR(odometry.yaw(), 0, 1e-12);
+}
+
+TEST(Odometry, TurnsCounterclockwiseAndThenGoesThatWay) {
+  Odometry odometry;
+  odometry.walk({0, 0, kPi / 2}, 1);
+  odometry.walk({0.1, 0, 0}, 1);
+  odometry.walk({0, 0.1, 0}, 2);
+  EXPECT_NEAR(odometry.x(), -0.2, 1e-12);
+  EXPECT_NEAR(odometry.y(), 0.1, 1e-12);
+  EXPECT_NEAR(odometry.yaw(), kPi / 2, 1e-12);
+}
+
+TEST(Odometry, GoesAlongTheSameArcInOneStepAndInMany) {
+  for (const int steps : {1, 7, 1000}) {
+    Odometry odometry;
+    walk(&odometry, {0.1, 0, 0.5}, kPi, steps);  // a quarter of a circle with a radius of 0.2 m
+    EXPECT_NEAR(odometry.x(), 0.2, 1e-9) << steps;
+    EXPECT_NEAR(odometry.y(), 0.2, 1e-9) << steps;
+    EXPECT_NEAR(odometry.yaw(), kPi / 2, 1e-9) << steps;
+  }
+}
+
+TEST(Odometry, KeepsTheDirectionBetweenMinusPiAndPi) {
+  Odometry odometry;
+  walk(&odometry, {0, 0, 1}, 4, 125);
+  EXPECT_NEAR(odometry.yaw(), 4 - 2 * kPi, 1e-9);
+  walk(&odometry, {0, 0, -1}, 8, 250);
+  EXPECT_NEAR(odometry.yaw(), 2 * kPi - 4, 1e-9);
+}
+
+TEST(Odometry, IsAsUncertainAsItSaysAfterAMetreAndAfterARadian) {
+  Odometry straight;
+  straight.walk({0.1, 0, 0}, 10);
+  EXPECT_NEAR(std::sqrt(straight.covariance()(0, 0)), Odometry::kWayAfterMetre, 1e-9);
+  EXPECT_NEAR(std::sqrt(straight.covariance()(2, 2)), Odometry::kTurnAfterMetre, 1e-9);
+  Odometry turning;
+  turning.walk({0, 0, -0.5}, 2);
+  EXPECT_NEAR(std::sqrt(turning.covariance()(0, 0)), Odometry::kWayAfterRadian, 1e-9);
+  EXPECT_NEAR(std::sqrt(turning.covariance()(2, 2)), Odometry::kTurnAfterRadian, 1e-9);
+}
+
+TEST(Odometry, GetsMoreUncertainAcrossThanAlongTheWay) {
+  Odometry odometry;
+  walk(&odometry, {0, 0, kPi / 2}, 1, 31);
+  const Eigen::Matrix3d before = odometry.covariance();
+  walk(&odometry, {0.1, 0, 0}, 10, 312);  // now along y
+  const Eigen::Matrix3d& after = odometry.covariance();
+  EXPECT_GT(after(0, 0), after(1, 1));
+  EXPECT_GT(after(1, 1), before(1, 1));
+  EXPECT_GT(after(2, 2), before(2, 2));
+  EXPECT_LT(after(0, 2), 0) << "further to the left means further back";
+  EXPECT_TRUE(after.isApprox(after.transpose()));
+  EXPECT_GT(after.determinant(), 0);
+}
+
+TEST(Odometry, DoesNotDependOnTheRateOfTheTelemetryForItsUncertainty) {
+  Odometry often;
+  Odometry seldom;
+  walk(&often, {0.1, 0.02, 0.2}, 10, 312);
+  walk(&seldom, {0.1, 0.02, 0.2}, 10, 31);
+  EXPECT_TRUE(often.covariance().isApprox(seldom.covariance(), 0.1));
+}
+
+TEST(Odometry, IsAsCertainAsBeforeWhileItStands) {
+  Odometry odometry;
+  odometry.walk({0.1, 0, 0.1}, 1);
+  const Eigen::Matrix3d before = odometry.covariance();
+  walk(&odometry, {}, 100, 3125);
+  EXPECT_TRUE(odometry.covariance().isApprox(before));
+}
+
+TEST(Odometry, ThatHasLostItsWayKeepsItsPlace) {
+  Odometry odometry;
+  odometry.walk({0.1, 0, 0}, 10);
+  for (int i = 0; i < 10; ++i) {
+    odometry.lose(1, 3.2);
+  }
+  EXPECT_NEAR(odometry.x(), 1, 1e-9);
+  EXPECT_GT(odometry.covariance()(0, 0), 10);
+  EXPECT_NEAR(odometry.covariance()(2, 2), kPi * kPi, 1e-9) << "more than any direction is not possible";
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,279 @@
+#include "ros/walk/walk_commander.h"
+
+#include <gmock/gmock.h>
+#include <std_srvs/Trigger.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <thread>
+
+#include "ros/joints/motion_state_publisher.h"
+#include "ros/walk/posture_services.h"
+#include "support/fake_client.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using joints::MovementEnd;
+using std::chrono::milliseconds;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using Kind = joints::Movement::Kind;
+
+// A robot that carries out postures when the test says so.
+class PostureClient : public test_support::FakeClient {
+ public:
+  std::function<void()> when_begun;
+
+  void takePosture(Posture posture, Milliseconds timeout) override {
+    FakeClient::takePosture(posture, timeout);
+    if (when_begun) {
+      when_begun();
+    }
+  }
+};
+
+class WalkCommanderTest : public ::testing::Test {
+ protected:
+  WalkCommanderTest() {
+    client_.present.robot.capabilities = {"I", "S", "E"};
+    client_.present.robot.walk_limits = {0.15, 0.1, 0.06, 1.2};
+    Telemetry telemetry;
+    telemetry.arrival = std::chrono::steady_clock::now();
+    telemetry.joints = {{2, 0.0}, {11, 0.0}};
+    measured_.update(telemetry);
+  }
+
+  void command(double forward, double left = 0, double turn = 0) {
+    geometry_msgs::Twist twist;
+    twist.linear.x = forward;
+    twist.linear.y = left;
+    twist.angular.z = turn;
+    commander_.receive(twist, "/teleop");
+  }
+
+  // What the robot was told about walking since the last call.
+  std::vector<std::string> toldToWalk() {
+    std::vector<std::string> told;
+    for (const std::string& each : client_.told) {
+      if (each.rfind("V ", 0) != 0) {
+        told.push_back(each);
+      }
+    }
+    client_.told.clear();
+    return told;
+  }
+
+  // The robot accepts the velocity.
+  void walk(double forward) {
+    command(forward);
+    mover_.steered({forward, 0, 0});
+    toldToWalk();
+  }
+
+  std::vector<Kind> kindsMoving() {
+    std::vector<Kind> kinds;
+    for (const joints::Movement& movement : mover_.state().movements) {
+      kinds.push_back(movement.kind);
+    }
+    return kinds;
+  }
+
+  std_srvs::Trigger::Response take(Posture posture) {
+    std_srvs::Trigger::Response response;
+    EXPECT_TRUE(postures_.take(posture, response));
+    return response;
+  }
+
+  JointMover::Fate startTrajectory(const std::string& joint) {
+    return mover_.start({{joint}, {{1.0, {0.1}, {}}}}, milliseconds(0), "test");
+  }
+
+  PostureClient client_;
+  joints::JointTable table_{"ERS-7", 3.0};
+  joints::MeasuredJoints measured_{table_};
+  WalkSettings settings_;
+  JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
+  WalkCommander commander_{settings_, client_, mover_};
+  PostureServices postures_{mover_};
+};
+
+TEST_F(WalkCommanderTest, SendsAVelocityWithinTheLimits) {
+  command(0.3, 0, 0.5);
+  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.15 0.00 0.25"));
+}
+
+TEST_F(WalkCommanderTest, LetsTheLegsMoveAsFastAsTheyCan) {
+  command(0.1);
+  ASSERT_THAT(client_.told, SizeIs(13));
+  EXPECT_THAT(client_.told.front(), StartsWith("V 11:4.8"));
+  EXPECT_EQ(client_.told.back(), "steer 0.10 0.00 0.00");
+  client_.told.clear();
+  command(0.1);
+  EXPECT_THAT(client_.told, SizeIs(1)) << "it has the limits";
+}
+
+TEST_F(WalkCommanderTest, RefusesWhatIsNotANumber) {
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    command(value);
+    command(0, value);
+    command(0, 0, -value);
+    geometry_msgs::Twist twist;
+    twist.linear.z = value;
+    commander_.receive(twist, "/teleop");
+  }
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(WalkCommanderTest, SendsZeroOnlyToARobotThatWalks) {
+  command(0);
+  EXPECT_THAT(client_.told, IsEmpty()) << "one that sits goes on sitting";
+  command(0.1);
+  toldToWalk();
+  command(0);
+  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
+}
+
+TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
+  commander_.runOut();
+  EXPECT_THAT(client_.told, IsEmpty());
+  walk(0.1);
+  commander_.runOut();
+  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
+  mover_.steered({});
+  mover_.motionEnded({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  ASSERT_TRUE(mover_.state().last);
+  EXPECT_EQ(mover_.state().last->how, MovementEnd::kStopped);
+  EXPECT_EQ(mover_.state().last->reason, "no cmd_vel came for 0.5 s");
+  walk(0.1);
+  command(0);
+  mover_.motionEnded({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(mover_.state().last->how, MovementEnd::kDone) << "that is over";
+}
+
+TEST_F(WalkCommanderTest, IsAMovementFromTheRobotsAnswerToItsReport) {
+  command(0.1);
+  EXPECT_THAT(kindsMoving(), IsEmpty()) << "it may refuse";
+  mover_.steered({0.1, 0, 0});
+  mover_.steered({0.1, 0, 0});
+  EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kWalk));
+  EXPECT_EQ(mover_.state().movements[0].source, "/teleop");
+  mover_.motionEnded({EndedKind::kWalk, EndedHow::kFell, "walk", "it lies on its side"});
+  EXPECT_THAT(kindsMoving(), IsEmpty());
+  EXPECT_EQ(mover_.state().last->how, MovementEnd::kFell);
+  EXPECT_EQ(mover_.state().last->reason, "it lies on its side");
+}
+
+TEST_F(WalkCommanderTest, TakesTheLegsFromTrajectoriesAndLeavesThemTheHead) {
+  const JointMover::Fate head = startTrajectory("head_pan");
+  const JointMover::Fate leg = startTrajectory("left_front_rotator");
+  command(0.1);
+  EXPECT_FALSE(mover_.look(head).end);
+  EXPECT_EQ(mover_.look(leg).end, MovementEnd::kReplaced);
+  EXPECT_EQ(mover_.look(leg).reason, "the robot walks");
+}
+
+TEST_F(WalkCommanderTest, DropsWhatCameBeforeAStop) {
+  walk(0.1);
+  mover_.block();
+  command(0.1);
+  mover_.hold("stop was called");
+  EXPECT_THAT(toldToWalk(), ElementsAre("hold"));
+  mover_.unblock();
+  command(0.1);
+  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.10 0.00 0.00"));
+}
+
+TEST_F(WalkCommanderTest, EndsWithTheConnectionAndDoesNotGoOnOverTheNext) {
+  walk(0.1);
+  mover_.disconnected();
+  EXPECT_THAT(kindsMoving(), IsEmpty());
+  EXPECT_EQ(mover_.state().last->how, MovementEnd::kStopped);
+  ++client_.connections;
+  commander_.runOut();
+  command(0);
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(WalkCommanderTest, KeepsNothingWithoutAConnection) {
+  client_.problem = "there is no robot";
+  command(0.1);
+  client_.problem.clear();
+  commander_.runOut();
+  EXPECT_THAT(toldToWalk(), IsEmpty());
+}
+
+TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
+  client_.when_begun = [this] {
+    EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kPosture));
+    mover_.motionEnded({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
+  };
+  const auto response = take(Posture::kSit);
+  EXPECT_TRUE(response.success);
+  EXPECT_EQ(response.message, "The robot sits.");
+  EXPECT_THAT(toldToWalk(), ElementsAre("sit"));
+  EXPECT_THAT(kindsMoving(), IsEmpty());
+}
+
+TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
+  client_.when_begun = [this] {
+    mover_.motionEnded({EndedKind::kPosture, EndedHow::kReplaced, "stand", "left_front_knee was commanded"});
+  };
+  auto response = take(Posture::kStand);
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "The robot does not stand: left_front_knee was commanded.");
+  client_.when_begun = [this] { mover_.disconnected(); };
+  response = take(Posture::kRest);
+  EXPECT_FALSE(response.success);
+  EXPECT_THAT(response.message, HasSubstr("does not rest: the connection to the robot was lost"));
+  client_.problem = "there is no robot";
+  response = take(Posture::kSit);
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "The robot does not sit: there is no robot");
+  EXPECT_THAT(kindsMoving(), IsEmpty());
+}
+
+TEST_F(WalkCommanderTest, HoldsAPostureThatBeginsAfterAStop) {
+  client_.when_begun = [this] { mover_.hold("stop was called"); };
+  const auto response = take(Posture::kStand);
+  EXPECT_FALSE(response.success);
+  EXPECT_THAT(response.message, HasSubstr("everything was stopped while the robot was asked"));
+  EXPECT_THAT(toldToWalk(), ElementsAre("stand", "hold", "hold"));
+}
+
+TEST_F(WalkCommanderTest, ReplacesAPostureByANewerOne) {
+  std_srvs::Trigger::Response first;
+  std::thread older([&] { postures_.take(Posture::kSit, first); });
+  while (kindsMoving().empty()) {
+    std::this_thread::yield();
+  }
+  client_.when_begun = [this] {
+    mover_.motionEnded({EndedKind::kPosture, EndedHow::kReplaced, "sit", "the posture stand was asked for"});
+    mover_.motionEnded({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
+  };
+  EXPECT_TRUE(take(Posture::kStand).success);
+  older.join();
+  EXPECT_FALSE(first.success);
+  EXPECT_EQ(first.message, "The robot does not sit: the posture stand was asked for.");
+}
+
+TEST_F(WalkCommanderTest, IsSaidInTheMotionState) {
+  walk(0.1);
+  const JointMover::State state = mover_.state();
+  MotionState message = toMessage(state, {}, ros::Time(1));
+  ASSERT_THAT(message.movements, SizeIs(1));
+  EXPECT_EQ(message.movements[0].kind, Movement::WALK);
+  EXPECT_EQ(message.text, "moved by walk");
+  JointMover::State posture;
+  posture.movements = {{Kind::kPosture, "sit", "", {}, {}}};
+  message = toMessage(posture, {}, ros::Time(1));
+  EXPECT_EQ(message.movements[0].kind, Movement::POSTURE);
+  EXPECT_EQ(message.text, "moved by posture sit");
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,73 @@
+#include "ros/walk/walk_settings.h"
+
+#include <gmock/gmock.h>
+
+namespace aibo_driver::node {
+namespace {
+
+constexpr WalkLimits kRobot{0.15, 0.1, 0.06, 1.2};
+
+void expectNear(const WalkVelocity& velocity, const WalkVelocity& expected) {
+  EXPECT_NEAR(velocity.forward, expected.forward, 1e-12);
+  EXPECT_NEAR(velocity.left, expected.left, 1e-12);
+  EXPECT_NEAR(velocity.turn, expected.turn, 1e-12);
+}
+
+TEST(WalkSettings, SendAVelocityWithinTheLimitsAsItIs) {
+  expectNear(velocityToSend({0.1, -0.05, 1}, {}, kRobot), {0.1, -0.05, 1});
+  expectNear(velocityToSend({-0.1, 0.06, -1.2}, {}, kRobot), {-0.1, 0.06, -1.2});
+}
+
+TEST(WalkSettings, SlowDownAllOfAVelocityThatIsTooFastForTheRobot) {
+  expectNear(velocityToSend({0.3, 0, 1}, {}, kRobot), {0.15, 0, 0.5});
+  expectNear(velocityToSend({-0.3, 0.03, 0}, {}, kRobot), {-0.1, 0.01, 0});
+  expectNear(velocityToSend({0.1, 0.12, -1.2}, {}, kRobot), {0.05, 0.06, -0.6});
+  expectNear(velocityToSend({0.1, 0, 12}, {}, kRobot), {0.01, 0, 1.2});
+}
+
+TEST(WalkSettings, SlowItDownToTheUsersLimits) {
+  WalkSettings settings;
+  settings.speed_limit = 0.05;
+  settings.side_limit = 0.02;
+  settings.turn_limit = 0.5;
+  expectNear(velocityToSend({0.1, 0, 0.2}, settings, kRobot), {0.05, 0, 0.1});
+  expectNear(velocityToSend({-0.1, 0, 0}, settings, kRobot), {-0.05, 0, 0});
+  expectNear(velocityToSend({0, 0.04, 0}, settings, kRobot), {0, 0.02, 0});
+  expectNear(velocityToSend({0, 0, -1}, settings, kRobot), {0, 0, -0.5});
+}
+
+TEST(WalkSettings, LeaveOutADirectionThatIsNotAllowed) {
+  WalkSettings settings;
+  settings.side_limit = 0;
+  expectNear(velocityToSend({0.1, 0.05, 0.2}, settings, kRobot), {0.1, 0, 0.2});
+}
+
+TEST(WalkSettings, LeaveTheLimitsToARobotThatDoesNotSayThem) {
+  expectNear(velocityToSend({0.3, 0.3, 2}, {}, {}), {0.3, 0.3, 2});
+}
+
+TEST(WalkSettings, CorrectWhatIsSentAsWhatTheRobotSays) {
+  WalkSettings settings;
+  settings.scale = 0.9;
+  settings.turn_scale = 1.1;
+  settings.direction = 0.2;
+  const WalkVelocity wanted{0.05, 0.01, 0.3};
+  const WalkVelocity sent = velocityToSend(wanted, settings, kRobot);
+  EXPECT_GT(sent.forward, wanted.forward);
+  EXPECT_LT(sent.left, wanted.left) << "it drifts to the left by itself";
+  EXPECT_LT(sent.turn, wanted.turn);
+  expectNear(realVelocity(sent, settings), wanted);
+  EXPECT_GT(realVelocity({0.1, 0, 0}, settings).left, 0);
+}
+
+TEST(WalkSettings, KeepToTheRobotsLimitsWhateverTheCalibration) {
+  WalkSettings settings;
+  settings.scale = 0.2;
+  settings.direction = 1.0;
+  const WalkVelocity sent = velocityToSend({0.15, 0, 0}, settings, kRobot);
+  EXPECT_LE(sent.forward, 0.15 + 1e-9);
+  EXPECT_GE(sent.left, -0.06 - 1e-9);
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,117 @@
+#include "ros/walk/walked_way.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "ros/walk/odometry_publisher.h"
+
+namespace aibo_driver::node {
+namespace {
+
+class WalkedWayTest : public ::testing::Test {
+ protected:
+  // A measurement `frames` after the one before.
+  void measure(const WalkVelocity& velocity, unsigned frames = 4) {
+    frame_ += frames;
+    Telemetry telemetry;
+    telemetry.frame_number = frame_;
+    telemetry.connection_number = connection_;
+    telemetry.walk = WalkReading{velocity, 0, WalkState::kWalks};
+    EXPECT_TRUE(way_.update(telemetry));
+  }
+
+  double uncertainty() const { return std::sqrt(way_.odometry().covariance()(0, 0)); }
+
+  WalkSettings settings_;
+  WalkedWay way_{settings_};
+  unsigned frame_ = 0xfffffff0U;  // overflows
+  std::uint64_t connection_ = 1;
+};
+
+TEST_F(WalkedWayTest, IsTheSumOfTheVelocitiesOverTheRobotsTime) {
+  measure({});
+  for (int i = 0; i < 125; ++i) {  // 4 s
+    measure({0.1, 0, 0});
+  }
+  EXPECT_NEAR(way_.odometry().x(), 0.4 - 0.1 * 0.016, 1e-9) << "it sped up in the first 32 ms";
+  EXPECT_NEAR(way_.velocity().forward, 0.1, 1e-12);
+}
+
+TEST_F(WalkedWayTest, GoesOnIfMeasurementsAreMissing) {
+  measure({0.1, 0, 0});
+  measure({0.1, 0, 0}, 50);
+  EXPECT_NEAR(way_.odometry().x(), 0.04, 1e-9);
+  EXPECT_LT(uncertainty(), 0.03);
+  measure({0.1, 0, 0}, 125);
+  EXPECT_NEAR(way_.odometry().x(), 0.14, 1e-9);
+  EXPECT_GT(uncertainty(), 0.05) << "within a second it may have stopped";
+}
+
+TEST_F(WalkedWayTest, IsCalibrated) {
+  settings_.scale = 0.9;
+  settings_.turn_scale = 0.5;
+  settings_.direction = 0.1;
+  measure({0.1, 0, 0});
+  measure({0.1, 0, 0}, 100);
+  EXPECT_NEAR(way_.odometry().x(), 0.072 * std::cos(0.1), 1e-9);
+  EXPECT_NEAR(way_.odometry().y(), 0.072 * std::sin(0.1), 1e-9);
+  EXPECT_NEAR(way_.odometry().yaw(), 0, 1e-9);
+  measure({0, 0, 1}, 1);
+  measure({0, 0, 1}, 100);
+  EXPECT_NEAR(way_.odometry().yaw(), 0.402, 1e-9);
+}
+
+TEST_F(WalkedWayTest, DoesNotJumpOverAReconnectButIsLessCertain) {
+  measure({0.1, 0, 0});
+  measure({0.1, 0, 0}, 100);
+  const double before = uncertainty();
+  ++connection_;
+  frame_ = 1000;  // the robot was started again
+  measure({});
+  EXPECT_NEAR(way_.odometry().x(), 0.08, 1e-9);
+  EXPECT_GT(uncertainty(), before + 0.04);
+  const double after = uncertainty();
+  ++connection_;
+  measure({}, 100000);
+  EXPECT_EQ(uncertainty(), after) << "it stood when the connection broke";
+}
+
+TEST_F(WalkedWayTest, MayBeAnywhereAfterAFall) {
+  measure({});
+  way_.motionEnded({EndedKind::kWalk, EndedHow::kStopped, "walk", ""});
+  EXPECT_EQ(uncertainty(), 0);
+  way_.motionEnded({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
+  EXPECT_GE(uncertainty(), 1);
+}
+
+TEST_F(WalkedWayTest, IsUnknownWithoutARobotThatSaysHowItWalks) {
+  Telemetry telemetry;
+  telemetry.frame_number = 4;
+  EXPECT_FALSE(way_.update(telemetry));
+  telemetry.frame_number.reset();
+  telemetry.walk.emplace();
+  EXPECT_FALSE(way_.update(telemetry));
+}
+
+TEST_F(WalkedWayTest, BecomesAMessage) {
+  measure({0, 0, 0.5});
+  measure({0, 0, 0.5}, 250);
+  measure({0.1, -0.05, 0.5});
+  const nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
+  EXPECT_NEAR(odom.pose.pose.orientation.z, std::sin(0.508), 1e-3);
+  EXPECT_NEAR(odom.pose.pose.orientation.w, std::cos(0.508), 1e-3);
+  EXPECT_EQ(odom.pose.pose.position.z, 0);
+  EXPECT_EQ(odom.twist.twist.linear.x, 0.1);
+  EXPECT_EQ(odom.twist.twist.linear.y, -0.05);
+  EXPECT_EQ(odom.twist.twist.angular.z, 0.5);
+  EXPECT_GT(odom.twist.covariance[0], 1e-4);
+  EXPECT_EQ(odom.pose.covariance[35], way_.odometry().covariance()(2, 2));
+  EXPECT_EQ(odom.pose.covariance[5], way_.odometry().covariance()(0, 2));
+  EXPECT_EQ(odom.pose.covariance[14], 1e6) << "it does not measure its height";
+  measure({});
+  EXPECT_LT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 1e-5) << "it stands";
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,173 @@
+#include "rcserver/walk/Gait.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "robot_model/robot_model.h"
+
+namespace {
+
+using robot_model::Leg;
+using robot_model::LegAngles;
+using robot_model::Point;
+
+constexpr double kFrame = 0.008;  // s
+constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr Leg kLegs[] = {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
+                         robot_model::RIGHT_HIND_LEG};
+
+using Legs = std::array<LegAngles, robot_model::NUMBER_OF_LEGS>;
+
+double angleOf(const LegAngles& angles, int number) {
+  return number == 0 ? angles.rotator : number == 1 ? angles.elevator : angles.knee;
+}
+
+class GaitTest : public ::testing::Test {
+ protected:
+  Legs legs(double phase, const WalkVelocity& velocity, double effort = 1) const {
+    Legs angles;
+    gait_.FindPosture(phase - std::floor(phase), velocity, effort, angles.data());
+    return angles;
+  }
+
+  // A foot seen from the floor below the body: without the body's lean.
+  Point foot(Leg leg, double phase, const WalkVelocity& velocity, double effort = 1) const {
+    const Point in_body = findFoot(leg, legs(phase, velocity, effort)[static_cast<std::size_t>(leg)]);
+    const double sine = std::sin(gait_.Parameters().nose_down);
+    const double cosine = std::cos(gait_.Parameters().nose_down);
+    return {in_body.x * cosine + in_body.z * sine, in_body.y,
+            in_body.z * cosine - in_body.x * sine + gait_.Parameters().height - robot_model::FOOT_RADIUS};
+  }
+
+  // Velocities all around the limits, where they are farthest from 0, and within them.
+  std::vector<WalkVelocity> allowed() const {
+    std::vector<WalkVelocity> velocities;
+    for (int forward = -4; forward <= 4; ++forward) {
+      for (int left = -4; left <= 4; ++left) {
+        for (int turn = -4; turn <= 4; ++turn) {
+          velocities.push_back(gait_.Limited({forward * 0.07, left * 0.03, turn * 0.6}));
+        }
+      }
+    }
+    return velocities;
+  }
+
+  const Gait gait_;
+  const double phase_of_frame_ = kFrame / gait_.Parameters().period;
+  const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
+};
+
+TEST_F(GaitTest, StandsLevelOnAllFeetWithoutVelocityAndEffortWhateverThePhaseIs) {
+  for (const double phase : {0.0, 0.2, 0.6, 0.9}) {
+    for (const Leg leg : kLegs) {
+      const Point place = foot(leg, phase, {0, 0, 0}, 0);
+      EXPECT_NEAR(place.z, 0, 1e-9);
+      EXPECT_NEAR(place.x, foot(leg, 0, {0, 0, 0}, 0).x, 1e-9);
+    }
+  }
+}
+
+TEST_F(GaitTest, MovesFeetOnTheFloorWithTheFloor) {
+  const WalkVelocity velocity = gait_.Limited({0.05, 0.02, 0.3});
+  for (const Leg leg : kLegs) {
+    for (double phase = 0; phase < 1; phase += 0.01) {
+      if (!gait_.IsOnFloor(leg, phase) || !gait_.IsOnFloor(leg, std::fmod(phase + phase_of_frame_, 1))) {
+        continue;
+      }
+      const Point here = foot(leg, phase, velocity);
+      const Point next = foot(leg, phase + phase_of_frame_, velocity);
+      const Point middle = foot(leg, 0, {0, 0, 0}, 0);
+      EXPECT_NEAR((next.x - here.x) / kFrame, -velocity.forward + velocity.turn * middle.y, 1e-6);
+      EXPECT_NEAR((next.y - here.y) / kFrame, -velocity.left - velocity.turn * middle.x, 1e-6);
+      EXPECT_NEAR(here.z, 0, 1e-9);
+    }
+  }
+}
+
+TEST_F(GaitTest, AlwaysHasADiagonalPairOnTheFloor) {
+  for (double phase = 0; phase < 1; phase += 0.001) {
+    const bool first = gait_.IsOnFloor(robot_model::LEFT_FRONT_LEG, phase);
+    const bool second = gait_.IsOnFloor(robot_model::RIGHT_FRONT_LEG, phase);
+    EXPECT_TRUE(first || second) << phase;
+    EXPECT_EQ(gait_.IsOnFloor(robot_model::RIGHT_HIND_LEG, phase), first);
+    EXPECT_EQ(gait_.IsOnFloor(robot_model::LEFT_HIND_LEG, phase), second);
+  }
+}
+
+TEST_F(GaitTest, LiftsEachFootAsHighAsTheEffortSays) {
+  for (const double effort : {1.0, 0.4}) {
+    for (const Leg leg : kLegs) {
+      double highest = 0;
+      for (double phase = 0; phase < 1; phase += 0.001) {
+        highest = std::max(highest, foot(leg, phase, {0.1, 0, 0}, effort).z);
+      }
+      EXPECT_NEAR(highest, effort * gait_.Parameters().lift, 1e-4);
+    }
+  }
+}
+
+// A foot that touches down slower or faster than the floor drags or brakes the robot.
+TEST_F(GaitTest, NeitherJumpsNorKinksWhereAFootLiftsOffAndTouchesDown) {
+  constexpr double kStep = 1e-4;
+  const WalkVelocity velocity = gait_.Limited({0.1, 0, 0.2});
+  for (const Leg leg : kLegs) {
+    for (double phase = 0; phase < 1; phase += kStep) {
+      const Point before = foot(leg, phase - kStep, velocity);
+      const Point here = foot(leg, phase, velocity);
+      const Point after = foot(leg, phase + kStep, velocity);
+      const double seconds = kStep * gait_.Parameters().period;
+      ASSERT_NEAR((after.x - here.x) / seconds, (here.x - before.x) / seconds, 1e-3) << phase;
+      ASSERT_NEAR((after.z - here.z) / seconds, (here.z - before.z) / seconds, 1e-3) << phase;
+    }
+  }
+}
+
+TEST_F(GaitTest, LimitsEachVelocity) {
+  const GaitParameters& parameters = gait_.Parameters();
+  EXPECT_DOUBLE_EQ(gait_.Limited({1, 0, 0}).forward, parameters.highest_forward);
+  EXPECT_DOUBLE_EQ(gait_.Limited({-1, 0, 0}).forward, -parameters.highest_back);
+  EXPECT_DOUBLE_EQ(gait_.Limited({0, 1, 0}).left, parameters.highest_left);
+  EXPECT_DOUBLE_EQ(gait_.Limited({0, 0, -9}).turn, -parameters.highest_turn);
+  EXPECT_DOUBLE_EQ(gait_.Limited({0.01, -0.01, 0.1}).left, -0.01) << "within the limits";
+}
+
+TEST_F(GaitTest, SharesTheLegsSpeedAmongVelocitiesAndKeepsTheDirection) {
+  const GaitParameters& parameters = gait_.Parameters();
+  const WalkVelocity limited =
+      gait_.Limited({parameters.highest_forward, parameters.highest_left, 2 * parameters.highest_turn});
+  EXPECT_DOUBLE_EQ(limited.forward, parameters.highest_forward / 4);
+  EXPECT_DOUBLE_EQ(limited.left, parameters.highest_left / 4);
+  EXPECT_DOUBLE_EQ(limited.turn, parameters.highest_turn / 2);
+}
+
+// With a margin for what Walker adds when the velocity changes.
+TEST_F(GaitTest, AsksNoJointForMoreThanItsLimitsInAnyAllowedWalk) {
+  for (const WalkVelocity& velocity : allowed()) {
+    for (double phase = 0; phase < 1; phase += 0.004) {
+      const Legs here = legs(phase, velocity);
+      const Legs next = legs(phase + phase_of_frame_, velocity);
+      for (const Leg leg : kLegs) {
+        const std::size_t i = static_cast<std::size_t>(leg);
+        for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+          const robot_model::Joint& joint =
+              robot_.joints[findJointByIdentifier(robot_, legJointIdentifier(leg, number))];
+          const double angle = angleOf(here[i], number);
+          ASSERT_GT(angle, joint.lowest * 1e-6 + 1 * kDegree) << joint.name;
+          ASSERT_LT(angle, joint.highest * 1e-6 - 1 * kDegree) << joint.name;
+          ASSERT_LT(std::abs(angleOf(next[i], number) - angle) / kFrame, 0.96e-6 * joint.highest_speed)
+              << joint.name << " at phase " << phase << " of " << velocity.forward << ", " << velocity.left << ", "
+              << velocity.turn;
+        }
+        const robot_model::Coupling& coupling = robot_.couplings[i];
+        ASSERT_EQ(robot_.joints[coupling.follower].identifier, legJointIdentifier(leg, 1));
+        ASSERT_GT(here[i].elevator,
+                  coupledLowest(coupling, static_cast<int>(here[i].rotator * 1e6)) * 1e-6 + 1 * kDegree);
+      }
+    }
+  }
+}
+
+}  // namespace
