@@ -1,5 +1,8 @@
 #include "simulator/ers7/console_commands.h"
 
+#include <cmath>
+#include <iomanip>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -13,6 +16,9 @@ const char kHelp[] =
     "battery PERCENT   sets the remaining charge\n"
     "jam JOINT         blocks a joint: head_pan...\n"
     "free JOINT        unblocks it\n"
+    "lift on|off       lifts the robot from the floor, or sets it down\n"
+    "lie SIDE          lets it fall on its left, right or back, or puts it back on its feet\n"
+    "where             tells where it really is: x and y in metres, yaw in radian\n"
     "help              prints this list\n";
 
 std::vector<std::string> wordsOf(const std::string& line) {
@@ -34,6 +40,25 @@ double percent(const std::string& text) {
   return value;
 }
 
+/// @throw std::invalid_argument unless `text` is "on" or "off"
+bool isOn(const std::string& text) {
+  if (text != "on" && text != "off") {
+    throw std::invalid_argument("lift on or lift off, not lift \"" + text + "\"");
+  }
+  return text == "on";
+}
+
+/// @throw std::invalid_argument if there is no such side
+Side sideNamed(const std::string& text) {
+  static const std::map<std::string, Side> kSides = {
+      {"feet", Side::kFeet}, {"left", Side::kLeft}, {"right", Side::kRight}, {"back", Side::kBack}};
+  const auto side = kSides.find(text);
+  if (side == kSides.end()) {
+    throw std::invalid_argument("lie left, right, back or feet, not lie \"" + text + "\"");
+  }
+  return side->second;
+}
+
 /// @return false if there is no such command
 bool obey(SimulatedErs7& robot, const std::string& command, const std::string& object) {
   if (command == "press" || command == "release") {
@@ -42,10 +67,22 @@ bool obey(SimulatedErs7& robot, const std::string& command, const std::string& o
     robot.jam(object, command == "jam");
   } else if (command == "battery") {
     robot.setCharge(percent(object) / 100);
+  } else if (command == "lift") {
+    robot.lift(isOn(object));
+  } else if (command == "lie") {
+    robot.lie(sideNamed(object));
   } else {
     return false;
   }
   return true;
+}
+
+/// "0.1234 -0.0450 1.5708"
+std::string toText(const Place& place) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(4) << place.x << " " << place.y << " "
+       << std::remainder(place.yaw, 2 * std::acos(-1.0));
+  return text.str();
 }
 
 }  // namespace
@@ -57,6 +94,9 @@ std::string obeyConsole(SimulatedErs7& robot, const std::string& line) {
   }
   if (words[0] == "help") {
     return kHelp;
+  }
+  if (words.size() == 1 && words[0] == "where") {
+    return "ok: where " + toText(robot.pose()) + "\n";
   }
   try {
     if (words.size() == 2 && obey(robot, words[0], words[1])) {

@@ -16,6 +16,10 @@ namespace simulated_ers7 {
 ///     battery PERCENT   sets the remaining charge
 ///     jam JOINT         blocks a joint
 ///     free JOINT        unblocks it
+///     lift on|off       lifts the robot from the floor, or sets it down
+///     lie SIDE          lets it fall on its left, right or back, or puts it back on its feet
+///     where             tells where it really is, "ok: where 0.1234 -0.0450 1.5708": x and y in metres, and yaw in
+///                       radian from -pi to pi, in the frame of scene.h
 ///     help              prints this list
 ///
 /// @return the answer in one or more complete lines: a confirmation, or an error and the possible commands; empty for

@@ -88,7 +88,7 @@ SimulatedErs7::SimulatedErs7(const Options& options)
       battery_(options.battery_minutes),
       leds_(static_cast<std::size_t>(model().number_of_leds)),
       ears_(static_cast<std::size_t>(model().number_of_ears)),
-      stance_(standOn(joints_.legs())),
+      travel_(joints_.legs(), joints_.head()),
       sensor_regions_(sensorFramesSize(sensorFrameEntries().size()),
                       [](RCRegion* region) { prepareSensorFrames(region, sensorFrameEntries()); }),
       pictures_(makePictures(options, scene_)),
@@ -211,8 +211,8 @@ void SimulatedErs7::passFrame(longword frame, const openr_host::EffectorCommands
     }
   }
   joints_.passFrame();
-  stance_ = standOn(joints_.legs());
-  sensors_.passFrame({frame, joints_.head(), stance_});
+  travel_.passFrame(joints_.legs(), joints_.head(), scene_);
+  sensors_.passFrame({frame, joints_.head(), travel_.stance(), travel_.acceleration()});
   battery_.passFrame();
   passFrameOfEars();
 }
@@ -304,7 +304,7 @@ bool SimulatedErs7::cameraImageDue(longword frame) {
 
 RCRegion* SimulatedErs7::captureImage(longword frame) {
   pictures_->setHead(joints_.head());
-  pictures_->setBody(stance_.body);
+  pictures_->setBody(travel_.stance().body);
   return camera_.capture(frame);
 }
 

@@ -3,7 +3,8 @@
 ///
 /// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears and a battery, but no microphones or
 /// loudspeaker. It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows photographs
-/// (photographs.h). The head moves the camera; the legs lift and tilt the body (stance.h), but it cannot walk.
+/// (photographs.h). The head moves the camera; the legs lift and tilt the body and carry it through
+/// the room (travel.h).
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 
@@ -18,6 +19,7 @@
 #include "simulator/ers7/body/leds_and_ears.h"
 #include "simulator/ers7/body/primitive_table.h"
 #include "simulator/ers7/body/sensors.h"
+#include "simulator/ers7/body/travel.h"
 #include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/ers7/scene/scene.h"
@@ -75,8 +77,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus setMotorPower(OPower power) override;
   OStatus getPowerStatus(OPowerStatus* status) override;
 
-  /// Joints stay where they are; LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery
-  /// and jammed joints do not change.
+  /// Joints stay where they are; LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
+  /// jammed joints and the robot's place do not change.
   void switchOff() override;
 
   /// Joints accept odataJOINT_COMMAND2, even while their gain is off (joint.h). LEDs accept odataLED_COMMAND2 or
@@ -97,6 +99,9 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// The joints, with their true positions.
   const Joints& joints() const { return joints_; }
 
+  /// Where the robot really is.
+  const Place& pose() const { return travel_.place(); }
+
   /// The state of an LED.
   /// @param name as in robot_model.h, "face_1"
   /// @throw std::invalid_argument if there is no such LED
@@ -114,6 +119,12 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
   /// Sets the battery's charge, 0..1.
   void setCharge(double charge) { battery_.setCharge(charge); }
+
+  /// Lifts the robot from the floor or sets it down, makes it fall on a side or puts it back on its feet (travel.h).
+  /// @{
+  void lift(bool lifted) { travel_.lift(lifted); }
+  void lie(Side side) { travel_.lie(side); }
+  /// @}
 
   /// Blocks or unblocks a joint.
   /// @param joint name as in robot_model.h, "head_pan"
@@ -135,7 +146,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   std::vector<Ear> ears_;
   bool motors_powered_ = false;
   bool pause_pressed_ = false;
-  Stance stance_;
+  Travel travel_;
   RegionPool sensor_regions_;
   std::unique_ptr<PictureSource> pictures_;
   Camera camera_;

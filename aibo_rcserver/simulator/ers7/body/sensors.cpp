@@ -74,8 +74,8 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
         return distance(sensor, finder, situation);
       };
     case robot_model::SENSOR_ACCELERATION:
-      return [this, axis = kAccelerationAxes.at(model.name)](const Situation& situation) {
-        return acceleration(axis, situation);
+      return [this, sensor, axis = kAccelerationAxes.at(model.name)](const Situation& situation) {
+        return acceleration(sensor, axis, situation);
       };
     case robot_model::SENSOR_TOUCH:
       return
@@ -134,9 +134,12 @@ int Sensors::distance(std::size_t sensor, const RangeFinder& finder, const Situa
   return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
 }
 
-int Sensors::acceleration(const Vector3d& axis, const Situation& situation) {
-  const Vector3d gravity = situation.stance.body.linear().transpose() * Vector3d(0, 0, -kGravity);
-  return static_cast<int>(std::lround(1e6 * axis.dot(gravity))) + errorUpTo(kAccelerationError);
+int Sensors::acceleration(std::size_t sensor, const Vector3d& axis, const Situation& situation) {
+  const robot_model::Sensor& model = *sensors_[sensor].model;
+  const Vector3d felt = Vector3d(0, 0, -kGravity) - situation.acceleration;
+  const double along_axis = 1e6 * axis.dot(situation.stance.body.linear().transpose() * felt);
+  const double measured = std::round(along_axis) + errorUpTo(kAccelerationError);
+  return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
 }
 
 int Sensors::errorUpTo(int most) {

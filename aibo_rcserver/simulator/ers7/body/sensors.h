@@ -26,6 +26,7 @@ struct Situation {
   longword frame;  ///< of OPEN-R
   HeadAngles head;
   Stance stance;
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of the body in the room, without gravity, in m/s^2
 };
 
 struct RangeFinder;
@@ -38,8 +39,9 @@ struct RangeFinder;
 /// Errors are up to kDistanceError of the distance, which is our choice.
 ///
 /// Accelerations are the components of gravity along the axes forward, right and up: up-down is -9.8 m/s^2 if the robot
-/// is level, front-back is positive if the nose points down. Movements add nothing. Errors are up to
-/// kAccelerationError, which is our choice.
+/// is level, front-back is positive if the nose points down. A robot that speeds up feels that as the opposite: forward
+/// makes front-back negative. Turning and tilting add nothing. Errors are up to kAccelerationError, which is our
+/// choice.
 ///
 /// Touch sensors report kTouchStrength, half of their range, while they are pressed, and otherwise less than 3. A paw's
 /// switch is on while its foot is on the floor (stance.h) or it is pressed, other switches while they are pressed. The
@@ -78,7 +80,7 @@ class Sensors {
 
   std::function<int(const Situation&)> measurementOf(const robot_model::Sensor& model, std::size_t sensor);
   int distance(std::size_t sensor, const RangeFinder& finder, const Situation& situation);
-  int acceleration(const Eigen::Vector3d& axis, const Situation& situation);
+  int acceleration(std::size_t sensor, const Eigen::Vector3d& axis, const Situation& situation);
   int errorUpTo(int most);
 
   Scene& scene_;

@@ -1,10 +1,8 @@
 #include "simulator/ers7/body/stance.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <optional>
-
-#include "simulator/ers7/body/head_kinematics.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -22,75 +20,71 @@ Vector3d toVector(const robot_model::Point& point) {
   return {point.x, point.y, point.z};
 }
 
-/// A plane in the body: z = slope_x * x + slope_y * y + height.
-struct Plane {
-  double slope_x;
-  double slope_y;
-  double height;
+/// How far inside its supports the weight of a robot is that leans to stand on them, in metres. Our choice.
+constexpr double kLeaning = 0.005;
 
-  double slope() const { return std::hypot(slope_x, slope_y); }
-  double below(const Vector3d& point) const { return point.z() - (slope_x * point.x() + slope_y * point.y() + height); }
-};
-
-using Supports = std::array<Vector3d, 2 * kLegs>;  ///< the feet, then the belly's corners
+double above(const Floor& floor, const Vector3d& point) {
+  return point.z() - floor.slope.dot(point.head<2>()) - floor.height;
+}
 
 double cross(const Vector3d& a, const Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Distance of the body's origin to the left of the line from a to b, seen from above.
-double leftOf(const Vector3d& a, const Vector3d& b) {
-  return cross(a, b) / (b - a).head<2>().norm();
-}
+/// Three supports, with the left side of the line from each to the next inside.
+struct Triangle {
+  Triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c)
+      : corners{a, cross(b - a, c - a) > 0 ? b : c, cross(b - a, c - a) > 0 ? c : b} {}
 
-/// Whether the body's origin is over the triangle, or at most kBalance beside it.
-bool carry(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const double lefts[] = {leftOf(a, b), leftOf(b, c), leftOf(c, a)};
-  return *std::min_element(std::begin(lefts), std::end(lefts)) >= -kBalance ||
-         *std::max_element(std::begin(lefts), std::end(lefts)) <= kBalance;
-}
+  Vector3d normal() const { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); }
 
-bool isSteep(const Vector3d& normal) {
-  return std::abs(normal.z()) < kTolerance;  // the three are in line, or above each other
-}
+  /// The supports are in line, or above each other.
+  bool isSteep() const { return normal().z() < kTolerance; }
 
-Plane planeThrough(const Vector3d& point, const Vector3d& normal) {
-  const double slope_x = -normal.x() / normal.z();
-  const double slope_y = -normal.y() / normal.z();
-  return {slope_x, slope_y, point.z() - slope_x * point.x() - slope_y * point.y()};
-}
+  /// Distance of a point to the inside of one of the lines, seen from above.
+  double inside(std::size_t line, const Vector3d& point) const {
+    const Vector3d& from = corners[line];
+    const Vector3d along = corners[(line + 1) % 3] - from;
+    return cross(along, point - from) / along.head<2>().norm();
+  }
 
-/// The most level plane through three supports that carry the body and have no other support below them. With the
-/// belly's corners there always is one.
-Plane supportingPlane(const Supports& supports) {
-  std::optional<Plane> best;
-  for (std::size_t i = 0; i < supports.size(); ++i) {
-    for (std::size_t j = i + 1; j < supports.size(); ++j) {
-      for (std::size_t k = j + 1; k < supports.size(); ++k) {
-        const Vector3d normal = (supports[j] - supports[i]).cross(supports[k] - supports[i]);
-        if (isSteep(normal) || !carry(supports[i], supports[j], supports[k])) {
-          continue;
-        }
-        const Plane plane = planeThrough(supports[i], normal);
-        if (std::all_of(supports.begin(), supports.end(),
-                        [&](const Vector3d& support) { return plane.below(support) >= -kTolerance; })) {
-          best = !best || plane.slope() < best->slope() ? plane : *best;
-        }
+  /// Whether the body's origin is over the triangle, or at most kBalance beside it.
+  bool carries() const {
+    return std::min({inside(0, Vector3d::Zero()), inside(1, Vector3d::Zero()), inside(2, Vector3d::Zero())}) >=
+           -kBalance;
+  }
+
+  Floor floor() const {
+    const Vector3d up = normal();
+    const Eigen::Vector2d slope = -up.head<2>() / up.z();
+    return {slope, corners[0].z() - slope.dot(corners[0].head<2>())};
+  }
+
+  /// The body's origin, or a point towards the middle that is inside by kLeaning.
+  Eigen::Vector2d weight() const {
+    const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
+    double share = 0;
+    for (std::size_t line = 0; line < 3; ++line) {
+      const double origin_inside = inside(line, Vector3d::Zero());
+      if (origin_inside < kLeaning) {
+        share = std::max(share, (kLeaning - origin_inside) / (inside(line, middle) - origin_inside));
       }
     }
+    return (std::min(share, 1.0) * middle).head<2>();
   }
-  return best.value_or(Plane{0, 0, FOOT_RADIUS - kStandingHeight});
-}
 
-/// The pose of a body with the centres of its supports in this plane.
-Eigen::Isometry3d poseOver(const Plane& plane) {
-  const Vector3d up = Vector3d(-plane.slope_x, -plane.slope_y, 1).normalized();
+  std::array<Vector3d, 3> corners;
+};
+
+/// The pose of a body with the centres of its lowest supports on this floor.
+Eigen::Isometry3d poseOver(const Floor& floor) {
+  const Vector3d up = Vector3d(-floor.slope.x(), -floor.slope.y(), 1).normalized();
   const Vector3d ahead = (Vector3d::UnitX() - up.x() * up).normalized();
   Eigen::Matrix3d turn;
   turn << ahead.transpose(), up.cross(ahead).transpose(), up.transpose();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = turn;
-  pose.translation().z() = FOOT_RADIUS - plane.height * up.z();
+  pose.translation().z() = FOOT_RADIUS - floor.height * up.z();
   return pose;
 }
 
@@ -100,19 +94,59 @@ Vector3d footInBody(Leg leg, const LegAngles& angles) {
   return toVector(robot_model::findFoot(leg, angles));
 }
 
-Stance standOn(const std::array<LegAngles, kLegs>& legs) {
+Supports supportsOf(const std::array<LegAngles, kLegs>& legs) {
   Supports supports;
   for (std::size_t i = 0; i < kLegs; ++i) {
     const Leg leg = static_cast<Leg>(i);
     supports[i] = footInBody(leg, legs[i]);
     supports[kLegs + i] = toVector(robot_model::findBellyCorner(leg));
   }
+  return supports;
+}
+
+Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope) {
+  Floor floor{slope, std::numeric_limits<double>::infinity()};
+  for (const Vector3d& support : supports) {
+    floor.height = std::min(floor.height, support.z() - slope.dot(support.head<2>()));
+  }
+  return floor;
+}
+
+// With the belly's corners there always is such a plane.
+Rest restOn(const Supports& supports) {
+  std::optional<Rest> best;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    for (std::size_t j = i + 1; j < supports.size(); ++j) {
+      for (std::size_t k = j + 1; k < supports.size(); ++k) {
+        const Triangle triangle(supports[i], supports[j], supports[k]);
+        if (triangle.isSteep() || !triangle.carries()) {
+          continue;
+        }
+        const Floor floor = triangle.floor();
+        if ((!best || floor.slope.norm() < best->floor.slope.norm()) &&
+            std::all_of(supports.begin(), supports.end(),
+                        [&](const Vector3d& support) { return above(floor, support) >= -kTolerance; })) {
+          best = Rest{floor, triangle.weight()};
+        }
+      }
+    }
+  }
+  const Eigen::Vector2d level = Eigen::Vector2d::Zero();
+  return best.value_or(Rest{floorUnder(supports, level), level});
+}
+
+Stance stanceOver(const Floor& floor, const Supports& supports) {
   Stance stance;
-  stance.body = poseOver(supportingPlane(supports));
+  stance.body = poseOver(floor);
   for (std::size_t i = 0; i < kLegs; ++i) {
     stance.paw_down[i] = (stance.body * supports[i]).z() - FOOT_RADIUS <= kPawTravel;
   }
   return stance;
+}
+
+Stance standOn(const std::array<LegAngles, kLegs>& legs) {
+  const Supports supports = supportsOf(legs);
+  return stanceOver(restOn(supports).floor, supports);
 }
 
 }  // namespace simulated_ers7

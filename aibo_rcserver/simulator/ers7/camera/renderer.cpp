@@ -1,8 +1,9 @@
 #include "simulator/ers7/camera/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "simulator/ers7/camera/camera_optics.h"
 #include "simulator/ers7/scene/light.h"
@@ -10,15 +11,10 @@
 namespace simulated_ers7 {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 size_t indexOf(int x, int y) {
   return static_cast<size_t>(y) * kPictureWidth + static_cast<size_t>(x);
-}
-
-Ray rayThrough(const Eigen::Isometry3d& camera, const Vector2d& place) {
-  return {camera.translation(), camera.linear() * directionOf(place)};
 }
 
 /// The size of a pixel on the surface along each axis: its width across the ray, stretched where the surface is seen at
@@ -32,21 +28,122 @@ Vector3d footprintOf(const SceneHit& hit, const Vector3d& direction, double pixe
   return Vector3d::Constant(width) + width * (1 / std::max(std::abs(slant), kFlattestSlant) - 1) * along_surface;
 }
 
-Color lightAlong(const Scene& scene, const Ray& ray, const SceneHit& hit, double pixel_size) {
-  return lightFrom(scene, hit, appearanceOf(hit, footprintOf(hit, ray.direction, pixel_size)), ray.direction);
+Color lightAlong(const Ray& ray, const SceneHit& hit, const Illumination& illumination, double pixel_size) {
+  return lightFrom(hit, appearanceOf(hit, footprintOf(hit, ray.direction, pixel_size)), illumination, ray.direction);
+}
+
+bool isOfRoom(Surface surface) {
+  return surface == Surface::kFloor || surface == Surface::kWall || surface == Surface::kCeiling;
+}
+
+/// The side of a block in pixels. The picture consists of whole blocks.
+constexpr int kBlock = 4;
+
+static_assert(kPictureWidth % kBlock == 0 && kPictureHeight % kBlock == 0, "see above");
+
+/// A value for each pixel of a block.
+template <typename Value>
+using Block = std::array<Value, static_cast<size_t>(kBlock* kBlock)>;
+
+constexpr size_t kBlockCorners[] = {0, kBlock - 1, kBlock*(kBlock - 1), kBlock* kBlock - 1};
+
+/// Whether all show a single plane.
+template <std::size_t kSize>
+bool isFlat(const std::array<SceneHit, kSize>& hits) {
+  return isOfRoom(hits[0].surface) && std::all_of(hits.begin(), hits.end(), [&](const SceneHit& hit) {
+           return hit.surface == hits[0].surface && hit.normal == hits[0].normal;
+         });
+}
+
+/// The mean of the values at the corners of a block that holds for one of its pixels.
+Illumination meanOfCorners(const Block<Illumination>& light, size_t pixel) {
+  const auto mean = [](const Illumination& from, const Illumination& to, double share) {
+    return Illumination{from.lamp + share * (to.lamp - from.lamp),
+                        from.openness + share * (to.openness - from.openness)};
+  };
+  const double across = static_cast<double>(pixel % kBlock) / (kBlock - 1);
+  const double down = static_cast<double>(pixel / kBlock) / (kBlock - 1);
+  return mean(mean(light[kBlockCorners[0]], light[kBlockCorners[1]], across),
+              mean(light[kBlockCorners[2]], light[kBlockCorners[3]], across), down);
+}
+
+/// Whether nobody sees the difference.
+bool lookTheSame(const Illumination& one, const Illumination& other) {
+  constexpr double kVisible = 0.015;
+  return std::abs(one.lamp - other.lamp) < kVisible && std::abs(one.openness - other.openness) < kVisible;
+}
+
+/// Calculates the light on the corners and in one place between them. If that is a mean of the corners, so are the
+/// other pixels; else they are calculated, too.
+/// @param is_flat the block shows a single plane
+template <typename Calculate>
+void illuminate(bool is_flat, const Calculate& calculate, Block<Illumination>* light) {
+  constexpr size_t kBetween = kBlock + 1;
+  bool is_even = false;
+  if (is_flat) {
+    for (const size_t corner : kBlockCorners) {
+      (*light)[corner] = calculate(corner);
+    }
+    is_even = lookTheSame(calculate(kBetween), meanOfCorners(*light, kBetween));
+  }
+  for (size_t i = 0; i < light->size(); ++i) {
+    (*light)[i] = is_even ? meanOfCorners(*light, i) : calculate(i);
+  }
+}
+
+/// From where to where in the picture a ball may be seen along one of the picture's axes: between the tangents from the
+/// camera, in pixels, but not beyond the picture.
+/// @param ahead,aside of the ball's centre; aside is positive in the direction of the axis
+std::pair<double, double> extentOf(double ahead, double aside, double radius, double focal_length, double size) {
+  const double distance = std::hypot(ahead, aside);
+  if (distance <= radius) {
+    return {0, size};
+  }
+  const double direction = std::atan2(aside, ahead);
+  const double half = std::asin(radius / distance);
+  const auto place = [=](double angle) {
+    constexpr double kBeside = 1.5;  // radian, far beyond the picture
+    return std::clamp(size / 2 + focal_length * std::tan(std::clamp(angle, -kBeside, kBeside)), 0.0, size);
+  };
+  return {place(direction - half), place(direction + half)};
 }
 
 }  // namespace
+
+/// A camera that is ready to cast rays.
+class Renderer::Eye {
+ public:
+  explicit Eye(const Eigen::Isometry3d& camera)
+      : place_(camera.translation()),
+        ahead_(camera.linear().col(0)),
+        left_(camera.linear().col(1) / focalLengthX()),
+        up_(camera.linear().col(2) / focalLengthY()) {}
+
+  /// The ray through a place in the picture (camera_optics.h).
+  Ray rayThrough(double x, double y) const {
+    const Vector3d direction = ahead_ + (kPictureWidth / 2.0 - x) * left_ + (kPictureHeight / 2.0 - y) * up_;
+    return {place_, direction * (1 / direction.norm())};
+  }
+
+ private:
+  Vector3d place_;
+  Vector3d ahead_;
+  Vector3d left_;  // pixel by pixel
+  Vector3d up_;
+};
 
 Renderer::Renderer(const Scene& scene)
     : scene_(scene),
       picture_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       seen_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
+      near_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       drawn_positions_(scene.bodies().size()) {}
 
 const LightImage& Renderer::render(const Eigen::Isometry3d& camera) {
-  if (!drawn_from_ || drawn_from_->matrix() != camera.matrix()) {
-    drawn_from_ = camera;
+  const bool everything_moved = !drawn_from_ || drawn_from_->matrix() != camera.matrix();
+  drawn_from_ = camera;
+  findBodies(camera);
+  if (everything_moved) {
     draw(camera, {0, 0, kPictureWidth, kPictureHeight});
   } else {
     for (size_t i = 0; i < drawn_positions_.size(); ++i) {
@@ -63,68 +160,109 @@ const LightImage& Renderer::render(const Eigen::Isometry3d& camera) {
   return picture_;
 }
 
-void Renderer::draw(const Eigen::Isometry3d& camera, const Window& window) {
-  for (int y = window.top; y < window.bottom; ++y) {
-    for (int x = window.left; x < window.right; ++x) {
-      const Ray ray = rayThrough(camera, {x + 0.5, y + 0.5});
-      const SceneHit hit = scene_.castRay(ray);
-      seen_[indexOf(x, y)] = {hit.surface, hit.normal};
-      picture_[indexOf(x, y)] = lightAlong(scene_, ray, hit, 1);
-    }
-  }
-  smoothEdges(camera, window);
-}
-
-void Renderer::smoothEdges(const Eigen::Isometry3d& camera, const Window& window) {
-  constexpr double kPart = 0.5;
-  constexpr double kMiddles[] = {0.25, 0.75};
-  for (int y = window.top; y < window.bottom; ++y) {
-    for (int x = window.left; x < window.right; ++x) {
-      if (!isEdge(x, y)) {
-        continue;
-      }
-      Color sum = Color::Zero();
-      for (const double down : kMiddles) {
-        for (const double across : kMiddles) {
-          const Ray ray = rayThrough(camera, {x + across, y + down});
-          sum += lightAlong(scene_, ray, scene_.castRay(ray), kPart);
+void Renderer::findBodies(const Eigen::Isometry3d& camera) {
+  std::fill(near_.begin(), near_.end(), Near{});
+  for (size_t i = 0; i < scene_.bodies().size(); ++i) {
+    const Body& body = scene_.bodies()[i];
+    const auto bit = static_cast<BodySet>(1u << i);
+    const auto mark = [&](double radius, BodySet Near::*set) {
+      const Window window = windowAround(camera, body.position(), radius);
+      for (int y = window.top; y < window.bottom; ++y) {
+        for (int x = window.left; x < window.right; ++x) {
+          near_[indexOf(x, y)].*set |= bit;
         }
       }
-      picture_[indexOf(x, y)] = sum * kPart * kPart;
+    };
+    mark(body.reach(), &Near::visible);
+    mark(lightReach(body), &Near::changing_light);
+  }
+}
+
+void Renderer::draw(const Eigen::Isometry3d& camera, const Window& window) {
+  const Eye eye(camera);
+  for (int y = window.top; y < window.bottom; y += kBlock) {
+    for (int x = window.left; x < window.right; x += kBlock) {
+      drawBlock(eye, x, y);
     }
   }
+  smoothEdges(eye, window);
+}
+
+void Renderer::drawBlock(const Eye& eye, int left, int top) {
+  Block<Ray> rays;
+  Block<SceneHit> hits;
+  Block<Illumination> light;
+  const auto pixelOf = [left, top](size_t i) {
+    return indexOf(left + static_cast<int>(i) % kBlock, top + static_cast<int>(i) / kBlock);
+  };
+  BodySet visible = 0;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    rays[i] = eye.rayThrough(left + static_cast<int>(i) % kBlock + 0.5, top + static_cast<int>(i) / kBlock + 0.5);
+    visible |= near_[pixelOf(i)].visible;
+  }
+  std::array<SceneHit, std::size(kBlockCorners)> corners;
+  std::transform(std::begin(kBlockCorners), std::end(kBlockCorners), corners.begin(),
+                 [&](size_t corner) { return scene_.castRay(rays[corner], visible); });
+  // The faces of a room are convex: one that shows in all corners of a block shows in all of it.
+  const bool is_flat = visible == 0 && isFlat(corners);
+  for (size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = is_flat ? Scene::castRayAtPlane(rays[i], corners[0]) : scene_.castRay(rays[i], near_[pixelOf(i)].visible);
+  }
+  illuminate(
+      is_flat || isFlat(hits),
+      [&](size_t i) { return illuminationOf(scene_, hits[i], near_[pixelOf(i)].changing_light); }, &light);
+  for (size_t i = 0; i < hits.size(); ++i) {
+    seen_[pixelOf(i)] = {hits[i].surface, hits[i].normal, light[i]};
+    picture_[pixelOf(i)] = lightAlong(rays[i], hits[i], light[i], 1);
+  }
+}
+
+void Renderer::smoothEdges(const Eye& eye, const Window& window) {
+  for (int y = window.top; y < window.bottom; ++y) {
+    for (int x = window.left; x < window.right; ++x) {
+      if (isEdge(x, y)) {
+        picture_[indexOf(x, y)] = lightOfParts(eye, x, y);
+      }
+    }
+  }
+}
+
+/// The mean of four parts of a pixel. Parts that show the same face share its illumination.
+Color Renderer::lightOfParts(const Eye& eye, int x, int y) const {
+  constexpr double kPart = 0.5;
+  constexpr double kMiddles[] = {0.25, 0.75};
+  const Near& near = near_[indexOf(x, y)];
+  Seen faces[] = {seen_[indexOf(x, y)], seen_[indexOf(x, y)]};  // its middle, and the last other one
+  Color sum = Color::Zero();
+  for (const double down : kMiddles) {
+    for (const double across : kMiddles) {
+      const Ray ray = eye.rayThrough(x + across, y + down);
+      const SceneHit hit = scene_.castRay(ray, near.visible);
+      const bool is_middle = faces[0].isAlso(hit.surface, hit.normal);
+      if (!is_middle && !faces[1].isAlso(hit.surface, hit.normal)) {
+        faces[1] = {hit.surface, hit.normal, illuminationOf(scene_, hit, near.changing_light)};
+      }
+      sum += lightAlong(ray, hit, faces[is_middle ? 0 : 1].light, kPart);
+    }
+  }
+  return sum * kPart * kPart;
 }
 
 bool Renderer::isEdge(int x, int y) const {
-  constexpr double kSameFace = 0.8;  // cosine between normals
-  const Seen& here = seen_[indexOf(x, y)];
-  const auto differs = [&here](const Seen& there) {
-    return here.surface != there.surface || here.normal.dot(there.normal) < kSameFace;
-  };
-  return (x > 0 && differs(seen_[indexOf(x - 1, y)])) || (x + 1 < kPictureWidth && differs(seen_[indexOf(x + 1, y)])) ||
-         (y > 0 && differs(seen_[indexOf(x, y - 1)])) || (y + 1 < kPictureHeight && differs(seen_[indexOf(x, y + 1)]));
+  const size_t here = indexOf(x, y);
+  const auto differs = [&](size_t there) { return !seen_[here].isAlso(seen_[there].surface, seen_[there].normal); };
+  return (x > 0 && differs(here - 1)) || (x + 1 < kPictureWidth && differs(here + 1)) ||
+         (y > 0 && differs(here - kPictureWidth)) || (y + 1 < kPictureHeight && differs(here + kPictureWidth));
 }
 
 /// The pixels that may show a part of a ball, or of something inside it.
 Renderer::Window Renderer::windowAround(const Eigen::Isometry3d& camera, const Vector3d& center, double radius) {
-  constexpr int kMargin = 2;  // pixels; smoothed edges reach a pixel beyond the object
-  const Vector3d seen_center = camera.inverse() * center;
-  if (seen_center.x() <= radius) {
-    return {0, 0, kPictureWidth, kPictureHeight};
-  }
-  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Vector2d high = -low;
-  for (const double ahead : {-radius, radius}) {
-    for (const double side : {-radius, radius}) {
-      const Vector2d corner = placeOf(seen_center + Vector3d(ahead, side, side));
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
-    }
-  }
-  low = low.cwiseMax(0).cwiseMin(Vector2d(kPictureWidth, kPictureHeight));
-  high = high.cwiseMax(0).cwiseMin(Vector2d(kPictureWidth, kPictureHeight));
-  return clipped({static_cast<int>(low.x()) - kMargin, static_cast<int>(low.y()) - kMargin,
-                  static_cast<int>(high.x()) + 1 + kMargin, static_cast<int>(high.y()) + 1 + kMargin});
+  constexpr double kMargin = 2;  // pixels; smoothed edges reach a pixel beyond the object
+  const Vector3d seen = camera.inverse() * center;
+  const auto [left, right] = extentOf(seen.x(), -seen.y(), radius, focalLengthX(), kPictureWidth);
+  const auto [top, bottom] = extentOf(seen.x(), -seen.z(), radius, focalLengthY(), kPictureHeight);
+  return wholeBlocks({static_cast<int>(left - kMargin), static_cast<int>(top - kMargin),
+                      static_cast<int>(right + kMargin) + 1, static_cast<int>(bottom + kMargin) + 1});
 }
 
 Renderer::Window Renderer::united(const Window& one, const Window& other) {
@@ -132,9 +270,11 @@ Renderer::Window Renderer::united(const Window& one, const Window& other) {
           std::max(one.bottom, other.bottom)};
 }
 
-Renderer::Window Renderer::clipped(const Window& window) {
-  return {std::max(window.left, 0), std::max(window.top, 0), std::min(window.right, kPictureWidth),
-          std::min(window.bottom, kPictureHeight)};
+/// The blocks of the picture that the window touches.
+Renderer::Window Renderer::wholeBlocks(const Window& window) {
+  const auto down = [](int place) { return std::max(place, 0) / kBlock * kBlock; };
+  const auto up = [](int place, int most) { return std::min((place + kBlock - 1) / kBlock * kBlock, most); };
+  return {down(window.left), down(window.top), up(window.right, kPictureWidth), up(window.bottom, kPictureHeight)};
 }
 
 }  // namespace simulated_ers7

@@ -27,9 +27,18 @@ Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 /// The distance from a body, in metres, up to which it changes the light on other surfaces; at least its reach().
 double lightReach(const Body& body);
 
+/// How much light falls on a point of a surface.
+struct Illumination {
+  double lamp;      ///< part of the lamp's light, as if it came straight from above the surface
+  double openness;  ///< part of the light from all around
+};
+
+/// @param near bodies that may change the light; others are further away than their lightReach()
+Illumination illuminationOf(const Scene& scene, const SceneHit& hit, BodySet near = kAllBodies);
+
 /// The light from a point on a surface towards a viewer.
 /// @param direction of the viewer's ray, of length 1
-Color lightFrom(const Scene& scene, const SceneHit& hit, const Appearance& appearance,
+Color lightFrom(const SceneHit& hit, const Appearance& appearance, const Illumination& illumination,
                 const Eigen::Vector3d& direction);
 
 }  // namespace simulated_ers7

@@ -30,10 +30,12 @@ double lampBeside(const Body& body, const Vector3d& point) {
     return 1;
   }
   const double end = std::min(along + reach, (body.top() - point.z()) / kToLamp.z() + kLampSize * body.reach());
+  const Vector3d start = body.pointToBody(point);
+  const Vector3d to_lamp = body.turnToBody(kToLamp);
   double clearance = 1;
   double travelled = std::max(kShortestStep, along - reach);
   while (travelled < end && clearance > -1) {
-    const double distance = body.signedDistance(point + travelled * kToLamp);
+    const double distance = body.distanceInBody(start + travelled * to_lamp);
     clearance = std::min(clearance, distance / (kLampSize * travelled));
     travelled += std::max(distance, kShortestStep);
   }
@@ -47,12 +49,17 @@ double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& n
   constexpr double kSteps[] = {0.010, 0.022, 0.045};
   constexpr double kFarthest = 2 * 0.045;
   const double outer = body.reach() + kFarthest;
-  if ((body.position() - point).squaredNorm() > outer * outer || body.signedDistance(point) > kFarthest) {
+  if ((body.position() - point).squaredNorm() > outer * outer) {
     return 1;
   }
+  const Vector3d start = body.pointToBody(point);
+  if (body.distanceInBody(start) > kFarthest) {
+    return 1;
+  }
+  const Vector3d outwards = body.turnToBody(normal);
   double hidden = 0;
   for (const double step : kSteps) {
-    const double distance = body.signedDistance(point + step * normal);
+    const double distance = body.distanceInBody(start + step * outwards);
     hidden += std::clamp((step - distance) / step, 0.0, 1.0) / 3;
   }
   return 1 - 0.85 * hidden;
@@ -87,24 +94,32 @@ double lightReach(const Body& body) {
   return kLengthOfShadow * body.reach();
 }
 
-Color lightFrom(const Scene& scene, const SceneHit& hit, const Appearance& appearance, const Vector3d& direction) {
-  double lamp = std::max(0.0, hit.normal.dot(kToLamp));
-  double openness = opennessOfRoom(hit.point, hit.normal);
-  for (const Body& body : scene.bodies()) {
+Illumination illuminationOf(const Scene& scene, const SceneHit& hit, BodySet near) {
+  Illumination light = {std::max(0.0, hit.normal.dot(kToLamp)), opennessOfRoom(hit.point, hit.normal)};
+  for (std::size_t i = 0; near >> i != 0 && i < scene.bodies().size(); ++i) {
+    if ((near >> i & 1) == 0) {
+      continue;
+    }
+    const Body& body = scene.bodies()[i];
     const double far = lightReach(body);
     if ((body.position() - hit.point).squaredNorm() > far * far) {
       continue;
     }
-    if (lamp > 0) {
-      lamp *= lampBeside(body, hit.point + 0.002 * hit.normal);
+    if (light.lamp > 0) {
+      light.lamp *= lampBeside(body, hit.point + 0.002 * hit.normal);
     }
-    openness *= opennessBeside(body, hit.point, hit.normal);
+    light.openness *= opennessBeside(body, hit.point, hit.normal);
   }
+  return light;
+}
+
+Color lightFrom(const SceneHit& hit, const Appearance& appearance, const Illumination& illumination,
+                const Vector3d& direction) {
   const double upwards = 0.5 + 0.5 * hit.normal.z();
-  const Color ambient = openness * (upwards * kLightFromAbove + (1 - upwards) * kLightFromBelow);
-  Color light = appearance.albedo * (ambient + lamp * kLampLight);
+  const Color ambient = illumination.openness * (upwards * kLightFromAbove + (1 - upwards) * kLightFromBelow);
+  Color light = appearance.albedo * (ambient + illumination.lamp * kLampLight);
   if (appearance.gloss > 0) {
-    light += appearance.gloss * lamp * highlight(hit.normal, direction) * kLampLight;
+    light += appearance.gloss * illumination.lamp * highlight(hit.normal, direction) * kLampLight;
   }
   return light;
 }

@@ -125,11 +125,10 @@ Vector3d Body::turnToRoom(const Vector3d& vector) const {
   return {cos_yaw_ * vector.x() - sin_yaw_ * vector.y(), cos_yaw_ * vector.y() + sin_yaw_ * vector.x(), vector.z()};
 }
 
-double Body::signedDistance(const Vector3d& point) const {
-  const Vector3d local = pointToBody(point);
+double Body::distanceInBody(const Vector3d& point) const {
   double distance = std::numeric_limits<double>::infinity();
   for (const Part& part : parts_) {
-    distance = std::min(distance, simulated_ers7::signedDistance(local, part.shape));
+    distance = std::min(distance, simulated_ers7::signedDistance(point, part.shape));
   }
   return distance;
 }
@@ -153,9 +152,26 @@ const Vector3d& Scene::ballCenter() const {
   return bodies_[kBall].position();
 }
 
-SceneHit Scene::castRay(const Ray& ray) const {
-  SceneHit nearest = castRayAtRoom(ray);
+double Scene::clearance(const Vector3d& point) const {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    clearance = std::min({clearance, point[axis] - kLowestCorner[axis], kHighestCorner[axis] - point[axis]});
+  }
   for (const Body& body : bodies_) {
+    if ((body.position() - point).norm() - body.reach() < clearance) {
+      clearance = std::min(clearance, body.signedDistance(point));
+    }
+  }
+  return clearance;
+}
+
+SceneHit Scene::castRay(const Ray& ray, BodySet among) const {
+  SceneHit nearest = castRayAtRoom(ray);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if ((among >> i & 1) == 0) {
+      continue;
+    }
+    const Body& body = bodies_[i];
     const Vector3d to_body = body.position() - ray.origin;
     const double along = to_body.dot(ray.direction);
     if (to_body.squaredNorm() - along * along > body.reach() * body.reach()) {

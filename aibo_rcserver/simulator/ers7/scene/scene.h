@@ -4,6 +4,7 @@
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "simulator/ers7/scene/shapes.h"
@@ -79,8 +80,12 @@ class Body {
   Eigen::Vector3d turnToBody(const Eigen::Vector3d& vector) const;
   Eigen::Vector3d turnToRoom(const Eigen::Vector3d& vector) const;
 
-  /// Distance from a point of the room to the body's surface, negative inside.
-  double signedDistance(const Eigen::Vector3d& point) const;
+  /// Distance from a point to the body's surface, negative inside.
+  /// @param point in the body's frame
+  double distanceInBody(const Eigen::Vector3d& point) const;
+
+  /// The same from a point of the room.
+  double signedDistance(const Eigen::Vector3d& point) const { return distanceInBody(pointToBody(point)); }
 
  private:
   Eigen::Vector3d position_;
@@ -90,6 +95,11 @@ class Body {
   double reach_;
   double top_;
 };
+
+/// A choice of bodies: bit i stands for bodies()[i]. It spares the renderer those that cannot matter.
+using BodySet = std::uint8_t;
+
+constexpr BodySet kAllBodies = 0xFF;
 
 /// The end of a ray.
 struct SceneHit {
@@ -113,10 +123,22 @@ class Scene {
   void setTime(double seconds);
 
   /// The first thing that a ray from inside the room hits. The room is closed, so there always is one.
-  SceneHit castRay(const Ray& ray) const;
+  /// @param among bodies that it may hit; it passes through the others
+  SceneHit castRay(const Ray& ray, BodySet among = kAllBodies) const;
 
-  /// Everything in the room except the room itself.
+  /// Everything in the room except the room itself, at most eight bodies.
   const std::vector<Body>& bodies() const { return bodies_; }
+
+  /// Where a ray leaves the room through a plane, given where another ray does.
+  static SceneHit castRayAtPlane(const Ray& ray, const SceneHit& plane) {
+    const double distance = (plane.point - ray.origin).dot(plane.normal) / ray.direction.dot(plane.normal);
+    const Eigen::Vector3d point = ray.at(distance);
+    return {distance, point, plane.normal, point, plane.surface};
+  }
+
+  /// Distance from a point in the room to the nearest body or wall, in metres; negative inside of a body or beyond a
+  /// wall. Floor and ceiling do not count.
+  double clearance(const Eigen::Vector3d& point) const;
 
   /// The current centre of the ball.
   const Eigen::Vector3d& ballCenter() const;

@@ -44,6 +44,12 @@ struct Span {
   double width() const { return high - low; }
 };
 
+/// The next lower whole number. std::floor() is a slow call on processors without SSE 4.1.
+int64_t wholeBelow(double value) {
+  const auto whole = static_cast<int64_t>(value);
+  return whole - (static_cast<double>(whole) > value ? 1 : 0);
+}
+
 /// Part of the span between two positions.
 double coverage(const Span& span, double low, double high) {
   const double overlap = std::min(span.high, high) - std::max(span.low, low);
@@ -55,7 +61,7 @@ double repeatedCoverage(const Span& span, double period, double thickness) {
   if (span.width() >= period) {
     return thickness / period;
   }
-  const double band = period * std::floor(span.low / period);
+  const double band = period * static_cast<double>(wholeBelow(span.low / period));
   return coverage(span, band, band + thickness) + coverage(span, band + period, band + period + thickness);
 }
 
@@ -68,14 +74,12 @@ double cellValue(int64_t x, int64_t y) {
 
 /// Smooth noise of mean 0 between -1 and 1, with bumps of size 1.
 double smoothNoise(double x, double y) {
-  const double cell_x = std::floor(x);
-  const double cell_y = std::floor(y);
-  const double in_x = x - cell_x;
-  const double in_y = y - cell_y;
+  const int64_t column = wholeBelow(x);
+  const int64_t row = wholeBelow(y);
+  const double in_x = x - static_cast<double>(column);
+  const double in_y = y - static_cast<double>(row);
   const double share_x = in_x * in_x * (3 - 2 * in_x);
   const double share_y = in_y * in_y * (3 - 2 * in_y);
-  const auto column = static_cast<int64_t>(cell_x);
-  const auto row = static_cast<int64_t>(cell_y);
   const double upper = cellValue(column, row) * (1 - share_x) + cellValue(column + 1, row) * share_x;
   const double lower = cellValue(column, row + 1) * (1 - share_x) + cellValue(column + 1, row + 1) * share_x;
   return 2 * (upper * (1 - share_y) + lower * share_y) - 1;
@@ -94,6 +98,12 @@ double texture(double strength, double size, double width, double x, double y) {
 
 /// How much of the pixel a line around a rectangle covers.
 double outline(const Span& x, const Span& y, double half_length, double half_width) {
+  const double beyond_ends = std::abs(x.middle()) - half_length;
+  const double beyond_sides = std::abs(y.middle()) - half_width;
+  if (std::max(beyond_ends + x.width() / 2, beyond_sides + y.width() / 2) < -kLineHalfWidth ||
+      std::max(beyond_ends - x.width() / 2, beyond_sides - y.width() / 2) > kLineHalfWidth) {
+    return 0;
+  }
   const double outer = coverage(x, -half_length - kLineHalfWidth, half_length + kLineHalfWidth) *
                        coverage(y, -half_width - kLineHalfWidth, half_width + kLineHalfWidth);
   const double inner = coverage(x, -half_length + kLineHalfWidth, half_length - kLineHalfWidth) *
@@ -136,9 +146,9 @@ Color parquet(const Span& x, const Span& y) {
   constexpr double kPlankLength = 0.80;
   constexpr double kGap = 0.004;
   constexpr double kGrain = 0.012;
-  const auto row = static_cast<int64_t>(std::floor(y.middle() / kPlankWidth));
+  const auto row = wholeBelow(y.middle() / kPlankWidth);
   const Span along(x.middle() + kPlankLength * cellValue(row, 0), x.width());
-  const auto column = static_cast<int64_t>(std::floor(along.middle() / kPlankLength));
+  const auto column = wholeBelow(along.middle() / kPlankLength);
   const double tone = 0.30 * visibility(kPlankWidth, y.width()) * (cellValue(row, column) - 0.5);
   const double grain = texture(0.13, kGrain, y.width(), along.middle() / (12 * kGrain), y.middle() / kGrain);
   const double gap = std::max(repeatedCoverage(y, kPlankWidth, kGap), repeatedCoverage(along, kPlankLength, kGap));

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace simulated_ers7 {
 namespace {
 
@@ -13,9 +15,21 @@ class ConsoleCommandsTest : public testing::Test {
  protected:
   std::string say(const std::string& line) { return obeyConsole(robot_, line); }
 
-  int chin() {
+  int chin() { return valueOf("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5"); }
+
+  /// What all four paws report, two seconds later.
+  bool allPawsAre(bool down) {
+    for (int frame = 0; frame < 250; ++frame) {
+      robot_.passFrame(frame_++, {});
+    }
+    const auto paws = {"PRM:/r2/c1/c2/c3/c4-Sensor:24", "PRM:/r3/c1/c2/c3/c4-Sensor:34",
+                       "PRM:/r4/c1/c2/c3/c4-Sensor:44", "PRM:/r5/c1/c2/c3/c4-Sensor:54"};
+    return std::all_of(paws.begin(), paws.end(), [&](const char* paw) { return valueOf(paw) == down; });
+  }
+
+  int valueOf(const char* locator) {
     OPrimitiveID id = oprimitiveID_UNDEF;
-    robot_.openPrimitive("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5", &id);
+    robot_.openPrimitive(locator, &id);
     robot_.passFrame(frame_++, {});
     OSensorValue value = {};
     robot_.getSensorValue(id, &value);
@@ -45,6 +59,29 @@ TEST_F(ConsoleCommandsTest, ThePauseButtonShowsInThePowerStatusUntilItIsReleased
   EXPECT_TRUE(is_paused());
   EXPECT_EQ(say("release pause"), "ok: release pause\n");
   EXPECT_FALSE(is_paused());
+}
+
+TEST_F(ConsoleCommandsTest, LiftedOrOnItsSideTheRobotHasItsPawsUp) {
+  EXPECT_TRUE(allPawsAre(true));
+  EXPECT_EQ(say("lift on"), "ok: lift on\n");
+  EXPECT_TRUE(allPawsAre(false));
+  EXPECT_EQ(say("lift off"), "ok: lift off\n");
+  EXPECT_TRUE(allPawsAre(true));
+  for (const std::string side : {"left", "right", "back"}) {
+    EXPECT_EQ(say("lie " + side), "ok: lie " + side + "\n");
+    EXPECT_TRUE(allPawsAre(false)) << side;
+    const int gravity = side == "left" ? -9806650 : side == "right" ? 9806650 : 0;
+    EXPECT_NEAR(valueOf("PRM:/a2-Sensor:a2"), gravity, 100000) << side;
+    EXPECT_NEAR(valueOf("PRM:/a3-Sensor:a3"), side == "back" ? 9806650 : 0, 100000) << side;
+  }
+  EXPECT_EQ(say("lie feet"), "ok: lie feet\n");
+  EXPECT_TRUE(allPawsAre(true));
+  EXPECT_THAT(say("lift up"), StartsWith("error: lift on or lift off"));
+  EXPECT_THAT(say("lie down"), StartsWith("error: lie left, right, back or feet"));
+}
+
+TEST_F(ConsoleCommandsTest, WhereTellsPlaceAndDirection) {
+  EXPECT_EQ(say("where"), "ok: where 0.0000 0.0000 0.0000\n");
 }
 
 TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {

@@ -113,6 +113,18 @@ TEST_F(SensorsTest, AccelerationIsGravityAlongTheBodysAxes) {
   expect(0, 9.80665 / 2, -9.80665 * std::cos(angle));
 }
 
+TEST_F(SensorsTest, ARobotThatSpeedsUpFeelsItBesideGravityUpToTheEndOfTheRange) {
+  turn(std::acos(-1.0) / 2, Eigen::Vector3d::UnitZ());  // it faces along y
+  situation_.acceleration = Eigen::Vector3d(0, 2, 0.5);
+  passFrames();
+  EXPECT_NEAR(value("acceleration_front_back"), -2e6, Sensors::kAccelerationError);
+  EXPECT_NEAR(value("acceleration_right_left"), 0, Sensors::kAccelerationError);
+  EXPECT_NEAR(value("acceleration_up_down"), -10.30665e6, Sensors::kAccelerationError);
+  situation_.acceleration = Eigen::Vector3d(0, 0, 30);
+  passFrames();
+  EXPECT_EQ(value("acceleration_up_down"), -19613300);
+}
+
 TEST_F(SensorsTest, InitiallyTheWlanSwitchIsOnAndTouchSensorsReportAlmostNothing) {
   passFrames();
   EXPECT_EQ(value("wlan_switch"), 1);

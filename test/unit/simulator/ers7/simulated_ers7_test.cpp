@@ -536,6 +536,21 @@ TEST_F(SimulatedErs7Test, WhenTheFrontLegsSpreadTheCameraLooksDownWithTheBody) {
   EXPECT_LT((seen - placeFrom(body)).norm(), 1) << seen.transpose();
 }
 
+TEST_F(SimulatedErs7Test, LegsThatSwingBackPushTheRobotAhead) {
+  const char* const names[] = {"left_front_rotator", "right_front_rotator", "left_hind_rotator", "right_hind_rotator"};
+  for (int swung = 0; swung <= 200000; swung += 2000) {
+    std::vector<openr_host::EffectorCommand> commands;
+    for (const char* name : names) {
+      commands.push_back(jointCommand(driveJoint(name), restingPosition(name) - swung));
+    }
+    robot_.passFrame(frame_++, commands);
+  }
+  passFrames(20);
+  EXPECT_NEAR(robot_.pose().x, 0.2 * (kStandingHeight - 0.013), 0.001) << "their feet are 0.13 m below the shoulders";
+  EXPECT_NEAR(robot_.pose().y, 0, 0.001);
+  EXPECT_NEAR(robot_.pose().yaw, 0, 0.01);
+}
+
 TEST_F(SimulatedErs7Test, TwoRobotsWithTheSameSeedDeliverTheSameBytes) {
   SimulatedErs7 twin;
   for (longword frame = 0; frame < 50; ++frame) {

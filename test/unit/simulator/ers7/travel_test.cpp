@@ -1,0 +1,298 @@
+// How the simulated robot travels on its legs.
+#include "simulator/ers7/body/travel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "robot_model/legs.h"
+#include "simulator/openr_host/clock.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using Eigen::Vector3d;
+using openr_host::kFrameSeconds;
+using Legs = std::array<LegAngles, kLegs>;
+
+constexpr double kGravity = 9.80665;
+constexpr double kHeight = 0.115;  ///< of the body in these tests
+
+/// A velocity over the floor: m/s forward and to the left, rad/s to the left.
+struct Velocity {
+  double forward = 0;
+  double left = 0;
+  double turn = 0;
+};
+
+/// The usual place of the foot's centre in the body.
+Vector3d placeOf(Leg leg) {
+  const robot_model::Point shoulder = robot_model::findShoulder(leg);
+  return {shoulder.x, shoulder.y + (robot_model::isLeft(leg) ? 0.03 : -0.03), robot_model::FOOT_RADIUS - kHeight};
+}
+
+/// The leg's angles with the foot so far from its usual place.
+LegAngles reaching(Leg leg, const Vector3d& shift) {
+  const Vector3d foot = placeOf(leg) + shift;
+  LegAngles angles;
+  EXPECT_TRUE(robot_model::findLegAngles(leg, {foot.x(), foot.y(), foot.z()}, &angles));
+  return angles;
+}
+
+Legs reaching(const std::function<Vector3d(Leg)>& shift) {
+  Legs legs;
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    legs[i] = reaching(static_cast<Leg>(i), shift(static_cast<Leg>(i)));
+  }
+  return legs;
+}
+
+const Legs kStanding = reaching([](Leg) { return Vector3d::Zero(); });
+
+/// Where a foot on the floor goes in the body within `seconds`.
+Vector3d carriedBack(Leg leg, const Velocity& velocity, double seconds) {
+  const Vector3d place = placeOf(leg);
+  return -seconds *
+         Vector3d(velocity.forward - velocity.turn * place.y(), velocity.left + velocity.turn * place.x(), 0);
+}
+
+/// A plain trot: diagonal feet, half a period each.
+Legs trotting(const Velocity& velocity, double seconds) {
+  constexpr double kPeriod = 0.4;
+  constexpr double kLift = 0.016;
+  return reaching([&](Leg leg) -> Vector3d {
+    const bool is_first = leg == robot_model::LEFT_FRONT_LEG || leg == robot_model::RIGHT_HIND_LEG;
+    const double phase = std::fmod(seconds / kPeriod + (is_first ? 0 : 0.5), 1);
+    const Vector3d end = carriedBack(leg, velocity, kPeriod / 4);
+    const double share = 2 * phase - (phase < 0.5 ? 0 : 1);
+    if (phase < 0.5) {
+      return (2 * share - 1) * end;
+    }
+    return std::cos(M_PI * share) * end + Vector3d(0, 0, kLift * std::sin(M_PI * share));
+  });
+}
+
+double tiltOf(const Stance& stance) {
+  return std::acos(std::min(1.0, stance.body.linear()(2, 2)));
+}
+
+class TravelTest : public testing::Test {
+ protected:
+  void pass(const Legs& legs) { travel_.passFrame(legs, {}, scene_); }
+
+  void pass(const Legs& legs, double seconds) {
+    for (double passed = 0; passed < seconds - 1e-9; passed += kFrameSeconds) {
+      pass(legs);
+    }
+  }
+
+  void trot(const Velocity& velocity, double seconds) {
+    for (double passed = 0; passed < seconds - 1e-9; passed += kFrameSeconds) {
+      pass(trotting(velocity, passed));
+      most_tilt_ = std::max(most_tilt_, tiltOf(travel_.stance()));
+    }
+  }
+
+  Scene scene_;
+  Travel travel_{kStanding, {}};
+  double most_tilt_ = 0;
+};
+
+TEST_F(TravelTest, ARobotThatStandsStaysWhereItIs) {
+  pass(kStanding, 60);
+  EXPECT_EQ(travel_.place().x, 0);
+  EXPECT_EQ(travel_.place().y, 0);
+  EXPECT_EQ(travel_.place().yaw, 0);
+  EXPECT_NEAR(travel_.stance().body.translation().z(), kHeight, 1e-6);
+  EXPECT_TRUE(travel_.acceleration().isZero(1e-9));
+}
+
+TEST_F(TravelTest, ATrotGoesWhereItsFeetPushItUpright) {
+  const Velocity velocities[] = {{0.10, 0, 0}, {-0.08, 0, 0}, {0, 0.05, 0}, {0, -0.05, 0}, {0, 0, 0.8}, {0, 0, -0.8}};
+  for (const Velocity& velocity : velocities) {
+    travel_ = Travel(kStanding, {});
+    trot(velocity, 4);
+    const Place& place = travel_.place();
+    EXPECT_NEAR(place.x, 4 * velocity.forward, 0.02) << velocity.left << " " << velocity.turn;
+    EXPECT_NEAR(place.y, 4 * velocity.left, 0.02) << velocity.forward << " " << velocity.turn;
+    EXPECT_NEAR(place.yaw, 4 * velocity.turn, 0.1) << velocity.forward << " " << velocity.left;
+    EXPECT_LT(most_tilt_, 0.06) << "radian";
+  }
+}
+
+TEST_F(TravelTest, TheSameMovementsLeadToTheSamePlace) {
+  Travel twin(kStanding, {});
+  for (int frame = 0; frame < 500; ++frame) {
+    const Legs legs = trotting({0.1, 0.02, 0.3}, frame * kFrameSeconds);
+    pass(legs);
+    twin.passFrame(legs, {}, scene_);
+  }
+  EXPECT_EQ(travel_.stance().body.matrix(), twin.stance().body.matrix());
+}
+
+TEST_F(TravelTest, AnArcEndsWhereItsRadiusAndLengthSay) {
+  const Velocity velocity = {0.08, 0, 0.4};
+  trot(velocity, 4);
+  const double radius = velocity.forward / velocity.turn;
+  const double yaw = travel_.place().yaw;
+  EXPECT_NEAR(yaw, 1.6, 0.1);
+  EXPECT_NEAR(travel_.place().x, radius * std::sin(yaw), 0.02);
+  EXPECT_NEAR(travel_.place().y, radius * (1 - std::cos(yaw)), 0.02);
+}
+
+TEST_F(TravelTest, FrictionLimitsHowFastItSpeedsUp) {
+  // All feet begin to go back at 0.4 m/s at once. By hand: in 5 frames friction gives the body 0.6 * 9.8 * 0.04 =
+  // 0.235 m/s, and it has gone half of that times 40 ms.
+  double gone = 0;
+  for (int frame = 1; frame <= 5; ++frame) {
+    const double before = travel_.place().x;
+    pass(reaching([&](Leg leg) { return carriedBack(leg, {0.4, 0, 0}, frame * kFrameSeconds); }));
+    gone = travel_.place().x - before;
+  }
+  EXPECT_NEAR(gone / kFrameSeconds, kFriction * kGravity * 5 * kFrameSeconds, 0.005);
+  EXPECT_NEAR(travel_.place().x, 0.0056, 0.0005) << "metres of the 0.016 that the feet have gone";
+}
+
+TEST_F(TravelTest, FeetThatPullAgainstEachOtherSlip) {
+  for (int frame = 1; frame <= 40; ++frame) {
+    pass(reaching([&](Leg leg) {
+      return carriedBack(leg, {leg == robot_model::LEFT_FRONT_LEG || leg == robot_model::RIGHT_HIND_LEG ? 0.1 : -0.1},
+                         frame * kFrameSeconds);
+    }));
+  }
+  EXPECT_NEAR(travel_.place().x, 0, 0.003);
+  EXPECT_NEAR(travel_.place().y, 0, 0.003);
+}
+
+TEST_F(TravelTest, ASingleFootThatPullsSlipsWhileTheOthersHold) {
+  for (int frame = 1; frame <= 40; ++frame) {
+    pass(reaching([&](Leg leg) {
+      return carriedBack(leg, {leg == robot_model::LEFT_FRONT_LEG ? 0.1 : 0.0}, frame * kFrameSeconds);
+    }));
+  }
+  EXPECT_NEAR(travel_.place().x, 0, 0.002) << "the foot went 0.032 m";
+  EXPECT_NEAR(travel_.place().yaw, 0, 0.02);
+}
+
+TEST_F(TravelTest, LegsInTheAirCarryItNowhere) {
+  travel_.lift(true);
+  pass(kStanding, 1);
+  trot({0.1, 0, 0}, 2);
+  EXPECT_EQ(travel_.place().x, 0);
+}
+
+TEST_F(TravelTest, ALiftedPawDoesNotTipTheRobotOver) {
+  Legs legs = kStanding;
+  legs[robot_model::LEFT_HIND_LEG] = reaching(robot_model::LEFT_HIND_LEG, Vector3d(0, 0, 0.04));
+  pass(legs, 10);
+  EXPECT_LT(tiltOf(travel_.stance()), 0.001);
+  EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{true, false, true, true}));
+}
+
+TEST_F(TravelTest, ItComesToRestInTheStanceOfItsLegs) {
+  std::uint64_t random = 1;
+  const auto angle = [&random](double lowest, double highest) {
+    random = random * 6364136223846793005u + 1442695040888963407u;
+    return (lowest + (highest - lowest) * static_cast<double>(random >> 40) / (1 << 24)) * M_PI / 180;
+  };
+  for (int posture = 0; posture < 30; ++posture) {
+    Legs legs;
+    for (LegAngles& leg : legs) {
+      leg = {angle(-60, 60), angle(0, 60), angle(-20, 100)};
+    }
+    pass(legs, 45);
+    const Stance rest = standOn(legs);
+    ASSERT_NEAR(travel_.stance().body.translation().z(), rest.body.translation().z(), 1e-3) << "posture " << posture;
+    ASSERT_LT((travel_.stance().body.linear().row(2) - rest.body.linear().row(2)).norm(), 0.01)
+        << "posture " << posture;
+  }
+}
+
+TEST_F(TravelTest, AWallStopsIt) {
+  trot({-0.1, 0, 0}, 20);
+  const double stopped = travel_.place().x;
+  EXPECT_NEAR(stopped, kLowestCorner[0] + 0.15, 0.01) << "with its rump at the wall";
+  trot({-0.1, 0, 0}, 4);
+  EXPECT_NEAR(travel_.place().x, stopped, 0.005);
+}
+
+TEST_F(TravelTest, WhereverItGoesItsCameraStaysInTheRoom) {
+  for (int round = 0; round < 6; ++round) {
+    trot({0, 0, 0.8}, 2);
+    for (int step = 0; step < 15; ++step) {
+      trot({0.15, 0, 0}, 1);
+      const Vector3d nose = travel_.stance().body * headInBody({}) * Vector3d(0.1, 0, 0);
+      ASSERT_GT(scene_.clearance(nose), 0) << nose.transpose();
+    }
+  }
+}
+
+TEST_F(TravelTest, AHeadThatTurnsTowardsAWallPushesTheRobotAway) {
+  trot({0, 0.1, 0}, 25);
+  const double before = travel_.place().y;
+  EXPECT_NEAR(before, kHighestCorner[1] - 0.09, 0.02);
+  HeadAngles head;
+  for (; head.head_pan < 1.5; head.head_pan += 0.01) {
+    travel_.passFrame(kStanding, head, scene_);
+  }
+  EXPECT_LT(travel_.place().y, before - 0.003);
+}
+
+TEST_F(TravelTest, ABodyOfTheSceneStopsIt) {
+  trot({0.15, 0, 0}, 20);  // the ball is ahead
+  EXPECT_GT(travel_.place().x, 0.5);
+  EXPECT_LT(travel_.place().x, kBallX - kBallRadius - 0.1);
+  trot({-0.1, 0, 0}, 5);
+  EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
+}
+
+TEST_F(TravelTest, SpeedingUpIsFeltAsAnAccelerationAhead) {
+  const auto gone = [](double seconds) {  // at 1 m/s^2
+    return reaching([&](Leg leg) { return carriedBack(leg, {seconds / 2, 0, 0}, seconds); });
+  };
+  for (int frame = 0; frame < 40; ++frame) {
+    pass(gone(frame * kFrameSeconds));
+    if (frame > 20) {
+      ASSERT_NEAR(travel_.acceleration().x(), 1, 0.1) << "frame " << frame;
+    }
+  }
+  pass(gone(39 * kFrameSeconds), 0.4);
+  EXPECT_NEAR(travel_.acceleration().norm(), 0, 0.01);
+}
+
+TEST_F(TravelTest, LiftedItIsHeldLevelWithAllPawsUpAndComesBackToItsPlace) {
+  trot({0.1, 0, 0.3}, 2);
+  pass(kStanding, 0.5);
+  const Eigen::Isometry3d before = travel_.stance().body;
+  travel_.lift(true);
+  pass(kStanding, 1);
+  EXPECT_GT(travel_.stance().body.translation().z(), 0.3);
+  EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{}));
+  travel_.lift(false);
+  pass(kStanding, 1);
+  EXPECT_TRUE(travel_.stance().body.isApprox(before, 1e-6));
+  EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{true, true, true, true}));
+}
+
+TEST_F(TravelTest, ItLiesOnEachSideAndIsPutBackOnItsFeet) {
+  const std::pair<Side, Vector3d> sides[] = {
+      {Side::kLeft, {0, 1, 0}}, {Side::kRight, {0, -1, 0}}, {Side::kBack, {0, 0, 1}}};
+  for (const auto& [side, below] : sides) {
+    travel_.lie(side);
+    pass(kStanding, 1.5);
+    const Eigen::Isometry3d& body = travel_.stance().body;
+    EXPECT_NEAR((body.linear() * below).z(), -1, 1e-6);
+    EXPECT_GT(body.translation().z(), 0.05);
+    EXPECT_GT((body * headInBody({}) * Vector3d(0.081, 0, -0.0146)).z(), 0.01) << "the camera";
+    EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{}));
+  }
+  travel_.lie(Side::kFeet);
+  pass(kStanding, 1);
+  EXPECT_NEAR(tiltOf(travel_.stance()), 0, 1e-6);
+  EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{true, true, true, true}));
+}
+
+}  // namespace
+}  // namespace simulated_ers7
