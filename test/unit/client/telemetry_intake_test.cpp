@@ -162,6 +162,13 @@ TEST_F(TelemetryIntakeTest, FastMovesAndNoiseAreDelivered) {
   EXPECT_EQ(counters_.impossible_values, 0U);
 }
 
+TEST_F(TelemetryIntakeTest, NoiseOfMeasurementsOneMillisecondApartIsDelivered) {
+  measure({{kKnee, 0.5}});
+  now_ += milliseconds(1);
+  measure({{kKnee, 0.54}});
+  EXPECT_THAT(delivered_, SizeIs(2));
+}
+
 TEST_F(TelemetryIntakeTest, OneWrongPositionWithinTheRangeHoldsUpAJointForLessThanAFifthOfASecond) {
   measure({{kKnee, 2.2}});
   for (int i = 0; i < 6; ++i) {
