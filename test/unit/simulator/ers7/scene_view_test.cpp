@@ -139,6 +139,49 @@ TEST(SceneView, APartialRedrawForAMovingBallEqualsANewPicture) {
   }
 }
 
+/// The end of the ray through the middle of a pixel, with nothing left out.
+SceneHit hitAt(const Scene& scene, const Eigen::Isometry3d& camera, int x, int y) {
+  return scene.castRay({camera.translation(), camera.linear() * directionOf({x + 0.5, y + 0.5})});
+}
+
+bool isFaceOf(const SceneHit& one, const SceneHit& other) {
+  return one.surface == other.surface && one.normal.dot(other.normal) > 0.8;
+}
+
+/// The light from a point with nothing left out. The pixel's size on the surface matters to its texture.
+Color lightOf(const Scene& scene, const Eigen::Isometry3d& camera, const SceneHit& hit) {
+  const Vector3d direction = (hit.point - camera.translation()).normalized();
+  const double width = hit.distance / focalLengthX();
+  const double slant = direction.dot(hit.normal);
+  const Vector3d stretched = (1 / std::max(std::abs(slant), 0.02) - 1) * (direction - slant * hit.normal).cwiseAbs();
+  const Appearance appearance = appearanceOf(hit, width * (Vector3d::Ones() + stretched));
+  return lightFrom(hit, appearance, illuminationOf(scene, hit), direction);
+}
+
+TEST(SceneView, WhatTheRendererLeavesOutDoesNotShow) {
+  const Scene scene;
+  int different = 0;
+  for (const double ahead : {0.0, 0.3, 0.45}) {
+    for (const HeadAngles& head : kViews) {
+      const Eigen::Isometry3d camera = Eigen::Translation3d(ahead, 0, kStandingHeight) * cameraInBody(head);
+      Renderer renderer(scene);
+      const LightImage& picture = renderer.render(camera);
+      for (int y = 1; y < kPictureHeight - 1; ++y) {
+        for (int x = 1; x < kPictureWidth - 1; ++x) {
+          const SceneHit hit = hitAt(scene, camera, x, y);
+          if (isFaceOf(hitAt(scene, camera, x - 1, y), hit) && isFaceOf(hitAt(scene, camera, x + 1, y), hit) &&
+              isFaceOf(hitAt(scene, camera, x, y - 1), hit) && isFaceOf(hitAt(scene, camera, x, y + 1), hit)) {
+            const Color drawn = picture[static_cast<std::size_t>(y * kPictureWidth + x)];
+            const double difference = (drawn - lightOf(scene, camera, hit)).abs().maxCoeff();
+            different += difference > 0.03 ? 1 : 0;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_LT(different, 20) << "of 400,000 pixels";
+}
+
 TEST(SceneView, MoreGainIsBrighterAndNoisierAFastShutterDarker) {
   Scene scene;
   SceneView view(scene, 1);
