@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   for (const World& world : kWorlds) {
     std::cout << "\nmotors of " << world.stall_torque << " N m, friction " << world.friction << '\n';
     physics::printHeader(std::cout);
-    for (const physics::Direction& direction : directionsWithin(limits)) {
+    for (const physics::Direction& direction : physics::directionsWithin(limits)) {
       tryOut(direction.name, world, physics::always(direction.velocity), kSecondsOfDirection);
     }
     tryOut("random, 10 min", world, physics::randomly(limits, 1), kSecondsOfRandomCommands);

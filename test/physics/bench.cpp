@@ -156,14 +156,14 @@ void Bench::hearTelemetry(const test_support::Frame& frame) {
 }
 
 End Bench::awaitEnd(int what, double seconds) {
-  const size_t before = ends_.size();
   for (unsigned i = 0; i < seconds * kFramesPerSecond; ++i) {
-    passFrame();
-    for (size_t end = before; end < ends_.size(); ++end) {
-      if (ends_[end].what == what) {
-        return ends_[end];
+    while (ends_awaited_ < ends_.size()) {
+      const End& end = ends_[ends_awaited_++];
+      if (end.what == what) {
+        return end;
       }
     }
+    passFrame();
   }
   return {};
 }

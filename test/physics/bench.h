@@ -65,7 +65,7 @@ class Bench {
   /// One frame passes.
   void passFrame();
 
-  /// Passes frames until something of this kind has ended.
+  /// Passes frames until something of this kind has ended since the last call.
   /// @param what protocol::version2::ENDED_WALK, for example
   /// @return the end; its `what` is 0 if none came in this time
   End awaitEnd(int what, double seconds);
@@ -101,6 +101,7 @@ class Bench {
   Velocity in_force_;
   Step step_;
   std::vector<End> ends_;
+  std::size_t ends_awaited_ = 0;
   std::vector<std::string> errors_;
 };
 

@@ -37,7 +37,7 @@ GaitParameters::GaitParameters()
       lift(0.015),
       front_ahead(0.023),
       hind_ahead(0.0103),
-      outward(0.0143),
+      outward(0.0146),
       nose_down(-0.019),
       easing(0.187),
       lift_easing(0.06),
