@@ -33,6 +33,11 @@ double longestMove(const std::string& design, int id, double seconds);
 /// Duties of a motor, in shares of full power.
 constexpr ValueRange kPossibleDuties = {-1, 1};
 
+/// Velocities of a walk, in m/s to each side and in rad/s. A foot moves at 0.7 m/s at most: a leg of 0.14 m that turns
+/// at the highest speed of its joints. Turning, it moves around a circle of 0.1 m.
+constexpr ValueRange kPossibleWalks = {-1, 1};
+constexpr ValueRange kPossibleTurns = {-10, 10};
+
 /// Values of a sensor, in the units of SensorReading: twice its measuring range for distance, acceleration and force,
 /// ten times for touch, -40 to 125 degrees Celsius, 0 to 1.05 for the charge, 0 or 1 for a switch. Of a sensor that is
 /// not in the tables, everything is possible.

@@ -70,6 +70,9 @@ void TelemetryIntake::dropImpossible(Telemetry* telemetry, const std::string& de
   sensors.erase(std::remove_if(sensors.begin(), sensors.end(),
                                [&](const SensorReading& sensor) { return !isPossible(sensor, design); }),
                 sensors.end());
+  if (telemetry->walk && !isPossible(*telemetry->walk)) {
+    telemetry->walk.reset();
+  }
 }
 
 bool TelemetryIntake::isPossible(const JointReading& joint, const Telemetry& telemetry, const std::string& design) {
@@ -101,6 +104,16 @@ bool TelemetryIntake::isPossible(const SensorReading& sensor, const std::string&
   const ValueRange range = possibleReadings(design, sensor.id);
   return range.contains(sensor.value) ||
          complain(Part::kSensor, sensor.id, describe(nameOfSensor(design, sensor.id), sensor.value, range));
+}
+
+bool TelemetryIntake::isPossible(const WalkReading& walk) {
+  const auto is_possible = [this](const char* name, double value, const ValueRange& range) {
+    return range.contains(value) ||
+           complain(Part::kWalk, 0, describe(std::string("the velocity of the walk ") + name, value, range));
+  };
+  return is_possible("forward", walk.velocity.forward, kPossibleWalks) &&
+         is_possible("to the left", walk.velocity.left, kPossibleWalks) &&
+         is_possible("around itself", walk.velocity.turn, kPossibleTurns);
 }
 
 void TelemetryIntake::checkDuty(JointReading* joint, const std::string& design) {

@@ -38,7 +38,7 @@ class TelemetryIntake {
 
  private:
   /// What a value is of; only to tell values apart.
-  enum class Part { kJoint, kSensor, kDuty };
+  enum class Part { kJoint, kSensor, kDuty, kWalk };
 
   /// Where a joint was last measured.
   struct Place {
@@ -51,6 +51,7 @@ class TelemetryIntake {
   void dropImpossible(Telemetry* telemetry, const std::string& design);
   bool isPossible(const JointReading& joint, const Telemetry& telemetry, const std::string& design);
   bool isPossible(const SensorReading& sensor, const std::string& design);
+  bool isPossible(const WalkReading& walk);
   void checkDuty(JointReading* joint, const std::string& design);
   bool complain(Part part, int id, const std::string& problem);
 

@@ -101,6 +101,21 @@ TEST_F(TelemetryIntakeTest, PositionsUpToTheMechanicalLimitsAndABitMoreAreDelive
   }
 }
 
+TEST_F(TelemetryIntakeTest, AWalkThatIsFasterThanLegsMoveIsDropped) {
+  Telemetry telemetry;
+  telemetry.sensors = {{kBattery, 0.5}};
+  telemetry.walk = WalkReading{{0.7, -0.7, 7}, 0.5, WalkState::kWalks};
+  intake_.deliver(telemetry, "ERS-7");
+  EXPECT_TRUE(delivered_.at(0).walk);
+  for (const WalkVelocity& velocity : {WalkVelocity{2147, 0, 0}, {0, -2147, 0}, {0, 0, 2147}}) {
+    telemetry.walk->velocity = velocity;
+    intake_.deliver(telemetry, "ERS-7");
+    EXPECT_FALSE(delivered_.back().walk);
+  }
+  EXPECT_EQ(counters_.impossible_values, 3);
+  EXPECT_THAT(log_, ElementsAre(HasSubstr("the velocity of the walk forward is 2147; possible is -1 to 1")));
+}
+
 TEST_F(TelemetryIntakeTest, ARobotOfUnknownDesignMayBeAnyInTheTables) {
   EXPECT_TRUE(isDeliveredAt(kKnee, 2.6, "")) << "an ERS-210 bends so far";
   EXPECT_FALSE(isDeliveredAt(kKnee, 2.6, "ERS-7"));

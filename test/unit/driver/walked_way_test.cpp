@@ -34,7 +34,10 @@ TEST_F(WalkedWayTest, IsTheSumOfTheVelocitiesOverTheRobotsTime) {
   for (int i = 0; i < 125; ++i) {  // 4 s
     measure({0.1, 0, 0});
   }
-  EXPECT_NEAR(way_.odometry().x(), 0.4 - 0.1 * 0.016, 1e-9) << "it sped up in the first 32 ms";
+  EXPECT_NEAR(way_.odometry().x(), 0.4, 1e-9);
+  measure({});
+  EXPECT_NEAR(way_.odometry().x(), 0.4, 1e-9) << "each velocity is that of the time before it was measured";
+  measure({0.1, 0, 0});
   EXPECT_NEAR(way_.velocity().forward, 0.1, 1e-12);
 }
 
@@ -59,7 +62,7 @@ TEST_F(WalkedWayTest, IsCalibrated) {
   EXPECT_NEAR(way_.odometry().yaw(), 0, 1e-9);
   measure({0, 0, 1}, 1);
   measure({0, 0, 1}, 100);
-  EXPECT_NEAR(way_.odometry().yaw(), 0.402, 1e-9);
+  EXPECT_NEAR(way_.odometry().yaw(), 0.404, 1e-9);
 }
 
 TEST_F(WalkedWayTest, DoesNotJumpOverAReconnectButIsLessCertain) {
@@ -99,8 +102,8 @@ TEST_F(WalkedWayTest, BecomesAMessage) {
   measure({0, 0, 0.5}, 250);
   measure({0.1, -0.05, 0.5});
   const nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
-  EXPECT_NEAR(odom.pose.pose.orientation.z, std::sin(0.508), 1e-3);
-  EXPECT_NEAR(odom.pose.pose.orientation.w, std::cos(0.508), 1e-3);
+  EXPECT_NEAR(odom.pose.pose.orientation.z, std::sin(0.508), 5e-3);
+  EXPECT_NEAR(odom.pose.pose.orientation.w, std::cos(0.508), 5e-3);
   EXPECT_EQ(odom.pose.pose.position.z, 0);
   EXPECT_EQ(odom.twist.twist.linear.x, 0.1);
   EXPECT_EQ(odom.twist.twist.linear.y, -0.05);
