@@ -43,6 +43,34 @@ int Microradians(double angle) {
   return static_cast<int>(floor(angle / MICRO + 0.5));
 }
 
+Point Mean(const Point* points, int count) {
+  Point mean = {0, 0, 0};
+  for (int i = 0; i < count; ++i) {
+    mean.x += points[i].x / count;
+    mean.y += points[i].y / count;
+  }
+  return mean;
+}
+
+// The rigid motion of the body that comes nearest to that of the feet on the floor.
+// @param steps of the body in a frame, seen from each foot
+// @param count at least 2
+WalkVelocity RigidVelocity(const Point* places, const Point* steps, int count) {
+  const Point place = Mean(places, count);
+  const Point step = Mean(steps, count);
+  double turn = 0;
+  double spread = 0;
+  for (int i = 0; i < count; ++i) {
+    const double x = places[i].x - place.x;
+    const double y = places[i].y - place.y;
+    turn += x * (steps[i].y - step.y) - y * (steps[i].x - step.x);
+    spread += x * x + y * y;
+  }
+  turn /= spread;
+  const WalkVelocity velocity = {(step.x + turn * place.y) / FRAME, (step.y - turn * place.x) / FRAME, turn / FRAME};
+  return velocity;
+}
+
 }  // namespace
 
 const int Walker::POSTURE_SPEED;
@@ -400,16 +428,17 @@ void Walker::EndWalkInStand(Cause cause, int joint) {
 
 void Walker::Walk() {
   ChangeVelocity();
-  const double half_period = gait_.Parameters().period / 2;
-  const bool stands = ends_ && IsZero(velocity_);
-  effort_ = Towards(effort_, stands ? 0 : 1, FRAME / half_period);
+  const bool stops = ends_ && IsZero(velocity_);
+  if (stops && effort_ == 0) {
+    StandsAfterWalk();
+    return;
+  }
+  const GaitParameters& parameters = gait_.Parameters();
+  effort_ = Towards(effort_, stops ? 0 : 1, FRAME / (parameters.period / 2));
   last_phase_ = phase_;
-  phase_ += FRAME / gait_.Parameters().period;
+  phase_ += FRAME / parameters.period;
   phase_ -= floor(phase_);
   SetFeet();
-  if (stands && effort_ == 0) {
-    StandsAfterWalk();
-  }
 }
 
 void Walker::ChangeVelocity() {
@@ -470,13 +499,10 @@ void Walker::Report(bool is_walk, Posture posture, Cause cause, int joint) {
   }
 }
 
-// The rigid motion of the body that comes nearest to that of the feet that move with the floor.
 WalkVelocity Walker::VelocityOver(const LegAngles* before, const LegAngles* after) const {
   Point places[NUMBER_OF_LEGS];
-  Point steps[NUMBER_OF_LEGS];  // of the body, seen from the foot
+  Point steps[NUMBER_OF_LEGS];
   int count = 0;
-  Point place = {0, 0, 0};  // on average
-  Point step = {0, 0, 0};
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     if (!gait_.MovesWithFloor(leg, last_phase_) || !gait_.MovesWithFloor(leg, phase_)) {
@@ -484,34 +510,13 @@ WalkVelocity Walker::VelocityOver(const LegAngles* before, const LegAngles* afte
     }
     const Point was = findFoot(leg, before[i]);
     const Point is = findFoot(leg, after[i]);
-    const Point middle = {(was.x + is.x) / 2, (was.y + is.y) / 2, 0};
-    const Point back = {was.x - is.x, was.y - is.y, 0};
-    places[count] = middle;
-    steps[count] = back;
+    const Point place = {(was.x + is.x) / 2, (was.y + is.y) / 2, 0};
+    const Point step = {was.x - is.x, was.y - is.y, 0};
+    places[count] = place;
+    steps[count] = step;
     ++count;
-    place.x += middle.x;
-    place.y += middle.y;
-    step.x += back.x;
-    step.y += back.y;
   }
-  if (count < 2) {
-    return NO_VELOCITY;
-  }
-  place.x /= count;
-  place.y /= count;
-  step.x /= count;
-  step.y /= count;
-  double turn = 0;
-  double spread = 0;
-  for (int i = 0; i < count; ++i) {
-    const double x = places[i].x - place.x;
-    const double y = places[i].y - place.y;
-    turn += x * (steps[i].y - step.y) - y * (steps[i].x - step.x);
-    spread += x * x + y * y;
-  }
-  turn /= spread;
-  const WalkVelocity velocity = {(step.x + turn * place.y) / FRAME, (step.y - turn * place.x) / FRAME, turn / FRAME};
-  return velocity;
+  return count < 2 ? NO_VELOCITY : RigidVelocity(places, steps, count);
 }
 
 void Walker::Ends::Add(const End& end) {

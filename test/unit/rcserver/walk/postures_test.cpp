@@ -115,6 +115,17 @@ TEST_F(PosturesTest, AreReachedAtOnceFromEveryWayToStand) {
   EXPECT_FALSE(postures_.Stands(on_its_knees_.data()));
 }
 
+TEST_F(PosturesTest, SittingMeansToLeanBackAndRestingToLieOnTheBelly) {
+  const auto foot = [this](Posture posture, Leg leg) { return findFoot(leg, postures_.Legs(posture)[leg]); };
+  const Point front = foot(POSTURE_SIT, robot_model::LEFT_FRONT_LEG);
+  const Point hind = foot(POSTURE_SIT, robot_model::LEFT_HIND_LEG);
+  EXPECT_NEAR(std::atan2(hind.z - front.z, front.x - hind.x), 45 * kDegree, 30 * kDegree);
+  EXPECT_NEAR(front.x - hind.x, 0.04, 0.03) << "the feet are close together";
+  for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG}) {
+    EXPECT_GT(foot(POSTURE_REST, leg).z, findBellyCorner(leg).z) << "the belly is lower";
+  }
+}
+
 // On level ground, the robot rests on its lowest points. Legs of both sides are the same here, so a side view will do.
 TEST_F(PosturesTest, NeverStandOnFoldedLegs) {
   const double kKneeRadius = robot_model::FOOT_RADIUS;  // our choice, from the look of the legs

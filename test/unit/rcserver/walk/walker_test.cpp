@@ -193,6 +193,21 @@ TEST_F(WalkerTest, NoJointComesNearItsLimitsWhateverIsSteered) {
   EXPECT_LT(farthest_lag_, 17453) << "1 degree";
 }
 
+TEST_F(WalkerTest, SharesTheLegsSpeedWhileTheVelocityChanges) {
+  const GaitParameters& gait = walker().Parameters();
+  walk({0, 0, gait.highest_turn});
+  double highest = 0;
+  for (int i = 0; i < 100; ++i) {
+    joints_.Steer({gait.highest_forward / 2, gait.highest_left / 2, 0});
+    walker().TakeVelocity();
+    pass(4);
+    const WalkVelocity velocity = walker().TakeVelocity();
+    highest = std::max(highest, velocity.forward / gait.highest_forward + velocity.left / gait.highest_left +
+                                    velocity.turn / gait.highest_turn);
+  }
+  EXPECT_LT(highest, 1.25);
+}
+
 TEST_F(WalkerTest, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   walk();
   joints_.Steer({0.1, 0, 0});
