@@ -530,6 +530,7 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
 void Version2Session::onSteered(const Payload& payload) {
   version2::Velocity velocity;
   expectGood(version2::decodeVelocity(payload.data, payload.size, &velocity), "reply to steering");
+  bodyMovesAgain();
   connection_.context.notifier.steered(
       {fromMilli(velocity.forward), fromMilli(velocity.left), fromMilli(velocity.turn)});
 }
@@ -546,6 +547,8 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
     version2::MotionChanges changes;
     expectGood(version2::decodeMotionChanges(payload.data, payload.size, &changes), "reply to a motion");
     answer.changes.assign(changes.text, changes.text_size);
+  } else if (call.letter == version2::REQUEST_POSTURE) {
+    bodyMovesAgain();
   }
   connection_.calls.transferEnds(now_);
   connection_.calls.answer(call.request_number, std::move(answer));
@@ -590,7 +593,8 @@ void Version2Session::onEnded(const Payload& payload) {
 void Version2Session::onReport(const Payload& payload) {
   version2::ErrorMessage message;
   expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
-  const Report report = {describeError(payload.data, payload.size), message.code == version2::CODE_JOINT_FAULT};
+  const Report report = {describeError(payload.data, payload.size), message.code == version2::CODE_JOINT_FAULT,
+                         message.code == version2::CODE_REFUSED};
   removeIf(&reports_, [&report](const Report& each) { return each.text == report.text; });
   reports_.push_back(report);
   if (reports_.size() > kMostReports) {
@@ -605,6 +609,12 @@ void Version2Session::jointFollowsAgain(const std::string& joint) {
   removeIf(&reports_, [&joint](const Report& each) { return each.joint_fault && hasWord(each.text, joint); });
   connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
   connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
+}
+
+// What kept it from walking is over.
+void Version2Session::bodyMovesAgain() {
+  removeIf(&reports_, [](const Report& each) { return each.about_body; });
+  connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
 }
 
 Session::TimePoint Version2Session::answerDeadline() const {

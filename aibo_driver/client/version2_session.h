@@ -50,6 +50,7 @@ class Version2Session final : public Session {
   struct Report {
     std::string text;
     bool joint_fault;
+    bool about_body;  ///< it lies on its side, for instance: over when the robot walks or takes a posture again
   };
 
   /// The payload of the frame that has arrived.
@@ -90,6 +91,7 @@ class Version2Session final : public Session {
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
   void jointFollowsAgain(const std::string& joint);
+  void bodyMovesAgain();
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
 
   std::optional<char> kindOf(int number) const;

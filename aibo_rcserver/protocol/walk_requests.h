@@ -49,8 +49,8 @@ const char* postureName(Posture posture);
 /// The name in the pushed `i` of a walk (ENDED_WALK).
 const char WALK_NAME[] = "walk";
 
-/// Identifiers in the telemetry's GROUP_WALK. The velocity is that of the feet as commanded in that frame, after all
-/// limits, so that its sum over time is the way.
+/// Identifiers in the telemetry's GROUP_WALK. The velocity is that of the feet on the floor as commanded since the
+/// telemetry before, on average, after all limits: its sum over time is the way.
 enum WalkValue {
   WALK_FORWARD = 1,  ///< micrometre/s
   WALK_LEFT = 2,     ///< micrometre/s

@@ -182,7 +182,8 @@ TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
   SimulatedRobot robot;
   Footprints footprints("/no_footprint");
   TopicListener<Imu> accelerations("/no_footprint/imu/data_raw");
-  DriverProcess driver("/no_footprint", robot.port(), {"_publish_footprint:=false", ownTf("/no_footprint")});
+  DriverProcess driver("/no_footprint", robot.port(),
+                       {"_publish_footprint:=false", "_publish_odom_tf:=false", ownTf("/no_footprint")});
   ASSERT_GE(accelerations.waitForCount(30).size(), 30u);
   EXPECT_EQ(footprints.count(), 0u);
 }

@@ -18,6 +18,7 @@ OTHER_VALUES = {
     'host': '192.168.1.20', 'port': 54322, 'jpeg_quality': 60, 'stream_on_start': False, 'stream_on_demand': True,
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
     'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0, 'speed_scale': 0.5,
+    'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_turn_scale': 1.1, 'walk_direction': -0.05, 'publish_odom_tf': False,
     'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
 }
 
@@ -50,7 +51,7 @@ def documented_parameters():
     defaults = {}
     for name, default in rows:
         value = default.strip().strip('`')
-        defaults[name] = '' if value.startswith('empty') else yaml.safe_load(re.sub(r' (s|Hz|rad/s)$', '', value))
+        defaults[name] = '' if value.startswith('empty') else yaml.safe_load(re.sub(r' (s|Hz|rad|rad/s|m/s)$', '', value))
     return defaults
 
 
@@ -89,6 +90,8 @@ class LaunchFilesTest(unittest.TestCase):
             'playback.launch': {**model, '/use_sim_time': False},
             'record.launch': {},
             'sliders.launch': {},
+            'teleop.launch': {'/aibo/aibo_teleop_keyboard/' + name: speed for name, speed in
+                              (('speed', 0.1), ('side_speed', 0.05), ('turn_speed', 0.5))},
             'view.launch': {},
         }
         self.assertEqual(set(expected), {file.name for file in LAUNCH.glob('*.launch')})
@@ -99,6 +102,13 @@ class LaunchFilesTest(unittest.TestCase):
     def test_demo_passes_on_where_the_robot_is(self):
         given = driver_parameters(resolve('demo.launch', simulation=False, host='aibo.local', port=4711))
         self.assertEqual((given['host'], given['port']), ('aibo.local', 4711))
+
+    def test_teleop_by_joystick_has_its_mapping(self):
+        config = resolve('teleop.launch', joy=True, ns='left')
+        mapping = yaml.safe_load((PROJECT / 'config/joy.yaml').read_text(encoding='utf-8'))
+        self.assertEqual(driver_parameters(config, '/left/aibo_teleop_joy'), mapping)
+        self.assertEqual(list(nodes(config)), ['/left/aibo_teleop_joy'])
+        self.assertIn('/joy_node', nodes(resolve('teleop.launch', joy=True, joy_node=True)))
 
     def test_the_model_has_the_frame_prefix(self):
         for name, required in (('aibo.launch', {}), ('model.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'})):

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kFrame = 0.008;  // s, of OPEN-R
 
-// Within this time the robot may stop walking by itself and begin again: what it did between two measurements that are
-// further apart is a guess.
+// If measurements were lost on their way, the velocity is the average since the last of those. In a longer gap than
+// this the robot may even have stopped walking by itself and begun again.
 constexpr double kLongGap = 0.5;  // s
 
 // A robot that walked when the connection broke walks on for up to half a second, and brakes.
@@ -20,10 +20,6 @@ constexpr double kLostTurn = 0.5;  // rad
 // Somebody who lifts a robot puts it down somewhere else, in any direction.
 constexpr double kLiftedWay = 1.0;   // m
 constexpr double kLiftedTurn = 3.2;  // rad
-
-WalkVelocity meanOf(const WalkVelocity& a, const WalkVelocity& b) {
-  return {(a.forward + b.forward) / 2, (a.left + b.left) / 2, (a.turn + b.turn) / 2};
-}
 
 }  // namespace
 
@@ -53,8 +49,8 @@ void WalkedWay::advance(const Sample& last, const Sample& sample) {
     return;
   }
   const double time = kFrame * static_cast<double>(sample.frame_number - last.frame_number);
-  const WalkVelocity velocity = meanOf(last.velocity, sample.velocity);
-  odometry_.walk(velocity, time);
+  const WalkVelocity& velocity = sample.velocity;
+  odometry_.walk(velocity, time);  // it is the average since the measurement before
   if (time > kLongGap) {
     odometry_.lose(std::hypot(velocity.forward, velocity.left) * time / 2,
                    std::min(std::abs(velocity.turn) * time / 2, kLiftedTurn));

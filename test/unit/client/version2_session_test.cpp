@@ -538,6 +538,24 @@ TEST_F(Version2SessionTest, APostureThatHasNotBeenSentIsNotTakenAfterAStop) {
             posture.get().problem);
 }
 
+TEST_F(Version2SessionTest, AReportThatItLiesOnItsSideIsOverWhenItWalksAgain) {
+  for (const char letter : {'S', 'E'}) {
+    receive(makeError(0, 3, "head_pan does not follow"));
+    receive(makeError(0, 0, "the robot lies on its side"));
+    EXPECT_THAT(connection_.robot_message, HasSubstr("lies on its side"));
+    if (letter == 'S') {
+      steer({0.1, 0, 0});
+      request();
+      receive(makeFrame('s', frame_.header.request_number, {0, 100, 0, 0, 0, 0, 0, 0}));
+    } else {
+      auto posture = askForPosture(1);
+      request();
+      receive(makeFrame('e', frame_.header.request_number, {}));
+    }
+    EXPECT_THAT(connection_.robot_message, HasSubstr("head_pan does not follow")) << "that still holds";
+  }
+}
+
 TEST_F(Version2SessionTest, OnlyARobotThatWalksIsAskedHowItWalks) {
   connection_.robot.capabilities.push_back("S");
   wish_.telemetry_period = 4;

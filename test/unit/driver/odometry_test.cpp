@@ -74,6 +74,10 @@ TEST(Odometry, IsAsUncertainAsItSaysAfterAMetreAndAfterARadian) {
 }
 
 TEST(Odometry, GetsMoreUncertainAcrossThanAlongTheWay) {
+  Odometry straight;
+  walk(&straight, {0.1, 0, 0}, 10, 312);  // along x
+  EXPECT_GT(straight.covariance()(1, 1), 1.5 * straight.covariance()(0, 0));
+  EXPECT_GT(straight.covariance()(1, 2), 0) << "turned to the left means further to the left";
   Odometry odometry;
   walk(&odometry, {0, 0, kPi / 2}, 1, 31);
   const Eigen::Matrix3d before = odometry.covariance();
@@ -82,7 +86,7 @@ TEST(Odometry, GetsMoreUncertainAcrossThanAlongTheWay) {
   EXPECT_GT(after(0, 0), after(1, 1));
   EXPECT_GT(after(1, 1), before(1, 1));
   EXPECT_GT(after(2, 2), before(2, 2));
-  EXPECT_LT(after(0, 2), 0) << "further to the left means further back";
+  EXPECT_LT(after(0, 2), 0) << "turned to the left means further back";
   EXPECT_TRUE(after.isApprox(after.transpose()));
   EXPECT_GT(after.determinant(), 0);
 }

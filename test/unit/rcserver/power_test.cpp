@@ -172,13 +172,14 @@ TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
   EXPECT_THAT(console_.str(), HasSubstr("is turned away: the robot goes off"));
 }
 
-TEST_F(PowerTest, RobotShutsDownEvenWithoutTheMotion) {
-  std::filesystem::remove(stick_.path("OPEN-R/MW/DATA/P/LIE.MTN"));
+TEST_F(PowerTest, RobotThatLiesOnItsSideShutsDownWithoutLyingDown) {
+  robot_.sensor("acceleration_right_left") = 9806650;
+  passFrames(kFramesASecond);
   raise(orsbBATTERY_CAPACITY_LOW);
-  passUntilOff(kFramesASecond);
+  passUntilOff(2);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_TRUE(isLimp());
-  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: LIE.MTN cannot be read"));
+  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: the robot lies on its side"));
 }
 
 TEST_F(PowerTest, JammedJointDoesNotPreventTheShutdown) {
@@ -206,31 +207,13 @@ TEST_F(PowerTest, LimpRobotWithALowBatteryShutsDownAtOnce) {
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, MotionIsReadAfterTheClientsFileJob) {
-  connectVersion2();
+TEST_F(PowerTest, RobotLiesDownWithoutItsMemoryStick) {
   file_keeper_.slowDown();
-  send(frame('P', 0, 1, std::string("\0\1", 2) + "SIT.MTN"));
-  ASSERT_TRUE(file_keeper_.hasJob());
   raise(orsbBATTERY_CAPACITY_LOW);
-  passFrames(kFramesASecond);
-  ASSERT_TRUE(machine_->isOn());
-  file_keeper_.speedUp();
-  passUntilOff(9 * kFramesASecond);
+  passUntilOff(5 * kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_EQ(degreesOf("left_front_rotator"), 65);
   EXPECT_EQ(degreesOf("right_hind_rotator"), -65);
-}
-
-TEST_F(PowerTest, MemoryStickThatDoesNotAnswerDelaysTheShutdownByAtMostTenSeconds) {
-  file_keeper_.slowDown();
-  raise(orsbBATTERY_CAPACITY_LOW);
-  EXPECT_FALSE(isLimp());
-  passUntilOff(9 * kFramesASecond);
-  EXPECT_TRUE(machine_->isOn());
-  passUntilOff(2 * kFramesASecond);
-  EXPECT_FALSE(machine_->isOn());
-  EXPECT_TRUE(isLimp());
-  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: FileKeeper has not read LIE.MTN within 10 s"));
 }
 
 TEST_F(PowerTest, PauseCutsTheMotorsWhileTheRobotLiesDown) {

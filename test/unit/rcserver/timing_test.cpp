@@ -127,6 +127,34 @@ TEST_P(TimingTest, TelemetryKeepsItsRateAndTheStreamTheEncodersRate) {
   EXPECT_NEAR(counts.pictures, 500 / frames_a_picture, 2);
 }
 
+// The legs move in every frame, without a gap between two vectors.
+TEST_P(TimingTest, WalkingCostsTheStreamAndTelemetryNothing) {
+  const std::string forward = std::string("\0\x64\0\0\0\0\0\0", 8);
+  const auto walk = [&](int seconds) {
+    Counts all;
+    for (int i = 0; i < seconds * 10; ++i) {
+      send(frame('S', 0, 1004, forward));
+      for (int passed = 0; passed < 12 + (i % 2); ++passed) {
+        passFrames(1);
+        const Counts counts = count();
+        all.pictures += counts.pictures;
+        all.telemetry += counts.telemetry;
+      }
+    }
+    return all;
+  };
+  walk(3);
+  robot_.joint("left_front_rotator").path.clear();
+  const Counts counts = walk(4);
+  EXPECT_NEAR(counts.telemetry, 125, 1);
+  const int frames_a_picture = std::max(4, (GetParam() + 7) / 8);
+  EXPECT_NEAR(counts.pictures, 500 / frames_a_picture, 2);
+  const std::vector<int>& path = robot_.joint("left_front_rotator").path;
+  for (size_t i = 2; i < path.size(); ++i) {
+    ASSERT_FALSE(path[i] == path[i - 1] && path[i] == path[i - 2]) << "stands still in frame " << i;
+  }
+}
+
 TEST_P(TimingTest, AMotionFileIsPlayedAsWithoutAStream) {
   const auto play = [&] {
     std::vector<int>& path = robot_.joint("tail_pan").path;

@@ -37,7 +37,8 @@ enum class WalkState {
 
 /// How the robot walked when telemetry was measured.
 struct WalkReading {
-  /// Of the feet, as they were commanded after all limits. Its sum over time is the way, if no foot has slipped.
+  /// Of the feet, as they were commanded since the telemetry before, on average, after all limits. Its sum over time is
+  /// the way, if no foot has slipped.
   WalkVelocity velocity;
   double phase = 0;  ///< of the step, 0..1
   WalkState state = WalkState::kNone;

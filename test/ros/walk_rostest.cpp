@@ -1,0 +1,397 @@
+// Walking by cmd_vel, the odometry, postures, and the programs that steer.
+
+#include <aibo_driver/MotionState.h>
+#include <fcntl.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <nav_msgs/Odometry.h>
+#include <pty.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Joy.h>
+#include <std_srvs/Trigger.h>
+#include <termios.h>
+#include <tf2_msgs/TFMessage.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/ros/joint_messages.h"
+#include "support/ros/joint_user.h"
+
+namespace {
+
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
+using geometry_msgs::Twist;
+using nav_msgs::Odometry;
+using std_srvs::Trigger;
+using test_support::command;
+using test_support::JointUser;
+using test_support::kQuick;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+Twist twist(double forward, double turn = 0) {
+  Twist message;
+  message.linear.x = forward;
+  message.angular.z = turn;
+  return message;
+}
+
+// Parameters of a driver in whose namespace tf is, because all tests share a master.
+std::vector<std::string> quickWith(const std::string& name_space, std::vector<std::string> more = {}) {
+  more.insert(more.end(), kQuick.begin(), kQuick.end());
+  more.push_back("/tf:=" + name_space + "/tf");
+  return more;
+}
+
+bool moves(const MotionState& state, int kind) {
+  return std::any_of(state.movements.begin(), state.movements.end(),
+                     [kind](const Movement& movement) { return movement.kind == kind; });
+}
+
+// A robot, its driver, and somebody who can steer it.
+class Walker {
+ public:
+  explicit Walker(const std::string& name_space, const std::vector<std::string>& parameters = {},
+                  const std::vector<std::string>& robot_options = {})
+      : odom(name_space + "/odom"),
+        state(name_space + "/motion_state"),
+        user(name_space, quickWith(name_space, parameters), robot_options) {}
+
+  ~Walker() { letGo(); }
+
+  // Sends a velocity ten times a second from now on.
+  void steer(double forward, double turn = 0) {
+    letGo();
+    ros::Publisher& publisher = user.publisherOf<Twist>("cmd_vel");
+    steering_ = true;
+    thread_ = std::thread([this, &publisher, forward, turn] {
+      while (steering_) {
+        publisher.publish(twist(forward, turn));
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      }
+    });
+  }
+
+  void letGo() {
+    steering_ = false;
+    if (thread_.joinable()) {
+      thread_.join();
+    }
+  }
+
+  bool waitForWalk() {
+    state.clear();
+    return state.waitFor([](const MotionState& each) { return moves(each, Movement::WALK); }) != nullptr;
+  }
+
+  // How the walk has ended.
+  MotionState::ConstPtr waitForEnd(int kind = Movement::WALK) {
+    return state.waitFor([kind](const MotionState& each) { return !moves(each, kind) && each.last.kind == kind; });
+  }
+
+  // From the stand to a walk in which the feet move.
+  bool walks(double forward) {
+    state.clear();
+    odom.clear();
+    steer(forward);
+    return odom.waitFor([=](const Odometry& each) { return std::abs(each.twist.twist.linear.x - forward) < 0.02; }) !=
+           nullptr;
+  }
+
+  bool stands() {
+    odom.clear();
+    return odom.waitFor([](const Odometry& each) { return each.twist.twist.linear.x == 0; }) != nullptr;
+  }
+
+  TopicListener<Odometry> odom;
+  TopicListener<MotionState> state;
+  JointUser user;
+
+ private:
+  std::atomic<bool> steering_{false};
+  std::thread thread_;
+};
+
+TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
+  Walker walker("/walk");
+  ASSERT_TRUE(walker.user.call<Trigger>("stand").success);
+  ASSERT_TRUE(walker.walks(0.1));
+  ASSERT_TRUE(walker.odom.waitFor([](const Odometry& each) { return each.pose.pose.position.x > 0.1; }));
+  walker.letGo();
+  const auto let_go = std::chrono::steady_clock::now();
+  const auto end = walker.waitForEnd();
+  ASSERT_TRUE(end);
+  EXPECT_LT(std::chrono::steady_clock::now() - let_go, std::chrono::seconds(3));
+  EXPECT_EQ(end->last_end, MotionState::STOPPED);
+  // The driver and the robot watch, for the same time.
+  EXPECT_THAT(end->last_reason, AnyOf("no cmd_vel came for 0.5 s", "it was not steered for 500 ms"));
+  EXPECT_TRUE(walker.stands());
+}
+
+TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
+  Walker walker("/zero");
+  ASSERT_TRUE(walker.walks(0.1)) << "it first stands up";
+  walker.steer(0);
+  const auto end = walker.waitForEnd();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->last_end, MotionState::DONE);
+}
+
+TEST(Walk, IsEndedByStopMotorsAndLegsButNotByTheHead) {
+  Walker walker("/ended");
+  ASSERT_TRUE(walker.walks(0.1));
+  walker.user.publish("joint_command", command({{"head_pan", 0.5}}));
+  ASSERT_TRUE(walker.user.waitForPanBeyond(0.4));
+  EXPECT_TRUE(moves(*walker.state.waitForCount(1).back(), Movement::WALK)) << "the head is free";
+  walker.letGo();
+  EXPECT_TRUE(walker.user.call<Trigger>("stop").success);
+  ASSERT_TRUE(walker.waitForEnd());
+  EXPECT_TRUE(walker.stands());
+}
+
+TEST(Walk, IsEndedByACommandToALeg) {
+  Walker walker("/leg");
+  ASSERT_TRUE(walker.walks(0.1));
+  walker.letGo();
+  walker.user.publish("joint_command", command({{"left_front_rotator", 0.0}}));
+  const auto end = walker.waitForEnd();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->last_end, MotionState::REPLACED);
+  EXPECT_THAT(end->last_reason, HasSubstr("left_front_rotator"));
+}
+
+TEST(Walk, IsEndedByTheMotors) {
+  Walker walker("/motors");
+  ASSERT_TRUE(walker.walks(0.1));
+  EXPECT_TRUE(walker.user.setMotors(false).success);
+  EXPECT_TRUE(walker.waitForEnd());
+  walker.user.waitForWarning("refused to walk.*motors");
+  walker.letGo();
+  EXPECT_FALSE(walker.user.call<Trigger>("stand").success);
+}
+
+TEST(Walk, DoesNotGoOnAfterTheConnectionWasLost) {
+  Walker walker("/lost");
+  ASSERT_TRUE(walker.walks(0.1));
+  walker.letGo();
+  walker.user.reconnect();
+  const auto end = walker.waitForEnd();
+  ASSERT_TRUE(end);
+  EXPECT_THAT(end->last_reason, HasSubstr("the connection to the robot was lost"));
+  EXPECT_TRUE(walker.stands());
+  EXPECT_TRUE(walker.user.proxy.requestsFromDriver("S", 1).empty()) << "nothing is repeated";
+  EXPECT_GT(walker.odom.waitForNext()->pose.pose.position.x, 0) << "the odometry goes on";
+}
+
+TEST(Walk, KeepsToTheLimitsAndDropsWhatIsNotANumber) {
+  Walker walker("/limited", {"_walk_speed_limit:=0.05"});
+  ASSERT_TRUE(walker.walks(0.05));
+  walker.steer(0.5);
+  for (const auto& each : walker.odom.waitForCount(60)) {
+    EXPECT_LT(each->twist.twist.linear.x, 0.06) << "but for a little unevenness of the steps";
+  }
+  walker.letGo();
+  walker.user.publish("cmd_vel", twist(std::numeric_limits<double>::quiet_NaN()));
+  walker.user.waitForWarning("not a number");
+}
+
+TEST(Walk, HasAFrameForTheFloorWithTheStampOfTheBodys) {
+  TopicListener<tf2_msgs::TFMessage> tf("/frames/tf");
+  Walker walker("/frames", {"_frame_prefix:=left"});
+  const auto frames = tf.waitForCount(100);
+  const auto stamps_of = [&frames](const std::string& parent, const std::string& child) {
+    std::vector<ros::Time> stamps;
+    for (const auto& message : frames) {
+      for (const auto& each : message->transforms) {
+        if (each.header.frame_id == parent && each.child_frame_id == child) {
+          stamps.push_back(each.header.stamp);
+        }
+      }
+    }
+    return stamps;
+  };
+  const std::vector<ros::Time> floor = stamps_of("left/odom", "left/base_footprint");
+  const std::vector<ros::Time> body = stamps_of("left/base_footprint", "left/base_link");
+  ASSERT_GT(body.size(), 10u);
+  for (const ros::Time& stamp : body) {
+    if (stamp < floor.back()) {
+      EXPECT_NE(std::find(floor.begin(), floor.end(), stamp), floor.end());
+    }
+  }
+}
+
+TEST(Walk, LeavesTheHeadToThoseWhoLookAround) {
+  Walker walker("/look_walk");
+  const Process look_around({AIBO_LOOK_AROUND, "__ns:=/look_walk"});
+  ASSERT_TRUE(walker.walks(0.1));
+  walker.state.clear();
+  for (int glance = 0; glance < 2; ++glance) {
+    EXPECT_TRUE(walker.state.waitFor(
+        [](const MotionState& each) { return moves(each, Movement::WALK) && moves(each, Movement::TRAJECTORY); }));
+    EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) {
+      return moves(each, Movement::WALK) && each.last.kind == Movement::TRAJECTORY &&
+             each.last_end == MotionState::DONE;
+    }));
+    walker.state.clear();
+  }
+}
+
+TEST(Walk, IsUnknownToVersion1) {
+  Walker walker("/walk1", {}, {"--protocol-version", "1"});
+  walker.user.publish("cmd_vel", twist(0.1));
+  walker.user.waitForWarning("does not walk.*speaks version 1");
+  const Trigger::Response response = walker.user.call<Trigger>("sit");
+  EXPECT_FALSE(response.success);
+  EXPECT_THAT(response.message, HasSubstr("speaks version 1"));
+}
+
+TEST(Posture, IsTakenAndSaidInTheMotionState) {
+  Walker walker("/posture");
+  for (const std::string name : {"sit", "stand", "rest"}) {
+    const Trigger::Response response = walker.user.call<Trigger>(name);
+    EXPECT_TRUE(response.success) << response.message;
+    EXPECT_TRUE(walker.state.waitFor([&name](const MotionState& each) {
+      return !each.movements.empty() && each.movements[0].kind == Movement::POSTURE && each.movements[0].name == name;
+    }));
+  }
+  const Trigger::Response response = walker.user.call<Trigger>("stand");
+  EXPECT_FALSE(response.success) << "rest has switched the motors off";
+  EXPECT_THAT(response.message, HasSubstr("motors"));
+}
+
+TEST(Posture, IsEndedByStop) {
+  Walker walker("/posture_stop");
+  std::thread stopper([&walker] {
+    EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }));
+    EXPECT_TRUE(walker.user.call<Trigger>("stop").success);
+  });
+  const Trigger::Response response = walker.user.call<Trigger>("sit");
+  stopper.join();
+  EXPECT_FALSE(response.success);
+  EXPECT_THAT(response.message, HasSubstr("The robot does not sit: "));
+}
+
+// A pseudo terminal, in which somebody types.
+class Keyboard {
+ public:
+  Keyboard() { EXPECT_EQ(::openpty(&keys_, &terminal_, name_, nullptr, nullptr), 0); }
+  ~Keyboard() {
+    ::close(keys_);
+    ::close(terminal_);
+  }
+
+  Keyboard(const Keyboard&) = delete;
+  Keyboard& operator=(const Keyboard&) = delete;
+
+  void type(char key) { EXPECT_EQ(::write(keys_, &key, 1), 1); }
+
+  bool showsKeys() const {
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
+    return (settings.c_lflag & ECHO) != 0;
+  }
+
+  /// The command line of a program that reads from it.
+  std::vector<std::string> start(const std::string& command) const {
+    return {"/bin/sh", "-c", "exec " + command + " < " + name_};
+  }
+
+ private:
+  int keys_ = -1;
+  int terminal_ = -1;
+  char name_[64] = {};
+};
+
+bool goes(const Twist& twist) {
+  return twist.linear.x != 0 || twist.linear.y != 0 || twist.angular.z != 0;
+}
+
+TEST(KeyboardTeleop, WalksWhileAKeyIsHeldDownAndLeavesTheTerminalAsItWas) {
+  TopicListener<Twist> commands("/keys/cmd_vel");
+  Keyboard keyboard;
+  Process teleop(keyboard.start(std::string(AIBO_TELEOP_KEYBOARD) + " __ns:=/keys"));
+  teleop.waitForOutput("speeds: 0.100 m/s", kSafetyNet);
+  EXPECT_FALSE(keyboard.showsKeys());
+  keyboard.type('w');
+  teleop.waitForOutput("speeds: 0.110 m/s", kSafetyNet);
+  EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
+  keyboard.type('i');
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return std::abs(each.linear.x - 0.11) < 1e-9; }));
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "the key was let go";
+  EXPECT_GT(commands.count(), 4u) << "meanwhile it is repeated";
+  commands.clear();
+  keyboard.type('j');
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.angular.z == 0.5; }));
+  keyboard.type(' ');
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); }));
+  commands.clear();
+  keyboard.type('J');
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.linear.y > 0; }));
+  teleop.signal(SIGINT);
+  EXPECT_EQ(teleop.waitForExit(kSafetyNet), 0);
+  EXPECT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "it ends with a stop";
+  EXPECT_TRUE(keyboard.showsKeys());
+}
+
+TEST(KeyboardTeleop, EndsWithTheTerminal) {
+  auto keyboard = std::make_unique<Keyboard>();
+  Process teleop(keyboard->start(std::string(AIBO_TELEOP_KEYBOARD) + " __ns:=/closed"));
+  teleop.waitForOutput("speeds", kSafetyNet);
+  keyboard.reset();
+  teleop.waitForOutput("terminal was closed", kSafetyNet);
+  EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
+}
+
+TEST(KeyboardTeleop, SaysThatItNeedsATerminalAndAMaster) {
+  Process without_terminal({"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " < /dev/null"});
+  without_terminal.waitForOutput("Start it in a terminal of its own", kSafetyNet);
+  EXPECT_EQ(without_terminal.waitForExit(kSafetyNet), 1);
+  Process without_master({AIBO_TELEOP_KEYBOARD}, {{"ROS_MASTER_URI", "http://127.0.0.1:1"}});
+  without_master.waitForOutput("no ROS master at http://127.0.0.1:1", kSafetyNet);
+  EXPECT_EQ(without_master.waitForExit(kSafetyNet), 1);
+}
+
+TEST(JoystickTeleop, WalksWhileTheDeadManButtonIsPressed) {
+  TopicListener<Twist> commands("/joystick/cmd_vel");
+  TopicPublishers joystick("/joystick");
+  Process teleop({AIBO_TELEOP_JOY, "__ns:=/joystick", "/joy:=/joystick/joy", "_dead_man_button:=1", "_forward_axis:=0",
+                  "_turn_axis:=1", "_speed:=0.08"});
+  sensor_msgs::Joy joy;
+  joy.axes = {1.0F, 0.0F};
+  joy.buttons = {1, 0};
+  joystick.publish("joy", joy);
+  joy.buttons = {0, 1};
+  joystick.publish("joy", joy);
+  const auto first = commands.waitForCount(1);
+  ASSERT_FALSE(first.empty());
+  EXPECT_DOUBLE_EQ(first.front()->linear.x, 0.08) << "nothing was sent while another button was pressed";
+  joy.buttons = {0, 0};
+  joystick.publish("joy", joy);
+  EXPECT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); }));
+  joy.axes = {1.0F};
+  joystick.publish("joy", joy);
+  teleop.waitForOutput("The joystick has 1 axes", kSafetyNet);
+}
+
+TEST(JoystickTeleop, RefusesAWrongMapping) {
+  Process teleop({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", "_turn_axis:=-1"});
+  teleop.waitForOutput("turn_axis is -1; allowed", kSafetyNet);
+  EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
+}
+
+}  // namespace

@@ -1,0 +1,103 @@
+#include "rcserver/walk/FallWatch.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kGravity = 9.80665;
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+class FallWatchTest : public ::testing::Test {
+ protected:
+  static FallWatch::Reading rolledBy(double degrees, bool any_paw = true) {
+    return {0, kGravity * std::sin(degrees * kDegree), kGravity * std::cos(degrees * kDegree), any_paw};
+  }
+  static FallWatch::Reading pitchedBy(double degrees) {
+    return {kGravity * std::sin(degrees * kDegree), 0, kGravity * std::cos(degrees * kDegree), true};
+  }
+
+  // A report every 4 frames.
+  void look(const FallWatch::Reading& reading, unsigned frames, bool stands = true) {
+    for (unsigned passed = 0; passed < frames; passed += 4) {
+      frame_ += 4;
+      watch_.Look(reading, stands, frame_);
+    }
+  }
+
+  FallWatch watch_;
+  unsigned frame_ = 0xffffff00u;  // it begins again at 0 on the way
+};
+
+TEST_F(FallWatchTest, ARobotThatSitsOrStandsOnASlopeIsUpright) {
+  look(pitchedBy(25), 500);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+  look(rolledBy(-55), 500);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+  EXPECT_EQ(FallWatch::Words(watch_.Now()), nullptr);
+}
+
+TEST_F(FallWatchTest, FindsTheRobotOnEitherSideOrOnItsNose) {
+  for (const FallWatch::Reading& reading : {rolledBy(80), rolledBy(-80), pitchedBy(-80), pitchedBy(65)}) {
+    look(reading, 60);
+    EXPECT_EQ(watch_.Now(), FallWatch::ON_ITS_SIDE);
+    EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("on its side"));
+    look(rolledBy(0), 60);
+    EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+  }
+}
+
+TEST_F(FallWatchTest, FindsTheRobotUpsideDown) {
+  look(rolledBy(170), 60);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
+}
+
+TEST_F(FallWatchTest, AKnockIsNoFall) {
+  look(rolledBy(90), FallWatch::PATIENCE - 4);
+  look(rolledBy(0), 4);
+  look(rolledBy(90), FallWatch::PATIENCE - 4);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, CountsFromTheFirstReading) {
+  look(rolledBy(90), 200);
+  EXPECT_EQ(watch_.Duration(frame_), 196u);
+}
+
+TEST_F(FallWatchTest, AnAccelerometerThatMeasuresNothingSaysNothing) {
+  look({0, 0, 0, true}, 500);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, ARobotWithoutFloorUnderItsPawsIsCarriedUntilItStandsAgain) {
+  look(rolledBy(0), 20);
+  look(rolledBy(0, false), 60);
+  EXPECT_EQ(watch_.Now(), FallWatch::CARRIED);
+  EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("carried"));
+  look(rolledBy(0), 60);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, PawsThatLoseTheFloorForOneStepAreWalking) {
+  for (int step = 0; step < 10; ++step) {
+    look(rolledBy(0), 4);
+    look(rolledBy(0, false), FallWatch::PATIENCE - 4);
+  }
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, PawsThatHaveNeverTouchedAnythingSayNothing) {
+  look(rolledBy(0, false), 500);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, ARobotThatLiesOnItsBellyNeedsNoPaws) {
+  look(rolledBy(0), 20);
+  look(rolledBy(0, false), 500, false);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+}  // namespace

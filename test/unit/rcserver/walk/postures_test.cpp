@@ -1,0 +1,140 @@
+#include "rcserver/walk/Postures.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "robot_model/robot_model.h"
+
+namespace {
+
+using protocol::version2::Posture;
+using protocol::version2::POSTURE_REST;
+using protocol::version2::POSTURE_SIT;
+using protocol::version2::POSTURE_STAND;
+using robot_model::Leg;
+using robot_model::LegAngles;
+using robot_model::Point;
+using ::testing::ElementsAre;
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+using Legs = std::array<LegAngles, robot_model::NUMBER_OF_LEGS>;
+
+class PosturesTest : public ::testing::Test {
+ protected:
+  Legs legs(Posture posture) const {
+    Legs angles;
+    std::copy(postures_.Legs(posture), postures_.Legs(posture) + angles.size(), angles.begin());
+    return angles;
+  }
+
+  Legs between(Posture from, Posture to, double part) const {
+    Legs angles = legs(from);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const LegAngles& end = postures_.Legs(to)[i];
+      angles[i].rotator += (end.rotator - angles[i].rotator) * part;
+      angles[i].elevator += (end.elevator - angles[i].elevator) * part;
+      angles[i].knee += (end.knee - angles[i].knee) * part;
+    }
+    return angles;
+  }
+
+  std::vector<Posture> way(const Legs& here, Posture wanted) const {
+    std::vector<Posture> found(Postures::MAX_WAY);
+    found.resize(static_cast<std::size_t>(postures_.FindWay(here.data(), wanted, found.data())));
+    return found;
+  }
+
+  const Postures postures_{Gait()};
+  const Legs straight_{};
+  const Legs on_its_knees_ = {{{-90 * kDegree, 0, 120 * kDegree},
+                               {90 * kDegree, 0, 120 * kDegree},
+                               {-90 * kDegree, 0, 120 * kDegree},
+                               {90 * kDegree, 0, 120 * kDegree}}};
+};
+
+TEST_F(PosturesTest, AreAllowed) {
+  const robot_model::RobotModel& robot = *robot_model::findRobotModel("ERS-7");
+  for (const Posture posture : {POSTURE_STAND, POSTURE_SIT, POSTURE_REST}) {
+    std::array<int, robot_model::MAX_JOINTS> joints{};
+    clampPosture(robot, joints.data());
+    for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+      const LegAngles& angles = postures_.Legs(posture)[leg];
+      const double values[] = {angles.rotator, angles.elevator, angles.knee};
+      for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+        const int joint = findJointByIdentifier(robot, legJointIdentifier(static_cast<Leg>(leg), number));
+        joints[static_cast<std::size_t>(joint)] = static_cast<int>(values[number] * 1e6);
+      }
+    }
+    auto clamped = joints;
+    clampPosture(robot, clamped.data());
+    EXPECT_EQ(clamped, joints) << posture;
+  }
+}
+
+TEST_F(PosturesTest, AreReachedFromEachOtherThroughTheStand) {
+  EXPECT_THAT(way(legs(POSTURE_STAND), POSTURE_SIT), ElementsAre(POSTURE_SIT));
+  EXPECT_THAT(way(legs(POSTURE_STAND), POSTURE_REST), ElementsAre(POSTURE_REST));
+  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_STAND), ElementsAre(POSTURE_STAND));
+  EXPECT_THAT(way(legs(POSTURE_REST), POSTURE_STAND), ElementsAre(POSTURE_STAND));
+  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_REST), ElementsAre(POSTURE_STAND, POSTURE_REST));
+  EXPECT_THAT(way(legs(POSTURE_REST), POSTURE_SIT), ElementsAre(POSTURE_STAND, POSTURE_SIT));
+  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_SIT), ElementsAre(POSTURE_SIT));
+}
+
+TEST_F(PosturesTest, AreReachedFromTheMiddleOfAWayToo) {
+  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_SIT, 0.8), POSTURE_REST), ElementsAre(POSTURE_STAND, POSTURE_REST));
+  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_REST, 0.7), POSTURE_STAND), ElementsAre(POSTURE_STAND));
+  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_REST, 0.7), POSTURE_REST), ElementsAre(POSTURE_REST));
+}
+
+TEST_F(PosturesTest, AreReachedFromAnyOtherPostureByLyingDownFirst) {
+  EXPECT_THAT(way(on_its_knees_, POSTURE_STAND), ElementsAre(POSTURE_REST, POSTURE_STAND));
+  EXPECT_THAT(way(on_its_knees_, POSTURE_SIT), ElementsAre(POSTURE_REST, POSTURE_STAND, POSTURE_SIT));
+  EXPECT_THAT(way(on_its_knees_, POSTURE_REST), ElementsAre(POSTURE_REST));
+}
+
+TEST_F(PosturesTest, AreReachedAtOnceFromEveryWayToStand) {
+  const Legs standing_high = {{{-23 * kDegree, 5 * kDegree, 44 * kDegree},
+                               {26 * kDegree, 5 * kDegree, 57 * kDegree},
+                               {-23 * kDegree, 5 * kDegree, 44 * kDegree},
+                               {26 * kDegree, 5 * kDegree, 57 * kDegree}}};
+  EXPECT_THAT(way(straight_, POSTURE_STAND), ElementsAre(POSTURE_STAND));
+  EXPECT_THAT(way(standing_high, POSTURE_STAND), ElementsAre(POSTURE_STAND));
+  Legs walking;
+  Gait gait;
+  for (double phase = 0; phase < 1; phase += 0.05) {
+    gait.FindPosture(phase, gait.Limited({0.2, 0, 0}), 1, walking.data());
+    EXPECT_TRUE(postures_.Stands(walking.data())) << phase;
+  }
+  EXPECT_FALSE(postures_.Stands(legs(POSTURE_REST).data()));
+  EXPECT_FALSE(postures_.Stands(legs(POSTURE_SIT).data()));
+  EXPECT_FALSE(postures_.Stands(on_its_knees_.data()));
+}
+
+// On level ground, the robot rests on its lowest points. Legs of both sides are the same here, so a side view will do.
+TEST_F(PosturesTest, NeverStandOnFoldedLegs) {
+  const double kKneeRadius = robot_model::FOOT_RADIUS;  // our choice, from the look of the legs
+  for (const Posture posture : {POSTURE_SIT, POSTURE_REST}) {
+    for (double part = 0; part <= 1; part += 0.02) {
+      const Legs here = between(POSTURE_STAND, posture, part);
+      const Point front = findFoot(robot_model::LEFT_FRONT_LEG, here[0]);
+      const Point hind = findFoot(robot_model::LEFT_HIND_LEG, here[1]);
+      const double slope = (front.z - hind.z) / (front.x - hind.x);
+      const auto floor = [&](const Point& point) { return hind.z + slope * (point.x - hind.x); };
+      const Point belly = findBellyCorner(robot_model::LEFT_HIND_LEG);
+      const bool lies = belly.z < floor(belly);
+      for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG}) {
+        const Point knee = findKnee(leg, here[static_cast<std::size_t>(leg)]);
+        EXPECT_TRUE(lies || knee.z - kKneeRadius > floor(knee) - robot_model::FOOT_RADIUS)
+            << posture << " at " << part << ", leg " << leg;
+      }
+      EXPECT_GT(front.x - hind.x, 0.01) << "the feet do not meet";
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,454 @@
+#include "rcserver/walk/Walker.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "rcserver/joints/JointControl.h"
+
+namespace {
+
+using protocol::version2::Posture;
+using protocol::version2::POSTURE_REST;
+using protocol::version2::POSTURE_SIT;
+using protocol::version2::POSTURE_STAND;
+using robot_model::LegAngles;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr int kFramesASecond = 125;
+constexpr double kFrame = 0.008;
+constexpr double kGravity = 9.80665;
+constexpr FallWatch::Reading kUpright = {0, 0, kGravity, true};
+constexpr FallWatch::Reading kOnItsSide = {0, kGravity, 0, true};
+constexpr FallWatch::Reading kInTheAir = {0, 0, kGravity, false};
+
+class WalkerTest : public ::testing::Test {
+ protected:
+  WalkerTest() { take(POSTURE_STAND); }
+
+  Walker& walker() { return joints_.Walking(); }
+  int joint(const std::string& name) const { return findJointByName(robot_, name.c_str()); }
+  int position(const std::string& name) { return joints_.Planner().Position(joint(name)); }
+
+  void pass(int frames) {
+    for (int i = 0; i < frames; ++i) {
+      std::vector<int> before;
+      for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
+        before.push_back(joints_.Planner().Position(joint));
+      }
+      joints_.NextFrame();
+      ++frame_;
+      if (frame_ % 4 == 0) {
+        walker().Measured(reading_, frame_);
+      }
+      check(before);
+    }
+  }
+
+  // As a client does: again and again.
+  void steer(const WalkVelocity& velocity, int frames) {
+    for (int passed = 0; passed < frames; passed += 12) {
+      joints_.Steer(velocity);
+      pass(std::min(12, frames - passed));
+    }
+  }
+
+  int passUntilIdle(int most = 3000) {
+    int frames = 0;
+    while (walker().IsActive() && frames < most) {
+      pass(1);
+      ++frames;
+      if (walker().WantsMotorsOff()) {
+        joints_.MotorsGoOff();
+      }
+    }
+    return frames;
+  }
+
+  void take(Posture posture) {
+    joints_.Take(posture);
+    passUntilIdle();
+    ends();
+  }
+
+  void walk(const WalkVelocity& velocity = {0.1, 0, 0}) { steer(velocity, 2 * kFramesASecond); }
+
+  // "walk: left_front_knee was commanded"
+  std::vector<std::string> ends() {
+    std::vector<std::string> texts;
+    Walker::End end;
+    while (walker().TakeEnd(&end)) {
+      char reason[Walker::MAX_TEXT_SIZE];
+      walker().Describe(end, reason);
+      texts.push_back(std::string(end.is_walk ? "walk" : postureName(end.posture)) + ": " + reason);
+    }
+    return texts;
+  }
+
+  // Checks what holds in every frame: limits, couplings, speeds.
+  void check(const std::vector<int>& before) {
+    std::vector<int> now;
+    for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
+      now.push_back(joints_.Planner().Position(joint));
+    }
+    for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
+      const auto i = static_cast<std::size_t>(joint);
+      ASSERT_GE(now[i], lowestPosition(robot_, joint, now.data())) << robot_.joints[joint].name;
+      ASSERT_LE(now[i], robot_.joints[joint].highest) << robot_.joints[joint].name;
+      ASSERT_LE(std::abs(now[i] - before[i]) * kFramesASecond, robot_.joints[joint].highest_speed);
+      fastest_ = std::max(fastest_, std::abs(now[i] - before[i]) * kFramesASecond);
+      if (walker().State() == protocol::version2::WALK_STATE_WALKS && walker().Moves(joint)) {
+        farthest_lag_ = std::max(farthest_lag_, std::abs(joints_.Planner().Target(joint) - now[i]));
+      }
+    }
+  }
+
+  bool isIn(Posture posture) {
+    for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+      const LegAngles& angles = postures_.Legs(posture)[leg];
+      const double values[] = {angles.rotator, angles.elevator, angles.knee};
+      for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+        const int joint = joints_.Find(legJointIdentifier(static_cast<robot_model::Leg>(leg), number));
+        if (std::abs(joints_.Planner().Position(joint) - values[number] * 1e6) > 1) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
+  JointControl joints_{robot_};
+  const Postures postures_{Gait()};
+  FallWatch::Reading reading_ = kUpright;
+  unsigned frame_ = 0;
+  int fastest_ = 0;       // microradian/s
+  int farthest_lag_ = 0;  // microradian
+};
+
+// -------------------------------------------------------------------------------------------------------------- walk
+
+TEST_F(WalkerTest, WalksWithTheVelocityItIsSteeredWithAndStandsInTheEnd) {
+  walk({0.1, 0, 0.2});
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+  walker().TakeVelocity();
+  steer({0.1, 0, 0.2}, 60);  // a step
+  const WalkVelocity velocity = walker().TakeVelocity();
+  EXPECT_NEAR(velocity.forward, 0.1, 2e-3);
+  EXPECT_NEAR(velocity.left, 0, 2e-3);
+  EXPECT_NEAR(velocity.turn, 0.2, 5e-3);
+  const WalkVelocity none = joints_.Steer({0, 0, 0});
+  EXPECT_TRUE(IsZero(none));
+  EXPECT_LT(passUntilIdle(), 1.2 * kFramesASecond);
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: "));
+  walker().TakeVelocity();
+  EXPECT_TRUE(IsZero(walker().TakeVelocity()));
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_NONE);
+}
+
+TEST_F(WalkerTest, SaysTheVelocityInForce) {
+  const GaitParameters& gait = walker().Parameters();
+  EXPECT_DOUBLE_EQ(joints_.Steer({9, 0, 0}).forward, gait.highest_forward);
+  EXPECT_DOUBLE_EQ(joints_.Steer({-9, 0, 0}).forward, -gait.highest_back);
+  EXPECT_DOUBLE_EQ(joints_.Steer({gait.highest_forward, 0, gait.highest_turn}).turn, gait.highest_turn / 2);
+}
+
+// The sum of what telemetry says is the way: what odometry needs.
+TEST_F(WalkerTest, TellsTheWayOfTheFeet) {
+  walker().TakeVelocity();
+  double way = 0;
+  double commanded = 0;
+  for (int i = 0; i < 40; ++i) {
+    steer({0.1, 0, 0}, 25);
+    way += walker().TakeVelocity().forward * 25 * kFrame;
+    commanded += 0.1 * 25 * kFrame;
+  }
+  EXPECT_NEAR(way, commanded - 0.017, 0.005) << "but for the time in which it speeds up";
+  joints_.Steer({0, 0, 0});
+  const int frames = passUntilIdle();
+  way += walker().TakeVelocity().forward * frames * kFrame;
+  EXPECT_NEAR(way, commanded, 0.01) << "and slows down";
+}
+
+// What a joint lags behind is what a foot slips.
+TEST_F(WalkerTest, NoJointComesNearItsLimitsWhateverIsSteered) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int i = 0; i < 600 && !HasFatalFailure(); ++i) {
+    WalkVelocity velocity = {any(random) * 0.3, any(random) * 0.1, any(random) * 2};
+    if (i % 10 == 9) {
+      velocity = {0, 0, 0};
+    } else if (i % 3 == 0) {
+      velocity.left = velocity.turn = 0;
+    }
+    steer(velocity, 10 + static_cast<int>((any(random) + 1) * 100));
+  }
+  EXPECT_LT(farthest_lag_, 17453) << "1 degree";
+}
+
+TEST_F(WalkerTest, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
+  walk();
+  joints_.Steer({0.1, 0, 0});
+  walker().TakeVelocity();
+  pass(62);
+  EXPECT_NEAR(walker().TakeVelocity().forward, 0.1, 0.002);
+  const int frames = passUntilIdle();
+  EXPECT_GT(frames, 40);
+  EXPECT_LT(frames, 1.2 * kFramesASecond);
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
+}
+
+TEST_F(WalkerTest, GoesOnIfItIsSteeredAgainBeforeItStands) {
+  walk();
+  joints_.Steer({0, 0, 0});
+  pass(30);
+  walk();
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+  EXPECT_THAT(ends(), IsEmpty());
+}
+
+TEST_F(WalkerTest, AVelocityOfZeroDoesNotMakeARobotMoveThatDoesNotWalk) {
+  take(POSTURE_SIT);
+  EXPECT_TRUE(IsZero(joints_.Steer({0, 0, 0})));
+  pass(100);
+  EXPECT_TRUE(isIn(POSTURE_SIT));
+  EXPECT_FALSE(walker().IsActive());
+}
+
+TEST_F(WalkerTest, RisesSlowlyBeforeItWalks) {
+  for (const Posture posture : {POSTURE_SIT, POSTURE_REST}) {
+    take(posture);
+    fastest_ = 0;
+    while (joints_.Steer({0.1, 0, 0}), walker().State() != protocol::version2::WALK_STATE_WALKS) {
+      EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_GETS_READY);
+      pass(1);
+    }
+    EXPECT_LT(fastest_, 1.2 * Walker::POSTURE_SPEED) << posture;
+    joints_.Steer({0, 0, 0});
+    passUntilIdle();
+  }
+}
+
+TEST_F(WalkerTest, ARobotThatIsNotSteeredWhileItRisesStandsAndDoesNotWalk) {
+  take(POSTURE_REST);
+  joints_.Steer({0.1, 0, 0});
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
+}
+
+// ----------------------------------------------------------------------------------------------------- what ends them
+
+TEST_F(WalkerTest, ACommandToALegEndsTheWalkAndOneToTheHeadDoesNot) {
+  walk();
+  MotionPlanner::JointTarget head = {joint("head_pan"), 500000};
+  joints_.SetTargets(&head, 1, 0);
+  steer({0.1, 0, 0}, 100);
+  EXPECT_TRUE(walker().IsActive());
+  EXPECT_EQ(position("head_pan"), 500000);
+  MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
+  joints_.SetTargets(&knee, 1, 0);
+  EXPECT_FALSE(walker().IsActive());
+  pass(100);
+  EXPECT_EQ(position("left_front_knee"), 500000);
+  EXPECT_FALSE(joints_.AreMoving()) << "the other legs hold";
+  EXPECT_THAT(ends(), ElementsAre("walk: left_front_knee was commanded"));
+}
+
+TEST_F(WalkerTest, HoldingEndsIt) {
+  walk();
+  joints_.Stop(joint("head_pan"));
+  EXPECT_TRUE(walker().IsActive());
+  joints_.Stop(joint("right_hind_knee"));
+  EXPECT_FALSE(walker().IsActive());
+  joints_.Take(POSTURE_SIT);
+  pass(20);
+  joints_.StopAll();
+  pass(30);
+  EXPECT_FALSE(joints_.AreMoving());
+  EXPECT_THAT(ends(), ElementsAre("walk: right_hind_knee was told to hold", "sit: everything was told to hold"));
+}
+
+TEST_F(WalkerTest, MotorsThatGoOffEndIt) {
+  walk();
+  joints_.MotorsGoOff();
+  EXPECT_FALSE(walker().IsActive());
+  EXPECT_THAT(ends(), ElementsAre("walk: the motors were switched off"));
+}
+
+TEST_F(WalkerTest, AJointThatDoesNotFollowEndsIt) {
+  walk();
+  JointReading jammed = {position("left_hind_knee"), 0, FULL_DUTY};
+  const int knee = joint("left_hind_knee");
+  for (unsigned frame = 0; frame <= 2 * JointWatch::PATIENCE && walker().IsActive(); frame += 4) {
+    jammed.reference = jammed.position + 400000;
+    joints_.Measured(knee, jammed, frame, true);
+    steer({0.1, 0, 0}, 4);
+  }
+  ASSERT_THAT(ends(), ::testing::Contains("walk: left_hind_knee does not follow"));
+}
+
+TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndPreventsAnother) {
+  walk();
+  joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
+  passUntilIdle();
+  pass(50);
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: the speed limit of left_front_knee is too low for walking"));
+  EXPECT_THAT(walker().Problem(true), HasSubstr("left_front_knee"));
+  EXPECT_EQ(walker().Problem(false), nullptr) << "postures are slow";
+}
+
+TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
+  walk();
+  joints_.ClientGone();
+  EXPECT_TRUE(walker().IsActive());
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), IsEmpty()) << "the next client has nothing to do with it";
+  Walker::End news;
+  bool told = false;
+  while (walker().TakeNews(&news)) {
+    told = news.cause == Walker::CLIENT_GONE;
+  }
+  EXPECT_TRUE(told) << "the console has it";
+}
+
+TEST_F(WalkerTest, AClientThatGoesEndsAPosture) {
+  joints_.Take(POSTURE_REST);
+  pass(50);
+  joints_.ClientGone();
+  EXPECT_FALSE(walker().IsActive());
+  pass(30);
+  EXPECT_FALSE(joints_.AreMoving());
+}
+
+// ----------------------------------------------------------------------------------------------------------- postures
+
+TEST_F(WalkerTest, TakesEveryPostureFromEveryOtherSlowly) {
+  fastest_ = 0;
+  for (const Posture from : {POSTURE_STAND, POSTURE_SIT, POSTURE_REST}) {
+    for (const Posture to : {POSTURE_STAND, POSTURE_SIT, POSTURE_REST}) {
+      take(from);
+      joints_.Take(to);
+      passUntilIdle();
+      EXPECT_TRUE(isIn(to)) << from << " to " << to;
+      EXPECT_THAT(ends(), ElementsAre(std::string(postureName(to)) + ": "));
+    }
+  }
+  EXPECT_LT(fastest_, 1.2 * Walker::POSTURE_SPEED);
+}
+
+TEST_F(WalkerTest, RestsWithTheHeadLevelAndThenWantsTheMotorsOff) {
+  joints_.Planner().SetTarget(joint("neck_tilt"), -1200000);
+  pass(200);
+  joints_.Take(POSTURE_REST);
+  while (!isIn(POSTURE_REST)) {
+    EXPECT_FALSE(walker().WantsMotorsOff());
+    pass(1);
+  }
+  pass(4);
+  EXPECT_FALSE(walker().WantsMotorsOff()) << "the joints have not followed yet";
+  pass(40);
+  EXPECT_TRUE(walker().WantsMotorsOff());
+  EXPECT_FALSE(joints_.AreMoving());
+  EXPECT_THAT(ends(), IsEmpty());
+  joints_.MotorsGoOff();
+  EXPECT_FALSE(walker().WantsMotorsOff());
+  EXPECT_THAT(ends(), ElementsAre("rest: "));
+  EXPECT_EQ(position("neck_tilt"), -174533);
+}
+
+TEST_F(WalkerTest, AWalkEndsInTheStandBeforeAPostureIsTaken) {
+  walk();
+  joints_.Take(POSTURE_SIT);
+  while (walker().State() == protocol::version2::WALK_STATE_WALKS) {
+    pass(1);
+  }
+  EXPECT_THAT(ends(), ElementsAre("walk: the robot was told to take a posture"));
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_SIT));
+  EXPECT_THAT(ends(), ElementsAre("sit: "));
+}
+
+TEST_F(WalkerTest, SteeringReplacesAPostureAndOneThatWaitsForTheWalkToEnd) {
+  joints_.Take(POSTURE_SIT);
+  pass(20);
+  walk();
+  joints_.Take(POSTURE_REST);
+  pass(10);
+  walk();
+  EXPECT_THAT(ends(), ElementsAre("sit: the robot was told to walk", "rest: the robot was told to walk"));
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+}
+
+TEST_F(WalkerTest, APostureReplacesAnother) {
+  joints_.Take(POSTURE_SIT);
+  pass(20);
+  joints_.Take(POSTURE_REST);
+  EXPECT_THAT(ends(), ElementsAre("sit: the robot was told to take a posture"));
+}
+
+// -------------------------------------------------------------------------------------------------------------- falls
+
+TEST_F(WalkerTest, AFallStopsItAndTheLegsGoSoftAfterASecond) {
+  walk();
+  reading_ = kOnItsSide;
+  steer({0.1, 0, 0}, 24);
+  EXPECT_TRUE(walker().IsActive()) << "a knock";
+  pass(40);
+  EXPECT_FALSE(walker().IsActive());
+  EXPECT_THAT(ends(), ElementsAre("walk: the robot lies on its side"));
+  EXPECT_THAT(walker().Problem(true), HasSubstr("the robot lies on its side"));
+  pass(48);
+  EXPECT_FALSE(walker().GoesSoft());
+  pass(24);
+  EXPECT_TRUE(walker().WantsMotorsOff());
+  joints_.MotorsGoOff();
+  EXPECT_FALSE(walker().WantsMotorsOff());
+  EXPECT_TRUE(walker().TakeSoftened());
+  EXPECT_FALSE(walker().TakeSoftened());
+}
+
+TEST_F(WalkerTest, LegsThatSomebodyElseHasMovedDoNotGoSoft) {
+  walk();
+  MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
+  joints_.SetTargets(&knee, 1, 0);
+  reading_ = kOnItsSide;
+  pass(400);
+  EXPECT_FALSE(walker().WantsMotorsOff());
+}
+
+TEST_F(WalkerTest, ARobotThatIsLiftedStopsAndWalksAgainOnTheFloor) {
+  walk();
+  reading_ = kInTheAir;
+  steer({0.1, 0, 0}, 36);
+  pass(30);
+  EXPECT_FALSE(walker().IsActive());
+  EXPECT_THAT(ends(), ElementsAre(HasSubstr("walk: the robot is carried")));
+  pass(400);
+  EXPECT_FALSE(walker().WantsMotorsOff());
+  EXPECT_THAT(walker().Problem(false), HasSubstr("carried"));
+  reading_ = kUpright;
+  pass(60);
+  EXPECT_EQ(walker().Problem(false), nullptr);
+  walk();
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+}
+
+TEST(WalkerOfAnotherRobotTest, CannotWalk) {
+  JointControl joints(*robot_model::findRobotModel("ERS-210"));
+  EXPECT_FALSE(joints.Walking().CanWalk());
+  joints.NextFrame();
+  EXPECT_FALSE(joints.Walking().Moves(4));
+}
+
+}  // namespace

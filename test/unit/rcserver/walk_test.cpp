@@ -1,0 +1,324 @@
+// Walking and postures, as a client of version 2 sees them.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "protocol/hello.h"
+#include "protocol/walk_requests.h"
+#include "rcserver/walk/Gait.h"
+#include "rcserver_fixture.h"
+
+namespace {
+
+using namespace protocol::version2;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr unsigned kFramesASecond = 125;
+
+std::string steering(int forward, int left = 0, int turn = 0) {
+  const protocol::version2::Velocity velocity = {static_cast<short>(forward), static_cast<short>(left),
+                                                 static_cast<short>(turn)};
+  return payloadOf(encodeVelocity, velocity, VELOCITY_SIZE);
+}
+
+class WalkTest : public FakeRobotFixture {
+ protected:
+  void SetUp() override {
+    start();
+    connectVersion2();
+  }
+
+  // Steers as a client does, and collects what is pushed.
+  void steer(int forward, unsigned frames, int left = 0, int turn = 0) {
+    for (unsigned passed = 0; passed < frames; passed += 12) {
+      send(frame('S', 0, 900, steering(forward, left, turn)));
+      pass(std::min(12U, frames - passed));
+    }
+  }
+
+  void pass(unsigned frames) {
+    for (unsigned i = 0; i < frames && machine_->isOn(); ++i) {
+      if (i % 100 == 0) {
+        send(frame('H', 0, 901));
+      }
+      passFrames(1);
+      collect();
+    }
+  }
+
+  void collect() {
+    while (const auto next = client_->nextFrame()) {
+      const std::string payload = textOf(*next);
+      if (next->header.kind == END_PUSH && next->header.request_number == 0) {
+        EndMessage end = {};
+        ASSERT_EQ(decodeEndMessage(next->payload.data(), next->payload.size(), &end), nullptr);
+        ends_.push_back(std::to_string(end.what) + " " + std::to_string(end.how) + " " +
+                        std::string(end.name, end.name_size) + ": " + std::string(end.reason, end.reason_size));
+      } else if (next->header.kind == ERROR_MESSAGE && !next->payload.empty()) {
+        errors_.push_back(payload.substr(2));
+      } else if (next->header.kind == TELEMETRY_PUSH && next->header.request_number == 0) {
+        ASSERT_EQ(decodeTelemetry(next->payload.data(), next->payload.size(), &telemetry_), nullptr);
+      }
+    }
+  }
+
+  std::map<int, int> walkInTelemetry() const {
+    std::map<int, int> values;
+    for (size_t i = 0; i < telemetry_.count; ++i) {
+      if (telemetry_.entries[i].group == GROUP_WALK) {
+        values[telemetry_.entries[i].id] = telemetry_.entries[i].value;
+      }
+    }
+    return values;
+  }
+
+  // It stands at once with joints at 0, and rises from there.
+  void walk(int forward = 100) { steer(forward, 4 * kFramesASecond); }
+
+  bool stands() {
+    robot_model::LegAngles legs[robot_model::NUMBER_OF_LEGS];
+    Gait().FindPosture(0, {0, 0, 0}, 0, legs);
+    return std::abs(robot_.joint("left_front_knee").position - legs[0].knee * 1e6) < 2 &&
+           std::abs(robot_.joint("right_hind_rotator").position - legs[3].rotator * 1e6) < 2 &&
+           std::abs(robot_.joint("right_front_elevator").position - legs[2].elevator * 1e6) < 2;
+  }
+
+  bool rests() {
+    return std::abs(robot_.joint("left_front_rotator").position - 1134464) < 2 &&
+           std::abs(robot_.joint("right_hind_rotator").position + 1134464) < 2;
+  }
+
+  bool isLimp() const {
+    return std::none_of(robot_.joints.begin(), robot_.joints.end(),
+                        [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
+  }
+
+  void layOnSide() { robot_.sensor("acceleration_right_left") = 9806650; }
+
+  std::vector<std::string> ends_;
+  std::vector<std::string> errors_;
+  Telemetry telemetry_{};
+};
+
+TEST_F(WalkTest, HelloHasItsLimits) {
+  Hello hello;
+  const Frame answer = answerTo('H', 0);
+  ASSERT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
+  EXPECT_TRUE(hasCapability(hello, "S"));
+  EXPECT_TRUE(hasCapability(hello, "E"));
+  const GaitParameters gait;
+  EXPECT_EQ(hello.walk.forward, std::lround(gait.highest_forward * 1000));
+  EXPECT_EQ(hello.walk.back, std::lround(gait.highest_back * 1000));
+  EXPECT_EQ(hello.walk.left, std::lround(gait.highest_left * 1000));
+  EXPECT_EQ(hello.walk.turn, std::lround(gait.highest_turn * 1000));
+}
+
+TEST_F(WalkTest, SteeringIsAnsweredByTheVelocityInForce) {
+  const GaitParameters gait;
+  const auto inForce = [this](int forward, int left, int turn) {
+    const Frame answer = answerTo('S', 0, steering(forward, left, turn));
+    protocol::version2::Velocity velocity = {};
+    EXPECT_EQ(answer.header.kind, 's');
+    EXPECT_EQ(decodeVelocity(answer.payload.data(), answer.payload.size(), &velocity), nullptr);
+    return std::vector<int>{velocity.forward, velocity.left, velocity.turn};
+  };
+  const int forward = static_cast<int>(std::lround(gait.highest_forward * 1000));
+  const int left = static_cast<int>(std::lround(gait.highest_left * 1000));
+  EXPECT_THAT(inForce(0, 0, 0), ElementsAre(0, 0, 0));
+  EXPECT_THAT(inForce(50, -5, 100), ElementsAre(50, -5, 100));
+  EXPECT_THAT(inForce(32767, 0, 0), ElementsAre(forward, 0, 0));
+  EXPECT_THAT(inForce(0, -32768, 0), ElementsAre(0, -left, 0));
+  EXPECT_THAT(inForce(forward, left, 0), ElementsAre(forward / 2, left / 2, 0)) << "they share the legs' speed";
+}
+
+TEST_F(WalkTest, TelemetryTellsHowItWalks) {
+  EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK | TELEMETRY_WITH_DUTY, std::string("\0\4", 2)).header.id, 3);
+  pass(20);
+  EXPECT_EQ(walkInTelemetry()[WALK_STATE], WALK_STATE_NONE);
+  EXPECT_EQ(walkInTelemetry()[WALK_FORWARD], 0);
+  steer(100, 20);
+  EXPECT_EQ(walkInTelemetry()[WALK_STATE], WALK_STATE_GETS_READY);
+  steer(50, 500, 0, 200);
+  EXPECT_EQ(walkInTelemetry()[WALK_STATE], WALK_STATE_WALKS);
+  EXPECT_NEAR(walkInTelemetry()[WALK_FORWARD], 50000, 1500);
+  EXPECT_NEAR(walkInTelemetry()[WALK_TURN], 200000, 10000);
+  const int phase = walkInTelemetry()[WALK_PHASE];
+  EXPECT_GE(phase, 0);
+  EXPECT_LT(phase, 1000000);
+  steer(50, 12);
+  EXPECT_NE(walkInTelemetry()[WALK_PHASE], phase);
+}
+
+TEST_F(WalkTest, TelemetryOfAnOldClientIsAsBefore) {
+  answerTo('T', 0, std::string("\0\4", 2));
+  walk();
+  EXPECT_THAT(walkInTelemetry(), IsEmpty());
+  EXPECT_GT(telemetry_.count, 18);
+}
+
+TEST_F(WalkTest, EndsInTheStandWhenTheClientSteersSoOrNotAtAll) {
+  walk();
+  send(frame('S', 0, 1, steering(0)));
+  pass(2 * kFramesASecond);
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(ends_, ElementsAre("2 0 walk: "));
+  walk();
+  pass(2 * kFramesASecond);
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(ends_, ElementsAre("2 0 walk: ", "2 2 walk: it was not steered for 500 ms"));
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: walk has ended: it was not steered for 500 ms"));
+}
+
+TEST_F(WalkTest, ALegThatIsCommandedEndsItAndTheHeadDoesNot) {
+  walk();
+  JointTargets head = {0, 1, {{2, 300000}}};
+  answerTo('J', 0, payloadOf(encodeJointTargets, head, MAX_JOINT_TARGETS_SIZE));
+  walk();
+  EXPECT_THAT(ends_, IsEmpty());
+  JointTargets knee = {0, 1, {{13, 1000000}}};
+  answerTo('J', 0, payloadOf(encodeJointTargets, knee, MAX_JOINT_TARGETS_SIZE));
+  pass(50);
+  EXPECT_THAT(ends_, ElementsAre("2 1 walk: left_front_knee was commanded"));
+  EXPECT_EQ(robot_.joint("left_front_knee").position, 1000000);
+}
+
+TEST_F(WalkTest, MotionsOfTheLegsReplaceItAndAreReplaced) {
+  walk();
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
+  steer(100, 100);
+  EXPECT_THAT(ends_, IsEmpty()) << "of the tail";
+  send(frame('P', 0, 1, playPayload("SIT.MTN", 1)));
+  pass(50);
+  EXPECT_THAT(ends_, ElementsAre("2 1 walk: a motion moves left_front_rotator"));
+  walk();
+  EXPECT_THAT(ends_, Contains("1 1 SIT.MTN: the robot was told to walk or to take a posture"));
+}
+
+TEST_F(WalkTest, TakesPosturesAndSaysWhenTheyAreTaken) {
+  const Frame answer = answerTo('E', POSTURE_SIT);
+  EXPECT_EQ(answer.header.kind, 'e');
+  EXPECT_THAT(answer.payload, IsEmpty());
+  pass(20);
+  EXPECT_THAT(ends_, IsEmpty());
+  pass(4 * kFramesASecond);
+  EXPECT_THAT(ends_, ElementsAre("3 0 sit: "));
+  send(frame('E', POSTURE_STAND, 1));
+  pass(3 * kFramesASecond);
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(ends_, ElementsAre("3 0 sit: ", "3 0 stand: "));
+}
+
+TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
+  walk();
+  send(frame('E', POSTURE_REST, 1));
+  pass(kFramesASecond);
+  EXPECT_FALSE(isLimp());
+  pass(4 * kFramesASecond);
+  EXPECT_TRUE(rests());
+  EXPECT_TRUE(isLimp());
+  EXPECT_THAT(ends_, ElementsAre("2 1 walk: the robot was told to take a posture", "3 0 rest: "));
+  expectRefusal(answerTo('S', 0, steering(10)), CODE_REFUSED, "the motors are off");
+  expectRefusal(answerTo('E', POSTURE_SIT), CODE_REFUSED, "the motors are off");
+  EXPECT_EQ(answerTo('S', 0, steering(0)).header.kind, 's') << "there is nothing to stop";
+}
+
+TEST_F(WalkTest, HoldAndMotorsOffEndIt) {
+  walk();
+  answerTo('I', HOLD_EVERYTHING);
+  pass(20);
+  walk();
+  answerTo('O', 0, std::string(1, '\0'));
+  pass(20);
+  EXPECT_THAT(ends_, ElementsAre("2 2 walk: everything was told to hold", "2 2 walk: the motors were switched off"));
+}
+
+TEST_F(WalkTest, BadRequestsAreRefused) {
+  expectRefusal(answerTo('S', 0, "abc"), CODE_REFUSED, "bad request");
+  expectRefusal(answerTo('E', 0), CODE_REFUSED, "bad request: the id is none of the postures");
+  expectRefusal(answerTo('E', 4), CODE_REFUSED, "bad request");
+  expectRefusal(answerTo('E', 1, "a"), CODE_REFUSED, "bad request");
+}
+
+TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
+  walk();
+  layOnSide();
+  steer(100, 72);
+  EXPECT_THAT(ends_, ElementsAre("2 4 walk: the robot lies on its side"));
+  EXPECT_THAT(errors_, Contains(HasSubstr("the robot lies on its side; set it down")));
+  EXPECT_FALSE(isLimp());
+  pass(70);
+  EXPECT_TRUE(isLimp());
+  EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are soft"));
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its side: its motors go off"));
+}
+
+TEST_F(WalkTest, ARobotThatIsLiftedStops) {
+  robot_.sensor("acceleration_up_down") = -9806650;
+  robot_.sensor("paw_left_hind") = 1;
+  walk();
+  robot_.sensor("paw_left_hind") = 0;
+  steer(100, 80);
+  ASSERT_FALSE(ends_.empty());
+  EXPECT_THAT(ends_.front(), HasSubstr("2 4 walk: the robot is carried"));
+  EXPECT_FALSE(isLimp());
+}
+
+TEST_F(WalkTest, AClientThatGoesLeavesARobotThatStands) {
+  walk();
+  disconnect();
+  passFrames(2 * kFramesASecond);
+  EXPECT_TRUE(stands());
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: walk has ended: the client is gone"));
+  connectVersion2();
+  pass(100);
+  EXPECT_THAT(ends_, IsEmpty());
+}
+
+TEST_F(WalkTest, ALowBatteryEndsItInTheStandAndThenTheRobotRests) {
+  walk();
+  robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  bool stood = false;
+  for (unsigned i = 0; i < 10 * kFramesASecond && machine_->isOn(); ++i) {
+    passFrames(1);
+    stood = stood || stands();
+  }
+  EXPECT_TRUE(stood);
+  EXPECT_TRUE(rests());
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_THAT(console_.str(), HasSubstr("the battery is low: the robot lies down"));
+}
+
+TEST_F(WalkTest, ThePauseButtonDoesSoTooAndCutsTheMotorsWhenItIsPressedAgain) {
+  walk();
+  robot_.power_status.robotStatus = orsbPAUSE;
+  passFrames(kFramesASecond / 2);
+  EXPECT_FALSE(isLimp());
+  robot_.power_status.robotStatus = 0;
+  passFrames(kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  EXPECT_THAT(console_.str(), HasSubstr("the pause button was pressed: the robot lies down"));
+  robot_.power_status.robotStatus = orsbPAUSE;
+  passFrames(1);
+  EXPECT_TRUE(isLimp());
+  EXPECT_FALSE(machine_->isOn());
+}
+
+TEST_F(WalkTest, AnErs210CannotWalk) {
+  FakeRobot other("ERS-210");
+  machine_.reset();
+  boot(other);
+  passFrames(kUntilMeasured);
+  connectVersion2();
+  expectRefusal(answerTo('S', 0, steering(10)), CODE_NOT_SUPPORTED, "not supported");
+  expectRefusal(answerTo('E', POSTURE_SIT), CODE_NOT_SUPPORTED, "not supported");
+  EXPECT_EQ(textOf(answerTo('H', 0)).find("walk_limits"), std::string::npos);
+  EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
+  machine_.reset();
+}
+
+}  // namespace

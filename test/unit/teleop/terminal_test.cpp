@@ -1,0 +1,79 @@
+#include "tools/teleop/terminal.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace teleop {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// A pseudo terminal: what the user types, and the program's end.
+class TerminalTest : public ::testing::Test {
+ protected:
+  TerminalTest() { EXPECT_EQ(::openpty(&keyboard_, &terminal_, nullptr, nullptr, nullptr), 0); }
+  ~TerminalTest() override {
+    closeKeyboard();
+    ::close(terminal_);
+  }
+
+  void closeKeyboard() {
+    if (keyboard_ >= 0) {
+      ::close(keyboard_);
+      keyboard_ = -1;
+    }
+  }
+
+  void type(const std::string& keys) {
+    EXPECT_EQ(::write(keyboard_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
+  }
+
+  tcflag_t modes() const {
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
+    return settings.c_lflag;
+  }
+
+  int keyboard_ = -1;
+  int terminal_ = -1;
+};
+
+TEST_F(TerminalTest, GivesEachKeyAtOnce) {
+  Terminal terminal(terminal_);
+  type("ij");
+  EXPECT_EQ(terminal.readKey(seconds(20)), 'i');
+  EXPECT_EQ(terminal.readKey(seconds(20)), 'j');
+  EXPECT_EQ(terminal.readKey(milliseconds(1)), std::nullopt);
+}
+
+TEST_F(TerminalTest, DoesNotShowTheKeysAndIsThenAsBefore) {
+  const tcflag_t before = modes();
+  EXPECT_NE(before & ECHO, 0U);
+  {
+    const Terminal terminal(terminal_);
+    EXPECT_EQ(modes() & (ECHO | ICANON), 0U);
+    EXPECT_NE(modes() & ISIG, 0U) << "Ctrl-C interrupts";
+  }
+  EXPECT_EQ(modes(), before);
+}
+
+TEST_F(TerminalTest, SaysThatItWasClosed) {
+  Terminal terminal(terminal_);
+  closeKeyboard();
+  EXPECT_THROW(terminal.readKey(seconds(20)), std::runtime_error);
+}
+
+TEST_F(TerminalTest, NeedsATerminal) {
+  const int null = ::open("/dev/null", O_RDONLY);
+  EXPECT_THROW(Terminal{null}, std::runtime_error);
+  ::close(null);
+}
+
+}  // namespace
+}  // namespace teleop
