@@ -36,11 +36,25 @@ Color lightAlong(const Scene& scene, const Ray& ray, const SceneHit& hit, double
   return lightFrom(scene, hit, appearanceOf(hit, footprintOf(hit, ray.direction, pixel_size)), ray.direction);
 }
 
+float luminanceOf(const Color& light) {
+  return static_cast<float>(0.299 * light[0] + 0.587 * light[1] + 0.114 * light[2]);
+}
+
+/// @param parts upper left, upper right, lower left, lower right
+FineDetail relativeDetail(const Color* parts) {
+  float luminance[4];
+  std::transform(parts, parts + 4, luminance, luminanceOf);
+  const float mean = (luminance[0] + luminance[1] + luminance[2] + luminance[3]) / 4;
+  const FineDetail detail = fineDetailOf(luminance[0], luminance[1], luminance[2], luminance[3]);
+  return mean > 0 ? FineDetail{detail.lh / mean, detail.hl / mean, detail.hh / mean} : FineDetail{};
+}
+
 }  // namespace
 
 Renderer::Renderer(const Scene& scene)
     : scene_(scene),
       picture_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
+      detail_(static_cast<size_t>(kPictureWidth * kPictureHeight), FineDetail{}),
       seen_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       drawn_positions_(scene.bodies().size()) {}
 
@@ -80,17 +94,20 @@ void Renderer::smoothEdges(const Eigen::Isometry3d& camera, const Window& window
   constexpr double kMiddles[] = {0.25, 0.75};
   for (int y = window.top; y < window.bottom; ++y) {
     for (int x = window.left; x < window.right; ++x) {
+      detail_[indexOf(x, y)] = {};
       if (!isEdge(x, y)) {
         continue;
       }
-      Color sum = Color::Zero();
+      Color parts[4];
+      Color* part = parts;
       for (const double down : kMiddles) {
         for (const double across : kMiddles) {
           const Ray ray = rayThrough(camera, {x + across, y + down});
-          sum += lightAlong(scene_, ray, scene_.castRay(ray), kPart);
+          *part++ = lightAlong(scene_, ray, scene_.castRay(ray), kPart);
         }
       }
-      picture_[indexOf(x, y)] = sum * kPart * kPart;
+      picture_[indexOf(x, y)] = (parts[0] + parts[1] + parts[2] + parts[3]) * kPart * kPart;
+      detail_[indexOf(x, y)] = relativeDetail(parts);
     }
   }
 }

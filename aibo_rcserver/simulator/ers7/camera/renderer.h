@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "simulator/ers7/camera/ycrcb_image.h"
 #include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
 
@@ -14,6 +15,9 @@ namespace simulated_ers7 {
 
 /// Linear light per pixel of the H layer, row by row from the upper left.
 using LightImage = std::vector<Color>;
+
+/// Fine detail of luminance in a pixel's light, relative to it: 0 where the pixel is even.
+using DetailImage = std::vector<FineDetail>;
 
 /// Casts a ray through every pixel, and four rays at the edges of surfaces, to make them smooth.
 ///
@@ -27,6 +31,9 @@ class Renderer {
   /// @param camera pose of the camera in the room, as in head_kinematics.h; inside the room
   /// @return the picture, valid until the next call
   const LightImage& render(const Eigen::Isometry3d& camera);
+
+  /// The fine detail of the last picture: of the edges of surfaces, whose parts are drawn one by one.
+  const DetailImage& detail() const { return detail_; }
 
  private:
   /// What the centre of a pixel shows, to find edges.
@@ -52,6 +59,7 @@ class Renderer {
 
   const Scene& scene_;
   LightImage picture_;
+  DetailImage detail_;
   std::vector<Seen> seen_;
   std::optional<Eigen::Isometry3d> drawn_from_;   ///< the camera's pose in picture_
   std::vector<Eigen::Vector3d> drawn_positions_;  ///< of the scene's bodies in picture_

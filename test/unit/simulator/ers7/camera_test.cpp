@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "simulator/openr_host/clock.h"
 
@@ -48,6 +49,8 @@ class TestPicture : public PictureSource {
       image_.y[i] = static_cast<std::uint8_t>(x + y);
       image_.cr[i] = static_cast<std::uint8_t>(2 * y);
       image_.cb[i] = static_cast<std::uint8_t>(x);
+      image_.y_lh[i] = 100;
+      image_.y_hl[i] = 150;
     }
   }
 
@@ -138,12 +141,36 @@ TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
   EXPECT_EQ(luminance.Pixel(30, 20), 2 * (30 + 20) + 1);
 }
 
-TEST_F(CameraTest, ThereIsNoFineDetail) {
+TEST_F(CameraTest, TheFineDetailOfHIsThatOfThePicture) {
   RCRegion* region = camera_.capture(0);
-  for (const OFbkImageBand band : {ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH}) {
+  const std::pair<OFbkImageBand, int> bands[] = {
+      {ofbkimageBAND_Y_LH, 100}, {ofbkimageBAND_Y_HL, 150}, {ofbkimageBAND_Y_HH, 128}};
+  for (const auto& [band, value] : bands) {
     const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, band);
-    EXPECT_EQ(detail.Pixel(0, 0), 128);
-    EXPECT_EQ(detail.Pixel(207, 159), 128);
+    ASSERT_TRUE(detail.IsValid());
+    EXPECT_EQ(detail.Pixel(0, 0), value);
+    EXPECT_EQ(detail.Pixel(207, 159), value);
+  }
+}
+
+// The equations of Sony's sample W3AIBO (JPEGEncoder.cc) put each layer together from the next lower one.
+TEST_F(CameraTest, ALayerIsReconstructedFromTheBandsOfTheNextLowerOne) {
+  RCRegion* region = camera_.capture(0);
+  for (const OFbkImageLayer layer : {ofbkimageLAYER_M, ofbkimageLAYER_L}) {
+    const OFbkImage higher = bandOf(region, layer - 1, ofbkimageBAND_Y);
+    const OFbkImage low = bandOf(region, layer, ofbkimageBAND_Y);
+    for (int y = 0; y < low.Height() - 1; ++y) {  // the last row has the tag
+      for (int x = 0; x < low.Width(); ++x) {
+        const int ll = low.Pixel(x, y);
+        const int lh = bandOf(region, layer, ofbkimageBAND_Y_LH).Pixel(x, y) - 128;
+        const int hl = bandOf(region, layer, ofbkimageBAND_Y_HL).Pixel(x, y) - 128;
+        const int hh = bandOf(region, layer, ofbkimageBAND_Y_HH).Pixel(x, y) - 128;
+        ASSERT_NEAR(higher.Pixel(2 * x, 2 * y), ll - lh - hl + hh, 2);
+        ASSERT_NEAR(higher.Pixel(2 * x + 1, 2 * y), ll - lh + hl - hh, 2);
+        ASSERT_NEAR(higher.Pixel(2 * x, 2 * y + 1), ll + lh - hl - hh, 2);
+        ASSERT_NEAR(higher.Pixel(2 * x + 1, 2 * y + 1), ll + lh + hl + hh, 2);
+      }
+    }
   }
 }
 
