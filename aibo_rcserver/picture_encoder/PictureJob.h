@@ -5,16 +5,15 @@
 
 #include <stddef.h>
 
-#include "protocol/version2.h"
-
 /// The largest image of a camera: layer H of an ERS-7.
 const size_t MAX_IMAGE_WIDTH = 208;
 const size_t MAX_IMAGE_HEIGHT = 160;
 
-/// Bytes of the largest JPEG that a frame to the client can hold. In double resolution, noise at quality 100 is larger;
-/// then the picture is made again at CAREFUL_QUALITY, at which it is not.
-const size_t ENCODED_PICTURE_CAPACITY = protocol::version2::MAX_JPEG_SIZE;
-const int CAREFUL_QUALITY = 50;
+/// Bytes that hold any picture of that size (JpegEncoder::WorstCaseSize() says 101888), and any of double resolution
+/// that a camera makes. Noise in double resolution does not fit at high qualities; it is made again at CAREFUL_QUALITY,
+/// at which it does. More would fit into a frame, but shared memory of the IPStack is not known to be plentiful.
+const size_t ENCODED_PICTURE_CAPACITY = 128 * 1024;
+const int CAREFUL_QUALITY = 25;
 
 /// RCServer.EncodeJob: make a picture of this image.
 struct PictureJob {

@@ -359,10 +359,10 @@ TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
   send(frame('F', 100, 5, pictureOf(LAYER_DOUBLE)));
   takeImage();
   const Picture picture = nextPicture();
-  EXPECT_EQ(picture.image.quality, 50);
-  EXPECT_EQ(picture.frame.id, 50);
+  EXPECT_EQ(picture.image.quality, 25);
+  EXPECT_EQ(picture.frame.id, 25);
   EXPECT_EQ(brightnessOf(picture.jpeg).width, 416);
-  EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(50));
+  EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(25));
 }
 
 TEST_F(Version2Test, QualityIsTheServersDefaultOrAtMostHundred) {
