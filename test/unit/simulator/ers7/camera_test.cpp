@@ -46,7 +46,7 @@ class TestPicture : public PictureSource {
     for (std::size_t i = 0; i < image_.y.size(); ++i) {
       const std::size_t x = i % kPictureWidth;
       const std::size_t y = i / kPictureWidth;
-      image_.y[i] = static_cast<std::uint8_t>(x + y);
+      image_.y[i] = static_cast<std::uint8_t>(x + 2 * y);
       image_.cr[i] = static_cast<std::uint8_t>(2 * y);
       image_.cb[i] = static_cast<std::uint8_t>(x);
       image_.y_lh[i] = 100;
@@ -123,7 +123,7 @@ TEST_F(CameraTest, TheBandsOfHAreThePictureCrBeforeCb) {
   for (int y = 0; y < 160; ++y) {
     for (int x = 0; x < 208; ++x) {
       if (y < 159 || x >= 16) {
-        ASSERT_EQ(luminance.Pixel(x, y), (x + y) % 256);
+        ASSERT_EQ(luminance.Pixel(x, y), (x + 2 * y) % 256);
       }
       ASSERT_EQ(red.Pixel(x, y), (2 * y) % 256);
       ASSERT_EQ(blue.Pixel(x, y), x);
@@ -138,7 +138,7 @@ TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
   EXPECT_EQ(medium.Pixel(50, 10), 2 * 20 + 1);
   EXPECT_EQ(low.Pixel(10, 20), 4 * 10 + 2);
   const OFbkImage luminance = bandOf(region, ofbkimageLAYER_M, ofbkimageBAND_Y);
-  EXPECT_EQ(luminance.Pixel(30, 20), 2 * (30 + 20) + 1);
+  EXPECT_EQ(luminance.Pixel(30, 20), 2 * 30 + 4 * 20 + 2);
 }
 
 TEST_F(CameraTest, TheFineDetailOfHIsThatOfThePicture) {
@@ -185,7 +185,7 @@ TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
   for (int x = 3; x < 16; ++x) {
     EXPECT_EQ(luminance.Pixel(x, 159), 0);
   }
-  EXPECT_EQ(luminance.Pixel(16, 159), 16 + 159);
+  EXPECT_EQ(luminance.Pixel(16, 159), (16 + 2 * 159) % 256);
   EXPECT_EQ(source_.last_image_number, number);
   EXPECT_DOUBLE_EQ(source_.last_seconds, 300000 * 0.008);
 }
