@@ -448,6 +448,8 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
       return onRequestedPicture(number, payload);
     case version2::REQUEST_JOINTS:
       return onJointsAccepted(payload);
+    case version2::REQUEST_CAMERA:
+      return onCameraSetting(payload);
     default:
       // The answers for stream, speed limits, telemetry, LEDs and ears only confirm what was requested.
       if (const Call* const call = connection_.calls.find(number)) {
@@ -532,6 +534,19 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
   }
   connection_.context.notifier.jointsAccepted(targets);
+}
+
+// The robot may set something else than was asked for.
+void Version2Session::onCameraSetting(const Payload& payload) {
+  const int id = reader_.header().id;
+  unsigned char value = 0;
+  expectGood(version2::decodeCameraValue(id, payload.data, payload.size, &value), "camera setting");
+  const bool is_newest = outstanding(version2::REQUEST_CAMERA) == 1;
+  const int requested = camera_.at(static_cast<std::size_t>(id) - 1);
+  if (is_newest && value != requested) {
+    connection_.context.warn("has set camera setting " + std::to_string(id) + " to " + std::to_string(value) +
+                             " instead of " + std::to_string(requested));
+  }
 }
 
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {

@@ -147,6 +147,28 @@ TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) 
   EXPECT_EQ("G 2 2", request());
 }
 
+TEST_F(CameraRequestsTest, TheValueInForceIsReadBack) {
+  begin("H F W G");
+  for (const int id : {1, 2, 3, 4, 5}) {
+    const std::string sent = request();
+    Bytes reply = makeFrame('g', number_, {static_cast<std::uint8_t>(sent.back() - '0')});
+    reply[1] = static_cast<std::uint8_t>(id);
+    receive(reply);
+  }
+  EXPECT_TRUE(log_.empty());
+  wish_.camera.gain = 3;
+  EXPECT_EQ("G 2 3", request());
+  Bytes other = makeFrame('g', number_, {1});
+  other[1] = 2;
+  receive(other);
+  EXPECT_EQ(1, logged("has set camera setting 2 to 1 instead of 3"));
+  wish_.camera.gain = 2;
+  request();
+  Bytes bad = makeFrame('g', number_, {7});
+  bad[1] = 2;
+  EXPECT_THROW(receive(bad), ProtocolException);
+}
+
 TEST_F(CameraRequestsTest, AServerWithoutCameraSettingsIsNotSentAnyAndTheLogSaysSoOnce) {
   begin("H F W");
   EXPECT_EQ("", request());
