@@ -137,7 +137,8 @@ bool Call::takesOverJoints() const {
 std::string describe(const Call& call) {
   switch (call.letter) {
     case version2::REQUEST_PICTURE:
-      return "take a picture";
+      return !call.resolution || *call.resolution == Resolution::kHigh ? "take a picture"
+                                                                       : "take a picture of this resolution";
     case version2::REQUEST_MOTORS:
       return call.number != 0 ? "switch the motors on" : "switch the motors off";
     case version2::REQUEST_HOLD:
@@ -166,6 +167,9 @@ std::string explainRefusal(const Call& call, int code) {
 }
 
 bool isKnownToVersion1(const Call& call) {
+  if (call.resolution && *call.resolution != Resolution::kHigh) {
+    return false;
+  }
   return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_HOLD &&
          call.letter != version2::REQUEST_LIST && call.letter != version2::REQUEST_POSTURE;
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <future>
 #include <list>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,12 +45,13 @@ struct Call {
   using Bytes = std::vector<std::uint8_t>;
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  char letter = 0;          ///< of the request; the same in both versions of the protocol
-  int id = 0;               ///< in version 2: `P` and `U`: bits of motion_requests.h; `E`: the posture
-  int number = 0;           ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
-  std::string name;         ///< of a motion; `P` alone may go without
-  Bytes content;            ///< of the motion to upload
-  std::vector<int> joints;  ///< `I`: identifiers; none = everything that moves
+  char letter = 0;  ///< of the request; the same in both versions of the protocol
+  int id = 0;       ///< in version 2: `P` and `U`: bits of motion_requests.h; `E`: the posture
+  int number = 0;   ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
+  std::optional<Resolution> resolution;  ///< `F`: none = the stream's
+  std::string name;                      ///< of a motion; `P` alone may go without
+  Bytes content;                         ///< of the motion to upload
+  std::vector<int> joints;               ///< `I`: identifiers; none = everything that moves
 
   std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
   TimePoint deadline;                    ///< when the caller stops waiting

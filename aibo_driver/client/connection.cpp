@@ -62,8 +62,20 @@ void Connection::refuse(const Call& call, const std::string& why, TimePoint now)
   calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
 }
 
+void Connection::warnOfMissingSettings(bool format, bool camera) {
+  const std::string& server = robot.server;
+  const std::string who =
+      server.empty() ? "speaks version 1 of the protocol, which has no request" : "(" + server + ") has no request";
+  if (!std::exchange(warned_of_format_, format) && format) {
+    context.warn(who + " for resolution and rate of the stream: it sends every image of its camera, at 208x160");
+  }
+  if (!std::exchange(warned_of_camera_, camera) && camera) {
+    context.warn(who + " to set the camera: its settings stay as they are");
+  }
+}
+
 Connection::TimePoint Connection::pictureDeadline() const {
-  return std::max(pictures.lastSign(), calls.transferEnd()) + context.read_timeout;
+  return std::max(pictures.lastSign(), calls.transferEnd()) + context.read_timeout + pictures.extraInterval();
 }
 
 std::chrono::milliseconds Connection::answerLimit() const {

@@ -77,6 +77,11 @@ struct Connection {
   /// When a picture that is due now is overdue.
   TimePoint pictureDeadline() const;
 
+  /// Says that this server cannot do what is wanted, each time that this changes.
+  /// @param format, camera: another resolution or rate than every image at 208x160 is wanted; other camera settings
+  ///   than those at the start are
+  void warnOfMissingSettings(bool format, bool camera);
+
   /// How long the answer to a request may take.
   std::chrono::milliseconds answerLimit() const;
   /// When the answer to a request that is sent now is overdue.
@@ -92,6 +97,8 @@ struct Connection {
   std::string robot_message;  ///< what the robot last reported without being asked and still holds
 
  private:
+  bool warned_of_format_ = false;
+  bool warned_of_camera_ = false;
   TimePoint last_joint_turn_;  // when commands to the joints could be sent
 };
 

@@ -15,8 +15,11 @@ PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connect
       quiet_since_(TimePoint::min()),
       last_sign_(connected) {}
 
-void PictureIntake::streamRequested(bool on, int quality, TimePoint now) {
+void PictureIntake::streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format) {
   quality_ = quality;
+  if (format != std::exchange(format_, format)) {
+    signOfPicture(now);  // the time until the next picture is another one
+  }
   if (on == std::exchange(streaming_, on)) {
     return;
   }

@@ -40,14 +40,18 @@ class PictureIntake {
   /// A stopped stream that still delivers after this time has not been stopped.
   static constexpr std::chrono::milliseconds kStopTime{1000};
 
+  /// From one image of a camera to the next: 25 a second on an ERS-210, some of them a frame of 8 ms late.
+  static constexpr std::chrono::milliseconds kLongestImageInterval{48};
+
   PictureIntake(const ConnectionContext& context, TimePoint connected);
 
   bool streaming() const { return streaming_; }
   /// Of the stream's pictures, 1..100; 0 = there has been no stream.
   int streamQuality() const { return quality_; }
+  const StreamFormat& streamFormat() const { return format_; }
 
-  /// To be called when the stream is switched on or off, or gets another quality.
-  void streamRequested(bool on, int quality, TimePoint now);
+  /// To be called when the stream is switched on or off, or gets another quality or format.
+  void streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format = {});
 
   /// Bytes of any kind were read.
   void bytesArrived(TimePoint now);
@@ -59,6 +63,8 @@ class PictureIntake {
   /// A picture is arriving, or was asked for just now.
   void signOfPicture(TimePoint now) { last_sign_ = now; }
   TimePoint lastSign() const { return last_sign_; }
+  /// How much longer than with every image of the camera the next picture may take.
+  std::chrono::milliseconds extraInterval() const { return (format_.every_nth_image - 1) * kLongestImageInterval; }
 
   /// Bytes of a picture have come although the stream is off and none was asked for.
   void lateBytes(TimePoint now) { quiet_since_ = now; }
@@ -85,6 +91,7 @@ class PictureIntake {
   StallDetector stall_detector_;
   bool streaming_ = false;
   int quality_ = 0;
+  StreamFormat format_;
   TimePoint off_since_;    // of the stream
   TimePoint quiet_since_;  // of the last late bytes; TimePoint::min() if there were none
   TimePoint last_sign_;

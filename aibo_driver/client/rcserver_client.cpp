@@ -150,13 +150,32 @@ int RcServerClient::jpegQuality() const {
   return loop_->read([](const Shared& shared) { return shared.wish.jpeg_quality; });
 }
 
+void RcServerClient::setStreamFormat(const StreamFormat& format) {
+  checkRange("every n-th image", format.every_nth_image, 1, 65535);
+  loop_->change([&format](Shared& shared) { shared.wish.format = format; });
+}
+
+StreamFormat RcServerClient::streamFormat() const {
+  return loop_->read([](const Shared& shared) { return shared.wish.format; });
+}
+
+void RcServerClient::setCameraSettings(const CameraSettings& settings) {
+  checkRange("white balance", settings.white_balance, 1, 3);
+  checkRange("gain", settings.gain, 1, 3);
+  checkRange("shutter speed", settings.shutter_speed, 1, 3);
+  loop_->change([&settings](Shared& shared) { shared.wish.camera = settings; });
+}
+
 bool RcServerClient::streaming() const {
   return loop_->read([](const Shared& shared) { return shared.streaming; });
 }
 
-PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* stream_quality) {
+PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* stream_quality,
+                                       std::optional<Resolution> resolution) {
   checkRange("quality", quality, 0, 100);
-  const Answer answer = ask(loop_.get(), makeCall(version2::REQUEST_PICTURE, quality), timeout, "takePicture()");
+  Call call = makeCall(version2::REQUEST_PICTURE, quality);
+  call.resolution = resolution;
+  const Answer answer = ask(loop_.get(), std::move(call), timeout, "takePicture()");
   if (stream_quality != nullptr) {
     *stream_quality = answer.stream_quality;
   }

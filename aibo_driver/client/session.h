@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "aibo_driver/camera.h"
 #include "client/call.h"
 
 namespace aibo_driver {
@@ -16,6 +17,8 @@ struct Wish {
   bool streaming = false;
   int jpeg_quality = 0;      ///< 1..100, of the stream
   int telemetry_period = 0;  ///< OPEN-R frames of 8 ms; 0 = no telemetry
+  StreamFormat format{};
+  CameraSettings camera{};
 };
 
 /// Speaks one version of the protocol over one Connection: what to send, how to take apart what arrives, and when to

@@ -104,6 +104,7 @@ void Version1Session::add(Call call) {
 // belongs to which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
+  connection_.warnOfMissingSettings(wish.format != StreamFormat(), wish.camera != CameraSettings());
   if (isAnswerOwed()) {
     return {};
   }

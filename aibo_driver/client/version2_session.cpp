@@ -1,6 +1,7 @@
 #include "client/version2_session.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <sstream>
 #include <utility>
@@ -20,6 +21,33 @@ namespace {
 
 // More than a robot has joints. Each report is kept once.
 constexpr std::size_t kMostReports = 32;
+
+// No setting of the camera has this value.
+constexpr int kNotRequested = -1;
+
+// By id - 1.
+std::array<int, version2::NUMBER_OF_CAMERA_SETTINGS> valuesOf(const CameraSettings& settings) {
+  return {settings.white_balance, settings.gain, settings.shutter_speed, settings.auto_exposure ? 1 : 0,
+          settings.auto_white_balance ? 1 : 0};
+}
+
+std::optional<CameraSettings> settingsIn(const version2::CameraSettings& values) {
+  if (!values.areKnown()) {
+    return std::nullopt;
+  }
+  CameraSettings settings;
+  settings.white_balance = values.of(version2::SETTING_WHITE_BALANCE);
+  settings.gain = values.of(version2::SETTING_GAIN);
+  settings.shutter_speed = values.of(version2::SETTING_SHUTTER_SPEED);
+  settings.auto_exposure = values.of(version2::SETTING_AUTO_EXPOSURE) != 0;
+  settings.auto_white_balance = values.of(version2::SETTING_AUTO_WHITE_BALANCE) != 0;
+  return settings;
+}
+
+// The numbers of Resolution are those of the layers.
+version2::Layer layerOf(Resolution resolution) {
+  return static_cast<version2::Layer>(resolution);
+}
 
 template <typename Element, typename Predicate>
 void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
@@ -166,6 +194,7 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       reader_(buffer_.data(), buffer_.size()),
       next_hello_(connected) {
   connection_.measurements.askedFor(telemetry_period_);
+  camera_.fill(kNotRequested);
 }
 
 void Version2Session::add(Call call) {
@@ -189,7 +218,11 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (!ready_) {
     return {};
   }
-  if (wish.streaming != pictures.streaming() || (wish.streaming && wish.jpeg_quality != pictures.streamQuality())) {
+  if (Bytes frame = requestCameraSetting(wish, now); !frame.empty()) {
+    return frame;
+  }
+  if (wish.streaming != pictures.streaming() || (wish.streaming && (wish.jpeg_quality != pictures.streamQuality() ||
+                                                                    possibleFormat(wish) != pictures.streamFormat()))) {
     return requestStream(wish, now);
   }
   if (Call* const call = connection_.calls.nextForPicture()) {
@@ -209,17 +242,46 @@ Session::Bytes Version2Session::requestHello(TimePoint now) {
   return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
 }
 
+StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
+  StreamFormat format = wish.format;
+  if (format.resolution == Resolution::kDouble && lacks_double_resolution_) {
+    format.resolution = Resolution::kHigh;
+  }
+  return format;
+}
+
+// One after the other. Before the stream, so that its first picture has them.
+Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
+  if (!connection_.robot.hasCapability(std::string(1, version2::REQUEST_CAMERA))) {
+    connection_.warnOfMissingSettings(false, wish.camera != CameraSettings());
+    return {};
+  }
+  const auto wanted = valuesOf(wish.camera);
+  const auto different = std::mismatch(wanted.begin(), wanted.end(), camera_.begin());
+  if (different.first == wanted.end()) {
+    return {};
+  }
+  *different.second = *different.first;
+  const auto id = static_cast<int>(different.first - wanted.begin()) + 1;
+  return request(version2::REQUEST_CAMERA, id, now, version2::CAMERA_VALUE_SIZE, [&](unsigned char* out) {
+    return version2::encodeCameraValue(static_cast<unsigned char>(*different.first), out);
+  });
+}
+
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
-  connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
-  const version2::StreamSettings settings = {wish.streaming, version2::LAYER_HIGH, 1};
+  const StreamFormat format = possibleFormat(wish);
+  connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now, format);
+  const version2::StreamSettings settings = {wish.streaming, layerOf(format.resolution),
+                                             static_cast<unsigned short>(format.every_nth_image)};
   return request(version2::REQUEST_STREAM, wish.jpeg_quality, now, version2::STREAM_SETTINGS_SIZE,
                  [&](unsigned char* out) { return version2::encodeStreamSettings(settings, out); });
 }
 
 Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
   const int quality = call->number == 0 ? wish.jpeg_quality : call->number;
+  const Resolution resolution = call->resolution.value_or(possibleFormat(wish).resolution);
   Bytes frame = makeFrame(version2::REQUEST_PICTURE, quality, version2::PICTURE_REQUEST_SIZE,
-                          [](unsigned char* out) { return version2::encodePictureRequest(version2::LAYER_HIGH, out); });
+                          [&](unsigned char* out) { return version2::encodePictureRequest(layerOf(resolution), out); });
   call->request_number = last_number_;
   return frame;
 }
@@ -449,6 +511,8 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
       return onJointsAccepted(payload);
     case version2::REQUEST_STEER:
       return onSteered(payload);
+    case version2::REQUEST_CAMERA:
+      return onCameraSetting(payload);
     default:
       // The answers for stream, speed limits, telemetry, LEDs and ears only confirm what was requested.
       if (const Call* const call = connection_.calls.find(number)) {
@@ -474,6 +538,7 @@ std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload
   if (picture) {
     picture->frame_number = header.frame_number;
     picture->image_count = header.image_count;
+    picture->settings = settingsIn(header.settings);
   }
   return picture;
 }
@@ -490,7 +555,13 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
     connection_.calls.find(number)->request_number = 0;  // to be sent again, as long as the time of the call allows
     return;
   }
-  connection_.pictures.deliver(picture);
+  const PictureIntake& pictures = connection_.pictures;
+  const std::optional<Resolution>& resolution = connection_.calls.find(number)->resolution;
+  if (pictures.streaming() && resolution && *resolution != pictures.streamFormat().resolution) {
+    ++connection_.context.counters.pictures;  // for the caller alone: it would not fit among those of the stream
+  } else {
+    connection_.pictures.deliver(picture);
+  }
   Answer answer;
   answer.picture = picture;
   connection_.calls.answer(number, std::move(answer));
@@ -539,6 +610,19 @@ void Version2Session::onSteered(const Payload& payload) {
       {fromMilli(velocity.forward), fromMilli(velocity.left), fromMilli(velocity.turn)});
 }
 
+// The robot may set something else than was asked for.
+void Version2Session::onCameraSetting(const Payload& payload) {
+  const int id = reader_.header().id;
+  unsigned char value = 0;
+  expectGood(version2::decodeCameraValue(id, payload.data, payload.size, &value), "camera setting");
+  const bool is_newest = outstanding(version2::REQUEST_CAMERA) == 1;
+  const int requested = camera_.at(static_cast<std::size_t>(id) - 1);
+  if (is_newest && value != requested) {
+    connection_.context.warn("has set camera setting " + std::to_string(id) + " to " + std::to_string(value) +
+                             " instead of " + std::to_string(requested));
+  }
+}
+
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   Answer answer;
   if (call.letter == version2::REQUEST_MOTORS) {
@@ -564,6 +648,11 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
     case version2::REQUEST_HELLO:
       throw ProtocolException("it refused to say hello: " + problem);
     case version2::REQUEST_STREAM:
+      if (connection_.pictures.streamFormat().resolution == Resolution::kDouble && !lacks_double_resolution_) {
+        lacks_double_resolution_ = true;  // the stream is requested again, without it
+        return connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " +
+                                        problem);
+      }
       throw ProtocolException("it refused to stream pictures: " + problem);
     case version2::REQUEST_JOINTS:
       return refusals.refused(request_kind, "to move joints: " + problem);
@@ -575,6 +664,8 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
       return refusals.refused(request_kind, "to send telemetry: " + problem);
     case version2::REQUEST_LEDS:
       return refusals.refused(request_kind, "to set LEDs: " + problem);
+    case version2::REQUEST_CAMERA:
+      return refusals.refused(request_kind, "to set its camera: " + problem);
     default:
       return refusals.refused(request_kind, "to move the ears: " + problem);
   }

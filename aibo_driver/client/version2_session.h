@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
 #define AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -60,7 +61,9 @@ class Version2Session final : public Session {
   };
 
   Bytes requestHello(TimePoint now);
+  StreamFormat possibleFormat(const Wish& wish) const;
   Bytes requestStream(const Wish& wish, TimePoint now);
+  Bytes requestCameraSetting(const Wish& wish, TimePoint now);
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
@@ -86,6 +89,7 @@ class Version2Session final : public Session {
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
   void onSteered(const Payload& payload);
+  void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
   void onRefusal(char request_kind, const std::string& problem);
   void onEnded(const Payload& payload);
@@ -110,8 +114,10 @@ class Version2Session final : public Session {
 
   bool ready_ = false;
   TimePoint next_hello_;
-  int telemetry_period_ = 0;         // as last requested
-  std::vector<Report> reports_;      // that still hold, the newest last
+  bool lacks_double_resolution_ = false;                                   // the robot has refused it
+  std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
+  int telemetry_period_ = 0;                                               // as last requested
+  std::vector<Report> reports_;                                            // that still hold, the newest last
   std::deque<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart, in this order
 };
 

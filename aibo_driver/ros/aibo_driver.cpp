@@ -67,6 +67,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       connection_(handle_, parameters_.client),
       camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
               [this] { policy_.subscribersChanged(); }),
+      camera_state_(ros::NodeHandle(handle_, "camera")),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
@@ -135,7 +136,9 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
 }
 
 void AiboDriver::publishPicture(const Picture& picture) {
-  raw_images_.publish(camera_.publish(picture));
+  const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture);
+  raw_images_.publish(message);
+  camera_state_.update(picture, message->header);
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
 }
 

@@ -22,6 +22,7 @@
 #include "ros/body/telemetry_publishers.h"
 #include "ros/callback_threads.h"
 #include "ros/camera/camera_publisher.h"
+#include "ros/camera/camera_state_publisher.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
@@ -92,6 +93,7 @@ class AiboDriver {
   StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
+  CameraStatePublisher camera_state_;
   RawImagePublisher raw_images_;
   TelemetryPublishers telemetry_;
   std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted

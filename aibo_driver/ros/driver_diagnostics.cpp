@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "ros/camera/camera_options.h"
 #include "ros/connection_publisher.h"
 
 namespace aibo_driver::node {
@@ -78,14 +79,15 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
-  const double asked_rate = sources_.client.streaming() ? StreamMeter::kFullRate : 0;
+  const double asked_rate =
+      sources_.client.streaming() ? frameRateOf(sources_.client.streamFormat().every_nth_image) : 0;
   const StreamMeter::Reading reading = sources_.meter.read(asked_rate);
   const ClientStatistics client = sources_.client.statistics();
   const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
   const std::uint64_t damaged = client.corrupt_pictures + raw.decode_errors;
   const std::uint64_t newly_damaged = damaged - reported_damaged_;
   reported_damaged_ = damaged;
-  summarizeStream(reading, newly_damaged, status);
+  summarizeStream(reading, asked_rate, newly_damaged, status);
   reportDelay(sources_.robot_clock.read(), status);
   status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
   status.add("streaming", yesOrNo(sources_.client.streaming()));
@@ -103,15 +105,15 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("images dropped for newer ones", raw.skipped);
 }
 
-void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, std::uint64_t newly_damaged,
-                                        DiagnosticStatusWrapper& status) const {
+void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, double asked_rate,
+                                        std::uint64_t newly_damaged, DiagnosticStatusWrapper& status) const {
   if (newly_damaged > 0) {
     status.summary(DiagnosticStatus::WARN, std::to_string(newly_damaged) +
                                                " damaged pictures dropped: is the RCServer on the robot the one that "
                                                "belongs to this driver, and its memory stick in order?");
   } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
     status.summary(DiagnosticStatus::WARN, "only " + oneDecimal(reading.picturesPerSecond()) + " of " +
-                                               oneDecimal(StreamMeter::kFullRate) +
+                                               oneDecimal(asked_rate) +
                                                " pictures/s: is the radio link weak, or the robot or this computer "
                                                "busy?");
   } else if (reading.pictures > 0) {

@@ -44,7 +44,7 @@ class DriverDiagnostics {
  private:
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
-  void summarizeStream(const StreamMeter::Reading& reading, std::uint64_t newly_damaged,
+  void summarizeStream(const StreamMeter::Reading& reading, double asked_rate, std::uint64_t newly_damaged,
                        diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void reportJoints(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportPower(diagnostic_updater::DiagnosticStatusWrapper& status);

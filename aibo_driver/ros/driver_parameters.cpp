@@ -8,6 +8,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "robot_model/robot_model.h"
+#include "ros/camera/camera_options.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -153,6 +154,10 @@ bool isRobot(const std::string& text) {
   return robot_model::findRobotModel(text.c_str()) != nullptr;
 }
 
+bool isResolution(const std::string& text) {
+  return resolutionOf(text).has_value();
+}
+
 bool isFrame(const std::string& text) {
   return isWord(text) && text.front() != '/';
 }
@@ -212,6 +217,13 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
 
   reader.read("stream_on_start", &parameters.stream_on_start);
   reader.read("stream_on_demand", &parameters.stream_on_demand);
+  reader.read("resolution", kResolutionNames, isResolution, &parameters.resolution);
+  reader.read("frame_rate", "pictures a second", kLowestFrameRate, kCameraRate, &parameters.frame_rate);
+  reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
+  reader.read("gain", 1, 3, &parameters.camera.gain);
+  reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);
+  reader.read("auto_exposure", &parameters.camera.auto_exposure);
+  reader.read("auto_white_balance", &parameters.camera.auto_white_balance);
   reader.read("take_picture_timeout", 0.1, 60.0, &parameters.take_picture_timeout);
   reader.read("picture_folder", "the absolute path of a folder, or empty", isAbsoluteOrEmpty,
               &parameters.picture_folder);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "ros/camera/camera_options.h"
 #include "ros/driver_parameters.h"
 
 namespace aibo_driver::node {
@@ -26,15 +27,40 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   if (std::isnan(config.speed_scale)) {
     config.speed_scale = in_force_.speed_scale;
   }
+  if (std::isnan(config.frame_rate)) {
+    config.frame_rate = in_force_.frame_rate;
+  }
+  applyToCamera(config);
   telemetry_period_ = telemetryPeriodOf(config.telemetry_rate);
   config.telemetry_rate = telemetryRateOf(telemetry_period_);
   client_.setJpegQuality(config.jpeg_quality);
   client_.setTelemetryPeriod(telemetry_period_);
   joint_table_.setSpeedScale(config.speed_scale);
   in_force_ = config;
-  ROS_INFO_STREAM("Settings in force: jpeg_quality " << config.jpeg_quality << " of 1..100, telemetry_rate "
-                                                     << config.telemetry_rate << " of 0..31.25, speed_scale "
-                                                     << config.speed_scale << " of 0.1..1.");
+  ROS_INFO_STREAM("Settings in force: jpeg_quality "
+                  << config.jpeg_quality << " of 1..100, resolution " << config.resolution << ", frame_rate "
+                  << config.frame_rate << " of 2..30, telemetry_rate " << config.telemetry_rate
+                  << " of 0..31.25, speed_scale " << config.speed_scale << " of 0.1..1.");
+}
+
+void LiveSettings::applyToCamera(AiboDriverConfig& config) {
+  if (!resolutionOf(config.resolution)) {
+    ROS_WARN_STREAM("The resolution '" << config.resolution << "' is none of " << kResolutionNames << ": it stays at "
+                                       << in_force_.resolution << ".");
+    config.resolution = in_force_.resolution;
+  }
+  StreamFormat format;
+  format.resolution = *resolutionOf(config.resolution);
+  format.every_nth_image = everyNthImageOf(config.frame_rate);
+  config.frame_rate = frameRateOf(format.every_nth_image);
+  client_.setStreamFormat(format);
+  CameraSettings camera;
+  camera.white_balance = config.white_balance;
+  camera.gain = config.gain;
+  camera.shutter_speed = config.shutter_speed;
+  camera.auto_exposure = config.auto_exposure;
+  camera.auto_white_balance = config.auto_white_balance;
+  client_.setCameraSettings(camera);
 }
 
 }  // namespace aibo_driver::node

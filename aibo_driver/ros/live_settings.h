@@ -27,6 +27,7 @@ class LiveSettings {
 
  private:
   void apply(AiboDriverConfig& config);
+  void applyToCamera(AiboDriverConfig& config);
 
   RcServerClient& client_;
   joints::JointTable& joint_table_;

@@ -28,4 +28,16 @@ struct CameraImage {
   }
 };
 
+/// The bands of fine detail that belong to a CameraImage, with its width, height and stride. An ERS-7 splits the
+/// luminance of its sensor, which has twice the width and height of layer H, into Y and these three.
+///
+/// 128 is no detail. With ll of Y, and lh, hl, hh less 128, the four pixels in place of one of Y are
+/// ll - lh - hl + hh (upper left), ll - lh + hl - hh (upper right), ll + lh - hl - hh (lower left) and
+/// ll + lh + hl + hh (lower right), limited to 0..255 (Sony's sample W3AIBO, JPEGEncoder.cc).
+struct DetailBands {
+  const unsigned char* lh;
+  const unsigned char* hl;
+  const unsigned char* hh;
+};
+
 #endif  // AIBO_RCSERVER_PICTURE_ENCODER_CAMERA_IMAGE_H

@@ -29,6 +29,36 @@ void HalveRows(const unsigned char* upper, const unsigned char* lower, size_t ha
   }
 }
 
+unsigned char Clip(int value) {
+  return static_cast<unsigned char>(value < 0 ? 0 : value > 255 ? 255 : value);
+}
+
+// Makes two rows of a picture of double resolution from one row of each band, `at` bytes behind the bands' beginnings.
+void DoubleRow(const unsigned char* y, const DetailBands& detail, size_t at, size_t width, unsigned char* upper,
+               unsigned char* lower) {
+  const unsigned char* ll = y + at;
+  const unsigned char* lh = detail.lh + at;
+  const unsigned char* hl = detail.hl + at;
+  const unsigned char* hh = detail.hh + at;
+  for (const unsigned char* const end = ll + width; ll != end; ++ll, ++lh, ++hl, ++hh) {
+    const int above = *ll - *lh + 128;
+    const int below = *ll + *lh - 128;
+    const int difference = *hl - *hh;
+    const int sum = *hl + *hh - 256;
+    upper[0] = Clip(above - difference);
+    upper[1] = Clip(above + difference);
+    lower[0] = Clip(below - sum);
+    lower[1] = Clip(below + sum);
+    upper += 2;
+    lower += 2;
+  }
+}
+
+// Repeats the last pixel of a row to fill the macroblock.
+void Pad(unsigned char* row, size_t width, size_t padded_width) {
+  memset(row + width, row[width - 1], padded_width - width);
+}
+
 }  // namespace
 
 const size_t CameraImage::TAG_SIZE;
@@ -63,10 +93,14 @@ size_t JpegEncoder::WorstCaseSize(size_t width, size_t height) {
   return RoundUp(width) * RoundUp(height) * 3 + 2048;
 }
 
-size_t JpegEncoder::Encode(const CameraImage& image, int quality, unsigned char* jpeg, size_t capacity) {
-  if (image.width < 1 || image.width > MAX_WIDTH || image.height < 2 || image.height > MAX_HEIGHT) {
+size_t JpegEncoder::EncodeWith(const CameraImage& image, const DetailBands* detail, int quality, unsigned char* jpeg,
+                               size_t capacity) {
+  const size_t scale = detail != NULL ? 2 : 1;
+  const size_t width = scale * image.width;
+  const size_t height = scale * image.height;
+  if (width < 1 || width > MAX_WIDTH || image.height < 2 || height > MAX_HEIGHT) {
     sprintf(errors_.message, "cannot encode %lu x %lu pixels: 1 x 2 to %lu x %lu is possible",
-            static_cast<unsigned long>(image.width), static_cast<unsigned long>(image.height),
+            static_cast<unsigned long>(width), static_cast<unsigned long>(height),
             static_cast<unsigned long>(MAX_WIDTH), static_cast<unsigned long>(MAX_HEIGHT));
     return 0;
   }
@@ -80,9 +114,9 @@ size_t JpegEncoder::Encode(const CameraImage& image, int quality, unsigned char*
     jpeg_abort_compress(&compress_);
     return 0;
   }
-  Configure(image.width, image.height, quality);
+  Configure(width, height, quality);
   jpeg_start_compress(&compress_, TRUE);
-  WriteStrips(image);
+  WriteStrips(image, detail);
   jpeg_finish_compress(&compress_);
   return destination_.capacity - destination_.manager.free_in_buffer;
 }
@@ -104,9 +138,8 @@ void JpegEncoder::Configure(size_t width, size_t height, int quality) {
   }
 }
 
-void JpegEncoder::WriteStrips(const CameraImage& image) {
+void JpegEncoder::WriteStrips(const CameraImage& image, const DetailBands* detail) {
   JSAMPROW y_rows[STRIP_HEIGHT];
-  JSAMPROW chroma_rows[STRIP_HEIGHT];
   JSAMPROW cb_rows[STRIP_HEIGHT / 2];
   JSAMPROW cr_rows[STRIP_HEIGHT / 2];
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
@@ -114,13 +147,45 @@ void JpegEncoder::WriteStrips(const CameraImage& image) {
     cr_rows[row] = cr_[row];
   }
   JSAMPARRAY planes[] = {y_rows, cb_rows, cr_rows};
-  for (size_t top = 0; top < image.height; top += STRIP_HEIGHT) {
-    FindRows(image, image.y, top, y_copies_, y_rows);
-    FindRows(image, image.cb, top, chroma_copies_, chroma_rows);
-    Halve(chroma_rows, RoundUp(image.width), cb_rows);
-    FindRows(image, image.cr, top, chroma_copies_, chroma_rows);
-    Halve(chroma_rows, RoundUp(image.width), cr_rows);
+  for (size_t top = 0; top < compress_.image_height; top += STRIP_HEIGHT) {
+    if (detail == NULL) {
+      FillStrip(image, top, y_rows);
+    } else {
+      FillDoubleStrip(image, *detail, top, y_rows);
+    }
     jpeg_write_raw_data(&compress_, planes, STRIP_HEIGHT);
+  }
+}
+
+void JpegEncoder::FillStrip(const CameraImage& image, size_t top, JSAMPROW y_rows[STRIP_HEIGHT]) {
+  JSAMPROW chroma_rows[STRIP_HEIGHT];
+  FindRows(image, image.y, top, y_copies_, y_rows);
+  FindRows(image, image.cb, top, chroma_copies_, chroma_rows);
+  Halve(chroma_rows, RoundUp(image.width), cb_);
+  FindRows(image, image.cr, top, chroma_copies_, chroma_rows);
+  Halve(chroma_rows, RoundUp(image.width), cr_);
+}
+
+// The last row's tag is replaced by the row above in all bands: nothing says which of them it is in.
+void JpegEncoder::FillDoubleStrip(const CameraImage& image, const DetailBands& detail, size_t top,
+                                  JSAMPROW y_rows[STRIP_HEIGHT]) {
+  const size_t last = image.height - 1;
+  const size_t tag_size = image.width < CameraImage::TAG_SIZE ? image.width : CameraImage::TAG_SIZE;
+  const size_t padded_width = RoundUp(2 * image.width);
+  for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
+    const size_t source_row = top / 2 + row < last ? top / 2 + row : last;
+    const size_t at = source_row * image.stride;
+    const size_t at_tag = source_row == last ? at - image.stride : at;
+    JSAMPROW const upper = y_copies_[2 * row];
+    JSAMPROW const lower = y_copies_[2 * row + 1];
+    DoubleRow(image.y, detail, at, image.width, upper, lower);
+    DoubleRow(image.y, detail, at_tag, tag_size, upper, lower);
+    Pad(upper, 2 * image.width, padded_width);
+    Pad(lower, 2 * image.width, padded_width);
+    y_rows[2 * row] = upper;
+    y_rows[2 * row + 1] = lower;
+    CopyRow(image.cb + at, image.cb + at_tag, image.width, padded_width / 2, cb_[row]);
+    CopyRow(image.cr + at, image.cr + at_tag, image.width, padded_width / 2, cr_[row]);
   }
 }
 
@@ -137,22 +202,22 @@ void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane,
     if (source_row < last && has_whole_macroblocks) {
       rows[row] = const_cast<JSAMPROW>(source);  // libjpeg lacks const, but does not write there
     } else {
-      CopyRow(source, source_row == last ? source - image.stride : source, image.width, copies[row]);
+      CopyRow(source, source_row == last ? source - image.stride : source, image.width, RoundUp(image.width),
+              copies[row]);
       rows[row] = copies[row];
     }
   }
 }
 
-// Copies a row, takes the pixels in place of the tag from another one, and repeats the last pixel to fill the
-// macroblock.
+// Copies a row, takes the pixels in place of the tag from another one, and fills the macroblock.
 void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* source_of_tag, size_t width,
-                          JSAMPROW copy) {
+                          size_t padded_width, JSAMPROW copy) {
   memcpy(copy, source, width);
   memcpy(copy, source_of_tag, width < CameraImage::TAG_SIZE ? width : CameraImage::TAG_SIZE);
-  memset(copy + width, copy[width - 1], RoundUp(width) - width);
+  Pad(copy, width, padded_width);
 }
 
-void JpegEncoder::Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, const JSAMPROW half[STRIP_HEIGHT / 2]) {
+void JpegEncoder::Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, HalfStrip half) {
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
     HalveRows(rows[2 * row], rows[2 * row + 1], width / 2, half[row]);
   }

@@ -7,9 +7,18 @@
 namespace {
 
 CameraImage ImageIn(const PictureJob& job) {
-  const CameraImage image = {job.pixels, job.pixels + job.width, job.pixels + 2 * job.width, job.width,
-                             job.height, 3 * job.width};
+  const CameraImage image = {job.pixels,
+                             job.pixels + job.width,
+                             job.pixels + 2 * job.width,
+                             job.width,
+                             job.height,
+                             (job.is_double ? 6 : 3) * job.width};
   return image;
+}
+
+DetailBands DetailIn(const PictureJob& job) {
+  const DetailBands detail = {job.pixels + 3 * job.width, job.pixels + 4 * job.width, job.pixels + 5 * job.width};
+  return detail;
 }
 
 }  // namespace
@@ -59,8 +68,19 @@ void PictureEncoder::NotifyJob(const ONotifyEvent& event) {
 void PictureEncoder::Encode(const PictureJob& job, EncodedPicture* picture) {
   picture->ticket = job.ticket;
   picture->problem[0] = '\0';
-  picture->size = encoder_.Encode(ImageIn(job), job.quality, picture->jpeg, sizeof(picture->jpeg));
+  picture->quality = job.quality;
+  picture->size = EncodeAt(job.quality, job, picture);
+  if (picture->size == 0 && job.is_double && job.quality > CAREFUL_QUALITY) {
+    picture->quality = CAREFUL_QUALITY;
+    picture->size = EncodeAt(CAREFUL_QUALITY, job, picture);
+  }
   if (picture->size == 0) {
     strncat(picture->problem, encoder_.LastError(), sizeof(picture->problem) - 1);
   }
+}
+
+size_t PictureEncoder::EncodeAt(int quality, const PictureJob& job, EncodedPicture* picture) {
+  return job.is_double
+             ? encoder_.EncodeDouble(ImageIn(job), DetailIn(job), quality, picture->jpeg, sizeof(picture->jpeg))
+             : encoder_.Encode(ImageIn(job), quality, picture->jpeg, sizeof(picture->jpeg));
 }

@@ -42,6 +42,7 @@ class PictureEncoder : public OObject {
   PictureEncoder& operator=(const PictureEncoder&);
 
   void Encode(const PictureJob& job, EncodedPicture* picture);
+  size_t EncodeAt(int quality, const PictureJob& job, EncodedPicture* picture);
 
   JpegEncoder encoder_;
   RegionSender<EncodedPicture> pictures_;

@@ -389,7 +389,7 @@ size_t encodeImageHeader(const ImageHeader& header, unsigned char* out) {
   encodeBigEndian16(header.height, out + 10);
   out[12] = header.quality;
   out[13] = static_cast<unsigned char>(header.layer);
-  encodeBigEndian16(0, out + 14);
+  encodeBigEndian16(packCameraSettings(header.settings), out + 14);
   return IMAGE_HEADER_SIZE;
 }
 
@@ -406,8 +406,8 @@ const char* decodePicture(const unsigned char* payload, size_t size, ImageHeader
   if (payload[13] > LAYER_DOUBLE) {
     return UNKNOWN_LAYER;
   }
-  if (decodeBigEndian16(payload + 14) != 0) {
-    return RESERVED_NOT_ZERO;
+  if (const char* problem = unpackCameraSettings(decodeBigEndian16(payload + 14), &header->settings)) {
+    return problem;
   }
   header->image_count = decodeBigEndian32(payload);
   header->frame_number = decodeBigEndian32(payload + 4);

@@ -5,7 +5,7 @@
 /// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
 /// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
 /// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h,
-/// those about walking in walk_requests.h.
+/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h.
 ///
 /// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
 /// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
@@ -18,6 +18,7 @@
 
 #include <stddef.h>
 
+#include "protocol/camera_settings.h"
 #include "protocol/version1.h"
 
 namespace protocol {
@@ -37,8 +38,8 @@ bool agreesToVersion2(const ValueReply& reply);
 /// The first bytes of every frame.
 struct FrameHeader {
   char kind;  ///< capital letter = request, lower-case letter = reply or push
-  /// JPEG quality of `F` and `W`, bits of TelemetryContent of `T`, HoldScope of `I`, Posture of `E`, bits of `U` and
-  /// `P`; 0 for all other kinds
+  /// JPEG quality of `F` and `W`, bits of TelemetryContent of `T`, HoldScope of `I`, CameraSetting of `G`, Posture of
+  /// `E`, bits of `U` and `P`; 0 for all other kinds
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
@@ -65,6 +66,7 @@ const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their
 const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them; id = HoldScope; the reply has no payload
 const char REQUEST_LEDS = 'L';          ///< sets LEDs; answered by the accepted values
 const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by their new state
+const char REQUEST_CAMERA = 'G';        ///< sets or reads a camera setting (camera_settings.h); answered by its value
 const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
 const char REQUEST_DELETE = 'D';        ///< deletes a motion
 const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
@@ -236,14 +238,16 @@ const char* decodeEarPositions(const unsigned char* payload, size_t size, EarPos
 const char* checkNoPayload(size_t size);
 
 /// The bytes before the JPEG in the payload of `f`: uint32 image count, uint32 frame number, uint16 width, uint16
-/// height, uint8 quality, uint8 layer, uint16 0.
+/// height, uint8 quality, uint8 layer, uint16 camera settings (packCameraSettings()), which a server sends only to a
+/// client that has sent `G`, and 0 to all others.
 struct ImageHeader {
-  unsigned image_count;   ///< the camera's own count of images; a robot may count in the low 16 bits only
-  unsigned frame_number;  ///< OPEN-R frame (8 ms) in which the camera took the image
-  unsigned short width;   ///< pixels, never 0
-  unsigned short height;  ///< pixels, never 0
-  unsigned char quality;  ///< JPEG quality, 0..MAX_JPEG_QUALITY
-  Layer layer;            ///< from which the picture was made
+  unsigned image_count;     ///< the camera's own count of images; a robot may count in the low 16 bits only
+  unsigned frame_number;    ///< OPEN-R frame (8 ms) in which the camera took the image
+  unsigned short width;     ///< pixels, never 0
+  unsigned short height;    ///< pixels, never 0
+  unsigned char quality;    ///< JPEG quality, 0..MAX_JPEG_QUALITY
+  Layer layer;              ///< from which the picture was made
+  CameraSettings settings;  ///< in force when the image came from the camera; unknown unless the server tells
 };
 
 const size_t IMAGE_HEADER_SIZE = 16;

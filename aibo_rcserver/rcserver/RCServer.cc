@@ -67,7 +67,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   body_ = new Body();
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(),
-                       body_->Lights(), power_order_,    file_desk_};
+                       body_->Lights(), body_->Camera(), power_order_,    file_desk_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -112,6 +112,7 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   pictures_.CountImage(image_vector);
+  session_->Camera().SetHasDetail(pictures_.HasDetail());
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
     BeginPicture();
@@ -486,7 +487,7 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   if (!FindOrder(&order)) {
     return;
   }
-  if (const char* problem = pictures_.Offer(image_vector, order)) {
+  if (const char* problem = pictures_.Offer(image_vector, order, body_->Camera().Settings())) {
     OSYSLOG1((osyslogERROR, "RCServer: %s", problem));
     DropClient("there is no picture for it", true);
   }

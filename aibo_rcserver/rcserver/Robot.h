@@ -3,6 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_ROBOT_H
 #define AIBO_RCSERVER_RCSERVER_ROBOT_H
 
+#include "rcserver/body/CameraControl.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/joints/JointControl.h"
@@ -23,6 +24,7 @@ struct Robot {
   MotorSwitch& motors;
   const SensorDriver& sensors;
   LightDriver& lights;
+  CameraControl& camera;
   PowerOrder& power_order;
   FileJobs& files;
 };

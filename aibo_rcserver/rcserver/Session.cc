@@ -46,6 +46,7 @@ void Session::End() {
   camera_.ClientGone();
   robot_.joints.ClientGone();
   robot_.lights.ClientGone();
+  robot_.camera.ClientGone();
   Begin();
 }
 
@@ -105,8 +106,12 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
     protocol::encodePictureHeader(jpeg_size, out);
     return protocol::PICTURE_HEADER_SIZE;
   }
-  const size_t image_header_size = encodeImageHeader(image, out + protocol::version2::FRAME_HEADER_SIZE);
-  const FrameHeader header = {protocol::version2::PICTURE, order.quality, order.request_number,
+  protocol::version2::ImageHeader told = image;
+  if (!version2_.TellsCameraSettings()) {
+    told.settings = protocol::version2::CameraSettings();
+  }
+  const size_t image_header_size = encodeImageHeader(told, out + protocol::version2::FRAME_HEADER_SIZE);
+  const FrameHeader header = {protocol::version2::PICTURE, image.quality, order.request_number,
                               static_cast<unsigned>(image_header_size + jpeg_size)};
   return encodeFrameHeader(header, out) + image_header_size;
 }

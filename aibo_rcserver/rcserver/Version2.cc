@@ -13,7 +13,7 @@ using robot_model::NO_LED;
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O I L K P N";  // whatever the settings are
+const char CAPABILITIES[] = "H F W J V T O I L K G P N";  // whatever the settings are
 
 // Joints and sensors report every 4 frames.
 const unsigned short SENSOR_PERIOD = 4;
@@ -134,6 +134,7 @@ Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands&
 
 void Version2::Begin() {
   has_waiting_ = false;
+  tells_camera_settings_ = false;
   telemetry_period_ = 0;
   content_ = TELEMETRY_PLAIN;
   has_pushed_telemetry_ = false;
@@ -170,6 +171,8 @@ void Version2::Execute(unsigned now) {
       return TakePicture();
     case REQUEST_STREAM:
       return SetStream();
+    case REQUEST_CAMERA:
+      return SetCamera();
     case REQUEST_JOINTS:
       return MoveJoints();
     case REQUEST_SPEED_LIMITS:
@@ -309,10 +312,26 @@ void Version2::SetStream() {
 }
 
 bool Version2::MakesLayer(Layer layer) {
-  if (layer == LAYER_DOUBLE) {
-    Refuse(CODE_NOT_SUPPORTED, "not supported: pictures of double resolution");
+  const bool makes = layer != LAYER_DOUBLE || camera_.HasDetail();
+  if (!makes) {
+    Refuse(CODE_NOT_SUPPORTED, "not supported: this robot's camera has no bands for double resolution");
   }
-  return layer != LAYER_DOUBLE;
+  return makes;
+}
+
+void Version2::SetCamera() {
+  const bool is_read = request_.payload_size == 0 && hasCameraValue(request_.id, 1);
+  unsigned char value = 0;
+  if (!is_read && !IsWellFormed(decodeCameraValue(request_.id, payload_, request_.payload_size, &value))) {
+    return;
+  }
+  tells_camera_settings_ = true;
+  const CameraSetting setting = static_cast<CameraSetting>(request_.id);
+  if (!is_read && !robot_.camera.Set(setting, value)) {
+    Refuse(CODE_REFUSED, "the robot's camera does not take this setting; the robot's console says why");
+    return;
+  }
+  Reply(encodeCameraValue(robot_.camera.Settings().of(setting), Payload()));
 }
 
 void Version2::MoveJoints() {

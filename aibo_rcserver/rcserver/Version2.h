@@ -41,6 +41,9 @@ class Version2 {
   /// Tells the client why the robot goes off, if there is room in the outbox.
   void PushPowerOff(const char* reason);
 
+  /// True if the client knows that the header of a picture can have the camera's settings: it has sent `G`.
+  bool TellsCameraSettings() const { return tells_camera_settings_; }
+
   /// Pushes what joints, motions and the walk have to report, as far as there is room in the outbox.
   void PushReports();
 
@@ -68,6 +71,7 @@ class Version2 {
   void Greet(unsigned now);
   void TakePicture();
   void SetStream();
+  void SetCamera();
   bool MakesLayer(protocol::version2::Layer layer);
   void MoveJoints();
   void LimitSpeeds();
@@ -126,6 +130,7 @@ class Version2 {
   unsigned char waiting_payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
   unsigned commands_before_waiting_;  ///< how many commands the joints had had when it came
   unsigned char message_[Outbox::MAX_REPLY_SIZE];
+  bool tells_camera_settings_;
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
   unsigned char content_;            ///< of telemetry: bits of TelemetryContent
   bool has_pushed_telemetry_;        ///< since the period was set

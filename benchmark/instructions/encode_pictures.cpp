@@ -1,6 +1,7 @@
 // Encodes pictures of the simulated camera, to count instructions.
 //
-//   encode_pictures QUALITY LAYER ROUNDS    encodes each of eight images ROUNDS times; LAYER 0 is 208x160, 1 is 104x80
+//   encode_pictures QUALITY LAYER ROUNDS    encodes each of eight images ROUNDS times; LAYER 0 is 208x160, 1 is 104x80,
+//                                           3 is 416x320 (double resolution)
 #include <OPENR/OFbkImage.h>
 
 #include <cstdio>
@@ -17,18 +18,26 @@ using simulated_ers7::Camera;
 
 constexpr longword kFramesApart = 60;  // half a second: the scene has moved
 constexpr int kImages = 8;
+constexpr int kDouble = 3;
+
+OFbkImage bandOf(OFbkImageVectorData* images, OFbkImageLayer layer, OFbkImageBand band) {
+  return OFbkImage(images->GetInfo(layer), images->GetData(layer), band);
+}
 
 CameraImage planesOf(OFbkImageVectorData* images, OFbkImageLayer layer) {
-  const auto band = [&](OFbkImageBand which) {
-    return OFbkImage(images->GetInfo(layer), images->GetData(layer), which);
-  };
-  OFbkImage y = band(ofbkimageBAND_Y);
+  const OFbkImage y = bandOf(images, layer, ofbkimageBAND_Y);
   return {y.Pointer(),
-          band(ofbkimageBAND_Cr).Pointer(),
-          band(ofbkimageBAND_Cb).Pointer(),
+          bandOf(images, layer, ofbkimageBAND_Cr).Pointer(),
+          bandOf(images, layer, ofbkimageBAND_Cb).Pointer(),
           static_cast<size_t>(y.Width()),
           static_cast<size_t>(y.Height()),
           static_cast<size_t>(y.Width() + y.Skip())};
+}
+
+DetailBands detailOf(OFbkImageVectorData* images) {
+  return {bandOf(images, ofbkimageLAYER_H, ofbkimageBAND_Y_LH).Pointer(),
+          bandOf(images, ofbkimageLAYER_H, ofbkimageBAND_Y_HL).Pointer(),
+          bandOf(images, ofbkimageLAYER_H, ofbkimageBAND_Y_HH).Pointer()};
 }
 
 }  // namespace
@@ -39,7 +48,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int quality = std::atoi(argv[1]);
-  const auto layer = static_cast<OFbkImageLayer>(std::atoi(argv[2]));
+  const bool is_double = std::atoi(argv[2]) == kDouble;
+  const auto layer = static_cast<OFbkImageLayer>(is_double ? 0 : std::atoi(argv[2]));
   const int rounds = std::atoi(argv[3]);
 
   simulated_ers7::Scene scene;
@@ -47,17 +57,20 @@ int main(int argc, char** argv) {
   Camera camera(view, 0);
   JpegEncoder encoder;
   std::vector<CameraImage> images;
+  std::vector<DetailBands> details;
   for (int i = 0; i < kImages; ++i) {
     RCRegion* region = camera.capture(kFramesApart * static_cast<longword>(i));
     region->AddReference();
     void* base = region->Base();
     images.push_back(planesOf(static_cast<OFbkImageVectorData*>(base), layer));
+    details.push_back(detailOf(static_cast<OFbkImageVectorData*>(base)));
   }
-  std::vector<unsigned char> jpeg(JpegEncoder::WorstCaseSize(images[0].width, images[0].height));
+  std::vector<unsigned char> jpeg(JpegEncoder::WorstCaseSize(2 * images[0].width, 2 * images[0].height));
   std::size_t bytes = 0;
   for (int round = 0; round < rounds; ++round) {
-    for (const CameraImage& image : images) {
-      bytes += encoder.Encode(image, quality, jpeg.data(), jpeg.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      bytes += is_double ? encoder.EncodeDouble(images[i], details[i], quality, jpeg.data(), jpeg.size())
+                         : encoder.Encode(images[i], quality, jpeg.data(), jpeg.size());
     }
   }
   std::printf("%zu bytes per picture\n", bytes / static_cast<std::size_t>(rounds * kImages));

@@ -1,15 +1,20 @@
 // Settings that can be changed while the driver runs, with dynamic_reconfigure.
 
+#include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 
+#include <chrono>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "support/ros/driver_process.h"
@@ -21,6 +26,7 @@
 
 namespace {
 
+using aibo_driver::CameraState;
 using aibo_driver::Connection;
 using aibo_driver::TakePicture;
 using dynamic_reconfigure::Config;
@@ -52,6 +58,25 @@ Config number(const std::string& name, double value) {
   config.doubles[0].name = name;
   config.doubles[0].value = value;
   return config;
+}
+
+Config whole(const std::string& name, int value) {
+  Config config = jpegQuality(value);
+  config.ints[0].name = name;
+  return config;
+}
+
+Config text(const std::string& name, const std::string& value) {
+  Config config;
+  config.strs.resize(1);
+  config.strs[0].name = name;
+  config.strs[0].value = value;
+  return config;
+}
+
+/// Mean luminance, about, of a decoded picture.
+double brightnessOf(const sensor_msgs::Image& image) {
+  return std::accumulate(image.data.begin(), image.data.end(), 0.0) / static_cast<double>(image.data.size());
 }
 
 /// A driver of a simulated robot, and its service.
@@ -158,6 +183,45 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
   ASSERT_TRUE(joints.waitForSpeedBelow("head_pan", 0.25)) << "0.2 is allowed";
   EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0)) << "it still goes to the end";
   EXPECT_LT(joints.highestSpeed("head_pan"), 0.3);
+}
+
+TEST(Settings, ResolutionAndRateChangeTheRunningStream) {
+  TopicListener<sensor_msgs::CameraInfo> infos("/settings_size/camera/camera_info");
+  TopicListener<CameraState> states("/settings_size/camera/state");
+  SettingsUser user("/settings_size", {"_resolution:=104x80", kPatient});
+  ASSERT_TRUE(infos.waitFor([](const auto& info) { return info.width == 104 && info.height == 80; }));
+  const Config answer = user.set(text("resolution", "416x320"));
+  ASSERT_TRUE(infos.waitFor([](const auto& info) { return info.width == 416 && info.K[2] > 200; }));
+  ASSERT_TRUE(states.waitFor([](const auto& state) { return state.width == 416 && state.frame_number > 0; }));
+  EXPECT_NEAR(user.valueOf(user.set(number("frame_rate", 8)), "frame_rate"), 7.5, 1e-9);
+  ros::Time last;
+  EXPECT_TRUE(infos.waitFor([&last](const auto& info) {
+    const double interval = (info.header.stamp - last).toSec();
+    last = info.header.stamp;
+    return interval > 0.12 && interval < 0.15;  // 4 images of 33 ms
+  }));
+  TakePicture call;
+  call.request.resolution = "52x40";
+  ASSERT_TRUE(ros::service::call("/settings_size/take_picture", call));
+  EXPECT_THAT(call.response.message, HasSubstr("52x40 pixels"));
+  user.set(text("resolution", "1x1"));
+  EXPECT_FALSE(states.waitFor([](const auto& state) { return state.width == 52; }, std::chrono::milliseconds(500)));
+}
+
+TEST(Settings, OfTheCameraAreSeenInThePictures) {
+  TopicListener<sensor_msgs::Image> images("/settings_camera/camera/image_raw");
+  TopicListener<CameraState> states("/settings_camera/camera/state");
+  SettingsUser user("/settings_camera", {"_frame_rate:=10", "_gain:=2", "_shutter_speed:=2", kPatient});
+  ASSERT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_MID; }));
+  ASSERT_TRUE(images.waitForNext());
+  const double usual = brightnessOf(*images.waitForNext());
+  user.set(whole("shutter_speed", CameraState::SHUTTER_FAST));
+  EXPECT_TRUE(images.waitFor([usual](const auto& image) { return brightnessOf(image) < 0.9 * usual; }));
+  EXPECT_TRUE(states.waitFor([](const auto& state) {
+    return state.shutter_speed == CameraState::SHUTTER_FAST && state.gain == CameraState::GAIN_MID;
+  }));
+  user.set(whole("gain", CameraState::GAIN_HIGH));
+  EXPECT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_HIGH; }));
 }
 
 TEST(Settings, OutOfRangeAreSetToTheNearestAllowedValue) {

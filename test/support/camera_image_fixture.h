@@ -60,6 +60,20 @@ class CameraImageFixture {
     return {bytes_.data(), bytes_.data() + width_, bytes_.data() + 2 * width_, width_, height_, 6 * width_};
   }
 
+  /// Writes the bands of fine detail, which are at first nonsense.
+  /// @param band called with 3 for LH, 4 for HL, 5 for HH, and x and y
+  void setDetail(const std::function<uint8_t(size_t, size_t, size_t)>& band) {
+    for (size_t y = 0; y < height_; ++y) {
+      for (size_t i = 3 * width_; i < 6 * width_; ++i) {
+        bytes_[6 * width_ * y + i] = band(i / width_, i % width_, y);
+      }
+    }
+  }
+
+  DetailBands detail() const {
+    return {bytes_.data() + 3 * width_, bytes_.data() + 4 * width_, bytes_.data() + 5 * width_};
+  }
+
   /// Writes the camera's 16 tag bytes at the beginning of the last row, in all bands.
   void setTag(uint8_t value, uint16_t field_counter) {
     uint8_t* row = bytes_.data() + 6 * width_ * (height_ - 1);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,19 @@ class FakeClient : public aibo_driver::RcServerClient {
 
   void setStreaming(bool on) override { tell(on ? "stream" : "no stream"); }
   int jpegQuality() const override { return 85; }
-  aibo_driver::PicturePtr takePicture(int quality, Milliseconds, int* quality_of_stream) override {
-    tell("picture " + std::to_string(quality));
+  void setStreamFormat(const aibo_driver::StreamFormat& format) override {
+    tell("format " + std::to_string(static_cast<int>(format.resolution)) + " " +
+         std::to_string(format.every_nth_image));
+  }
+  void setCameraSettings(const aibo_driver::CameraSettings& settings) override {
+    tell("camera " + std::to_string(settings.white_balance) + " " + std::to_string(settings.gain) + " " +
+         std::to_string(settings.shutter_speed) + (settings.auto_exposure ? " exposure" : "") +
+         (settings.auto_white_balance ? " balance" : ""));
+  }
+  aibo_driver::PicturePtr takePicture(int quality, Milliseconds, int* quality_of_stream,
+                                      std::optional<aibo_driver::Resolution> resolution) override {
+    tell("picture " + std::to_string(quality) +
+         (resolution ? " of resolution " + std::to_string(static_cast<int>(*resolution)) : ""));
     *quality_of_stream = stream_quality;
     return picture;
   }

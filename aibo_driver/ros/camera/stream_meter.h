@@ -15,10 +15,6 @@ class StreamMeter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
-  /// Pictures per second of a stream with every image of the camera, which is what the driver always asks for (Model
-  /// Information ERS-7: 30 frames per second).
-  static constexpr double kFullRate = 30.0;
-
   struct Reading {
     double seconds = 0.0;        ///< since the previous reading
     std::uint64_t pictures = 0;  ///< published in this time

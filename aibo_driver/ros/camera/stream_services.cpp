@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
+#include "ros/camera/camera_options.h"
 #include "ros/connection_publisher.h"
 #include "ros/files.h"
 
@@ -47,9 +49,16 @@ void StreamServices::advertise(const ros::NodeHandle& handle, const ros::NodeHan
 
 bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Response& response) {
   const int quality = request.quality == 0 ? client_.jpegQuality() : std::min<int>(request.quality, kMaxQuality);
+  const std::optional<Resolution> resolution = resolutionOf(request.resolution);
+  if (!resolution && !request.resolution.empty()) {
+    response.message = "There is no picture: the resolution '" + request.resolution + "' is none of " +
+                       kResolutionNames + "; empty means the stream's.";
+    return true;
+  }
   try {
     int stream_quality = 0;
-    const PicturePtr picture = client_.takePicture(quality, parameters_.take_picture_timeout, &stream_quality);
+    const PicturePtr picture =
+        client_.takePicture(quality, parameters_.take_picture_timeout, &stream_quality, resolution);
     response.image = to_message_(*picture);
     response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {

@@ -7,6 +7,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
 
+#include "rcserver/body/CameraControl.h"
 #include "rcserver/body/JointDriver.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Primitives.h"
@@ -32,6 +33,7 @@ class Body {
   MotorSwitch& Motors() { return joint_driver_; }
   const SensorDriver& Sensors() const { return sensor_driver_; }
   LightDriver& Lights() { return light_driver_; }
+  CameraControl& Camera() { return camera_; }
 
   /// Sends the next command vectors if they are due and the robot can take them. Call when something was commanded.
   /// @param effector gate to OVirtualRobotComm.Effector
@@ -75,6 +77,7 @@ class Body {
   JointDriver joint_driver_;
   LightDriver light_driver_;
   SensorDriver sensor_driver_;
+  CameraControl camera_;
   int vectors_on_their_way_;  ///< sent, and their output is not complete
 };
 

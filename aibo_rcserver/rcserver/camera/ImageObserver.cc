@@ -4,6 +4,7 @@ const size_t ImageObserver::MAX_OWED;
 
 ImageObserver::ImageObserver()
     : state_(IOS_IDLE),
+      has_detail_(true),
       stream_order_(),
       every_nth_image_(1),
       stream_has_begun_(false),

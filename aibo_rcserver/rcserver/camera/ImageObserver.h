@@ -16,7 +16,7 @@ enum ImageObserverState {
 /// The kind of picture to make.
 struct PictureOrder {
   unsigned char quality;          ///< JPEG quality, 0..100
-  unsigned char layer;            ///< of the camera, as OPEN-R numbers them; always 0 in version 1
+  unsigned char layer;            ///< protocol::version2::Layer; always 0 in version 1
   unsigned short request_number;  ///< of the `F` that asked for it, in version 2; 0 in a stream and in version 1
   bool is_of_stream;              ///< false: it is owed to an `F`
 };
@@ -36,6 +36,10 @@ class ImageObserver {
 
   /// The JPEG quality of the stream, or of the last one.
   unsigned char StreamQuality() const { return stream_order_.quality; }
+
+  /// True unless the camera's images are known to lack the bands for double resolution.
+  bool HasDetail() const { return has_detail_; }
+  void SetHasDetail(bool has_detail) { has_detail_ = has_detail; }
 
   /// `F`: one more picture is owed.
   /// @param order its is_of_stream is ignored here and in the functions below
@@ -74,6 +78,7 @@ class ImageObserver {
   bool TakeStreamPicture(unsigned image_count, PictureOrder* order);
 
   ImageObserverState state_;
+  bool has_detail_;
   PictureOrder stream_order_;
   unsigned short every_nth_image_;
   bool stream_has_begun_;        ///< a picture of this stream has been sent

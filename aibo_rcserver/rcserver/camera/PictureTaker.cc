@@ -27,13 +27,29 @@ bool FindPlanes(OFbkImageVectorData* image_vector, OFbkImageLayer layer, CameraI
   return true;
 }
 
-void CopyRows(const CameraImage& image, unsigned char* out) {
+// Finds the bands of fine detail that belong to layer H. False if the camera has none.
+bool FindDetail(OFbkImageVectorData* image_vector, DetailBands* detail) {
+  OFbkImageInfo* info = image_vector->GetInfo(ofbkimageLAYER_H);
+  byte* data = image_vector->GetData(ofbkimageLAYER_H);
+  OFbkImage lh(info, data, ofbkimageBAND_Y_LH);
+  OFbkImage hl(info, data, ofbkimageBAND_Y_HL);
+  OFbkImage hh(info, data, ofbkimageBAND_Y_HH);
+  if (!lh.IsValid() || !hl.IsValid() || !hh.IsValid()) {
+    return false;
+  }
+  detail->lh = lh.Pointer();
+  detail->hl = hl.Pointer();
+  detail->hh = hh.Pointer();
+  return true;
+}
+
+// Copies rows of some planes in turn.
+void CopyRows(const CameraImage& image, const unsigned char* const* planes, size_t count, unsigned char* out) {
   for (size_t row = 0; row < image.height; ++row) {
-    const size_t begin = row * image.stride;
-    memcpy(out, image.y + begin, image.width);
-    memcpy(out + image.width, image.cr + begin, image.width);
-    memcpy(out + 2 * image.width, image.cb + begin, image.width);
-    out += 3 * image.width;
+    for (size_t plane = 0; plane < count; ++plane) {
+      memcpy(out, planes[plane] + row * image.stride, image.width);
+      out += image.width;
+    }
   }
 }
 
@@ -41,6 +57,7 @@ void CopyRows(const CameraImage& image, unsigned char* out) {
 
 PictureTaker::PictureTaker()
     : image_count_(0),
+      has_detail_(false),
       is_waiting_(false),
       waiting_order_(),
       waiting_header_(),
@@ -57,31 +74,44 @@ void PictureTaker::CountImage(OFbkImageVectorData* image) {
   if (FindPlanes(image, ofbkimageLAYER_H, &layer)) {
     image_count_ += static_cast<unsigned short>(layer.FieldCounter() - image_count_);
   }
+  DetailBands detail;
+  has_detail_ = FindDetail(image, &detail);
 }
 
-const char* PictureTaker::Offer(OFbkImageVectorData* image, const PictureOrder& order) {
+const char* PictureTaker::Offer(OFbkImageVectorData* image, const PictureOrder& order,
+                                const protocol::version2::CameraSettings& settings) {
   if (!jobs_.HasReceiver()) {
     return "no picture: the object PictureEncoder does not run: ENCODER.BIN is missing on the memory stick, or in its "
            "OBJECT.CFG or CONNECT.CFG";
   }
+  const bool is_double = order.layer == protocol::version2::LAYER_DOUBLE;
+  const OFbkImageLayer source = is_double ? ofbkimageLAYER_H : static_cast<OFbkImageLayer>(order.layer);
   CameraImage layer;
-  if (!FindPlanes(image, order.layer, &layer)) {
+  DetailBands detail = {NULL, NULL, NULL};
+  if (!FindPlanes(image, source, &layer)) {
     return "the camera image has no Y, Cr and Cb bands";
   }
   if (layer.width > MAX_IMAGE_WIDTH || layer.height > MAX_IMAGE_HEIGHT) {
     return "the camera image is larger than an ERS-7's";
   }
+  if (is_double && !FindDetail(image, &detail)) {
+    return "the camera image has no bands for double resolution";
+  }
   PictureJob* const job = jobs_.Memory();
   job->quality = order.quality;
   job->width = layer.width;
   job->height = layer.height;
-  CopyRows(layer, job->pixels);
+  job->is_double = is_double;
+  const unsigned char* const planes[] = {layer.y, layer.cr, layer.cb, detail.lh, detail.hl, detail.hh};
+  CopyRows(layer, planes, is_double ? 6 : 3, job->pixels);
+  const size_t scale = is_double ? 2 : 1;
   const protocol::version2::ImageHeader header = {image_count_,
-                                                  image->GetInfo(order.layer)->frameNumber,
-                                                  static_cast<unsigned short>(layer.width),
-                                                  static_cast<unsigned short>(layer.height),
+                                                  image->GetInfo(source)->frameNumber,
+                                                  static_cast<unsigned short>(scale * layer.width),
+                                                  static_cast<unsigned short>(scale * layer.height),
                                                   order.quality,
-                                                  static_cast<protocol::version2::Layer>(order.layer)};
+                                                  static_cast<protocol::version2::Layer>(order.layer),
+                                                  settings};
   is_waiting_ = true;
   waiting_order_ = order;
   waiting_header_ = header;
@@ -102,6 +132,7 @@ bool PictureTaker::Take(const EncodedPicture& picture) {
     return false;
   }
   ticket_ = 0;
+  header_.quality = static_cast<unsigned char>(picture.quality);
   return true;
 }
 

@@ -33,14 +33,19 @@ class PictureTaker {
   /// The camera's own count of images, which has 16 bits, continued to 32.
   unsigned ImageCount() const { return image_count_; }
 
+  /// True if the image counted last has the bands for double resolution.
+  bool HasDetail() const { return has_detail_; }
+
   /// True if there is room for an image to wait.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
   /// Keeps the image that was counted last to make the next picture of it, in place of one that waits. Only if
   /// HasRoom().
   /// @param image is copied
+  /// @param settings of the camera
   /// @return NULL, or why no picture can be made
-  const char* Offer(OFbkImageVectorData* image, const PictureOrder& order);
+  const char* Offer(OFbkImageVectorData* image, const PictureOrder& order,
+                    const protocol::version2::CameraSettings& settings);
 
   /// True from Offer() to Begin().
   bool IsWaiting() const { return is_waiting_; }
@@ -79,6 +84,7 @@ class PictureTaker {
 
   RegionSender<PictureJob, 2> jobs_;
   unsigned image_count_;
+  bool has_detail_;
   bool is_waiting_;
   PictureOrder waiting_order_;
   protocol::version2::ImageHeader waiting_header_;

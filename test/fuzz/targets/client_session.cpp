@@ -202,6 +202,9 @@ class Client {
     wish_.streaming = (bits & 1U) != 0;
     wish_.telemetry_period = (bits & 2U) != 0 ? 4 : 0;
     wish_.jpeg_quality = 1 + static_cast<int>(bits % 100);
+    wish_.format = {static_cast<Resolution>(bits / 4 % 4), 1 + static_cast<int>(bits % 7)};
+    wish_.camera.gain = 1 + static_cast<int>(bits % 3);
+    wish_.camera.auto_exposure = (bits & 16U) != 0;
   }
 
   static RcServerClient::Callbacks callbacks() {

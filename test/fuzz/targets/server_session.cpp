@@ -185,8 +185,13 @@ class Server {
       return;
     }
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
-    const version2::ImageHeader image = {images_, now_,          208,
-                                         160,     order.quality, static_cast<version2::Layer>(order.layer)};
+    const version2::ImageHeader image = {images_,
+                                         now_,
+                                         208,
+                                         160,
+                                         order.quality,
+                                         static_cast<version2::Layer>(order.layer),
+                                         version2::defaultCameraSettings()};
     Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
     require(session_.EncodePictureHeader(order, image, 4500, header.data()) <= header.size(), "a header fits");
   }
@@ -246,9 +251,10 @@ class Server {
   ObedientMotors motors_;
   SensorDriver sensors_{kRobot};
   LightDriver lights_{kRobot};
+  CameraControl camera_;
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
-  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, power_order_, files_};
+  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, power_order_, files_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
   unsigned now_ = 0;

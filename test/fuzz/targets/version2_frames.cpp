@@ -1,4 +1,6 @@
 // The reader of version 2 frames and all decoders of payloads: any bytes in any pieces.
+#include <algorithm>
+
 #include "fuzz_input.h"
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
@@ -45,6 +47,15 @@ void decodePicture(const Bytes& payload) {
     require(version2::IMAGE_HEADER_SIZE + jpeg_size == payload.size() && jpeg_size > 0, "the JPEG is the rest");
     Bytes again(version2::IMAGE_HEADER_SIZE);
     version2::encodeImageHeader(header, again.data());
+    require(std::equal(again.begin(), again.end(), payload.begin()), "an accepted header has only one form");
+  }
+}
+
+void decodeCameraValue(const Bytes& payload) {
+  for (int id = 0; id <= version2::NUMBER_OF_CAMERA_SETTINGS + 1; ++id) {
+    unsigned char value = 0xff;
+    const char* const problem = version2::decodeCameraValue(id, payload.data(), payload.size(), &value);
+    require((problem == nullptr) == version2::hasCameraValue(id, value), "only values of the setting are accepted");
   }
 }
 
@@ -87,6 +98,7 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeMotionOrder, version2::encodeMotionOrder, payload);
   decode(version2::decodeMotionList, version2::encodeMotionList, payload);
   decodePicture(payload);
+  decodeCameraValue(payload);
   decodeErrorMessage(payload);
   decodeEndMessage(payload);
 }

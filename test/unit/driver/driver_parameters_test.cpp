@@ -46,6 +46,9 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_EQ(parameters.time_offset.count(), 0);
   EXPECT_EQ(parameters.picture_folder, "");
   EXPECT_EQ(parameters.robot, "ERS-7");
+  EXPECT_EQ(parameters.resolution, "208x160");
+  EXPECT_DOUBLE_EQ(parameters.frame_rate, 30.0);
+  EXPECT_TRUE(parameters.camera == CameraSettings());
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 1.0);
@@ -54,6 +57,17 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_FALSE(parameters.client.leave_out_missing_joints);
   EXPECT_TRUE(parameters.publish_footprint);
   EXPECT_THAT(parameters.unknown, IsEmpty());
+}
+
+TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
+  EXPECT_EQ(parse(one("resolution", "416x320")).resolution, "416x320");
+  EXPECT_THAT(refusal("resolution", "640x480"), HasSubstr("52x40, 104x80, 208x160 or 416x320"));
+  EXPECT_EQ(parse(one("frame_rate", 10)).frame_rate, 10.0);
+  EXPECT_THAT(refusal("frame_rate", 1.5), HasSubstr("2..30"));
+  EXPECT_EQ(parse(one("shutter_speed", 1)).camera.shutter_speed, 1);
+  EXPECT_THAT(refusal("gain", 0), HasSubstr("1..3"));
+  EXPECT_THAT(refusal("white_balance", 4), HasSubstr("1..3"));
+  EXPECT_TRUE(parse(one("auto_exposure", true)).camera.auto_exposure);
 }
 
 TEST(DriverParameters, TheFolderForPicturesIsAnAbsolutePath) {

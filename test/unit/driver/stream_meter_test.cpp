@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "ros/camera/camera_options.h"
+
 namespace aibo_driver::node {
 namespace {
 
@@ -14,14 +16,14 @@ TEST(StreamMeter, MeasuresRateBandwidthAndLatencySinceTheLastReading) {
   meter.add(1000, now - 2ms);
   meter.add(3000, now - 4ms);
   now += 1s;
-  const StreamMeter::Reading reading = meter.read(StreamMeter::kFullRate);
+  const StreamMeter::Reading reading = meter.read(kCameraRate);
   EXPECT_DOUBLE_EQ(reading.picturesPerSecond(), 1.0);
   EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 2.0);
   EXPECT_DOUBLE_EQ(reading.mean_latency, 0.003);
   EXPECT_DOUBLE_EQ(reading.max_latency, 0.004);
 
   now += 1s;
-  const StreamMeter::Reading idle = meter.read(StreamMeter::kFullRate);
+  const StreamMeter::Reading idle = meter.read(kCameraRate);
   EXPECT_EQ(idle.pictures, 0u);
   EXPECT_DOUBLE_EQ(idle.picturesPerSecond(), 0.0);
   EXPECT_DOUBLE_EQ(idle.max_latency, 0.0);
@@ -30,7 +32,7 @@ TEST(StreamMeter, MeasuresRateBandwidthAndLatencySinceTheLastReading) {
 class SlowStreamTest : public ::testing::Test {
  protected:
   // Lets a second pass in which this many pictures come.
-  double slowForAfter(int pictures, double asked_rate = StreamMeter::kFullRate) {
+  double slowForAfter(int pictures, double asked_rate = kCameraRate) {
     for (int i = 0; i < pictures; ++i) {
       meter_.add(1000, now_);
     }
@@ -52,6 +54,12 @@ TEST_F(SlowStreamTest, IsMeasuredFromHalfOfTheRateThatIsAskedFor) {
   EXPECT_DOUBLE_EQ(slowForAfter(1), 1) << "it begins again";
 }
 
+TEST_F(SlowStreamTest, OfEveryThirdImageIsSlowWithHalfOfThose) {
+  EXPECT_DOUBLE_EQ(slowForAfter(10, frameRateOf(3)), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(5, frameRateOf(3)), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(4, frameRateOf(3)), 1);
+}
+
 TEST_F(SlowStreamTest, IsNoneWhileNoStreamIsAskedFor) {
   EXPECT_DOUBLE_EQ(slowForAfter(1), 0) << "it may have begun a moment ago";
   EXPECT_DOUBLE_EQ(slowForAfter(1), 1);
@@ -62,8 +70,8 @@ TEST_F(SlowStreamTest, IsNoneWhileNoStreamIsAskedFor) {
 
 TEST(StreamMeter, DoesNotDivideByZero) {
   StreamMeter meter([] { return StreamMeter::SteadyTime{}; });
-  EXPECT_DOUBLE_EQ(meter.read(StreamMeter::kFullRate).picturesPerSecond(), 0.0);
-  EXPECT_DOUBLE_EQ(meter.read(StreamMeter::kFullRate).kilobytesPerSecond(), 0.0);
+  EXPECT_DOUBLE_EQ(meter.read(kCameraRate).picturesPerSecond(), 0.0);
+  EXPECT_DOUBLE_EQ(meter.read(kCameraRate).kilobytesPerSecond(), 0.0);
 }
 
 }  // namespace

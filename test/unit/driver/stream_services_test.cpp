@@ -24,11 +24,13 @@ class StreamServicesTest : public ::testing::Test {
     client_.picture = std::make_shared<Picture>(picture);
   }
 
-  TakePicture::Response takePicture(std::uint8_t quality, const std::string& save_to = "") {
+  TakePicture::Response takePicture(std::uint8_t quality, const std::string& save_to = "",
+                                    const std::string& resolution = "") {
     TakePicture::Request request;
     TakePicture::Response response;
     request.quality = quality;
     request.save_to = save_to;
+    request.resolution = resolution;
     EXPECT_TRUE(services_.takePicture(request, response));
     return response;
   }
@@ -49,6 +51,17 @@ class StreamServicesTest : public ::testing::Test {
                              return message;
                            }};
 };
+
+TEST_F(StreamServicesTest, APictureHasTheResolutionThatIsAskedFor) {
+  takePicture(70);
+  takePicture(70, "", "416x320");
+  takePicture(70, "", "52x40");
+  EXPECT_THAT(client_.told, ElementsAre("picture 70", "picture 70 of resolution 3", "picture 70 of resolution 2"));
+  const auto answer = takePicture(70, "", "640x480");
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("'640x480' is none of 52x40, 104x80, 208x160 or 416x320"));
+  EXPECT_EQ(client_.told.size(), 3U);
+}
 
 TEST_F(StreamServicesTest, AnswerAPicture) {
   const auto answer = takePicture(0);

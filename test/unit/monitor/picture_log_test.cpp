@@ -62,7 +62,7 @@ TEST_F(PictureLogTest, FindsAPictureOfVersion2) {
   const Bytes jpeg{0xFF, 0xD8, 0xFF};
   Bytes message(FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE);
   encodeFrameHeader({PICTURE, 85, 4711, static_cast<unsigned>(IMAGE_HEADER_SIZE + jpeg.size())}, message.data());
-  encodeImageHeader({1, 2, 208, 160, 85, LAYER_HIGH}, message.data() + FRAME_HEADER_SIZE);
+  encodeImageHeader({1, 2, 208, 160, 85, LAYER_HIGH, {}}, message.data() + FRAME_HEADER_SIZE);
   message.insert(message.end(), jpeg.begin(), jpeg.end());
   log_.cameraImageTaken();
   log_.aboutToSend(message.data(), message.size());

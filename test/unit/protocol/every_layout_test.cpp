@@ -150,7 +150,7 @@ const Layout kLayouts[] = {
      {},
      {0, 7},
      false},
-    {"Picture", hex(kPicture), decodePictureBytes, pictureAgain, {14, 15}, {17, 18, 19}, true},
+    {"Picture", hex(kPicture), decodePictureBytes, pictureAgain, {}, {17, 18, 19}, true},
     {"ErrorMessage",
      hex("00 02 c3 a9"),
      verdict(decodeErrorMessage),

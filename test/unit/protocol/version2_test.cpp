@@ -365,7 +365,7 @@ TEST(NoPayload, IsRefusedUnlessItIsEmpty) {
 }
 
 TEST(Picture, HasItsHeaderBeforeTheJpeg) {
-  const ImageHeader written{0x00010203, 0x0a0b0c0d, 208, 160, 85, LAYER_HIGH};
+  const ImageHeader written{0x00010203, 0x0a0b0c0d, 208, 160, 85, LAYER_HIGH, {}};
   EXPECT_EQ(encoded(encodeImageHeader, written, IMAGE_HEADER_SIZE), firstOf(hex(kPicture), IMAGE_HEADER_SIZE));
 
   const Bytes bytes = hex(kPicture);
@@ -402,7 +402,21 @@ TEST(Picture, RefusesAnImpossibleHeader) {
   EXPECT_THAT(decodePictureBytes(with(12, 101)), HasSubstr("quality"));
   EXPECT_THAT(decodePictureBytes(with(13, 3)), IsNull());
   EXPECT_THAT(decodePictureBytes(with(13, 4)), HasSubstr("layer"));
+  EXPECT_THAT(decodePictureBytes(with(14, 1)), HasSubstr("camera setting"));
   EXPECT_THAT(decodePictureBytes(firstOf(hex(kPicture), IMAGE_HEADER_SIZE)), HasSubstr("no picture"));
+}
+
+TEST(Picture, MayHaveTheCamerasSettings) {
+  ImageHeader header{0, 0, 416, 320, 85, LAYER_DOUBLE, {{3, 2, 1, 0, 1}}};
+  Bytes bytes = encoded(encodeImageHeader, header, IMAGE_HEADER_SIZE);
+  EXPECT_EQ(bytes[15], 0x9b);
+  bytes.push_back(0xff);
+  size_t jpeg_size = 0;
+  header.settings = CameraSettings();
+  ASSERT_THAT(decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size), IsNull());
+  EXPECT_EQ(header.settings.of(SETTING_WHITE_BALANCE), 3);
+  EXPECT_EQ(header.settings.of(SETTING_SHUTTER_SPEED), 1);
+  EXPECT_EQ(header.settings.of(SETTING_AUTO_WHITE_BALANCE), 1);
 }
 
 std::string textOf(const ErrorMessage& message) {

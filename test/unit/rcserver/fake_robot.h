@@ -11,6 +11,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot_model/robot_model.h"
@@ -27,6 +28,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   static constexpr longword kFramesPerImage = 4;
   static constexpr size_t kWidth = 208;
   static constexpr size_t kHeight = 160;
+  static constexpr size_t kMostBands = 6;
 
   struct FakeJoint {
     bool open = false;
@@ -56,7 +58,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// @param robot_design one that robot_model knows
   explicit FakeRobot(const char* robot_design = "ERS-7")
       : model(*robot_model::findRobotModel(robot_design)),
-        region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * 3 * kWidth * kHeight)) {
+        region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * kMostBands * kWidth * kHeight)) {
     std::vector<int> posture(joints.size(), 0);
     robot_model::clampPosture(model, posture.data());
     for (size_t i = 0; i < joints.size(); ++i) {
@@ -97,6 +99,8 @@ class FakeRobot : public openr_host::VirtualRobot {
       *id = kFirstLed + static_cast<OPrimitiveID>(led);
     } else if (const int ear = robot_model::findEarByLocator(model, locator); ear != robot_model::NO_EAR) {
       *id = kFirstEar + static_cast<OPrimitiveID>(ear);
+    } else if (std::string(locator) == "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1") {
+      *id = kCamera;
     } else {
       return oNOT_FOUND;
     }
@@ -110,8 +114,15 @@ class FakeRobot : public openr_host::VirtualRobot {
     --open_primitives;
     return oSUCCESS;
   }
-  OStatus controlPrimitive(OPrimitiveID, OPrimitiveRequest, void*, size_t, void*, size_t) override {
-    return oINVALID_PRIMITIVE_ID;
+  OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t size, void*,
+                           size_t) override {
+    if (id != kCamera || refuses_camera_settings) {
+      return oINVALID_PRIMITIVE_ID;
+    }
+    longword value = 0;
+    std::memcpy(&value, param, size);
+    camera_requests.emplace_back(request, value);
+    return oSUCCESS;
   }
 
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override {
@@ -219,8 +230,11 @@ class FakeRobot : public openr_host::VirtualRobot {
   longword image_lag = 0;  ///< frames by which the frame number of an image is too low
   byte cr = 128;           ///< of images
   byte cb = 128;
-  bool counts_images = true;    ///< in the field counter; false: it does not change
-  std::string missing_locator;  ///< of a primitive that does not open
+  bool counts_images = true;     ///< in the field counter; false: it does not change
+  std::optional<byte> detail{};  ///< of images, in all three bands; without it there are no such bands
+  bool refuses_camera_settings = false;
+  std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one
+  std::string missing_locator;                                          ///< of a primitive that does not open
 
   bool cameraImageDue(longword frame) override {
     const longword image = (frame + first_frame_of_image_) / kFramesPerImage;
@@ -245,6 +259,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   static constexpr OPrimitiveID kFirstSensor = 200;
   static constexpr OPrimitiveID kFirstLed = 300;
   static constexpr OPrimitiveID kFirstEar = 400;
+  static constexpr OPrimitiveID kCamera = 500;
   static constexpr size_t kMostEntries = robot_model::MAX_JOINTS + robot_model::MAX_SENSORS;
 
   void carryOut(const openr_host::EffectorCommand& command) {
@@ -298,22 +313,25 @@ class FakeRobot : public openr_host::VirtualRobot {
     const size_t width = kWidth >> layer;
     const size_t height = kHeight >> layer;
     OFbkImageInfo* info = vector.GetInfo(layer);
-    info->type = odataFBK_YCrCb;
+    const size_t bands = detail ? kMostBands : 3;
+    info->type = detail ? odataFBK_YCrCb_HPF : odataFBK_YCrCb;
     info->frameNumber = frame - image_lag;
     info->dataOffset = offset;
-    info->dataSize = static_cast<longword>(3 * width * height);
+    info->dataSize = static_cast<longword>(bands * width * height);
     info->width = static_cast<longword>(width);
     info->height = static_cast<longword>(height);
     byte* pixels = vector.GetData(layer);
     for (size_t row = 0; row < height; ++row) {
-      std::fill_n(pixels + 3 * width * row, width, static_cast<byte>(brightness(image_)));
-      std::fill_n(pixels + 3 * width * row + width, width, cr);
-      std::fill_n(pixels + 3 * width * row + 2 * width, width, cb);
+      byte* const bytes = pixels + bands * width * row;
+      std::fill_n(bytes, width, static_cast<byte>(brightness(image_)));
+      std::fill_n(bytes + width, width, cr);
+      std::fill_n(bytes + 2 * width, width, cb);
+      std::fill_n(bytes + 3 * width, (bands - 3) * width, detail.value_or(0));
     }
     if (noise_) {
-      std::generate_n(pixels, 3 * width * height, [this] { return static_cast<byte>(random_() & 0xff); });
+      std::generate_n(pixels, bands * width * height, [this] { return static_cast<byte>(random_() & 0xff); });
     }
-    byte* tag = pixels + 3 * width * (height - 1);
+    byte* tag = pixels + bands * width * (height - 1);
     const longword count = counts_images ? image_ : 0;
     tag[0] = static_cast<byte>(count & 0xff);
     tag[1] = static_cast<byte>(count >> 8);

@@ -300,6 +300,53 @@ TEST_F(JpegEncoderTest, FailsWithAReasonWhenTheBufferIsTooSmallAndWorksAgainAfte
   EXPECT_EQ(encode(scene.image(), 85).size(), size);
 }
 
+// The equations of Sony's sample W3AIBO (JPEGEncoder.cc, ReconstructAndConvertYCbCr), with its names, as a picture of
+// twice the size.
+CameraImageFixture reconstructed(const CameraImageFixture& bands) {
+  const CameraImage image = bands.image();
+  const DetailBands detail = bands.detail();
+  const auto clip = [](int value) { return static_cast<uint8_t>(std::min(255, std::max(0, value))); };
+  return CameraImageFixture(2 * image.width, 2 * image.height, [&](size_t x, size_t y) {
+    const size_t row = y / 2 == image.height - 1 && x / 2 < CameraImage::TAG_SIZE ? y / 2 - 1 : y / 2;
+    const size_t at = row * image.stride + x / 2;
+    const int ll = image.y[at];
+    const int lh = detail.lh[at] - 128;
+    const int hl = detail.hl[at] - 128;
+    const int hh = detail.hh[at] - 128;
+    const int a = ll + lh + hl + hh;
+    const int pixels[2][2] = {{2 * (ll + hh) - a, 2 * (ll + hl) - a}, {2 * (ll + lh) - a, a}};
+    return Pixel{clip(pixels[y % 2][x % 2]), image.cb[at], image.cr[at]};
+  });
+}
+
+TEST_F(JpegEncoderTest, DoubleResolutionIsThePictureThatSonysSampleReconstructs) {
+  for (const size_t width : {size_t{208}, size_t{176}, size_t{33}, size_t{7}}) {
+    CameraImageFixture scene = CameraImageFixture::scene(width, 20);
+    std::minstd_rand random(3);
+    scene.setDetail([&](size_t, size_t, size_t) { return static_cast<uint8_t>(random() % 256); });
+    scene.setTag(255, 0xffff);
+    std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(2 * width, 40));
+    jpeg.resize(encoder_.EncodeDouble(scene.image(), scene.detail(), 95, jpeg.data(), jpeg.size()));
+    ASSERT_FALSE(jpeg.empty()) << encoder_.LastError();
+    EXPECT_EQ(decode(jpeg).width, static_cast<int>(2 * width));
+    EXPECT_EQ(decode(jpeg).rgb, decode(encodeAccurately(reconstructed(scene).image(), 95)).rgb) << width;
+  }
+}
+
+TEST_F(JpegEncoderTest, DoubleResolutionShowsStripesThatTheLayerCannotShow) {
+  CameraImageFixture stripes = CameraImageFixture::plain({128, 128, 128});
+  stripes.setDetail([](size_t band, size_t, size_t) { return static_cast<uint8_t>(band == 4 ? 228 : 128); });
+  std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(416, 320));
+  jpeg.resize(encoder_.EncodeDouble(stripes.image(), stripes.detail(), 95, jpeg.data(), jpeg.size()));
+  const Decoded decoded = decode(jpeg);
+  ASSERT_EQ(decoded.width, 416);
+  ASSERT_EQ(decoded.height, 320);
+  for (const int y : {0, 101, 319}) {
+    EXPECT_NEAR(decoded.at(100, y)[1], 28, 6) << "left";
+    EXPECT_NEAR(decoded.at(101, y)[1], 228, 6) << "right";
+  }
+}
+
 TEST_F(JpegEncoderTest, RefusesSizesThatNoCameraHas) {
   const CameraImageFixture scene = CameraImageFixture::scene();
   std::vector<uint8_t> jpeg(1000);

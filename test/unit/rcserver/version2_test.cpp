@@ -237,6 +237,58 @@ TEST_F(Version2Test, HeartbeatKeepsTheConnection) {
   EXPECT_FALSE(client_->ended());
 }
 
+// ---------------------------------------------------------------------------------------------------------------- G
+
+TEST_F(Version2Test, CameraSettingsAreReadWithoutTouchingTheCamera) {
+  const int at_start[] = {3, 2, 2, 0, 0};
+  for (int id = 1; id <= NUMBER_OF_CAMERA_SETTINGS; ++id) {
+    const Frame answer = answerTo('G', id);
+    EXPECT_EQ(answer.header.kind, 'g');
+    EXPECT_EQ(answer.header.id, id);
+    EXPECT_THAT(answer.payload, ElementsAre(at_start[id - 1]));
+  }
+  EXPECT_TRUE(robot_.camera_requests.empty());
+}
+
+// Requests: OPENR/OPrimitiveControl.h.
+TEST_F(Version2Test, CameraSettingsGoToTheCameraAndAreInForceUntilTheClientGoes) {
+  EXPECT_EQ(textOf(answerTo('G', SETTING_WHITE_BALANCE, "\x01")), "\x01");
+  EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN, "\x03")), "\x03");
+  EXPECT_EQ(textOf(answerTo('G', SETTING_SHUTTER_SPEED, "\x01")), "\x01");
+  EXPECT_EQ(textOf(answerTo('G', SETTING_AUTO_EXPOSURE, "\x01")), "\x01");
+  EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN)), "\x03");
+  using Request = std::pair<OPrimitiveRequest, longword>;
+  EXPECT_THAT(robot_.camera_requests, ElementsAre(Request(384, 1), Request(385, 3), Request(386, 1), Request(388, 0)));
+  robot_.camera_requests.clear();
+  disconnect();
+  EXPECT_THAT(robot_.camera_requests, ElementsAre(Request(389, 0), Request(386, 2), Request(385, 2), Request(384, 3)));
+  connectVersion2();
+  EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN)), "\x02");
+}
+
+TEST_F(Version2Test, CameraSettingThatIsWrongOrRefusedChangesNothing) {
+  expectRefusal(answerTo('G', 6, "\x01"), CODE_REFUSED, "id");
+  expectRefusal(answerTo('G', 0), CODE_REFUSED, "id");
+  expectRefusal(answerTo('G', SETTING_GAIN, "\x04"), CODE_REFUSED, "1, 2 and 3");
+  EXPECT_TRUE(robot_.camera_requests.empty());
+  robot_.refuses_camera_settings = true;
+  expectRefusal(answerTo('G', SETTING_GAIN, "\x03"), CODE_REFUSED, "console");
+  EXPECT_THAT(console_.str(), HasSubstr("does not take the value 3 of its setting 2"));
+  EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN)), "\x02");
+}
+
+TEST_F(Version2Test, PicturesTellTheCamerasSettingsToAClientThatKnowsThem) {
+  answerTo('W', 85, stream(true));
+  takeImage();
+  EXPECT_FALSE(nextPicture().image.settings.areKnown()) << "an older client refuses anything but 0 there";
+  answerTo('G', SETTING_GAIN);
+  takeImage();
+  EXPECT_THAT(nextPicture().image.settings.values, ElementsAre(3, 2, 2, 0, 0));
+  answerTo('G', SETTING_SHUTTER_SPEED, "\x03");
+  takeImage();
+  EXPECT_THAT(nextPicture().image.settings.values, ElementsAre(3, 2, 3, 0, 0));
+}
+
 // ---------------------------------------------------------------------------------------------------------- F and W
 
 TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureEvenDuringAStream) {
@@ -271,11 +323,46 @@ TEST_F(Version2Test, PicturesOfAllLayersHaveTheirSizes) {
   }
 }
 
-TEST_F(Version2Test, PictureOfDoubleResolutionIsNotSupported) {
+TEST_F(Version2Test, CameraWithoutFineDetailHasNoDoubleResolution) {
+  takeImage();
   expectRefusal(answerTo('F', 85, pictureOf(LAYER_DOUBLE)), CODE_NOT_SUPPORTED, "double");
   expectRefusal(answerTo('W', 85, stream(true, LAYER_DOUBLE)), CODE_NOT_SUPPORTED, "double");
   takeImage();
   EXPECT_FALSE(client_->nextFrame());
+}
+
+// Sony's sample W3AIBO (JPEGEncoder.cc): with the same detail d in all bands, the four pixels are Y - d, Y - d, Y - d
+// and Y + 3 d.
+TEST_F(Version2Test, DoubleResolutionIsMadeOfTheBandsOfFineDetail) {
+  robot_.detail = static_cast<byte>(128 + 8);
+  takeImage();
+  answerTo('W', 95, stream(true, LAYER_DOUBLE));
+  takeImage();
+  const Picture picture = nextPicture();
+  EXPECT_EQ(picture.image.layer, LAYER_DOUBLE);
+  EXPECT_EQ(picture.image.width, 416);
+  EXPECT_EQ(picture.image.height, 320);
+  EXPECT_EQ(picture.image.image_count, robot_.lastImage());
+  const Brightness shown = brightnessOf(picture.jpeg);
+  EXPECT_EQ(shown.width, 416);
+  EXPECT_EQ(shown.height, 320);
+  EXPECT_NEAR(shown.level, FakeRobot::brightness(robot_.lastImage()) - 8, 4);
+  send(frame('F', 85, 1000, pictureOf(LAYER_LOW)));
+  takeImage();
+  EXPECT_EQ(nextPicture().image.width, 52) << "another layer during the stream";
+}
+
+TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
+  robot_.detail = byte{128};
+  robot_.showNoise();
+  takeImage();
+  send(frame('F', 100, 5, pictureOf(LAYER_DOUBLE)));
+  takeImage();
+  const Picture picture = nextPicture();
+  EXPECT_EQ(picture.image.quality, 25);
+  EXPECT_EQ(picture.frame.id, 25);
+  EXPECT_EQ(brightnessOf(picture.jpeg).width, 416);
+  EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(25));
 }
 
 TEST_F(Version2Test, QualityIsTheServersDefaultOrAtMostHundred) {
@@ -723,8 +810,8 @@ TEST_F(Version2Test, JointWhoseGainWentOffIsReportedAsNotFollowing) {
 
 TEST_F(Version2Test, UnknownRequestsAreNotSupported) {
   for (int kind = 0; kind < 256; ++kind) {
-    if (std::string("HFWJVTOILKPNSEUDQR").find(static_cast<char>(kind)) == std::string::npos) {
-      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O I L K P N S E");
+    if (std::string("HFWJVTOILKGPNSEUDQR").find(static_cast<char>(kind)) == std::string::npos) {
+      expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED, "H F W J V T O I L K G P N S E");
     }
   }
   EXPECT_STREQ(hello().robot, "ERS-7");

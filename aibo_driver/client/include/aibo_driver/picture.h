@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "aibo_driver/camera.h"
+
 namespace aibo_driver {
 
 /// One picture as the robot sent it. It never changes after delivery, so threads may share it.
@@ -22,6 +24,7 @@ struct Picture {
   // A version 1 server does not send what follows.
   std::optional<std::uint32_t> frame_number;  ///< OPEN-R frame (8 ms) in which the camera took the image
   std::optional<std::uint32_t> image_count;   ///< the camera's own count of images
+  std::optional<CameraSettings> settings;     ///< in force when the camera delivered the image; not sent by all servers
 };
 
 using PicturePtr = std::shared_ptr<const Picture>;

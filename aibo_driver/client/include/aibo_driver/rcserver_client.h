@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "aibo_driver/camera.h"
 #include "aibo_driver/exceptions.h"
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
@@ -88,7 +90,8 @@ struct ClientStatistics {
 /// virtual, so that a test can replace the client with a fake.
 class RcServerClient {
  public:
-  /// Called on the client's thread with every good picture, of the stream or taken by takePicture(). It must not block,
+  /// Called on the client's thread with every good picture, of the stream or taken by takePicture(), except one of
+  /// takePicture() that has another resolution than the running stream. It must not block,
   /// and must not call stop() or a function that waits for the robot (those with a timeout): while it runs, nothing is
   /// read from the robot. An exception that it throws is logged.
   using PictureCallback = std::function<void(const PicturePtr& picture)>;
@@ -158,6 +161,21 @@ class RcServerClient {
   /// The quality last set by setJpegQuality(), or at first by ClientOptions::jpeg_quality; 1..100.
   virtual int jpegQuality() const;
 
+  /// Sets the resolution and the rate of the stream. A version 2 server changes a running stream at once. A version 1
+  /// server has only pictures of every image in Resolution::kHigh, and a camera may lack the bands for
+  /// Resolution::kDouble: then the stream is that of Resolution::kHigh, and the log says so.
+  /// @throw InvalidArgumentException every_nth_image out of range
+  virtual void setStreamFormat(const StreamFormat& format);
+
+  /// The format last set by setStreamFormat().
+  virtual StreamFormat streamFormat() const;
+
+  /// Sets the camera. Takes effect as setStreaming() does; the robot resets the camera when the connection ends. What
+  /// is in force for a picture is in Picture::settings. A server that speaks version 1 or lacks the capability `G`
+  /// cannot set its camera, and a robot may refuse a setting: the log says so.
+  /// @throw InvalidArgumentException a setting is out of range
+  virtual void setCameraSettings(const CameraSettings& settings);
+
   /// True if a stream has been requested over the present connection and not been stopped since.
   virtual bool streaming() const;
 
@@ -174,15 +192,18 @@ class RcServerClient {
   /// @param timeout longest time to wait, 1 ms..1 h
   /// @param[out] stream_quality may be null; the quality of the running stream that the picture is from, 1..100, or 0
   ///   if it was taken for this call alone
+  /// @param resolution none: the stream's
   /// @return the picture, never null
   /// @throw InvalidArgumentException quality or timeout out of range
   /// @throw NetworkException no connection, or it broke while waiting; the message says why and what to check, and
   ///   kind() names the reason
   /// @throw TimeoutException connected, but no picture came in time
-  /// @throw CommandException the robot refused
+  /// @throw CommandException the robot refused: it has no such resolution, or its server speaks version 1 and was asked
+  ///   for another one than Resolution::kHigh
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
-  virtual PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr);
+  virtual PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr,
+                                 std::optional<Resolution> resolution = std::nullopt);
 
   /// Sends joints to positions, all in one request. Returns without waiting for the answer, which goes to
   /// on_joints_accepted, or to the log if the robot refuses.

@@ -48,6 +48,26 @@ void writeBand(const YCrCbImage::Plane& plane, byte* first_row) {
   }
 }
 
+byte toBand(float detail) {
+  return toByte(detail + kNoDetail);
+}
+
+/// Fills the bands of fine detail of a layer from 2x2 pixels of the next larger layer's Y.
+void split(const byte* from, byte* to, std::size_t width, std::size_t height) {
+  const std::size_t from_stride = kBands * 2 * width;
+  for (std::size_t y = 0; y < height; ++y) {
+    const byte* upper = from + 2 * y * from_stride;
+    const byte* lower = upper + from_stride;
+    byte* row = to + (y * kBands + kColorBands) * width;
+    for (std::size_t x = 0; x < width; ++x) {
+      const FineDetail detail = fineDetailOf(upper[2 * x], upper[2 * x + 1], lower[2 * x], lower[2 * x + 1]);
+      row[x] = toBand(detail.lh);
+      row[width + x] = toBand(detail.hl);
+      row[2 * width + x] = toBand(detail.hh);
+    }
+  }
+}
+
 /// Fills Y, Cr and Cb of a layer with means of 2x2 pixels of the next larger layer.
 void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
   const std::size_t from_stride = kBands * 2 * width;
@@ -116,10 +136,15 @@ void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, 
   writeBand(picture.y, high);
   writeBand(picture.cr, high + kWidth);
   writeBand(picture.cb, high + 2 * kWidth);
+  writeBand(picture.y_lh, high + 3 * kWidth);
+  writeBand(picture.y_hl, high + 4 * kWidth);
+  writeBand(picture.y_hh, high + 5 * kWidth);
   byte* medium = vector->GetData(ofbkimageLAYER_M);
   halve(high, medium, kWidth / 2, kHeight / 2);
+  split(high, medium, kWidth / 2, kHeight / 2);
   byte* low = vector->GetData(ofbkimageLAYER_L);
   halve(medium, low, kWidth / 4, kHeight / 4);
+  split(medium, low, kWidth / 4, kHeight / 4);
   for (const LayerFormat& format : kLayers) {
     if (format.type != odataFBK_CDT) {
       writeTag(vector->GetData(format.layer), format, image_number);

@@ -3,8 +3,10 @@
 ///
 /// There are four layers: H, M with half its width and height, L with a quarter, and C, the colour detection, as large
 /// as M with one byte per pixel. In H, M and L each row of Y is followed by the same row of Cr, of Cb and of the three
-/// bands of fine detail, so rows of one band are six widths apart. The first 16 bytes of Y's last row are tag bytes:
-/// 0-3 the image number, little-endian; 4-11 the results of the colour detection.
+/// bands of fine detail (LH, HL, HH), so rows of one band are six widths apart. Y and the detail of a layer are one
+/// step of a Haar wavelet transform: of the next larger layer's Y, and for H of the sensor with its 416x320 pixels. The
+/// first 16 bytes of Y's last row are tag bytes: 0-3 the image number, little-endian; 4-11 the results of the colour
+/// detection.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 

@@ -102,6 +102,11 @@ Color whiteBalanceOf(const CameraSettings& settings) {
   return settings.white_balance == ocamparamWB_INDOOR_MODE ? Color(0.72, 1.0, 1.55) : Color(1.10, 1.0, 0.86);
 }
 
+/// Steps of the tone curve per light.
+Color stepsOf(const CameraSettings& settings) {
+  return whiteBalanceOf(settings) * (exposureOf(settings) * (kToneSteps - 1) / kBrightestLight);
+}
+
 }  // namespace
 
 Lens::Lens() : transmission_(makeTransmission()), blurred_across_(kWidth * kHeight), projected_(kWidth * kHeight) {}
@@ -131,9 +136,9 @@ const LightImage& Lens::project(const LightImage& light) {
 ImageSensor::ImageSensor(std::uint64_t seed)
     : seed_(seed), tone_curve_(makeToneCurve()), random_values_(makeRandomValues()) {}
 
-void ImageSensor::expose(const LightImage& light, const CameraSettings& settings, longword image_number,
-                         YCrCbImage* picture) const {
-  const Color scale = whiteBalanceOf(settings) * (exposureOf(settings) * (kToneSteps - 1) / kBrightestLight);
+void ImageSensor::expose(const LightImage& light, const DetailImage& detail, const CameraSettings& settings,
+                         longword image_number, YCrCbImage* picture) const {
+  const Color scale = stepsOf(settings);
   const auto gain = static_cast<float>(gainOf(settings));
   const float noise_y = kNoiseY * gain;
   const float noise_color = kNoiseColor * gain;
@@ -149,6 +154,34 @@ void ImageSensor::expose(const LightImage& light, const CameraSettings& settings
     picture->cr[i] = toByte(color.cr + noise_color * random_values_[bits / kRandomValues % kRandomValues]);
     picture->cb[i] =
         toByte(color.cb + noise_color * random_values_[bits / (kRandomValues * kRandomValues) % kRandomValues]);
+  }
+  exposeDetail(light, detail, settings, image_number, picture);
+}
+
+// A band has as much noise as Y: both are made of the same four pixels of the sensor.
+void ImageSensor::exposeDetail(const LightImage& light, const DetailImage& detail, const CameraSettings& settings,
+                               longword image_number, YCrCbImage* picture) const {
+  const Color scale = stepsOf(settings);
+  const float noise = kNoiseY * static_cast<float>(gainOf(settings));
+  FastRandom random(~FastRandom(seed_ + image_number).next());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const FineDetail& part = detail[i];
+    FineDetail seen = {};
+    if (part.lh != 0 || part.hl != 0 || part.hh != 0) {
+      const Color steps = light[i] * scale;
+      const auto luminance = static_cast<float>(0.299 * steps[0] + 0.587 * steps[1] + 0.114 * steps[2]);
+      const auto tone = [&](float relative) {
+        const float step = std::clamp(luminance * relative, 0.0f, kToneSteps - 1.0f);
+        return tone_curve_[static_cast<std::size_t>(step)];
+      };
+      seen = fineDetailOf(tone(1 - part.lh - part.hl + part.hh), tone(1 - part.lh + part.hl - part.hh),
+                          tone(1 + part.lh - part.hl - part.hh), tone(1 + part.lh + part.hl + part.hh));
+    }
+    const std::uint64_t bits = random.next();
+    picture->y_lh[i] = toByte(128 + seen.lh + noise * random_values_[bits % kRandomValues]);
+    picture->y_hl[i] = toByte(128 + seen.hl + noise * random_values_[bits / kRandomValues % kRandomValues]);
+    picture->y_hh[i] =
+        toByte(128 + seen.hh + noise * random_values_[bits / (kRandomValues * kRandomValues) % kRandomValues]);
   }
 }
 

@@ -32,11 +32,15 @@ class ImageSensor {
  public:
   explicit ImageSensor(std::uint64_t seed);
 
+  /// @param detail of the light
   /// @param image_number selects the noise of the picture
-  void expose(const LightImage& light, const CameraSettings& settings, longword image_number,
+  void expose(const LightImage& light, const DetailImage& detail, const CameraSettings& settings, longword image_number,
               YCrCbImage* picture) const;
 
  private:
+  void exposeDetail(const LightImage& light, const DetailImage& detail, const CameraSettings& settings,
+                    longword image_number, YCrCbImage* picture) const;
+
   std::uint64_t seed_;
   std::vector<float> tone_curve_;     ///< from light to 0..255
   std::vector<float> random_values_;  ///< normally distributed, deviation 1

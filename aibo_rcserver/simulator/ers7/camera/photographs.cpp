@@ -63,7 +63,7 @@ void checkSize(double width, double height) {
   }
 }
 
-/// The smallest scale of the decoder that makes a JPEG at least as large as the camera's picture. This saves most of
+/// The smallest scale of the decoder that makes a JPEG at least as large as the camera's sensor. This saves most of
 /// the work on large photographs.
 tjscalingfactor smallestSufficientScale(int width, int height) {
   int count = 0;
@@ -71,7 +71,7 @@ tjscalingfactor smallestSufficientScale(int width, int height) {
   tjscalingfactor best{1, 1};
   for (int i = 0; i < count; ++i) {
     const bool sufficient =
-        TJSCALED(width, factors[i]) >= kPictureWidth && TJSCALED(height, factors[i]) >= kPictureHeight;
+        TJSCALED(width, factors[i]) >= 2 * kPictureWidth && TJSCALED(height, factors[i]) >= 2 * kPictureHeight;
     if (sufficient && factors[i].num * best.denom < best.num * factors[i].denom) {
       best = factors[i];
     }
@@ -168,31 +168,42 @@ std::vector<std::vector<Share>> sharesOf(int count, double begin, double length,
   return all;
 }
 
+/// The mean colour of the pixels that two shares select.
+YCrCb meanOf(const RgbImage& image, const std::vector<Share>& row, const std::vector<Share>& column) {
+  float sum[kBytesPerPixel] = {};
+  for (const Share& down : row) {
+    for (const Share& across : column) {
+      const std::size_t index = static_cast<std::size_t>(down.source) * static_cast<std::size_t>(image.width) +
+                                static_cast<std::size_t>(across.source);
+      for (std::size_t part = 0; part < kBytesPerPixel; ++part) {
+        sum[part] += down.weight * across.weight * static_cast<float>(image.pixels[kBytesPerPixel * index + part]);
+      }
+    }
+  }
+  return toYCrCb(sum[0], sum[1], sum[2]);
+}
+
+/// Fits the photograph to the sensor, which has twice the width and height of layer H.
 YCrCbImage fitToCamera(const RgbImage& image) {
   const double scale =
       std::min(static_cast<double>(image.width) / kPictureWidth, static_cast<double>(image.height) / kPictureHeight);
   const double width = scale * kPictureWidth;
   const double height = scale * kPictureHeight;
-  const auto columns = sharesOf(kPictureWidth, (image.width - width) / 2, width, image.width);
-  const auto rows = sharesOf(kPictureHeight, (image.height - height) / 2, height, image.height);
+  const auto columns = sharesOf(2 * kPictureWidth, (image.width - width) / 2, width, image.width);
+  const auto rows = sharesOf(2 * kPictureHeight, (image.height - height) / 2, height, image.height);
   YCrCbImage fitted;
   std::size_t pixel = 0;
-  for (const auto& row : rows) {
-    for (const auto& column : columns) {
-      float sum[kBytesPerPixel] = {};
-      for (const Share& down : row) {
-        for (const Share& across : column) {
-          const std::size_t index = static_cast<std::size_t>(down.source) * static_cast<std::size_t>(image.width) +
-                                    static_cast<std::size_t>(across.source);
-          for (std::size_t part = 0; part < kBytesPerPixel; ++part) {
-            sum[part] += down.weight * across.weight * static_cast<float>(image.pixels[kBytesPerPixel * index + part]);
-          }
-        }
-      }
-      const YCrCb color = toYCrCb(sum[0], sum[1], sum[2]);
-      fitted.y[pixel] = toByte(color.y);
-      fitted.cr[pixel] = toByte(color.cr);
-      fitted.cb[pixel] = toByte(color.cb);
+  for (std::size_t y = 0; y < rows.size(); y += 2) {
+    for (std::size_t x = 0; x < columns.size(); x += 2) {
+      const YCrCb parts[] = {meanOf(image, rows[y], columns[x]), meanOf(image, rows[y], columns[x + 1]),
+                             meanOf(image, rows[y + 1], columns[x]), meanOf(image, rows[y + 1], columns[x + 1])};
+      const FineDetail detail = fineDetailOf(parts[0].y, parts[1].y, parts[2].y, parts[3].y);
+      fitted.y[pixel] = toByte((parts[0].y + parts[1].y + parts[2].y + parts[3].y) / 4);
+      fitted.cr[pixel] = toByte((parts[0].cr + parts[1].cr + parts[2].cr + parts[3].cr) / 4);
+      fitted.cb[pixel] = toByte((parts[0].cb + parts[1].cb + parts[2].cb + parts[3].cb) / 4);
+      fitted.y_lh[pixel] = toByte(128 + detail.lh);
+      fitted.y_hl[pixel] = toByte(128 + detail.hl);
+      fitted.y_hh[pixel] = toByte(128 + detail.hh);
       ++pixel;
     }
   }

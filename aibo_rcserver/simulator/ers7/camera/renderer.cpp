@@ -108,6 +108,19 @@ std::pair<double, double> extentOf(double ahead, double aside, double radius, do
   return {place(direction - half), place(direction + half)};
 }
 
+float luminanceOf(const Color& light) {
+  return static_cast<float>(0.299 * light[0] + 0.587 * light[1] + 0.114 * light[2]);
+}
+
+/// @param parts as of Renderer::lightOfParts()
+FineDetail relativeDetail(const std::array<Color, 4>& parts) {
+  float luminance[4];
+  std::transform(parts.begin(), parts.end(), luminance, luminanceOf);
+  const float mean = (luminance[0] + luminance[1] + luminance[2] + luminance[3]) / 4;
+  const FineDetail detail = fineDetailOf(luminance[0], luminance[1], luminance[2], luminance[3]);
+  return mean > 0 ? FineDetail{detail.lh / mean, detail.hl / mean, detail.hh / mean} : FineDetail{};
+}
+
 }  // namespace
 
 /// A camera that is ready to cast rays.
@@ -135,6 +148,7 @@ class Renderer::Eye {
 Renderer::Renderer(const Scene& scene)
     : scene_(scene),
       picture_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
+      detail_(static_cast<size_t>(kPictureWidth * kPictureHeight), FineDetail{}),
       seen_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       near_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       drawn_positions_(scene.bodies().size()) {}
@@ -220,20 +234,25 @@ void Renderer::drawBlock(const Eye& eye, int left, int top) {
 void Renderer::smoothEdges(const Eye& eye, const Window& window) {
   for (int y = window.top; y < window.bottom; ++y) {
     for (int x = window.left; x < window.right; ++x) {
+      detail_[indexOf(x, y)] = {};
       if (isEdge(x, y)) {
-        picture_[indexOf(x, y)] = lightOfParts(eye, x, y);
+        const std::array<Color, 4> parts = lightOfParts(eye, x, y);
+        picture_[indexOf(x, y)] = (parts[0] + parts[1] + parts[2] + parts[3]) / 4;
+        detail_[indexOf(x, y)] = relativeDetail(parts);
       }
     }
   }
 }
 
-/// The mean of four parts of a pixel. Parts that show the same face share its illumination.
-Color Renderer::lightOfParts(const Eye& eye, int x, int y) const {
+/// The four parts of a pixel: upper left, upper right, lower left, lower right. Parts that show the same face share its
+/// illumination.
+std::array<Color, 4> Renderer::lightOfParts(const Eye& eye, int x, int y) const {
   constexpr double kPart = 0.5;
   constexpr double kMiddles[] = {0.25, 0.75};
   const Near& near = near_[indexOf(x, y)];
   Seen faces[] = {seen_[indexOf(x, y)], seen_[indexOf(x, y)]};  // its middle, and the last other one
-  Color sum = Color::Zero();
+  std::array<Color, 4> parts;
+  Color* part = parts.data();
   for (const double down : kMiddles) {
     for (const double across : kMiddles) {
       const Ray ray = eye.rayThrough(x + across, y + down);
@@ -242,10 +261,10 @@ Color Renderer::lightOfParts(const Eye& eye, int x, int y) const {
       if (!is_middle && !faces[1].isAlso(hit.surface, hit.normal)) {
         faces[1] = {hit.surface, hit.normal, illuminationOf(scene_, hit, near.changing_light)};
       }
-      sum += lightAlong(ray, hit, faces[is_middle ? 0 : 1].light, kPart);
+      *part++ = lightAlong(ray, hit, faces[is_middle ? 0 : 1].light, kPart);
     }
   }
-  return sum * kPart * kPart;
+  return parts;
 }
 
 bool Renderer::isEdge(int x, int y) const {

@@ -4,9 +4,11 @@
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_RENDERER_H
 
 #include <Eigen/Geometry>
+#include <array>
 #include <optional>
 #include <vector>
 
+#include "simulator/ers7/camera/ycrcb_image.h"
 #include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
 
@@ -14,6 +16,9 @@ namespace simulated_ers7 {
 
 /// Linear light per pixel of the H layer, row by row from the upper left.
 using LightImage = std::vector<Color>;
+
+/// Fine detail of luminance in a pixel's light, relative to it: 0 where the pixel is even.
+using DetailImage = std::vector<FineDetail>;
 
 /// Casts a ray through every pixel, and four rays at the edges of surfaces, to make them smooth. How much light falls
 /// on floor and walls is calculated for every fourth pixel of every fourth row where it hardly changes in between, and
@@ -29,6 +34,9 @@ class Renderer {
   /// @param camera pose of the camera in the room, as in head_kinematics.h; inside the room
   /// @return the picture, valid until the next call
   const LightImage& render(const Eigen::Isometry3d& camera);
+
+  /// The fine detail of the last picture: of the edges of surfaces, whose parts are drawn one by one.
+  const DetailImage& detail() const { return detail_; }
 
  private:
   /// What the centre of a pixel shows, to find edges.
@@ -64,7 +72,7 @@ class Renderer {
   void draw(const Eigen::Isometry3d& camera, const Window& window);
   void drawBlock(const Eye& eye, int left, int top);
   void smoothEdges(const Eye& eye, const Window& window);
-  Color lightOfParts(const Eye& eye, int x, int y) const;
+  std::array<Color, 4> lightOfParts(const Eye& eye, int x, int y) const;
   bool isEdge(int x, int y) const;
   static Window united(const Window& one, const Window& other);
   static Window wholeBlocks(const Window& window);
@@ -72,6 +80,7 @@ class Renderer {
 
   const Scene& scene_;
   LightImage picture_;
+  DetailImage detail_;
   std::vector<Seen> seen_;
   std::vector<Near> near_;
   std::optional<Eigen::Isometry3d> drawn_from_;   ///< the camera's pose in picture_

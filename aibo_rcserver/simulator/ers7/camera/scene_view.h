@@ -30,7 +30,8 @@ class SceneView : public PictureSource {
 
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override {
     scene_.setTime(seconds);
-    sensor_.expose(lens_.project(renderer_.render(camera())), settings, image_number, &picture_);
+    const LightImage& light = lens_.project(renderer_.render(camera()));
+    sensor_.expose(light, renderer_.detail(), settings, image_number, &picture_);
     return picture_;
   }
 

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "simulator/openr_host/clock.h"
 
@@ -45,9 +46,11 @@ class TestPicture : public PictureSource {
     for (std::size_t i = 0; i < image_.y.size(); ++i) {
       const std::size_t x = i % kPictureWidth;
       const std::size_t y = i / kPictureWidth;
-      image_.y[i] = static_cast<std::uint8_t>(x + y);
+      image_.y[i] = static_cast<std::uint8_t>(x + 2 * y);
       image_.cr[i] = static_cast<std::uint8_t>(2 * y);
       image_.cb[i] = static_cast<std::uint8_t>(x);
+      image_.y_lh[i] = 100;
+      image_.y_hl[i] = 150;
     }
   }
 
@@ -120,7 +123,7 @@ TEST_F(CameraTest, TheBandsOfHAreThePictureCrBeforeCb) {
   for (int y = 0; y < 160; ++y) {
     for (int x = 0; x < 208; ++x) {
       if (y < 159 || x >= 16) {
-        ASSERT_EQ(luminance.Pixel(x, y), (x + y) % 256);
+        ASSERT_EQ(luminance.Pixel(x, y), (x + 2 * y) % 256);
       }
       ASSERT_EQ(red.Pixel(x, y), (2 * y) % 256);
       ASSERT_EQ(blue.Pixel(x, y), x);
@@ -135,15 +138,39 @@ TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
   EXPECT_EQ(medium.Pixel(50, 10), 2 * 20 + 1);
   EXPECT_EQ(low.Pixel(10, 20), 4 * 10 + 2);
   const OFbkImage luminance = bandOf(region, ofbkimageLAYER_M, ofbkimageBAND_Y);
-  EXPECT_EQ(luminance.Pixel(30, 20), 2 * (30 + 20) + 1);
+  EXPECT_EQ(luminance.Pixel(30, 20), 2 * 30 + 4 * 20 + 2);
 }
 
-TEST_F(CameraTest, ThereIsNoFineDetail) {
+TEST_F(CameraTest, TheFineDetailOfHIsThatOfThePicture) {
   RCRegion* region = camera_.capture(0);
-  for (const OFbkImageBand band : {ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH}) {
+  const std::pair<OFbkImageBand, int> bands[] = {
+      {ofbkimageBAND_Y_LH, 100}, {ofbkimageBAND_Y_HL, 150}, {ofbkimageBAND_Y_HH, 128}};
+  for (const auto& [band, value] : bands) {
     const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, band);
-    EXPECT_EQ(detail.Pixel(0, 0), 128);
-    EXPECT_EQ(detail.Pixel(207, 159), 128);
+    ASSERT_TRUE(detail.IsValid());
+    EXPECT_EQ(detail.Pixel(0, 0), value);
+    EXPECT_EQ(detail.Pixel(207, 159), value);
+  }
+}
+
+// The equations of Sony's sample W3AIBO (JPEGEncoder.cc) put each layer together from the next lower one.
+TEST_F(CameraTest, ALayerIsReconstructedFromTheBandsOfTheNextLowerOne) {
+  RCRegion* region = camera_.capture(0);
+  for (const OFbkImageLayer layer : {ofbkimageLAYER_M, ofbkimageLAYER_L}) {
+    const OFbkImage higher = bandOf(region, layer - 1, ofbkimageBAND_Y);
+    const OFbkImage low = bandOf(region, layer, ofbkimageBAND_Y);
+    for (int y = 0; y < low.Height() - 1; ++y) {  // the last row has the tag
+      for (int x = 0; x < low.Width(); ++x) {
+        const int ll = low.Pixel(x, y);
+        const int lh = bandOf(region, layer, ofbkimageBAND_Y_LH).Pixel(x, y) - 128;
+        const int hl = bandOf(region, layer, ofbkimageBAND_Y_HL).Pixel(x, y) - 128;
+        const int hh = bandOf(region, layer, ofbkimageBAND_Y_HH).Pixel(x, y) - 128;
+        ASSERT_NEAR(higher.Pixel(2 * x, 2 * y), ll - lh - hl + hh, 2);
+        ASSERT_NEAR(higher.Pixel(2 * x + 1, 2 * y), ll - lh + hl - hh, 2);
+        ASSERT_NEAR(higher.Pixel(2 * x, 2 * y + 1), ll + lh - hl - hh, 2);
+        ASSERT_NEAR(higher.Pixel(2 * x + 1, 2 * y + 1), ll + lh + hl + hh, 2);
+      }
+    }
   }
 }
 
@@ -158,7 +185,7 @@ TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
   for (int x = 3; x < 16; ++x) {
     EXPECT_EQ(luminance.Pixel(x, 159), 0);
   }
-  EXPECT_EQ(luminance.Pixel(16, 159), 16 + 159);
+  EXPECT_EQ(luminance.Pixel(16, 159), (16 + 2 * 159) % 256);
   EXPECT_EQ(source_.last_image_number, number);
   EXPECT_DOUBLE_EQ(source_.last_seconds, 300000 * 0.008);
 }

@@ -118,6 +118,26 @@ TEST_F(PhotographTest, ATallPictureLosesTopAndBottomEvenly) {
   EXPECT_EQ(image.cr[at(100, 159)], 255);
 }
 
+/// The luminance of the sensor, put together by the equations of Sony's sample W3AIBO (JPEGEncoder.cc).
+int luminanceAt(const YCrCbImage& image, int x, int y) {
+  const std::size_t i = at(x / 2, y / 2);
+  const int across = x % 2 == 0 ? -1 : 1;
+  const int down = y % 2 == 0 ? -1 : 1;
+  return image.y[i] + down * (image.y_lh[i] - 128) + across * (image.y_hl[i] - 128) +
+         across * down * (image.y_hh[i] - 128);
+}
+
+TEST_F(PhotographTest, DoubleResolutionShowsAPictureOfTheSensorsSizeSharply) {
+  const auto level = [](int x, int y) { return 40 + (x * 7 + y * 13 + x / 3 * y) % 170; };
+  const auto image = readPhotograph(
+      write("fine.ppm", ppm(416, 320, [&](int x, int y) { return std::string(3, static_cast<char>(level(x, y))); })));
+  for (int y = 0; y < 320; ++y) {
+    for (int x = 0; x < 416; ++x) {
+      ASSERT_NEAR(luminanceAt(image, x, y), level(x, y), 2) << x << ", " << y;
+    }
+  }
+}
+
 TEST_F(PhotographTest, ALargePictureIsAveraged) {
   // Alternating black and white pixels become grey at a third of the size, or any other size.
   const auto image = readPhotograph(write("large.ppm", ppm(624, 480, [](int x, int y) {

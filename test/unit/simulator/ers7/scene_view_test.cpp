@@ -182,6 +182,45 @@ TEST(SceneView, WhatTheRendererLeavesOutDoesNotShow) {
   EXPECT_LT(different, 20) << "of 400,000 pixels";
 }
 
+/// How much of the change between neighbours in a row the picture of double resolution has within a pixel of layer H.
+double sharpness(const YCrCbImage& picture) {
+  double sum = 0;
+  for (const std::uint8_t detail : picture.y_hl) {
+    sum += std::abs(detail - 128) > 12 ? std::abs(detail - 128) : 0;  // more than noise
+  }
+  return sum;
+}
+
+TEST(SceneView, FineDetailIsThatOfTheEdges) {
+  Scene scene;
+  SceneView view(scene, 1);
+  view.setHead(angles(-25, 0, 10));
+  const YCrCbImage& picture = view.picture(1, 30, CameraSettings());
+  EXPECT_GT(sharpness(picture), 2000);
+}
+
+/// Deviation of the bands of fine detail where the picture is even.
+double noiseOf(const YCrCbImage& picture) {
+  double sum = 0;
+  int count = 0;
+  for (const std::uint8_t detail : picture.y_hh) {
+    if (std::abs(detail - 128) < 12) {
+      sum += (detail - 128) * (detail - 128);
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+TEST(SceneView, FineDetailGetsNoisierWithTheGain) {
+  Scene scene;
+  SceneView view(scene, 1);
+  CameraSettings settings;
+  const double usual = noiseOf(view.picture(1, 30, settings));
+  settings.gain = ocamparamGAIN_HIGH;
+  EXPECT_GT(noiseOf(view.picture(1, 30, settings)), 1.5 * usual);
+}
+
 TEST(SceneView, MoreGainIsBrighterAndNoisierAFastShutterDarker) {
   Scene scene;
   SceneView view(scene, 1);

@@ -1,0 +1,69 @@
+#include "rcserver/body/CameraControl.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OPrimitiveControl.h>
+#include <OPENR/OSyslog.h>
+
+using protocol::version2::CameraSetting;
+
+namespace {
+
+// The same on an ERS-7 and an ERS-210 (Model Information).
+const char LOCATOR[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
+const int CAMERA = 0;
+
+bool IsAutomatic(CameraSetting setting) {
+  return setting >= protocol::version2::SETTING_AUTO_EXPOSURE;
+}
+
+OPrimitiveRequest RequestFor(CameraSetting setting, unsigned char value) {
+  switch (setting) {
+    case protocol::version2::SETTING_WHITE_BALANCE:
+      return oprmreqCAM_SET_WHITE_BALANCE;
+    case protocol::version2::SETTING_GAIN:
+      return oprmreqCAM_SET_GAIN;
+    case protocol::version2::SETTING_SHUTTER_SPEED:
+      return oprmreqCAM_SET_SHUTTER_SPEED;
+    case protocol::version2::SETTING_AUTO_EXPOSURE:
+      return value != 0 ? oprmreqCAM_AE_ON : oprmreqCAM_AE_OFF;
+    default:
+      return value != 0 ? oprmreqCAM_AWB_ON : oprmreqCAM_AWB_OFF;
+  }
+}
+
+}  // namespace
+
+CameraControl::CameraControl() : settings_(protocol::version2::defaultCameraSettings()) {}
+
+bool CameraControl::Set(CameraSetting setting, unsigned char value) {
+  if (!camera_.IsOpen(CAMERA) && !camera_.Open(CAMERA, "camera", LOCATOR)) {
+    return false;
+  }
+  if (!Command(setting, value)) {
+    return false;
+  }
+  settings_.values[setting - 1] = value;
+  return true;
+}
+
+void CameraControl::ClientGone() {
+  const protocol::version2::CameraSettings at_start = protocol::version2::defaultCameraSettings();
+  for (int i = protocol::version2::NUMBER_OF_CAMERA_SETTINGS; i > 0; --i) {
+    if (settings_.values[i - 1] != at_start.values[i - 1]) {
+      Set(static_cast<CameraSetting>(i), at_start.values[i - 1]);
+    }
+  }
+}
+
+bool CameraControl::Command(CameraSetting setting, unsigned char value) {
+  OPrimitiveControl_CameraParam param(value);
+  const OStatus status =
+      IsAutomatic(setting)
+          ? OPENR::ControlPrimitive(camera_.Id(CAMERA), RequestFor(setting, value), NULL, 0, NULL, 0)
+          : OPENR::ControlPrimitive(camera_.Id(CAMERA), RequestFor(setting, value), &param, sizeof(param), NULL, 0);
+  if (status != oSUCCESS) {
+    OSYSLOG1((osyslogERROR, "RCServer: the camera does not take the value %d of its setting %d (status %u)",
+              static_cast<int>(value), static_cast<int>(setting), static_cast<unsigned>(status)));
+  }
+  return status == oSUCCESS;
+}

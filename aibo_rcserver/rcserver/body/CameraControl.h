@@ -1,0 +1,37 @@
+/// @file CameraControl.h
+/// The camera's settings.
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_CAMERA_CONTROL_H
+#define AIBO_RCSERVER_RCSERVER_BODY_CAMERA_CONTROL_H
+
+#include "protocol/camera_settings.h"
+#include "rcserver/body/Primitives.h"
+
+/// Sets the camera, and knows what it is set to. OPEN-R has no request that reads a setting, so this assumes that the
+/// camera starts as Sony says (protocol::version2::defaultCameraSettings()) and that nobody else sets it.
+///
+/// The camera's primitive is opened for the first setting, so that a robot whose settings nobody changes is left alone.
+class CameraControl {
+ public:
+  CameraControl();
+
+  /// @param value that the setting has (protocol::version2::hasCameraValue())
+  /// @return false if the robot refuses; then nothing changes, and the console says why
+  bool Set(protocol::version2::CameraSetting setting, unsigned char value);
+
+  /// What is in force.
+  const protocol::version2::CameraSettings& Settings() const { return settings_; }
+
+  /// Sets everything as it was at the start, for the next client.
+  void ClientGone();
+
+ private:
+  CameraControl(const CameraControl&);
+  CameraControl& operator=(const CameraControl&);
+
+  bool Command(protocol::version2::CameraSetting setting, unsigned char value);
+
+  Primitives camera_;
+  protocol::version2::CameraSettings settings_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_CAMERA_CONTROL_H

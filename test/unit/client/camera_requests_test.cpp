@@ -1,0 +1,230 @@
+// Resolution and rate of the stream, and the camera's settings.
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <string>
+
+#include "client/fault.h"
+#include "client/version1_session.h"
+#include "client/version2_session.h"
+#include "session_fixture.h"
+#include "support/version2_frames.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using test_pictures::Bytes;
+using testing::HasSubstr;
+using version2_frames::makeFrame;
+
+namespace {
+
+class CameraRequestsTest : public SessionFixture {
+ protected:
+  Session& session() override { return session_; }
+
+  void begin(const std::string& capabilities) {
+    EXPECT_EQ("H 0 -", request());
+    receive(makeFrame('h', number_, version2_frames::makeHello(capabilities)));
+  }
+
+  /// What the session sends now: kind, id and payload, as in "W 85 1 0 0 1"; "" if nothing.
+  std::string request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return "";
+    }
+    const version2_frames::Frame frame = version2_frames::split(bytes);
+    number_ = frame.header.request_number;
+    std::string text = frame.header.kind + (" " + std::to_string(frame.header.id));
+    for (const std::uint8_t byte : frame.payload) {
+      text += " " + std::to_string(byte);
+    }
+    return frame.payload.empty() ? text + " -" : text;
+  }
+
+  void refuse(int code) { receive(makeFrame('e', number_, version2_frames::makeError(code, "not supported: it"))); }
+
+  void live(milliseconds time) {
+    const TimePoint end = now_ + time;
+    while (now_ < end) {
+      pass(std::min(end, session_.nextDeadline()) - now_);
+      if (request() == "H 0 -") {
+        receive(makeFrame('h', number_, version2_frames::makeHello("H F W G")));
+      }
+    }
+  }
+
+  std::future<Answer> takePictureOf(std::optional<Resolution> resolution) {
+    Call call;
+    call.letter = 'F';
+    call.number = 70;
+    call.resolution = resolution;
+    return add(std::move(call), milliseconds(2000));
+  }
+
+  int number_ = 0;  // of the request that was sent last
+  Version2Session session_{connection_, now_};
+};
+
+TEST_F(CameraRequestsTest, TheStreamIsRequestedAgainWhenItsFormatChanges) {
+  begin("H F W");
+  wish_.streaming = true;
+  wish_.format = {Resolution::kDouble, 3};
+  EXPECT_EQ("W 85 1 3 0 3", request());
+  EXPECT_EQ("", request());
+  wish_.format.every_nth_image = 300;
+  EXPECT_EQ("W 85 1 3 1 44", request());
+  wish_.format = StreamFormat();
+  EXPECT_EQ("W 85 1 0 0 1", request());
+  EXPECT_EQ("", request());
+}
+
+TEST_F(CameraRequestsTest, RobotWithoutDoubleResolutionStreamsFullOneAndTheLogSaysSo) {
+  begin("H F W");
+  wish_.streaming = true;
+  wish_.format = {Resolution::kDouble, 2};
+  EXPECT_EQ("W 85 1 3 0 2", request());
+  refuse(2);
+  EXPECT_EQ("W 85 1 0 0 2", request());
+  EXPECT_EQ("", request());
+  EXPECT_EQ(1, logged("double resolution; they have 208x160 pixels"));
+}
+
+TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
+  begin("H F W");
+  wish_.streaming = true;
+  wish_.format.every_nth_image = 15;
+  EXPECT_EQ("W 85 1 0 0 15", request());
+  receive(makeFrame('w', number_, {1, 0, 0, 15}));
+  live(milliseconds(500 + 14 * 48 - 1));
+  EXPECT_THROW(live(milliseconds(2)), Fault);
+}
+
+TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
+  begin("H F W");
+  wish_.format.resolution = Resolution::kLow;
+  takePictureOf(std::nullopt);
+  EXPECT_EQ("F 70 2", request());
+  takePictureOf(Resolution::kDouble);
+  EXPECT_EQ("F 70 3", request());
+}
+
+TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheStreamsIsForItsCallerAlone) {
+  begin("H F W");
+  wish_.streaming = true;
+  EXPECT_EQ("W 85 1 0 0 1", request());
+  receive(makeFrame('w', number_, {1, 0, 0, 1}));
+  for (const bool other : {false, true}) {
+    auto answer = takePictureOf(other ? Resolution::kMiddle : Resolution::kHigh);
+    request();
+    receive(makeFrame('f', number_, version2_frames::makePicture(test_pictures::makeNumbered(1), 1)));
+    ASSERT_TRUE(done(answer));
+    EXPECT_TRUE(answer.get().picture);
+    EXPECT_EQ(1u, pictures_.size()) << "the first one only";
+  }
+  EXPECT_EQ(2u, counters_.pictures);
+}
+
+TEST_F(CameraRequestsTest, SettingsAreSentAtTheBeginningAndWhenTheyChange) {
+  begin("H F W G");
+  wish_.streaming = true;
+  wish_.camera.gain = 3;
+  for (const char* each : {"G 1 3", "G 2 3", "G 3 2", "G 4 0", "G 5 0", "W 85 1 0 0 1", ""}) {
+    EXPECT_EQ(each, request());
+  }
+  wish_.camera.shutter_speed = 1;
+  wish_.camera.auto_white_balance = true;
+  for (const char* each : {"G 3 1", "G 5 1", ""}) {
+    EXPECT_EQ(each, request());
+  }
+}
+
+TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) {
+  begin("H F W G");
+  EXPECT_EQ("G 1 3", request());
+  refuse(0);
+  EXPECT_EQ(1, logged("refused to set its camera"));
+  EXPECT_EQ("G 2 2", request());
+}
+
+TEST_F(CameraRequestsTest, TheValueInForceIsReadBack) {
+  begin("H F W G");
+  for (const int id : {1, 2, 3, 4, 5}) {
+    const std::string sent = request();
+    Bytes reply = makeFrame('g', number_, {static_cast<std::uint8_t>(sent.back() - '0')});
+    reply[1] = static_cast<std::uint8_t>(id);
+    receive(reply);
+  }
+  EXPECT_TRUE(log_.empty());
+  wish_.camera.gain = 3;
+  EXPECT_EQ("G 2 3", request());
+  Bytes other = makeFrame('g', number_, {1});
+  other[1] = 2;
+  receive(other);
+  EXPECT_EQ(1, logged("has set camera setting 2 to 1 instead of 3"));
+  wish_.camera.gain = 2;
+  request();
+  Bytes bad = makeFrame('g', number_, {7});
+  bad[1] = 2;
+  EXPECT_THROW(receive(bad), ProtocolException);
+}
+
+TEST_F(CameraRequestsTest, AServerWithoutCameraSettingsIsNotSentAnyAndTheLogSaysSoOnce) {
+  begin("H F W");
+  EXPECT_EQ("", request());
+  EXPECT_EQ(0, logged("to set the camera"));
+  wish_.camera.gain = 1;
+  EXPECT_EQ("", request());
+  EXPECT_EQ("", request());
+  EXPECT_EQ(1, logged("to set the camera"));
+}
+
+TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
+  begin("H F W");
+  wish_.streaming = true;
+  request();
+  Bytes payload = version2_frames::makePicture(test_pictures::makeNumbered(1), 1);
+  receive(makeFrame('f', 0, payload));
+  payload[15] = 0x9b;  // docs/protocol.md
+  receive(makeFrame('f', 0, payload));
+  ASSERT_EQ(2u, pictures_.size());
+  EXPECT_FALSE(pictures_[0]->settings);
+  ASSERT_TRUE(pictures_[1]->settings);
+  CameraSettings expected;
+  expected.shutter_speed = 1;
+  expected.auto_white_balance = true;
+  EXPECT_TRUE(*pictures_[1]->settings == expected);
+}
+
+class CameraRequestsVersion1Test : public SessionFixture {
+ protected:
+  Session& session() override { return session_; }
+
+  ServerHabits habits_;
+  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
+};
+
+TEST_F(CameraRequestsVersion1Test, ASettingChangesNoByteAndTheLogSaysThatItHasNoEffect) {
+  wish_.streaming = true;
+  const Bytes toggle = session_.nextRequest(wish_, now_);
+  EXPECT_EQ(Bytes({'W', 85}), toggle);
+  EXPECT_TRUE(log_.empty());
+  wish_.format = {Resolution::kDouble, 4};
+  wish_.camera.gain = 3;
+  EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
+  EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
+  EXPECT_EQ(1, logged("version 1 of the protocol, which has no request for resolution and rate"));
+  EXPECT_EQ(1, logged("version 1 of the protocol, which has no request to set the camera"));
+}
+
+TEST_F(CameraRequestsVersion1Test, APictureOfAnotherResolutionIsRefused) {
+  Call call;
+  call.letter = 'F';
+  call.resolution = Resolution::kDouble;
+  auto answer = add(std::move(call), milliseconds(2000));
+  ASSERT_TRUE(done(answer));
+  EXPECT_THAT(answer.get().problem, HasSubstr("cannot take a picture of this resolution. It needs an RCServer"));
+  EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
+}
+
+}  // namespace

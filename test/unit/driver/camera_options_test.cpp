@@ -1,0 +1,69 @@
+#include "ros/camera/camera_options.h"
+
+#include <gtest/gtest.h>
+
+#include "ros/camera/camera_state_publisher.h"
+
+namespace aibo_driver::node {
+namespace {
+
+TEST(CameraOptions, AResolutionIsOneOfTheCamerasLayersOrDouble) {
+  EXPECT_EQ(resolutionOf("52x40"), Resolution::kLow);
+  EXPECT_EQ(resolutionOf("104x80"), Resolution::kMiddle);
+  EXPECT_EQ(resolutionOf("208x160"), Resolution::kHigh);
+  EXPECT_EQ(resolutionOf("416x320"), Resolution::kDouble);
+  EXPECT_FALSE(resolutionOf(""));
+  EXPECT_FALSE(resolutionOf("208X160"));
+}
+
+TEST(CameraOptions, ARateIsThatOfEveryNthImage) {
+  EXPECT_EQ(everyNthImageOf(30), 1);
+  EXPECT_EQ(everyNthImageOf(16), 2);
+  EXPECT_EQ(everyNthImageOf(2), 15);
+  EXPECT_EQ(everyNthImageOf(0), 15);
+  EXPECT_EQ(everyNthImageOf(100), 1);
+  EXPECT_DOUBLE_EQ(frameRateOf(4), 7.5);
+}
+
+TEST(CameraState, IsThatOfThePicture) {
+  Picture picture;
+  picture.width = 416;
+  picture.height = 320;
+  std_msgs::Header header;
+  header.frame_id = "eye";
+  CameraState state = cameraStateOf(picture, header);
+  EXPECT_EQ(state.header.frame_id, "eye");
+  EXPECT_EQ(state.width, 416);
+  EXPECT_EQ(state.frame_number, 0U);
+  EXPECT_EQ(state.gain, CameraState::UNKNOWN);
+  picture.frame_number = 4711;
+  picture.image_count = 12;
+  picture.settings = CameraSettings();
+  picture.settings->gain = 3;
+  picture.settings->auto_exposure = true;
+  state = cameraStateOf(picture, header);
+  EXPECT_EQ(state.frame_number, 4711U);
+  EXPECT_EQ(state.image_count, 12U);
+  EXPECT_EQ(state.white_balance, CameraState::WB_FL_MODE);
+  EXPECT_EQ(state.gain, CameraState::GAIN_HIGH);
+  EXPECT_EQ(state.shutter_speed, CameraState::SHUTTER_MID);
+  EXPECT_TRUE(state.auto_exposure);
+  EXPECT_FALSE(state.auto_white_balance);
+}
+
+TEST(CameraState, IsTheSameForALaterPictureWithTheSameSettings) {
+  Picture picture;
+  picture.settings = CameraSettings();
+  const CameraState first = cameraStateOf(picture, std_msgs::Header());
+  picture.frame_number = 2;
+  picture.image_count = 3;
+  EXPECT_TRUE(isSameState(first, cameraStateOf(picture, std_msgs::Header())));
+  picture.settings->shutter_speed = 3;
+  EXPECT_FALSE(isSameState(first, cameraStateOf(picture, std_msgs::Header())));
+  picture.settings->shutter_speed = 2;
+  picture.width = 52;
+  EXPECT_FALSE(isSameState(first, cameraStateOf(picture, std_msgs::Header())));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

@@ -1,0 +1,77 @@
+#include "protocol/camera_settings.h"
+
+#include <gmock/gmock.h>
+
+#include "layouts.h"
+
+namespace protocol {
+namespace version2 {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsNull;
+using ::testing::NotNull;
+
+const char* decodeValue(int id, const Bytes& bytes) {
+  unsigned char value = 0;
+  return decodeCameraValue(id, bytes.data(), bytes.size(), &value);
+}
+
+TEST(CameraValue, IsOneByteOfTheValuesThatSonyGives) {
+  unsigned char value = 0;
+  ASSERT_THAT(decodeCameraValue(SETTING_GAIN, hex("03").data(), 1, &value), IsNull());
+  EXPECT_EQ(value, 3);
+  EXPECT_EQ(encoded(encodeCameraValue, static_cast<unsigned char>(2), CAMERA_VALUE_SIZE), hex("02"));
+  for (const int id : {SETTING_WHITE_BALANCE, SETTING_GAIN, SETTING_SHUTTER_SPEED}) {
+    EXPECT_THAT(decodeValue(id, hex("00")), HasSubstr("1, 2 and 3"));
+    EXPECT_THAT(decodeValue(id, hex("01")), IsNull());
+    EXPECT_THAT(decodeValue(id, hex("04")), HasSubstr("1, 2 and 3"));
+  }
+  for (const int id : {SETTING_AUTO_EXPOSURE, SETTING_AUTO_WHITE_BALANCE}) {
+    EXPECT_THAT(decodeValue(id, hex("00")), IsNull());
+    EXPECT_THAT(decodeValue(id, hex("01")), IsNull());
+    EXPECT_THAT(decodeValue(id, hex("02")), HasSubstr("neither off (0) nor on (1)"));
+  }
+}
+
+TEST(CameraValue, IsRefusedWithAnotherIdOrSize) {
+  EXPECT_THAT(decodeValue(0, hex("01")), HasSubstr("id"));
+  EXPECT_THAT(decodeValue(6, hex("01")), HasSubstr("id"));
+  EXPECT_THAT(decodeValue(SETTING_GAIN, hex("01 01")), HasSubstr("size"));
+  EXPECT_THAT(decodeValue(SETTING_GAIN, {}), HasSubstr("size"));
+}
+
+TEST(CameraSettings, BeginAsSonySays) {
+  EXPECT_THAT(defaultCameraSettings().values, ElementsAre(3, 2, 2, 0, 0));
+  EXPECT_TRUE(defaultCameraSettings().areKnown());
+  EXPECT_FALSE(CameraSettings().areKnown());
+}
+
+TEST(CameraSettings, FitIntoSixteenBits) {
+  EXPECT_EQ(packCameraSettings(CameraSettings()), 0);
+  EXPECT_EQ(packCameraSettings(CameraSettings{{1, 0, 0, 0, 0}}), 0x01);
+  EXPECT_EQ(packCameraSettings(CameraSettings{{3, 2, 1, 0, 1}}), 0x9b);
+  for (unsigned packed = 0; packed <= 0xffff; ++packed) {
+    CameraSettings settings{};
+    if (unpackCameraSettings(static_cast<unsigned short>(packed), &settings) == nullptr) {
+      EXPECT_EQ(packCameraSettings(settings), packed);
+      EXPECT_EQ(settings.areKnown(), packed != 0);
+      for (int id = 1; packed != 0 && id <= NUMBER_OF_CAMERA_SETTINGS; ++id) {
+        EXPECT_TRUE(hasCameraValue(id, settings.values[id - 1]));
+      }
+    }
+  }
+}
+
+TEST(CameraSettings, WithoutAValueOrWithReservedBitsAreRefused) {
+  CameraSettings settings{};
+  EXPECT_THAT(unpackCameraSettings(0x03, &settings), HasSubstr("no value"));
+  EXPECT_THAT(unpackCameraSettings(0x100, &settings), NotNull());
+  EXPECT_THAT(unpackCameraSettings(0x115, &settings), HasSubstr("reserved"));
+  EXPECT_FALSE(settings.areKnown());
+}
+
+}  // namespace
+}  // namespace version2
+}  // namespace protocol
