@@ -15,7 +15,6 @@ using robot_model::Leg;
 using robot_model::LegAngles;
 using robot_model::NO_JOINT;
 using robot_model::NUMBER_OF_LEGS;
-using robot_model::Point;
 
 namespace {
 
@@ -43,34 +42,6 @@ int Microradians(double angle) {
   return static_cast<int>(floor(angle / MICRO + 0.5));
 }
 
-Point Mean(const Point* points, int count) {
-  Point mean = {0, 0, 0};
-  for (int i = 0; i < count; ++i) {
-    mean.x += points[i].x / count;
-    mean.y += points[i].y / count;
-  }
-  return mean;
-}
-
-// The rigid motion of the body that comes nearest to that of the feet on the floor.
-// @param steps of the body in a frame, seen from each foot
-// @param count at least 2
-WalkVelocity RigidVelocity(const Point* places, const Point* steps, int count) {
-  const Point place = Mean(places, count);
-  const Point step = Mean(steps, count);
-  double turn = 0;
-  double spread = 0;
-  for (int i = 0; i < count; ++i) {
-    const double x = places[i].x - place.x;
-    const double y = places[i].y - place.y;
-    turn += x * (steps[i].y - step.y) - y * (steps[i].x - step.x);
-    spread += x * x + y * y;
-  }
-  turn /= spread;
-  const WalkVelocity velocity = {(step.x + turn * place.y) / FRAME, (step.y - turn * place.x) / FRAME, turn / FRAME};
-  return velocity;
-}
-
 }  // namespace
 
 const int Walker::POSTURE_SPEED;
@@ -81,6 +52,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
     : planner_(planner),
       robot_(robot),
       postures_(gait_),
+      walked_(gait_),
       can_walk_(FindJoints()),
       activity_(IDLE),
       has_legs_(false),
@@ -103,13 +75,8 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
       velocity_(NO_VELOCITY),
       effort_(0),
       phase_(0),
-      last_phase_(0),
-      frames_since_steered_(0),
-      walked_(NO_VELOCITY),
-      walked_frames_(0),
-      last_velocity_(NO_VELOCITY) {
+      frames_since_steered_(0) {
   problem_[0] = '\0';
-  memset(last_legs_, 0, sizeof(last_legs_));
 }
 
 // False if it has no legs of an ERS-7.
@@ -229,13 +196,10 @@ void Walker::HaveMoved() {
   LegAngles legs[NUMBER_OF_LEGS];
   FindLegs(legs);
   if (activity_ == WALKING) {
-    const WalkVelocity velocity = VelocityOver(last_legs_, legs);
-    walked_.forward += velocity.forward;
-    walked_.left += velocity.left;
-    walked_.turn += velocity.turn;
+    walked_.HaveWalked(legs, phase_);
+  } else {
+    walked_.HaveMoved(legs);
   }
-  ++walked_frames_;
-  std::copy(legs, legs + NUMBER_OF_LEGS, last_legs_);
 }
 
 void Walker::Measured(FallWatch::Reading reading, unsigned frame) {
@@ -313,19 +277,6 @@ protocol::version2::WalkState Walker::State() const {
   return activity_ == WALKING ? protocol::version2::WALK_STATE_WALKS : protocol::version2::WALK_STATE_GETS_READY;
 }
 
-WalkVelocity Walker::TakeVelocity() {
-  if (walked_frames_ > 0) {
-    last_velocity_.forward = walked_.forward / walked_frames_;
-    last_velocity_.left = walked_.left / walked_frames_;
-    last_velocity_.turn = walked_.turn / walked_frames_;
-  } else if (activity_ != WALKING) {
-    last_velocity_ = NO_VELOCITY;
-  }
-  walked_ = NO_VELOCITY;
-  walked_frames_ = 0;
-  return last_velocity_;
-}
-
 // The gait comes close to the highest speeds of the joints.
 int Walker::FindSlowJoint() const {
   for (int i = 0; i < LEG_JOINTS; ++i) {
@@ -350,19 +301,20 @@ void Walker::Begin(bool is_walk, Posture posture) {
   if (IsActive()) {
     Finish(is_walk ? WALK_BEGAN : POSTURE_BEGAN, NO_JOINT);
   }
-  FindLegs(last_legs_);
+  LegAngles legs[NUMBER_OF_LEGS];
+  FindLegs(legs);
+  walked_.Begin(legs);
   activity_ = TAKING_POSTURE;
   has_legs_ = true;
   has_softened_ = false;
   is_walk_ = is_walk;
   posture_ = posture;
-  way_size_ = postures_.FindWay(last_legs_, posture, way_);
+  way_size_ = postures_.FindWay(legs, posture, way_);
   way_begun_ = 0;
   ends_ = false;
   velocity_ = NO_VELOCITY;
   effort_ = 0;
   phase_ = 0;
-  last_phase_ = 0;
   frames_since_steered_ = 0;
   TakeNextPosture();
 }
@@ -435,7 +387,6 @@ void Walker::Walk() {
   }
   const GaitParameters& parameters = gait_.Parameters();
   effort_ = Towards(effort_, stops ? 0 : 1, FRAME / (parameters.period / 2));
-  last_phase_ = phase_;
   phase_ += FRAME / parameters.period;
   phase_ -= floor(phase_);
   SetFeet();
@@ -497,26 +448,6 @@ void Walker::Report(bool is_walk, Posture posture, Cause cause, int joint) {
   if (cause != CLIENT_GONE) {
     for_client_.Add(end);
   }
-}
-
-WalkVelocity Walker::VelocityOver(const LegAngles* before, const LegAngles* after) const {
-  Point places[NUMBER_OF_LEGS];
-  Point steps[NUMBER_OF_LEGS];
-  int count = 0;
-  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
-    const Leg leg = static_cast<Leg>(i);
-    if (!gait_.MovesWithFloor(leg, last_phase_) || !gait_.MovesWithFloor(leg, phase_)) {
-      continue;
-    }
-    const Point was = findFoot(leg, before[i]);
-    const Point is = findFoot(leg, after[i]);
-    const Point place = {(was.x + is.x) / 2, (was.y + is.y) / 2, 0};
-    const Point step = {was.x - is.x, was.y - is.y, 0};
-    places[count] = place;
-    steps[count] = step;
-    ++count;
-  }
-  return count < 2 ? NO_VELOCITY : RigidVelocity(places, steps, count);
 }
 
 void Walker::Ends::Add(const End& end) {

@@ -8,6 +8,7 @@
 #include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
 #include "rcserver/walk/Postures.h"
+#include "rcserver/walk/WalkedVelocity.h"
 #include "robot_model/robot_model.h"
 
 /// Sets the targets of the legs' joints, frame by frame, while the robot walks or takes a posture. It does one of the
@@ -130,9 +131,8 @@ class Walker {
   protocol::version2::WalkState State() const;
   double Phase() const { return phase_; }
 
-  /// How the feet on the floor have moved the body since the last call, on average; the last value if no frame has
-  /// passed since. The sum over all calls is the way, if no foot has slipped.
-  WalkVelocity TakeVelocity();
+  /// How fast it has walked since the last call: WalkedVelocity::Take().
+  WalkVelocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
   /// @}
 
  private:
@@ -171,12 +171,12 @@ class Walker {
   void ReplaceNext(Cause cause);
   void Finish(Cause cause, int joint);
   void Report(bool is_walk, protocol::version2::Posture posture, Cause cause, int joint);
-  WalkVelocity VelocityOver(const robot_model::LegAngles* before, const robot_model::LegAngles* after) const;
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
   const Gait gait_;
   const Postures postures_;
+  WalkedVelocity walked_;
   FallWatch fall_watch_;
   Ends for_client_;
   Ends for_console_;
@@ -212,16 +212,7 @@ class Walker {
   WalkVelocity velocity_;
   double effort_;
   double phase_;
-  double last_phase_;
   int frames_since_steered_;
-  /// @}
-
-  /// @name What the feet have done
-  /// @{
-  robot_model::LegAngles last_legs_[robot_model::NUMBER_OF_LEGS];
-  WalkVelocity walked_;  ///< sum over frames
-  int walked_frames_;
-  WalkVelocity last_velocity_;
   /// @}
 };
 
