@@ -143,6 +143,7 @@ Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
 }
 
 Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
+  connection_.commands.steering.reset();  // meant for another server, which had this place and could walk
   const bool has_commands = !connection_.commands.empty();
   if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
     const ValuePoll::Value value = poll_.take(now);

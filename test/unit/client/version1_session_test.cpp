@@ -390,6 +390,12 @@ TEST_F(Version1SessionTest, JointCommandsThatTakeTheirTurnsAreNotDroppedHoweverL
   }
 }
 
+TEST_F(Version1SessionTest, AVelocityForAnotherServerIsDropped) {
+  steer({0.1, 0, 0});
+  EXPECT_EQ("", command());
+  EXPECT_TRUE(connection_.commands.empty());
+}
+
 TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
   commandJoints({{1, 0.1}});
   limitSpeed({{1, 0.5}, {2, 20}});
