@@ -89,11 +89,13 @@ class FleetFileTest(unittest.TestCase):
         self.assertEqual(values['/b/robot_state_publisher/tf_prefix'], '')
 
     def test_the_robots_stand_in_one_frame(self):
-        config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none, pose: [1, 2, 0.5]}}')
+        config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none, pose: [1, 2, 0.5]}, '
+                        'c: {host: j, publish_odom_tf: false}}')
         model = ElementTree.fromstring(config.params['/fleet/robot_description'].value)
         places = {joint.find('child').get('link'): (joint.find('origin').get('xyz'), joint.find('origin').get('rpy'))
                   for joint in model.findall('joint')}
-        self.assertEqual(places, {'a/base_footprint': ('0 0.25 0', '0 0 0'), 'base_footprint': ('1 2 0', '0 0 0.5')})
+        self.assertEqual(places, {'a/odom': ('0 0.5 0', '0 0 0'), 'odom': ('1 2 0', '0 0 0.5'),
+                                  'c/base_footprint': ('0 -0.5 0', '0 0 0')})
 
     def test_rviz_shows_all_robots(self):
         config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none}}', with_rviz=True)

@@ -69,14 +69,14 @@ OdometryPublisher::OdometryPublisher(const ros::NodeHandle& handle, const Driver
 }
 
 void OdometryPublisher::publish(const Telemetry& telemetry) {
-  if (!way_.update(telemetry)) {
-    return;
-  }
+  const bool walks = way_.update(telemetry);
   nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
   odom.header.stamp = stamper_.stamp(telemetry);
   odom.header.frame_id = parameters_.frame("odom");
   odom.child_frame_id = parameters_.frame("base_footprint");
-  odom_.publish(odom);
+  if (walks) {
+    odom_.publish(odom);
+  }
   if (parameters_.walk.publish_odom_tf) {
     publishTransform(odom);
   }

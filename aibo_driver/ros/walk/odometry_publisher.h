@@ -17,8 +17,9 @@ namespace aibo_driver::node {
 /// @param velocity with which the robot walks
 nav_msgs::Odometry toMessage(const Odometry& odometry, const WalkVelocity& velocity);
 
-/// Publishes the topic odom and, if wanted, odom to base_footprint in tf, for a robot that says how it walks. Both have
-/// the stamp of the measurement, as all other frames of the robot that come from it.
+/// Publishes the topic odom, for a robot that says how it walks, and, if wanted, odom to base_footprint in tf: a robot
+/// that does not walk stands where it began. Both have the stamp of the measurement, as all other frames of the robot
+/// that come from it.
 ///
 /// From one thread at a time.
 class OdometryPublisher {
@@ -26,7 +27,7 @@ class OdometryPublisher {
   /// All arguments but the handle must outlive the object.
   OdometryPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters, RobotStamper& stamper);
 
-  /// Publishes if the telemetry says how the robot walks.
+  /// The robot has measured something.
   void publish(const Telemetry& telemetry);
 
   /// The robot reports that something has ended.
