@@ -17,7 +17,12 @@ using std::chrono::seconds;
 // A pseudo terminal: what the user types, and the program's end.
 class TerminalTest : public ::testing::Test {
  protected:
-  TerminalTest() { EXPECT_EQ(::openpty(&keyboard_, &terminal_, nullptr, nullptr, nullptr), 0); }
+  void SetUp() override {
+    if (::openpty(&keyboard_, &terminal_, nullptr, nullptr, nullptr) != 0) {
+      GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
+    }
+  }
+
   ~TerminalTest() override {
     closeKeyboard();
     ::close(terminal_);
