@@ -106,8 +106,9 @@ TEST_F(FleetTest, TheLinksOfEachRobotHaveFramesOfTheirOwnInOneTree) {
   std::map<std::string, std::set<std::string>> parents;  // of each frame
   for (const std::string topic : {"/tf", "/tf_static"}) {
     TopicListener<tf2_msgs::TFMessage> transforms(topic);
-    const std::vector<std::string> links = topic == "/tf" ? std::vector<std::string>{"/head_pan_link", "/base_link"}
-                                                          : std::vector<std::string>{"/imu_link"};
+    const std::vector<std::string> links =
+        topic == "/tf" ? std::vector<std::string>{"/head_pan_link", "/base_link", "/base_footprint"}
+                       : std::vector<std::string>{"/imu_link", "/odom"};
     for (const std::string& name : kNames) {
       for (const std::string& link : links) {
         EXPECT_TRUE(transforms.waitFor([&](const tf2_msgs::TFMessage& message) {
