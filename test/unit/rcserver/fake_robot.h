@@ -120,7 +120,9 @@ class FakeRobot : public openr_host::VirtualRobot {
       return oINVALID_PRIMITIVE_ID;
     }
     longword value = 0;
-    std::memcpy(&value, param, size);
+    if (size > 0) {
+      std::memcpy(&value, param, std::min(size, sizeof(value)));
+    }
     camera_requests.emplace_back(request, value);
     return oSUCCESS;
   }
