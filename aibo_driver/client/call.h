@@ -109,9 +109,9 @@ class PendingCalls {
 
   /// The oldest call for a picture that has not been sent; null if there is none.
   Call* nextForPicture();
-  /// The oldest call that stops the robot and has not been sent; null if there is none.
+  /// The oldest unsent call that stops the robot, or null.
   Call* nextStop();
-  /// The oldest other call that has not been sent; null if there is none. While the robot is at work on its memory
+  /// The oldest other unsent call, or null. While the robot is at work on its memory
   /// stick, calls that need it wait, so that the robot need not make one wait.
   Call* nextForRobot();
 
@@ -147,7 +147,7 @@ class PendingCalls {
   TimePoint transferEnd() const { return transfer_end_; }
 
  private:
-  /// The oldest call that has not been sent and that the condition holds for; null if there is none.
+  /// The oldest unsent call that meets the condition, or null.
   template <typename Condition>
   Call* nextUnsent(const Condition& condition);
 

@@ -25,7 +25,7 @@ namespace aibo_driver::node {
 /// @return what a sensor measured; empty if this telemetry does not contain it
 std::optional<double> readingOf(const robot_model::Sensor& sensor, const Telemetry& telemetry);
 
-/// Where the joints are, how fast they move, and how hard their motors work: `effort` is the duty, -1..1, which is no
+/// Where the joints are, how fast they move, and how hard their motors work: `effort` is the duty, -1..1, not a
 /// torque. It is empty if the robot does not report it.
 class JointStates {
  public:

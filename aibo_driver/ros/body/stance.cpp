@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 // A foot that is no higher than this touches the floor: the travel of its switch, and some error of the joints.
 constexpr double kTouch = 0.003;  // m
 
-// How far the accelerometer may be off. Our choice: more than its errors and slight motion make, less than somebody
-// tilts a robot that he lifts.
+// How far the accelerometer may be off. Our choice: more than its errors and slight motion make, less than a robot
+// tilts when somebody lifts it.
 constexpr double kTrust = 0.26;  // rad: 15 degrees
 
 constexpr double kTolerance = 1e-6;  // m, of rounding

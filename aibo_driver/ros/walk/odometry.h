@@ -28,7 +28,7 @@ class Odometry {
   /// @param time s
   void walk(const WalkVelocity& velocity, double time);
 
-  /// The robot may have gone somewhere else, nobody knows where.
+  /// The robot may have gone somewhere else, and it is not known where.
   /// @param way, turn standard deviations that are added, in m and rad
   void lose(double way, double turn);
 
