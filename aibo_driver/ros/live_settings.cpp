@@ -45,8 +45,8 @@ void LiveSettings::apply(AiboDriverConfig& config) {
 
 void LiveSettings::applyToCamera(AiboDriverConfig& config) {
   if (!resolutionOf(config.resolution)) {
-    ROS_WARN_STREAM("The resolution '" << config.resolution << "' is none of " << kResolutionNames << ": it stays at "
-                                       << in_force_.resolution << ".");
+    ROS_WARN_STREAM("The resolution '" << config.resolution << "' is not one of " << kResolutionNames
+                                       << ": it stays at " << in_force_.resolution << ".");
     config.resolution = in_force_.resolution;
   }
   StreamFormat format;

@@ -103,7 +103,7 @@ const char* checkTelemetryEntries(const unsigned char* in, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     const unsigned char* entry = in + i * ENTRY_SIZE;
     if (entry[0] != GROUP_JOINT && entry[0] != GROUP_SENSOR && entry[0] != GROUP_DUTY && entry[0] != GROUP_WALK) {
-      return "the group of a value is none of J, S, D and W";
+      return "the group of a value is not one of J, S, D and W";
     }
     if (decodeBigEndian16(entry + 2) != 0) {
       return RESERVED_NOT_ZERO;

@@ -477,7 +477,7 @@ void Version2::TakePosture() {
     return;
   }
   if (!isPosture(request_.id)) {
-    Refuse(CODE_REFUSED, "bad request: the id is none of the postures 1 (stand), 2 (sit) and 3 (rest)");
+    Refuse(CODE_REFUSED, "bad request: the id is not one of the postures 1 (stand), 2 (sit) and 3 (rest)");
     return;
   }
   if (MayWalk(false)) {

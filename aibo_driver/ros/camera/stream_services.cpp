@@ -51,7 +51,7 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
   const int quality = request.quality == 0 ? client_.jpegQuality() : std::min<int>(request.quality, kMaxQuality);
   const std::optional<Resolution> resolution = resolutionOf(request.resolution);
   if (!resolution && !request.resolution.empty()) {
-    response.message = "There is no picture: the resolution '" + request.resolution + "' is none of " +
+    response.message = "There is no picture: the resolution '" + request.resolution + "' is not one of " +
                        kResolutionNames + "; empty means the stream's.";
     return true;
   }

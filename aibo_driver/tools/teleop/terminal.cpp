@@ -13,7 +13,7 @@ namespace teleop {
 Terminal::Terminal(int descriptor) : descriptor_(descriptor) {
   if (::tcgetattr(descriptor_, &former_settings_) != 0) {
     throw std::runtime_error(
-        "The keys are read from a terminal, and the input of this program is none. Start it in a terminal of its own: "
+        "The keys are read from a terminal, and this program's input is not one. Start it in a terminal of its own: "
         "rosrun aibo_driver aibo_teleop_keyboard");
   }
   termios settings = former_settings_;

@@ -59,7 +59,7 @@ TEST_F(StreamServicesTest, APictureHasTheResolutionThatIsAskedFor) {
   EXPECT_THAT(client_.told, ElementsAre("picture 70", "picture 70 of resolution 3", "picture 70 of resolution 2"));
   const auto answer = takePicture(70, "", "640x480");
   EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("'640x480' is none of 52x40, 104x80, 208x160 or 416x320"));
+  EXPECT_THAT(answer.message, HasSubstr("'640x480' is not one of 52x40, 104x80, 208x160 or 416x320"));
   EXPECT_EQ(client_.told.size(), 3U);
 }
 

@@ -284,7 +284,7 @@ TEST(Telemetry, RefusesACountThatDoesNotFitTheSize) {
 TEST(Telemetry, RefusesAnUnknownGroup) {
   Bytes bytes = hex(kThreeValues);
   bytes[16] = 'L';
-  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("none of J, S, D and W"));
+  EXPECT_THAT(verdict(decodeTelemetry)(bytes), HasSubstr("not one of J, S, D and W"));
 }
 
 TEST(Telemetry, MayHaveDutiesAndTheWalk) {

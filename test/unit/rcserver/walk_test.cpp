@@ -239,7 +239,7 @@ TEST_F(WalkTest, HoldAndMotorsOffEndIt) {
 
 TEST_F(WalkTest, BadRequestsAreRefused) {
   expectRefusal(answerTo('S', 0, "abc"), CODE_REFUSED, "bad request");
-  expectRefusal(answerTo('E', 0), CODE_REFUSED, "bad request: the id is none of the postures");
+  expectRefusal(answerTo('E', 0), CODE_REFUSED, "bad request: the id is not one of the postures");
   expectRefusal(answerTo('E', 4), CODE_REFUSED, "bad request");
   expectRefusal(answerTo('E', 1, "a"), CODE_REFUSED, "bad request");
 }
