@@ -5,7 +5,8 @@
 /// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
 /// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
 /// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h,
-/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h.
+/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h, and pictures by UDP
+/// in picture_datagram.h.
 ///
 /// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
 /// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
@@ -67,6 +68,7 @@ const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them; i
 const char REQUEST_LEDS = 'L';          ///< sets LEDs; answered by the accepted values
 const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by their new state
 const char REQUEST_CAMERA = 'G';        ///< sets or reads a camera setting (camera_settings.h); answered by its value
+const char REQUEST_DATAGRAMS = 'B';     ///< pictures by UDP (picture_datagram.h); answered by the port in force
 const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
 const char REQUEST_DELETE = 'D';        ///< deletes a motion
 const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it

@@ -66,8 +66,8 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   }
   body_ = new Body();
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(),
-                       body_->Lights(), body_->Camera(), power_order_,    file_desk_};
+  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(), body_->Lights(),
+                       body_->Camera(), datagrams_,      power_order_,    file_desk_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -101,6 +101,7 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   delete session_;
   session_ = NULL;
   file_desk_.Destroy();
+  datagrams_.Destroy();
   pictures_.Destroy();
   delete body_;
   body_ = NULL;
@@ -252,12 +253,21 @@ void RCServer::CloseCont(ANTENVMSG msg) {
   }
 }
 
+void RCServer::DatagramCont(ANTENVMSG msg) {
+  datagrams_.Sent(*static_cast<const UDPEndpointSendMsg*>(antEnvMsg::Receive(msg)));
+  BeginPicture();
+}
+
 bool RCServer::CreateRegions() {
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
     if (!connections_[i].Create(myOID_)) {
       OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for a connection"));
       return false;
     }
+  }
+  if (!datagrams_.Create(myOID_)) {
+    OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for datagrams"));
+    return false;
   }
   if (!pictures_.Create(subject[sbjEncodeJob]) || !file_desk_.Create(subject[sbjFileJob])) {
     OSYSLOG1((osyslogERROR, "RCServer: no shared memory for images and files"));
@@ -419,6 +429,7 @@ void RCServer::Admit(Connection* newcomer) {
   was_silent_ = false;
   last_not_over_ = now_;
   session_->Begin();
+  datagrams_.ClientConnected(client_->ClientAddress());
   if (reports_.Admits(now_)) {
     OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
   }
@@ -502,7 +513,7 @@ bool RCServer::FindOrder(PictureOrder* order) {
     client_->DropWaitingPicture();
     *order = pictures_.Order();
   } else {
-    return !client_->HasPicture() && session_->Camera().ImageArrived(pictures_.ImageCount(), order);
+    return !IsSendingPicture() && session_->Camera().ImageArrived(pictures_.ImageCount(), order);
   }
   if (!session_->Camera().Wants(*order)) {
     pictures_.DropWaiting();
@@ -512,9 +523,13 @@ bool RCServer::FindOrder(PictureOrder* order) {
   return true;
 }
 
+bool RCServer::IsSendingPicture() const {
+  return client_->HasPicture() || datagrams_.HasPicture();
+}
+
 // Not while a picture is being sent: the next one would only wait behind it.
 void RCServer::BeginPicture() {
-  if (client_ != NULL && !client_->HasPicture() && pictures_.MayBegin()) {
+  if (client_ != NULL && !IsSendingPicture() && pictures_.MayBegin()) {
     pictures_.Begin();
   }
 }
@@ -526,6 +541,11 @@ void RCServer::SendPicture(const EncodedPicture& picture) {
     return;
   }
   if (!session_->Camera().Wants(pictures_.Order())) {
+    return;
+  }
+  if (datagrams_.IsOn() && pictures_.Order().is_of_stream) {
+    pictures_.CountSent();
+    datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size);
     return;
   }
   byte header[Session::MAX_PICTURE_HEADER_SIZE];

@@ -16,6 +16,7 @@
 #include "rcserver/Session.h"
 #include "rcserver/body/Body.h"
 #include "rcserver/body/PowerSupply.h"
+#include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/camera/PictureTaker.h"
 #include "rcserver/motions/FileJobs.h"
 #include "rcserver/settings/Settings.h"
@@ -87,6 +88,7 @@ class RCServer : public OObject {
   void SendCont(ANTENVMSG msg);
   void ReceiveCont(ANTENVMSG msg);
   void CloseCont(ANTENVMSG msg);
+  void DatagramCont(ANTENVMSG msg);
   /// @}
 
  private:
@@ -116,6 +118,7 @@ class RCServer : public OObject {
   bool SendOutput();
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
+  bool IsSendingPicture() const;
   void BeginPicture();
   void SendPicture(const EncodedPicture& picture);
 
@@ -127,6 +130,7 @@ class RCServer : public OObject {
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;
   PictureTaker pictures_;
+  PictureDatagrams datagrams_;
   ReportLimit reports_;  ///< of clients that come and go
   Settings settings_;
   Session* session_;  ///< from DoInit to DoDestroy

@@ -6,6 +6,7 @@
 #include "rcserver/body/CameraControl.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/SensorDriver.h"
+#include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/motions/FileJobs.h"
 
@@ -25,6 +26,7 @@ struct Robot {
   const SensorDriver& sensors;
   LightDriver& lights;
   CameraControl& camera;
+  DatagramSwitch& datagrams;
   PowerOrder& power_order;
   FileJobs& files;
 };

@@ -47,6 +47,7 @@ void Session::End() {
   robot_.joints.ClientGone();
   robot_.lights.ClientGone();
   robot_.camera.ClientGone();
+  robot_.datagrams.SendTo(0);
   Begin();
 }
 
@@ -100,17 +101,21 @@ void Session::Measured(unsigned frame) {
   }
 }
 
+protocol::version2::ImageHeader Session::HeaderToTell(const protocol::version2::ImageHeader& image) const {
+  protocol::version2::ImageHeader told = image;
+  if (!version2_.TellsCameraSettings()) {
+    told.settings = protocol::version2::CameraSettings();
+  }
+  return told;
+}
+
 size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image,
                                     size_t jpeg_size, unsigned char* out) const {
   if (version_ == 1) {
     protocol::encodePictureHeader(jpeg_size, out);
     return protocol::PICTURE_HEADER_SIZE;
   }
-  protocol::version2::ImageHeader told = image;
-  if (!version2_.TellsCameraSettings()) {
-    told.settings = protocol::version2::CameraSettings();
-  }
-  const size_t image_header_size = encodeImageHeader(told, out + protocol::version2::FRAME_HEADER_SIZE);
+  const size_t image_header_size = encodeImageHeader(HeaderToTell(image), out + protocol::version2::FRAME_HEADER_SIZE);
   const FrameHeader header = {protocol::version2::PICTURE, image.quality, order.request_number,
                               static_cast<unsigned>(image_header_size + jpeg_size)};
   return encodeFrameHeader(header, out) + image_header_size;

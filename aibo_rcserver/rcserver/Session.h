@@ -89,6 +89,9 @@ class Session {
 
   ImageObserver& Camera() { return camera_; }
 
+  /// What the client is told about a picture.
+  protocol::version2::ImageHeader HeaderToTell(const protocol::version2::ImageHeader& image) const;
+
   /// Writes the bytes that go before a picture, in the client's version.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
   /// @return how many bytes it is

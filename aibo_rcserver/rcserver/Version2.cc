@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "protocol/picture_datagram.h"
 #include "protocol/units.h"
 
 using namespace protocol::version2;
@@ -13,7 +14,7 @@ using robot_model::NO_LED;
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O I L K G P N";  // whatever the settings are
+const char CAPABILITIES[] = "H F W J V T O I L K G B P N";  // whatever the settings are
 
 // Joints and sensors report every 4 frames.
 const unsigned short SENSOR_PERIOD = 4;
@@ -173,6 +174,8 @@ void Version2::Execute(unsigned now) {
       return SetStream();
     case REQUEST_CAMERA:
       return SetCamera();
+    case REQUEST_DATAGRAMS:
+      return SetDatagrams();
     case REQUEST_JOINTS:
       return MoveJoints();
     case REQUEST_SPEED_LIMITS:
@@ -332,6 +335,17 @@ void Version2::SetCamera() {
     return;
   }
   Reply(encodeCameraValue(robot_.camera.Settings().of(setting), Payload()));
+}
+
+void Version2::SetDatagrams() {
+  unsigned short port = 0;
+  if (!IsWellFormed(decodeDatagramPort(payload_, request_.payload_size, &port))) {
+    return;
+  }
+  if (!robot_.datagrams.SendTo(port)) {
+    return Refuse(CODE_REFUSED, "the IPStack has no endpoint for datagrams; pictures go over this connection");
+  }
+  Reply(encodeDatagramPort(port, Payload()));
 }
 
 void Version2::MoveJoints() {

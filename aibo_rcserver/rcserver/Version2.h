@@ -72,6 +72,7 @@ class Version2 {
   void TakePicture();
   void SetStream();
   void SetCamera();
+  void SetDatagrams();
   bool MakesLayer(protocol::version2::Layer layer);
   void MoveJoints();
   void LimitSpeeds();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "protocol/picture_datagram.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
@@ -42,6 +43,9 @@ bool isJpegBehind(const Header& header, const unsigned char* bytes, std::size_t 
 
 bool SentPictures::add(const void* data, std::size_t size) {
   const auto* bytes = static_cast<const unsigned char*>(data);
+  if (size > 0 && bytes[0] == protocol::version2::DATAGRAM_MARK && addDatagram(bytes, size)) {
+    return jpeg_.size() == size - protocol::version2::DATAGRAM_HEADER_SIZE;
+  }
   const bool goes_on = jpeg_.size() < jpeg_size_ && bytes == next_;
   const bool begins = !goes_on && begin(bytes, size);
   if (goes_on) {
@@ -49,6 +53,22 @@ bool SentPictures::add(const void* data, std::size_t size) {
   }
   next_ = bytes + size;
   return begins;
+}
+
+// False if it is none. The robot sends the parts of a picture in order.
+bool SentPictures::addDatagram(const unsigned char* bytes, std::size_t size) {
+  using namespace protocol::version2;
+  PictureDatagram datagram = {};
+  if (decodePictureDatagram(bytes, size, &datagram) != nullptr) {
+    return false;
+  }
+  if (datagram.part == 0) {
+    jpeg_.clear();
+  }
+  jpeg_size_ = datagram.jpeg_size;
+  jpeg_.append(bytes + DATAGRAM_HEADER_SIZE, bytes + size);
+  next_ = nullptr;
+  return true;
 }
 
 bool SentPictures::begin(const unsigned char* bytes, std::size_t size) {

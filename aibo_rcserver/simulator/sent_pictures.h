@@ -10,7 +10,7 @@
 class SentPictures {
  public:
   /// Adds the bytes of the next send.
-  /// @return true if they begin a picture, in either version of the protocol
+  /// @return true if they begin a picture, in either version of the protocol, by TCP or UDP
   bool add(const void* data, std::size_t size);
 
   /// True if the last add() completed a picture.
@@ -21,6 +21,7 @@ class SentPictures {
 
  private:
   bool begin(const unsigned char* bytes, std::size_t size);
+  bool addDatagram(const unsigned char* bytes, std::size_t size);
 
   std::string jpeg_;                     ///< the part received so far
   std::size_t jpeg_size_ = 0;            ///< of the complete picture; 0 if none is being sent

@@ -55,6 +55,12 @@ class ObedientMotors final : public MotorSwitch {
   bool on_ = true;
 };
 
+// An IPStack that always has an endpoint, and sends nothing.
+class FreePorts final : public DatagramSwitch {
+ public:
+  bool SendTo(Port) override { return true; }
+};
+
 // Does a job on the memory stick only when doJob() is called.
 class SlowFiles final : public FileJobs {
  public:
@@ -252,9 +258,10 @@ class Server {
   SensorDriver sensors_{kRobot};
   LightDriver lights_{kRobot};
   CameraControl camera_;
+  FreePorts datagrams_;
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
-  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, power_order_, files_};
+  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, datagrams_, power_order_, files_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
   unsigned now_ = 0;

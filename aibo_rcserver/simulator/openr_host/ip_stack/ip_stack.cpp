@@ -82,7 +82,7 @@ antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& obje
       pass<TCPEndpointConnectMsg>(message, &TcpEndpoint::connect);
       break;
     case antOperation_TCPSend:
-      announceSend(message.as<TCPEndpointSendMsg>());
+      announceSend<TcpEndpoint>(message.as<TCPEndpointSendMsg>());
       passData<TCPEndpointSendMsg>(message, &TcpEndpoint::send);
       break;
     case antOperation_TCPReceive:
@@ -93,6 +93,7 @@ antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& obje
       forgetListeners();
       break;
     case antOperation_UDPSend:
+      announceSend<UdpEndpoint>(message.as<UDPEndpointSendMsg>());
       passData<UDPEndpointSendMsg>(message, &UdpEndpoint::send);
       break;
     case antOperation_UDPReceive:
@@ -220,8 +221,9 @@ void IpStack::passData(const Envelope& message, void (Kind::*operation)(const En
   }
 }
 
-void IpStack::announceSend(const TCPEndpointSendMsg& message) {
-  if (on_send_ && find<TcpEndpoint>(message.module) != nullptr && hasBuffer(buffers_, message)) {
+template <typename Kind, typename Message>
+void IpStack::announceSend(const Message& message) {
+  if (on_send_ && find<Kind>(message.module) != nullptr && hasBuffer(buffers_, message)) {
     on_send_(message.buffer, static_cast<std::size_t>(message.size));
   }
 }

@@ -31,7 +31,7 @@ class IpStack {
   /// @param deliver sends answered messages back to their objects
   /// @param objects_are_busy whether messages are waiting for objects. While they are, a client for which no endpoint
   /// listens is not turned away yet, because an object may be about to listen.
-  /// @param on_send called with bytes that are about to be sent; may be empty
+  /// @param on_send called with bytes that are about to be sent, by TCP or UDP; may be empty
   IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
 
   /// Takes a port of this computer for a port of the robot.
@@ -64,7 +64,8 @@ class IpStack {
 
   void listen(const Envelope& message);
   void forgetListeners();
-  void announceSend(const TCPEndpointSendMsg& message);
+  template <typename Kind, typename Message>
+  void announceSend(const Message& message);
   template <typename Message, typename Kind>
   void pass(const Envelope& message, void (Kind::*operation)(const Envelope&));
   template <typename Message, typename Kind>

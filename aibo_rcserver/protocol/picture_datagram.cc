@@ -1,0 +1,76 @@
+#include "protocol/picture_datagram.h"
+
+#include "protocol/big_endian.h"
+
+namespace protocol {
+namespace version2 {
+namespace {
+
+const size_t IMAGE_HEADER_OFFSET = DATAGRAM_HEADER_SIZE - IMAGE_HEADER_SIZE;
+
+}  // namespace
+
+size_t encodeDatagramPort(unsigned short port, unsigned char* out) {
+  encodeBigEndian16(port, out);
+  return DATAGRAM_PORT_SIZE;
+}
+
+const char* decodeDatagramPort(const unsigned char* payload, size_t size, unsigned short* port) {
+  if (size != DATAGRAM_PORT_SIZE) {
+    return "the payload has the wrong size";
+  }
+  *port = decodeBigEndian16(payload);
+  return NULL;
+}
+
+size_t numberOfParts(size_t jpeg_size) {
+  return (jpeg_size + DATAGRAM_PART_SIZE - 1) / DATAGRAM_PART_SIZE;
+}
+
+size_t sizeOfPart(size_t jpeg_size, size_t part) {
+  const size_t rest = jpeg_size - part * DATAGRAM_PART_SIZE;
+  return rest < DATAGRAM_PART_SIZE ? rest : DATAGRAM_PART_SIZE;
+}
+
+size_t encodePictureDatagram(const PictureDatagram& datagram, unsigned char* out) {
+  out[0] = static_cast<unsigned char>(DATAGRAM_MARK);
+  out[1] = 0;
+  encodeBigEndian16(datagram.part, out + 2);
+  encodeBigEndian32(datagram.sequence, out + 4);
+  encodeBigEndian32(datagram.picture, out + 8);
+  encodeBigEndian32(datagram.jpeg_size, out + 12);
+  return IMAGE_HEADER_OFFSET + encodeImageHeader(datagram.image, out + IMAGE_HEADER_OFFSET);
+}
+
+const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram) {
+  if (size < DATAGRAM_HEADER_SIZE) {
+    return "the datagram is shorter than its header";
+  }
+  if (bytes[0] != static_cast<unsigned char>(DATAGRAM_MARK) || bytes[1] != 0) {
+    return "the datagram does not begin as one with a part of a picture does";
+  }
+  PictureDatagram decoded;
+  decoded.part = decodeBigEndian16(bytes + 2);
+  decoded.sequence = decodeBigEndian32(bytes + 4);
+  decoded.picture = decodeBigEndian32(bytes + 8);
+  decoded.jpeg_size = decodeBigEndian32(bytes + 12);
+  if (decoded.jpeg_size == 0 || decoded.jpeg_size > MAX_JPEG_SIZE) {
+    return "the picture in the datagram is empty or too large";
+  }
+  if (decoded.part >= numberOfParts(decoded.jpeg_size)) {
+    return "the picture in the datagram does not have that many parts";
+  }
+  if (size - DATAGRAM_HEADER_SIZE != sizeOfPart(decoded.jpeg_size, decoded.part)) {
+    return "the datagram does not have the size of its part";
+  }
+  size_t part_size = 0;
+  if (const char* problem =
+          decodePicture(bytes + IMAGE_HEADER_OFFSET, size - IMAGE_HEADER_OFFSET, &decoded.image, &part_size)) {
+    return problem;
+  }
+  *datagram = decoded;
+  return NULL;
+}
+
+}  // namespace version2
+}  // namespace protocol

@@ -1,0 +1,60 @@
+/// @file picture_datagram.h
+/// Pictures by UDP, in version 2 of the protocol: the request `B`, and the datagrams that follow it.
+///
+/// A picture of the stream is sent as parts of DATAGRAM_PART_SIZE bytes; the last one has the rest. Each part goes in a
+/// datagram of its own, behind a header that describes the whole picture. So a receiver can begin with any part, and
+/// knows from each how many there are.
+#ifndef AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
+#define AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
+
+#include <stddef.h>
+
+#include "protocol/version2.h"
+
+namespace protocol {
+namespace version2 {
+
+/// Payload of `B` and of its reply: uint16 port, 0 = no datagrams.
+const size_t DATAGRAM_PORT_SIZE = 2;
+size_t encodeDatagramPort(unsigned short port, unsigned char* out);
+const char* decodeDatagramPort(const unsigned char* payload, size_t size, unsigned short* port);
+
+/// What goes before a part: char `b`, uint8 0, uint16 part, uint32 sequence, uint32 picture, uint32 size of the JPEG,
+/// then the image header of `f`.
+struct PictureDatagram {
+  unsigned short part;  ///< of this picture, from 0
+  unsigned sequence;    ///< counts datagrams, from 0 after each `B`
+  unsigned picture;     ///< counts pictures, from 0 after each `B`
+  unsigned jpeg_size;   ///< of the whole picture, 1..MAX_JPEG_SIZE
+  ImageHeader image;
+};
+
+/// The first byte of a datagram.
+const char DATAGRAM_MARK = 'b';
+
+const size_t DATAGRAM_HEADER_SIZE = 16 + IMAGE_HEADER_SIZE;
+
+/// With the headers of IP and UDP, 1400 bytes: no network and no tunnel has to cut such a packet. Sony's IPStack is
+/// said to crash when a datagram has more than some 19 KB.
+const size_t MAX_DATAGRAM_SIZE = 1372;
+
+/// Bytes of the JPEG in every part but the last.
+const size_t DATAGRAM_PART_SIZE = MAX_DATAGRAM_SIZE - DATAGRAM_HEADER_SIZE;
+
+/// How many parts a JPEG has.
+size_t numberOfParts(size_t jpeg_size);
+
+/// How many bytes of the JPEG a part has.
+/// @param part 0 to numberOfParts() - 1
+size_t sizeOfPart(size_t jpeg_size, size_t part);
+
+/// Writes DATAGRAM_HEADER_SIZE bytes; the part of the JPEG follows them.
+size_t encodePictureDatagram(const PictureDatagram& datagram, unsigned char* out);
+
+/// Decodes a datagram, and checks that it has all bytes of its part, which begin at bytes + DATAGRAM_HEADER_SIZE.
+const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
+
+}  // namespace version2
+}  // namespace protocol
+
+#endif  // AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H

@@ -1,0 +1,126 @@
+#include "rcserver/camera/PictureDatagrams.h"
+
+#include <EndpointTypes.h>
+#include <IPAddress.h>
+#include <entry.h>
+#include <string.h>
+
+using protocol::version2::DATAGRAM_HEADER_SIZE;
+using protocol::version2::DATAGRAM_PART_SIZE;
+using protocol::version2::ImageHeader;
+using protocol::version2::MAX_DATAGRAM_SIZE;
+using protocol::version2::PictureDatagram;
+
+namespace {
+
+// Bytes that the IPStack may hold to be sent: twice a packet, as in Sony's sample UDPEchoServer. So few datagrams wait.
+const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
+
+}  // namespace
+
+PictureDatagrams::PictureDatagrams()
+    : object_(),
+      buffer_(NULL),
+      endpoint_number_(0),
+      receiver_(0),
+      port_(0),
+      next_(),
+      unsent_part_(0),
+      number_of_parts_(0) {}
+
+bool PictureDatagrams::Create(OID object) {
+  object_ = object;
+  stack_ = antStackRef("IPStack");
+  antEnvCreateSharedBufferMsg create(DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY);
+  if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
+    return false;
+  }
+  shared_buffer_ = create.buffer;
+  if (shared_buffer_.Map() != ANT_SUCCESS) {
+    return false;
+  }
+  buffer_ = static_cast<byte*>(shared_buffer_.GetAddress());
+  return true;
+}
+
+void PictureDatagrams::Destroy() {
+  if (buffer_ == NULL) {
+    return;
+  }
+  Close();
+  buffer_ = NULL;
+  shared_buffer_.UnMap();
+  antEnvDestroySharedBufferMsg destroy(shared_buffer_);
+  destroy.Call(stack_, sizeof(destroy));
+}
+
+bool PictureDatagrams::SendTo(Port port) {
+  Close();
+  return port == 0 || Open(port);
+}
+
+void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size) {
+  memcpy(buffer_ + DATAGRAM_HEADER_SIZE, jpeg, size);
+  next_.jpeg_size = static_cast<unsigned>(size);
+  next_.image = image;
+  unsent_part_ = 0;
+  number_of_parts_ = protocol::version2::numberOfParts(size);
+  SendPart();
+}
+
+// A datagram that could not be sent counts as lost on the way.
+void PictureDatagrams::Sent(const UDPEndpointSendMsg& answer) {
+  if (port_ == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_ || !HasPicture()) {
+    return;
+  }
+  ++unsent_part_;
+  if (HasPicture()) {
+    SendPart();
+  } else {
+    ++next_.picture;
+  }
+}
+
+bool PictureDatagrams::Open(Port port) {
+  antEnvCreateEndpointMsg create(EndpointType_UDP, ENDPOINT_POOL_SIZE);
+  if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
+    return false;
+  }
+  endpoint_ = create.moduleRef;
+  ++endpoint_number_;
+  port_ = port;
+  next_.sequence = 0;
+  next_.picture = 0;
+  UDPEndpointBindMsg bind(endpoint_, IP_ADDR_ANY, IP_PORT_ANY);
+  if (bind.Call(stack_, sizeof(bind)) != ANT_SUCCESS || bind.error != UDP_SUCCESS) {
+    Close();
+    return false;
+  }
+  return true;
+}
+
+void PictureDatagrams::Close() {
+  if (port_ != 0) {
+    UDPEndpointCloseMsg close(endpoint_);
+    close.Call(stack_, sizeof(close));
+  }
+  port_ = 0;
+  unsent_part_ = 0;
+  number_of_parts_ = 0;
+}
+
+// The header takes the place of the end of the part before it, which the IPStack has already.
+void PictureDatagrams::SendPart() {
+  byte* const datagram = buffer_ + unsent_part_ * DATAGRAM_PART_SIZE;
+  next_.part = static_cast<unsigned short>(unsent_part_);
+  encodePictureDatagram(next_, datagram);
+  ++next_.sequence;
+  const size_t part_size = protocol::version2::sizeOfPart(next_.jpeg_size, unsent_part_);
+  UDPEndpointSendMsg send(endpoint_, IPAddress(static_cast<uint32>(receiver_)), port_, datagram,
+                          static_cast<int>(DATAGRAM_HEADER_SIZE + part_size));
+  send.continuation = reinterpret_cast<void*>(endpoint_number_);
+  if (send.Send(stack_, object_, Extra_Entry[entryDatagramCont], sizeof(send)) != ANT_SUCCESS) {
+    number_of_parts_ = 0;  // the rest of this picture is lost; the next one may fare better
+    ++next_.picture;
+  }
+}

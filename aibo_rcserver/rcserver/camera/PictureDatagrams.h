@@ -1,0 +1,79 @@
+/// @file PictureDatagrams.h
+/// The pictures of the stream by UDP.
+#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H
+#define AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H
+
+#include <OPENR/OPENR.h>
+#include <UDPEndpointMsg.h>
+#include <ant.h>
+
+#include "picture_encoder/PictureJob.h"
+#include "protocol/picture_datagram.h"
+
+/// What a client's requests can do about datagrams.
+class DatagramSwitch {
+ public:
+  virtual ~DatagramSwitch() {}
+
+  /// Has the pictures of the stream sent to this port of the client's computer from now on. A picture that is being
+  /// sent to another port is dropped.
+  /// @param port 0: they are not sent as datagrams any more
+  /// @return false if the IPStack refuses; then they are not sent as datagrams
+  virtual bool SendTo(Port port) = 0;
+};
+
+/// Sends pictures to the client, and to nobody else, in datagrams that no network has to cut
+/// (protocol/picture_datagram.h). One datagram is under way at a time: the next follows when the IPStack has taken it.
+class PictureDatagrams : public DatagramSwitch {
+ public:
+  PictureDatagrams();
+  virtual ~PictureDatagrams() {}
+
+  /// Gets the shared buffer. Call in DoInit, before anything else.
+  /// @param object whose entry DatagramCont is called
+  /// @return false if the IPStack has no memory for it
+  bool Create(OID object);
+
+  /// Gives the shared buffer back.
+  void Destroy();
+
+  /// A client is connected from this address.
+  void ClientConnected(unsigned address) { receiver_ = address; }
+
+  virtual bool SendTo(Port port);
+
+  /// True if pictures of the stream go as datagrams.
+  bool IsOn() const { return port_ != 0; }
+
+  /// True while there is a picture that has not been sent completely.
+  bool HasPicture() const { return unsent_part_ < number_of_parts_; }
+
+  /// Begins to send a picture. Only if IsOn() and not HasPicture().
+  /// @param jpeg of `size` bytes, is copied
+  void Send(const protocol::version2::ImageHeader& image, const byte* jpeg, size_t size);
+
+  /// The IPStack's answer to a datagram: sends the next one, if there is one.
+  void Sent(const UDPEndpointSendMsg& answer);
+
+ private:
+  PictureDatagrams(const PictureDatagrams&);
+  PictureDatagrams& operator=(const PictureDatagrams&);
+
+  bool Open(Port port);
+  void Close();
+  void SendPart();
+
+  OID object_;
+  antStackRef stack_;
+  antSharedBuffer shared_buffer_;
+  byte* buffer_;  ///< room for the header of a datagram, then the JPEG
+  antModuleRef endpoint_;
+  size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be told
+  unsigned receiver_;       ///< the client's address
+  Port port_;               ///< 0: there is no endpoint
+  protocol::version2::PictureDatagram next_;
+  size_t unsent_part_;
+  size_t number_of_parts_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H

@@ -1,0 +1,71 @@
+/// @file udp_socket.h
+/// A UDP socket of this computer that never waits, for tests.
+#ifndef TEST_SUPPORT_UDP_SOCKET_H
+#define TEST_SUPPORT_UDP_SOCKET_H
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace test_support {
+
+class UdpSocket {
+ public:
+  /// Takes any free port.
+  /// @param address of this computer; Linux has all of 127.0.0.0/8
+  explicit UdpSocket(const char* address = "127.0.0.1") : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in own = addressOf(address, 0);
+    if (::bind(socket_, reinterpret_cast<sockaddr*>(&own), sizeof(own)) != 0) {
+      throw std::system_error(errno, std::generic_category(), "bind");
+    }
+  }
+  ~UdpSocket() { ::close(socket_); }
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+
+  std::uint16_t port() const {
+    sockaddr_in own{};
+    socklen_t size = sizeof(own);
+    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
+    return ntohs(own.sin_port);
+  }
+
+  void send(int port, const std::vector<std::uint8_t>& bytes, const char* address = "127.0.0.1") {
+    const sockaddr_in to = addressOf(address, port);
+    ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
+  }
+
+  /// The next datagram, if it is here already.
+  std::optional<std::vector<std::uint8_t>> next() {
+    std::vector<std::uint8_t> bytes(65536);
+    const ssize_t size = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (size < 0) {
+      return std::nullopt;
+    }
+    bytes.resize(static_cast<std::size_t>(size));
+    return bytes;
+  }
+
+ private:
+  static sockaddr_in addressOf(const char* address, int port) {
+    sockaddr_in result{};
+    result.sin_family = AF_INET;
+    result.sin_port = htons(static_cast<std::uint16_t>(port));
+    ::inet_pton(AF_INET, address, &result.sin_addr);
+    return result;
+  }
+
+  int socket_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_UDP_SOCKET_H

@@ -1,0 +1,229 @@
+// Pictures by UDP.
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "picture_checks.h"
+#include "protocol/picture_datagram.h"
+#include "protocol/version2.h"
+#include "rcserver_fixture.h"
+#include "support/udp_socket.h"
+
+namespace {
+
+using namespace protocol::version2;
+using test_support::UdpSocket;
+using ::testing::Each;
+using ::testing::IsEmpty;
+using ::testing::Le;
+
+const std::string kLayerHigh(1, '\0');
+const std::string kStreamOff = {0, 0, 0, 1};
+
+std::string portPayload(int port) {
+  return payloadOf(encodeDatagramPort, static_cast<unsigned short>(port), DATAGRAM_PORT_SIZE);
+}
+
+struct ReceivedPart {
+  PictureDatagram header{};
+  std::vector<uint8_t> bytes;
+};
+
+class DatagramsTest : public FakeRobotFixture {
+ protected:
+  void SetUp() override {
+    start();
+    connectVersion2();
+  }
+
+  void switchOn(const UdpSocket& receiver) {
+    const Frame answer = answerTo('B', 0, portPayload(receiver.port()));
+    ASSERT_EQ(answer.header.kind, 'b');
+    EXPECT_EQ(textOf(answer), portPayload(receiver.port()));
+  }
+
+  void streamTo(const UdpSocket& receiver) {
+    switchOn(receiver);
+    answerTo('W', 85, kStreamOn);
+  }
+
+  std::vector<ReceivedPart> partsAt(UdpSocket& receiver) {
+    std::vector<ReceivedPart> parts;
+    machine_->runPending();
+    while (const auto datagram = receiver.next()) {
+      ReceivedPart part;
+      sizes_.push_back(datagram->size());
+      EXPECT_EQ(decodePictureDatagram(datagram->data(), datagram->size(), &part.header), nullptr);
+      part.bytes.assign(datagram->begin() + DATAGRAM_HEADER_SIZE, datagram->end());
+      parts.push_back(part);
+    }
+    return parts;
+  }
+
+  // The frames with pictures that have come by TCP; others are skipped.
+  std::vector<Frame> picturesByTcp() {
+    std::vector<Frame> pictures;
+    machine_->runPending();
+    while (const std::optional<Frame> next = client_->nextFrame()) {
+      if (next->header.kind == 'f') {
+        pictures.push_back(*next);
+      }
+    }
+    return pictures;
+  }
+
+  static std::vector<uint8_t> joined(const std::vector<ReceivedPart>& parts) {
+    std::vector<uint8_t> jpeg;
+    for (const ReceivedPart& part : parts) {
+      jpeg.insert(jpeg.end(), part.bytes.begin(), part.bytes.end());
+    }
+    return jpeg;
+  }
+
+  std::vector<size_t> sizes_;
+};
+
+TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  streamTo(receiver);
+  takeImage();
+  const std::vector<ReceivedPart> parts = partsAt(receiver);
+  ASSERT_GE(parts.size(), 3U);
+  for (size_t i = 0; i < parts.size(); ++i) {
+    EXPECT_EQ(parts[i].header.part, i);
+    EXPECT_EQ(parts[i].header.sequence, i);
+    EXPECT_EQ(parts[i].header.picture, 0U);
+    EXPECT_EQ(parts[i].header.image.image_count, robot_.lastImage());
+    EXPECT_EQ(parts[i].header.image.width, 208);
+  }
+  EXPECT_THAT(sizes_, Each(Le(1372U)));
+  const std::vector<uint8_t> jpeg = joined(parts);
+  EXPECT_EQ(jpeg.size(), parts[0].header.jpeg_size);
+  EXPECT_EQ(std::vector<uint8_t>(jpeg.end() - 2, jpeg.end()), (std::vector<uint8_t>{0xff, 0xd9}));
+  EXPECT_THAT(picturesByTcp(), IsEmpty());
+}
+
+TEST_F(DatagramsTest, DatagramsAndPicturesAreCounted) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  unsigned sequence = 0;
+  for (unsigned picture = 0; picture < 5; ++picture) {
+    takeImage();
+    const std::vector<ReceivedPart> parts = partsAt(receiver);
+    for (const ReceivedPart& part : parts) {
+      EXPECT_EQ(part.header.picture, picture);
+      EXPECT_EQ(part.header.sequence, sequence++);
+    }
+    EXPECT_NEAR(brightnessOf(joined(parts)).level, FakeRobot::brightness(robot_.lastImage()), 3);
+  }
+  EXPECT_GE(sequence, 5U);
+}
+
+TEST_F(DatagramsTest, RequestedPictureAndTelemetryComeByTcp) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  answerTo('T', 0, std::string("\0\4", 2));
+  send(frame('F', 50, 77, kLayerHigh));
+  takeImage();
+  EXPECT_THAT(partsAt(receiver), IsEmpty()) << "the image is the requested picture's";
+  const std::vector<Frame> pictures = picturesByTcp();
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0].header.request_number, 77);
+  takeImage();
+  EXPECT_FALSE(partsAt(receiver).empty());
+}
+
+TEST_F(DatagramsTest, PortZeroBringsTheStreamBackToTcp) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  takeImage();
+  EXPECT_FALSE(partsAt(receiver).empty());
+  EXPECT_EQ(textOf(answerTo('B', 0, portPayload(0))), portPayload(0));
+  takeImage();
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+  EXPECT_EQ(picturesByTcp().size(), 1U);
+}
+
+TEST_F(DatagramsTest, NewPortTakesOverAndCountsFromTheBeginning) {
+  UdpSocket first;
+  UdpSocket second;
+  streamTo(first);
+  takeImage();
+  EXPECT_FALSE(partsAt(first).empty());
+  switchOn(second);
+  takeImage();
+  EXPECT_THAT(partsAt(first), IsEmpty());
+  const std::vector<ReceivedPart> parts = partsAt(second);
+  ASSERT_FALSE(parts.empty());
+  EXPECT_EQ(parts[0].header.sequence, 0U);
+  EXPECT_EQ(parts[0].header.picture, 0U);
+}
+
+TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
+  UdpSocket receiver;
+  UdpSocket elsewhere("127.0.0.2");
+  streamTo(elsewhere);  // its port, at the client's address
+  takeImage();
+  EXPECT_THAT(partsAt(elsewhere), IsEmpty());
+  switchOn(receiver);
+  takeImage();
+  EXPECT_FALSE(partsAt(receiver).empty());
+  reconnect();
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+  EXPECT_EQ(picturesByTcp().size(), 1U);
+}
+
+TEST_F(DatagramsTest, StreamThatIsSwitchedOffIsOffByUdpToo) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  answerTo('W', 85, kStreamOff);
+  takeImage();
+  takeImage();
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+}
+
+TEST_F(DatagramsTest, ClientThatDoesNotReadTcpStillGetsItsStreamByUdp) {
+  UdpSocket receiver;
+  reconnect();
+  streamTo(receiver);
+  stallBehind("");
+  for (int i = 0; i < 20; ++i) {
+    takeImage();
+  }
+  const std::vector<ReceivedPart> parts = partsAt(receiver);
+  ASSERT_FALSE(parts.empty());
+  EXPECT_EQ(parts.back().header.image.image_count, robot_.lastImage());
+}
+
+TEST_F(DatagramsTest, MalformedRequestIsRefusedAndChangesNothing) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  for (const std::string& payload : {std::string(), std::string("\1"), std::string("\0\0\0", 3)}) {
+    expectRefusal(answerTo('B', 0, payload), CODE_REFUSED, "bad request");
+  }
+  takeImage();
+  EXPECT_FALSE(partsAt(receiver).empty());
+}
+
+TEST_F(DatagramsTest, AnIPStackThatSendsNothingLosesPicturesAndNothingElse) {
+  UdpSocket receiver;
+  refused_entry_ = 5;  // DatagramCont in stub.cfg
+  start();
+  connectVersion2();
+  streamTo(receiver);
+  for (int i = 0; i < 3; ++i) {
+    takeImage();
+    EXPECT_THAT(partsAt(receiver), IsEmpty());
+  }
+  EXPECT_EQ(textOf(answerTo('B', 0, portPayload(0))), portPayload(0));
+  takeImage();
+  EXPECT_EQ(picturesByTcp().size(), 1U);
+}
+
+}  // namespace
