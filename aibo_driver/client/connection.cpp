@@ -74,6 +74,12 @@ void Connection::warnOfMissingSettings(bool format, bool camera) {
   }
 }
 
+void Connection::giveUpDatagrams(const std::string& why) {
+  transport = PictureTransport::kTcp;
+  transport_problem = why;
+  context.warn("sends its pictures by TCP, not by UDP: " + why);
+}
+
 Connection::TimePoint Connection::pictureDeadline() const {
   return std::max(pictures.lastSign(), calls.transferEnd()) + context.read_timeout + pictures.extraInterval();
 }

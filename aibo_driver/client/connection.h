@@ -82,6 +82,10 @@ struct Connection {
   ///   than those at the start are
   void warnOfMissingSettings(bool format, bool camera);
 
+  /// Says, once, that the pictures come by TCP although UDP is wanted.
+  /// @param why in words that follow a colon
+  void giveUpDatagrams(const std::string& why);
+
   /// How long the answer to a request may take.
   std::chrono::milliseconds answerLimit() const;
   /// When the answer to a request that is sent now is overdue.
@@ -95,6 +99,9 @@ struct Connection {
   RefusalLog refusals;
   RobotInfo robot;            ///< as the server has introduced itself
   std::string robot_message;  ///< what the robot last reported without being asked and still holds
+  PictureTransport transport = PictureTransport::kTcp;  ///< of the stream's pictures
+  std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be
+  bool lets_no_datagram_through = false;                ///< that is the problem
 
  private:
   bool warned_of_format_ = false;

@@ -6,6 +6,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "client/version2_session.h"
+#include "protocol/version2.h"
 
 namespace aibo_driver {
 
@@ -17,10 +18,14 @@ namespace {
 // A connection that is closed this soon, before a single byte, was turned away.
 constexpr milliseconds kTurnedAwayTime{1000};
 
+// A flood of datagrams must not keep the thread from everything else.
+constexpr int kMostDatagramsAtOnce = 512;
+
 // `fault` changes only together with `reason`, and `robot` only together with `state`.
 bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
   return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason &&
-         a.advice == b.advice && a.robot_message == b.robot_message;
+         a.advice == b.advice && a.robot_message == b.robot_message && a.transport == b.transport &&
+         a.transport_problem == b.transport_problem;
 }
 
 }  // namespace
@@ -34,6 +39,7 @@ ConnectionLoop::ConnectionLoop(const ClientOptions& options, RcServerClient::Cal
       next_attempt_(steady_clock::now()),
       backoff_(options.reconnect_wait_min, options.reconnect_wait_max, std::random_device()()) {
   shared_.wish.jpeg_quality = options.jpeg_quality;
+  shared_.wish.transport = options.picture_transport;
   shared_.status.reason = "the client has not been started";
 }
 
@@ -125,6 +131,7 @@ void ConnectionLoop::connectAndServe() {
 void ConnectionLoop::beginSession() {
   connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
                       connected_);
+  connection_->transport_problem = datagrams_blocked_;
   if (options_.protocol_version == 1) {
     beginVersion1(Version1Session::VersionAnswer::kNotAsked);
     return;
@@ -169,7 +176,8 @@ void ConnectionLoop::pauseUntil(TimePoint end) {
 
 void ConnectionLoop::talk() {
   const TimePoint now = steady_clock::now();
-  const Wish wish = takeNews(now);
+  Wish wish = takeNews(now);
+  wish.datagram_port = datagramPort(wish);
   for (Session::Bytes bytes; !(bytes = session_->nextRequest(wish, now)).empty();) {
     send(bytes);
     updateStreaming(connection_->pictures.streaming());
@@ -196,6 +204,29 @@ Wish ConnectionLoop::takeNews(TimePoint now) {
   return wish;
 }
 
+/// The port for pictures by UDP; 0 if they are to come by TCP.
+int ConnectionLoop::datagramPort(const Wish& wish) {
+  Connection& connection = *connection_;
+  if (wish.transport == PictureTransport::kTcp) {
+    connection.transport_problem.clear();
+    connection.lets_no_datagram_through = false;
+    datagrams_blocked_.clear();
+  } else if (session_->ready() && connection.transport_problem.empty() && !transport_->datagrams().isOpen()) {
+    if (!connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_DATAGRAMS))) {
+      connection.giveUpDatagrams("its server has no request for it");
+    } else if (!transport_->openDatagrams()) {
+      connection.giveUpDatagrams("this computer has no free socket");
+    }
+  }
+  if (connection.lets_no_datagram_through) {
+    datagrams_blocked_ = connection.transport_problem;
+  }
+  if (wish.transport == PictureTransport::kTcp || !connection.transport_problem.empty()) {
+    transport_->datagrams().close();
+  }
+  return transport_->datagrams().port();
+}
+
 void ConnectionLoop::listen() {
   const bool readable = transport_->wait(session_->nextDeadline());
   const TimePoint now = steady_clock::now();
@@ -205,12 +236,39 @@ void ConnectionLoop::listen() {
     counters_.bytes_received += size;
     connection_->pictures.bytesArrived(now);
     session_->bytesArrived(buffer_.data(), size, now);
-    updateStatus([this](ConnectionStatus& status) { status.robot_message = connection_->robot_message; });
   }
-  if (size < buffer_.size()) {
+  if (takeDatagrams(now) && size < buffer_.size()) {
     connection_->pictures.foundEmpty(now);
   }
   session_->checkDeadlines(now);
+  reportSession();
+}
+
+/// @return true if none is left
+bool ConnectionLoop::takeDatagrams(TimePoint now) {
+  for (int i = 0; i < kMostDatagramsAtOnce; ++i) {
+    std::size_t size = 0;
+    const auto origin = transport_->datagrams().receive(buffer_.data(), buffer_.size(), &size);
+    if (!origin) {
+      return true;
+    }
+    counters_.bytes_received += size;
+    if (*origin == DatagramSocket::Origin::kForeign) {
+      ++counters_.foreign_datagrams;
+      continue;
+    }
+    connection_->pictures.bytesArrived(now);
+    session_->datagramArrived(buffer_.data(), size, now);
+  }
+  return false;
+}
+
+void ConnectionLoop::reportSession() {
+  updateStatus([this](ConnectionStatus& status) {
+    status.robot_message = connection_->robot_message;
+    status.transport = connection_->transport;
+    status.transport_problem = connection_->transport_problem;
+  });
 }
 
 void ConnectionLoop::onReady() {
@@ -266,6 +324,7 @@ void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reaso
     status.state = ConnectionState::kDisconnected;
     status.protocol_version = 0;
     status.robot = RobotInfo();
+    status.transport = PictureTransport::kTcp;
     status.fault = kind;
     status.reason = reason;
     status.advice = advice;

@@ -85,7 +85,10 @@ class ConnectionLoop {
   void talk();
   void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }
   Wish takeNews(TimePoint now);
+  int datagramPort(const Wish& wish);
   void listen();
+  bool takeDatagrams(TimePoint now);
+  void reportSession();
   void onReady();
   void onSettled();
   void onFault(const Fault& cause);
@@ -114,6 +117,7 @@ class ConnectionLoop {
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // there once the version of the protocol is clear
   ServerHabits habits_;
+  std::string datagrams_blocked_;           // why no datagram has ever come; empty if any has, or none was due
   TimePoint connected_ = TimePoint::max();  // since when; max if not
   bool heard_ = false;                      // the server has sent something
   TimePoint attempt_began_;                 // the present or last attempt to connect

@@ -25,6 +25,13 @@ struct Counters {
   std::atomic<std::uint64_t> thinned_telemetry{0};
   std::atomic<std::uint64_t> impossible_values{0};
   std::atomic<std::uint64_t> refusals{0};
+  std::atomic<std::uint64_t> datagrams{0};
+  std::atomic<std::uint64_t> lost_datagrams{0};
+  std::atomic<std::uint64_t> reordered_datagrams{0};
+  std::atomic<std::uint64_t> duplicate_datagrams{0};
+  std::atomic<std::uint64_t> bad_datagrams{0};
+  std::atomic<std::uint64_t> foreign_datagrams{0};
+  std::atomic<std::uint64_t> lost_pictures{0};
 
   ClientStatistics snapshot() const {
     ClientStatistics result;
@@ -42,6 +49,13 @@ struct Counters {
     result.thinned_telemetry = thinned_telemetry;
     result.impossible_values = impossible_values;
     result.refusals = refusals;
+    result.datagrams = datagrams;
+    result.lost_datagrams = lost_datagrams;
+    result.reordered_datagrams = reordered_datagrams;
+    result.duplicate_datagrams = duplicate_datagrams;
+    result.bad_datagrams = bad_datagrams;
+    result.foreign_datagrams = foreign_datagrams;
+    result.lost_pictures = lost_pictures;
     return result;
   }
 };

@@ -166,6 +166,10 @@ void RcServerClient::setCameraSettings(const CameraSettings& settings) {
   loop_->change([&settings](Shared& shared) { shared.wish.camera = settings; });
 }
 
+void RcServerClient::setPictureTransport(PictureTransport transport) {
+  loop_->change([transport](Shared& shared) { shared.wish.transport = transport; });
+}
+
 bool RcServerClient::streaming() const {
   return loop_->read([](const Shared& shared) { return shared.streaming; });
 }

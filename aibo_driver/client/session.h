@@ -19,6 +19,8 @@ struct Wish {
   int telemetry_period = 0;  ///< OPEN-R frames of 8 ms; 0 = no telemetry
   StreamFormat format{};
   CameraSettings camera{};
+  PictureTransport transport = PictureTransport::kTcp;
+  int datagram_port = 0;  ///< to which pictures can be sent by UDP; 0 = they come by TCP
 };
 
 /// Speaks one version of the protocol over one Connection: what to send, how to take apart what arrives, and when to
@@ -53,6 +55,10 @@ class Session {
   /// @throw ProtocolException no server of this version sends that
   /// @throw Fault the connection cannot go on
   virtual void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
+
+  /// A datagram has come from the server's address at this time.
+  /// @throw as bytesArrived()
+  virtual void datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 
   /// To be called when nextDeadline() has passed and what had arrived until then has been handed in.
   /// @throw Fault something was due and did not come

@@ -181,7 +181,8 @@ void TcpTransport::checkConnected(int socket) const {
 }
 
 bool TcpTransport::wait(TimePoint deadline) {
-  const short events = pollOnce(socket_.get(), hasUnsent() ? POLLIN | POLLOUT : POLLIN, deadline);
+  const short events =
+      pollOnce(socket_.get(), hasUnsent() ? POLLIN | POLLOUT : POLLIN, deadline, datagrams_.descriptor());
   if ((events & POLLOUT) != 0) {
     sendOn();
   }
@@ -221,6 +222,7 @@ void TcpTransport::sendOn() {
 
 void TcpTransport::close() noexcept {
   socket_.close();
+  datagrams_.close();
   unsent_.clear();
 }
 
@@ -243,10 +245,12 @@ bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
   return true;
 }
 
+/// @param other also ends the wait when it is readable
 /// @return which of the events the descriptor has, or that it has an error; 0 at the deadline, or earlier
-short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline) {
-  pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}};  // poll() skips a descriptor of -1
-  const int count = ::poll(polled, 2, pollTimeout(deadline));
+short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, int other) {
+  // poll() skips a descriptor of -1.
+  pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}, {other, POLLIN, 0}};
+  const int count = ::poll(polled, 3, pollTimeout(deadline));
   if (count < 0 && errno != EINTR) {
     std::this_thread::sleep_for(milliseconds(10));  // the kernel is short of memory: no reason to spin
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "client/datagram_socket.h"
 #include "client/event.h"
 #include "client/file_descriptor.h"
 #include "client/name_lookup.h"
@@ -17,8 +18,9 @@ namespace aibo_driver {
 
 using TimePoint = std::chrono::steady_clock::time_point;
 
-/// A connection over TCP (IPv4 or IPv6) that can be made again and again, and the one place where the client's thread
-/// waits. abort() and wakeUp() may be called from any thread, everything else from the client's thread only.
+/// A connection over TCP (IPv4 or IPv6) that can be made again and again, a socket for datagrams beside it, and the one
+/// place where the client's thread waits. abort() and wakeUp() may be called from any thread, everything else from the
+/// client's thread only.
 class TcpTransport {
  public:
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
@@ -47,6 +49,13 @@ class TcpTransport {
   /// True if the network has not taken all that send() was given.
   bool hasUnsent() const { return !unsent_.empty(); }
 
+  /// Takes a port for datagrams from the connection's peer. From then on, wait() returns early when one is there.
+  /// @return false if the kernel refuses
+  bool openDatagrams() { return datagrams_.open(socket_.get()); }
+
+  /// Closed until openDatagrams(), and at the end of the connection.
+  DatagramSocket& datagrams() { return datagrams_; }
+
   /// Ends the connection, if there is one.
   void close() noexcept;
 
@@ -62,7 +71,7 @@ class TcpTransport {
   FileDescriptor beginToConnect(const SocketAddress& address) const;
   void checkConnected(int socket) const;
   bool waitFor(int descriptor, short events, TimePoint deadline);
-  short pollOnce(int descriptor, short events, TimePoint deadline);
+  short pollOnce(int descriptor, short events, TimePoint deadline, int other = -1);
   void sendOn();
   [[noreturn]] void throwFault(int error) const;
 
@@ -71,6 +80,7 @@ class TcpTransport {
   std::atomic<bool> aborted_{false};
   std::string address_;  // "host:port", for messages
   FileDescriptor socket_;
+  DatagramSocket datagrams_;
   std::vector<std::uint8_t> unsent_;  // the part of what send() was given that the network has not taken
 };
 

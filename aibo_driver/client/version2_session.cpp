@@ -10,6 +10,7 @@
 #include "client/units.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
+#include "protocol/picture_datagram.h"
 #include "protocol/text.h"
 #include "protocol/walk_requests.h"
 
@@ -192,7 +193,8 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
     : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
-      next_hello_(connected) {
+      next_hello_(connected),
+      datagrams_(connection.context) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
 }
@@ -220,6 +222,9 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   }
   if (Bytes frame = requestCameraSetting(wish, now); !frame.empty()) {
     return frame;
+  }
+  if (wish.datagram_port != datagram_port_) {
+    return requestDatagrams(wish, now);
   }
   if (wish.streaming != pictures.streaming() || (wish.streaming && (wish.jpeg_quality != pictures.streamQuality() ||
                                                                     possibleFormat(wish) != pictures.streamFormat()))) {
@@ -271,10 +276,26 @@ Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   const StreamFormat format = possibleFormat(wish);
   connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now, format);
+  datagrams_.expectFrom(now);
   const version2::StreamSettings settings = {wish.streaming, layerOf(format.resolution),
                                              static_cast<unsigned short>(format.every_nth_image)};
   return request(version2::REQUEST_STREAM, wish.jpeg_quality, now, version2::STREAM_SETTINGS_SIZE,
                  [&](unsigned char* out) { return version2::encodeStreamSettings(settings, out); });
+}
+
+// Datagrams may come before the reply.
+Session::Bytes Version2Session::requestDatagrams(const Wish& wish, TimePoint now) {
+  datagram_port_ = wish.datagram_port;
+  if (datagram_port_ != 0) {
+    datagrams_.begin(now);
+  } else {
+    datagrams_.end();
+    connection_.transport = PictureTransport::kTcp;
+    connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
+  }
+  return request(version2::REQUEST_DATAGRAMS, 0, now, version2::DATAGRAM_PORT_SIZE, [this](unsigned char* out) {
+    return version2::encodeDatagramPort(static_cast<unsigned short>(datagram_port_), out);
+  });
 }
 
 Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
@@ -430,6 +451,7 @@ std::optional<char> Version2Session::kindOf(int number) const {
 
 void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   now_ = now;
+  datagrams_.heardByTcp(now);
   while (size > 0) {
     if (reader_.isBetweenFrames()) {
       frame_began_ = now;
@@ -451,6 +473,18 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   }
   for (Telemetry& telemetry : std::exchange(telemetry_, {})) {
     connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
+  }
+}
+
+void Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
+  if (!datagrams_.on()) {
+    return;
+  }
+  now_ = now;
+  if (const auto whole = datagrams_.arrived(data, size, now)) {
+    if (const auto picture = inspect(whole->jpeg, whole->header, whole->began)) {
+      deliverFromStream(picture);
+    }
   }
 }
 
@@ -513,6 +547,8 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
       return onSteered(payload);
     case version2::REQUEST_CAMERA:
       return onCameraSetting(payload);
+    case version2::REQUEST_DATAGRAMS:
+      return onDatagramPort(payload);
     default:
       // The answers for stream, speed limits, telemetry, LEDs and ears only confirm what was requested.
       if (const Call* const call = connection_.calls.find(number)) {
@@ -534,7 +570,12 @@ std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload
   std::size_t size = 0;
   expectGood(version2::decodePicture(payload.data, payload.size, &header, &size), "picture");
   const unsigned char* jpeg = payload.data + version2::IMAGE_HEADER_SIZE;
-  std::shared_ptr<Picture> picture = connection_.pictures.inspect(Bytes(jpeg, jpeg + size), frame_began_);
+  return inspect(Bytes(jpeg, jpeg + size), header, frame_began_);
+}
+
+/// @return null if it is damaged
+std::shared_ptr<Picture> Version2Session::inspect(Bytes jpeg, const version2::ImageHeader& header, TimePoint began) {
+  std::shared_ptr<Picture> picture = connection_.pictures.inspect(std::move(jpeg), began);
   if (picture) {
     picture->frame_number = header.frame_number;
     picture->image_count = header.image_count;
@@ -545,8 +586,22 @@ std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload
 
 void Version2Session::onStreamPicture(const Payload& payload) {
   if (const PicturePtr picture = takePictureFrom(payload)) {
-    connection_.pictures.deliverFromStream(picture, now_);
+    deliverFromStream(picture);
   }
+}
+
+void Version2Session::deliverFromStream(const PicturePtr& picture) {
+  if (isOvertaken(*picture)) {
+    ++connection_.context.counters.stale_pictures;
+  } else if (connection_.pictures.deliverFromStream(picture, now_)) {
+    newest_frame_ = picture->frame_number;
+  }
+}
+
+// TCP and UDP may overtake each other.
+bool Version2Session::isOvertaken(const Picture& picture) const {
+  return datagrams_.wereUsed() && newest_frame_ && picture.frame_number &&
+         static_cast<std::int32_t>(*picture.frame_number - *newest_frame_) <= 0;
 }
 
 void Version2Session::onRequestedPicture(int number, const Payload& payload) {
@@ -557,9 +612,11 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
   }
   const PictureIntake& pictures = connection_.pictures;
   const std::optional<Resolution>& resolution = connection_.calls.find(number)->resolution;
-  if (pictures.streaming() && resolution && *resolution != pictures.streamFormat().resolution) {
+  const bool is_of_other_size = pictures.streaming() && resolution && *resolution != pictures.streamFormat().resolution;
+  if (is_of_other_size || isOvertaken(*picture)) {
     ++connection_.context.counters.pictures;  // for the caller alone: it would not fit among those of the stream
   } else {
+    newest_frame_ = picture->frame_number;
     connection_.pictures.deliver(picture);
   }
   Answer answer;
@@ -623,6 +680,22 @@ void Version2Session::onCameraSetting(const Payload& payload) {
   }
 }
 
+void Version2Session::onDatagramPort(const Payload& payload) {
+  unsigned short port = 0;
+  expectGood(version2::decodeDatagramPort(payload.data, payload.size, &port), "reply to a port for datagrams");
+  if (port != 0 && port == datagram_port_) {
+    connection_.transport = PictureTransport::kUdp;
+    datagrams_.expectFrom(now_);
+  }
+}
+
+void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
+  connection_.giveUpDatagrams(why);
+  connection_.lets_no_datagram_through = datagrams_.nothingCame();
+  datagrams_.end();
+  connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
+}
+
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   Answer answer;
   if (call.letter == version2::REQUEST_MOTORS) {
@@ -666,6 +739,9 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
       return refusals.refused(request_kind, "to set LEDs: " + problem);
     case version2::REQUEST_CAMERA:
       return refusals.refused(request_kind, "to set its camera: " + problem);
+    case version2::REQUEST_DATAGRAMS:
+      ++connection_.context.counters.refusals;
+      return giveUpDatagrams("it refused to: " + problem, now_);
     default:
       return refusals.refused(request_kind, "to move the ears: " + problem);
   }
@@ -722,8 +798,12 @@ Session::TimePoint Version2Session::answerDeadline() const {
 
 void Version2Session::checkDeadlines(TimePoint now) {
   const ConnectionContext& context = connection_.context;
-  if (connection_.pictures.streaming() && now >= connection_.pictureDeadline()) {
-    throw Fault::silent(context.address, context.read_timeout);
+  if (connection_.pictures.streaming() && now >= pictureDeadline()) {
+    const std::string problem = datagrams_.problem(now, connection_.pictures.extraInterval());
+    if (problem.empty()) {
+      throw Fault::silent(context.address, context.read_timeout);
+    }
+    giveUpDatagrams(problem, now);
   }
   for (const auto& exchange : exchanges_) {
     const Exchange& request = exchange.second;
@@ -735,9 +815,15 @@ void Version2Session::checkDeadlines(TimePoint now) {
   connection_.calls.expire(now, connection_.pictures.damageRemark());
 }
 
+/// When the robot is silent for too long, or its datagrams are. With UDP the radio may be out for longer than with TCP:
+/// pictures come at once when it is back, and no connection has to be made for that.
+Session::TimePoint Version2Session::pictureDeadline() const {
+  return datagrams_.on() ? datagrams_.deadline(connection_.pictures.extraInterval()) : connection_.pictureDeadline();
+}
+
 Session::TimePoint Version2Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
-  const TimePoint silence = pictures.streaming() ? connection_.pictureDeadline() : TimePoint::max();
+  const TimePoint silence = pictures.streaming() ? pictureDeadline() : TimePoint::max();
   return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), next_hello_, pictures.nextLook()});
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "client/connection.h"
+#include "client/datagram_intake.h"
 #include "client/session.h"
 #include "protocol/frame_reader.h"
 #include "protocol/version2.h"
@@ -36,6 +37,7 @@ class Version2Session final : public Session {
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  void datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 
@@ -64,6 +66,7 @@ class Version2Session final : public Session {
   StreamFormat possibleFormat(const Wish& wish) const;
   Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
+  Bytes requestDatagrams(const Wish& wish, TimePoint now);
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
@@ -97,11 +100,17 @@ class Version2Session final : public Session {
   void jointFollowsAgain(const std::string& joint);
   void bodyMovesAgain();
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
+  std::shared_ptr<Picture> inspect(Bytes jpeg, const protocol::version2::ImageHeader& header, TimePoint began);
+  void deliverFromStream(const PicturePtr& picture);
+  bool isOvertaken(const Picture& picture) const;
+  void onDatagramPort(const Payload& payload);
+  void giveUpDatagrams(const std::string& why, TimePoint now);
 
   std::optional<char> kindOf(int number) const;
   long outstanding(char kind) const;
   bool mayCommandJoints() const;
   TimePoint answerDeadline() const;
+  TimePoint pictureDeadline() const;
 
   Connection& connection_;
   Bytes buffer_;  // the payload of the frame that is arriving
@@ -117,8 +126,11 @@ class Version2Session final : public Session {
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
   int telemetry_period_ = 0;                                               // as last requested
-  std::vector<Report> reports_;                                            // that still hold, the newest last
-  std::deque<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart, in this order
+  DatagramIntake datagrams_;
+  int datagram_port_ = 0;                      // as last requested
+  std::optional<std::uint32_t> newest_frame_;  // of the pictures delivered, once any could have come by UDP
+  std::vector<Report> reports_;                // that still hold, the newest last
+  std::deque<Telemetry> telemetry_;            // arrived with the bytes that are being taken apart, in this order
 };
 
 }  // namespace aibo_driver

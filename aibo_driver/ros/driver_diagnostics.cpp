@@ -89,6 +89,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   reported_damaged_ = damaged;
   summarizeStream(reading, asked_rate, newly_damaged, status);
   reportDelay(sources_.robot_clock.read(), status);
+  reportTransport(status);
   status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
   status.add("streaming", yesOrNo(sources_.client.streaming()));
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
@@ -103,6 +104,27 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("images decoded", raw.published);
   status.add("images not decodable", raw.decode_errors);
   status.add("images dropped for newer ones", raw.skipped);
+}
+
+// That pictures come by TCP instead is no fault of the stream, but the user has to know.
+void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
+  const ConnectionStatus connection = sources_.client.status();
+  const ClientStatistics client = sources_.client.statistics();
+  if (!connection.transport_problem.empty()) {
+    status.mergeSummary(DiagnosticStatus::WARN, "pictures come by TCP, not by UDP: " + connection.transport_problem);
+  }
+  status.add("transport", nameOf(connection.transport));
+  status.add("why not udp", connection.transport_problem);
+  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
+    return;
+  }
+  status.add("datagrams received", client.datagrams);
+  status.add("datagrams lost", client.lost_datagrams);
+  status.add("datagrams out of order", client.reordered_datagrams);
+  status.add("datagrams that came twice", client.duplicate_datagrams);
+  status.add("datagrams that are no part of a picture", client.bad_datagrams);
+  status.add("datagrams from strangers", client.foreign_datagrams);
+  status.add("pictures lost with a datagram", client.lost_pictures);
 }
 
 void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, double asked_rate,

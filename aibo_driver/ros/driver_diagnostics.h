@@ -44,6 +44,7 @@ class DriverDiagnostics {
  private:
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportTransport(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void summarizeStream(const StreamMeter::Reading& reading, double asked_rate, std::uint64_t newly_damaged,
                        diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void reportJoints(diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -158,6 +158,10 @@ bool isResolution(const std::string& text) {
   return resolutionOf(text).has_value();
 }
 
+bool isTransport(const std::string& text) {
+  return transportOf(text).has_value();
+}
+
 bool isFrame(const std::string& text) {
   return isWord(text) && text.front() != '/';
 }
@@ -219,6 +223,8 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("stream_on_demand", &parameters.stream_on_demand);
   reader.read("resolution", kResolutionNames, isResolution, &parameters.resolution);
   reader.read("frame_rate", "pictures a second", kLowestFrameRate, kCameraRate, &parameters.frame_rate);
+  reader.read("transport", kTransportNames, isTransport, &parameters.transport);
+  parameters.client.picture_transport = *transportOf(parameters.transport);
   reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
   reader.read("gain", 1, 3, &parameters.camera.gain);
   reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);

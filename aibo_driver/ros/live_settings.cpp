@@ -39,7 +39,7 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   in_force_ = config;
   ROS_INFO_STREAM("Settings in force: jpeg_quality "
                   << config.jpeg_quality << " of 1..100, resolution " << config.resolution << ", frame_rate "
-                  << config.frame_rate << " of 2..30, telemetry_rate " << config.telemetry_rate
+                  << config.frame_rate << " of 2..30, transport " << config.transport << ", telemetry_rate " << config.telemetry_rate
                   << " of 0..31.25, speed_scale " << config.speed_scale << " of 0.1..1.");
 }
 
@@ -54,6 +54,12 @@ void LiveSettings::applyToCamera(AiboDriverConfig& config) {
   format.every_nth_image = everyNthImageOf(config.frame_rate);
   config.frame_rate = frameRateOf(format.every_nth_image);
   client_.setStreamFormat(format);
+  if (!transportOf(config.transport)) {
+    ROS_WARN_STREAM("The transport '" << config.transport << "' is not one of " << kTransportNames << ": it stays at "
+                                      << in_force_.transport << ".");
+    config.transport = in_force_.transport;
+  }
+  client_.setPictureTransport(*transportOf(config.transport));
   CameraSettings camera;
   camera.white_balance = config.white_balance;
   camera.gain = config.gain;

@@ -39,6 +39,9 @@ class FakeClient : public aibo_driver::RcServerClient {
     tell("format " + std::to_string(static_cast<int>(format.resolution)) + " " +
          std::to_string(format.every_nth_image));
   }
+  void setPictureTransport(aibo_driver::PictureTransport transport) override {
+    tell(transport == aibo_driver::PictureTransport::kUdp ? "udp" : "tcp");
+  }
   void setCameraSettings(const aibo_driver::CameraSettings& settings) override {
     tell("camera " + std::to_string(settings.white_balance) + " " + std::to_string(settings.gain) + " " +
          std::to_string(settings.shutter_speed) + (settings.auto_exposure ? " exposure" : "") +

@@ -19,6 +19,19 @@ std::optional<Resolution> resolutionOf(const std::string& name) {
   return std::nullopt;
 }
 
+std::optional<PictureTransport> transportOf(const std::string& name) {
+  for (const PictureTransport transport : {PictureTransport::kTcp, PictureTransport::kUdp}) {
+    if (name == nameOf(transport)) {
+      return transport;
+    }
+  }
+  return std::nullopt;
+}
+
+const char* nameOf(PictureTransport transport) {
+  return transport == PictureTransport::kUdp ? "udp" : "tcp";
+}
+
 int everyNthImageOf(double rate) {
   return static_cast<int>(std::lround(kCameraRate / std::clamp(rate, kLowestFrameRate, kCameraRate)));
 }

@@ -22,6 +22,16 @@ constexpr const char* kResolutionNames = "52x40, 104x80, 208x160 or 416x320";
 /// @return none for any other text
 std::optional<Resolution> resolutionOf(const std::string& name);
 
+/// What users may write as the transport of the stream's pictures, for messages.
+constexpr const char* kTransportNames = "tcp or udp";
+
+/// @param name one of kTransportNames
+/// @return none for any other text
+std::optional<PictureTransport> transportOf(const std::string& name);
+
+/// The name of a transport.
+const char* nameOf(PictureTransport transport);
+
 /// The nearest rate that the camera can keep evenly.
 /// @param rate pictures per second, kLowestFrameRate..kCameraRate
 /// @return every how many images, 1..15

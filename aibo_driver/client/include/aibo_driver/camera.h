@@ -17,6 +17,12 @@ enum class Resolution {
   kDouble = 3   ///< 416x320, if the camera has the bands for it; several times the work for the robot
 };
 
+/// How the pictures of the stream come. All else comes by TCP in any case, also a picture for takePicture().
+enum class PictureTransport {
+  kTcp,  ///< each comes whole; one that has lost a packet comes late, and so do those behind it
+  kUdp   ///< one that has lost a packet does not come, and delays no other
+};
+
 /// Which pictures the stream has.
 struct StreamFormat {
   Resolution resolution = Resolution::kHigh;

@@ -33,7 +33,8 @@ struct ClientOptions {
   int port = 54321;                ///< 1..65535; the RCServer's port (report, section 2.2)
   int jpeg_quality = 85;           ///< 1..100, of the stream (report, section 3.3.3, gives 85 as the standard)
   int protocol_version = 0;        ///< 0 = the newest that the server speaks; 1 = version 1, without asking
-  std::chrono::milliseconds connect_timeout{2000};     ///< 50 ms..60 s, name lookup included
+  PictureTransport picture_transport = PictureTransport::kTcp;  ///< as for setPictureTransport()
+  std::chrono::milliseconds connect_timeout{2000};              ///< 50 ms..60 s, name lookup included
   std::chrono::milliseconds read_timeout{500};         ///< 50 ms..60 s; a stream that is silent for longer is dead
   std::chrono::milliseconds reconnect_wait_min{100};   ///< 10 ms..reconnect_wait_max; the wait doubles at each failure
   std::chrono::milliseconds reconnect_wait_max{2000};  ///< 10 ms..60 s; the longest wait from one attempt to the next
@@ -56,6 +57,8 @@ struct ConnectionStatus {
   /// server hangs up. It is kept until the next connection; that of a joint is over when the server says that the joint
   /// follows its commands again, and then the last report before it that still holds is here. Empty if there is none.
   std::string robot_message;
+  PictureTransport transport = PictureTransport::kTcp;  ///< by which the pictures of the stream come now
+  std::string transport_problem;  ///< why they come by TCP although UDP is wanted, in words; empty if all is well
 };
 
 /// Counters since start(). They never decrease.
@@ -75,6 +78,17 @@ struct ClientStatistics {
   std::uint64_t impossible_values =
       0;                       ///< values dropped from telemetry: no joint or sensor of this robot can have them
   std::uint64_t refusals = 0;  ///< requests that the robot refused
+
+  /// @name Pictures by UDP
+  /// @{
+  std::uint64_t datagrams = 0;            ///< received from the robot
+  std::uint64_t lost_datagrams = 0;       ///< that have not come; counted when 64 later ones have been sent
+  std::uint64_t reordered_datagrams = 0;  ///< that came behind later ones
+  std::uint64_t duplicate_datagrams = 0;  ///< that came before
+  std::uint64_t bad_datagrams = 0;        ///< dropped: from the robot's address, but no part of a picture
+  std::uint64_t foreign_datagrams = 0;    ///< dropped: not from the robot's address
+  std::uint64_t lost_pictures = 0;        ///< of which a datagram was lost, or came too late
+  /// @}
 };
 
 /// Keeps one connection to an RCServer: gets pictures and telemetry over it, moves the joints, and gives the robot
@@ -169,6 +183,15 @@ class RcServerClient {
 
   /// The format last set by setStreamFormat().
   virtual StreamFormat streamFormat() const;
+
+  /// Sets how the pictures of the stream come. Takes effect as setStreaming() does. A server that speaks version 1 or
+  /// lacks the capability `B` sends them by TCP, and the log says so.
+  ///
+  /// A datagram is taken from the robot's address alone. A picture is delivered when all its datagrams have come, and
+  /// never after a newer one. If nothing comes by UDP for 1 s although TCP works, or if 20 pictures in a row have lost
+  /// a datagram, the pictures come by TCP from then on: see ConnectionStatus::transport_problem. UDP is tried again
+  /// over the next connection, unless no datagram has ever come; and when this is set to TCP and then to UDP.
+  virtual void setPictureTransport(PictureTransport transport);
 
   /// Sets the camera. Takes effect as setStreaming() does; the robot resets the camera when the connection ends. What
   /// is in force for a picture is in Picture::settings. A server that speaks version 1 or lacks the capability `G`

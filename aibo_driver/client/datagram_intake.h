@@ -1,0 +1,82 @@
+/// @file datagram_intake.h
+#ifndef AIBO_DRIVER_CLIENT_DATAGRAM_INTAKE_H
+#define AIBO_DRIVER_CLIENT_DATAGRAM_INTAKE_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "client/picture_assembly.h"
+#include "client/picture_intake.h"
+#include "client/sequence_window.h"
+
+namespace aibo_driver {
+
+/// The pictures that one connection gets by UDP, and whether it would better get them by TCP. It does no I/O and reads
+/// no clock.
+class DatagramIntake {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// If no datagram has come for this long although TCP works, something on the way swallows them.
+  static constexpr std::chrono::milliseconds kSilence{1000};
+  /// While the radio is out, TCP is silent, too. So TCP has to have worked when datagrams were missing for this long
+  /// ...
+  static constexpr std::chrono::milliseconds kMissing{500};
+  /// ... and the next datagram gets this much time: after an outage, an answer by TCP may come first.
+  static constexpr std::chrono::milliseconds kGrace{200};
+  /// If so many pictures in a row have lost a part, none will come: by chance, with pictures of 4 datagrams and a tenth
+  /// of them lost, it happens once in two years.
+  static constexpr int kMostGivenUp = 20;
+
+  explicit DatagramIntake(const ConnectionContext& context) : context_(context) {}
+
+  /// The robot has begun to send the stream's pictures as datagrams, or has ended it.
+  void begin(TimePoint now);
+  void end() { on_ = false; }
+  bool on() const { return on_; }
+
+  /// A datagram is due from now on: the stream was switched on, or changed.
+  void expectFrom(TimePoint now);
+
+  /// Something has come by TCP.
+  void heardByTcp(TimePoint now);
+
+  /// A datagram has come from the robot's address.
+  /// @return the picture that it completes
+  std::optional<PictureAssembly::Whole> arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
+
+  /// When to look at problem() again at the latest.
+  /// @param extra_interval how much longer than with every image of the camera the next picture may take
+  TimePoint deadline(std::chrono::milliseconds extra_interval) const;
+
+  /// Why the pictures had better come by TCP, in words that follow "pictures come by TCP: "; empty if all is well. Only
+  /// while the stream is on.
+  std::string problem(TimePoint now, std::chrono::milliseconds extra_interval) const;
+
+  /// True if begin() was ever called.
+  bool wereUsed() const { return used_; }
+
+  /// True if no datagram has come over this connection.
+  bool nothingCame() const { return !something_came_; }
+
+ private:
+  void count(SequenceWindow::Verdict verdict);
+  void refuse(const std::string& problem);
+
+  const ConnectionContext& context_;
+  bool on_ = false;
+  bool used_ = false;
+  bool something_came_ = false;
+  bool warned_ = false;
+  TimePoint last_datagram_;              // or since when one is due
+  std::optional<TimePoint> tcp_worked_;  // when something first came by TCP after kMissing
+  SequenceWindow window_;
+  PictureAssembly assembly_;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_DATAGRAM_INTAKE_H

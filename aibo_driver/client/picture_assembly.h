@@ -1,0 +1,70 @@
+/// @file picture_assembly.h
+#ifndef AIBO_DRIVER_CLIENT_PICTURE_ASSEMBLY_H
+#define AIBO_DRIVER_CLIENT_PICTURE_ASSEMBLY_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "protocol/picture_datagram.h"
+
+namespace aibo_driver {
+
+/// Puts the parts of pictures together. Few pictures are incomplete at a time, so that what a robot sends cannot fill
+/// the memory: a newer picture takes the place of the oldest, and a whole one of all that are older.
+class PictureAssembly {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// Parts of two pictures can be on their way at the same time if a network changes their order.
+  static constexpr std::size_t kMostIncomplete = 2;
+
+  /// A whole picture.
+  struct Whole {
+    protocol::version2::ImageHeader header;
+    std::vector<std::uint8_t> jpeg;
+    TimePoint began;  ///< when its first datagram came
+  };
+
+  enum class Result {
+    kTaken,
+    kUseless,       ///< this part is there already, or its picture has been completed or given up
+    kContradiction  ///< the picture cannot have this part: other parts describe it differently
+  };
+
+  /// Adds a part.
+  /// @param bytes of the JPEG, as many as the datagram says
+  /// @param[out] whole the picture, if this completes it; it is newer than all before it
+  Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now,
+             std::optional<Whole>* whole);
+
+  /// Pictures that were sent and have not become whole, also those of which nothing came.
+  std::uint64_t lost() const { return lost_; }
+
+  /// How many pictures in a row were begun and given up since the last whole one.
+  int givenUpInARow() const { return given_up_in_a_row_; }
+
+ private:
+  struct Incomplete {
+    protocol::version2::ImageHeader header;
+    std::vector<std::uint8_t> jpeg;
+    std::vector<bool> has_part;
+    std::size_t missing;
+    TimePoint began;
+  };
+
+  Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
+  void giveUpOldest();
+
+  std::map<std::int64_t, Incomplete> incomplete_;  // by the picture's number
+  std::int64_t last_settled_ = -1;                 // this picture and those before it are whole or given up
+  std::uint64_t lost_ = 0;
+  int given_up_in_a_row_ = 0;
+};
+
+}  // namespace aibo_driver
+
+#endif  // AIBO_DRIVER_CLIENT_PICTURE_ASSEMBLY_H

@@ -1,0 +1,481 @@
+// Pictures by UDP: what the client asks for, which pictures it delivers, and when it goes back to TCP.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/fault.h"
+#include "client/version2_session.h"
+#include "newest_client_fixture.h"
+#include "session_fixture.h"
+#include "support/picture_datagrams.h"
+#include "support/udp_socket.h"
+#include "support/version2_frames.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using test_pictures::Bytes;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using version2_frames::makeFrame;
+
+namespace {
+
+constexpr int kPort = 40000;
+
+/// Larger than a datagram: it has four parts.
+Bytes makeJpeg(unsigned seed) {
+  test_pictures::PictureKind kind;
+  kind.seed = seed;
+  kind.quality = 70;
+  return test_pictures::make(kind);
+}
+
+class DatagramsTest : public SessionFixture {
+ protected:
+  Session& session() override { return session_; }
+
+  void SetUp() override {
+    EXPECT_EQ('H', request());
+    receive(makeFrame('h', number_, version2_frames::makeHello("F W B")));
+  }
+
+  /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
+  char request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return 0;
+    }
+    const version2_frames::Frame frame = version2_frames::split(bytes);
+    number_ = frame.header.request_number;
+    payload_ = frame.payload;
+    return frame.header.kind;
+  }
+
+  void answer() {
+    for (char kind = request(); kind != 0; kind = request()) {
+      const char reply = protocol::version2::replyKind(kind);
+      receive(makeFrame(reply, number_, kind == 'H' ? version2_frames::makeHello("F W B") : payload_));
+      asked_ += kind;
+    }
+  }
+
+  void startStream() {
+    wish_.streaming = true;
+    wish_.datagram_port = kPort;
+    answer();
+    asked_.clear();
+  }
+
+  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images.
+  template <typename Action>
+  void live(milliseconds time, const Action& every_32_ms) {
+    for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
+      every_32_ms();
+      const TimePoint end = now_ + milliseconds(32);
+      while (now_ < end) {
+        answer();
+        pass(std::min(end, session_.nextDeadline()) - now_);
+      }
+    }
+    answer();
+  }
+  void live(milliseconds time) {
+    live(time, [] {});
+  }
+
+  /// Lets time pass while nothing comes, and nothing can be sent.
+  void beOutOfReach(milliseconds time) {
+    const TimePoint end = now_ + time;
+    while (now_ < end) {
+      request();
+      pass(std::min(end, session_.nextDeadline()) - now_);
+    }
+  }
+
+  std::vector<Bytes> nextPicture() {
+    ++picture_;
+    jpegs_.push_back(makeJpeg(picture_));
+    return test_support::makeDatagrams(jpegs_.back(), picture_ - 1, 1000 + 4 * picture_, &sequence_);
+  }
+
+  void arrive(const Bytes& datagram) { session_.datagramArrived(datagram.data(), datagram.size(), now_); }
+  void arrive(const std::vector<Bytes>& datagrams) {
+    for (const Bytes& datagram : datagrams) {
+      arrive(datagram);
+    }
+  }
+
+  /// The numbers of the pictures delivered; the first that was made is 1. 0 is none of them.
+  std::vector<unsigned> delivered() const {
+    std::vector<unsigned> numbers;
+    for (const PicturePtr& picture : pictures_) {
+      const auto found = std::find(jpegs_.begin(), jpegs_.end(), picture->jpeg);
+      numbers.push_back(found == jpegs_.end() ? 0 : static_cast<unsigned>(found - jpegs_.begin()) + 1);
+    }
+    return numbers;
+  }
+
+  Bytes byTcp(unsigned seed, unsigned frame_number, int number = 0) {
+    return makeFrame('f', number, version2_frames::makePicture(makeJpeg(seed), frame_number));
+  }
+
+  int number_ = 0;  // of the request that was sent last
+  Bytes payload_;
+  std::string asked_;  // kinds of the requests that were answered
+  std::vector<Bytes> jpegs_;
+  unsigned picture_ = 0;
+  unsigned sequence_ = 0;
+  Version2Session session_{connection_, now_};
+};
+
+TEST_F(DatagramsTest, ThePortIsSentBeforeTheStreamIsRequested) {
+  wish_.streaming = true;
+  wish_.datagram_port = 0x1234;
+  EXPECT_EQ('B', request());
+  EXPECT_EQ(Bytes({0x12, 0x34}), payload_);
+  EXPECT_EQ('W', request());
+  EXPECT_EQ(0, request());
+  wish_.datagram_port = 0;
+  EXPECT_EQ('B', request());
+  EXPECT_EQ(Bytes({0, 0}), payload_);
+}
+
+TEST_F(DatagramsTest, APictureIsDeliveredWhenItIsWholeInAnyOrderOfItsParts) {
+  startStream();
+  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
+  std::vector<Bytes> datagrams = nextPicture();
+  ASSERT_GE(datagrams.size(), 3u);
+  std::reverse(datagrams.begin(), datagrams.end());
+  const Bytes last = datagrams.back();
+  datagrams.pop_back();
+  const TimePoint began = now_;
+  arrive(datagrams);
+  EXPECT_TRUE(pictures_.empty());
+  pass(milliseconds(5));
+  arrive(last);
+  EXPECT_THAT(delivered(), ElementsAre(1));
+  EXPECT_EQ(began, pictures_[0]->first_byte_time);
+  EXPECT_EQ(1004u, pictures_[0]->frame_number);
+  EXPECT_EQ(208, pictures_[0]->width);
+  EXPECT_EQ(datagrams.size(), counters_.reordered_datagrams);
+  EXPECT_EQ(datagrams.size() + 1, counters_.datagrams);
+}
+
+TEST_F(DatagramsTest, APictureThatHasLostAPartIsLeftOutAndDelaysNoOther) {
+  startStream();
+  std::vector<Bytes> cut = nextPicture();
+  cut.pop_back();
+  arrive(nextPicture());
+  arrive(cut);
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), ElementsAre(2, 3));
+  EXPECT_EQ(1u, counters_.lost_pictures);
+}
+
+TEST_F(DatagramsTest, NoPictureIsDeliveredAfterANewerOne) {
+  startStream();
+  const std::vector<Bytes> older = nextPicture();
+  arrive(nextPicture());
+  arrive(older);
+  EXPECT_THAT(delivered(), ElementsAre(2));
+  EXPECT_EQ(1u, counters_.lost_pictures);
+  EXPECT_EQ(older.size(), counters_.reordered_datagrams);
+}
+
+TEST_F(DatagramsTest, PartsOfTwoPicturesMayBeMixed) {
+  startStream();
+  const std::vector<Bytes> first = nextPicture();
+  const std::vector<Bytes> second = nextPicture();
+  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
+    for (const auto* picture : {&second, &first}) {
+      if (i + 1 < picture->size()) {
+        arrive((*picture)[i]);
+      }
+    }
+  }
+  arrive(first.back());
+  arrive(second.back());
+  EXPECT_THAT(delivered(), ElementsAre(1, 2));
+  EXPECT_EQ(0u, counters_.lost_pictures);
+}
+
+TEST_F(DatagramsTest, DatagramsThatComeTwiceAreCountedAndDoNoHarm) {
+  startStream();
+  for (const Bytes& datagram : nextPicture()) {
+    arrive(datagram);
+    arrive(datagram);
+  }
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), ElementsAre(1, 2));
+  EXPECT_GE(counters_.duplicate_datagrams, 3u);
+  EXPECT_EQ(0u, counters_.bad_datagrams);
+}
+
+TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
+  startStream();
+  arrive(Bytes());
+  arrive(Bytes(1400, 0x62));
+  std::vector<Bytes> picture = nextPicture();
+  for (std::size_t size = 0; size < picture[0].size(); size += 7) {
+    arrive(Bytes(picture[0].begin(), picture[0].begin() + static_cast<std::ptrdiff_t>(size)));
+  }
+  Bytes from_the_far_future = picture[0];
+  from_the_far_future[4] = 0x7f;
+  arrive(from_the_far_future);
+  Bytes of_a_picture_to_come = picture[0];
+  of_a_picture_to_come[8] = 1;
+  arrive(of_a_picture_to_come);
+  Bytes contradiction = picture[1];
+  contradiction[19] ^= 1;  // the image count may differ, the frame may not
+  contradiction[23] ^= 1;
+  arrive(picture[0]);
+  arrive(contradiction);
+  arrive(picture);
+  EXPECT_THAT(delivered(), ElementsAre(1));
+  EXPECT_GE(counters_.bad_datagrams, 100u);
+  EXPECT_EQ(1, logged("that is dropped"));
+}
+
+TEST_F(DatagramsTest, LostDatagramsAreCounted) {
+  startStream();
+  live(std::chrono::seconds(4), [this] {
+    std::vector<Bytes> picture = nextPicture();
+    if (picture_ % 4 == 0) {
+      picture.erase(picture.begin());
+    }
+    arrive(picture);
+  });
+  EXPECT_EQ(picture_ / 4, counters_.lost_pictures);
+  EXPECT_NEAR(picture_ / 4, static_cast<double>(counters_.lost_datagrams), 6) << "the last 64 are not counted yet";
+  EXPECT_EQ(picture_ - picture_ / 4, pictures_.size());
+}
+
+TEST_F(DatagramsTest, WithoutADatagramForOneSecondThePicturesComeByTcp) {
+  startStream();
+  live(milliseconds(960));
+  EXPECT_EQ("", connection_.transport_problem);
+  live(milliseconds(300), [this] { wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0; });
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram has come for 1 s, while TCP works"));
+  EXPECT_THAT(asked_, HasSubstr("B"));
+  EXPECT_EQ(Bytes({0, 0}), payload_);
+  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_TRUE(connection_.lets_no_datagram_through);
+  EXPECT_EQ(1, logged("by TCP, not by UDP"));
+  unsigned frame_number = 5000;
+  live(std::chrono::seconds(3), [&] { receive(byTcp(1, frame_number += 4)); });
+  EXPECT_GE(pictures_.size(), 90u);
+}
+
+TEST_F(DatagramsTest, DatagramsThatStopComingAreNoticedToo) {
+  startStream();
+  live(std::chrono::seconds(3), [this] { arrive(nextPicture()); });
+  live(milliseconds(1300), [this] { wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0; });
+  EXPECT_NE("", connection_.transport_problem);
+  EXPECT_FALSE(connection_.lets_no_datagram_through);
+}
+
+TEST_F(DatagramsTest, AnOutageOfTheRadioIsNoReasonForTcp) {
+  for (const int outage : {600, 990, 1010, 1200, 1350}) {
+    startStream();
+    live(milliseconds(320), [this] { arrive(nextPicture()); });
+    beOutOfReach(milliseconds(outage));
+    receive(makeFrame('t', 0, version2_frames::makeTelemetry(1, {})));
+    pass(milliseconds(100));
+    live(milliseconds(2000), [this] { arrive(nextPicture()); });
+    EXPECT_EQ("", connection_.transport_problem) << outage;
+  }
+}
+
+TEST_F(DatagramsTest, ARobotThatIsSilentByTcpTooIsGivenUp) {
+  startStream();
+  live(milliseconds(320), [this] { arrive(nextPicture()); });
+  EXPECT_THROW(beOutOfReach(milliseconds(2000)), Fault);
+}
+
+TEST_F(DatagramsTest, ASlowStreamMayTakeItsTime) {
+  wish_.format.every_nth_image = 15;
+  startStream();
+  int images = 0;
+  live(std::chrono::seconds(10), [&] {
+    if (++images % 47 == 0) {  // each 1.5 s: two of three are lost whole
+      arrive(nextPicture());
+    }
+  });
+  EXPECT_EQ("", connection_.transport_problem);
+}
+
+TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcp) {
+  startStream();
+  live(std::chrono::seconds(1), [this] {
+    wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0;
+    std::vector<Bytes> picture = nextPicture();
+    picture.pop_back();
+    arrive(picture);
+  });
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no picture is whole"));
+  EXPECT_FALSE(connection_.lets_no_datagram_through);
+}
+
+TEST_F(DatagramsTest, NothingIsDueWhileTheStreamIsOff) {
+  wish_.datagram_port = kPort;
+  live(std::chrono::seconds(5));
+  EXPECT_EQ("", connection_.transport_problem);
+  wish_.streaming = true;
+  live(milliseconds(900));
+  EXPECT_EQ("", connection_.transport_problem);
+}
+
+TEST_F(DatagramsTest, ARefusalMeansTcp) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  EXPECT_EQ('B', request());
+  receive(makeFrame('e', number_, version2_frames::makeError(0, "no endpoint")));
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no endpoint"));
+  wish_.datagram_port = 0;
+  answer();
+  receive(byTcp(1, 4));
+  EXPECT_EQ(1u, pictures_.size());
+}
+
+TEST_F(DatagramsTest, PicturesByTcpThatWereOvertakenAreNotDelivered) {
+  startStream();
+  auto answer_of_call = takePicture(90);
+  EXPECT_EQ('F', request());
+  const int number = number_;
+  arrive(nextPicture());             // frame 1004
+  receive(byTcp(50, 1000));          // a picture of the stream that waited in TCP
+  receive(byTcp(60, 1002, number));  // the one that was asked for
+  EXPECT_THAT(delivered(), ElementsAre(1));
+  ASSERT_TRUE(done(answer_of_call));
+  EXPECT_EQ(makeJpeg(60), answer_of_call.get().picture->jpeg);
+  EXPECT_EQ(1u, counters_.stale_pictures);
+  receive(byTcp(51, 1005));
+  EXPECT_EQ(2u, pictures_.size());
+  arrive(nextPicture());
+  EXPECT_EQ(3u, pictures_.size());
+}
+
+TEST_F(DatagramsTest, DatagramsAfterTheReturnToTcpAreIgnored) {
+  startStream();
+  arrive(nextPicture());
+  wish_.datagram_port = 0;
+  answer();
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), ElementsAre(1));
+}
+
+// ------------------------------------------------------------------------------------------------ with sockets
+
+class DatagramClientTest : public NewestClientFixture {
+ protected:
+  /// @return the port that the client names; 0 if it names none
+  static int portIn(const version2_frames::Frame& frame) {
+    return frame.header.kind == 'B' ? frame.payload.at(0) * 256 + frame.payload.at(1) : 0;
+  }
+
+  static void confirm(ScriptedPeer* peer, const version2_frames::Frame& frame) {
+    peer->send(makeFrame(protocol::version2::replyKind(frame.header.kind), frame.header.request_number, frame.payload));
+  }
+
+  /// @return the client's port
+  int startStream(ScriptedPeer* peer) {
+    const version2_frames::Frame port = peer->readRequest();
+    confirm(peer, port);
+    confirm(peer, peer->readRequest());
+    return portIn(port);
+  }
+
+  void sendPicture(test_support::UdpSocket* socket, int port) {
+    const std::vector<Bytes> datagrams =
+        test_support::makeDatagrams(makeJpeg(picture_), picture_, 100 + picture_, &sequence_);
+    ++picture_;
+    for (const Bytes& datagram : datagrams) {
+      socket->send(port, datagram);
+    }
+  }
+
+  unsigned picture_ = 0;
+  unsigned sequence_ = 0;
+};
+
+TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
+  client().setPictureTransport(PictureTransport::kUdp);
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion2("F W B");
+  const int port = startStream(&peer);
+  ASSERT_GT(port, 0);
+  test_support::UdpSocket stranger("127.0.0.2");
+  test_support::UdpSocket robot;
+  unsigned sequence = 0;
+  const std::vector<Bytes> forged = test_support::makeDatagrams(makeJpeg(99), 0, 100, &sequence);
+  for (const Bytes& datagram : forged) {
+    stranger.send(port, datagram);
+  }
+  EXPECT_TRUE(eventually([&] { return client().statistics().foreign_datagrams == forged.size(); }));
+  sendUntilDelivered(client(), [&] { sendPicture(&robot, port); });
+  ASSERT_FALSE(recorder_.pictures().empty());
+  EXPECT_NE(makeJpeg(99), recorder_.pictures().front()->jpeg);
+  EXPECT_EQ(PictureTransport::kUdp, client().status().transport);
+  EXPECT_EQ("", client().status().transport_problem);
+}
+
+TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion2("F W B");
+  confirm(&peer, peer.readRequest());
+  client().setPictureTransport(PictureTransport::kUdp);
+  const version2_frames::Frame on = peer.readRequest();
+  EXPECT_GT(portIn(on), 0);
+  confirm(&peer, on);
+  EXPECT_TRUE(eventually([&] { return client().status().transport == PictureTransport::kUdp; }));
+  client().setPictureTransport(PictureTransport::kTcp);
+  const version2_frames::Frame off = peer.readRequest();
+  EXPECT_EQ('B', off.header.kind);
+  EXPECT_EQ(Bytes({0, 0}), off.payload);
+  confirm(&peer, off);
+  EXPECT_TRUE(eventually([&] { return client().status().transport == PictureTransport::kTcp; }));
+}
+
+TEST_F(DatagramClientTest, AServerWithoutTheRequestSendsByTcpAndTheReasonIsTold) {
+  client().setPictureTransport(PictureTransport::kUdp);
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion2("F W");
+  EXPECT_EQ('W', peer.readRequest().header.kind);
+  EXPECT_TRUE(eventually([&] { return !client().status().transport_problem.empty(); }));
+  EXPECT_THAT(client().status().transport_problem, HasSubstr("no request for it"));
+  EXPECT_EQ(1, recorder_.logged("by TCP, not by UDP"));
+}
+
+TEST_F(DatagramClientTest, AServerOfVersion1SeesNoChange) {
+  client().setPictureTransport(PictureTransport::kUdp);
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion1();
+  expectCommand(&peer, 'W', 85);
+  EXPECT_TRUE(eventually([&] { return !client().status().transport_problem.empty(); }));
+}
+
+TEST_F(DatagramClientTest, WhereNoDatagramEverCameUdpIsTriedAgainOnlyIfAskedFor) {
+  client().setPictureTransport(PictureTransport::kUdp);
+  client().setStreaming(true);
+  ScriptedPeer first = connectVersion2("F W B");
+  startStream(&first);
+  const version2_frames::Frame off = first.readRequest();  // after 1 s
+  EXPECT_EQ('B', off.header.kind);
+  EXPECT_EQ(Bytes({0, 0}), off.payload);
+  EXPECT_THAT(client().status().transport_problem, HasSubstr("no datagram"));
+  first.close();
+  ScriptedPeer second = server_.accept();
+  second.agreeToVersion2("F W B");
+  EXPECT_EQ('W', second.readRequest().header.kind);
+  EXPECT_THAT(client().status().transport_problem, HasSubstr("no datagram"));
+  client().setPictureTransport(PictureTransport::kTcp);
+  EXPECT_TRUE(eventually([&] { return client().status().transport_problem.empty(); }));
+  client().setPictureTransport(PictureTransport::kUdp);
+  EXPECT_GT(portIn(second.readRequest()), 0);
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+#include "client/sequence_window.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+using aibo_driver::SequenceWindow;
+using Verdict = aibo_driver::SequenceWindow::Verdict;
+
+namespace {
+
+TEST(SequenceWindowTest, WhatComesInOrderIsNotLost) {
+  SequenceWindow window;
+  for (unsigned i = 0; i < 1000; ++i) {
+    EXPECT_EQ(Verdict::kNext, window.add(i));
+  }
+  EXPECT_EQ(0u, window.lost());
+}
+
+TEST(SequenceWindowTest, LostOnesAreCountedWhenTheyCanNoLongerCome) {
+  SequenceWindow window;
+  window.add(0);
+  for (unsigned i = 3; i < 65; ++i) {  // 1 and 2 are missing
+    window.add(i);
+    EXPECT_EQ(0u, window.lost());
+  }
+  window.add(65);
+  EXPECT_EQ(1u, window.lost());
+  window.add(66);
+  EXPECT_EQ(2u, window.lost());
+}
+
+TEST(SequenceWindowTest, LateOnesAreReorderedAndNotLost) {
+  SequenceWindow window;
+  window.add(0);
+  window.add(2);
+  EXPECT_EQ(Verdict::kReordered, window.add(1));
+  EXPECT_EQ(Verdict::kDuplicate, window.add(1));
+  EXPECT_EQ(Verdict::kDuplicate, window.add(2));
+  for (unsigned i = 3; i < 200; ++i) {
+    window.add(i);
+  }
+  EXPECT_EQ(0u, window.lost());
+  EXPECT_EQ(Verdict::kReordered, window.add(1)) << "too long ago to know";
+}
+
+TEST(SequenceWindowTest, AGapLongerThanTheWindowIsCountedWhole) {
+  SequenceWindow window;
+  window.add(0);
+  window.add(1000);
+  EXPECT_EQ(999u - 63u, window.lost());
+  window.add(2000);
+  EXPECT_EQ(999u + 999u - 63u, window.lost());
+}
+
+TEST(SequenceWindowTest, LossFromTheBeginningCounts) {
+  SequenceWindow window;
+  for (unsigned i = 10; i < 200; ++i) {
+    window.add(i);
+  }
+  EXPECT_EQ(10u, window.lost());
+}
+
+TEST(SequenceWindowTest, ANumberFarAheadIsImpossibleAndChangesNothing) {
+  SequenceWindow window;
+  window.add(0);
+  EXPECT_EQ(Verdict::kImpossible, window.add(65537));
+  EXPECT_EQ(Verdict::kImpossible, window.add(0xffffffff));
+  EXPECT_EQ(Verdict::kNext, window.add(1));
+  EXPECT_EQ(0u, window.lost());
+}
+
+TEST(SequenceWindowTest, CountsExactlyWhateverIsLostSwappedAndRepeated) {
+  std::mt19937 random(7);
+  SequenceWindow window;
+  std::vector<unsigned> sent;
+  std::uint64_t lost = 0;
+  for (unsigned i = 0; i < 20000; ++i) {
+    if (random() % 10 == 0 && i < 19900) {
+      ++lost;
+      continue;
+    }
+    sent.push_back(i);
+    if (random() % 20 == 0) {
+      sent.push_back(i);
+    }
+  }
+  for (std::size_t i = 0; i + 12 < sent.size(); i += 12) {
+    std::shuffle(sent.begin() + static_cast<std::ptrdiff_t>(i), sent.begin() + static_cast<std::ptrdiff_t>(i + 12),
+                 random);
+  }
+  for (const unsigned sequence : sent) {
+    EXPECT_NE(Verdict::kImpossible, window.add(sequence));
+  }
+  EXPECT_EQ(lost, window.lost());
+}
+
+}  // namespace

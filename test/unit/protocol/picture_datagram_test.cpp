@@ -1,0 +1,88 @@
+#include "protocol/picture_datagram.h"
+
+#include <gmock/gmock.h>
+
+#include "layouts.h"
+
+namespace protocol {
+namespace version2 {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsNull;
+
+constexpr char kHeader[] =
+    "62 00 00 01 00 00 00 07 "  // part 1, sequence 7
+    "00 00 00 03 00 00 05 40 "  // picture 3, of 1344 bytes
+    "00 01 02 03 0a 0b 0c 0d "  // image 66051, frame 168496141
+    "00 d0 00 a0 55 00 00 00";  // 208x160, quality 85, layer H
+
+Bytes lastPart() {
+  return hex(kHeader) + hex("01 02 03 04");
+}
+
+const char* decode(const Bytes& bytes) {
+  PictureDatagram datagram{};
+  return decodePictureDatagram(bytes.data(), bytes.size(), &datagram);
+}
+
+Bytes with(Bytes bytes, size_t index, unsigned char value) {
+  bytes[index] = value;
+  return bytes;
+}
+
+TEST(PictureDatagram, HasTheLayoutOfTheDocument) {
+  const Bytes bytes = lastPart();
+  PictureDatagram datagram{};
+  ASSERT_THAT(decodePictureDatagram(bytes.data(), bytes.size(), &datagram), IsNull());
+  EXPECT_EQ(datagram.part, 1);
+  EXPECT_EQ(datagram.sequence, 7U);
+  EXPECT_EQ(datagram.picture, 3U);
+  EXPECT_EQ(datagram.jpeg_size, 1344U);
+  EXPECT_EQ(datagram.image.image_count, 66051U);
+  EXPECT_EQ(datagram.image.frame_number, 168496141U);
+  EXPECT_EQ(encoded(encodePictureDatagram, datagram, DATAGRAM_HEADER_SIZE), hex(kHeader));
+}
+
+TEST(PictureDatagram, PartsHaveTheSameSizeButTheLast) {
+  EXPECT_EQ(DATAGRAM_PART_SIZE, 1340U);
+  EXPECT_EQ(numberOfParts(1), 1U);
+  EXPECT_EQ(numberOfParts(1340), 1U);
+  EXPECT_EQ(numberOfParts(1341), 2U);
+  EXPECT_EQ(sizeOfPart(1341, 0), 1340U);
+  EXPECT_EQ(sizeOfPart(1341, 1), 1U);
+  EXPECT_EQ(sizeOfPart(1340, 0), 1340U);
+  EXPECT_EQ(numberOfParts(MAX_JPEG_SIZE), 196U);
+}
+
+TEST(PictureDatagram, CutOrPaddedOnesAreRefused) {
+  const Bytes bytes = lastPart();
+  for (size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_NE(decode(firstOf(bytes, size)), nullptr) << size;
+  }
+  EXPECT_THAT(decode(bytes + hex("00")), HasSubstr("size of its part"));
+}
+
+TEST(PictureDatagram, ImpossibleOnesAreRefused) {
+  const Bytes bytes = lastPart();
+  EXPECT_THAT(decode(with(bytes, 0, 'f')), HasSubstr("begin"));
+  EXPECT_THAT(decode(with(bytes, 1, 1)), HasSubstr("begin"));
+  EXPECT_THAT(decode(with(bytes, 3, 2)), HasSubstr("that many parts"));
+  EXPECT_THAT(decode(with(bytes, 3, 0)), HasSubstr("size of its part"));
+  EXPECT_THAT(decode(with(bytes, 12, 0x7f)), HasSubstr("too large"));
+  EXPECT_THAT(decode(with(with(bytes, 14, 0), 15, 0)), HasSubstr("empty"));
+  EXPECT_THAT(decode(with(bytes, 28, 101)), HasSubstr("quality"));
+  EXPECT_THAT(decode(with(bytes, 29, 9)), HasSubstr("layer"));
+}
+
+TEST(DatagramPort, IsTwoBytes) {
+  unsigned short port = 0;
+  ASSERT_THAT(decodeDatagramPort(hex("d4 31").data(), 2, &port), IsNull());
+  EXPECT_EQ(port, 54321);
+  EXPECT_EQ(encoded(encodeDatagramPort, port, DATAGRAM_PORT_SIZE), hex("d4 31"));
+  EXPECT_THAT(decodeDatagramPort(hex("d4").data(), 1, &port), HasSubstr("size"));
+}
+
+}  // namespace
+}  // namespace version2
+}  // namespace protocol
