@@ -39,8 +39,8 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   in_force_ = config;
   ROS_INFO_STREAM("Settings in force: jpeg_quality "
                   << config.jpeg_quality << " of 1..100, resolution " << config.resolution << ", frame_rate "
-                  << config.frame_rate << " of 2..30, transport " << config.transport << ", telemetry_rate " << config.telemetry_rate
-                  << " of 0..31.25, speed_scale " << config.speed_scale << " of 0.1..1.");
+                  << config.frame_rate << " of 2..30, transport " << config.transport << ", telemetry_rate "
+                  << config.telemetry_rate << " of 0..31.25, speed_scale " << config.speed_scale << " of 0.1..1.");
 }
 
 void LiveSettings::applyToCamera(AiboDriverConfig& config) {

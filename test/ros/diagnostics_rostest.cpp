@@ -4,6 +4,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <std_msgs/Float64.h>
 
 #include <algorithm>
@@ -84,6 +85,25 @@ TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
   });
   EXPECT_THAT(slow.message, HasSubstr("of 30.0 pictures/s: is the radio link weak"));
   EXPECT_EQ(DiagnosticsListener::value(slow, "pictures per second asked for"), "30.0");
+}
+
+// The client knows the proxy's address, and the datagrams come from the robot's, as behind a NAT.
+TEST(StreamDiagnostics, SayWhyPicturesComeByTcpAlthoughUdpIsWanted) {
+  SimulatedRobot robot({"--bind", "127.0.0.3"});
+  FaultProxy::Options way;
+  way.target_host = "127.0.0.3";
+  way.target_port = robot.port();
+  FaultProxy proxy(way);
+  DriverProcess driver("/no_udp", proxy.port(), {"_transport:=udp", "_read_timeout:=20"});
+  DiagnosticsListener diagnostics;
+  const auto fallen_back = diagnostics.waitFor("no_udp/aibo_driver: stream", [](const auto& status) {
+    return status.message.find("pictures come by TCP, not by UDP: no datagram has come") != std::string::npos;
+  });
+  EXPECT_EQ(fallen_back.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(DiagnosticsListener::value(fallen_back, "transport"), "tcp");
+  EXPECT_NE(DiagnosticsListener::value(fallen_back, "datagrams from strangers"), "0");
+  TopicListener<sensor_msgs::CompressedImage> pictures("/no_udp/camera/image_raw/compressed");
+  EXPECT_TRUE(pictures.waitForNext());
 }
 
 TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {

@@ -11,12 +11,14 @@
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
 #include <numeric>
 #include <string>
 
+#include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
@@ -31,6 +33,7 @@ using aibo_driver::Connection;
 using aibo_driver::TakePicture;
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
+using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
 using test_support::JointListener;
 using test_support::positionOf;
@@ -206,6 +209,31 @@ TEST(Settings, ResolutionAndRateChangeTheRunningStream) {
   EXPECT_THAT(call.response.message, HasSubstr("52x40 pixels"));
   user.set(text("resolution", "1x1"));
   EXPECT_FALSE(states.waitFor([](const auto& state) { return state.width == 52; }, std::chrono::milliseconds(500)));
+}
+
+TEST(Settings, TransportChangesTheRunningStream) {
+  DiagnosticsListener diagnostics;
+  TopicListener<sensor_msgs::CompressedImage> pictures("/settings_transport/camera/image_raw/compressed");
+  SettingsUser user("/settings_transport", {"_transport:=udp", kPatient});
+  const auto wait_for = [&diagnostics](const std::string& transport) {
+    return diagnostics.waitFor("settings_transport/aibo_driver: stream", [&transport](const auto& status) {
+      return DiagnosticsListener::value(status, "transport") == transport &&
+             DiagnosticsListener::value(status, "streaming") == "yes";
+    });
+  };
+  const auto by_udp = wait_for("udp");
+  EXPECT_EQ(DiagnosticsListener::value(by_udp, "why not udp"), "");
+  EXPECT_TRUE(pictures.waitForNext());
+  EXPECT_NE(DiagnosticsListener::value(diagnostics.waitForNext("settings_transport/aibo_driver: stream"),
+                                       "datagrams received"),
+            "");
+  user.set(text("transport", "tcp"));
+  EXPECT_EQ(DiagnosticsListener::value(wait_for("tcp"), "why not udp"), "");
+  pictures.clear();
+  EXPECT_TRUE(pictures.waitForNext());
+  const Config answer = user.set(text("transport", "pigeon"));
+  EXPECT_TRUE(std::any_of(answer.strs.begin(), answer.strs.end(),
+                          [](const auto& each) { return each.name == "transport" && each.value == "tcp"; }));
 }
 
 TEST(Settings, OfTheCameraAreSeenInThePictures) {

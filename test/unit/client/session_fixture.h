@@ -29,6 +29,12 @@ class SessionFixture : public testing::Test {
     look();
   }
 
+  void receiveDatagram(const Bytes& bytes) {
+    connection_.pictures.bytesArrived(now_);
+    session().datagramArrived(bytes.data(), bytes.size(), now_);
+    look();
+  }
+
   /// Lets time pass, with nothing to read, as the client's loop does.
   void pass(TimePoint::duration time) {
     const TimePoint end = now_ + time;
