@@ -137,9 +137,13 @@ void ConnectionLoop::beginSession() {
     return;
   }
   const VersionNegotiation negotiation = negotiate();
+  if (negotiation.result() != VersionNegotiation::Result::kVersion2 && !token_.empty()) {
+    token_.clear();  // it is another server now, which has taken the hello for something else
+    throw Fault::closed(address_);
+  }
   switch (negotiation.result()) {
     case VersionNegotiation::Result::kVersion2:
-      session_ = std::make_unique<Version2Session>(*connection_, connected_);
+      session_ = std::make_unique<Version2Session>(*connection_, connected_, !token_.empty());
       break;
     case VersionNegotiation::Result::kVersion1:
       beginVersion1(Version1Session::VersionAnswer::kRefused);
@@ -152,7 +156,7 @@ void ConnectionLoop::beginSession() {
 }
 
 VersionNegotiation ConnectionLoop::negotiate() {
-  send(VersionNegotiation::request());
+  send(VersionNegotiation::request(token_));
   VersionNegotiation negotiation(steady_clock::now());
   while (negotiation.result() == VersionNegotiation::Result::kOpen) {
     const bool readable = transport_->wait(negotiation.deadline());
@@ -258,7 +262,9 @@ bool ConnectionLoop::takeDatagrams(TimePoint now) {
       continue;
     }
     connection_->pictures.bytesArrived(now);
-    session_->datagramArrived(buffer_.data(), size, now);
+    if (const Session::Bytes reply = session_->datagramArrived(buffer_.data(), size, now); !reply.empty()) {
+      transport_->datagrams().reply(reply.data(), reply.size());
+    }
   }
   return false;
 }
@@ -272,6 +278,7 @@ void ConnectionLoop::reportSession() {
 }
 
 void ConnectionLoop::onReady() {
+  token_ = connection_->token;
   updateStatus([this](ConnectionStatus& status) {
     status.state = ConnectionState::kConnected;
     status.protocol_version = session_->protocolVersion();

@@ -50,6 +50,9 @@ std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t
     refuse("other parts of its picture describe the picture differently");
   }
   context_.counters.lost_pictures += assembly_.lost() - lost_pictures;
+  if (whole || datagram.part + 1U == version2::numberOfParts(datagram.jpeg_size)) {
+    to_acknowledge_ = datagram.picture;
+  }
   return whole;
 }
 

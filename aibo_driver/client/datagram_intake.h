@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "client/picture_assembly.h"
 #include "client/picture_intake.h"
@@ -48,6 +49,9 @@ class DatagramIntake {
   /// @return the picture that it completes
   std::optional<PictureAssembly::Whole> arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
+  /// The picture to acknowledge, once: the robot waits for it before it sends more. None if there is nothing new.
+  std::optional<std::uint32_t> takeAcknowledgement() { return std::exchange(to_acknowledge_, std::nullopt); }
+
   /// When to look at problem() again at the latest.
   /// @param extra_interval how much longer than with every image of the camera the next picture may take
   TimePoint deadline(std::chrono::milliseconds extra_interval) const;
@@ -73,6 +77,7 @@ class DatagramIntake {
   bool warned_ = false;
   TimePoint last_datagram_;              // or since when one is due
   std::optional<TimePoint> tcp_worked_;  // when something first came by TCP after kMissing
+  std::optional<std::uint32_t> to_acknowledge_;
   SequenceWindow window_;
   PictureAssembly assembly_;
 };

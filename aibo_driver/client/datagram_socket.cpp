@@ -51,14 +51,17 @@ std::optional<DatagramSocket::Origin> DatagramSocket::receive(std::uint8_t* buff
   if (!isOpen()) {
     return std::nullopt;
   }
-  sockaddr_storage sender = {};
-  socklen_t sender_size = sizeof sender;
-  const ssize_t count = ::recvfrom(socket_.get(), buffer, capacity, 0, asAddress(&sender), &sender_size);
+  sender_size_ = sizeof sender_;
+  const ssize_t count = ::recvfrom(socket_.get(), buffer, capacity, 0, asAddress(&sender_), &sender_size_);
   if (count < 0) {
     return std::nullopt;
   }
   *size = static_cast<std::size_t>(count);
-  return isPeer(sender) ? Origin::kPeer : Origin::kForeign;
+  return isPeer(sender_) ? Origin::kPeer : Origin::kForeign;
+}
+
+void DatagramSocket::reply(const std::uint8_t* data, std::size_t size) const {
+  ::sendto(socket_.get(), data, size, MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&sender_), sender_size_);
 }
 
 // The port is the robot's choice.

@@ -37,11 +37,16 @@ class DatagramSocket {
   /// @return who sent it: the connection's peer or anybody else; nothing if there is none
   std::optional<Origin> receive(std::uint8_t* buffer, std::size_t capacity, std::size_t* size);
 
+  /// Sends a datagram to whom receive() has last had one from. It may be lost, as any.
+  void reply(const std::uint8_t* data, std::size_t size) const;
+
  private:
   bool isPeer(const sockaddr_storage& sender) const;
 
   FileDescriptor socket_;
   sockaddr_storage peer_ = {};
+  sockaddr_storage sender_ = {};
+  socklen_t sender_size_ = 0;
 };
 
 }  // namespace aibo_driver

@@ -9,6 +9,7 @@
 #include "client/fault.h"
 #include "client/units.h"
 #include "protocol/hello.h"
+#include "protocol/introduction.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/text.h"
@@ -189,7 +190,7 @@ EndedHow endedHow(unsigned how) {
 
 }  // namespace
 
-Version2Session::Version2Session(Connection& connection, TimePoint connected)
+Version2Session::Version2Session(Connection& connection, TimePoint connected, bool introduced)
     : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
@@ -197,6 +198,11 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       datagrams_(connection.context) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
+  if (introduced) {
+    last_number_ = version2::INTRODUCTION_NUMBER;
+    exchanges_[last_number_] = {version2::REQUEST_HELLO, connected, connection_.answerDeadline(connected)};
+    next_hello_ = connected + kHeartbeatPeriod;
+  }
 }
 
 void Version2Session::add(Call call) {
@@ -476,9 +482,9 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   }
 }
 
-void Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
+Session::Bytes Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   if (!datagrams_.on()) {
-    return;
+    return {};
   }
   now_ = now;
   if (const auto whole = datagrams_.arrived(data, size, now)) {
@@ -486,6 +492,12 @@ void Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size
       deliverFromStream(picture);
     }
   }
+  Bytes acknowledgement;
+  if (const auto picture = datagrams_.takeAcknowledgement()) {
+    acknowledgement.resize(version2::ACKNOWLEDGEMENT_SIZE);
+    version2::encodeAcknowledgement(*picture, acknowledgement.data());
+  }
+  return acknowledgement;
 }
 
 void Version2Session::onFrame() {
@@ -561,6 +573,7 @@ void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   connection_.robot = makeRobotInfo(hello);
+  connection_.token = hello.token;
   ready_ = true;
 }
 

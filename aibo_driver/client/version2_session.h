@@ -29,7 +29,8 @@ class Version2Session final : public Session {
   /// fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
 
-  Version2Session(Connection& connection, TimePoint connected);
+  /// @param introduced the first hello has been sent, as an introduction (protocol/introduction.h)
+  Version2Session(Connection& connection, TimePoint connected, bool introduced = false);
 
   int protocolVersion() const override { return 2; }
   bool ready() const override { return ready_; }
@@ -37,7 +38,7 @@ class Version2Session final : public Session {
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
-  void datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  Bytes datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 

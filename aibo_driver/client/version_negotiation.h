@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace aibo_driver {
@@ -29,7 +30,9 @@ class VersionNegotiation {
   explicit VersionNegotiation(TimePoint asked) : deadline_(asked + kPatience) {}
 
   /// What to send first.
-  static Bytes request();
+  /// @param token that the server gave over the last connection, or empty. With it, a hello of version 2 is sent, too:
+  ///   the request number is protocol::version2::INTRODUCTION_NUMBER.
+  static Bytes request(const std::string& token = {});
 
   /// Bytes were read. Only while open.
   void bytesArrived(const std::uint8_t* data, std::size_t size);

@@ -9,9 +9,10 @@
 
 /// Constructed with the values that hold on the robot.
 struct HostSettings {
-  HostSettings() : newest_version(protocol::version2::VERSION), memory_stick("/MS") {}
+  HostSettings() : newest_version(protocol::version2::VERSION), memory_stick("/MS") { random[0] = random[1] = 0; }
 
   int newest_version;        ///< of the protocol that clients may ask for: 1 or 2
+  unsigned random[2];        ///< random numbers of the system; the robot has none
   const char* memory_stick;  ///< the folder with the memory stick's content; has to outlive the server
 };
 

@@ -7,6 +7,7 @@ namespace version2 {
 namespace {
 
 const size_t IMAGE_HEADER_OFFSET = DATAGRAM_HEADER_SIZE - IMAGE_HEADER_SIZE;
+const unsigned ACKNOWLEDGEMENT_MARK = 0x61000000U;  // 'a', 0, 0, 0
 
 }  // namespace
 
@@ -69,6 +70,20 @@ const char* decodePictureDatagram(const unsigned char* bytes, size_t size, Pictu
     return problem;
   }
   *datagram = decoded;
+  return NULL;
+}
+
+size_t encodeAcknowledgement(unsigned picture, unsigned char* out) {
+  encodeBigEndian32(ACKNOWLEDGEMENT_MARK, out);
+  encodeBigEndian32(picture, out + 4);
+  return ACKNOWLEDGEMENT_SIZE;
+}
+
+const char* decodeAcknowledgement(const unsigned char* bytes, size_t size, unsigned* picture) {
+  if (size != ACKNOWLEDGEMENT_SIZE || decodeBigEndian32(bytes) != ACKNOWLEDGEMENT_MARK) {
+    return "the datagram is no acknowledgement";
+  }
+  *picture = decodeBigEndian32(bytes + 4);
   return NULL;
 }
 

@@ -35,7 +35,8 @@ Connection::Connection()
       picture_(NULL),
       picture_size_(0),
       is_sending_picture_(false),
-      client_address_(0) {
+      client_address_(0),
+      client_port_(0) {
   client_name_[0] = '\0';
 }
 
@@ -94,6 +95,7 @@ void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   picture_size_ = 0;
   is_sending_picture_ = false;
   client_address_ = answer.fAddress.Address();
+  client_port_ = answer.fPort;
   sprintf(client_name_, "%u.%u.%u.%u:%u", client_address_ >> 24, (client_address_ >> 16) & 0xff,
           (client_address_ >> 8) & 0xff, client_address_ & 0xff, static_cast<unsigned>(answer.fPort));
 }

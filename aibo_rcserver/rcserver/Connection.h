@@ -122,6 +122,9 @@ class Connection {
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.
   unsigned ClientAddress() const { return client_address_; }
 
+  /// The client's port.
+  Port ClientPort() const { return client_port_; }
+
   /// The client's address, "192.168.1.2:40000".
   const char* ClientName() const { return client_name_; }
 
@@ -157,6 +160,7 @@ class Connection {
   size_t picture_size_;      ///< 0: there is no picture
   bool is_sending_picture_;  ///< false: it waits
   unsigned client_address_;
+  Port client_port_;
   char client_name_[sizeof("255.255.255.255:65535")];
 };
 

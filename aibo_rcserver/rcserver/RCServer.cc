@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "objects/HostSettings.h"
+#include "protocol/introduction.h"
 #include "protocol/version1.h"
 #include "rcserver/settings/Settings.h"
 
@@ -39,10 +40,13 @@ const char* ReasonOf(TCPEndpointError error) {
 const longword RCServer::HEARTBEAT_FRAMES;
 const longword RCServer::LYING_DOWN_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
+const longword RCServer::INTRODUCTION_FRAMES;
 
 RCServer::RCServer()
     : endpoints_(0),
       client_(NULL),
+      guest_(NULL),
+      guest_since_(0),
       body_(NULL),
       power_order_(POWER_STAYS_ON),
       session_(NULL),
@@ -113,6 +117,7 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   pictures_.CountImage(image_vector);
+  tokens_.Stir(image_vector);
   session_->Camera().SetHasDetail(pictures_.HasDetail());
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
@@ -194,10 +199,11 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   } else if (IsClientSilent()) {
     DropClient("it was silent and another client came", true);
     Admit(connection);
+  } else if (MayBeTheClient(*connection) && connection->Receive()) {
+    guest_ = connection;
+    guest_since_ = now_;
   } else {
-    char reason[64];
-    sprintf(reason, "client %s is being served", client_->ClientName());
-    TurnAway(connection, reason);
+    TurnAwayWhileBusy(connection);
   }
 }
 
@@ -221,7 +227,12 @@ void RCServer::SendCont(ANTENVMSG msg) {
 
 void RCServer::ReceiveCont(ANTENVMSG msg) {
   const TCPEndpointReceiveMsg* answer = static_cast<const TCPEndpointReceiveMsg*>(antEnvMsg::Receive(msg));
-  if (client_ == NULL || FindConnection(answer->continuation) != client_) {
+  Connection* connection = FindConnection(answer->continuation);
+  if (connection != NULL && connection == guest_) {
+    MeetGuest(*answer);
+    return;
+  }
+  if (client_ == NULL || connection != client_) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
@@ -229,15 +240,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
-  last_sign_of_life_ = now_;
-  last_bytes_received_ = now_;
-  client_->Received();
-  session_->AddInput(client_->ReceivedBytes(), static_cast<size_t>(answer->sizeMin));
-  if (session_->IsWithBrowser()) {
-    DropClient("it sent HTTP or TLS: a web browser, perhaps at the orders of a web page", true);
-    return;
-  }
-  ServeClient();
+  TakeInput(static_cast<size_t>(answer->sizeMin));
 }
 
 void RCServer::CloseCont(ANTENVMSG msg) {
@@ -256,6 +259,10 @@ void RCServer::CloseCont(ANTENVMSG msg) {
 void RCServer::DatagramCont(ANTENVMSG msg) {
   datagrams_.Sent(*static_cast<const UDPEndpointSendMsg*>(antEnvMsg::Receive(msg)));
   BeginPicture();
+}
+
+void RCServer::AcknowledgementCont(ANTENVMSG msg) {
+  datagrams_.Received(*static_cast<const UDPEndpointReceiveMsg*>(antEnvMsg::Receive(msg)));
 }
 
 bool RCServer::CreateRegions() {
@@ -366,6 +373,7 @@ void RCServer::PassTime(longword frame) {
   if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
     ListenWhereClosed();
   }
+  CheckGuest();
   if (client_ != NULL) {
     CheckClient();
   } else if (power_order_ == POWER_LIE_DOWN) {
@@ -422,6 +430,11 @@ Connection* RCServer::FindConnection(const void* continuation) {
 }
 
 void RCServer::Admit(Connection* newcomer) {
+  Welcome(newcomer);
+  ServeClient();
+}
+
+void RCServer::Welcome(Connection* newcomer) {
   client_ = newcomer;
   admitted_ = now_;
   last_sign_of_life_ = now_;
@@ -429,9 +442,79 @@ void RCServer::Admit(Connection* newcomer) {
   was_silent_ = false;
   last_not_over_ = now_;
   session_->Begin();
+  tokens_.Stir(now_);
+  tokens_.Stir(client_->ClientPort());
+  char token[protocol::version2::TOKEN_SIZE + 1];
+  tokens_.Make(token);
+  session_->SetToken(token);
   datagrams_.ClientConnected(client_->ClientAddress());
   if (reports_.Admits(now_)) {
     OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
+  }
+}
+
+// After an outage of the radio, a client is often back before the robot knows that its old connection is dead.
+bool RCServer::MayBeTheClient(const Connection& newcomer) const {
+  return session_->HasGivenToken() && newcomer.ClientAddress() == client_->ClientAddress();
+}
+
+// The guest has sent something, or it is gone.
+void RCServer::MeetGuest(const TCPEndpointReceiveMsg& answer) {
+  Connection* const guest = guest_;
+  guest_ = NULL;
+  if (answer.error != TCP_SUCCESS) {
+    guest->Close(answer.error != TCP_CONNECTION_CLOSED, now_);
+    return;
+  }
+  char token[protocol::version2::TOKEN_SIZE + 1];
+  const size_t size = static_cast<size_t>(answer.sizeMin);
+  const bool is_client =
+      protocol::version2::decodeIntroduction(guest->ReceivedBytes(), size, token) && session_->HasGiven(token);
+  if (client_ != NULL && !is_client) {
+    TurnAwayWhileBusy(guest);
+    return;
+  }
+  if (client_ != NULL) {
+    DropClient("it has come back over a new connection", true);
+  }
+  if (power_order_ != POWER_STAYS_ON) {
+    TurnAway(guest, "the robot goes off");
+    return;
+  }
+  Welcome(guest);
+  TakeInput(size);
+}
+
+void RCServer::CheckGuest() {
+  if (guest_ == NULL || (client_ != NULL && now_ - guest_since_ < INTRODUCTION_FRAMES)) {
+    return;
+  }
+  Connection* const guest = guest_;
+  guest_ = NULL;
+  if (client_ != NULL) {
+    TurnAwayWhileBusy(guest);
+  } else if (power_order_ != POWER_STAYS_ON) {
+    TurnAway(guest, "the robot goes off");
+  } else {
+    Admit(guest);
+  }
+}
+
+void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
+  char reason[64];
+  sprintf(reason, "client %s is being served", client_->ClientName());
+  TurnAway(newcomer, reason);
+}
+
+// The client has sent something.
+void RCServer::TakeInput(size_t size) {
+  last_sign_of_life_ = now_;
+  last_bytes_received_ = now_;
+  client_->Received();
+  session_->AddInput(client_->ReceivedBytes(), size);
+  if (session_->IsWithBrowser()) {
+    DropClient("it sent HTTP or TLS: a web browser, perhaps at the orders of a web page", true);
+    return;
   }
   ServeClient();
 }
@@ -524,7 +607,7 @@ bool RCServer::FindOrder(PictureOrder* order) {
 }
 
 bool RCServer::IsSendingPicture() const {
-  return client_->HasPicture() || datagrams_.HasPicture();
+  return client_->HasPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
 }
 
 // Not while a picture is being sent: the next one would only wait behind it.
@@ -545,7 +628,7 @@ void RCServer::SendPicture(const EncodedPicture& picture) {
   }
   if (datagrams_.IsOn() && pictures_.Order().is_of_stream) {
     pictures_.CountSent();
-    datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size);
+    datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size, now_);
     return;
   }
   byte header[Session::MAX_PICTURE_HEADER_SIZE];

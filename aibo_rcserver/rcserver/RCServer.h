@@ -14,6 +14,7 @@
 #include "rcserver/ReportLimit.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Session.h"
+#include "rcserver/TokenMaker.h"
 #include "rcserver/body/Body.h"
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureDatagrams.h"
@@ -46,6 +47,10 @@ class RCServer : public OObject {
 
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
+
+  /// A newcomer from the client's address gets this many frames to show that it is the client: 0.5 s. It has sent its
+  /// introduction at once, so this is for the way.
+  static const longword INTRODUCTION_FRAMES = 63;
 
   RCServer();
   virtual ~RCServer() {}
@@ -89,6 +94,7 @@ class RCServer : public OObject {
   void ReceiveCont(ANTENVMSG msg);
   void CloseCont(ANTENVMSG msg);
   void DatagramCont(ANTENVMSG msg);
+  void AcknowledgementCont(ANTENVMSG msg);
   /// @}
 
  private:
@@ -112,6 +118,12 @@ class RCServer : public OObject {
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
+  void Welcome(Connection* newcomer);
+  bool MayBeTheClient(const Connection& newcomer) const;
+  void MeetGuest(const TCPEndpointReceiveMsg& answer);
+  void CheckGuest();
+  void TurnAwayWhileBusy(Connection* newcomer);
+  void TakeInput(size_t size);
   void TurnAway(Connection* newcomer, const char* reason);
   void DropClient(const char* reason, bool abort);
   void ServeClient();
@@ -125,7 +137,10 @@ class RCServer : public OObject {
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;    ///< how many have been numbered
   Connection* client_;  ///< the client's connection; NULL if there is no client
-  Body* body_;          ///< from DoInit to DoDestroy
+  Connection* guest_;   ///< a newcomer who may be the client; NULL if there is none
+  longword guest_since_;
+  TokenMaker tokens_;
+  Body* body_;  ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;

@@ -40,6 +40,15 @@ class Session {
   /// A client has connected. It speaks version 1 until it asks for version 2.
   void Begin();
 
+  /// The token that the client gets if it speaks version 2, to be known again when it comes back.
+  void SetToken(const char* token) { version2_.SetToken(token); }
+
+  /// True if the client has got a token.
+  bool HasGivenToken() const { return version2_.HasGreeted(); }
+
+  /// True if the client has got this token.
+  bool HasGiven(const char* token) const { return version2_.HasGiven(token); }
+
   /// The client is gone. Everything it has started ends: the camera idles, the joints hold, LEDs are off.
   void End();
 

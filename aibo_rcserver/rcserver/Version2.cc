@@ -134,12 +134,23 @@ Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands&
 }
 
 void Version2::Begin() {
+  token_[0] = '\0';
+  has_greeted_ = false;
   has_waiting_ = false;
   tells_camera_settings_ = false;
   telemetry_period_ = 0;
   content_ = TELEMETRY_PLAIN;
   has_pushed_telemetry_ = false;
   last_telemetry_ = 0;
+}
+
+void Version2::SetToken(const char* token) {
+  strncpy(token_, token, TOKEN_SIZE);
+  token_[TOKEN_SIZE] = '\0';
+}
+
+bool Version2::HasGiven(const char* token) const {
+  return has_greeted_ && strcmp(token_, token) == 0;
 }
 
 void Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
@@ -289,6 +300,8 @@ void Version2::Greet(unsigned now) {
     hello.joints[i] = limits;
   }
   hello.walk = WalkLimitsOf(joints.Walking());
+  strcpy(hello.token, token_);
+  has_greeted_ = true;
   Reply(encodeHello(hello, Payload()));
 }
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -199,6 +200,9 @@ void run(const Options& options) {
   HostSettings host;
   host.newest_version = options.protocol_version;
   host.memory_stick = options.memory_stick.c_str();
+  std::random_device random;
+  host.random[0] = random();
+  host.random[1] = random();
   setHostSettings(host);
   stopOnSignal(machine);
   machine.boot();

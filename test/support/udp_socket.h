@@ -43,10 +43,20 @@ class UdpSocket {
     ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
   }
 
+  /// Sends to whom next() has last had a datagram from.
+  void reply(const std::vector<std::uint8_t>& bytes) {
+    ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&sender_), sizeof(sender_));
+  }
+
+  /// The port from which next() has last had a datagram.
+  std::uint16_t senderPort() const { return ntohs(sender_.sin_port); }
+
   /// The next datagram, if it is here already.
   std::optional<std::vector<std::uint8_t>> next() {
     std::vector<std::uint8_t> bytes(65536);
-    const ssize_t size = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    socklen_t sender_size = sizeof(sender_);
+    const ssize_t size = ::recvfrom(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT,
+                                    reinterpret_cast<sockaddr*>(&sender_), &sender_size);
     if (size < 0) {
       return std::nullopt;
     }
@@ -64,6 +74,7 @@ class UdpSocket {
   }
 
   int socket_;
+  sockaddr_in sender_{};
 };
 
 }  // namespace test_support

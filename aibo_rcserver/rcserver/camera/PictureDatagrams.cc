@@ -16,7 +16,12 @@ namespace {
 // Bytes that the IPStack may hold to be sent: twice a packet, as in Sony's sample UDPEchoServer. So few datagrams wait.
 const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
 
+const size_t RECEIVE_SIZE = protocol::version2::ACKNOWLEDGEMENT_SIZE + 1;  // a byte more, to tell longer ones
+
 }  // namespace
+
+const unsigned PictureDatagrams::MOST_UNACKNOWLEDGED;
+const longword PictureDatagrams::PATIENCE;
 
 PictureDatagrams::PictureDatagrams()
     : object_(),
@@ -26,12 +31,14 @@ PictureDatagrams::PictureDatagrams()
       port_(0),
       next_(),
       unsent_part_(0),
-      number_of_parts_(0) {}
+      number_of_parts_(0),
+      acknowledged_(0),
+      last_begun_(0) {}
 
 bool PictureDatagrams::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
-  antEnvCreateSharedBufferMsg create(DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY);
+  antEnvCreateSharedBufferMsg create(DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY + RECEIVE_SIZE);
   if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
     return false;
   }
@@ -59,7 +66,12 @@ bool PictureDatagrams::SendTo(Port port) {
   return port == 0 || Open(port);
 }
 
-void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size) {
+bool PictureDatagrams::MaySend(longword now) const {
+  return !IsOn() || next_.picture - acknowledged_ < MOST_UNACKNOWLEDGED || now - last_begun_ >= PATIENCE;
+}
+
+void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size, longword now) {
+  last_begun_ = now;
   memcpy(buffer_ + DATAGRAM_HEADER_SIZE, jpeg, size);
   next_.jpeg_size = static_cast<unsigned>(size);
   next_.image = image;
@@ -81,6 +93,21 @@ void PictureDatagrams::Sent(const UDPEndpointSendMsg& answer) {
   }
 }
 
+void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
+  if (port_ == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_) {
+    return;
+  }
+  unsigned picture = 0;
+  const bool is_from_client =
+      answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == port_;
+  if (is_from_client &&
+      protocol::version2::decodeAcknowledgement(ReceiveBuffer(), static_cast<size_t>(answer.size), &picture) == NULL &&
+      picture <= next_.picture && picture >= acknowledged_) {
+    acknowledged_ = picture + 1;
+  }
+  Receive();
+}
+
 bool PictureDatagrams::Open(Port port) {
   antEnvCreateEndpointMsg create(EndpointType_UDP, ENDPOINT_POOL_SIZE);
   if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
@@ -91,11 +118,13 @@ bool PictureDatagrams::Open(Port port) {
   port_ = port;
   next_.sequence = 0;
   next_.picture = 0;
+  acknowledged_ = 0;
   UDPEndpointBindMsg bind(endpoint_, IP_ADDR_ANY, IP_PORT_ANY);
   if (bind.Call(stack_, sizeof(bind)) != ANT_SUCCESS || bind.error != UDP_SUCCESS) {
     Close();
     return false;
   }
+  Receive();
   return true;
 }
 
@@ -123,4 +152,15 @@ void PictureDatagrams::SendPart() {
     number_of_parts_ = 0;  // the rest of this picture is lost; the next one may fare better
     ++next_.picture;
   }
+}
+
+// If the IPStack refuses, pictures go at the pace of PATIENCE.
+void PictureDatagrams::Receive() {
+  UDPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), static_cast<int>(RECEIVE_SIZE));
+  receive.continuation = reinterpret_cast<void*>(endpoint_number_);
+  receive.Send(stack_, object_, Extra_Entry[entryAcknowledgementCont], sizeof(receive));
+}
+
+byte* PictureDatagrams::ReceiveBuffer() const {
+  return buffer_ + DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
 }

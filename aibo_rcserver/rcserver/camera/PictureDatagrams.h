@@ -24,8 +24,18 @@ class DatagramSwitch {
 
 /// Sends pictures to the client, and to nobody else, in datagrams that no network has to cut
 /// (protocol/picture_datagram.h). One datagram is under way at a time: the next follows when the IPStack has taken it.
+///
+/// UDP itself does not slow a sender down, and on a slow radio link old pictures would fill the queue of the radio. So
+/// at most MOST_UNACKNOWLEDGED pictures are on their way: the client acknowledges each, and without an acknowledgement
+/// the next one goes after PATIENCE.
 class PictureDatagrams : public DatagramSwitch {
  public:
+  /// Two, so that the radio does not wait for the acknowledgement.
+  static const unsigned MOST_UNACKNOWLEDGED = 2;
+
+  /// Frames: 0.25 s. Longer than a picture takes at 1 Mbit/s, even one of double resolution.
+  static const longword PATIENCE = 31;
+
   PictureDatagrams();
   virtual ~PictureDatagrams() {}
 
@@ -48,12 +58,20 @@ class PictureDatagrams : public DatagramSwitch {
   /// True while there is a picture that has not been sent completely.
   bool HasPicture() const { return unsent_part_ < number_of_parts_; }
 
+  /// False while enough pictures are on their way.
+  /// @param now OPEN-R frame
+  bool MaySend(longword now) const;
+
   /// Begins to send a picture. Only if IsOn() and not HasPicture().
   /// @param jpeg of `size` bytes, is copied
-  void Send(const protocol::version2::ImageHeader& image, const byte* jpeg, size_t size);
+  /// @param now OPEN-R frame
+  void Send(const protocol::version2::ImageHeader& image, const byte* jpeg, size_t size, longword now);
 
   /// The IPStack's answer to a datagram: sends the next one, if there is one.
   void Sent(const UDPEndpointSendMsg& answer);
+
+  /// A datagram has come. Only the client's acknowledgements count.
+  void Received(const UDPEndpointReceiveMsg& answer);
 
  private:
   PictureDatagrams(const PictureDatagrams&);
@@ -62,11 +80,13 @@ class PictureDatagrams : public DatagramSwitch {
   bool Open(Port port);
   void Close();
   void SendPart();
+  void Receive();
+  byte* ReceiveBuffer() const;
 
   OID object_;
   antStackRef stack_;
   antSharedBuffer shared_buffer_;
-  byte* buffer_;  ///< room for the header of a datagram, then the JPEG
+  byte* buffer_;  ///< room for the header of a datagram, then the JPEG, then a received datagram
   antModuleRef endpoint_;
   size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be told
   unsigned receiver_;       ///< the client's address
@@ -74,6 +94,8 @@ class PictureDatagrams : public DatagramSwitch {
   protocol::version2::PictureDatagram next_;
   size_t unsent_part_;
   size_t number_of_parts_;
+  unsigned acknowledged_;  ///< pictures, counted from the first
+  longword last_begun_;    ///< frame in which a picture was last begun
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H

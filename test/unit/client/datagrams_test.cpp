@@ -366,6 +366,24 @@ TEST_F(DatagramsTest, PicturesByTcpThatWereOvertakenAreNotDelivered) {
   EXPECT_EQ(3u, pictures_.size());
 }
 
+TEST_F(DatagramsTest, EachPictureIsAcknowledgedWhenItIsWholeOrItsLastPartHasCome) {
+  startStream();
+  arrive(nextPicture());
+  EXPECT_THAT(replies_, ElementsAre(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
+  std::vector<Bytes> picture = nextPicture();
+  arrive(picture.back());
+  EXPECT_EQ(2u, replies_.size());
+  picture.pop_back();
+  arrive(picture);
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 1}), replies_.back());
+  std::vector<Bytes> cut = nextPicture();
+  cut.pop_back();
+  const std::size_t before = replies_.size();
+  arrive(cut);
+  arrive(Bytes(10, 'x'));
+  EXPECT_EQ(before, replies_.size());
+}
+
 TEST_F(DatagramsTest, DatagramsAfterTheReturnToTcpAreIgnored) {
   startStream();
   arrive(nextPicture());

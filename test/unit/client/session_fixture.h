@@ -31,7 +31,10 @@ class SessionFixture : public testing::Test {
 
   void receiveDatagram(const Bytes& bytes) {
     connection_.pictures.bytesArrived(now_);
-    session().datagramArrived(bytes.data(), bytes.size(), now_);
+    const Bytes reply = session().datagramArrived(bytes.data(), bytes.size(), now_);
+    if (!reply.empty()) {
+      replies_.push_back(reply);
+    }
     look();
   }
 
@@ -117,6 +120,7 @@ class SessionFixture : public testing::Test {
   /// The context of the client's third connection.
   aibo_driver::ConnectionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
 
+  std::vector<Bytes> replies_;  ///< datagrams that were sent back
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::Telemetry> telemetry_;
   std::vector<std::vector<aibo_driver::JointTarget>> accepted_;

@@ -75,6 +75,16 @@ TEST(PictureDatagram, ImpossibleOnesAreRefused) {
   EXPECT_THAT(decode(with(bytes, 29, 9)), HasSubstr("layer"));
 }
 
+TEST(Acknowledgement, NamesThePicture) {
+  unsigned picture = 0;
+  const Bytes bytes = hex("61 00 00 00 00 00 12 34");
+  ASSERT_THAT(decodeAcknowledgement(bytes.data(), bytes.size(), &picture), IsNull());
+  EXPECT_EQ(picture, 0x1234U);
+  EXPECT_EQ(encoded(encodeAcknowledgement, picture, ACKNOWLEDGEMENT_SIZE), bytes);
+  EXPECT_NE(decodeAcknowledgement(bytes.data(), 7, &picture), nullptr);
+  EXPECT_NE(decodeAcknowledgement(with(bytes, 1, 1).data(), 8, &picture), nullptr);
+}
+
 TEST(DatagramPort, IsTwoBytes) {
   unsigned short port = 0;
   ASSERT_THAT(decodeDatagramPort(hex("d4 31").data(), 2, &port), IsNull());

@@ -59,7 +59,11 @@ class DatagramsTest : public FakeRobotFixture {
       EXPECT_EQ(decodePictureDatagram(datagram->data(), datagram->size(), &part.header), nullptr);
       part.bytes.assign(datagram->begin() + DATAGRAM_HEADER_SIZE, datagram->end());
       parts.push_back(part);
+      if (acknowledges_ && part.header.part + 1U == numberOfParts(part.header.jpeg_size)) {
+        receiver.reply(acknowledgement(part.header.picture));
+      }
     }
+    machine_->runPending();
     return parts;
   }
 
@@ -83,6 +87,23 @@ class DatagramsTest : public FakeRobotFixture {
     return jpeg;
   }
 
+  static std::vector<uint8_t> acknowledgement(unsigned picture) {
+    std::vector<uint8_t> bytes(ACKNOWLEDGEMENT_SIZE);
+    encodeAcknowledgement(picture, bytes.data());
+    return bytes;
+  }
+
+  /// Frames until a picture comes.
+  unsigned framesUntilAPicture(UdpSocket& receiver) {
+    unsigned frames = 0;
+    while (partsAt(receiver).empty() && frames < 1000) {
+      passFrames(1);
+      ++frames;
+    }
+    return frames;
+  }
+
+  bool acknowledges_ = true;
   std::vector<size_t> sizes_;
 };
 
@@ -193,12 +214,54 @@ TEST_F(DatagramsTest, ClientThatDoesNotReadTcpStillGetsItsStreamByUdp) {
   reconnect();
   streamTo(receiver);
   stallBehind("");
+  std::vector<ReceivedPart> parts;
   for (int i = 0; i < 20; ++i) {
     takeImage();
+    parts = partsAt(receiver);
   }
-  const std::vector<ReceivedPart> parts = partsAt(receiver);
   ASSERT_FALSE(parts.empty());
   EXPECT_EQ(parts.back().header.image.image_count, robot_.lastImage());
+}
+
+// Otherwise old pictures would wait in the queue of a slow radio, and TCP behind them.
+TEST_F(DatagramsTest, NoMoreThanTwoPicturesAreOnTheirWayUnlessTheyAreAcknowledged) {
+  UdpSocket receiver;
+  acknowledges_ = false;
+  streamTo(receiver);
+  unsigned pictures = 0;
+  for (int i = 0; i < 5; ++i) {
+    takeImage();
+    pictures += partsAt(receiver).empty() ? 0 : 1;
+  }
+  EXPECT_EQ(pictures, 2U);
+  framesUntilAPicture(receiver);
+  const unsigned patience = framesUntilAPicture(receiver);
+  EXPECT_GE(patience, 31U);
+  EXPECT_LE(patience, 31U + 2 * FakeRobot::kFramesPerImage);
+  receiver.reply(acknowledgement(3));
+  passFrames(1);
+  EXPECT_LE(framesUntilAPicture(receiver), FakeRobot::kFramesPerImage + 1U);
+}
+
+TEST_F(DatagramsTest, OnlyTheClientAcknowledges) {
+  UdpSocket receiver;
+  UdpSocket stranger;
+  acknowledges_ = false;
+  streamTo(receiver);
+  takeImage();
+  partsAt(receiver);
+  takeImage();
+  partsAt(receiver);
+  stranger.send(receiver.senderPort(), acknowledgement(1));
+  for (const std::vector<uint8_t>& nonsense :
+       {std::vector<uint8_t>(), std::vector<uint8_t>(8, 'a'), std::vector<uint8_t>(1400, 'a'), acknowledgement(1000)}) {
+    receiver.reply(nonsense);
+  }
+  takeImage();
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+  receiver.reply(acknowledgement(1));
+  takeImage();
+  EXPECT_FALSE(partsAt(receiver).empty());
 }
 
 TEST_F(DatagramsTest, MalformedRequestIsRefusedAndChangesNothing) {

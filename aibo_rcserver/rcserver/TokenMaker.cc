@@ -1,0 +1,49 @@
+#include "rcserver/TokenMaker.h"
+
+#include <OPENR/OFbkImage.h>
+#include <stdio.h>
+
+#include "objects/HostSettings.h"
+
+namespace {
+
+// Every so many pixels one is used: not in all rows the same.
+const int PIXEL_STEP = 97;
+
+// Spreads each bit over all others (the end of MurmurHash3, by Austin Appleby, public domain).
+unsigned Spread(unsigned value) {
+  value ^= value >> 16;
+  value *= 0x85ebca6bU;
+  value ^= value >> 13;
+  value *= 0xc2b2ae35U;
+  return value ^ (value >> 16);
+}
+
+}  // namespace
+
+TokenMaker::TokenMaker() : one_(0x811c9dc5U), other_(0x9e3779b9U) {
+  Stir(hostSettings().random[0]);
+  Stir(hostSettings().random[1]);
+}
+
+// Two different hashes: FNV-1a with whole words, and rotation with multiplication.
+void TokenMaker::Stir(unsigned value) {
+  one_ = (one_ ^ value) * 16777619U;
+  other_ = (((other_ << 5) | (other_ >> 27)) ^ value) * 0x9e3779b1U;
+}
+
+void TokenMaker::Stir(OFbkImageVectorData* image) {
+  OFbkImage y(image->GetInfo(ofbkimageLAYER_H), image->GetData(ofbkimageLAYER_H), ofbkimageBAND_Y);
+  if (!y.IsValid()) {
+    return;
+  }
+  const int size = y.Height() * (y.Width() + y.Skip());
+  for (int i = 0; i < size; i += PIXEL_STEP) {
+    Stir(y.Pointer()[i]);
+  }
+}
+
+void TokenMaker::Make(char (&token)[protocol::version2::TOKEN_SIZE + 1]) {
+  Stir(0x746f6b65U);
+  sprintf(token, "%08x%08x", Spread(one_ ^ Spread(other_)), Spread(other_ + Spread(one_)));
+}
