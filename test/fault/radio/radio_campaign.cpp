@@ -42,6 +42,7 @@ struct Trial {
   RadioOptions radio;
   milliseconds length{15000};
   milliseconds recovery_mark{0};  ///< the next picture must come within this time after an outage; 0 = no outage
+  aibo_driver::PictureTransport transport = aibo_driver::PictureTransport::kTcp;
   bool on_busy_computer = false;  ///< which may hold the client up, so that pictures grow stale
 };
 
@@ -95,6 +96,7 @@ struct Result {
   double longest_gap = 0;    ///< ms, between pictures
   double recovery = -1;      ///< ms, from the end of the last outage to the next picture; -1 = no outage
   std::uint64_t connections = 0;
+  std::string transport_problem;  ///< why pictures came by TCP instead of UDP
   std::set<std::string> violations;
 };
 
@@ -158,6 +160,7 @@ Result run(const Trial& trial) {
     const RadioLink link(robot_host, computer, trial.radio);
     aibo_driver::ClientOptions options;
     options.host = kRobotAddress;
+    options.picture_transport = trial.transport;
     aibo_driver::RcServerClient::Callbacks callbacks;
     callbacks.on_picture = [&](const aibo_driver::PicturePtr& picture) { observer.see(*picture); };
     aibo_driver::RcServerClient client(options, callbacks);
@@ -168,12 +171,21 @@ Result run(const Trial& trial) {
     while (observer.sightings().empty() && steady_clock::now() < deadline) {
       std::this_thread::sleep_for(milliseconds(10));
     }
+    const std::string transport_problem = client.status().transport_problem;
     client.stop();
     const aibo_driver::ClientStatistics statistics = client.statistics();
     result = evaluate(trial, observer, link.begin(), trial.on_busy_computer ? statistics.stale_pictures : 0);
+    result.transport_problem = transport_problem;
     result.connections = statistics.connections;
   }).join();
   return result;
+}
+
+/// The same by UDP.
+Trial byUdp(Trial trial) {
+  trial.transport = aibo_driver::PictureTransport::kUdp;
+  trial.title += ", UDP";
+  return trial;
 }
 
 Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, milliseconds length) {
@@ -219,11 +231,30 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
   return trials;
 }
 
+/// TCP and UDP in turn, over the same links.
+std::vector<Trial> comparedTrials(std::uint32_t seed) {
+  std::vector<Trial> trials;
+  for (const double rate : {11e6, 2e6, 1e6}) {
+    for (const double loss : {0.0, 0.01, 0.05, 0.1}) {
+      const Trial trial = lossTrial(rate, loss, seed, milliseconds(20000));
+      trials.push_back(trial);
+      trials.push_back(byUdp(trial));
+    }
+  }
+  for (const milliseconds outage : {milliseconds(1000), milliseconds(3000)}) {
+    const Trial trial = outageTrial(outage, seed, milliseconds(2000));
+    trials.push_back(trial);
+    trials.push_back(byUdp(trial));
+  }
+  return trials;
+}
+
 /// With a generous limit for recovery, because the machine may be busy.
 std::vector<Trial> shortTrials(std::uint32_t seed) {
   std::vector<Trial> trials = {lossTrial(11e6, 0, seed, milliseconds(2000)),
                                lossTrial(11e6, 0.05, seed, milliseconds(3000)),
-                               outageTrial(milliseconds(1000), seed, milliseconds(5000))};
+                               outageTrial(milliseconds(1000), seed, milliseconds(5000)),
+                               byUdp(lossTrial(11e6, 0.05, seed, milliseconds(3000)))};
   for (Trial& trial : trials) {
     trial.on_busy_computer = true;
   }
@@ -231,10 +262,13 @@ std::vector<Trial> shortTrials(std::uint32_t seed) {
 }
 
 bool print(const Trial& trial, const Result& result) {
-  std::printf("%-36s %5.1f %7.1f %7.1f %7.1f %8.1f ", trial.title.c_str(), result.pictures_per_second,
+  std::printf("%-40s %5.1f %7.1f %7.1f %7.1f %8.1f ", trial.title.c_str(), result.pictures_per_second,
               quantile(result.ages, 0.5), quantile(result.ages, 0.99), quantile(result.ages, 1), result.longest_gap);
   result.recovery < 0 ? std::printf("%9s", "-") : std::printf("%9.1f", result.recovery);
   std::printf(" %6llu %10zu\n", static_cast<unsigned long long>(result.connections), result.violations.size());
+  if (!result.transport_problem.empty()) {
+    std::printf("  by TCP in the end: %s\n", result.transport_problem.c_str());
+  }
   for (const std::string& violation : result.violations) {
     std::printf("  VIOLATION: %s\n", violation.c_str());
   }
@@ -243,7 +277,7 @@ bool print(const Trial& trial, const Result& result) {
 }
 
 int runAll(const std::vector<Trial>& trials) {
-  std::printf("%-36s %5s %7s %7s %7s %8s %9s %6s %10s\n", "", "fps", "p50 ms", "p99 ms", "max ms", "gap ms", "back ms",
+  std::printf("%-40s %5s %7s %7s %7s %8s %9s %6s %10s\n", "", "fps", "p50 ms", "p99 ms", "max ms", "gap ms", "back ms",
               "conns", "violations");
   bool all_well = true;
   for (const Trial& trial : trials) {
@@ -252,11 +286,12 @@ int runAll(const std::vector<Trial>& trials) {
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-po::options_description describe(std::uint32_t* seed, bool* short_form) {
+po::options_description describe(std::uint32_t* seed, bool* short_form, bool* compare) {
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
     ("seed", po::value(seed)->default_value(1), "seed of loss and jitter; the campaign tries this one and the next two")
+    ("compare", po::bool_switch(compare), "TCP and UDP over the same links, at 11, 2 and 1 Mbit/s with up to 10 % loss")
     ("short", po::bool_switch(short_form), "a few seconds only, for the test run");
   // clang-format on
   return description;
@@ -268,13 +303,16 @@ po::options_description describe(std::uint32_t* seed, bool* short_form) {
 int main(int argc, char** argv) {
   std::uint32_t seed = 1;
   bool short_form = false;
+  bool compare = false;
   return test_support::runProgram(
       argc, argv,
       "Driver and robot over an emulated 802.11b link: how many pictures come, how old they are (from the camera's\n"
       "image to their delivery), and when they come again after an outage. Needs root.",
-      fault_bench::describe(&seed, &short_form), [&] {
+      fault_bench::describe(&seed, &short_form, &compare), [&] {
         try {
-          return fault_bench::runAll(short_form ? fault_bench::shortTrials(seed) : fault_bench::allTrials(seed));
+          return fault_bench::runAll(compare      ? fault_bench::comparedTrials(seed)
+                                     : short_form ? fault_bench::shortTrials(seed)
+                                                  : fault_bench::allTrials(seed));
         } catch (const fault_bench::NoNetworkHosts& problem) {
           std::cout << "Skipped: " << problem.what() << "\n";
           return fault_bench::kSkipped;
