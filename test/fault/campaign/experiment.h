@@ -86,6 +86,7 @@ class SpinCheck {
 std::vector<Row> allRows();
 
 std::vector<Row> clientRows();
+std::vector<Row> datagramRows();
 std::vector<Row> hostileRows();
 std::vector<Row> pictureRows();
 std::vector<Row> systemRows();

@@ -1,6 +1,7 @@
 #include "campaign/interposers.h"
 
 #include <dlfcn.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
@@ -9,6 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -27,6 +29,8 @@ struct Entry {
   Plan plan;
   unsigned failed = 0;
   clockid_t clock = 0;  // processor time of the thread
+  DatagramFault* datagram_fault = nullptr;
+  std::deque<DatagramFault::Datagram> datagrams{};  // received and not taken yet
 };
 std::mutex mutex;
 std::array<Entry, kMarks> entries;  // guarded by mutex
@@ -55,6 +59,35 @@ std::optional<int> takeFailure(Call call) {
 template <typename Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+using RecvFrom = ssize_t(int, void*, size_t, int, sockaddr*, socklen_t*);
+
+/// Receives a datagram with the fault of this thread's mark, from an IPv4 address.
+ssize_t receiveWithFault(RecvFrom* real, int fd, void* buffer, size_t size, sockaddr* sender, socklen_t* sender_size) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  Entry& entry = entries.at(static_cast<std::size_t>(own_mark));
+  std::vector<std::uint8_t> bytes(65536);
+  ssize_t count = 0;
+  while (entry.datagrams.empty() && (count = real(fd, bytes.data(), bytes.size(), 0, sender, sender_size)) >= 0) {
+    entry.datagram_fault->arrived({{bytes.begin(), bytes.begin() + count}}, &entry.datagrams);
+  }
+  if (entry.datagrams.empty()) {
+    return -1;
+  }
+  const DatagramFault::Datagram datagram = entry.datagrams.front();
+  entry.datagrams.pop_front();
+  auto* address = reinterpret_cast<sockaddr_in*>(sender);
+  address->sin_family = AF_INET;
+  address->sin_addr.s_addr = htonl(datagram.is_foreign ? INADDR_LOOPBACK + 8 : INADDR_LOOPBACK);
+  const size_t taken = std::min(size, datagram.bytes.size());
+  std::copy_n(datagram.bytes.begin(), taken, static_cast<std::uint8_t*>(buffer));
+  return static_cast<ssize_t>(taken);
+}
+
+bool hasDatagramFault() {
+  const std::lock_guard<std::mutex> lock(mutex);
+  return own_mark != kUnmarked && entries.at(static_cast<std::size_t>(own_mark)).datagram_fault != nullptr;
 }
 
 /// Calls the real function, unless the call should fail.
@@ -92,6 +125,13 @@ void setPlan(int mark, const Plan& plan) {
 unsigned failed(int mark) {
   const std::lock_guard<std::mutex> lock(mutex);
   return entries.at(static_cast<std::size_t>(mark)).failed;
+}
+
+void setDatagramFault(int mark, DatagramFault* fault) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  Entry& entry = entries.at(static_cast<std::size_t>(mark));
+  entry.datagram_fault = fault;
+  entry.datagrams.clear();
 }
 
 void shiftWallClock(std::chrono::seconds by) {
@@ -132,6 +172,14 @@ ssize_t recv(int fd, void* buffer, size_t size, int flags) {
     return *error == 0 ? real(fd, buffer, size < 1 ? size : 1, flags) : -1;
   }
   return real(fd, buffer, size, flags);
+}
+
+ssize_t recvfrom(int fd, void* buffer, size_t size, int flags, sockaddr* sender, socklen_t* sender_size) {
+  static const auto real = interposers::next<interposers::RecvFrom>("recvfrom");
+  if (sender != nullptr && interposers::hasDatagramFault()) {
+    return interposers::receiveWithFault(real, fd, buffer, size, sender, sender_size);
+  }
+  return real(fd, buffer, size, flags, sender, sender_size);
 }
 
 ssize_t send(int fd, const void* buffer, size_t size, int flags) {

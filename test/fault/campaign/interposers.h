@@ -7,6 +7,9 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
 
 namespace fault_bench::interposers {
 
@@ -34,6 +37,23 @@ void setPlan(int mark, const Plan& plan);
 
 /// Number of calls that have failed since setPlan().
 unsigned failed(int mark);
+
+/// What becomes of datagrams that threads with this mark receive.
+class DatagramFault {
+ public:
+  struct Datagram {
+    std::vector<std::uint8_t> bytes;
+    bool is_foreign = false;  ///< it comes from another address
+  };
+
+  virtual ~DatagramFault() = default;
+
+  /// A datagram has come. It, or others, are added to `received`, from which the thread takes them in turn.
+  virtual void arrived(Datagram datagram, std::deque<Datagram>* received) = 0;
+};
+
+/// @param fault nullptr = none; must outlive its use
+void setDatagramFault(int mark, DatagramFault* fault);
 
 /// Makes the wall clock of this process wrong by this much.
 void shiftWallClock(std::chrono::seconds by);

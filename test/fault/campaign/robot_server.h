@@ -5,9 +5,15 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string_view>
+#include <vector>
 
 #include "campaign/interposers.h"
 #include "simulator/ers7/simulated_ers7.h"
+#include "simulator/sent_pictures.h"
 #include "support/robot_thread.h"
 
 namespace fault_bench {
@@ -24,6 +30,12 @@ class RobotServer {
   /// The present OPEN-R frame (8 ms).
   std::uint32_t frame() const { return thread_.frame(); }
 
+  /// True if a picture with these bytes was sent.
+  bool hasSent(const std::vector<std::uint8_t>& jpeg) const {
+    const std::lock_guard<std::mutex> lock(sent_mutex_);
+    return sent_.count(std::hash<std::string_view>()({reinterpret_cast<const char*>(jpeg.data()), jpeg.size()})) > 0;
+  }
+
   /// The longest time from one camera image to the next, since this was called last.
   std::chrono::milliseconds takeLongestImageGap() { return std::chrono::milliseconds(longest_gap_.exchange(0)); }
 
@@ -31,7 +43,16 @@ class RobotServer {
   openr_host::MachineOptions options() {
     openr_host::MachineOptions options = test_support::RobotThread::defaultOptions();
     options.on_camera_image = [this] { noteImage(); };
+    options.on_send = [this](const void* data, std::size_t size) { noteSend(data, size); };
     return options;
+  }
+
+  void noteSend(const void* data, std::size_t size) {
+    pictures_.add(data, size);
+    if (pictures_.isComplete()) {
+      const std::lock_guard<std::mutex> lock(sent_mutex_);
+      sent_.insert(std::hash<std::string_view>()(pictures_.jpeg()));
+    }
   }
 
   void noteImage() {
@@ -45,6 +66,9 @@ class RobotServer {
 
   std::chrono::steady_clock::time_point last_image_;  // used by the server's thread alone
   std::atomic<std::chrono::milliseconds::rep> longest_gap_{0};
+  SentPictures pictures_;  // used by the server's thread alone
+  mutable std::mutex sent_mutex_;
+  std::set<std::size_t> sent_;  // hashes of pictures; guarded by sent_mutex_
   simulated_ers7::SimulatedErs7 robot_;
   test_support::RobotThread thread_;
 };
