@@ -628,7 +628,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   if (call.letter == version2::REQUEST_MOTORS) {
     expectGood(version2::decodeMotorState(payload.data, payload.size, &answer.motors_on), "motor state");
   } else if (call.letter == version2::REQUEST_LIST) {
-    version2::MotionList list;
+    version2::FileList list;
     expectGood(version2::decodeMotionList(payload.data, payload.size, &list), "list of motions");
     answer.names.assign(list.names, list.names + list.count);
   } else if (call.letter == version2::REQUEST_PLAY) {
