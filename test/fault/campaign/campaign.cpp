@@ -235,7 +235,7 @@ int run(Options* options) {
 
 std::vector<Row> allRows() {
   std::vector<Row> rows;
-  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows(), wayRows(), hostileRows()}) {
+  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows(), stickRows(), wayRows(), hostileRows()}) {
     rows.insert(rows.end(), some.begin(), some.end());
   }
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
