@@ -4,6 +4,7 @@
 #include <set>
 
 #include "aibo_driver/exceptions.h"
+#include "protocol/file_list.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
@@ -43,6 +44,15 @@ void require(bool good, int id, const std::string& problem) {
   if (!good) {
     throw InvalidArgumentException("joint " + std::to_string(id) + ": " + problem);
   }
+}
+
+std::string checkedName(const std::string& name, protocol::version2::ReadFileName read) {
+  protocol::FileName checked;
+  const char* problem = read(name.data(), name.size(), checked);
+  if (problem != nullptr) {
+    throw InvalidArgumentException("'" + name + "': " + problem);
+  }
+  return checked;
 }
 
 }  // namespace
@@ -111,12 +121,11 @@ void checkMotionContent(const std::vector<std::uint8_t>& content) {
 }
 
 std::string checkedMotionName(const std::string& name) {
-  protocol::MotionName checked;
-  const char* problem = protocol::readMotionName(name.data(), name.size(), checked);
-  if (problem != nullptr) {
-    throw InvalidArgumentException("'" + name + "': " + problem);
-  }
-  return checked;
+  return checkedName(name, protocol::readMotionName);
+}
+
+std::string checkedPictureName(const std::string& name) {
+  return checkedName(name, protocol::readPictureName);
 }
 
 std::string checkedNewMotionName(const std::string& name) {

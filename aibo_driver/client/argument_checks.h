@@ -27,6 +27,9 @@ void checkMotionContent(const std::vector<std::uint8_t>& content);
 /// @return the name as it is sent: in capitals
 std::string checkedMotionName(const std::string& name);
 
+/// @return the name as it is sent: in capitals
+std::string checkedPictureName(const std::string& name);
+
 /// Like checkedMotionName(), for a file that is stored; see protocol::problemOfNewMotionName().
 std::string checkedNewMotionName(const std::string& name);
 

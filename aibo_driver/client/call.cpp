@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "protocol/motion_requests.h"
+#include "protocol/stick_pictures.h"
 #include "protocol/walk_requests.h"
 
 namespace aibo_driver {
@@ -20,9 +21,9 @@ std::string allowedBy(const std::string& setting) {
          "=yes; it is read when the robot starts";
 }
 
-/// @param name of a motion, or empty
-void copyName(const std::string& name, protocol::MotionName& out) {
-  name.copy(out, protocol::MAX_MOTION_NAME_SIZE);
+/// @param name of a file, or empty
+void copyName(const std::string& name, protocol::FileName& out) {
+  name.copy(out, protocol::MAX_FILE_NAME_SIZE);
   out[name.size()] = '\0';
 }
 
@@ -67,6 +68,24 @@ std::size_t encodeOrder(const Call& call, unsigned char* out) {
   copyName(call.name, order.name);
   order.repetitions = static_cast<unsigned short>(call.number);
   return version2::encodeMotionOrder(order, out);
+}
+
+// Without a name for a list.
+std::size_t encodePicture(const Call& call, unsigned char* out) {
+  protocol::PictureName name;
+  copyName(call.name, name);
+  return version2::encodePictureName(name, out);
+}
+
+std::string describeStickPictures(const Call& call) {
+  switch (call.id) {
+    case version2::LIST_PICTURES:
+      return "list the pictures on its memory stick";
+    case version2::FETCH_PICTURE:
+      return "send the picture " + call.name;
+    default:
+      return "delete the picture " + call.name;
+  }
 }
 
 std::string explain(const Call& call, int code) {
@@ -126,7 +145,13 @@ bool Call::cancels(const Call& other) const {
 
 bool Call::needsMemoryStick() const {
   return letter == version2::REQUEST_UPLOAD || letter == version2::REQUEST_DELETE || letter == version2::REQUEST_LIST ||
+         letter == version2::REQUEST_SAVE_PICTURE || letter == version2::REQUEST_PICTURES ||
          (letter == version2::REQUEST_PLAY && number > 0);
+}
+
+std::size_t Call::largestAnswer() const {
+  const bool fetches = letter == version2::REQUEST_PICTURES && id == version2::FETCH_PICTURE;
+  return fetches ? version2::MAX_STICK_PICTURE_SIZE : 0;
 }
 
 bool Call::takesOverJoints() const {
@@ -153,6 +178,10 @@ std::string describe(const Call& call) {
       return (call.number != 0 ? "play " : "stop ") + (call.name.empty() ? "all motions" : "the motion " + call.name);
     case version2::REQUEST_LIST:
       return "list its motions";
+    case version2::REQUEST_SAVE_PICTURE:
+      return "take a picture onto its memory stick";
+    case version2::REQUEST_PICTURES:
+      return describeStickPictures(call);
     case version2::REQUEST_SHUT_DOWN:
       return "shut down";
     default:
@@ -171,7 +200,8 @@ bool isKnownToVersion1(const Call& call) {
     return false;
   }
   return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_HOLD &&
-         call.letter != version2::REQUEST_LIST && call.letter != version2::REQUEST_POSTURE;
+         call.letter != version2::REQUEST_LIST && call.letter != version2::REQUEST_POSTURE &&
+         call.letter != version2::REQUEST_SAVE_PICTURE && call.letter != version2::REQUEST_PICTURES;
 }
 
 Call::Bytes encodeForVersion1(const Call& call) {
@@ -189,6 +219,9 @@ std::size_t largestPayload(const Call& call) {
 }
 
 int idForVersion2(const Call& call) {
+  if (call.letter == version2::REQUEST_SAVE_PICTURE) {
+    return call.number;
+  }
   return call.letter == version2::REQUEST_HOLD && !call.joints.empty() ? version2::HOLD_JOINTS : call.id;
 }
 
@@ -204,6 +237,8 @@ std::size_t encodeForVersion2(const Call& call, unsigned char* out) {
       return encodeName(call, out);
     case version2::REQUEST_PLAY:
       return encodeOrder(call, out);
+    case version2::REQUEST_PICTURES:
+      return encodePicture(call, out);
     default:
       return 0;
   }

@@ -1,7 +1,8 @@
 /// @file call.h
 /// Calls of RcServerClient that wait for the robot's answer. The letters are those of the requests: `F` take a picture,
 /// `O` switch the motors, `I` hold joints, `E` take a posture, `P` play a motion, `U` upload, `D` delete and `N` list
-/// motions, `Q` shut down, `R` reboot.
+/// motions, `M` take a picture onto the memory stick, `Y` list, fetch or delete those that are there, `Q` shut down,
+/// `R` reboot.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
@@ -33,7 +34,8 @@ struct Answer {
   PicturePtr picture;              ///< answers `F`
   int stream_quality = 0;          ///< answers `F`: of the running stream that the picture is from; 0 = from none
   bool motors_on = false;          ///< answers `O`
-  std::vector<std::string> names;  ///< answers `N`: of the motions
+  std::vector<std::string> names;  ///< answers `N`, `M` and `Y`: of motions or pictures
+  std::vector<std::uint8_t> file;  ///< answers `Y`: the picture that was fetched
   std::string changes;             ///< answers `P`: what the robot plays differently than the file says
 };
 
@@ -46,10 +48,10 @@ struct Call {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   char letter = 0;  ///< of the request; the same in both versions of the protocol
-  int id = 0;       ///< in version 2: `P` and `U`: bits of motion_requests.h; `E`: the posture
-  int number = 0;   ///< `F`: quality, 0 = the stream's; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
+  int id = 0;      ///< in version 2: `P` and `U`: bits of motion_requests.h; `E`: the posture; `Y`: StickPictureRequest
+  int number = 0;  ///< `F`: quality, 0 = the stream's; `M`: quality; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
   std::optional<Resolution> resolution;  ///< `F`: none = the stream's
-  std::string name;                      ///< of a motion; `P` alone may go without
+  std::string name;                      ///< of a motion or picture; `P` alone may go without
   Bytes content;                         ///< of the motion to upload
   std::vector<int> joints;               ///< `I`: identifiers; none = everything that moves
 
@@ -72,6 +74,9 @@ struct Call {
 
   /// True if the robot needs its memory stick for the answer.
   bool needsMemoryStick() const;
+
+  /// Bytes that the answer may have, if it can take long.
+  std::size_t largestAnswer() const;
 
   /// True if from then on it decides the positions of joints, as a motion, a posture and the motors' switch do.
   /// Commands that the joints were given before it are dropped.
@@ -139,7 +144,9 @@ class PendingCalls {
   /// Ends all calls.
   void failAll(const Answer& failure);
 
-  /// A call's request is sent. A large one is an upload: until it is through, pictures and answers are late.
+  /// A call's request is sent. A large one is an upload, a large answer a file: until it is through, pictures and
+  /// answers are late.
+  /// @param size of both
   void transferBegins(std::size_t size, TimePoint now);
   /// The request has been answered.
   void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }

@@ -50,7 +50,7 @@ void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   if (call.takesOverJoints()) {
     commands.joints.clear();
   }
-  calls.transferBegins(size, now);
+  calls.transferBegins(size + call.largestAnswer(), now);
 }
 
 void Connection::refuse(const Call& call, const std::string& why, TimePoint now) {

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
+#include "aibo_driver/jpeg_inspector.h"
 #include "client/argument_checks.h"
 #include "client/connection_loop.h"
 #include "protocol/motion_requests.h"
+#include "protocol/stick_pictures.h"
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
 
@@ -68,6 +70,13 @@ Call makeCall(char letter, int number = 0, const std::string& name = "") {
   call.letter = letter;
   call.number = number;
   call.name = name;
+  return call;
+}
+
+/// @param name of a picture on the memory stick; empty for a list
+Call makeStickCall(version2::StickPictureRequest request, const std::string& name) {
+  Call call = makeCall(version2::REQUEST_PICTURES, 0, name);
+  call.id = request;
   return call;
 }
 
@@ -271,6 +280,31 @@ void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout)
 
 std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
   return ask(loop_.get(), makeCall(version2::REQUEST_LIST), timeout, "listMotions()").names;
+}
+
+std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout) {
+  checkRange("quality", quality, 1, 100);
+  return ask(loop_.get(), makeCall(version2::REQUEST_SAVE_PICTURE, quality), timeout, "takePictureOnRobot()")
+      .names.at(0);
+}
+
+std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
+  return ask(loop_.get(), makeStickCall(version2::LIST_PICTURES, ""), timeout, "listPictures()").names;
+}
+
+std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {
+  Answer answer =
+      ask(loop_.get(), makeStickCall(version2::FETCH_PICTURE, checkedPictureName(name)), timeout, "fetchPicture()");
+  const JpegInspection found = inspectJpeg(answer.file.data(), answer.file.size());
+  if (!found.good()) {
+    throw CommandException(loop_->address() + " has sent " + name +
+                           ", which is not a picture of its camera: " + found.problem + ".");
+  }
+  return std::move(answer.file);
+}
+
+void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
+  ask(loop_.get(), makeStickCall(version2::DELETE_PICTURE, checkedPictureName(name)), timeout, "deletePicture()");
 }
 
 void RcServerClient::shutDownRobot(milliseconds timeout) {

@@ -12,6 +12,7 @@
 #include "protocol/introduction.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
+#include "protocol/stick_pictures.h"
 #include "protocol/text.h"
 #include "protocol/walk_requests.h"
 
@@ -714,7 +715,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   if (call.letter == version2::REQUEST_MOTORS) {
     expectGood(version2::decodeMotorState(payload.data, payload.size, &answer.motors_on), "motor state");
   } else if (call.letter == version2::REQUEST_LIST) {
-    version2::MotionList list;
+    version2::FileList list;
     expectGood(version2::decodeMotionList(payload.data, payload.size, &list), "list of motions");
     answer.names.assign(list.names, list.names + list.count);
   } else if (call.letter == version2::REQUEST_PLAY) {
@@ -723,9 +724,26 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
     answer.changes.assign(changes.text, changes.text_size);
   } else if (call.letter == version2::REQUEST_POSTURE) {
     bodyMovesAgain();
+  } else if (call.letter == version2::REQUEST_SAVE_PICTURE) {
+    protocol::PictureName name;
+    expectGood(version2::decodePictureName(payload.data, payload.size, name), "name of a picture");
+    answer.names.emplace_back(name);
+  } else if (call.letter == version2::REQUEST_PICTURES) {
+    onStickPictures(call.id, payload, &answer);
   }
   connection_.calls.transferEnds(now_);
   connection_.calls.answer(call.request_number, std::move(answer));
+}
+
+void Version2Session::onStickPictures(int request, const Payload& payload, Answer* answer) {
+  if (request == version2::LIST_PICTURES) {
+    version2::FileList list;
+    expectGood(version2::decodePictureList(payload.data, payload.size, &list), "list of pictures");
+    answer->names.assign(list.names, list.names + list.count);
+  } else if (request == version2::FETCH_PICTURE) {
+    expectGood(version2::checkFetchedPicture(payload.size), "picture from the memory stick");
+    answer->file.assign(payload.data, payload.data + payload.size);
+  }
 }
 
 void Version2Session::onRefusal(char request_kind, const std::string& problem) {

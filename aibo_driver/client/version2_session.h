@@ -95,6 +95,7 @@ class Version2Session final : public Session {
   void onSteered(const Payload& payload);
   void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
+  static void onStickPictures(int request, const Payload& payload, Answer* answer);
   void onRefusal(char request_kind, const std::string& problem);
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);

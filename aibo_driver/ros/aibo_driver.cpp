@@ -74,6 +74,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       client_(parameters_.client, makeCallbacks()),
       settings_(private_handle, client_, joint_table_),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
+      stick_pictures_(parameters_, client_),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
@@ -98,6 +99,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   expression_.subscribe(body_thread_.handle());
   robot_services_.advertise(stop_threads_.handle(), joint_thread_.handle(), body_thread_.handle());
   stream_services_.advertise(handle_, picture_threads_.handle());
+  stick_pictures_.advertise(body_thread_.handle());
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();

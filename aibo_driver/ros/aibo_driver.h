@@ -24,6 +24,7 @@
 #include "ros/camera/camera_publisher.h"
 #include "ros/camera/camera_state_publisher.h"
 #include "ros/camera/raw_image_publisher.h"
+#include "ros/camera/stick_picture_services.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
 #include "ros/camera/stream_services.h"
@@ -104,6 +105,7 @@ class AiboDriver {
   // What needs the client.
   LiveSettings settings_;
   StreamServices stream_services_;
+  StickPictureServices stick_pictures_;
   JointMover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;

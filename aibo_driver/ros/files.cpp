@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -242,6 +243,15 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
   file.write(content);
   file.renameTo(target);
   return target.string();
+}
+
+std::string fileNameOnRobot(const std::string& name, const std::string& ending) {
+  std::string file = name;
+  if (!file.empty() && file.find('.') == std::string::npos) {
+    file += ending;
+  }
+  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
+  return file;
 }
 
 }  // namespace aibo_driver::node

@@ -1,5 +1,6 @@
 /// @file files.h
-/// Files on the driver's machine that users name in service calls. `~` is not expanded.
+/// Files that users name in service calls: on the driver's machine, where `~` is not expanded, and on the robot's
+/// memory stick.
 #ifndef AIBO_DRIVER_ROS_FILES_H
 #define AIBO_DRIVER_ROS_FILES_H
 
@@ -45,6 +46,10 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
 /// application data other than a JFIF header without a thumbnail. Everything that makes up the image stays as it is.
 /// @throw FileException the bytes before the image data are not segments of a JPEG
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg);
+
+/// The name of a file on the robot's memory stick: for the ending ".MTN", "nod", "NOD.MTN" and "nod.mtn" all mean
+/// NOD.MTN. The empty name stays empty. The client checks whether the robot allows such a name.
+std::string fileNameOnRobot(const std::string& name, const std::string& ending);
 
 }  // namespace aibo_driver::node
 

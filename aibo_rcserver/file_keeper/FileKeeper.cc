@@ -1,5 +1,6 @@
 #include "file_keeper/FileKeeper.h"
 
+#include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
@@ -43,6 +44,26 @@ void FileKeeper::ReadyResult(const OReadyEvent& event) {
 }
 
 void FileKeeper::NotifyJob(const ONotifyEvent& event) {
-  files_.CarryOut(*static_cast<const FileJob*>(event.Data(0)), results_.Memory());
+  const FileJob& job = *static_cast<const FileJob*>(event.Data(0));
+  FileResult* const result = results_.Memory();
+  result->ticket = job.ticket;
+  result->outcome = CheckStick(job.operation);
+  result->size = 0;
+  if (result->outcome == FileResult::DONE) {
+    files_.CarryOut(job, result);
+  }
   results_.Send();
+}
+
+// A stick that is missing or write-protected is named as the reason. If OPEN-R does not tell, the job is tried.
+FileResult::Outcome FileKeeper::CheckStick(FileJob::Operation operation) {
+  OMemoryStickStatus status = omemorystickUNDEF;
+  if (OPENR::GetMemoryStickStatus(&status) != oSUCCESS) {
+    return FileResult::DONE;
+  }
+  if (status == omemorystickNOT_EXIST) {
+    return FileResult::NO_STICK;
+  }
+  const bool writes = operation == FileJob::STORE || operation == FileJob::DELETE;
+  return writes && status == omemorystickWRITE_PROTECTED ? FileResult::LOCKED : FileResult::DONE;
 }

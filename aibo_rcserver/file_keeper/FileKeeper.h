@@ -1,5 +1,5 @@
 /// @file FileKeeper.h
-/// The OPEN-R object that reads and writes motion files on the memory stick for RCServer.
+/// The OPEN-R object that reads and writes motions and pictures on the memory stick for RCServer.
 #ifndef AIBO_RCSERVER_FILE_KEEPER_FILE_KEEPER_H
 #define AIBO_RCSERVER_FILE_KEEPER_FILE_KEEPER_H
 
@@ -9,7 +9,7 @@
 #include <def.h>
 
 #include "file_keeper/FileJob.h"
-#include "file_keeper/MotionFiles.h"
+#include "file_keeper/StickFiles.h"
 #include "objects/RegionSender.h"
 
 /// Does one job at a time.
@@ -41,7 +41,9 @@ class FileKeeper : public OObject {
   FileKeeper(const FileKeeper&);
   FileKeeper& operator=(const FileKeeper&);
 
-  MotionFiles files_;
+  static FileResult::Outcome CheckStick(FileJob::Operation operation);
+
+  StickFiles files_;
   RegionSender<FileResult> results_;
 };
 

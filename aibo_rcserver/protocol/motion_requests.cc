@@ -11,16 +11,9 @@ namespace {
 
 const size_t NAME_SIZE_SIZE = 1;
 const size_t REPETITIONS_SIZE = 2;
-const char SEPARATOR = '\n';
 
 const char* textOf(const unsigned char* bytes) {
   return reinterpret_cast<const char*>(bytes);
-}
-
-// Bytes before the next separator, or all if there is none.
-size_t sizeOfLine(const unsigned char* bytes, size_t size) {
-  const void* const separator = memchr(bytes, SEPARATOR, size);
-  return separator == NULL ? size : static_cast<size_t>(static_cast<const unsigned char*>(separator) - bytes);
 }
 
 }  // namespace
@@ -97,31 +90,12 @@ const char* decodeMotionChanges(const unsigned char* payload, size_t size, Motio
   return NULL;
 }
 
-size_t encodeMotionList(const MotionList& list, unsigned char* out) {
-  size_t size = 0;
-  for (size_t i = 0; i < list.count; ++i) {
-    if (i > 0) {
-      out[size++] = SEPARATOR;
-    }
-    size += encodeMotionName(list.names[i], out + size);
-  }
-  return size;
+size_t encodeMotionList(const FileList& list, unsigned char* out) {
+  return encodeFileList(list, out);
 }
 
-const char* decodeMotionList(const unsigned char* payload, size_t size, MotionList* list) {
-  list->count = 0;
-  // A name follows every separator, so the last line may not be empty.
-  for (size_t begin = 0; size > 0 && begin <= size; ++list->count) {
-    if (list->count == MAX_LISTED_MOTIONS) {
-      return "more than 256 motions";
-    }
-    const size_t line_size = sizeOfLine(payload + begin, size - begin);
-    if (const char* problem = decodeMotionName(payload + begin, line_size, list->names[list->count])) {
-      return problem;
-    }
-    begin += line_size + 1;
-  }
-  return NULL;
+const char* decodeMotionList(const unsigned char* payload, size_t size, FileList* list) {
+  return decodeFileList(readMotionName, payload, size, list);
 }
 
 }  // namespace version2

@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 
+#include "protocol/file_list.h"
 #include "protocol/text.h"
 #include "protocol/version2.h"
 
@@ -58,22 +59,9 @@ const size_t MAX_MOTION_CHANGES_SIZE = 512;
 size_t encodeMotionChanges(const MotionChanges& changes, unsigned char* out);
 const char* decodeMotionChanges(const unsigned char* payload, size_t size, MotionChanges* changes);
 
-/// Most motions in one list. A robot that has more lists this many.
-const size_t MAX_LISTED_MOTIONS = 256;
-
-/// Payload of the reply to `N`: names, separated by newlines. The request has none.
-struct MotionList {
-  size_t count;  ///< of names, 0..MAX_LISTED_MOTIONS
-  MotionName names[MAX_LISTED_MOTIONS];
-};
-
-const size_t MAX_MOTION_LIST_SIZE = MAX_LISTED_MOTIONS * (MAX_MOTION_NAME_SIZE + 1) - 1;
-
-/// @param out room for MAX_MOTION_LIST_SIZE bytes
-size_t encodeMotionList(const MotionList& list, unsigned char* out);
-
-/// @param[out] list undefined if the result is not NULL
-const char* decodeMotionList(const unsigned char* payload, size_t size, MotionList* list);
+/// Payload of the reply to `N`: the names of the motions. The request has none.
+size_t encodeMotionList(const FileList& list, unsigned char* out);  ///< at most MAX_FILE_LIST_SIZE bytes
+const char* decodeMotionList(const unsigned char* payload, size_t size, FileList* list);
 
 }  // namespace version2
 }  // namespace protocol

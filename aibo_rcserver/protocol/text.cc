@@ -8,9 +8,27 @@ namespace {
 
 const unsigned LAST_CODE_POINT = 0x10ffff;
 
-const char MOTION_ENDING[] = ".MTN";
-const size_t MOTION_ENDING_SIZE = 4;
-const size_t MAX_MOTION_STEM_SIZE = MAX_MOTION_NAME_SIZE - MOTION_ENDING_SIZE;
+const size_t ENDING_SIZE = 4;
+const size_t MAX_STEM_SIZE = MAX_FILE_NAME_SIZE - ENDING_SIZE;
+
+// What the names of files of a kind end in, and what is said about a wrong name.
+struct KindOfName {
+  char ending[ENDING_SIZE + 1];
+  const char* other_ending;
+  const char* empty_stem;
+  const char* long_stem;
+  const char* other_characters;
+};
+
+const KindOfName MOTION_NAME = {
+    ".MTN", "the name of the motion does not end in .MTN", "the name of the motion has nothing before .MTN",
+    "the name of the motion has more than 8 characters before .MTN",
+    "the name of the motion has other characters before .MTN than A to Z, 0 to 9 and !#$%&'()-@^_`{}~"};
+
+const KindOfName PICTURE_NAME = {
+    ".JPG", "the name of the picture does not end in .JPG", "the name of the picture has nothing before .JPG",
+    "the name of the picture has more than 8 characters before .JPG",
+    "the name of the picture has other characters before .JPG than A to Z, 0 to 9 and !#$%&'()-@^_`{}~"};
 
 bool isContinuation(unsigned char byte) {
   return (byte & 0xc0) == 0x80;
@@ -116,13 +134,34 @@ bool standsForLongName(const char* name, size_t stem_size) {
   return digits > 0 && digits < stem_size && name[stem_size - 1 - digits] == '~';
 }
 
-bool hasMotionEnding(const char* text, size_t size) {
-  for (size_t i = 0; size >= MOTION_ENDING_SIZE && i < MOTION_ENDING_SIZE; ++i) {
-    if (capital(text[size - MOTION_ENDING_SIZE + i]) != MOTION_ENDING[i]) {
+bool endsIn(const char (&ending)[ENDING_SIZE + 1], const char* text, size_t size) {
+  for (size_t i = 0; size >= ENDING_SIZE && i < ENDING_SIZE; ++i) {
+    if (capital(text[size - ENDING_SIZE + i]) != ending[i]) {
       return false;
     }
   }
-  return size >= MOTION_ENDING_SIZE;
+  return size >= ENDING_SIZE;
+}
+
+const char* readFileName(const KindOfName& kind, const char* text, size_t size, FileName& name) {
+  if (!endsIn(kind.ending, text, size)) {
+    return kind.other_ending;
+  }
+  const size_t stem_size = size - ENDING_SIZE;
+  if (stem_size == 0) {
+    return kind.empty_stem;
+  }
+  if (stem_size > MAX_STEM_SIZE) {
+    return kind.long_stem;
+  }
+  if (!isAllowedInName(text, stem_size)) {
+    return kind.other_characters;
+  }
+  for (size_t i = 0; i < size; ++i) {
+    name[i] = capital(text[i]);
+  }
+  name[size] = '\0';
+  return NULL;
 }
 
 }  // namespace
@@ -150,28 +189,15 @@ size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit) {
 }
 
 const char* readMotionName(const char* text, size_t size, MotionName& name) {
-  if (!hasMotionEnding(text, size)) {
-    return "the name of the motion does not end in .MTN";
-  }
-  const size_t stem_size = size - MOTION_ENDING_SIZE;
-  if (stem_size == 0) {
-    return "the name of the motion has nothing before .MTN";
-  }
-  if (stem_size > MAX_MOTION_STEM_SIZE) {
-    return "the name of the motion has more than 8 characters before .MTN";
-  }
-  if (!isAllowedInName(text, stem_size)) {
-    return "the name of the motion has other characters before .MTN than A to Z, 0 to 9 and !#$%&'()-@^_`{}~";
-  }
-  for (size_t i = 0; i < size; ++i) {
-    name[i] = capital(text[i]);
-  }
-  name[size] = '\0';
-  return NULL;
+  return readFileName(MOTION_NAME, text, size, name);
+}
+
+const char* readPictureName(const char* text, size_t size, PictureName& name) {
+  return readFileName(PICTURE_NAME, text, size, name);
 }
 
 const char* problemOfNewMotionName(const MotionName& name) {
-  const size_t stem_size = strlen(name) - MOTION_ENDING_SIZE;
+  const size_t stem_size = strlen(name) - ENDING_SIZE;
   if (isDevice(name, stem_size)) {
     return "the name of the motion is that of a device on Windows, where it could not be read; choose another one";
   }

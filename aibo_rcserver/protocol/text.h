@@ -1,6 +1,6 @@
 /// @file text.h
-/// Texts on the wire, in both versions: UTF-8 that shows as it is, and the names of motion files. Used by both
-/// sides.
+/// Texts on the wire, in both versions: UTF-8 that shows as it is, and the names of files on the memory stick. Used by
+/// both sides.
 #ifndef AIBO_RCSERVER_PROTOCOL_TEXT_H
 #define AIBO_RCSERVER_PROTOCOL_TEXT_H
 
@@ -17,11 +17,14 @@ bool isPlainText(const char* bytes, size_t size);
 /// The largest size, at most `limit`, to which a well-formed text can be cut without splitting a character.
 size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit);
 
-/// Longest name of a motion, in characters: "WALK_FWD.MTN".
-const size_t MAX_MOTION_NAME_SIZE = 12;
+/// Longest name of a file, in characters: "WALK_FWD.MTN".
+const size_t MAX_FILE_NAME_SIZE = 12;
+const size_t MAX_MOTION_NAME_SIZE = MAX_FILE_NAME_SIZE;
 
-/// A name that readMotionName() has accepted, or an empty one. Capital letters; ends in a zero byte.
-typedef char MotionName[MAX_MOTION_NAME_SIZE + 1];
+/// A name that one of the functions below has accepted, or an empty one. Capital letters; ends in a zero byte.
+typedef char FileName[MAX_FILE_NAME_SIZE + 1];
+typedef FileName MotionName;
+typedef FileName PictureName;
 
 /// Reads the name of a motion file: one to eight characters and ".MTN". The characters are those that a memory stick
 /// accepts: the letters A to Z, digits and !#$%&'()-@^_`{}~. So no name can lead out of a folder. The memory stick does
@@ -31,6 +34,9 @@ typedef char MotionName[MAX_MOTION_NAME_SIZE + 1];
 /// @param[out] name the name in capital letters; unchanged on an error
 /// @return NULL, or what is wrong in a few words that a user can act on
 const char* readMotionName(const char* text, size_t size, MotionName& name);
+
+/// The same for a picture, whose name ends in ".JPG".
+const char* readPictureName(const char* text, size_t size, PictureName& name);
 
 /// What is wrong with storing a file under a name that readMotionName() has accepted. Such names can be on a memory
 /// stick, but must not be made by strangers: Windows takes CON, COM1 and their like for devices, and a name that ends

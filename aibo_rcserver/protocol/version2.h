@@ -5,8 +5,8 @@
 /// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
 /// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
 /// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h,
-/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h, and pictures by UDP
-/// in picture_datagram.h.
+/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h, pictures by UDP in
+/// picture_datagram.h, those about pictures on the memory stick in stick_pictures.h.
 ///
 /// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
 /// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
@@ -39,8 +39,8 @@ bool agreesToVersion2(const ValueReply& reply);
 /// The first bytes of every frame.
 struct FrameHeader {
   char kind;  ///< capital letter = request, lower-case letter = reply or push
-  /// JPEG quality of `F` and `W`, bits of TelemetryContent of `T`, HoldScope of `I`, CameraSetting of `G`, Posture of
-  /// `E`, bits of `U` and `P`; 0 for all other kinds
+  /// JPEG quality of `F`, `W` and `M`, bits of TelemetryContent of `T`, HoldScope of `I`, CameraSetting of `G`, Posture
+  /// of `E`, StickPictureRequest of `Y`, bits of `U` and `P`; 0 for all other kinds
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header
@@ -73,6 +73,8 @@ const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, 
 const char REQUEST_DELETE = 'D';        ///< deletes a motion
 const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
 const char REQUEST_LIST = 'N';          ///< answered by the names of the motions on the robot
+const char REQUEST_SAVE_PICTURE = 'M';  ///< takes a picture onto the memory stick, id = quality; answered by its name
+const char REQUEST_PICTURES = 'Y';      ///< lists, fetches or deletes them, id = StickPictureRequest (stick_pictures.h)
 const char REQUEST_STEER = 'S';         ///< walks; answered by the velocity in force; layouts are in walk_requests.h
 const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; no payload; answered when it has begun
 const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down; nothing follows the reply

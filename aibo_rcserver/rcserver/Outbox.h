@@ -13,7 +13,7 @@
 class Outbox {
  public:
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
-  static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_MOTION_LIST_SIZE;
+  static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_FILE_LIST_SIZE;
 
   /// Bytes of the largest telemetry message.
   static const size_t MAX_TELEMETRY_SIZE =

@@ -49,6 +49,7 @@ RCServer::RCServer()
       guest_since_(0),
       body_(NULL),
       power_order_(POWER_STAYS_ON),
+      file_(NULL),
       session_(NULL),
       now_(0),
       lies_down_since_(0),
@@ -104,6 +105,10 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   }
   delete session_;
   session_ = NULL;
+  if (file_ != NULL) {
+    file_->RemoveReference();
+    file_ = NULL;
+  }
   file_desk_.Destroy();
   datagrams_.Destroy();
   pictures_.Destroy();
@@ -141,10 +146,14 @@ void RCServer::ReadyEncodeJob(const OReadyEvent&) {
 void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   const FileResult& result = *static_cast<const FileResult*>(event.Data(0));
   session_->FileDone(result);
+  file_ = event.RCData(0);
+  file_->AddReference();
+  if (!session_->OwesFile()) {
+    ReleaseFile();
+  }
   if (client_ != NULL) {
     ServeClient();
   }
-  observer[event.ObsIndex()]->AssertReady();
 }
 
 void RCServer::ReadyFileJob(const OReadyEvent&) {
@@ -543,6 +552,9 @@ void RCServer::DropClient(const char* reason, bool abort) {
   client_ = NULL;
   session_->End();
   pictures_.Forget();
+  if (file_ != NULL) {
+    ReleaseFile();
+  }
   CarryOutPowerOrder();
   body_->SendCommands(subject[sbjEffector]);
 }
@@ -573,7 +585,28 @@ bool RCServer::SendOutput() {
     pictures_.CountSent();
     return client_->SendWaitingPicture();
   }
+  if (file_ != NULL && !pictures_.IsMaking()) {
+    return SendFile();
+  }
   return !session_->HasOutput() || client_->SendMessage(session_->TakeOutput(client_->MessageBuffer()));
+}
+
+// A file takes the place of a picture. No other one is being made, which would need the same place.
+bool RCServer::SendFile() {
+  const FileResult& file = *static_cast<const FileResult*>(static_cast<const void*>(file_->Base()));
+  byte header[Session::MAX_PICTURE_HEADER_SIZE];
+  const size_t header_size = session_->EncodeFileHeader(file.size, header);
+  memcpy(client_->PictureBuffer(), file.content, file.size);
+  client_->PutPicture(header, header_size, file.size);
+  ReleaseFile();
+  return client_->SendWaitingPicture();
+}
+
+// FileKeeper may use its memory again, and do the next job.
+void RCServer::ReleaseFile() {
+  file_->RemoveReference();
+  file_ = NULL;
+  observer[obsFileResult]->AssertReady();
 }
 
 void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
@@ -621,6 +654,11 @@ void RCServer::SendPicture(const EncodedPicture& picture) {
   if (picture.size == 0) {
     OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", picture.problem));
     DropClient("there is no picture for it", true);
+    return;
+  }
+  if (pictures_.Order().is_for_stick) {
+    session_->PictureTaken(picture.jpeg, picture.size);
+    ServeClient();
     return;
   }
   if (!session_->Camera().Wants(pictures_.Order())) {

@@ -19,14 +19,14 @@
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/camera/PictureTaker.h"
-#include "rcserver/motions/FileJobs.h"
+#include "rcserver/files/FileJobs.h"
 #include "rcserver/settings/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
 /// All work happens in the entry points below. Each returns without waiting, because no joint is commanded while one
 /// runs. Work that takes longer than a frame is done by objects of a lower scheduling class: PictureEncoder makes the
-/// pictures, FileKeeper reads and writes motion files.
+/// pictures, FileKeeper reads and writes files.
 ///
 /// Time is counted in OPEN-R frames of 8 ms: the frame of the latest camera image or joint measurement.
 ///
@@ -128,6 +128,8 @@ class RCServer : public OObject {
   void DropClient(const char* reason, bool abort);
   void ServeClient();
   bool SendOutput();
+  bool SendFile();
+  void ReleaseFile();
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   bool IsSendingPicture() const;
@@ -144,6 +146,7 @@ class RCServer : public OObject {
   PowerSupply power_supply_;
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;
+  RCRegion* file_;  ///< FileKeeper's result whose content goes to the client; NULL if there is none
   PictureTaker pictures_;
   PictureDatagrams datagrams_;
   ReportLimit reports_;  ///< of clients that come and go

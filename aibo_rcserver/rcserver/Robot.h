@@ -7,8 +7,8 @@
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/camera/PictureDatagrams.h"
+#include "rcserver/files/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/motions/FileJobs.h"
 
 /// An order about the robot's power. RCServer carries it out when the client has been told and is gone.
 enum PowerOrder {

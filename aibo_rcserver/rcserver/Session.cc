@@ -14,9 +14,11 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       version_(1),
       is_over_(false),
       power_reason_(NULL),
-      motions_(robot.joints, robot.motors, robot.files, settings),
-      version1_(robot_, settings, motions_, camera_, outbox_, payload_),
-      version2_(robot_, settings, motions_, camera_, outbox_),
+      files_(robot.files),
+      motions_(robot.joints, robot.motors, files_, settings),
+      stick_pictures_(camera_, files_, settings),
+      version1_(robot_, settings, files_, motions_, camera_, outbox_, payload_),
+      version2_(robot_, settings, files_, motions_, stick_pictures_, camera_, outbox_),
       has_requested_(false),
       frame_reader_(payload_, sizeof(payload_)),
       has_request_(false),
@@ -37,7 +39,7 @@ void Session::Begin() {
   request_reader_.reset();
   frame_reader_.reset();
   outbox_.Clear();
-  motions_.Begin();
+  files_.Begin();
   version1_.Begin();
   version2_.Begin();
 }
@@ -76,7 +78,7 @@ void Session::HandleRequests(unsigned now) {
 }
 
 void Session::FileDone(const FileResult& result) {
-  if (!motions_.Awaits(result)) {
+  if (!files_.Awaits(result)) {
     return;
   }
   if (version_ == 1) {
@@ -125,8 +127,8 @@ void Session::HandleVersion1() {
   // The answer to an upload, or to a request that waits for the memory stick, goes into room that is reserved for it.
   while (version_ == 1 && !IsOver() && has_requests_) {
     has_requests_ = version1_.TakeContent(request_reader_);
-    outbox_.Reserve(motions_.IsPending());
-    if (!has_requests_ || motions_.IsPending() || !outbox_.HasRoom() || !HandleRequestOfVersion1()) {
+    outbox_.Reserve(files_.IsPending());
+    if (!has_requests_ || files_.IsPending() || !outbox_.HasRoom() || !HandleRequestOfVersion1()) {
       return;
     }
   }
@@ -146,14 +148,14 @@ bool Session::HandleRequestOfVersion1() {
     return false;
   }
   has_request_ = !version1_.Handle(request_);
-  outbox_.Reserve(motions_.IsPending());
+  outbox_.Reserve(files_.IsPending());
   return !has_request_;
 }
 
 void Session::HandleVersion2(unsigned now) {
   while (MayHandleVersion2() && ReadFrame()) {
     version2_.Handle(frame_reader_.header(), frame_reader_.payload(), now);
-    outbox_.Reserve(motions_.IsPending());
+    outbox_.Reserve(files_.IsPending());
   }
 }
 
@@ -162,7 +164,7 @@ bool Session::MayHandleVersion2() {
   version2_.PushReports();
   if (!IsOver() && outbox_.HasRoom()) {
     version2_.HandleWaiting();
-    outbox_.Reserve(motions_.IsPending());
+    outbox_.Reserve(files_.IsPending());
   }
   return !IsOver() && outbox_.HasRoom();
 }

@@ -14,6 +14,8 @@
 #include "rcserver/Version1.h"
 #include "rcserver/Version2.h"
 #include "rcserver/camera/ImageObserver.h"
+#include "rcserver/camera/StickPictures.h"
+#include "rcserver/files/FileOrder.h"
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 
@@ -28,7 +30,7 @@ class Session {
   /// Most bytes for one AddInput().
   static const size_t INPUT_CAPACITY = protocol::RequestReader::MAX_APPENDED;
 
-  /// Largest header of a picture, in either version.
+  /// Largest header of a picture or file, in either version.
   static const size_t MAX_PICTURE_HEADER_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
 
@@ -71,6 +73,20 @@ class Session {
 
   /// FileKeeper has done a job. A result that no request waits for is ignored.
   void FileDone(const FileResult& result);
+
+  /// The picture of an order for the memory stick has been made.
+  void PictureTaken(const unsigned char* jpeg, size_t size) {
+    version2_.PictureTaken(jpeg, size);
+    outbox_.Reserve(files_.IsPending());
+  }
+
+  /// True if the content of the last FileDone() is to be sent to the client.
+  bool OwesFile() const { return version2_.OwesFile(); }
+
+  /// Writes the bytes that go before that content.
+  /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
+  /// @return how many bytes it is
+  size_t EncodeFileHeader(size_t size, unsigned char* out) { return version2_.EncodeFileHeader(size, out); }
 
   /// The robot goes off, which ends the session. A client of version 2 is told the reason.
   /// @param reason in words; must outlive this
@@ -125,7 +141,9 @@ class Session {
   const char* power_reason_;  ///< why the robot goes off
   ImageObserver camera_;
   Outbox outbox_;
+  FileOrder files_;
   MotionCommands motions_;
+  StickPictures stick_pictures_;
   Version1 version1_;
   Version2 version2_;
   protocol::Opening opening_;

@@ -13,10 +13,11 @@ using robot_model::NO_LED;
 
 const int Version1::MAX_SOURCES;
 
-Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
-                   Outbox& outbox, unsigned char* upload_buffer)
+Version1::Version1(const Robot& robot, const Settings& settings, const FileOrder& files, MotionCommands& motions,
+                   ImageObserver& camera, Outbox& outbox, unsigned char* upload_buffer)
     : robot_(robot),
       settings_(settings),
+      files_(files),
       motions_(motions),
       camera_(camera),
       outbox_(outbox),
@@ -70,7 +71,7 @@ void Version1::Send(char letter, unsigned char identifier, short value) {
 }
 
 bool Version1::Execute() {
-  const PictureOrder order = {limitJpegQuality(request_.basic.identifier), 0, 0, false};
+  const PictureOrder order = {limitJpegQuality(request_.basic.identifier), 0, 0, false, false};
   switch (request_.basic.command) {
     case REQUEST_PICTURE:
       return camera_.RequestPicture(order);
@@ -299,10 +300,10 @@ bool Version1::HandleMotion() {
   }
   if (stops) {
     motions_.Stop(name);
-    Answer(MotionCommands::DONE);
+    Answer(FileOrder::DONE);
     return true;
   }
-  if (motions_.IsBusy()) {
+  if (files_.IsBusy()) {
     return false;
   }
   switch (request_.basic.command) {
@@ -321,8 +322,8 @@ bool Version1::HandleMotion() {
 
 // The reader skips the content of an upload that is refused here.
 void Version1::BeginUpload(const MotionName& name, size_t size) {
-  const MotionCommands::Outcome outcome = motions_.CheckUpload(size);
-  if (outcome != MotionCommands::DONE) {
+  const FileOrder::Outcome outcome = motions_.CheckUpload(size);
+  if (outcome != FileOrder::DONE) {
     Answer(outcome);
     return;
   }
@@ -344,17 +345,17 @@ bool Version1::TakeContent(RequestReader& reader) {
   return true;
 }
 
-void Version1::Answer(MotionCommands::Outcome outcome) {
+void Version1::Answer(FileOrder::Outcome outcome) {
   switch (outcome) {
-    case MotionCommands::DONE:
+    case FileOrder::DONE:
       Reply(0);
       break;
-    case MotionCommands::PENDING:
+    case FileOrder::PENDING:
       break;
-    case MotionCommands::REFUSED:
+    case FileOrder::REFUSED:
       Refuse(ERROR_REFUSED);
       break;
-    case MotionCommands::FILE_MISSING:
+    case FileOrder::FILE_MISSING:
       Refuse(ERROR_FILE_MISSING);
       break;
   }

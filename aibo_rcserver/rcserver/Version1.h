@@ -7,6 +7,7 @@
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
 #include "rcserver/camera/ImageObserver.h"
+#include "rcserver/files/FileOrder.h"
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 
@@ -17,8 +18,8 @@
 class Version1 {
  public:
   /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only while version 1 is spoken. All must outlive this.
-  Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
-           unsigned char* upload_buffer);
+  Version1(const Robot& robot, const Settings& settings, const FileOrder& files, MotionCommands& motions,
+           ImageObserver& camera, Outbox& outbox, unsigned char* upload_buffer);
 
   /// A new client: no upload is under way, and the block that `S` reads holds all joints and sensors.
   void Begin();
@@ -34,7 +35,7 @@ class Version1 {
   bool TakeContent(protocol::RequestReader& reader);
 
   /// Answers the request that has been waiting for the memory stick.
-  /// @param result that MotionCommands awaits
+  /// @param result that the FileOrder awaits
   void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
 
  private:
@@ -84,10 +85,11 @@ class Version1 {
   bool IsForMotions() const;
   bool HandleMotion();
   void BeginUpload(const protocol::MotionName& name, size_t size);
-  void Answer(MotionCommands::Outcome outcome);
+  void Answer(FileOrder::Outcome outcome);
 
   const Robot& robot_;
   const Settings& settings_;
+  const FileOrder& files_;
   MotionCommands& motions_;
   ImageObserver& camera_;
   Outbox& outbox_;

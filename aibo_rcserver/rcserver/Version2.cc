@@ -29,12 +29,8 @@ void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
   out[MAX_HELLO_TEXT_SIZE] = '\0';
 }
 
-unsigned char JpegQuality(unsigned char id) {
-  return id == SERVER_DEFAULT_QUALITY ? protocol::DEFAULT_JPEG_QUALITY : protocol::limitJpegQuality(id);
-}
-
-PictureOrder OrderOf(unsigned char id, Layer layer, unsigned short request_number) {
-  const PictureOrder order = {JpegQuality(id), static_cast<unsigned char>(layer), request_number, false};
+PictureOrder OrderOf(unsigned char quality, Layer layer, unsigned short request_number) {
+  const PictureOrder order = {quality, static_cast<unsigned char>(layer), request_number, false, false};
   return order;
 }
 
@@ -113,29 +109,33 @@ const char* WordsFor(JointWatch::Verdict fault) {
 
 }  // namespace
 
-Version2::Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
-                   Outbox& outbox)
+Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
+                   StickPictures& pictures, ImageObserver& camera, Outbox& outbox)
     : robot_(robot),
       settings_(settings),
+      files_(files),
       motions_(motions),
+      pictures_(pictures),
       camera_(camera),
       outbox_(outbox),
       request_(),
       payload_(NULL),
       commands_(0),
       pending_(),
+      owes_file_(false),
       has_waiting_(false),
       waiting_(),
       commands_before_waiting_(0) {
-  sprintf(capabilities_, "%s%s%s%s%s%s", CAPABILITIES, robot.joints.Walking().CanWalk() ? " S E" : "",
-          settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "", settings.allow_shut_down ? " Q" : "",
-          settings.allow_reboot ? " R" : "");
+  sprintf(capabilities_, "%s%s%s%s%s%s%s", CAPABILITIES, robot.joints.Walking().CanWalk() ? " S E" : "",
+          settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "", settings.allow_pictures ? " M Y" : "",
+          settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
   Begin();
 }
 
 void Version2::Begin() {
   token_[0] = '\0';
   has_greeted_ = false;
+  owes_file_ = false;
   has_waiting_ = false;
   tells_camera_settings_ = false;
   telemetry_period_ = 0;
@@ -166,6 +166,8 @@ void Version2::Handle(const FrameHeader& request, const unsigned char* payload, 
     case REQUEST_DELETE:
     case REQUEST_PLAY:
     case REQUEST_LIST:
+    case REQUEST_SAVE_PICTURE:
+    case REQUEST_PICTURES:
       if (!HandleFileRequest()) {
         Wait();
       }
@@ -308,9 +310,13 @@ void Version2::Greet(unsigned now) {
 void Version2::TakePicture() {
   Layer layer = LAYER_HIGH;
   if (IsWellFormed(decodePictureRequest(payload_, request_.payload_size, &layer)) && MakesLayer(layer) &&
-      !camera_.RequestPicture(OrderOf(request_.id, layer, request_.request_number))) {
+      !camera_.RequestPicture(OrderOf(JpegQuality(request_.id), layer, request_.request_number))) {
     Refuse(CODE_REFUSED, "too many pictures are owed already; wait until some have come");
   }
+}
+
+unsigned char Version2::JpegQuality(unsigned char id) {
+  return id == SERVER_DEFAULT_QUALITY ? protocol::DEFAULT_JPEG_QUALITY : protocol::limitJpegQuality(id);
 }
 
 void Version2::SetStream() {
@@ -319,7 +325,7 @@ void Version2::SetStream() {
     return;
   }
   if (stream.on) {
-    camera_.StartStream(OrderOf(request_.id, stream.layer, 0), stream.every_nth_image);
+    camera_.StartStream(OrderOf(JpegQuality(request_.id), stream.layer, 0), stream.every_nth_image);
   } else {
     camera_.StopStream();
   }

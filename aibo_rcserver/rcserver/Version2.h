@@ -8,6 +8,8 @@
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
 #include "rcserver/camera/ImageObserver.h"
+#include "rcserver/camera/StickPictures.h"
+#include "rcserver/files/FileOrder.h"
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 
@@ -15,8 +17,8 @@
 class Version2 {
  public:
   /// All must outlive this.
-  Version2(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
-           Outbox& outbox);
+  Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
+           StickPictures& pictures, ImageObserver& camera, Outbox& outbox);
 
   /// A new client: no telemetry is pushed, and no request waits.
   void Begin();
@@ -41,8 +43,18 @@ class Version2 {
   void HandleWaiting();
 
   /// Answers the request that has been waiting for the memory stick.
-  /// @param result that MotionCommands awaits
+  /// @param result that the FileOrder awaits
   void FileDone(const FileResult& result);
+
+  /// The picture of an order for the memory stick has been made.
+  void PictureTaken(const unsigned char* jpeg, size_t size);
+
+  /// True if the content of the last FileDone() is to be sent, after EncodeFileHeader().
+  bool OwesFile() const { return owes_file_; }
+
+  /// Writes the header of the frame with the content; then it is not owed any more.
+  /// @param[out] out room for FRAME_HEADER_SIZE bytes
+  size_t EncodeFileHeader(size_t size, unsigned char* out);
 
   /// Answers a request whose payload is larger than MAX_PAYLOAD_TOWARDS_ROBOT.
   void RefuseTooLarge(const protocol::version2::FrameHeader& request);
@@ -107,6 +119,8 @@ class Version2 {
   bool Delete();
   bool Play();
   bool List();
+  bool SavePicture();
+  bool HandlePictures();
   /// @}
   bool LeavesOutMissingJoints() const;
   void ConfirmPlay();
@@ -114,7 +128,9 @@ class Version2 {
   bool MustWaitForFiles() const;
   void Wait();
   void CancelPlay(const protocol::MotionName& name, const char* why);
-  void Answer(MotionCommands::Outcome outcome);
+  void MotionJobDone(const FileResult& result);
+  void PictureJobDone(const FileResult& result);
+  void Answer(FileOrder::Outcome outcome);
 
   void PushJointFaults();
   void PushRecoveries();
@@ -123,11 +139,15 @@ class Version2 {
   void PushWalkEnds();
   void PushTelemetry(unsigned frame);
 
+  static unsigned char JpegQuality(unsigned char id);
+
   static const protocol::MotionName ALL_MOTIONS;
 
   const Robot& robot_;
   const Settings& settings_;
+  FileOrder& files_;
   MotionCommands& motions_;
+  StickPictures& pictures_;
   ImageObserver& camera_;
   Outbox& outbox_;
   char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
@@ -135,6 +155,7 @@ class Version2 {
   const unsigned char* payload_;             ///< of the request
   unsigned commands_;                        ///< how many commands the joints had had when it came
   protocol::version2::FrameHeader pending_;  ///< the request that the memory stick is at work for
+  bool owes_file_;                           ///< pending_ is to be answered by the content of a file
   bool has_waiting_;                         ///< a request waits until the memory stick is free
   protocol::version2::FrameHeader waiting_;
   unsigned char waiting_payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];

@@ -1,4 +1,4 @@
-// The requests of version 2 that need motion files on the memory stick.
+// The requests of version 2 that need the memory stick: how they wait, and those about motions.
 #include <stdio.h>
 #include <string.h>
 
@@ -16,13 +16,17 @@ bool Version2::HandleFileRequest() {
       return Delete();
     case REQUEST_PLAY:
       return Play();
-    default:
+    case REQUEST_LIST:
       return List();
+    case REQUEST_SAVE_PICTURE:
+      return SavePicture();
+    default:
+      return HandlePictures();
   }
 }
 
 void Version2::HandleWaiting() {
-  if (has_waiting_ && !motions_.IsBusy()) {
+  if (has_waiting_ && !files_.IsBusy()) {
     has_waiting_ = false;
     request_ = waiting_;
     payload_ = waiting_payload_;
@@ -33,7 +37,7 @@ void Version2::HandleWaiting() {
 
 // Requests for the memory stick keep their order.
 bool Version2::MustWaitForFiles() const {
-  return motions_.IsBusy() || has_waiting_;
+  return files_.IsBusy() || has_waiting_;
 }
 
 // Only one waits, so that all others can be read and handled, above all those that stop the robot.
@@ -94,7 +98,7 @@ bool Version2::Play() {
   }
   if (order.repetitions == 0) {
     motions_.Stop(order.name);
-    Answer(MotionCommands::DONE);
+    Answer(FileOrder::DONE);
     CancelPlay(order.name, "was stopped before its file had been read");
     return true;
   }
@@ -118,10 +122,18 @@ bool Version2::List() {
 
 void Version2::FileDone(const FileResult& result) {
   request_ = pending_;
-  const MotionCommands::Outcome outcome = motions_.Finish(result);
-  if (request_.kind == REQUEST_LIST && outcome == MotionCommands::DONE) {
+  if (request_.kind == REQUEST_SAVE_PICTURE || request_.kind == REQUEST_PICTURES) {
+    PictureJobDone(result);
+  } else {
+    MotionJobDone(result);
+  }
+}
+
+void Version2::MotionJobDone(const FileResult& result) {
+  const FileOrder::Outcome outcome = motions_.Finish(result);
+  if (request_.kind == REQUEST_LIST && outcome == FileOrder::DONE) {
     Reply(encodeMotionList(result.list, Payload()));
-  } else if (request_.kind == REQUEST_PLAY && outcome == MotionCommands::DONE) {
+  } else if (request_.kind == REQUEST_PLAY && outcome == FileOrder::DONE) {
     ConfirmPlay();
   } else {
     Answer(outcome);
@@ -138,19 +150,19 @@ void Version2::ConfirmPlay() {
   Reply(encodeMotionChanges(changes, Payload()));
 }
 
-void Version2::Answer(MotionCommands::Outcome outcome) {
+void Version2::Answer(FileOrder::Outcome outcome) {
   switch (outcome) {
-    case MotionCommands::DONE:
+    case FileOrder::DONE:
       Reply(0);
       break;
-    case MotionCommands::PENDING:
+    case FileOrder::PENDING:
       pending_ = request_;
       break;
-    case MotionCommands::REFUSED:
-      Refuse(CODE_REFUSED, motions_.Problem());
+    case FileOrder::REFUSED:
+      Refuse(CODE_REFUSED, files_.Problem());
       break;
-    case MotionCommands::FILE_MISSING:
-      Refuse(CODE_FILE_MISSING, motions_.Problem());
+    case FileOrder::FILE_MISSING:
+      Refuse(CODE_FILE_MISSING, files_.Problem());
       break;
   }
 }

@@ -31,6 +31,7 @@ namespace po = boost::program_options;
 
 constexpr int kWrongUsage = 2;
 constexpr double kMostEncodeTime = 10000;  // milliseconds
+constexpr double kMostStickTime = 60000;   // milliseconds
 constexpr double kMostSlowdown = 1000;
 
 constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
@@ -45,6 +46,7 @@ struct Options {
   std::string memory_stick;
   std::string picture_log;
   double encode_time = 0;         ///< milliseconds
+  double stick_time = 0;          ///< milliseconds
   double processor_slowdown = 0;  ///< 0: handlers take no time
   simulated_ers7::SimulatedErs7Options robot;
 };
@@ -79,6 +81,8 @@ po::options_description describe(Options& options) {
      "how long a full battery lasts")
     ("encode-time", po::value(&options.encode_time)->default_value(0),
      "milliseconds for the robot to compress a picture: 9 to 14 by instruction count, 32 to 64 in the report of 2006")
+    ("stick-time", po::value(&options.stick_time)->default_value(0),
+     "milliseconds for the memory stick to read, write or delete a file")
     ("processor-slowdown", po::value(&options.processor_slowdown)->default_value(0),
      "the robot takes this many times as long for everything as this computer; 0 means no time")
     ("picture-log", po::value(&options.picture_log),
@@ -118,6 +122,9 @@ void parse(const po::options_description& description, const std::vector<std::st
   if (!(options.encode_time >= 0 && options.encode_time <= kMostEncodeTime)) {
     throw po::error("option '--encode-time' must be 0 to 10000");
   }
+  if (!(options.stick_time >= 0 && options.stick_time <= kMostStickTime)) {
+    throw po::error("option '--stick-time' must be 0 to 60000");
+  }
   if (!(options.processor_slowdown >= 0 && options.processor_slowdown <= kMostSlowdown)) {
     throw po::error("option '--processor-slowdown' must be 0 to 1000");
   }
@@ -126,23 +133,27 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
 }
 
-// Empty if nothing takes time. PictureEncoder is notified of pictures only.
-openr_host::HandlerTime handlerTime(const Options& options) {
-  if (options.encode_time == 0 && options.processor_slowdown == 0) {
-    return nullptr;
-  }
-  const auto encode_time = std::chrono::duration_cast<std::chrono::nanoseconds>(
-      std::chrono::duration<double, std::milli>(options.encode_time));
+std::chrono::nanoseconds nanoseconds(double milliseconds) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double, std::milli>(milliseconds));
+}
+
+// PictureEncoder is notified of pictures only, FileKeeper of files.
+openr_host::HandlerTime handlerTime(const Options& options, const simulated_ers7::StickSlot& stick) {
+  const auto encode_time = nanoseconds(options.encode_time);
+  const auto stick_time = nanoseconds(options.stick_time);
   const double slowdown = options.processor_slowdown;
-  return [=](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds taken) {
-    const bool is_picture = object == "PictureEncoder" && entry == openr_host::Entry::kNotify;
-    return is_picture && encode_time.count() > 0
-               ? encode_time
-               : std::chrono::nanoseconds(static_cast<std::int64_t>(slowdown * static_cast<double>(taken.count())));
+  return [=, &stick](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds taken) {
+    std::chrono::nanoseconds set{0};
+    if (entry == openr_host::Entry::kNotify && object == "PictureEncoder") {
+      set = encode_time;
+    } else if (entry == openr_host::Entry::kNotify && object == "FileKeeper") {
+      set = std::max<std::chrono::nanoseconds>(stick_time, stick.jobTime());
+    }
+    return set.count() > 0 ? set : nanoseconds(slowdown * static_cast<double>(taken.count()) * 1e-6);
   };
 }
 
-openr_host::MachineOptions machineOptions(const Options& options) {
+openr_host::MachineOptions machineOptions(const Options& options, const simulated_ers7::StickSlot& stick) {
   openr_host::MachineOptions machine;
   machine.bind_address = options.bind_address;
   machine.ports = {{kRobotPort, static_cast<std::uint16_t>(options.port)}};
@@ -152,7 +163,7 @@ openr_host::MachineOptions machineOptions(const Options& options) {
   machine.memory_stick = options.memory_stick;
   machine.catalog = objectCatalog();
   machine.console = &std::cout;
-  machine.handler_time = handlerTime(options);
+  machine.handler_time = handlerTime(options, stick);
   return machine;
 }
 
@@ -188,7 +199,7 @@ void stopOnSignal(openr_host::Machine& machine) {
 void run(const Options& options) {
   openr_host::WallClock clock;
   simulated_ers7::SimulatedErs7 robot(options.robot);
-  openr_host::MachineOptions machine_options = machineOptions(options);
+  openr_host::MachineOptions machine_options = machineOptions(options, robot.stick());
   machine_options.on_console_line = [&](const std::string& line) { return simulated_ers7::obeyConsole(robot, line); };
   std::optional<PictureLog> picture_log;
   if (!options.picture_log.empty()) {
@@ -203,6 +214,7 @@ void run(const Options& options) {
   std::random_device random;
   host.random[0] = random();
   host.random[1] = random();
+  host.room = robot.stick().room();
   setHostSettings(host);
   stopOnSignal(machine);
   machine.boot();

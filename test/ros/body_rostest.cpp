@@ -2,17 +2,23 @@
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/DeleteMotion.h>
+#include <aibo_driver/DeletePicture.h>
 #include <aibo_driver/Ears.h>
+#include <aibo_driver/FetchPicture.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/ListMotions.h>
+#include <aibo_driver/ListPictures.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/TakePictureOnRobot.h>
 #include <aibo_driver/Touch.h>
 #include <aibo_driver/UploadMotion.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/Range.h>
+#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -20,7 +26,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/memory_stick.h"
@@ -35,10 +44,14 @@ namespace {
 
 using aibo_driver::Connection;
 using aibo_driver::DeleteMotion;
+using aibo_driver::DeletePicture;
 using aibo_driver::Ears;
+using aibo_driver::FetchPicture;
 using aibo_driver::Leds;
 using aibo_driver::ListMotions;
+using aibo_driver::ListPictures;
 using aibo_driver::PlayMotion;
+using aibo_driver::TakePictureOnRobot;
 using aibo_driver::Touch;
 using aibo_driver::UploadMotion;
 using sensor_msgs::BatteryState;
@@ -380,8 +393,55 @@ TEST(MotionFiles, ThatAreNotMotionsAreRefused) {
   EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
 }
 
+TEST(StickPictures, AreTakenListedFetchedAndDeletedIfTheRobotAllowsIt) {
+  const MemoryStick stick("ALLOW_PICTURES=yes\nALLOW_DELETE=yes\n");
+  BodyUser user("/stick", {"--memory-stick", stick.path()});
+  const auto taken = user.call<TakePictureOnRobot>("take_picture_on_robot");
+  ASSERT_TRUE(taken.success) << taken.message;
+  EXPECT_EQ(taken.name, "AIBO0001.JPG");
+  EXPECT_THAT(user.call<ListPictures>("list_pictures").names, ElementsAre("AIBO0001.JPG"));
+  FetchPicture::Request fetch;
+  fetch.name = "aibo0001";
+  const auto fetched = user.call<FetchPicture>("fetch_picture", fetch);
+  ASSERT_TRUE(fetched.success) << fetched.message;
+  std::ifstream file(stick.path("OPEN-R/MW/DATA/P/AIBO0001.JPG"), std::ios::binary);
+  const std::vector<std::uint8_t> content{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(fetched.image.data, content);
+  DeletePicture::Request request;
+  request.name = "aibo0001";
+  const auto deleted = user.call<DeletePicture>("delete_picture", request);
+  EXPECT_TRUE(deleted.success) << deleted.message;
+  EXPECT_THAT(user.call<ListPictures>("list_pictures").names, SizeIs(0));
+}
+
+TEST(StickPictures, SayWhatIsWrongWithTheStickAndCostTheStreamNothing) {
+  const MemoryStick stick("ALLOW_PICTURES=yes\n");
+  TopicListener<sensor_msgs::CompressedImage> pictures("/bad_stick/camera/image_raw/compressed");
+  BodyUser user("/bad_stick", {"--memory-stick", stick.path()});
+  std_srvs::SetBool::Request on;
+  on.data = 1;
+  ASSERT_TRUE(user.call<std_srvs::SetBool>("set_streaming", on).success);
+  ASSERT_GE(pictures.waitForCount(10).size(), 10U);
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"full", "the memory stick is full"}, {"locked", "is write-protected"}, {"out", "there is no memory stick"}};
+  for (const auto& [state, reason] : faults) {
+    ASSERT_THAT(user.robot.type("stick " + state), HasSubstr("ok"));
+    const auto refused = user.call<TakePictureOnRobot>("take_picture_on_robot");
+    EXPECT_FALSE(refused.success);
+    EXPECT_THAT(refused.message, HasSubstr(reason));
+  }
+  ASSERT_THAT(user.robot.type("stick slow"), HasSubstr("ok"));  // 2 s
+  pictures.clear();
+  const auto taken = user.call<TakePictureOnRobot>("take_picture_on_robot");
+  EXPECT_TRUE(taken.success) << taken.message;
+  EXPECT_GE(pictures.count(), 30U) << "pictures in 2 s";
+}
+
 TEST(Robot, RefusesWhatItsSettingsForbidAndNamesTheSetting) {
   BodyUser user("/refused");
+  const auto taken = user.call<TakePictureOnRobot>("take_picture_on_robot");
+  EXPECT_FALSE(taken.success);
+  EXPECT_THAT(taken.message, HasSubstr("ALLOW_PICTURES"));
   UploadMotion::Request upload;
   upload.name = "mine";
   upload.data = {'O', 'M', 'T', 'N'};
@@ -431,6 +491,9 @@ TEST(Body, OfARobotWithAVersion1ServerWorksToo) {
   const auto missing = user.play("fly", 1);
   EXPECT_FALSE(missing.success);
   EXPECT_FALSE(user.call<ListMotions>("list_motions").success) << "no version 1 server lists them";
+  const auto taken = user.call<TakePictureOnRobot>("take_picture_on_robot");
+  EXPECT_FALSE(taken.success);
+  EXPECT_THAT(taken.message, HasSubstr("version 1"));
 }
 
 }  // namespace

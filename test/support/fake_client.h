@@ -29,7 +29,7 @@ class FakeClient : public aibo_driver::RcServerClient {
   bool motors_work = true;                    ///< false: the motors stay as they are not wanted
   std::vector<std::string> motions;           ///< on the robot's memory stick
   std::string motion_changes;                 ///< what the robot says that it plays differently
-  aibo_driver::PicturePtr picture;            ///< for takePicture()
+  aibo_driver::PicturePtr picture;            ///< for takePicture() and fetchPicture()
   int stream_quality = 0;                     ///< of the stream that the picture is from
   std::vector<aibo_driver::LedCommand> leds;  ///< of the last command
 
@@ -107,6 +107,19 @@ class FakeClient : public aibo_driver::RcServerClient {
     tell("list");
     return motions;
   }
+  std::string takePictureOnRobot(int quality, Milliseconds) override {
+    tell("picture on robot " + std::to_string(quality));
+    return "AIBO0001.JPG";
+  }
+  std::vector<std::string> listPictures(Milliseconds) override {
+    tell("list pictures");
+    return {"AIBO0001.JPG", "MINE.JPG"};
+  }
+  std::vector<std::uint8_t> fetchPicture(const std::string& name, Milliseconds) override {
+    tell("fetch " + name);
+    return picture->jpeg;
+  }
+  void deletePicture(const std::string& name, Milliseconds) override { tell("delete " + name); }
   void shutDownRobot(Milliseconds) override { tell("shut down"); }
   void rebootRobot(Milliseconds) override { tell("reboot"); }
   aibo_driver::ConnectionStatus status() const override { return present; }

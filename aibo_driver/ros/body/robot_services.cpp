@@ -3,7 +3,6 @@
 #include <boost/make_shared.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -76,12 +75,7 @@ std::string nameOf(const UploadMotion::Request& request) {
 }  // namespace
 
 std::string motionFileName(const std::string& name) {
-  std::string file = name;
-  if (!file.empty() && file.find('.') == std::string::npos) {
-    file += ".MTN";
-  }
-  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
-  return file;
+  return fileNameOnRobot(name, ".MTN");
 }
 
 void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& joint_handle,

@@ -20,8 +20,7 @@
 
 namespace aibo_driver::node {
 
-/// The name of a motion's file on the robot: "nod", "NOD.MTN" and "nod.mtn" all mean NOD.MTN. The empty name stays
-/// empty. The client checks whether the robot allows such a name.
+/// fileNameOnRobot() for a motion.
 std::string motionFileName(const std::string& name);
 
 /// The services that the robot carries out: stop, motors, play_motion, list_motions, upload_motion, delete_motion,

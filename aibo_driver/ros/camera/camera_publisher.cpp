@@ -11,10 +11,6 @@ namespace {
 // For each subscriber. At 30 pictures a second, one that cannot keep up is at most 170 ms behind.
 constexpr std::uint32_t kQueueSize = 5;
 
-// Makes image_transport's decoders deliver the encoding of our own image_raw. A plain "jpeg" means bgr8 to some
-// releases of compressed_image_transport and rgb8 to others.
-constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
-
 }  // namespace
 
 CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,

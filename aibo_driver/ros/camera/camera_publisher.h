@@ -19,6 +19,10 @@ namespace aibo_driver::node {
 /// header: see Calibration.
 class CameraPublisher {
  public:
+  /// The format of all pictures. It makes image_transport's decoders deliver the encoding of our own image_raw. A plain
+  /// "jpeg" means bgr8 to some releases of compressed_image_transport and rgb8 to others.
+  static constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
+
   /// @param camera_handle the camera's namespace
   /// @param robot_clock must outlive the publisher; null: pictures are stamped with their arrival
   /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes

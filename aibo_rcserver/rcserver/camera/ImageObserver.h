@@ -18,7 +18,8 @@ struct PictureOrder {
   unsigned char quality;          ///< JPEG quality, 0..100
   unsigned char layer;            ///< protocol::version2::Layer; always 0 in version 1
   unsigned short request_number;  ///< of the `F` that asked for it, in version 2; 0 in a stream and in version 1
-  bool is_of_stream;              ///< false: it is owed to an `F`
+  bool is_of_stream;              ///< false: it is owed to an `F` or `M`
+  bool is_for_stick;              ///< owed to an `M`: the memory stick gets it, and not the client
 };
 
 /// Decides which camera images become pictures, and of which kind.

@@ -6,41 +6,21 @@
 #include "mtn/fitted_motion.h"
 #include "mtn/motion.h"
 #include "protocol/text.h"
+#include "rcserver/files/FileOrder.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/motions/FileJobs.h"
 #include "rcserver/settings/Settings.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. A request that fails changes nothing, and
-/// Problem() says why.
+/// the FileOrder has the reason.
 ///
-/// A request that needs the memory stick is PENDING until Finish(). There is one such request at a time.
+/// A request that needs the memory stick is PENDING until Finish(). Play(), Upload(), Delete() and List() must not be
+/// called while the FileOrder is busy.
 class MotionCommands {
  public:
-  enum Outcome {
-    DONE,
-    PENDING,      ///< FileKeeper is at work; Finish() returns the outcome
-    REFUSED,      ///< not allowed, not a motion, its joints are in use, anything else
-    FILE_MISSING  ///< there is no such file, or it cannot be read
-  };
-
-  /// Room for the text of Problem().
-  static const size_t MAX_PROBLEM_SIZE = 256;
+  typedef FileOrder::Outcome Outcome;
 
   /// All must outlive this.
-  MotionCommands(JointControl& joints, const MotorSwitch& motors, FileJobs& files, const Settings& settings);
-
-  /// A new client: forgets the request that an earlier client left pending.
-  void Begin() { ticket_ = 0; }
-
-  /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
-  const char* Problem() const { return problem_; }
-
-  /// True while a request is PENDING.
-  bool IsPending() const { return ticket_ != 0; }
-
-  /// True while Play(), Upload(), Delete() and List() must not be called: a request is PENDING, or FileKeeper is still
-  /// at work for an earlier client.
-  bool IsBusy() const { return IsPending() || (files_.IsThere() && !files_.IsFree()); }
+  MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order, const Settings& settings);
 
   /// Begins to play a motion: PENDING until its file has been read.
   /// @param repetitions not below 1
@@ -74,10 +54,7 @@ class MotionCommands {
   /// Lists all motions: in FileResult::list when it is DONE.
   Outcome List();
 
-  /// True if this is the result that the pending request waits for.
-  bool Awaits(const FileResult& result) const { return IsPending() && result.ticket == ticket_; }
-
-  /// Finishes the pending request. Only if Awaits().
+  /// Finishes the pending request, if it is one of these.
   /// @return never PENDING
   Outcome Finish(const FileResult& result);
 
@@ -85,30 +62,22 @@ class MotionCommands {
   MotionCommands(const MotionCommands&);
   MotionCommands& operator=(const MotionCommands&);
 
-  Outcome Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
-               size_t size);
   Outcome CheckPlay();
   Outcome FinishPlay(const FileResult& result);
-  Outcome FailOnMemoryStick();
-  Outcome Fail(Outcome outcome, const char* format, ...);
 
   JointControl& joints_;
   const MotorSwitch& motors_;
-  FileJobs& files_;
+  FileOrder& order_;
   const Settings& settings_;
   mtn::Motion checked_;       ///< the upload that is checked
   mtn::FittedMotion fitted_;  ///< the same
-  char problem_[MAX_PROBLEM_SIZE];
 
-  /// @name The pending request
+  /// @name The motion to be played, while its file is being read
   /// @{
-  unsigned ticket_;  ///< of its job; 0: there is none
-  FileJob::Operation operation_;
-  protocol::MotionName name_;
-  int repetitions_;            ///< READ: how often the motion is to be played
-  bool leave_out_;             ///< READ: without the joints that the robot does not have
-  unsigned commands_;          ///< READ: how many commands there had been when it was requested
-  const char* cancelled_why_;  ///< READ: why the motion is not to be played after all, or NULL
+  int repetitions_;            ///< how often the motion is to be played
+  bool leave_out_;             ///< without the joints that the robot does not have
+  unsigned commands_;          ///< how many commands there had been when it was requested
+  const char* cancelled_why_;  ///< why the motion is not to be played after all, or NULL
   /// @}
 };
 

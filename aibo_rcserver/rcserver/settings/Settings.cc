@@ -20,6 +20,7 @@ const struct {
                 {"SILENT_CLIENT_SECONDS", 0, false},
                 {"ALLOW_UPLOAD", &Settings::allow_upload, false},
                 {"ALLOW_DELETE", &Settings::allow_delete, false},
+                {"ALLOW_PICTURES", &Settings::allow_pictures, false},
                 {"ALLOW_SHUT_DOWN", &Settings::allow_shut_down, false},
                 {"ALLOW_REBOOT", &Settings::allow_reboot, false},
                 {"MOTORS_AT_BOOT", &Settings::motors_at_boot, false},
@@ -323,8 +324,10 @@ Settings readSettingsFile(const HostSettings& host) {
     settings.allowed_addresses.AllowOnlyThisComputer();
     OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; only 127.0.0.1 may connect", SETTINGS_FILE));
   } else {
-    OSYSPRINT(("RCServer: no %s on the memory stick: upload, delete, shutting down and rebooting are not allowed\n",
-               SETTINGS_FILE));
+    OSYSPRINT(
+        ("RCServer: no %s on the memory stick: upload, delete, pictures on it, shutting down and rebooting are not "
+         "allowed\n",
+         SETTINGS_FILE));
   }
   if (FindInFolder(host, IsLookAlike, name)) {
     settings.allowed_addresses.AllowOnlyThisComputer();

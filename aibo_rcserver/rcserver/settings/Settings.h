@@ -21,6 +21,7 @@ struct Settings {
   Settings()
       : allow_upload(false),
         allow_delete(false),
+        allow_pictures(false),
         allow_shut_down(false),
         allow_reboot(false),
         motors_at_boot(true),
@@ -29,6 +30,7 @@ struct Settings {
 
   bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
   bool allow_delete;                   ///< ALLOW_DELETE: files from the memory stick
+  bool allow_pictures;                 ///< ALLOW_PICTURES: onto the memory stick, and from it to the client
   bool allow_shut_down;                ///< ALLOW_SHUT_DOWN
   bool allow_reboot;                   ///< ALLOW_REBOOT
   bool motors_at_boot;                 ///< MOTORS_AT_BOOT: joints hold where they are when the robot has booted

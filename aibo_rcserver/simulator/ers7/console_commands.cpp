@@ -18,6 +18,7 @@ const char kHelp[] =
     "free JOINT        unblocks it\n"
     "lift on|off       lifts the robot from the floor, or sets it down\n"
     "lie SIDE          lets it fall on its left, right or back, or puts it back on its feet\n"
+    "stick STATE       makes the memory stick ready, full, locked, out or slow\n"
     "where             tells where it really is: x and y in metres, yaw in radian\n"
     "help              prints this list\n";
 
@@ -59,6 +60,20 @@ Side sideNamed(const std::string& text) {
   return side->second;
 }
 
+/// @throw std::invalid_argument if there is no such state
+StickState stickStateNamed(const std::string& text) {
+  static const std::map<std::string, StickState> kStates = {{"ready", StickState::kReady},
+                                                            {"full", StickState::kFull},
+                                                            {"locked", StickState::kLocked},
+                                                            {"out", StickState::kOut},
+                                                            {"slow", StickState::kSlow}};
+  const auto state = kStates.find(text);
+  if (state == kStates.end()) {
+    throw std::invalid_argument("stick ready, full, locked, out or slow, not stick \"" + text + "\"");
+  }
+  return state->second;
+}
+
 /// @return false if there is no such command
 bool obey(SimulatedErs7& robot, const std::string& command, const std::string& object) {
   if (command == "press" || command == "release") {
@@ -71,6 +86,8 @@ bool obey(SimulatedErs7& robot, const std::string& command, const std::string& o
     robot.lift(isOn(object));
   } else if (command == "lie") {
     robot.lie(sideNamed(object));
+  } else if (command == "stick") {
+    robot.stick().set(stickStateNamed(object));
   } else {
     return false;
   }

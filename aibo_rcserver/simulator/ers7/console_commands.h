@@ -18,6 +18,7 @@ namespace simulated_ers7 {
 ///     free JOINT        unblocks it
 ///     lift on|off       lifts the robot from the floor, or sets it down
 ///     lie SIDE          lets it fall on its left, right or back, or puts it back on its feet
+///     stick STATE       makes the memory stick ready, full, locked, out or slow (stick_slot.h)
 ///     where             tells where it really is, "ok: where 0.1234 -0.0450 1.5708": x and y in metres, and yaw in
 ///                       radian from -pi to pi, in the frame of scene.h
 ///     help              prints this list

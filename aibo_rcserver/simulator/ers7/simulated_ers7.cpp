@@ -172,6 +172,11 @@ OStatus SimulatedErs7::getPowerStatus(OPowerStatus* status) {
   return oSUCCESS;
 }
 
+OStatus SimulatedErs7::getMemoryStickStatus(OMemoryStickStatus* status) {
+  *status = stick_.status();
+  return oSUCCESS;
+}
+
 void SimulatedErs7::switchOff() {
   setMotorPower(opowerOFF);
   for (Joint& joint : joints_.all()) {

@@ -23,6 +23,7 @@
 #include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/ers7/scene/scene.h"
+#include "simulator/ers7/stick_slot.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace simulated_ers7 {
@@ -76,9 +77,10 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
   OStatus setMotorPower(OPower power) override;
   OStatus getPowerStatus(OPowerStatus* status) override;
+  OStatus getMemoryStickStatus(OMemoryStickStatus* status) override;
 
   /// Joints stay where they are; LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
-  /// jammed joints and the robot's place do not change.
+  /// memory stick, jammed joints and the robot's place do not change.
   void switchOff() override;
 
   /// Joints accept odataJOINT_COMMAND2, even while their gain is off (joint.h). LEDs accept odataLED_COMMAND2 or
@@ -126,6 +128,12 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   void lie(Side side) { travel_.lie(side); }
   /// @}
 
+  /// The memory stick in its slot.
+  /// @{
+  StickSlot& stick() { return stick_; }
+  const StickSlot& stick() const { return stick_; }
+  /// @}
+
   /// Blocks or unblocks a joint.
   /// @param joint name as in robot_model.h, "head_pan"
   /// @throw std::invalid_argument if there is no such joint
@@ -144,6 +152,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   Battery battery_;
   std::vector<Led> leds_;
   std::vector<Ear> ears_;
+  StickSlot stick_;
   bool motors_powered_ = false;
   bool pause_pressed_ = false;
   Travel travel_;

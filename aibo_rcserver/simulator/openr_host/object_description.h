@@ -34,6 +34,8 @@ struct ObjectDescription {
   /// SCHED_PRIORITY from the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are its class: the
   /// object never runs while one of a higher class runs. Ordinary applications have 128.
   int priority = 128;
+  /// Its handlers wait for a device, such as the memory stick: other objects run meanwhile, whatever their class.
+  bool waits = false;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
   std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; empty: none

@@ -91,6 +91,7 @@ std::vector<Row> hostileRows();
 std::vector<Row> pictureRows();
 std::vector<Row> systemRows();
 std::vector<Row> serverRows();
+std::vector<Row> stickRows();
 std::vector<Row> wayRows();
 
 }  // namespace fault_bench

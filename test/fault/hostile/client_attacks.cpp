@@ -105,7 +105,7 @@ std::string post() {
 }
 
 std::string anyRequest(Random& random) {
-  static const std::string kinds = "HFWJVTOIKLPUDNQRXZ";
+  static const std::string kinds = "HFWJVTOIKLPUDNQRXZMY";
   const std::string payload = anyBytes(random, 300);
   const char kind = kinds[random() % kinds.size()];
   return header(kind == 'O' ? 'T' : kind, static_cast<unsigned>(payload.size())) + payload;  // the motors stay on
@@ -116,6 +116,15 @@ std::string upload() {
   std::string payload(1, static_cast<char>(name.size()));
   payload += name + std::string(60000, 'O');
   return header('U', static_cast<unsigned>(payload.size())) + payload;
+}
+
+std::string stickPictures() {
+  const std::string outside = "../../CONF/RCSERVER.CFG";
+  std::string list = header('Y', 0);
+  std::string fetch = header('Y', static_cast<unsigned>(outside.size()));
+  list[1] = 1;
+  fetch[1] = 2;
+  return header('M', 0) + list + fetch + outside;
 }
 
 }  // namespace
@@ -152,6 +161,10 @@ const std::vector<ClientAttack>& clientAttacks() {
       {"uploads", "uploads with the name of another folder",
        [](const Target& target, Random&, TimePoint end) {
          sendAgainAndAgain(target.port, kVersion2, true, end, [] { return upload(); });
+       }},
+      {"stick", "pictures onto the memory stick and from other folders",
+       [](const Target& target, Random&, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, true, end, [] { return stickPictures(); });
        }},
       {"browser", "a web page's POST that moves the tail",
        [](const Target& target, Random&, TimePoint end) { sendOnceEach(target.port, post(), end); }},

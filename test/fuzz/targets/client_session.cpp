@@ -153,12 +153,12 @@ class Client {
   }
 
   void askRobot() {
-    const std::string letters = "ODPUNQRIE";
+    const std::string letters = "ODPUNQRIEMY";
     Call call;
     call.letter = letters[input_.takeByte() % letters.size()];
-    call.name = "NOD.MTN";
+    call.name = call.letter == 'Y' ? "AIBO0001.JPG" : "NOD.MTN";
     call.number = static_cast<int>(input_.takeByte() % 2);
-    call.id = call.letter == 'E' ? 1 + call.number : 0;
+    call.id = call.letter == 'E' || call.letter == 'Y' ? 1 + call.number : 0;
     call.content.resize(1 + input_.takeByte());
     if (call.number == 1) {
       call.joints = {2, 52};

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <optional>
 
-#include "file_keeper/MotionFiles.h"
+#include "file_keeper/StickFiles.h"
 #include "fuzz_input.h"
 #include "robot_model/robot_model.h"
 #include "support/temporary_folder.h"
@@ -31,15 +31,16 @@ enum Event {
   COUNT
 };
 
-// A memory stick with one motion.
+// A memory stick with one motion and one picture.
 class SmallMemoryStick : public test_support::TemporaryFolder {
  public:
   SmallMemoryStick() { restore(); }
 
   void restore() {
-    fs::remove_all(path(MOTION_FOLDER));
-    fs::create_directories(path(MOTION_FOLDER));
-    fs::copy(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN", path(MOTION_FOLDER));
+    fs::remove_all(path(DATA_FOLDER));
+    fs::create_directories(path(DATA_FOLDER));
+    fs::copy(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN", path(DATA_FOLDER));
+    write(std::string(DATA_FOLDER) + "/MINE.JPG", "of mine");
   }
 };
 
@@ -68,13 +69,14 @@ class SlowFiles final : public FileJobs {
 
   bool IsThere() const override { return true; }
   bool IsFree() const override { return !has_job_; }
-  unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
-                std::size_t size) override {
+  unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
+                const unsigned char* content, std::size_t size) override {
     require(IsFree(), "there is only one job at a time");
     require(size <= sizeof(job_.content), "the content fits");
     has_job_ = true;
     job_.ticket = ++last_ticket_;
     job_.operation = operation;
+    job_.kind = kind;
     std::copy(std::begin(name), std::end(name), job_.name);
     job_.size = size;
     std::copy(content, content + size, job_.content);
@@ -88,7 +90,7 @@ class SlowFiles final : public FileJobs {
   }
 
  private:
-  MotionFiles files_;
+  StickFiles files_;
   FileJob job_{};
   FileResult result_{};
   bool has_job_ = false;
@@ -101,6 +103,7 @@ Settings settingsOf(unsigned bits) {
   settings.allow_delete = (bits & 2U) != 0;
   settings.allow_shut_down = (bits & 4U) != 0;
   settings.allow_reboot = (bits & 8U) != 0;
+  settings.allow_pictures = (bits & 16U) != 0;
   return settings;
 }
 
@@ -191,6 +194,11 @@ class Server {
       return;
     }
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
+    if (order.is_for_stick) {
+      const Bytes jpeg(4500);
+      session_.PictureTaken(jpeg.data(), jpeg.size());
+      return;
+    }
     const version2::ImageHeader image = {images_,
                                          now_,
                                          208,
@@ -219,7 +227,13 @@ class Server {
 
   void finishFileJob() {
     if (!files_.IsFree()) {
-      session_.FileDone(files_.doJob());
+      const FileResult& result = files_.doJob();
+      session_.FileDone(result);
+      if (session_.OwesFile()) {
+        Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
+        require(result.size > 0 && session_.EncodeFileHeader(result.size, header.data()) <= header.size(),
+                "a file has content, and its header fits");
+      }
     }
   }
 
@@ -280,7 +294,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (!input.empty()) {
     server->play(input);
   }
-  if ((setting_bits & 3U) != 0) {  // uploads or deletes
+  if ((setting_bits & 19U) != 0) {  // uploads, deletes or pictures
     stick.restore();
   }
   return 0;

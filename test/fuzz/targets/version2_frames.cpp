@@ -4,6 +4,7 @@
 #include "fuzz_input.h"
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
+#include "protocol/stick_pictures.h"
 #include "protocol/walk_requests.h"
 
 namespace version2 = protocol::version2;
@@ -29,7 +30,7 @@ void decode(const char* (*decode)(const unsigned char*, std::size_t, Value*),
 
 // A struct for a name.
 struct Name {
-  protocol::MotionName text;
+  protocol::FileName text;
 };
 
 const char* decodeName(const unsigned char* payload, std::size_t size, Name* name) {
@@ -38,6 +39,14 @@ const char* decodeName(const unsigned char* payload, std::size_t size, Name* nam
 
 std::size_t encodeName(const Name& name, unsigned char* out) {
   return version2::encodeMotionName(name.text, out);
+}
+
+const char* decodeStickName(const unsigned char* payload, std::size_t size, Name* name) {
+  return version2::decodePictureName(payload, size, name->text);
+}
+
+std::size_t encodeStickName(const Name& name, unsigned char* out) {
+  return version2::encodePictureName(name.text, out);
 }
 
 void decodePicture(const Bytes& payload) {
@@ -97,6 +106,8 @@ void decodeAsEverything(const Bytes& payload) {
   decode(decodeName, encodeName, payload);
   decode(version2::decodeMotionOrder, version2::encodeMotionOrder, payload);
   decode(version2::decodeMotionList, version2::encodeMotionList, payload);
+  decode(decodeStickName, encodeStickName, payload);
+  decode(version2::decodePictureList, version2::encodePictureList, payload);
   decodePicture(payload);
   decodeCameraValue(payload);
   decodeErrorMessage(payload);

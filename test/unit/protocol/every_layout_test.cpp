@@ -13,6 +13,7 @@
 #include "protocol/frame_reader.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
+#include "protocol/stick_pictures.h"
 #include "protocol/walk_requests.h"
 
 namespace protocol {
@@ -149,6 +150,13 @@ const Layout kLayouts[] = {
      again(decodeMotionList, encodeMotionList),
      {},
      {0, 7},
+     false},
+    {"PictureList",
+     bytesOf("A.JPG\nAIBO0001.JPG"),
+     verdict(decodePictureList),
+     again(decodePictureList, encodePictureList),
+     {},
+     {0, 5},
      false},
     {"Picture", hex(kPicture), decodePictureBytes, pictureAgain, {}, {17, 18, 19}, true},
     {"ErrorMessage",

@@ -145,8 +145,8 @@ TEST(MotionChanges, AreRefusedIfTheyAreNotPlainOrTooLong) {
               IsNull());
 }
 
-MotionList listOf(size_t count) {
-  MotionList list{};
+FileList listOf(size_t count) {
+  FileList list{};
   list.count = count;
   for (size_t i = 0; i < count; ++i) {
     const std::string name = "MOVE" + std::to_string(1000 + i) + ".MTN";
@@ -156,12 +156,12 @@ MotionList listOf(size_t count) {
 }
 
 TEST(MotionList, IsNamesWithANewlineBetween) {
-  EXPECT_EQ(encoded(encodeMotionList, listOf(0), MAX_MOTION_LIST_SIZE), Bytes());
-  EXPECT_EQ(encoded(encodeMotionList, listOf(1), MAX_MOTION_LIST_SIZE), bytesOf("MOVE1000.MTN"));
-  EXPECT_EQ(encoded(encodeMotionList, listOf(2), MAX_MOTION_LIST_SIZE), bytesOf("MOVE1000.MTN\nMOVE1001.MTN"));
+  EXPECT_EQ(encoded(encodeMotionList, listOf(0), MAX_FILE_LIST_SIZE), Bytes());
+  EXPECT_EQ(encoded(encodeMotionList, listOf(1), MAX_FILE_LIST_SIZE), bytesOf("MOVE1000.MTN"));
+  EXPECT_EQ(encoded(encodeMotionList, listOf(2), MAX_FILE_LIST_SIZE), bytesOf("MOVE1000.MTN\nMOVE1001.MTN"));
 
   const Bytes bytes = bytesOf("NOD.MTN\nWAG.MTN");
-  MotionList list{};
+  FileList list{};
   ASSERT_THAT(decodeMotionList(bytes.data(), bytes.size(), &list), IsNull());
   ASSERT_EQ(list.count, 2U);
   EXPECT_STREQ(list.names[0], "NOD.MTN");
@@ -169,17 +169,17 @@ TEST(MotionList, IsNamesWithANewlineBetween) {
 }
 
 TEST(MotionList, MayBeEmpty) {
-  MotionList list = listOf(3);
+  FileList list = listOf(3);
   ASSERT_THAT(decodeMotionList(nullptr, 0, &list), IsNull());
   EXPECT_EQ(list.count, 0U);
 }
 
 TEST(MotionList, HoldsAtMost256Names) {
-  const Bytes most = encoded(encodeMotionList, listOf(MAX_LISTED_MOTIONS), MAX_MOTION_LIST_SIZE);
-  EXPECT_EQ(most.size(), MAX_MOTION_LIST_SIZE);
-  MotionList list{};
+  const Bytes most = encoded(encodeMotionList, listOf(MAX_LISTED_FILES), MAX_FILE_LIST_SIZE);
+  EXPECT_EQ(most.size(), MAX_FILE_LIST_SIZE);
+  FileList list{};
   ASSERT_THAT(decodeMotionList(most.data(), most.size(), &list), IsNull());
-  EXPECT_EQ(list.count, MAX_LISTED_MOTIONS);
+  EXPECT_EQ(list.count, MAX_LISTED_FILES);
   EXPECT_THAT(verdict(decodeMotionList)(most + bytesOf("\nA.MTN")), HasSubstr("more than 256"));
 }
 

@@ -97,6 +97,19 @@ TEST(MotionName, IsUpToEightCharactersAndMtn) {
   EXPECT_EQ(read("-@^_`{}~.MTN"), "-@^_`{}~.MTN");
 }
 
+// The rules are those of motions.
+TEST(PictureName, IsUpToEightCharactersAndJpg) {
+  PictureName name = "untouched";
+  EXPECT_EQ(readPictureName("aibo0001.jpg", 12, name), nullptr);
+  EXPECT_STREQ(name, "AIBO0001.JPG");
+  for (const std::string text : {"", ".JPG", "NINECHARS.JPG", "NOD.MTN", "A.JPEG", "A/B.JPG", "..\\B.JPG", "A.B.JPG"}) {
+    const char* const problem = readPictureName(text.data(), text.size(), name);
+    ASSERT_NE(problem, nullptr) << text;
+    EXPECT_THAT(problem, testing::HasSubstr("the name of the picture")) << text;
+  }
+  EXPECT_STREQ(name, "AIBO0001.JPG") << "unchanged";
+}
+
 TEST(MotionName, MayHaveSmallLetters) {
   EXPECT_EQ(read("walk_fwd.mtn"), "WALK_FWD.MTN");
   EXPECT_EQ(read("wAg.mTn"), "WAG.MTN");

@@ -163,6 +163,10 @@ class FakeRobot : public openr_host::VirtualRobot {
     *status = power_status;
     return oSUCCESS;
   }
+  OStatus getMemoryStickStatus(OMemoryStickStatus* status) override {
+    *status = stick_status;
+    return oSUCCESS;
+  }
   void switchOff() override { ++times_switched_off; }
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
     if (id >= kFirstEar) {
@@ -226,6 +230,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::vector<FakeLed> leds = std::vector<FakeLed>(static_cast<size_t>(model.number_of_leds));
   std::vector<FakeEar> ears = std::vector<FakeEar>(static_cast<size_t>(model.number_of_ears));
   OPowerStatus power_status;
+  OMemoryStickStatus stick_status = omemorystickWRITABLE;
   int open_primitives = 0;
   int times_switched_off = 0;
   bool powered = false;

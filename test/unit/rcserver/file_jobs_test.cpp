@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 class FileJobsTest : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    startWith("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+    startWith("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\n");
     connectVersion2();
     file_keeper_.slowDown();
   }
@@ -338,12 +338,15 @@ class LonelyServerTest : public FileJobsTest {
 };
 
 TEST_F(LonelyServerTest, WithoutFileKeeperOnlyFileRequestsAreRefused) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3) + frame('M', 85, 4) +
+       frame('Y', 1, 5));
   const std::vector<std::string> got = answers();
-  ASSERT_EQ(got.size(), 3U);
+  ASSERT_EQ(got.size(), 5U);
   EXPECT_THAT(got[0], HasSubstr("e1 the object FileKeeper does not run on the robot: FILES.BIN is missing"));
   EXPECT_THAT(got[1], HasSubstr("e2 the object FileKeeper does not run"));
   EXPECT_EQ(got[2], "h3");
+  EXPECT_THAT(got[3], HasSubstr("e4 the object FileKeeper does not run"));
+  EXPECT_THAT(got[4], HasSubstr("e5 the object FileKeeper does not run"));
 }
 
 TEST_F(LonelyServerTest, MissingPictureEncoderIsNamedOnTheConsole) {

@@ -22,7 +22,7 @@ std::ostream& operator<<(std::ostream& out, const Arrival& arrival) {
 const Arrival kNothing{false, 0};
 
 PictureOrder ofQuality(int quality) {
-  return {static_cast<unsigned char>(quality), 0, 0, false};
+  return {static_cast<unsigned char>(quality), 0, 0, false, false};
 }
 
 Arrival picture(int quality) {
@@ -256,7 +256,7 @@ TEST_F(ImageObserverTest, StoppingWithoutAStreamChangesNothing) {
 }
 
 TEST_F(ImageObserverTest, PictureHasTheLayerAndTheNumberOfItsRequest) {
-  observer_.RequestPicture({60, 2, 4711, false});
+  observer_.RequestPicture({60, 2, 4711, false, false});
   PictureOrder order = {};
   ASSERT_TRUE(observer_.ImageArrived(1, &order));
   EXPECT_EQ(order.layer, 2);

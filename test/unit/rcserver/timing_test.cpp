@@ -27,7 +27,7 @@ class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface
       return object == "PictureEncoder" ? milliseconds(GetParam())
                                         : milliseconds(object == "FileKeeper" ? file_time_ : 0);
     };
-    start();
+    startWith("ALLOW_PICTURES=yes\n");
     connectVersion2();
     answerTo('T', 0, std::string("\0\4", 2));  // telemetry every 4 frames
     answerTo('W', 85, kStreamOn);
@@ -189,6 +189,15 @@ TEST_P(TimingTest, ReadingAMotionFromASlowMemoryStickDelaysNoJoint) {
   }
   EXPECT_GT(std::set<int>(robot_.joint("tail_pan").path.begin(), robot_.joint("tail_pan").path.end()).size(), 10U)
       << "it is played";
+}
+
+TEST_P(TimingTest, APictureOnASlowMemoryStickCostsTheStreamOnePicture) {
+  file_time_ = 2000;
+  const int usual = pass(2).pictures;
+  send(frame('M', 85, 1005));
+  const Counts counts = pass(2);
+  EXPECT_NEAR(counts.pictures, usual - 1, 2);
+  EXPECT_NEAR(counts.telemetry, 62, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(EncodeTimes, TimingTest, ::testing::Values(14, 40, 60, 64));

@@ -371,6 +371,30 @@ class RcServerClient {
   /// @param timeout longest time to wait, 1 ms..1 h
   virtual std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
 
+  /// Takes a picture of 208x160 onto the robot's memory stick, where it stays whatever becomes of the connection.
+  /// RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES), which version 1 of the protocol does
+  /// not have. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
+  /// @param quality 1..100
+  /// @param timeout longest time to wait, 1 ms..1 h
+  /// @return the name of the file, such as AIBO0001.JPG: no other one has been replaced
+  virtual std::string takePictureOnRobot(int quality, std::chrono::milliseconds timeout);
+
+  /// The names of the pictures on the robot's memory stick.
+  /// @param timeout longest time to wait, 1 ms..1 h
+  virtual std::vector<std::string> listPictures(std::chrono::milliseconds timeout);
+
+  /// Gets a picture from the robot's memory stick, where it stays. While it is on its way, nothing else comes from the
+  /// robot: a picture of 6 KB takes as long as one of the stream, the largest, 128 KiB, half a second at 2 Mbit/s.
+  /// @param name of the file: 8 characters at most, then .JPG, in capitals or not
+  /// @param timeout longest time to wait, 1 ms..1 h
+  /// @return the file's bytes: a whole picture of a size that the camera has (jpeg_inspector.h). A file that is
+  ///   anything else is refused with a CommandException
+  virtual std::vector<std::uint8_t> fetchPicture(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// Deletes a picture from the robot's memory stick. RCSERVER.CFG has to allow that, too (ALLOW_DELETE).
+  /// @param timeout longest time to wait, 1 ms..1 h
+  virtual void deletePicture(const std::string& name, std::chrono::milliseconds timeout);
+
   /// Switches off the motors, so that the robot sinks down, and then the robot. RCSERVER.CFG has to allow it
   /// (ALLOW_SHUT_DOWN). The connection ends after the answer; this client keeps trying to reconnect.
   /// @param timeout longest time to wait, 1 ms..1 h

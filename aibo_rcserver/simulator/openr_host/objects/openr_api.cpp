@@ -162,6 +162,10 @@ OStatus OPENR::UnobservePowerStatus(const OServiceEntry& entry) {
   return System::current().powerWatch().unobserve(entry) ? oSUCCESS : oINVALID_ARG;
 }
 
+OStatus OPENR::GetMemoryStickStatus(OMemoryStickStatus* status) {
+  return System::current().robot().getMemoryStickStatus(status);
+}
+
 OStatus OPENR::Shutdown(const OBootCondition& condition) {
   const bool boots_again = (condition.bitmap & obcbBOOT_TIMER) != 0;
   if (boots_again && (condition.bootTimeType != obcbttRELATIVE || condition.bootTime != 0)) {

@@ -36,7 +36,8 @@ class Processor {
   using Time = std::chrono::nanoseconds;
 
   /// @param priority as in the object's .ocf file, 0..255; its upper four bits are the scheduling class
-  void add(OID object, int priority);
+  /// @param waits its handlers wait for a device: they keep the object busy, but not the processor
+  void add(OID object, int priority, bool waits = false);
 
   /// True if the object may be called.
   bool mayRun(OID object, Time now) const;
@@ -53,6 +54,7 @@ class Processor {
  private:
   struct Task {
     int scheduling_class = 0;
+    bool waits = false;
     Time busy_until{0};
   };
 

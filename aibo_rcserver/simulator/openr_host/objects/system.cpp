@@ -100,7 +100,7 @@ OObject& System::create(const ObjectDescription& description) {
   const Running running(*this, object);
   object.object = description.create();
   object.object->myOID_ = oidOf(objects_.size());
-  processor_.add(object.object->myOID_, description.priority);
+  processor_.add(object.object->myOID_, description.priority, description.waits);
   for (const auto& subject : description.subjects) {
     service_names_.push_back(subject.service);
   }

@@ -80,6 +80,29 @@ TEST_F(ConsoleCommandsTest, LiftedOrOnItsSideTheRobotHasItsPawsUp) {
   EXPECT_THAT(say("lie down"), StartsWith("error: lie left, right, back or feet"));
 }
 
+TEST_F(ConsoleCommandsTest, TheMemoryStickIsFullLockedOutSlowOrReady) {
+  const auto status = [this] {
+    OMemoryStickStatus status = omemorystickUNDEF;
+    robot_.getMemoryStickStatus(&status);
+    return status;
+  };
+  const size_t* const room = robot_.stick().room();
+  EXPECT_EQ(say("stick full"), "ok: stick full\n");
+  EXPECT_EQ(*room, 0U);
+  EXPECT_EQ(status(), omemorystickWRITABLE);
+  EXPECT_EQ(say("stick locked"), "ok: stick locked\n");
+  EXPECT_EQ(status(), omemorystickWRITE_PROTECTED);
+  EXPECT_EQ(say("stick out"), "ok: stick out\n");
+  EXPECT_EQ(status(), omemorystickNOT_EXIST);
+  EXPECT_EQ(say("stick slow"), "ok: stick slow\n");
+  EXPECT_EQ(robot_.stick().jobTime(), StickSlot::kSlowJob);
+  EXPECT_EQ(say("stick ready"), "ok: stick ready\n");
+  EXPECT_EQ(status(), omemorystickWRITABLE);
+  EXPECT_GT(*room, 1000000U);
+  EXPECT_EQ(robot_.stick().jobTime().count(), 0);
+  EXPECT_THAT(say("stick gone"), StartsWith("error: stick ready, full, locked, out or slow"));
+}
+
 TEST_F(ConsoleCommandsTest, WhereTellsPlaceAndDirection) {
   EXPECT_EQ(say("where"), "ok: where 0.0000 0.0000 0.0000\n");
 }

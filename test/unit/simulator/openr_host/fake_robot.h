@@ -74,6 +74,11 @@ class FakeRobot : public VirtualRobot {
     return record("getPowerStatus", {});
   }
 
+  OStatus getMemoryStickStatus(OMemoryStickStatus* status) override {
+    *status = omemorystickWRITABLE;
+    return record("getMemoryStickStatus", {});
+  }
+
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
     value->value = 1000;
     return record("getJointValue", {id});

@@ -56,5 +56,17 @@ TEST_F(ProcessorTest, ObjectsOfOneClassShareTheProcessor) {
   EXPECT_TRUE(processor_.mayRun(kNeighbour, milliseconds(8)));
 }
 
+// It waits for a device, not for the processor.
+TEST_F(ProcessorTest, AnObjectThatWaitsKeepsOnlyItselfBusy) {
+  const OID waiting = oidOf(4);
+  processor_.add(waiting, 128, true);
+  processor_.run(waiting, milliseconds(0), milliseconds(60));
+  EXPECT_FALSE(processor_.mayRun(waiting, milliseconds(10)));
+  EXPECT_TRUE(processor_.mayRun(kServer, milliseconds(10)));
+  EXPECT_TRUE(processor_.mayRun(kWorker, milliseconds(10)));
+  processor_.run(kNeighbour, milliseconds(10), milliseconds(20));
+  EXPECT_EQ(processor_.busyUntil(waiting), milliseconds(60)) << "the device goes on";
+}
+
 }  // namespace
 }  // namespace openr_host

@@ -17,14 +17,20 @@
 #include <OPENR/OStatus.h>
 #include <Types.h>
 
-typedef longword OPrimitiveID;       ///< number of an opened joint, sensor, LED, camera...
-typedef longword ODesignDataID;      ///< number of a file of the design database in memory
-typedef longword OVRSyncKey;         ///< number of a key that makes effectors start together
-typedef longword OPrimitiveRequest;  ///< a request to a primitive (OPrimitiveControl.h)
-typedef byte OVolumeSwitch;          ///< position of the volume switch
+typedef longword OPrimitiveID;        ///< number of an opened joint, sensor, LED, camera...
+typedef longword ODesignDataID;       ///< number of a file of the design database in memory
+typedef longword OVRSyncKey;          ///< number of a key that makes effectors start together
+typedef longword OPrimitiveRequest;   ///< a request to a primitive (OPrimitiveControl.h)
+typedef longword OMemoryStickStatus;  ///< state of the memory stick in the robot
+typedef byte OVolumeSwitch;           ///< position of the volume switch
 
 const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in calls that accept it: all opened primitives
 const ODesignDataID odesigndataID_UNDEF = 0xffffffffU;
+
+const OMemoryStickStatus omemorystickUNDEF = 0xffffffffU;
+const OMemoryStickStatus omemorystickNOT_EXIST = 0;
+const OMemoryStickStatus omemorystickWRITE_PROTECTED = 1;
+const OMemoryStickStatus omemorystickWRITABLE = 2;
 
 const longword oframeMAX_NUMBER = 0x0ffffff0U;  ///< the last frame number; 0 follows
 const longword oframeINVALID_NUMBER = 0xffffffffU;

@@ -103,6 +103,9 @@ OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry
 /// @return oINVALID_ARG if the entry observes nothing
 OStatus UnobservePowerStatus(const OServiceEntry& entry);
 
+/// Tells whether there is a memory stick, and whether it can be written (Level2 Reference Guide, page 81).
+OStatus GetMemoryStickStatus(OMemoryStickStatus* status);
+
 /// Stops all objects and switches the robot off, soon after the calling entry point has returned.
 /// @param condition when to boot again: with obcbBOOT_TIMER after bootTime seconds, otherwise when the robot is
 /// touched.

@@ -1,7 +1,7 @@
 /// @file FileJobs.h
 /// RCServer's side of the object FileKeeper.
-#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
-#define AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
+#ifndef AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H
+#define AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H
 
 #include <OPENR/OSubject.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 #include "file_keeper/FileJob.h"
 #include "objects/RegionSender.h"
 
-/// Has motion files read and written, one job at a time. The FileResult comes later (Session::FileDone()).
+/// Has motions and pictures read and written, one job at a time. The FileResult comes later (Session::FileDone()).
 class FileJobs {
  public:
   virtual ~FileJobs() {}
@@ -22,11 +22,11 @@ class FileJobs {
   virtual bool IsFree() const = 0;
 
   /// Begins a job. Only if IsFree().
-  /// @param name empty for LIST
-  /// @param content, size for STORE: up to mtn::MAX_FILE_SIZE bytes, which are copied; otherwise NULL and 0
+  /// @param name empty for LIST, and to STORE a picture
+  /// @param content, size for STORE: up to largestFile() bytes, which are copied; otherwise NULL and 0
   /// @return the job's ticket, which comes back with its result; not 0
-  virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
-                        size_t size) = 0;
+  virtual unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
+                        const unsigned char* content, size_t size) = 0;
 };
 
 /// Sends jobs to FileKeeper.
@@ -44,11 +44,12 @@ class FileDesk : public FileJobs {
 
   virtual bool IsThere() const { return jobs_.HasReceiver(); }
   virtual bool IsFree() const { return jobs_.IsFree(); }
-  virtual unsigned Post(FileJob::Operation operation, const protocol::MotionName& name, const unsigned char* content,
-                        size_t size) {
+  virtual unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
+                        const unsigned char* content, size_t size) {
     FileJob* const job = jobs_.Memory();
     job->ticket = jobs_.NewTicket();
     job->operation = operation;
+    job->kind = kind;
     strcpy(job->name, name);
     job->size = size;
     if (size > 0) {
@@ -63,4 +64,4 @@ class FileDesk : public FileJobs {
   RegionSender<FileJob> jobs_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_FILE_JOBS_H
+#endif  // AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H

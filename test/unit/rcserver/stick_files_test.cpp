@@ -1,4 +1,4 @@
-#include "file_keeper/MotionFiles.h"
+#include "file_keeper/StickFiles.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -16,9 +16,9 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-class MotionFilesTest : public ::testing::Test {
+class StickFilesTest : public ::testing::Test {
  protected:
-  MotionFilesTest() {
+  StickFilesTest() {
     host_.memory_stick = stick_.path().c_str();
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directory(folder_);
@@ -32,21 +32,22 @@ class MotionFilesTest : public ::testing::Test {
   };
 
   bool store(const std::string& name, const std::string& content) {
-    return files_.Store(Name(name).name, reinterpret_cast<const unsigned char*>(content.data()), content.size());
+    return files_.StoreMotion(Name(name).name, reinterpret_cast<const unsigned char*>(content.data()),
+                              content.size()) == FileResult::DONE;
   }
 
   FileResult::Outcome read(const std::string& name, std::string* content, size_t capacity = 1000) {
     content->resize(capacity);
     size_t size = 0;
     const FileResult::Outcome result =
-        files_.Read(Name(name).name, reinterpret_cast<unsigned char*>(content->data()), capacity, &size);
+        files_.Read(MOTION_FILE, Name(name).name, reinterpret_cast<unsigned char*>(content->data()), capacity, &size);
     content->resize(size);
     return result;
   }
 
-  std::vector<std::string> listed() {
-    protocol::version2::MotionList list;
-    files_.List(&list);
+  std::vector<std::string> listed(FileKind kind = MOTION_FILE) {
+    protocol::version2::FileList list;
+    files_.List(kind, &list);
     return {list.names, list.names + list.count};
   }
 
@@ -59,21 +60,21 @@ class MotionFilesTest : public ::testing::Test {
   }
 
   test_support::MemoryStick stick_;
-  std::filesystem::path folder_ = stick_.path(MOTION_FOLDER);
+  std::filesystem::path folder_ = stick_.path(DATA_FOLDER);
   HostSettings host_;
-  MotionFiles files_{host_};
+  StickFiles files_{host_};
 };
 
-TEST_F(MotionFilesTest, storesReadsAndDeletes) {
+TEST_F(StickFilesTest, storesReadsAndDeletes) {
   EXPECT_TRUE(store("HOP.MTN", "content"));
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_EQ(content, "content");
-  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::DONE);
+  EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
-TEST_F(MotionFilesTest, anUploadReplacesAnExistingFile) {
+TEST_F(StickFilesTest, anUploadReplacesAnExistingFile) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
   EXPECT_TRUE(store("HOP.MTN", "new one"));
   std::string content;
@@ -82,7 +83,7 @@ TEST_F(MotionFilesTest, anUploadReplacesAnExistingFile) {
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
 }
 
-TEST_F(MotionFilesTest, anUploadFollowsNoLink) {
+TEST_F(StickFilesTest, anUploadFollowsNoLink) {
   stick_.write("elsewhere", "precious");
   for (const char* name : {"UPLOAD.TMP", "HOP.MTN"}) {
     std::filesystem::create_symlink(stick_.path("elsewhere"), folder_ / name);
@@ -93,35 +94,35 @@ TEST_F(MotionFilesTest, anUploadFollowsNoLink) {
   EXPECT_FALSE(std::filesystem::is_symlink(folder_ / "HOP.MTN"));
 }
 
-TEST_F(MotionFilesTest, findsAFileInUpperOrLowerCase) {
-  stick_.write(std::string(MOTION_FOLDER) + "/Hop.mtn", "content");
+TEST_F(StickFilesTest, findsAFileInUpperOrLowerCase) {
+  stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_THAT(listed(), ElementsAre("HOP.MTN"));
   EXPECT_TRUE(store("hop.MTN", "new"));
   EXPECT_THAT(inFolder(), ElementsAre("Hop.mtn"));
-  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::DONE);
+  EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
-TEST_F(MotionFilesTest, listsOnlyMotionsSortedByName) {
+TEST_F(StickFilesTest, listsOnlyMotionsSortedByName) {
   for (const char* name : {"B.MTN", "C.MTN", "A.MTN", "README.TXT", "TOOLONGNAME.MTN", "UPLOAD.TMP"}) {
-    stick_.write(std::string(MOTION_FOLDER) + "/" + name, "");
+    stick_.write(std::string(DATA_FOLDER) + "/" + name, "");
   }
   EXPECT_THAT(listed(), ElementsAre("A.MTN", "B.MTN", "C.MTN"));
 }
 
-TEST_F(MotionFilesTest, reportsMissingFiles) {
+TEST_F(StickFilesTest, reportsMissingFiles) {
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
-  EXPECT_EQ(files_.Delete(Name("HOP.MTN").name), FileResult::MISSING);
+  EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::MISSING);
   std::filesystem::remove_all(folder_);
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
   EXPECT_THAT(listed(), IsEmpty());
   EXPECT_FALSE(store("HOP.MTN", "content"));
 }
 
-TEST_F(MotionFilesTest, reportsWhatIsTooLargeOrNotAFile) {
+TEST_F(StickFilesTest, reportsWhatIsTooLargeOrNotAFile) {
   std::string content;
   EXPECT_TRUE(store("HOP.MTN", "123456"));
   EXPECT_EQ(read("HOP.MTN", &content, 6), FileResult::DONE);
@@ -131,7 +132,7 @@ TEST_F(MotionFilesTest, reportsWhatIsTooLargeOrNotAFile) {
 }
 
 // A limit on the size of files acts like a full memory stick: writing fails halfway.
-TEST_F(MotionFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
+TEST_F(StickFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

@@ -1,0 +1,94 @@
+#include "rcserver/files/FileOrder.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+const size_t FileOrder::MAX_PROBLEM_SIZE;
+
+FileOrder::FileOrder(FileJobs& jobs)
+    : jobs_(jobs), is_prepared_(false), ticket_(0), operation_(FileJob::LIST), kind_(MOTION_FILE) {
+  name_[0] = '\0';
+  problem_[0] = '\0';
+}
+
+void FileOrder::Begin() {
+  is_prepared_ = false;
+  ticket_ = 0;
+}
+
+FileOrder::Outcome FileOrder::Prepare() {
+  if (!jobs_.IsThere()) {
+    return Fail(REFUSED,
+                "the object FileKeeper does not run on the robot: FILES.BIN is missing on the memory stick, or "
+                "in its OBJECT.CFG or CONNECT.CFG");
+  }
+  is_prepared_ = true;
+  return PENDING;
+}
+
+FileOrder::Outcome FileOrder::Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
+                                   const unsigned char* content, size_t size) {
+  if (Prepare() != PENDING) {
+    return REFUSED;
+  }
+  is_prepared_ = false;
+  operation_ = operation;
+  kind_ = kind;
+  strcpy(name_, name);
+  ticket_ = jobs_.Post(operation, kind, name, content, size);
+  return PENDING;
+}
+
+// What version 1 tells by FILE_MISSING is the same as before there were reasons: reading has failed, or there was
+// nothing to delete.
+FileOrder::Outcome FileOrder::Finish(const FileResult& result) {
+  ticket_ = 0;
+  const bool needs_file = operation_ == FileJob::READ || operation_ == FileJob::DELETE;
+  switch (result.outcome) {
+    case FileResult::MISSING:
+      return Fail(FILE_MISSING, "there is no %s on the memory stick, in %s", name_, DATA_FOLDER);
+    case FileResult::TOO_LARGE:
+      return Fail(FILE_MISSING, "%s has more than %lu bytes", name_, static_cast<unsigned long>(largestFile(kind_)));
+    case FileResult::NO_STICK:
+      return Fail(needs_file ? FILE_MISSING : REFUSED, "there is no memory stick in the robot; insert it");
+    case FileResult::LOCKED:
+      return Fail(REFUSED, "the memory stick is write-protected; take it out and move its switch");
+    case FileResult::FULL:
+      return Fail(REFUSED,
+                  "the memory stick is full: a picture needs its own size and %lu KB that stay free; fetch and delete "
+                  "pictures",
+                  static_cast<unsigned long>(PICTURE_RESERVE / 1024));
+    case FileResult::TOO_MANY:
+      return Fail(REFUSED, "the memory stick has %lu pictures, which is the most; fetch and delete some",
+                  static_cast<unsigned long>(protocol::version2::MAX_LISTED_FILES));
+    case FileResult::NO_NUMBER:
+      return Fail(REFUSED, "the memory stick has AIBO9999.JPG, the last number; fetch and delete it");
+    case FileResult::FAILED:
+      return FailOnMemoryStick();
+    case FileResult::DONE:
+      break;
+  }
+  return DONE;
+}
+
+FileOrder::Outcome FileOrder::FailOnMemoryStick() {
+  switch (operation_) {
+    case FileJob::READ:
+      return Fail(FILE_MISSING, "%s cannot be read", name_);
+    case FileJob::STORE:
+      return Fail(REFUSED, "%s cannot be written: the memory stick may be full, damaged or without a folder %s",
+                  kind_ == PICTURE_FILE ? "the picture" : name_, DATA_FOLDER);
+    default:
+      return Fail(REFUSED, "%s cannot be deleted: the memory stick may be damaged", name_);
+  }
+}
+
+FileOrder::Outcome FileOrder::Fail(Outcome outcome, const char* format, ...) {
+  is_prepared_ = false;
+  va_list values;
+  va_start(values, format);
+  vsprintf(problem_, format, values);
+  va_end(values);
+  return outcome;
+}

@@ -1,0 +1,85 @@
+/// @file FileOrder.h
+/// The request that the memory stick is at work for.
+#ifndef AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
+#define AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
+
+#include <stddef.h>
+
+#include "file_keeper/FileJob.h"
+#include "protocol/text.h"
+#include "rcserver/files/FileJobs.h"
+
+/// There is one such request at a time, whether it is about a motion or a picture. It is PENDING from Prepare() or
+/// Post() to Finish(), or until a problem ends it.
+class FileOrder {
+ public:
+  enum Outcome {
+    DONE,
+    PENDING,      ///< the camera or FileKeeper is at work
+    REFUSED,      ///< not allowed, the memory stick is full, anything else
+    FILE_MISSING  ///< there is no such file, or it cannot be read
+  };
+
+  /// Room for the text of Problem().
+  static const size_t MAX_PROBLEM_SIZE = 256;
+
+  /// @param jobs must outlive this
+  explicit FileOrder(FileJobs& jobs);
+
+  /// A new client: forgets the request that an earlier client left pending.
+  void Begin();
+
+  /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
+  const char* Problem() const { return problem_; }
+
+  /// True while a request is PENDING.
+  bool IsPending() const { return is_prepared_ || ticket_ != 0; }
+
+  /// True while neither Prepare() nor Post() may be called for a new request: one is PENDING, or FileKeeper is still at
+  /// work for an earlier client.
+  bool IsBusy() const { return IsPending() || (jobs_.IsThere() && !jobs_.IsFree()); }
+
+  /// Begins a request whose job comes later, by Post().
+  /// @return PENDING, or REFUSED if FileKeeper does not run
+  Outcome Prepare();
+
+  /// True from Prepare() to Post().
+  bool IsPrepared() const { return is_prepared_; }
+
+  /// Has FileKeeper do a job. The parameters are those of FileJobs::Post().
+  /// @return PENDING, or REFUSED if FileKeeper does not run
+  Outcome Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
+               const unsigned char* content, size_t size);
+
+  /// The job that was posted last.
+  FileJob::Operation Operation() const { return operation_; }
+  const protocol::FileName& Name() const { return name_; }
+
+  /// True if this is the result that the pending request waits for.
+  bool Awaits(const FileResult& result) const { return ticket_ != 0 && result.ticket == ticket_; }
+
+  /// Finishes the pending request. Only if Awaits().
+  /// @return never PENDING
+  Outcome Finish(const FileResult& result);
+
+  /// Keeps the reason why the request fails, which then is not PENDING any more.
+  /// @param format as for printf(); the text has fewer than MAX_PROBLEM_SIZE bytes
+  /// @return the outcome
+  Outcome Fail(Outcome outcome, const char* format, ...);
+
+ private:
+  FileOrder(const FileOrder&);
+  FileOrder& operator=(const FileOrder&);
+
+  Outcome FailOnMemoryStick();
+
+  FileJobs& jobs_;
+  bool is_prepared_;
+  unsigned ticket_;  ///< of the job; 0: FileKeeper is not at work for the client
+  FileJob::Operation operation_;
+  FileKind kind_;
+  protocol::FileName name_;
+  char problem_[MAX_PROBLEM_SIZE];
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H

@@ -1,0 +1,138 @@
+#include "ros/camera/stick_picture_services.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "support/fake_client.h"
+#include "support/temporary_folder.h"
+#include "support/test_pictures.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class StickPictureServicesTest : public ::testing::Test {
+ protected:
+  StickPictureServicesTest() {
+    Picture picture;
+    picture.jpeg = test_pictures::makeNumbered(7);
+    client_.picture = std::make_shared<Picture>(picture);
+  }
+
+  TakePictureOnRobot::Response takePicture(std::uint8_t quality) {
+    TakePictureOnRobot::Request request;
+    TakePictureOnRobot::Response response;
+    request.quality = quality;
+    EXPECT_TRUE(services_.takePicture(request, response));
+    return response;
+  }
+
+  FetchPicture::Response fetch(const std::string& name, const std::string& save_to = "") {
+    FetchPicture::Request request;
+    FetchPicture::Response response;
+    request.name = name;
+    request.save_to = save_to;
+    EXPECT_TRUE(services_.fetchPicture(request, response));
+    return response;
+  }
+
+  DeletePicture::Response remove(const std::string& name) {
+    DeletePicture::Request request;
+    DeletePicture::Response response;
+    request.name = name;
+    EXPECT_TRUE(services_.deletePicture(request, response));
+    return response;
+  }
+
+  ListPictures::Response list() {
+    ListPictures::Request request;
+    ListPictures::Response response;
+    EXPECT_TRUE(services_.listPictures(request, response));
+    return response;
+  }
+
+  DriverParameters parameters() const {
+    DriverParameters parameters;
+    parameters.picture_folder = folder_.path();
+    return parameters;
+  }
+
+  test_support::TemporaryFolder folder_;
+  test_support::FakeClient client_;
+  StickPictureServices services_{parameters(), client_};
+};
+
+TEST_F(StickPictureServicesTest, TakeAPictureOfTheDriversQualityOrAnother) {
+  const auto answer = takePicture(0);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.name, "AIBO0001.JPG");
+  EXPECT_THAT(answer.message, HasSubstr("AIBO0001.JPG is on the robot's memory stick, at quality 85."));
+  takePicture(30);
+  takePicture(255);
+  EXPECT_THAT(client_.told, ElementsAre("picture on robot 85", "picture on robot 30", "picture on robot 100"));
+}
+
+TEST_F(StickPictureServicesTest, ListPictures) {
+  const auto answer = list();
+  EXPECT_TRUE(answer.success);
+  EXPECT_THAT(answer.names, ElementsAre("AIBO0001.JPG", "MINE.JPG"));
+  EXPECT_EQ(answer.message, "Pictures on the robot: 2.");
+}
+
+TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
+  for (const std::string name : {"mine", "MINE.JPG", "Mine.jpg"}) {
+    const auto answer = fetch(name);
+    EXPECT_TRUE(answer.success);
+    EXPECT_EQ(answer.image.data, client_.picture->jpeg);
+    EXPECT_EQ(answer.image.format, "bgr8; jpeg compressed bgr8");
+    EXPECT_EQ(answer.image.header.frame_id, "camera_optical_frame");
+    EXPECT_TRUE(answer.image.header.stamp.isZero());
+  }
+  EXPECT_THAT(client_.told, ElementsAre("fetch MINE.JPG", "fetch MINE.JPG", "fetch MINE.JPG"));
+}
+
+TEST_F(StickPictureServicesTest, SaveAFetchedPicture) {
+  const auto answer = fetch("mine", "fetched.jpg");
+  EXPECT_TRUE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("Saved to " + folder_.path("fetched.jpg").string() + "."));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path("fetched.jpg")));
+  const auto unsaved = fetch("mine", "../fetched.jpg");
+  EXPECT_FALSE(unsaved.success);
+  EXPECT_THAT(unsaved.message, HasSubstr("Got MINE.JPG"));
+  EXPECT_THAT(unsaved.message, HasSubstr("It was not saved: "));
+  EXPECT_EQ(unsaved.image.data, client_.picture->jpeg) << "the caller has it all the same";
+}
+
+TEST_F(StickPictureServicesTest, DeleteAPicture) {
+  const auto answer = remove("mine");
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.message, "MINE.JPG was deleted from the robot.");
+  EXPECT_THAT(client_.told, ElementsAre("delete MINE.JPG"));
+}
+
+TEST_F(StickPictureServicesTest, ANameIsNeeded) {
+  EXPECT_THAT(fetch("").message,
+              HasSubstr("There is no picture: give the name of a picture. list_pictures lists them"));
+  EXPECT_THAT(remove("").message, HasSubstr("Nothing was deleted: give the name of a picture"));
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(StickPictureServicesTest, EachSaysWhyItFailed) {
+  client_.problem = "there is no robot";
+  EXPECT_EQ(takePicture(0).message, "There is no picture: there is no robot");
+  EXPECT_EQ(list().message, "The pictures could not be listed: there is no robot");
+  const auto fetched = fetch("mine", "fetched.jpg");
+  EXPECT_FALSE(fetched.success);
+  EXPECT_EQ(fetched.message, "There is no picture: there is no robot");
+  EXPECT_EQ(remove("mine").message, "Nothing was deleted: there is no robot");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("fetched.jpg")));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

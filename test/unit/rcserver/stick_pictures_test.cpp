@@ -1,0 +1,382 @@
+// Pictures on the memory stick: the requests `M` and `Y`.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "file_keeper/FileJob.h"
+#include "motion_bytes.h"
+#include "picture_checks.h"
+#include "protocol/stick_pictures.h"
+#include "rcserver_fixture.h"
+
+namespace {
+
+using namespace protocol::version2;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr int kAnyNumber = 7;
+
+class StickPicturesTest : public FakeRobotFixture {
+ protected:
+  void SetUp() override {
+    host_.room = &room_;
+    startWith("ALLOW_PICTURES=yes\nALLOW_DELETE=yes\nALLOW_UPLOAD=yes\n");
+    connectVersion2();
+  }
+
+  std::string folder() const { return stick_.path("OPEN-R/MW/DATA/P"); }
+
+  /// The files on the stick that are not motions.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder())) {
+      if (entry.path().extension() != ".MTN") {
+        names.push_back(entry.path().filename());
+      }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  void put(const std::string& name, const std::string& content = "picture") {
+    stick_.write("OPEN-R/MW/DATA/P/" + name, content);
+  }
+
+  /// Sends a request and passes time until it has been answered. Pushed messages are skipped.
+  Frame ask(char kind, int id, const std::string& payload = {}) {
+    send(frame(kind, id, kAnyNumber, payload));
+    return awaitAnswer(kAnyNumber);
+  }
+
+  Frame awaitAnswer(int number) {
+    for (int frames = 0; frames < 100; ++frames) {
+      machine_->runPending();
+      while (const std::optional<Frame> next = client_->nextFrame()) {
+        if (next->header.request_number == number) {
+          return *next;
+        }
+      }
+      passFrames(1);
+    }
+    ADD_FAILURE() << "no answer";
+    return {};
+  }
+
+  /// Takes a picture and returns its name.
+  std::string take(int quality = 85) {
+    const Frame answer = ask('M', quality);
+    EXPECT_EQ(answer.header.kind, 'm') << textOf(answer);
+    return textOf(answer);
+  }
+
+  void expectReply(const Frame& answer, char kind, const std::string& payload) {
+    EXPECT_EQ(answer.header.kind, kind);
+    EXPECT_EQ(textOf(answer), payload);
+  }
+
+  struct Counts {
+    int pictures = 0;
+    std::vector<std::string> answers;
+  };
+
+  /// Passes frames and takes everything that comes.
+  Counts pass(unsigned frames) {
+    Counts counts;
+    for (unsigned i = 0; i < frames; ++i) {
+      passFrames(1);
+      while (const std::optional<Frame> next = client_->nextFrame()) {
+        if (next->header.request_number == 0) {
+          EXPECT_EQ(next->header.kind, 'f');
+          pictureIn(*next);
+          ++counts.pictures;
+        } else {
+          counts.answers.push_back(next->header.kind + std::to_string(next->header.request_number));
+        }
+      }
+    }
+    return counts;
+  }
+
+  size_t room_ = 100 * 1024 * 1024;
+};
+
+// ------------------------------------------------------------------------------------------------------- taking
+
+TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
+  const unsigned image = robot_.lastImage();
+  const Frame answer = ask('M', 40);
+  expectReply(answer, 'm', "AIBO0001.JPG");
+  EXPECT_EQ(answer.header.id, 40);
+  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
+  const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
+  EXPECT_NEAR(brightnessOf({jpeg.begin(), jpeg.end()}).level, FakeRobot::brightness(image + 1), 3);
+}
+
+TEST_F(StickPicturesTest, QualityOf255IsTheServersOwn) {
+  EXPECT_EQ(ask('M', 255).header.id, protocol::DEFAULT_JPEG_QUALITY);
+  const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
+  EXPECT_EQ(quantizerOf({jpeg.begin(), jpeg.end()}), quantizerFor(protocol::DEFAULT_JPEG_QUALITY));
+}
+
+TEST_F(StickPicturesTest, AreNumberedAfterTheHighestAndReplaceNothing) {
+  for (const char* name : {"AIBO0041.JPG", "aibo0043.jpg", "AIBO12.JPG", "AIBO99.JPG", "MINE.JPG", "AIBO000A.JPG"}) {
+    put(name, "old");
+  }
+  EXPECT_EQ(take(), "AIBO0044.JPG");
+  EXPECT_EQ(take(), "AIBO0045.JPG");
+  for (const char* name : {"AIBO0041.JPG", "aibo0043.jpg", "AIBO12.JPG", "AIBO99.JPG", "MINE.JPG", "AIBO000A.JPG"}) {
+    EXPECT_EQ(fileContent(folder() + "/" + name), "old") << name;
+  }
+}
+
+TEST_F(StickPicturesTest, AreNotTakenAfterTheLastNumber) {
+  put("AIBO9999.JPG", "old");
+  expectRefusal(ask('M', 85), CODE_REFUSED, "has AIBO9999.JPG, the last number; fetch and delete it");
+  EXPECT_THAT(files(), ElementsAre("AIBO9999.JPG"));
+}
+
+TEST_F(StickPicturesTest, AreAsManyAsCanBeListed) {
+  for (int i = 0; i < 255; ++i) {
+    put("P" + std::to_string(i) + ".JPG");
+  }
+  EXPECT_EQ(take(), "AIBO0001.JPG");
+  expectRefusal(ask('M', 85), CODE_REFUSED, "has 256 pictures, which is the most; fetch and delete some");
+  const std::string list = textOf(ask('Y', LIST_PICTURES));
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 255);
+}
+
+TEST_F(StickPicturesTest, OwedPicturesComeFirstAndTheStreamGoesOn) {
+  answerTo('W', 85, kStreamOn);
+  send(frame('F', 50, 1, std::string(1, '\0')) + frame('M', 85, 2) + frame('F', 50, 3, std::string(1, '\0')));
+  const Counts counts = pass(40);
+  EXPECT_THAT(counts.answers, ElementsAre("f1", "m2", "f3"));
+  EXPECT_EQ(counts.pictures, 7) << "ten images; each of the three takes one";
+}
+
+// ------------------------------------------------------------------------------------------- what is wrong with the
+// stick
+
+TEST_F(StickPicturesTest, AFullStickIsNamedAndNothingIsLeftOnIt) {
+  put("AIBO0001.JPG", "old");
+  for (const size_t room : {size_t{0}, size_t{100}, PICTURE_RESERVE - 1}) {
+    room_ = room;
+    expectRefusal(ask('M', 85), CODE_REFUSED,
+                  "the memory stick is full: a picture needs its own size and 64 KB that stay free; fetch and delete");
+    EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
+  }
+  expectReply(ask('Y', FETCH_PICTURE, "AIBO0001.JPG"), 'y', "old");
+  room_ = PICTURE_RESERVE;
+  EXPECT_EQ(take(), "AIBO0002.JPG");
+  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "AIBO0002.JPG"));
+}
+
+TEST_F(StickPicturesTest, AMissingStickIsNamed) {
+  put("AIBO0001.JPG");
+  robot_.stick_status = omemorystickNOT_EXIST;
+  const char reason[] = "there is no memory stick in the robot; insert it";
+  expectRefusal(ask('M', 85), CODE_REFUSED, reason);
+  expectRefusal(ask('Y', LIST_PICTURES), CODE_REFUSED, reason);
+  expectRefusal(ask('Y', FETCH_PICTURE, "AIBO0001.JPG"), CODE_FILE_MISSING, reason);
+  expectRefusal(ask('Y', DELETE_PICTURE, "AIBO0001.JPG"), CODE_FILE_MISSING, reason);
+  expectRefusal(ask('N', 0), CODE_REFUSED, reason);
+  robot_.stick_status = omemorystickWRITABLE;
+  EXPECT_EQ(take(), "AIBO0002.JPG") << "it is back";
+}
+
+TEST_F(StickPicturesTest, AWriteProtectedStickIsNamedAndCanBeRead) {
+  put("AIBO0001.JPG", "old");
+  robot_.stick_status = omemorystickWRITE_PROTECTED;
+  const char reason[] = "the memory stick is write-protected; take it out and move its switch";
+  expectRefusal(ask('M', 85), CODE_REFUSED, reason);
+  expectRefusal(ask('Y', DELETE_PICTURE, "AIBO0001.JPG"), CODE_REFUSED, reason);
+  expectRefusal(ask('D', 0, "NOD.MTN"), CODE_REFUSED, reason);
+  expectReply(ask('Y', LIST_PICTURES), 'y', "AIBO0001.JPG");
+  expectReply(ask('Y', FETCH_PICTURE, "AIBO0001.JPG"), 'y', "old");
+}
+
+TEST_F(StickPicturesTest, AStickWithoutTheFolderIsNamed) {
+  std::filesystem::remove_all(folder());
+  expectRefusal(ask('M', 85), CODE_REFUSED, "the picture cannot be written: the memory stick may be full, damaged or");
+  expectReply(ask('Y', LIST_PICTURES), 'y', "");
+}
+
+// Level2 Reference Guide, chapter 1: an object handles one message at a time. So RCServer must not wait for the stick.
+TEST_F(StickPicturesTest, StreamAndJointsGoOnWhileTheStickIsSlow) {
+  const std::string head_pan_to_half_a_radian("\0\0\1\0\2\0\0\0\0\7\241\40", 12);
+  answerTo('W', 85, kStreamOn);
+  pass(8);
+  file_keeper_.slowDown();
+  send(frame('M', 85, 1) + frame('J', 0, 2, head_pan_to_half_a_radian));
+  const Counts counts = pass(300);
+  EXPECT_TRUE(file_keeper_.hasJob());
+  EXPECT_THAT(counts.answers, ElementsAre("j2"));
+  EXPECT_EQ(counts.pictures, 300 / 4 - 1) << "one image is for the stick";
+  EXPECT_EQ(robot_.joint("head_pan").position, 500000);
+  EXPECT_THAT(files(), IsEmpty());
+  file_keeper_.speedUp();
+  EXPECT_THAT(pass(8).answers, ElementsAre("m1"));
+  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
+}
+
+// --------------------------------------------------------------------------------------- listing, fetching, deleting
+
+TEST_F(StickPicturesTest, AreListedFetchedAndDeleted) {
+  expectReply(ask('Y', LIST_PICTURES), 'y', "");
+  take();
+  put("mine.jpg", "of mine");
+  put("README.TXT");
+  expectReply(ask('Y', LIST_PICTURES), 'y', "AIBO0001.JPG\nMINE.JPG");
+  expectReply(ask('Y', FETCH_PICTURE, "aibo0001.jpg"), 'y', fileContent(folder() + "/AIBO0001.JPG"));
+  expectReply(ask('Y', FETCH_PICTURE, "MINE.JPG"), 'y', "of mine");
+  const Frame answer = ask('Y', DELETE_PICTURE, "MINE.JPG");
+  expectReply(answer, 'y', "");
+  EXPECT_EQ(answer.header.id, DELETE_PICTURE);
+  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "README.TXT"));
+  expectRefusal(ask('Y', FETCH_PICTURE, "MINE.JPG"), CODE_FILE_MISSING,
+                "there is no MINE.JPG on the memory stick, in OPEN-R/MW/DATA/P");
+  expectRefusal(ask('Y', DELETE_PICTURE, "MINE.JPG"), CODE_FILE_MISSING, "there is no MINE.JPG");
+}
+
+TEST_F(StickPicturesTest, AreFetchedIfTheyHave1To128KiB) {
+  const std::string largest(128 * 1024, 'x');
+  put("EMPTY.JPG", "");
+  put("LARGE.JPG", largest + "x");
+  put("FITS.JPG", largest);
+  expectRefusal(ask('Y', FETCH_PICTURE, "EMPTY.JPG"), CODE_FILE_MISSING, "the file is empty; delete it");
+  expectRefusal(ask('Y', FETCH_PICTURE, "LARGE.JPG"), CODE_FILE_MISSING, "LARGE.JPG has more than 131072 bytes");
+  expectReply(ask('Y', FETCH_PICTURE, "FITS.JPG"), 'y', largest);
+}
+
+TEST_F(StickPicturesTest, NoNameLeadsOutOfTheFolder) {
+  stick_.write("OPEN-R/MW/DATA/OUT.JPG", "secret");
+  for (const std::string name : {"../OUT.JPG", "..\\OUT.JPG", "/OUT.JPG", "A/OUT.JPG", "RCSERVER.CFG", "NOD.MTN", "",
+                                 ".JPG", "NINECHARS.JPG", "A.B.JPG", "OUT.JPG\n", "OUT"}) {
+    expectRefusal(ask('Y', FETCH_PICTURE, name), CODE_REFUSED, "bad request: the name of the picture");
+    expectRefusal(ask('Y', DELETE_PICTURE, name), CODE_REFUSED, "bad request: the name of the picture");
+  }
+  expectRefusal(ask('Y', FETCH_PICTURE, std::string("OUT\0JPG", 7)), CODE_REFUSED, "bad request");
+  EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/OUT.JPG")), "secret");
+  EXPECT_TRUE(std::filesystem::exists(folder() + "/NOD.MTN"));
+}
+
+TEST_F(StickPicturesTest, MalformedRequestsAreRefused) {
+  expectRefusal(ask('M', 85, "AIBO0001.JPG"), CODE_REFUSED, "bad request");
+  expectRefusal(ask('Y', LIST_PICTURES, "x"), CODE_REFUSED, "bad request");
+  for (const int id : {0, 4, 255}) {
+    expectRefusal(ask('Y', id), CODE_REFUSED, "the id is not one of 1 (list), 2 (fetch) and 3 (delete)");
+  }
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(StickPicturesTest, AFetchedFileComesBetweenThePicturesOfTheStream) {
+  const std::string large(100000, 'x');
+  put("LARGE.JPG", large);
+  answerTo('W', 85, kStreamOn);
+  EXPECT_GE(pass(40).pictures, 9);
+  for (int i = 0; i < 3; ++i) {
+    expectReply(ask('Y', FETCH_PICTURE, "LARGE.JPG"), 'y', large);
+  }
+  EXPECT_GE(pass(40).pictures, 9);
+}
+
+// A file and a picture need the same memory.
+TEST_F(StickPicturesTest, AFileWaitsForThePictureThatIsBeingMade) {
+  put("MINE.JPG", "of mine");
+  encoder_.slowDown();
+  send(frame('F', 50, 1, std::string(1, '\0')));
+  pass(8);
+  ASSERT_TRUE(encoder_.hasJob());
+  send(frame('Y', FETCH_PICTURE, 2, "MINE.JPG") + frame('H', 0, 3));
+  EXPECT_THAT(pass(8).answers, ElementsAre("h3"));
+  encoder_.finish();
+  EXPECT_THAT(pass(8).answers, ElementsAre("f1", "y2"));
+  send(frame('Y', LIST_PICTURES, 4));
+  EXPECT_THAT(pass(8).answers, ElementsAre("y4"));
+}
+
+// ------------------------------------------------------------------------------------------------ what is allowed
+
+TEST_F(StickPicturesTest, AreRefusedUnlessTheSettingsAllowThem) {
+  put("AIBO0001.JPG");
+  for (const auto& [settings, allowed] :
+       std::vector<std::pair<std::string, std::string>>{{"ALLOW_DELETE=yes\nALLOW_UPLOAD=yes\n", ""},
+                                                        {"ALLOW_PICTURES=perhaps\n", ""},
+                                                        {"ALLOW_PICTURES=yes\n", "MY"}}) {
+    SCOPED_TRACE(settings);
+    client_.reset();
+    startWith(settings);
+    connectVersion2();
+    const bool are_allowed = !allowed.empty();
+    EXPECT_EQ(textOf(answerTo('H', 0)).find(" M Y") != std::string::npos, are_allowed);
+    expectRefusal(ask('Y', DELETE_PICTURE, "AIBO0001.JPG"), CODE_REFUSED,
+                  are_allowed ? "ALLOW_DELETE=yes in RCSERVER.CFG" : "ALLOW_PICTURES=yes in RCSERVER.CFG");
+    if (!are_allowed) {
+      for (const Frame& answer : {ask('M', 85), ask('Y', LIST_PICTURES), ask('Y', FETCH_PICTURE, "AIBO0001.JPG")}) {
+        expectRefusal(answer, CODE_REFUSED, "pictures on the memory stick are not allowed; ALLOW_PICTURES=yes");
+      }
+      EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
+    }
+  }
+}
+
+TEST_F(StickPicturesTest, Version1HasNoSuchRequest) {
+  disconnect();
+  client_ = connect();
+  expectError(request('M', 85));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+// -------------------------------------------------------------------------------------- waiting, and clients that go
+
+TEST_F(StickPicturesTest, RequestsForTheStickKeepTheirOrder) {
+  send(frame('M', 85, 1) + frame('Y', LIST_PICTURES, 2) + frame('N', 0, 3) + frame('H', 0, 4));
+  const Counts counts = pass(12);
+  EXPECT_THAT(counts.answers, ElementsAre("e3", "h4", "m1", "y2"));
+}
+
+TEST_F(StickPicturesTest, APictureThatHasNotBeenTakenIsForgottenWithItsClient) {
+  send(frame('M', 85, 1));
+  reconnect();
+  EXPECT_THAT(pass(20).answers, IsEmpty());
+  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_EQ(take(), "AIBO0001.JPG");
+}
+
+TEST_F(StickPicturesTest, APictureThatIsBeingStoredStaysWithoutItsClient) {
+  file_keeper_.slowDown();
+  send(frame('M', 85, 1));
+  pass(8);
+  ASSERT_TRUE(file_keeper_.hasJob());
+  reconnect();
+  file_keeper_.speedUp();
+  EXPECT_THAT(pass(20).answers, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
+  EXPECT_EQ(take(), "AIBO0002.JPG");
+}
+
+TEST_F(StickPicturesTest, AFileIsForgottenWithItsClient) {
+  put("MINE.JPG", "of mine");
+  for (const bool is_read : {false, true}) {
+    encoder_.slowDown();
+    if (!is_read) {
+      file_keeper_.slowDown();
+    }
+    send(frame('F', 50, 1, std::string(1, '\0')));
+    pass(8);
+    send(frame('Y', FETCH_PICTURE, 2, "MINE.JPG"));
+    pass(8);
+    reconnect();
+    file_keeper_.speedUp();
+    encoder_.speedUp();
+    EXPECT_THAT(pass(20).answers, IsEmpty());
+    expectReply(ask('Y', LIST_PICTURES), 'y', "MINE.JPG");
+  }
+}
+
+}  // namespace
