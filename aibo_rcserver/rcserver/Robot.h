@@ -4,6 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_ROBOT_H
 
 #include "rcserver/body/CameraControl.h"
+#include "rcserver/body/ColorTables.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/joints/JointControl.h"
@@ -25,6 +26,7 @@ struct Robot {
   const SensorDriver& sensors;
   LightDriver& lights;
   CameraControl& camera;
+  ColorTables& colors;
   PowerOrder& power_order;
   FileJobs& files;
 };

@@ -47,6 +47,7 @@ void Session::End() {
   robot_.joints.ClientGone();
   robot_.lights.ClientGone();
   robot_.camera.ClientGone();
+  robot_.colors.ClientGone();
   Begin();
 }
 
@@ -98,6 +99,10 @@ void Session::Measured(unsigned frame) {
   if (version_ == protocol::version2::VERSION) {
     version2_.Measured(frame);
   }
+}
+
+void Session::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
+  version2_.ColorsDetected(plane, image_count, frame);
 }
 
 size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image,

@@ -48,6 +48,7 @@ class VirtualRobot {
   virtual OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) = 0;
   virtual OStatus setMotorPower(OPower power) = 0;
   virtual OStatus getPowerStatus(OPowerStatus* status) = 0;
+  virtual OStatus setCdtVectorData(const OCdtVectorData& tables) = 0;
   /// @}
 
   /// The machine is switched off, whether it boots again or not: motors and LEDs lose their power, and all primitives

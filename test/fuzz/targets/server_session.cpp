@@ -180,8 +180,12 @@ class Server {
   }
 
   void imageArrives() {
+    ++images_;
+    if (session_.DetectsColors()) {
+      detectColors();
+    }
     PictureOrder order;
-    if (!session_.Camera().ImageArrived(++images_, &order)) {
+    if (!session_.Camera().ImageArrived(images_, &order)) {
       return;
     }
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
@@ -194,6 +198,17 @@ class Server {
                                          version2::defaultCameraSettings()};
     Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
     require(session_.EncodePictureHeader(order, image, 4500, header.data()) <= header.size(), "a header fits");
+  }
+
+  // Some images have no plane.
+  void detectColors() {
+    constexpr std::size_t kWidth = 104;
+    constexpr std::size_t kHeight = 80;
+    Bytes plane(kWidth * kHeight);
+    for (std::size_t i = 0; i < plane.size(); i += 1 + images_ % 40) {
+      plane[i] = static_cast<unsigned char>(i + images_);
+    }
+    session_.ColorsDetected({images_ % 8 == 0 ? nullptr : plane.data(), kWidth, kHeight, kWidth}, images_, now_);
   }
 
   // Handles requests and sends answers until the session wants input.
@@ -252,9 +267,10 @@ class Server {
   SensorDriver sensors_{kRobot};
   LightDriver lights_{kRobot};
   CameraControl camera_;
+  ColorTables colors_{camera_, kRobot.number_of_color_channels};
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
-  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, power_order_, files_};
+  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, colors_, power_order_, files_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
   unsigned now_ = 0;
