@@ -23,6 +23,7 @@ struct Counters {
   std::atomic<std::uint64_t> telemetry{0};
   std::atomic<std::uint64_t> dropped_telemetry{0};
   std::atomic<std::uint64_t> thinned_telemetry{0};
+  std::atomic<std::uint64_t> thinned_colors{0};
   std::atomic<std::uint64_t> impossible_values{0};
   std::atomic<std::uint64_t> refusals{0};
 
@@ -40,6 +41,7 @@ struct Counters {
     result.telemetry = telemetry;
     result.dropped_telemetry = dropped_telemetry;
     result.thinned_telemetry = thinned_telemetry;
+    result.thinned_colors = thinned_colors;
     result.impossible_values = impossible_values;
     result.refusals = refusals;
     return result;

@@ -9,6 +9,7 @@
 
 #include "aibo_driver/camera.h"
 #include "client/call.h"
+#include "client/color_intake.h"
 
 namespace aibo_driver {
 
@@ -19,6 +20,8 @@ struct Wish {
   int telemetry_period = 0;  ///< OPEN-R frames of 8 ms; 0 = no telemetry
   StreamFormat format{};
   CameraSettings camera{};
+  ColorDetection colors{};
+  ColorTables color_tables{};  ///< sent only while colours are detected
 };
 
 /// Speaks one version of the protocol over one Connection: what to send, how to take apart what arrives, and when to

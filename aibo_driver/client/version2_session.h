@@ -66,6 +66,8 @@ class Version2Session final : public Session {
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
+  Bytes requestColors(const Wish& wish, TimePoint now);
+  Bytes requestColorTable(int channel, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);
@@ -116,6 +118,7 @@ class Version2Session final : public Session {
   TimePoint next_hello_;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
+  ColorTables color_tables_;                                               // as last requested
   int telemetry_period_ = 0;                                               // as last requested
   std::vector<Report> reports_;                                            // that still hold, the newest last
   std::deque<Telemetry> telemetry_;  // arrived with the bytes that are being taken apart, in this order

@@ -3,6 +3,9 @@
 // The first byte says what RCSERVER.CFG allows. Then follow events: a byte for the Event, and its arguments.
 #include "rcserver/Session.h"
 
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENRAPI.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -16,6 +19,35 @@
 
 namespace fs = std::filesystem;
 namespace version2 = protocol::version2;
+
+// OPEN-R's calls need a machine, which this server does not have: its camera takes every setting and every table. See
+// the link options in CMakeLists.txt.
+extern "C" {
+OStatus __wrap__ZN5OPENR13OpenPrimitiveEPKcPj(const char* /*locator*/, OPrimitiveID* id) {
+  *id = 1;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR14ClosePrimitiveEj(OPrimitiveID /*id*/) {
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR16ControlPrimitiveEjjPvmS0_m(OPrimitiveID /*id*/, OPrimitiveRequest /*request*/,
+                                                     void* /*param*/, std::size_t /*param_size*/, void* /*result*/,
+                                                     std::size_t /*result_size*/) {
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR16NewCdtVectorDataEPjPP14OCdtVectorData(MemoryRegionID* id, OCdtVectorData** vector) {
+  static OCdtVectorData tables;
+  *id = 1;
+  *vector = &tables;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR16SetCdtVectorDataEj(MemoryRegionID /*id*/) {
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR19DeleteCdtVectorDataEj(MemoryRegionID /*id*/) {
+  return oSUCCESS;
+}
+}
 
 namespace {
 
