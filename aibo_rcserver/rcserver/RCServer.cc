@@ -128,7 +128,7 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
     OfferImage(image_vector);
     BeginPicture();
   }
-  if (client_ != NULL && session_->DetectsColors()) {
+  if (client_ != NULL && session_->WantsColors(pictures_.ImageCount())) {
     session_->ColorsDetected(FindColorPlane(image_vector), pictures_.ImageCount(),
                              image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
     ServeClient();

@@ -72,11 +72,13 @@ class Session {
   /// @param frame in which
   void Measured(unsigned frame);
 
-  /// True if the client wants to know the colours that the camera detects.
-  bool DetectsColors() const { return version_ == protocol::version2::VERSION && version2_.DetectsColors(); }
-
-  /// The camera has detected colours in an image. Only if DetectsColors().
+  /// True if the client wants to know the colours that the camera has detected in this image.
   /// @param image_count the camera's count of its images, with gaps if images were lost
+  bool WantsColors(unsigned image_count) const {
+    return version_ == protocol::version2::VERSION && version2_.WantsColors(image_count);
+  }
+
+  /// The camera has detected colours in an image. Only if WantsColors().
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 

@@ -45,11 +45,13 @@ class Version2 {
   /// True if the client knows that the header of a picture can have the camera's settings: it has sent `G`.
   bool TellsCameraSettings() const { return tells_camera_settings_; }
 
-  /// True if the client has switched the colour detection on.
-  bool DetectsColors() const { return detects_colors_; }
+  /// True if the client has switched the colour detection on, and it is the turn of this image.
+  bool WantsColors(unsigned image_count) const {
+    return detects_colors_ && (!has_pushed_colors_ || image_count - last_colors_ >= colors_.every_nth_image);
+  }
 
-  /// Pushes what was detected in an image, if it is the turn of this image. Only if DetectsColors(). A camera without
-  /// this plane is reported, and nothing more is pushed.
+  /// Pushes what was detected in an image. Only if WantsColors(). A camera without this plane is reported, and nothing
+  /// more is pushed.
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 

@@ -56,9 +56,6 @@ void Version2::LoadColorTable() {
 
 // Takes the place of colours that still wait.
 void Version2::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
-  if (has_pushed_colors_ && image_count - last_colors_ < colors_.every_nth_image) {
-    return;
-  }
   if (plane.pixels == NULL) {
     if (outbox_.HasRoom()) {
       SwitchColors(false, colors_);
