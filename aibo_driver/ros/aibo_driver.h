@@ -23,6 +23,8 @@
 #include "ros/callback_threads.h"
 #include "ros/camera/camera_publisher.h"
 #include "ros/camera/camera_state_publisher.h"
+#include "ros/camera/color_publisher.h"
+#include "ros/camera/color_table_service.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
@@ -95,6 +97,7 @@ class AiboDriver {
   CameraPublisher camera_;
   CameraStatePublisher camera_state_;
   RawImagePublisher raw_images_;
+  ColorPublisher colors_;
   TelemetryPublishers telemetry_;
   std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted
   OdometryPublisher odometry_;
@@ -104,6 +107,7 @@ class AiboDriver {
   // What needs the client.
   LiveSettings settings_;
   StreamServices stream_services_;
+  ColorTableService color_tables_;
   JointMover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
