@@ -213,7 +213,7 @@ class Server {
 
   void imageArrives() {
     ++images_;
-    if (session_.DetectsColors()) {
+    if (session_.WantsColors(images_)) {
       detectColors();
     }
     PictureOrder order;
