@@ -50,6 +50,15 @@ TEST(BallFinder, TellsTheBoneFromTheBall) {
   EXPECT_NEAR(ball->left, (52 - 70) / kFocalLength, 0.01);
 }
 
+TEST(BallFinder, DoesNotTakeBallAndBoneTogetherForABall) {
+  sensor_msgs::Image mask = emptyMask();
+  drawDisc(50, 30, 6, &mask);
+  for (int x = 50; x <= 72; x += 2) {
+    drawDisc(x, 38 + (x - 50) / 2.0, 4, &mask);
+  }
+  EXPECT_FALSE(findBall(mask));
+}
+
 TEST(BallFinder, FindsNothingInNoiseAndWhatIsNoMask) {
   sensor_msgs::Image mask = emptyMask();
   EXPECT_FALSE(findBall(mask));
