@@ -108,6 +108,18 @@ void checkWalkVelocity(const WalkVelocity& velocity) {
   }
 }
 
+void checkColorTable(const ColorTable& table) {
+  for (std::size_t i = 0; i < table.segments.size(); ++i) {
+    if (const std::optional<ColorRange>& range = table.segments[i]) {
+      const std::string of_segment = " of segment " + std::to_string(i) + " of the colour table";
+      checkRange("the highest Cr" + of_segment, range->cr_max, 0, 255);
+      checkRange("the highest Cb" + of_segment, range->cb_max, 0, 255);
+      checkRange("the lowest Cr" + of_segment, range->cr_min, 0, range->cr_max);
+      checkRange("the lowest Cb" + of_segment, range->cb_min, 0, range->cb_max);
+    }
+  }
+}
+
 void checkLedCommands(const std::vector<LedCommand>& leds) {
   checkIds(leds, 1, protocol::version2::MAX_LEDS, "LED");
   for (const LedCommand& led : leds) {

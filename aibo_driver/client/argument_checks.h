@@ -22,6 +22,7 @@ void checkJointsToHold(const std::vector<int>& joints);
 void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 void checkWalkVelocity(const WalkVelocity& velocity);
 void checkLedCommands(const std::vector<LedCommand>& leds);
+void checkColorTable(const ColorTable& table);
 void checkMotionContent(const std::vector<std::uint8_t>& content);
 
 /// @return the name as it is sent: in capitals

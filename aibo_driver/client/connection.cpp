@@ -62,10 +62,19 @@ void Connection::refuse(const Call& call, const std::string& why, TimePoint now)
   calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
 }
 
+std::string Connection::lackOfRequest() const {
+  return robot.server.empty() ? "speaks version 1 of the protocol, which has no request"
+                              : "(" + robot.server + ") has no request";
+}
+
+void Connection::warnOfMissingColors(bool wanted) {
+  if (!std::exchange(warned_of_colors_, wanted) && wanted) {
+    context.warn(lackOfRequest() + " to detect colours: nothing is detected");
+  }
+}
+
 void Connection::warnOfMissingSettings(bool format, bool camera) {
-  const std::string& server = robot.server;
-  const std::string who =
-      server.empty() ? "speaks version 1 of the protocol, which has no request" : "(" + server + ") has no request";
+  const std::string who = lackOfRequest();
   if (!std::exchange(warned_of_format_, format) && format) {
     context.warn(who + " for resolution and rate of the stream: it sends every image of its camera, at 208x160");
   }

@@ -10,6 +10,7 @@
 
 #include "aibo_driver/robot_info.h"
 #include "client/call.h"
+#include "client/color_intake.h"
 #include "client/command_outbox.h"
 #include "client/counters.h"
 #include "client/notifier.h"
@@ -46,6 +47,7 @@ struct Connection {
       : context(the_context),
         pictures(context, established),
         measurements(context),
+        colors(context),
         refusals(context),
         last_joint_turn_(established) {}
   Connection(const Connection&) = delete;
@@ -81,6 +83,8 @@ struct Connection {
   /// @param format, camera: another resolution or rate than every image at 208x160 is wanted; other camera settings
   ///   than those at the start are
   void warnOfMissingSettings(bool format, bool camera);
+  /// The same for colours that are to be detected.
+  void warnOfMissingColors(bool wanted);
 
   /// Says, once, that the pictures come by TCP although UDP is wanted.
   /// @param why in words that follow a colon
@@ -94,6 +98,7 @@ struct Connection {
   const ConnectionContext context;
   PictureIntake pictures;
   TelemetryIntake measurements;
+  ColorIntake colors;
   PendingCalls calls;
   CommandOutbox commands;
   RefusalLog refusals;
@@ -105,8 +110,11 @@ struct Connection {
   bool lets_no_datagram_through = false;                ///< that is the problem
 
  private:
+  std::string lackOfRequest() const;
+
   bool warned_of_format_ = false;
   bool warned_of_camera_ = false;
+  bool warned_of_colors_ = false;
   TimePoint last_joint_turn_;  // when commands to the joints could be sent
 };
 

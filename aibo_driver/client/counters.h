@@ -23,6 +23,7 @@ struct Counters {
   std::atomic<std::uint64_t> telemetry{0};
   std::atomic<std::uint64_t> dropped_telemetry{0};
   std::atomic<std::uint64_t> thinned_telemetry{0};
+  std::atomic<std::uint64_t> thinned_colors{0};
   std::atomic<std::uint64_t> impossible_values{0};
   std::atomic<std::uint64_t> refusals{0};
   std::atomic<std::uint64_t> datagrams{0};
@@ -47,6 +48,7 @@ struct Counters {
     result.telemetry = telemetry;
     result.dropped_telemetry = dropped_telemetry;
     result.thinned_telemetry = thinned_telemetry;
+    result.thinned_colors = thinned_colors;
     result.impossible_values = impossible_values;
     result.refusals = refusals;
     result.datagrams = datagrams;

@@ -38,6 +38,8 @@ class Notifier {
 
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
 
+  void colors(const DetectedColors& colors) const noexcept { call(callbacks_.on_colors, "on_colors", colors); }
+
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
       const RateLimit::Admission admission = log_limit_.admit(RateLimit::TimePoint::clock::now(), kLogPeriod);

@@ -95,6 +95,23 @@ ValueRange possibleReadings(const std::string& design, int id) {
   return range.lowest <= range.highest ? range : kEverything;
 }
 
+bool isPossiblePlane(int width, int height) {
+  return width >= 1 && width <= 416 && height >= 1 && height <= 320;
+}
+
+bool isPossible(const DetectedRegion& region, int width, int height) {
+  constexpr double kRounding = 0.1;  // the robot rounds to 64ths of a pixel
+  if (region.pixels == 0) {
+    return region.width == 0 && region.height == 0;
+  }
+  const auto is_in = [](double value, int first, int count) {
+    return first - kRounding <= value && value <= first + count - 1 + kRounding;
+  };
+  return region.width >= 1 && region.height >= 1 && region.left + region.width <= width &&
+         region.top + region.height <= height && region.pixels <= static_cast<unsigned>(region.width * region.height) &&
+         is_in(region.x, region.left, region.width) && is_in(region.y, region.top, region.height);
+}
+
 std::string nameOfJoint(const std::string& design, int id) {
   const auto joints = jointsFor(design, id);
   return joints.empty() ? "joint " + std::to_string(id) : joints.front()->name;

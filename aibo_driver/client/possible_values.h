@@ -9,6 +9,8 @@
 
 #include <string>
 
+#include "aibo_driver/colors.h"
+
 namespace aibo_driver {
 
 /// Both ends are possible, too.
@@ -42,6 +44,13 @@ constexpr ValueRange kPossibleTurns = {-10, 10};
 /// ten times for touch, -40 to 125 degrees Celsius, 0 to 1.05 for the charge, 0 or 1 for a switch. Of a sensor that is
 /// not in the tables, everything is possible.
 ValueRange possibleReadings(const std::string& design, int id);
+
+/// True if a camera can detect colours in a plane of this size: it is not larger than a picture of double resolution.
+bool isPossiblePlane(int width, int height);
+
+/// True if a region of a plane of this size does not contradict itself: its box is in the plane, its pixels fit into
+/// the box and their centroid is in it.
+bool isPossible(const DetectedRegion& region, int width, int height);
 
 /// The name of a joint for messages: "left_front_knee", or "joint 99" if it is not in the tables.
 std::string nameOfJoint(const std::string& design, int id);

@@ -179,6 +179,21 @@ void RcServerClient::setPictureTransport(PictureTransport transport) {
   loop_->change([transport](Shared& shared) { shared.wish.transport = transport; });
 }
 
+void RcServerClient::setColorDetection(const ColorDetection& detection) {
+  checkRange("every n-th image", detection.every_nth_image, 1, 65535);
+  loop_->change([&detection](Shared& shared) { shared.wish.colors = detection; });
+}
+
+void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
+  checkRange("channel", channel, 0, kMostColorChannels - 1);
+  if (table) {
+    checkColorTable(*table);
+  }
+  loop_->change([channel, &table](Shared& shared) {
+    shared.wish.color_tables.at(static_cast<std::size_t>(channel)) = std::move(table);
+  });
+}
+
 bool RcServerClient::streaming() const {
   return loop_->read([](const Shared& shared) { return shared.streaming; });
 }

@@ -9,6 +9,7 @@
 
 #include "aibo_driver/camera.h"
 #include "client/call.h"
+#include "client/color_intake.h"
 
 namespace aibo_driver {
 
@@ -21,6 +22,8 @@ struct Wish {
   CameraSettings camera{};
   PictureTransport transport = PictureTransport::kTcp;
   int datagram_port = 0;  ///< to which pictures can be sent by UDP; 0 = they come by TCP
+  ColorDetection colors{};
+  ColorTables color_tables{};  ///< sent only while colours are detected
 };
 
 /// Speaks one version of the protocol over one Connection: what to send, how to take apart what arrives, and when to

@@ -105,6 +105,7 @@ void Version1Session::add(Call call) {
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
   connection_.warnOfMissingSettings(wish.format != StreamFormat(), wish.camera != CameraSettings());
+  connection_.warnOfMissingColors(wish.colors.on);
   if (isAnswerOwed()) {
     return {};
   }

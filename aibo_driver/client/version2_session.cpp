@@ -8,6 +8,7 @@
 
 #include "client/fault.h"
 #include "client/units.h"
+#include "protocol/color_requests.h"
 #include "protocol/hello.h"
 #include "protocol/introduction.h"
 #include "protocol/motion_requests.h"
@@ -246,6 +247,9 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (wish.telemetry_period != telemetry_period_) {
     return requestTelemetry(wish, now);
   }
+  if (Bytes frame = requestColors(wish, now); !frame.empty()) {
+    return frame;
+  }
   return nextCommand(now);
 }
 
@@ -322,6 +326,42 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
   const int content = version2::TELEMETRY_WITH_DUTY | (can_walk ? version2::TELEMETRY_WITH_WALK : 0);
   return request(version2::REQUEST_TELEMETRY, content, now, version2::TELEMETRY_PERIOD_SIZE,
                  [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
+}
+
+// Tables go first, so that the first push has all of them.
+Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
+  if (!connection_.robot.hasCapability(std::string(1, version2::REQUEST_COLORS))) {
+    connection_.warnOfMissingColors(wish.colors.on);
+    return {};
+  }
+  if (wish.colors.on && wish.color_tables != color_tables_) {
+    const auto different = std::mismatch(wish.color_tables.begin(), wish.color_tables.end(), color_tables_.begin());
+    *different.second = *different.first;
+    return requestColorTable(static_cast<int>(different.first - wish.color_tables.begin()), now);
+  }
+  if (wish.colors == connection_.colors.detection()) {
+    return {};
+  }
+  connection_.colors.askedFor(wish.colors);
+  const version2::ColorSettings settings = {static_cast<unsigned short>(wish.colors.every_nth_image),
+                                            wish.colors.with_mask};
+  return request(version2::REQUEST_COLORS, wish.colors.on ? version2::COLORS_ON : version2::COLORS_OFF, now,
+                 version2::COLOR_SETTINGS_SIZE,
+                 [&](unsigned char* out) { return wish.colors.on ? version2::encodeColorSettings(settings, out) : 0; });
+}
+
+Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
+  const ColorTablePtr& wanted = color_tables_.at(static_cast<std::size_t>(channel));
+  version2::ColorTable table = {static_cast<unsigned char>(channel), {}};
+  for (std::size_t i = 0; i < kColorSegments; ++i) {
+    const std::optional<ColorRange> range = wanted ? wanted->segments.at(i) : std::nullopt;
+    const auto byte = [](int value) { return static_cast<unsigned char>(value); };
+    table.segments[i] = range ? version2::ColorSegment{byte(range->cr_min), byte(range->cr_max), byte(range->cb_min),
+                                                       byte(range->cb_max)}
+                              : version2::EMPTY_COLOR_SEGMENT;
+  }
+  return request(version2::REQUEST_COLORS, version2::COLORS_TABLE, now, version2::COLOR_TABLE_SIZE,
+                 [&](unsigned char* out) { return version2::encodeColorTable(table, out); });
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
@@ -481,6 +521,7 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   for (Telemetry& telemetry : std::exchange(telemetry_, {})) {
     connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
   }
+  connection_.colors.deliver();
 }
 
 Session::Bytes Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
@@ -521,6 +562,8 @@ void Version2Session::onPush(char kind, const Payload& payload) {
       return onStreamPicture(payload);
     case version2::TELEMETRY_PUSH:
       return onTelemetry(payload);
+    case version2::COLORS_PUSH:
+      return connection_.colors.receive(payload.data, payload.size, color_tables_, frame_began_);
     case version2::END_PUSH:
       return onEnded(payload);
     case version2::ERROR_MESSAGE:
@@ -563,7 +606,7 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
     case version2::REQUEST_DATAGRAMS:
       return onDatagramPort(payload);
     default:
-      // The answers for stream, speed limits, telemetry, LEDs and ears only confirm what was requested.
+      // The answers for stream, speed limits, telemetry, colours, LEDs and ears only confirm what was requested.
       if (const Call* const call = connection_.calls.find(number)) {
         onCallAnswered(*call, payload);
       }
@@ -773,6 +816,8 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
     case version2::REQUEST_DATAGRAMS:
       ++connection_.context.counters.refusals;
       return giveUpDatagrams("it refused to: " + problem, now_);
+    case version2::REQUEST_COLORS:
+      return refusals.refused(request_kind, "to detect colours: " + problem);
     default:
       return refusals.refused(request_kind, "to move the ears: " + problem);
   }

@@ -70,6 +70,8 @@ class Version2Session final : public Session {
   Bytes requestDatagrams(const Wish& wish, TimePoint now);
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
+  Bytes requestColors(const Wish& wish, TimePoint now);
+  Bytes requestColorTable(int channel, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);
@@ -127,6 +129,7 @@ class Version2Session final : public Session {
   TimePoint next_hello_;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
+  ColorTables color_tables_;                                               // as last requested
   int telemetry_period_ = 0;                                               // as last requested
   DatagramIntake datagrams_;
   int datagram_port_ = 0;                      // as last requested

@@ -69,12 +69,15 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
               [this] { policy_.subscribersChanged(); }),
       camera_state_(ros::NodeHandle(handle_, "camera")),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
+      colors_(handle_, parameters_, usedRobotClock()),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
       settings_(private_handle, client_, joint_table_),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       stick_pictures_(parameters_, client_),
+      color_tables_(model_, client_,
+                    [this](int channel, const ColorTablePtr& table) { colors_.setTable(channel, table); }),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
@@ -100,6 +103,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   robot_services_.advertise(stop_threads_.handle(), joint_thread_.handle(), body_thread_.handle());
   stream_services_.advertise(handle_, picture_threads_.handle());
   stick_pictures_.advertise(body_thread_.handle());
+  color_tables_.loadAtStart(parameters_.color_tables);
+  color_tables_.advertise(handle_);
+  colors_.start([this](const ColorDetection& detection) { client_.setColorDetection(detection); });
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();
@@ -114,6 +120,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
 // a service that waits for the robot ends with it.
 AiboDriver::~AiboDriver() {
   policy_.stop();
+  colors_.stop();
   client_.stop();
   stop_threads_.stop();
   joint_thread_.stop();
@@ -128,6 +135,7 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_status = [this](const ConnectionStatus& status) { updateConnection(status); };
   callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const Telemetry& telemetry) { publishTelemetry(telemetry); };
+  callbacks.on_colors = [this](const DetectedColors& colors) { colors_.publish(colors); };
   callbacks.on_steered = [this](const WalkVelocity& in_force) { mover_.steered(in_force); };
   callbacks.on_ended = [this](const MotionEnd& end) {
     odometry_.motionEnded(end);

@@ -23,6 +23,8 @@
 #include "ros/callback_threads.h"
 #include "ros/camera/camera_publisher.h"
 #include "ros/camera/camera_state_publisher.h"
+#include "ros/camera/color_publisher.h"
+#include "ros/camera/color_table_service.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stick_picture_services.h"
 #include "ros/camera/stream_meter.h"
@@ -96,6 +98,7 @@ class AiboDriver {
   CameraPublisher camera_;
   CameraStatePublisher camera_state_;
   RawImagePublisher raw_images_;
+  ColorPublisher colors_;
   TelemetryPublishers telemetry_;
   std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted
   OdometryPublisher odometry_;
@@ -106,6 +109,7 @@ class AiboDriver {
   LiveSettings settings_;
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;
+  ColorTableService color_tables_;
   JointMover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;

@@ -150,6 +150,10 @@ bool isWord(const std::string& text) {
   return !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
 }
 
+bool isAnyText(const std::string& /*text*/) {
+  return true;
+}
+
 bool isRobot(const std::string& text) {
   return robot_model::findRobotModel(text.c_str()) != nullptr;
 }
@@ -225,6 +229,9 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("frame_rate", "pictures a second", kLowestFrameRate, kCameraRate, &parameters.frame_rate);
   reader.read("transport", kTransportNames, isTransport, &parameters.transport);
   parameters.client.picture_transport = *transportOf(parameters.transport);
+  reader.read("color_rate", "images a second", kLowestFrameRate, kCameraRate, &parameters.color_rate);
+  reader.read("color_tables", "the files or names of colour tables, separated by blanks, or empty", isAnyText,
+              &parameters.color_tables);
   reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
   reader.read("gain", 1, 3, &parameters.camera.gain);
   reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);

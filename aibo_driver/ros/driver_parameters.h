@@ -19,11 +19,13 @@ namespace aibo_driver::node {
 struct DriverParameters {
   ClientOptions client;         ///< host, port, jpeg_quality, time limits, reconnect waits, missing joints of motions
   bool stream_on_start = true;  ///< whether the stream is wanted before set_streaming is called
-  std::string resolution = "208x160";  ///< of the stream, for resolutionOf()
-  double frame_rate = 30.0;            ///< pictures per second of the stream, for everyNthImageOf()
-  std::string transport = "tcp";       ///< of the stream's pictures, for transportOf()
-  CameraSettings camera;               ///< of the camera, with Sony's numbers
-  bool stream_on_demand = false;       ///< stream only while a camera topic has a subscriber
+  std::string resolution = "208x160";      ///< of the stream, for resolutionOf()
+  double frame_rate = 30.0;                ///< pictures per second of the stream, for everyNthImageOf()
+  std::string transport = "tcp";           ///< of the stream's pictures, for transportOf()
+  CameraSettings camera;                   ///< of the camera, with Sony's numbers
+  double color_rate = 30.0;                ///< of the colour detection, images per second, for everyNthImageOf()
+  std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
+  bool stream_on_demand = false;           ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";
   std::string camera_name;                               ///< letters, digits and underscores
   std::string camera_info_url;                           ///< empty: as for calibrationFile()

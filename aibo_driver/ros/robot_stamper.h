@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 
+#include "aibo_driver/colors.h"
 #include "aibo_driver/picture.h"
 #include "aibo_driver/telemetry.h"
 #include "robot_time/robot_clock.h"
@@ -50,6 +51,11 @@ class RobotStamper {
   /// As for a picture.
   ros::Time stamp(const Telemetry& telemetry) {
     return stamp(telemetry.connection_number, telemetry.frame_number, telemetry.arrival);
+  }
+
+  /// The same.
+  ros::Time stamp(const DetectedColors& colors) {
+    return stamp(colors.connection_number, colors.frame_number, colors.arrival);
   }
 
  private:

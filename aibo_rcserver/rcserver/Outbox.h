@@ -4,12 +4,47 @@
 #define AIBO_RCSERVER_RCSERVER_OUTBOX_H
 
 #include <stddef.h>
+#include <string.h>
 
+#include "protocol/color_requests.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
+#include "rcserver/camera/ColorCounter.h"
 
-/// Keeps replies in order, and only the latest telemetry. Its memory has a fixed size.
+/// A message that is only worth sending as long as there is no newer one of its kind.
+template <size_t LARGEST>
+class NewestMessage {
+ public:
+  NewestMessage() : size_(0) {}
+
+  /// Replaces the one that still waits.
+  void Set(const unsigned char* message, size_t size) {
+    memcpy(bytes_, message, size);
+    size_ = size;
+  }
+
+  /// Drops the one that still waits.
+  void Drop() { size_ = 0; }
+
+  bool IsEmpty() const { return size_ == 0; }
+
+  /// Takes it out.
+  /// @param out room for it
+  /// @return the number of bytes
+  size_t Take(unsigned char* out) {
+    const size_t size = size_;
+    memcpy(out, bytes_, size);
+    size_ = 0;
+    return size;
+  }
+
+ private:
+  unsigned char bytes_[LARGEST];
+  size_t size_;
+};
+
+/// Keeps replies in order, and only the latest telemetry and the latest colours. Its memory has a fixed size.
 class Outbox {
  public:
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
@@ -19,10 +54,14 @@ class Outbox {
   static const size_t MAX_TELEMETRY_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
 
-  /// Most bytes that can wait.
-  static const size_t CAPACITY = 4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE;
+  /// Bytes of the largest message about colours that were detected.
+  static const size_t MAX_COLORS_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_COLOR_REGIONS_SIZE + MAX_PACKED_PLANE_SIZE;
 
-  Outbox() : replies_size_(0), reserved_(0), telemetry_size_(0) {}
+  /// Most bytes that can wait.
+  static const size_t CAPACITY = 4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE;
+
+  Outbox() : replies_size_(0), reserved_(0) {}
 
   void Clear();
 
@@ -36,13 +75,10 @@ class Outbox {
   /// Adds a message; only if HasRoom(), or if it is the one that room was reserved for.
   void Add(const unsigned char* message, size_t size);
 
-  /// Replaces telemetry that still waits.
-  void SetTelemetry(const unsigned char* message, size_t size);
+  NewestMessage<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
+  NewestMessage<MAX_COLORS_SIZE>& Colors() { return colors_; }
 
-  /// Drops telemetry that still waits.
-  void DropTelemetry() { telemetry_size_ = 0; }
-
-  bool IsEmpty() const { return replies_size_ == 0 && telemetry_size_ == 0; }
+  bool IsEmpty() const { return replies_size_ == 0 && telemetry_.IsEmpty() && colors_.IsEmpty(); }
 
   /// Takes out everything that waits. Reserved room stays reserved.
   /// @param[out] out room for CAPACITY bytes
@@ -50,11 +86,11 @@ class Outbox {
   size_t Take(unsigned char* out);
 
  private:
-  unsigned char replies_[CAPACITY - MAX_TELEMETRY_SIZE];
+  unsigned char replies_[4 * MAX_REPLY_SIZE];
   size_t replies_size_;
   size_t reserved_;
-  unsigned char telemetry_[MAX_TELEMETRY_SIZE];
-  size_t telemetry_size_;
+  NewestMessage<MAX_TELEMETRY_SIZE> telemetry_;
+  NewestMessage<MAX_COLORS_SIZE> colors_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_OUTBOX_H

@@ -1,5 +1,6 @@
 #include "rcserver/RCServer.h"
 
+#include <OPENR/OFbkImage.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
@@ -20,6 +21,16 @@ const longword FRAMES_PER_SECOND = 125;  // of 8 ms
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
+}
+
+// The plane with the detected colours. Its pixels are NULL if there is none.
+ColorPlane FindColorPlane(OFbkImageVectorData* image_vector) {
+  const OFbkImage image(image_vector->GetInfo(ofbkimageLAYER_C), image_vector->GetData(ofbkimageLAYER_C),
+                        ofbkimageBAND_CDT);
+  const bool is_there = image.IsValid() && image.Width() > 0 && image.Height() > 1;
+  const ColorPlane plane = {is_there ? image.Pointer() : NULL, static_cast<size_t>(image.Width()),
+                            static_cast<size_t>(image.Height()), static_cast<size_t>(image.Width() + image.Skip())};
+  return plane;
 }
 
 const char* ReasonOf(TCPEndpointError error) {
@@ -72,7 +83,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   body_ = new Body();
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(), body_->Lights(),
-                       body_->Camera(), datagrams_,      power_order_,    file_desk_};
+                       body_->Camera(), body_->Colors(), datagrams_,      power_order_,     file_desk_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -127,6 +138,11 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
     BeginPicture();
+  }
+  if (client_ != NULL && session_->WantsColors(pictures_.ImageCount())) {
+    session_->ColorsDetected(FindColorPlane(image_vector), pictures_.ImageCount(),
+                             image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
+    ServeClient();
   }
   observer[event.ObsIndex()]->AssertReady();
 }

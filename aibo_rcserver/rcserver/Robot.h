@@ -4,6 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_ROBOT_H
 
 #include "rcserver/body/CameraControl.h"
+#include "rcserver/body/ColorTables.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/camera/PictureDatagrams.h"
@@ -26,6 +27,7 @@ struct Robot {
   const SensorDriver& sensors;
   LightDriver& lights;
   CameraControl& camera;
+  ColorTables& colors;
   DatagramSwitch& datagrams;
   PowerOrder& power_order;
   FileJobs& files;

@@ -50,6 +50,7 @@ void Session::End() {
   robot_.lights.ClientGone();
   robot_.camera.ClientGone();
   robot_.datagrams.SendTo(0);
+  robot_.colors.ClientGone();
   Begin();
 }
 
@@ -109,6 +110,10 @@ protocol::version2::ImageHeader Session::HeaderToTell(const protocol::version2::
     told.settings = protocol::version2::CameraSettings();
   }
   return told;
+}
+
+void Session::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
+  version2_.ColorsDetected(plane, image_count, frame);
 }
 
 size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image,

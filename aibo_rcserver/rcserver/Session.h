@@ -13,6 +13,7 @@
 #include "rcserver/Robot.h"
 #include "rcserver/Version1.h"
 #include "rcserver/Version2.h"
+#include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/camera/StickPictures.h"
 #include "rcserver/files/FileOrder.h"
@@ -95,6 +96,16 @@ class Session {
   /// All joints have been measured.
   /// @param frame in which
   void Measured(unsigned frame);
+
+  /// True if the client wants to know the colours that the camera has detected in this image.
+  /// @param image_count the camera's count of its images, with gaps if images were lost
+  bool WantsColors(unsigned image_count) const {
+    return version_ == protocol::version2::VERSION && version2_.WantsColors(image_count);
+  }
+
+  /// The camera has detected colours in an image. Only if WantsColors().
+  /// @param frame in which the image was taken
+  void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
   bool HasOutput() const { return !outbox_.IsEmpty(); }
 

@@ -14,7 +14,7 @@ using robot_model::NO_LED;
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O I L K G B P N";  // whatever the settings are
+const char CAPABILITIES[] = "H F W J V T O I L K G Z B P N";  // whatever the settings are
 
 // Joints and sensors report every 4 frames.
 const unsigned short SENSOR_PERIOD = 4;
@@ -125,7 +125,10 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       owes_file_(false),
       has_waiting_(false),
       waiting_(),
-      commands_before_waiting_(0) {
+      commands_before_waiting_(0),
+      colors_(),
+      has_pushed_colors_(false),
+      last_colors_(0) {
   sprintf(capabilities_, "%s%s%s%s%s%s%s", CAPABILITIES, robot.joints.Walking().CanWalk() ? " S E" : "",
           settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "", settings.allow_pictures ? " M Y" : "",
           settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
@@ -142,6 +145,7 @@ void Version2::Begin() {
   content_ = TELEMETRY_PLAIN;
   has_pushed_telemetry_ = false;
   last_telemetry_ = 0;
+  detects_colors_ = false;
 }
 
 void Version2::SetToken(const char* token) {
@@ -189,6 +193,8 @@ void Version2::Execute(unsigned now) {
       return SetCamera();
     case REQUEST_DATAGRAMS:
       return SetDatagrams();
+    case REQUEST_COLORS:
+      return SetColors();
     case REQUEST_JOINTS:
       return MoveJoints();
     case REQUEST_SPEED_LIMITS:
@@ -537,7 +543,7 @@ void Version2::SetTelemetry() {
     content_ = static_cast<unsigned char>(request_.id & (TELEMETRY_WITH_DUTY | (can_walk ? TELEMETRY_WITH_WALK : 0)));
     request_.id = content_;
     has_pushed_telemetry_ = false;
-    outbox_.DropTelemetry();
+    outbox_.Telemetry().Drop();
     Reply(encodeTelemetryPeriod(telemetry_period_, Payload()));
   }
 }
@@ -657,5 +663,5 @@ void Version2::PushTelemetry(unsigned frame) {
   const size_t size = encodeTelemetry(telemetry, Payload());
   const FrameHeader header = {TELEMETRY_PUSH, 0, 0, static_cast<unsigned>(size)};
   encodeFrameHeader(header, message_);
-  outbox_.SetTelemetry(message_, FRAME_HEADER_SIZE + size);
+  outbox_.Telemetry().Set(message_, FRAME_HEADER_SIZE + size);
 }

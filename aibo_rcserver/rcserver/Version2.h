@@ -7,13 +7,14 @@
 #include "protocol/version2.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
+#include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/camera/StickPictures.h"
 #include "rcserver/files/FileOrder.h"
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 
-/// Carries out the requests of version 2, answers them, and pushes telemetry and faults (docs/protocol.md).
+/// Carries out the requests of version 2, answers them, and pushes telemetry, colours and faults (docs/protocol.md).
 class Version2 {
  public:
   /// All must outlive this.
@@ -65,6 +66,16 @@ class Version2 {
   /// True if the client knows that the header of a picture can have the camera's settings: it has sent `G`.
   bool TellsCameraSettings() const { return tells_camera_settings_; }
 
+  /// True if the client has switched the colour detection on, and it is the turn of this image.
+  bool WantsColors(unsigned image_count) const {
+    return detects_colors_ && (!has_pushed_colors_ || image_count - last_colors_ >= colors_.every_nth_image);
+  }
+
+  /// Pushes what was detected in an image. Only if WantsColors(). A camera without this plane is reported, and nothing
+  /// more is pushed.
+  /// @param frame in which the image was taken
+  void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
+
   /// Pushes what joints, motions and the walk have to report, as far as there is room in the outbox.
   void PushReports();
 
@@ -110,6 +121,9 @@ class Version2 {
   void SetLeds();
   void SetEars();
   bool SetEar(int identifier, bool draw);
+  void SetColors();
+  void SwitchColors(bool on, const protocol::version2::ColorSettings& settings);
+  void LoadColorTable();
   void GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting);
   /// @}
 
@@ -161,13 +175,17 @@ class Version2 {
   unsigned char waiting_payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
   char token_[protocol::version2::TOKEN_SIZE + 1];
   bool has_greeted_;
-  unsigned commands_before_waiting_;  ///< how many commands the joints had had when it came
-  unsigned char message_[Outbox::MAX_REPLY_SIZE];
+  unsigned commands_before_waiting_;                ///< how many commands the joints had had when it came
+  unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the largest of all
   bool tells_camera_settings_;
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
   unsigned char content_;            ///< of telemetry: bits of TelemetryContent
   bool has_pushed_telemetry_;        ///< since the period was set
   unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
+  bool detects_colors_;
+  protocol::version2::ColorSettings colors_;  ///< while it detects colours
+  bool has_pushed_colors_;                    ///< since colors_ was set
+  unsigned last_colors_;                      ///< image count of the last image whose colours were pushed
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_VERSION2_H

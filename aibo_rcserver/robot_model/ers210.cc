@@ -75,6 +75,6 @@ const Ear EARS[] = {
 
 // Sony's Model Information ERS-210 names no coupled limits.
 const RobotModel ERS210 = {"ERS-210",       JOINTS, NUMBER_OF(JOINTS), 0, 0, SENSORS, NUMBER_OF(SENSORS), LEDS,
-                           NUMBER_OF(LEDS), EARS,   NUMBER_OF(EARS)};
+                           NUMBER_OF(LEDS), EARS,   NUMBER_OF(EARS),   8};
 
 }  // namespace robot_model

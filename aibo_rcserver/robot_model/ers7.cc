@@ -130,8 +130,9 @@ const Ear EARS[] = {
 
 }  // namespace
 
+// Channel 7 of the colour detection cannot be used: Model Information ERS-7, section 3.2.1.
 const RobotModel ERS7 = {
     "ERS-7",         JOINTS, NUMBER_OF(JOINTS), COUPLINGS, NUMBER_OF(COUPLINGS), SENSORS, NUMBER_OF(SENSORS), LEDS,
-    NUMBER_OF(LEDS), EARS,   NUMBER_OF(EARS)};
+    NUMBER_OF(LEDS), EARS,   NUMBER_OF(EARS),   7};
 
 }  // namespace robot_model

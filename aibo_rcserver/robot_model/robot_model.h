@@ -162,6 +162,7 @@ struct RobotModel {
   int number_of_leds;
   const Ear* ears;
   int number_of_ears;
+  int number_of_color_channels;  ///< of the camera's colour detection: 0..number - 1 can be used
 };
 
 /// The table of the robot whose design has this name; null if there is none.

@@ -61,6 +61,7 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   OStatus setMotorPower(OPower power) override;
   OStatus getPowerStatus(OPowerStatus* status) override;
   OStatus getMemoryStickStatus(OMemoryStickStatus*) override { return oFAIL; }
+  OStatus setCdtVectorData(const OCdtVectorData&) override { return oFAIL; }
   void switchOff() override;
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
   void passFrame(longword frame, const openr_host::EffectorCommands& commands) override;

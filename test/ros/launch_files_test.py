@@ -16,7 +16,7 @@ NOT_OF_THE_DRIVER = {'ns', 'model', 'respawn', 'rviz'}
 # For each other argument a value that is not the default.
 OTHER_VALUES = {
     'host': '192.168.1.20', 'port': 54322, 'jpeg_quality': 60, 'resolution': '104x80', 'frame_rate': 15.0,
-    'transport': 'udp',
+    'transport': 'udp', 'color_tables': '/srv/blue.yaml pink_ball',
     'stream_on_start': False, 'stream_on_demand': True,
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
     'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0, 'speed_scale': 0.5,
@@ -130,7 +130,7 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_a_recording_has_what_the_driver_publishes(self):
         record = nodes(resolve('record.launch', diagnostics=False))['/aibo/record'].args.split()[1:]
-        left_out = {'camera/image_raw', '/tf', '/diagnostics'}
+        left_out = {'camera/image_raw', 'color_mask', 'color_regions', '/tf', '/diagnostics'}
         self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out})
 
     def test_recording_playback_and_view_of_two_robots_stay_apart(self):

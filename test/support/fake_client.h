@@ -47,6 +47,13 @@ class FakeClient : public aibo_driver::RcServerClient {
          std::to_string(settings.shutter_speed) + (settings.auto_exposure ? " exposure" : "") +
          (settings.auto_white_balance ? " balance" : ""));
   }
+  void setColorDetection(const aibo_driver::ColorDetection& detection) override {
+    tell(detection.on ? "colors " + std::to_string(detection.every_nth_image) + (detection.with_mask ? " mask" : "")
+                      : "no colors");
+  }
+  void setColorTable(int channel, aibo_driver::ColorTablePtr table) override {
+    tell("table " + std::to_string(channel) + " " + (table ? table->name : "none"));
+  }
   aibo_driver::PicturePtr takePicture(int quality, Milliseconds, int* quality_of_stream,
                                       std::optional<aibo_driver::Resolution> resolution) override {
     tell("picture " + std::to_string(quality) +

@@ -19,6 +19,7 @@ Body::Body()
       joint_driver_(model_),
       light_driver_(model_),
       sensor_driver_(model_),
+      colors_(camera_, model_.number_of_color_channels),
       vectors_on_their_way_(0) {
   light_driver_.Open();
   sensor_driver_.Open();

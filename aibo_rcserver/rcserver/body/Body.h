@@ -8,6 +8,7 @@
 #include <OPENR/OSubject.h>
 
 #include "rcserver/body/CameraControl.h"
+#include "rcserver/body/ColorTables.h"
 #include "rcserver/body/JointDriver.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Primitives.h"
@@ -34,6 +35,7 @@ class Body {
   const SensorDriver& Sensors() const { return sensor_driver_; }
   LightDriver& Lights() { return light_driver_; }
   CameraControl& Camera() { return camera_; }
+  ColorTables& Colors() { return colors_; }
 
   /// Sends the next command vectors if they are due and the robot can take them. Call when something was commanded.
   /// @param effector gate to OVirtualRobotComm.Effector
@@ -78,6 +80,7 @@ class Body {
   LightDriver light_driver_;
   SensorDriver sensor_driver_;
   CameraControl camera_;
+  ColorTables colors_;
   int vectors_on_their_way_;  ///< sent, and their output is not complete
 };
 

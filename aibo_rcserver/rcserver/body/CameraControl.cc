@@ -35,11 +35,16 @@ OPrimitiveRequest RequestFor(CameraSetting setting, unsigned char value) {
 
 CameraControl::CameraControl() : settings_(protocol::version2::defaultCameraSettings()) {}
 
+bool CameraControl::Open() {
+  return camera_.IsOpen(CAMERA) || camera_.Open(CAMERA, "camera", LOCATOR);
+}
+
+OPrimitiveID CameraControl::Id() const {
+  return camera_.Id(CAMERA);
+}
+
 bool CameraControl::Set(CameraSetting setting, unsigned char value) {
-  if (!camera_.IsOpen(CAMERA) && !camera_.Open(CAMERA, "camera", LOCATOR)) {
-    return false;
-  }
-  if (!Command(setting, value)) {
+  if (!Open() || !Command(setting, value)) {
     return false;
   }
   settings_.values[setting - 1] = value;
@@ -58,9 +63,8 @@ void CameraControl::ClientGone() {
 bool CameraControl::Command(CameraSetting setting, unsigned char value) {
   OPrimitiveControl_CameraParam param(value);
   const OStatus status =
-      IsAutomatic(setting)
-          ? OPENR::ControlPrimitive(camera_.Id(CAMERA), RequestFor(setting, value), NULL, 0, NULL, 0)
-          : OPENR::ControlPrimitive(camera_.Id(CAMERA), RequestFor(setting, value), &param, sizeof(param), NULL, 0);
+      IsAutomatic(setting) ? OPENR::ControlPrimitive(Id(), RequestFor(setting, value), NULL, 0, NULL, 0)
+                           : OPENR::ControlPrimitive(Id(), RequestFor(setting, value), &param, sizeof(param), NULL, 0);
   if (status != oSUCCESS) {
     OSYSLOG1((osyslogERROR, "RCServer: the camera does not take the value %d of its setting %d (status %u)",
               static_cast<int>(value), static_cast<int>(setting), static_cast<unsigned>(status)));

@@ -9,10 +9,18 @@
 /// Sets the camera, and knows what it is set to. OPEN-R has no request that reads a setting, so this assumes that the
 /// camera starts as Sony says (protocol::version2::defaultCameraSettings()) and that nobody else sets it.
 ///
-/// The camera's primitive is opened for the first setting, so that a robot whose settings nobody changes is left alone.
+/// The camera's primitive is opened when it is first needed, so that a robot whose settings nobody changes is left
+/// alone.
 class CameraControl {
  public:
   CameraControl();
+
+  /// Opens the camera's primitive, unless it is open already.
+  /// @return false if it does not open; the console says so
+  bool Open();
+
+  /// The camera's primitive, if it is open.
+  OPrimitiveID Id() const;
 
   /// @param value that the setting has (protocol::version2::hasCameraValue())
   /// @return false if the robot refuses; then nothing changes, and the console says why

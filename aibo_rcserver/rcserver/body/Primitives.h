@@ -12,7 +12,7 @@
 #include "robot_model/robot_model.h"
 
 /// Stands for a robot whose parts cannot be opened: without joints, sensors, LEDs and ears.
-const robot_model::RobotModel EMPTY_ROBOT = {"", 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const robot_model::RobotModel EMPTY_ROBOT = {"", 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
 /// Opens the primitives of a table and finds them again.
 class Primitives {

@@ -177,6 +177,16 @@ OStatus SimulatedErs7::getMemoryStickStatus(OMemoryStickStatus* status) {
   return oSUCCESS;
 }
 
+OStatus SimulatedErs7::setCdtVectorData(const OCdtVectorData& tables) {
+  for (longword i = 0; i < tables.vectorInfo.numData; ++i) {
+    const OPrimitiveID id = tables.info[i].primitiveID;
+    if (id != kCameraPrimitive || !primitives_.isOpen(id)) {
+      return oINVALID_PRIMITIVE_ID;
+    }
+  }
+  return camera_.colors().load(tables);
+}
+
 void SimulatedErs7::switchOff() {
   setMotorPower(opowerOFF);
   for (Joint& joint : joints_.all()) {
@@ -186,7 +196,7 @@ void SimulatedErs7::switchOff() {
   for (Ear& ear : ears_) {
     ear.energise(false);
   }
-  camera_.resetSettings();
+  camera_.reset();
   primitives_.close(oprimitiveID_UNDEF);
 }
 

@@ -78,6 +78,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus setMotorPower(OPower power) override;
   OStatus getPowerStatus(OPowerStatus* status) override;
   OStatus getMemoryStickStatus(OMemoryStickStatus* status) override;
+  OStatus setCdtVectorData(const OCdtVectorData& tables) override;
 
   /// Joints stay where they are; LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
   /// memory stick, jammed joints and the robot's place do not change.

@@ -49,6 +49,7 @@ class VirtualRobot {
   virtual OStatus setMotorPower(OPower power) = 0;
   virtual OStatus getPowerStatus(OPowerStatus* status) = 0;
   virtual OStatus getMemoryStickStatus(OMemoryStickStatus* status) = 0;
+  virtual OStatus setCdtVectorData(const OCdtVectorData& tables) = 0;
   /// @}
 
   /// The machine is switched off, whether it boots again or not: motors and LEDs lose their power, and all primitives

@@ -105,7 +105,7 @@ std::string post() {
 }
 
 std::string anyRequest(Random& random) {
-  static const std::string kinds = "HFWJVTOIKLPUDNQRXZMY";
+  static const std::string kinds = "HFWJVTOIKLPUDNQRXZGMYB";
   const std::string payload = anyBytes(random, 300);
   const char kind = kinds[random() % kinds.size()];
   return header(kind == 'O' ? 'T' : kind, static_cast<unsigned>(payload.size())) + payload;  // the motors stay on
@@ -125,6 +125,22 @@ std::string stickPictures() {
   list[1] = 1;
   fetch[1] = 2;
   return header('M', 0) + list + fetch + outside;
+}
+
+// A table of random ranges, many of them the wrong way round, for any channel; then the plane of each image.
+std::string tableOfNonsense(Random& random) {
+  std::string payload(132, '\0');
+  std::generate(payload.begin() + 4, payload.end(), [&] { return static_cast<char>(random()); });
+  payload[0] = static_cast<char>(random() % 10);
+  for (std::size_t i = 4; random() % 4 != 0 && i < payload.size(); i += 2) {
+    payload[i] = static_cast<char>(random() % 128);
+    payload[i + 1] = static_cast<char>(0xFF);
+  }
+  std::string table = header('Z', 132);
+  table[1] = 2;
+  std::string on = header('Z', 4);
+  on[1] = 1;
+  return table + payload + on + std::string({0, 1, 1, 0});
 }
 
 }  // namespace
@@ -165,6 +181,10 @@ const std::vector<ClientAttack>& clientAttacks() {
       {"stick", "pictures onto the memory stick and from other folders",
        [](const Target& target, Random&, TimePoint end) {
          sendAgainAndAgain(target.port, kVersion2, true, end, [] { return stickPictures(); });
+       }},
+      {"tables", "colour tables of nonsense, and what they detect",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, random() % 2 == 0, end, [&] { return tableOfNonsense(random); });
        }},
       {"browser", "a web page's POST that moves the tail",
        [](const Target& target, Random&, TimePoint end) { sendOnceEach(target.port, post(), end); }},

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "hostile/attacks.h"
+#include "protocol/color_requests.h"
 #include "protocol/version2.h"
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
@@ -114,6 +115,20 @@ Bytes impossibleTelemetry(unsigned count) {
   return makeFrame('t', 0, makeTelemetry(40 * count, entries));
 }
 
+// Colours that nobody asked for, of more pixels than there are.
+Bytes impossibleColors(Random& random, unsigned count) {
+  version2::ColorRegions colors = {count, 4 * count, 65535, 65535, 8, random() % 2 == 0, {}};
+  for (std::uint8_t channel = 0; channel < 8; ++channel) {
+    colors.regions[channel] = {channel, 0xFFFFFFFF, 65535, 65535, 65535, 65535, 65535, 65535};
+  }
+  Bytes payload(version2::MAX_COLOR_REGIONS_SIZE);
+  payload.resize(version2::encodeColorRegions(colors, payload.data()));
+  if (colors.has_plane) {
+    payload.insert(payload.end(), 3000, 0x81);
+  }
+  return makeFrame(version2::COLORS_PUSH, 0, payload);
+}
+
 std::string nonsenseHello(Random& random, unsigned count) {
   const std::string tail =
       "\nserver=x\nframe_number=4294967295\ncapabilities=\nlimits=1:-2147483647:2147483647:2147483647\n";
@@ -201,6 +216,7 @@ std::vector<RobotAttack> version2Attacks() {
     return count % 3 == 0 ? end(version2::ENDED_JAM, longText('j'), "") : end(version2::ENDED_MOTION, "NOD.MTN", "r");
   };
   const auto values = [](Random&, unsigned count) { return impossibleTelemetry(count); };
+  const auto colors = [](Random& random, unsigned count) { return impossibleColors(random, count); };
   const auto telemetry = [](Random&, unsigned count) {
     return makeFrame('t', 0, makeTelemetry(4 * count, {{'J', 1, 0}, {'J', 2, 0}, {'S', 66, 500000}}));
   };
@@ -227,6 +243,7 @@ std::vector<RobotAttack> version2Attacks() {
       {"escapes", "reports with control characters", 2, floodOf(escapes)},
       {"ends", "ends of motions and faults that never began", 2, floodOf(ends)},
       {"values", "impossible values", 2, floodOf(values)},
+      {"colors", "colours of more pixels than there are", 2, floodOf(colors)},
       {"telemetry", "measurements as fast as the network allows", 2, floodOf(telemetry)},
       {"stamps", "frame numbers that jump", 2, floodOf(stamps)},
       {"pictures", "damaged and dangerous JPEGs", 2, floodOf(pictures)},

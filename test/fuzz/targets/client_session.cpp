@@ -7,6 +7,7 @@
 
 #include "aibo_driver/jpeg_inspector.h"
 #include "client/fault.h"
+#include "client/possible_values.h"
 #include "client/version1_session.h"
 #include "client/version2_session.h"
 #include "client/version_negotiation.h"
@@ -205,12 +206,21 @@ class Client {
     wish_.format = {static_cast<Resolution>(bits / 4 % 4), 1 + static_cast<int>(bits % 7)};
     wish_.camera.gain = 1 + static_cast<int>(bits % 3);
     wish_.camera.auto_exposure = (bits & 16U) != 0;
+    wish_.colors = {(bits & 32U) != 0, 1, (bits & 64U) != 0};
+    wish_.color_tables[bits % wish_.color_tables.size()] = (bits & 32U) != 0 ? table_ : nullptr;
   }
 
   static RcServerClient::Callbacks callbacks() {
     RcServerClient::Callbacks callbacks;
     callbacks.on_picture = [](const PicturePtr& picture) {
       require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not published");
+    };
+    callbacks.on_colors = [](const DetectedColors& colors) {
+      for (const DetectedRegion& region : colors.regions) {
+        require(isPossible(region, colors.width, colors.height), "an impossible region is not published");
+      }
+      const auto pixels = static_cast<std::size_t>(colors.width) * static_cast<std::size_t>(colors.height);
+      require(colors.mask.empty() || colors.mask.size() == pixels, "a mask is whole");
     };
     callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a line says something"); };
     return callbacks;
@@ -221,6 +231,7 @@ class Client {
   Counters counters_;
   ServerHabits habits_;
   Wish wish_{false, 85, 0};
+  ColorTablePtr table_ = std::make_shared<ColorTable>();
   Session::TimePoint now_ = Session::TimePoint() + milliseconds(100000);
   Connection connection_{{"robot:54321", milliseconds(500), notifier_, counters_, 1}, now_};
   std::deque<std::future<Answer>> answers_;

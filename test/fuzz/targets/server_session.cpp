@@ -3,6 +3,9 @@
 // The first byte says what RCSERVER.CFG allows. Then follow events: a byte for the Event, and its arguments.
 #include "rcserver/Session.h"
 
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENRAPI.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -16,6 +19,35 @@
 
 namespace fs = std::filesystem;
 namespace version2 = protocol::version2;
+
+// OPEN-R's calls need a machine, which this server does not have: its camera takes every setting and every table. See
+// the link options in CMakeLists.txt.
+extern "C" {
+OStatus __wrap__ZN5OPENR13OpenPrimitiveEPKcPj(const char* /*locator*/, OPrimitiveID* id) {
+  *id = 1;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR14ClosePrimitiveEj(OPrimitiveID /*id*/) {
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR16ControlPrimitiveEjjPvmS0_m(OPrimitiveID /*id*/, OPrimitiveRequest /*request*/,
+                                                     void* /*param*/, std::size_t /*param_size*/, void* /*result*/,
+                                                     std::size_t /*result_size*/) {
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR16NewCdtVectorDataEPjPP14OCdtVectorData(MemoryRegionID* id, OCdtVectorData** vector) {
+  static OCdtVectorData tables;
+  *id = 1;
+  *vector = &tables;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR16SetCdtVectorDataEj(MemoryRegionID /*id*/) {
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR19DeleteCdtVectorDataEj(MemoryRegionID /*id*/) {
+  return oSUCCESS;
+}
+}
 
 namespace {
 
@@ -189,8 +221,12 @@ class Server {
   }
 
   void imageArrives() {
+    ++images_;
+    if (session_.WantsColors(images_)) {
+      detectColors();
+    }
     PictureOrder order;
-    if (!session_.Camera().ImageArrived(++images_, &order)) {
+    if (!session_.Camera().ImageArrived(images_, &order)) {
       return;
     }
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
@@ -208,6 +244,17 @@ class Server {
                                          version2::defaultCameraSettings()};
     Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
     require(session_.EncodePictureHeader(order, image, 4500, header.data()) <= header.size(), "a header fits");
+  }
+
+  // Some images have no plane.
+  void detectColors() {
+    constexpr std::size_t kWidth = 104;
+    constexpr std::size_t kHeight = 80;
+    Bytes plane(kWidth * kHeight);
+    for (std::size_t i = 0; i < plane.size(); i += 1 + images_ % 40) {
+      plane[i] = static_cast<unsigned char>(i + images_);
+    }
+    session_.ColorsDetected({images_ % 8 == 0 ? nullptr : plane.data(), kWidth, kHeight, kWidth}, images_, now_);
   }
 
   // Handles requests and sends answers until the session wants input.
@@ -272,10 +319,11 @@ class Server {
   SensorDriver sensors_{kRobot};
   LightDriver lights_{kRobot};
   CameraControl camera_;
+  ColorTables colors_{camera_, kRobot.number_of_color_channels};
   FreePorts datagrams_;
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
-  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, datagrams_, power_order_, files_};
+  Robot robot_{kRobot.design, joints_, motors_, sensors_, lights_, camera_, colors_, datagrams_, power_order_, files_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
   unsigned now_ = 0;

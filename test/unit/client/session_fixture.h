@@ -126,6 +126,7 @@ class SessionFixture : public testing::Test {
   std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
   std::vector<aibo_driver::WalkVelocity> steered_;
   std::vector<aibo_driver::MotionEnd> ended_;
+  std::vector<aibo_driver::DetectedColors> colors_;
   std::vector<std::string> log_;
   aibo_driver::Notifier notifier_{record()};
   aibo_driver::Counters counters_;
@@ -147,6 +148,7 @@ class SessionFixture : public testing::Test {
       accepted_.push_back(targets);
     };
     callbacks.on_steered = [this](const aibo_driver::WalkVelocity& in_force) { steered_.push_back(in_force); };
+    callbacks.on_colors = [this](const aibo_driver::DetectedColors& colors) { colors_.push_back(colors); };
     callbacks.on_ended = [this](const aibo_driver::MotionEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { log_.push_back(line); };
     return callbacks;

@@ -821,7 +821,7 @@ TEST_F(Version2SessionTest, ReportsAreForgottenOnlyOneByOneHoweverManyThereAre) 
 }
 
 TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
-  receive(makeFrame('z', 0, {1, 2, 3}));
+  receive(makeFrame('x', 0, {1, 2, 3}));
   receive(makeFrame('j', 4711, {1, 2, 3}));
   receive(makeError(4711, 0, "too late"));
   EXPECT_TRUE(log_.empty());

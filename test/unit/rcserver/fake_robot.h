@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <random>
 #include <string>
@@ -17,7 +18,8 @@
 #include "robot_model/robot_model.h"
 #include "simulator/openr_host/virtual_robot.h"
 
-/// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each image has the same
+/// Takes an image every four frames, beginning with frame 4, in the layers H, M and L, and C if the test
+/// has given a plane of detected colours. Each image has the same
 /// brightness all over, which differs from that of the ten images before and after.
 ///
 /// Begins in an allowed posture. In each frame, a joint with gains moves to the position it was last commanded to,
@@ -29,6 +31,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   static constexpr size_t kWidth = 208;
   static constexpr size_t kHeight = 160;
   static constexpr size_t kMostBands = 6;
+  static constexpr size_t kLayers = 4;
 
   struct FakeJoint {
     bool open = false;
@@ -58,7 +61,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// @param robot_design one that robot_model knows
   explicit FakeRobot(const char* robot_design = "ERS-7")
       : model(*robot_model::findRobotModel(robot_design)),
-        region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * kMostBands * kWidth * kHeight)) {
+        region_(new RCRegion(sizeof(OFbkImageVectorData) + kLayers * sizeof(OFbkImageInfo) +
+                             2 * kMostBands * kWidth * kHeight)) {
     std::vector<int> posture(joints.size(), 0);
     robot_model::clampPosture(model, posture.data());
     for (size_t i = 0; i < joints.size(); ++i) {
@@ -167,6 +171,16 @@ class FakeRobot : public openr_host::VirtualRobot {
     *status = stick_status;
     return oSUCCESS;
   }
+  OStatus setCdtVectorData(const OCdtVectorData& tables) override {
+    if (refuses_color_tables) {
+      return oFAIL;
+    }
+    for (longword i = 0; i < tables.vectorInfo.numData; ++i) {
+      color_tables[tables.info[i].channel] =
+          std::vector<longword>(tables.info[i].table, tables.info[i].table + ocdtMAX_Y_SEGMENT);
+    }
+    return oSUCCESS;
+  }
   void switchOff() override { ++times_switched_off; }
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
     if (id >= kFirstEar) {
@@ -240,6 +254,9 @@ class FakeRobot : public openr_host::VirtualRobot {
   bool counts_images = true;     ///< in the field counter; false: it does not change
   std::optional<byte> detail{};  ///< of images, in all three bands; without it there are no such bands
   bool refuses_camera_settings = false;
+  bool refuses_color_tables = false;
+  std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
+  std::vector<byte> color_plane;  ///< of images, as large as layer M; empty: images have no such plane
   std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one
   std::string missing_locator;                                          ///< of a primitive that does not open
 
@@ -253,11 +270,12 @@ class FakeRobot : public openr_host::VirtualRobot {
   RCRegion* captureImage(longword frame) override {
     void* base = region_->Base();
     auto* vector = static_cast<OFbkImageVectorData*>(base);
-    longword offset = sizeof(OFbkImageVectorData);
+    longword offset = static_cast<longword>(offsetof(OFbkImageVectorData, info) + kLayers * sizeof(OFbkImageInfo));
     for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L}) {
       drawLayer(frame, offset, *vector, layer);
       offset += vector->GetInfo(layer)->dataSize;
     }
+    drawColorPlane(offset, *vector);
     return region_;
   }
 
@@ -314,6 +332,16 @@ class FakeRobot : public openr_host::VirtualRobot {
     const int duty = joint.reference == joint.position ? 0 : 512;
     value.pwmDuty = static_cast<sword>(joint.duty.value_or(duty));
     return value;
+  }
+
+  void drawColorPlane(longword offset, OFbkImageVectorData& vector) const {
+    OFbkImageInfo* info = vector.GetInfo(ofbkimageLAYER_C);
+    info->type = color_plane.empty() ? odataUNDEF : odataFBK_CDT;
+    info->dataOffset = offset;
+    info->dataSize = static_cast<longword>(color_plane.size());
+    info->width = kWidth / 2;
+    info->height = kHeight / 2;
+    std::copy(color_plane.begin(), color_plane.end(), vector.GetData(ofbkimageLAYER_C));
   }
 
   void drawLayer(longword frame, longword offset, OFbkImageVectorData& vector, OFbkImageLayer layer) {

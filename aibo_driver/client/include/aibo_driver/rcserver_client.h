@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "aibo_driver/camera.h"
+#include "aibo_driver/colors.h"
 #include "aibo_driver/exceptions.h"
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
@@ -75,9 +76,9 @@ struct ClientStatistics {
   std::uint64_t telemetry = 0;            ///< telemetry delivered
   std::uint64_t dropped_telemetry = 0;  ///< telemetry dropped: this process was held up, and more than 64 waited unread
   std::uint64_t thinned_telemetry = 0;  ///< telemetry dropped: it came more than twice as often as it was asked for
-  std::uint64_t impossible_values =
-      0;                       ///< values dropped from telemetry: no joint or sensor of this robot can have them
-  std::uint64_t refusals = 0;  ///< requests that the robot refused
+  std::uint64_t thinned_colors = 0;     ///< detected colours dropped: they came more than twice as often as asked for
+  std::uint64_t impossible_values = 0;  ///< values dropped from telemetry or detected colours: no robot can have them
+  std::uint64_t refusals = 0;           ///< requests that the robot refused
 
   /// @name Pictures by UDP
   /// @{
@@ -129,6 +130,11 @@ class RcServerClient {
   /// report. Same rules.
   using EndedCallback = std::function<void(const MotionEnd& end)>;
 
+  /// Called on the client's thread with what the robot's camera has detected in an image. Of several that arrived
+  /// together, only the newest counts. What comes more than twice as often as it was asked for is dropped, and so are
+  /// regions that contradict themselves. Same rules.
+  using ColorsCallback = std::function<void(const DetectedColors& colors)>;
+
   /// Any of them may be empty.
   struct Callbacks {
     PictureCallback on_picture;
@@ -138,6 +144,7 @@ class RcServerClient {
     JointsAcceptedCallback on_joints_accepted;
     SteeredCallback on_steered;
     EndedCallback on_ended;
+    ColorsCallback on_colors;
     LogSink log;
   };
 
@@ -198,6 +205,20 @@ class RcServerClient {
   /// cannot set its camera, and a robot may refuse a setting: the log says so.
   /// @throw InvalidArgumentException a setting is out of range
   virtual void setCameraSettings(const CameraSettings& settings);
+
+  /// Switches the detection of colours on or off. Takes effect as setStreaming() does, and does not need the stream. A
+  /// server that speaks version 1 or lacks the capability `Z` detects nothing: the log says so, once.
+  /// @throw InvalidArgumentException every_nth_image out of range
+  virtual void setColorDetection(const ColorDetection& detection);
+
+  /// Tells a channel which colours to detect, in place of what it had. The table is sent while the detection is on, and
+  /// again after each reconnect. If the robot refuses it, such as for a channel that its camera does not have, the log
+  /// says so.
+  /// @param channel 0..7
+  /// @param table null: the channel detects nothing any more
+  /// @throw InvalidArgumentException channel out of range, or a range of the table is out of 0..255 or has a minimum
+  ///   above its maximum
+  virtual void setColorTable(int channel, ColorTablePtr table);
 
   /// True if a stream has been requested over the present connection and not been stopped since.
   virtual bool streaming() const;

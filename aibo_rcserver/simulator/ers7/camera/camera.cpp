@@ -42,9 +42,14 @@ bool Camera::imageDue(longword frame) {
 RCRegion* Camera::capture(longword frame) {
   const longword image_number = imagesUpTo(frame);
   RCRegion* region = regions_.freeRegion();
-  writeFbkImage(region, source_.picture(frame * openr_host::kFrameSeconds, image_number, settings_), frame,
+  writeFbkImage(region, source_.picture(frame * openr_host::kFrameSeconds, image_number, settings_), colors_, frame,
                 image_number);
   return region;
+}
+
+void Camera::reset() {
+  settings_ = CameraSettings();
+  colors_.clear();
 }
 
 OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "simulator/ers7/body/head_kinematics.h"
+#include "simulator/ers7/camera/color_detection.h"
 #include "simulator/ers7/camera/ycrcb_image.h"
 #include "simulator/ers7/region_pool.h"
 
@@ -66,7 +67,8 @@ class Camera {
   /// @param frame not lower than in the previous call
   bool imageDue(longword frame);
 
-  /// Takes an image, in a region to which only the camera refers (region_pool.h).
+  /// Takes an image, with the colours that are detected in it, in a region to which only the camera refers
+  /// (region_pool.h).
   RCRegion* capture(longword frame);
 
   /// Carries out OPENR::ControlPrimitive().
@@ -77,12 +79,16 @@ class Camera {
 
   const CameraSettings& settings() const { return settings_; }
 
-  /// Resets the settings to those after switching on.
-  void resetSettings() { settings_ = CameraSettings(); }
+  /// The colours that it detects.
+  ColorDetection& colors() { return colors_; }
+
+  /// Everything as after switching on: settings, and no colours to detect.
+  void reset();
 
  private:
   PictureSource& source_;
   CameraSettings settings_;
+  ColorDetection colors_;
   longword images_seen_ = 0;
   RegionPool regions_;
 };

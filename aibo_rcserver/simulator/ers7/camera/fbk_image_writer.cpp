@@ -83,11 +83,32 @@ void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
   }
 }
 
-void writeTag(byte* data, const LayerFormat& format, longword image_number) {
+/// Detects colours in layer M.
+ColorCounts detect(const ColorDetection& colors, const byte* medium, byte* plane) {
+  constexpr std::size_t kPlaneWidth = kWidth / 2;
+  ColorCounts counts{};
+  if (!colors.isOn()) {
+    std::fill_n(plane, kPlaneWidth * (kHeight / 2), byte{0});
+    return counts;
+  }
+  for (std::size_t y = 0; y < kHeight / 2; ++y) {
+    const byte* row = medium + y * kBands * kPlaneWidth;
+    colors.detect(row, row + kPlaneWidth, row + 2 * kPlaneWidth, kPlaneWidth, plane + y * kPlaneWidth, &counts);
+  }
+  return counts;
+}
+
+void writeTag(byte* data, const LayerFormat& format, longword image_number, const ColorCounts& counts) {
+  constexpr std::size_t kPixelsPerCount = 16;
+  constexpr std::size_t kMostCounted = 255;
   byte* tag = data + (format.height - 1) * format.bands * format.width;
   std::fill_n(tag, kTagBytes, static_cast<byte>(0));
   for (unsigned i = 0; i < sizeof(image_number); ++i) {
     tag[i] = static_cast<byte>(image_number >> (8 * i));
+  }
+  for (std::size_t channel = 0; channel < counts.size(); ++channel) {
+    tag[channel < 4 ? 8 + channel : channel] =
+        static_cast<byte>(std::min(counts[channel] / kPixelsPerCount, kMostCounted));
   }
 }
 
@@ -127,7 +148,8 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
   }
 }
 
-void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, longword image_number) {
+void writeFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword frame,
+                   longword image_number) {
   OFbkImageVectorData* vector = vectorIn(region);
   for (const LayerFormat& format : kLayers) {
     vector->GetInfo(format.layer)->frameNumber = frame;
@@ -145,10 +167,9 @@ void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, 
   byte* low = vector->GetData(ofbkimageLAYER_L);
   halve(medium, low, kWidth / 4, kHeight / 4);
   split(medium, low, kWidth / 4, kHeight / 4);
+  const ColorCounts counts = detect(colors, medium, vector->GetData(ofbkimageLAYER_C));
   for (const LayerFormat& format : kLayers) {
-    if (format.type != odataFBK_CDT) {
-      writeTag(vector->GetData(format.layer), format, image_number);
-    }
+    writeTag(vector->GetData(format.layer), format, image_number, counts);
   }
 }
 

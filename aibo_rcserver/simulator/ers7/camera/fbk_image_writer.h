@@ -5,14 +5,15 @@
 /// as M with one byte per pixel. In H, M and L each row of Y is followed by the same row of Cr, of Cb and of the three
 /// bands of fine detail (LH, HL, HH), so rows of one band are six widths apart. Y and the detail of a layer are one
 /// step of a Haar wavelet transform: of the next larger layer's Y, and for H of the sensor with its 416x320 pixels. The
-/// first 16 bytes of Y's last row are tag bytes: 0-3 the image number, little-endian; 4-11 the results of the colour
-/// detection.
+/// first 16 bytes of Y's last row, and of C's, are tag bytes: 0-3 the image number, little-endian; 4-7 how many pixels
+/// the channels 4-7 of the colour detection have found, 8-11 the same of the channels 0-3, in sixteenths.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_FBK_IMAGE_WRITER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/RCRegion.h>
 
+#include "simulator/ers7/camera/color_detection.h"
 #include "simulator/ers7/camera/ycrcb_image.h"
 
 namespace simulated_ers7 {
@@ -25,10 +26,12 @@ std::size_t fbkImageSize();
 /// @param camera the camera's primitive, for the infos
 void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 
-/// Writes a picture into a prepared region. The pixels of M and L are means of 2x2 and 4x4 pixels of H.
+/// Writes a picture into a prepared region. The pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the
+/// colours detected in M.
 /// @param frame OPEN-R frame of the capture
 /// @param image_number the camera's own count, for the tag bytes
-void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, longword image_number);
+void writeFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword frame,
+                   longword image_number);
 
 }  // namespace simulated_ers7
 

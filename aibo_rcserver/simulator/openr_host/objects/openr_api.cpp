@@ -83,10 +83,15 @@ OStatus OPENR::DeleteCdtVectorData(MemoryRegionID memID) {
 }
 
 OStatus OPENR::SetCdtVectorData(MemoryRegionID memID) {
-  if (System::current().vectorMemory().findCdt(memID) != nullptr) {
-    OSYSLOG1((osyslogWARNING, "SetCdtVectorData: the camera detects no colours on Linux"));
+  System& system = System::current();
+  const OCdtVectorData* const tables = system.vectorMemory().findCdt(memID);
+  if (tables == nullptr) {
+    return oFAIL;
   }
-  return oFAIL;
+  if (tables->vectorInfo.type != odataCDT_VECTOR) {
+    return oINVALID_DATA_TYPE;
+  }
+  return tables->vectorInfo.numData <= ocdtNUM_CHANNELS ? system.robot().setCdtVectorData(*tables) : oFAIL;
 }
 
 OStatus OPENR::NewSyncKey(OVRSyncKey* key) {

@@ -174,6 +174,33 @@ TEST_F(CameraTest, ALayerIsReconstructedFromTheBandsOfTheNextLowerOne) {
   }
 }
 
+TEST_F(CameraTest, DetectedColoursAreInTheirPlaneAndCountedInEveryTag) {
+  OCdtVectorData tables{};
+  tables.SetNumData(2);
+  tables.GetInfo(0)->Init(kId, ocdtCHANNEL1);
+  tables.GetInfo(1)->Init(kId, ocdtCHANNEL4);
+  for (int segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
+    tables.GetInfo(0)->Set(segment, 41, 41, 255, 0);  // Cr of the rows 10 and 74 of layer M
+    tables.GetInfo(1)->Set(segment, 255, 0, 255, 0);  // everything
+  }
+  ASSERT_EQ(camera_.colors().load(tables), oSUCCESS);
+  RCRegion* region = camera_.capture(0);
+  const OFbkImage plane = bandOf(region, ofbkimageLAYER_C, ofbkimageBAND_CDT);
+  EXPECT_EQ(plane.Width(), 104);
+  EXPECT_EQ(plane.Height(), 80);
+  EXPECT_EQ(plane.Pixel(50, 9), ocdtCHANNEL4);
+  EXPECT_EQ(plane.Pixel(50, 10), ocdtCHANNEL1 | ocdtCHANNEL4);
+  for (const OFbkImage& image :
+       {plane, bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y), bandOf(region, ofbkimageLAYER_L, ofbkimageBAND_Y)}) {
+    EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL0), 0);
+    EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL1), 2 * 104 / 16);
+    EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL4), 255) << "as far as a byte goes";
+    EXPECT_EQ(image.FieldCounter(), 1);
+  }
+  camera_.reset();
+  EXPECT_EQ(bandOf(camera_.capture(4), ofbkimageLAYER_C, ofbkimageBAND_CDT).Pixel(50, 10), 0);
+}
+
 TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
   const longword frame = 300000;
   RCRegion* region = camera_.capture(frame);

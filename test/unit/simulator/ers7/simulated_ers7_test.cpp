@@ -194,6 +194,18 @@ TEST_F(SimulatedErs7Test, TheCameraAcceptsItsSettings) {
   EXPECT_FALSE(robot_.cameraSettings().auto_white_balance);
 }
 
+TEST_F(SimulatedErs7Test, TablesOfColoursNeedTheOpenCamera) {
+  OCdtVectorData tables{};
+  tables.SetNumData(1);
+  tables.GetInfo(0)->Init(1, ocdtCHANNEL0);
+  EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_PRIMITIVE_ID);
+  ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  tables.GetInfo(0)->Init(camera_, ocdtCHANNEL0);
+  EXPECT_EQ(robot_.setCdtVectorData(tables), oSUCCESS);
+  tables.GetInfo(0)->Init(camera_, ocdtCHANNEL7);
+  EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_ARG);
+}
+
 TEST_F(SimulatedErs7Test, TheCameraRefusesUnknownRequests) {
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 0), oINVALID_ARG);

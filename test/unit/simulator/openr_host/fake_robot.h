@@ -67,6 +67,9 @@ class FakeRobot : public VirtualRobot {
   OStatus enableJointGain(OPrimitiveID id) override { return record("enableJointGain", {id}); }
   OStatus disableJointGain(OPrimitiveID id) override { return record("disableJointGain", {id}); }
   OStatus setMotorPower(OPower power) override { return record("setMotorPower", {power}); }
+  OStatus setCdtVectorData(const OCdtVectorData& tables) override {
+    return record("setCdtVectorData", {tables.vectorInfo.numData, tables.info[0].channel});
+  }
   void switchOff() override { record("switchOff", {}); }
 
   OStatus getPowerStatus(OPowerStatus* status) override {

@@ -82,7 +82,7 @@ TEST_F(OpenrApiTest, ANewCommandVectorAlreadyHasItsSizes) {
 }
 
 // Level2 Reference Guide, pages 64, 69 and 70.
-TEST_F(OpenrApiTest, ColourTablesCanBeFilledButTheCameraRefusesThem) {
+TEST_F(OpenrApiTest, ColourTablesGoToTheCamera) {
   asObject([] {
     MemoryRegionID id = 0;
     OCdtVectorData* tables = nullptr;
@@ -92,11 +92,16 @@ TEST_F(OpenrApiTest, ColourTablesCanBeFilledButTheCameraRefusesThem) {
     tables->GetInfo(0)->Set(31, 0x44, 0x11, 0x99, 0x66);
     EXPECT_EQ(tables->GetInfo(0)->table[0], 0x80808080U);
     EXPECT_EQ(tables->GetInfo(0)->table[31], 0x99664411U);
-    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oSUCCESS);
+    tables->vectorInfo.type = odataCOMMAND_VECTOR;
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oINVALID_DATA_TYPE);
+    tables->vectorInfo.type = odataCDT_VECTOR;
+    tables->SetNumData(9);
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL) << "more tables than there is room for";
     EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oSUCCESS);
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
   });
-  EXPECT_EQ(test_.output.str(), "WARNING Object: SetCdtVectorData: the camera detects no colours on Linux\n");
+  EXPECT_EQ(test_.robot.calls, std::vector<std::string>{"setCdtVectorData 1 8"});
 }
 
 TEST_F(OpenrApiTest, ThereAreNoSyncKeys) {

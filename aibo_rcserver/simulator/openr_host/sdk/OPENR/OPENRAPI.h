@@ -43,8 +43,11 @@ OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector);
 /// @return oFAIL if nothing has this number
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
 
-/// Passes the tables to the camera.
-/// @return oFAIL on Linux, where the camera detects no colours
+/// Passes the tables to the camera, which copies them. Channels that have no table here keep theirs.
+/// @return oINVALID_ARG for a channel that the camera does not have, oINVALID_PRIMITIVE_ID for a primitive that is not
+/// an
+///         open camera, oINVALID_DATA_TYPE if this is not an OCdtVectorData, oFAIL if nothing has this number; then
+///         no table changes
 OStatus SetCdtVectorData(MemoryRegionID memID);
 
 /// @name Keys that make motions, lights and sounds start together (ODataVectorInfo::syncKey)

@@ -1,0 +1,107 @@
+#include "client/color_intake.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "client/fault.h"
+#include "client/picture_intake.h"
+#include "client/possible_values.h"
+#include "protocol/color_requests.h"
+
+namespace aibo_driver {
+
+namespace version2 = protocol::version2;
+
+namespace {
+
+constexpr std::chrono::milliseconds kShortestImageInterval{32};  // of a camera
+
+DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& name) {
+  constexpr double kScale = version2::COLOR_CENTROID_SCALE;
+  return {region.channel, name,       region.pixels, region.x / kScale, region.y / kScale,
+          region.left,    region.top, region.width,  region.height};
+}
+
+void expectGood(const char* problem) {
+  if (problem != nullptr) {
+    throw ProtocolException(std::string("bad colours: ") + problem);
+  }
+}
+
+}  // namespace
+
+void ColorIntake::askedFor(const ColorDetection& detection) {
+  detection_ = detection;
+  newest_.reset();
+}
+
+void ColorIntake::receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
+                          std::chrono::steady_clock::time_point arrival) {
+  version2::ColorRegions regions;
+  const unsigned char* plane = nullptr;
+  std::size_t plane_size = 0;
+  expectGood(version2::decodeColorRegions(payload, size, &regions, &plane, &plane_size));
+  if (!detection_.on) {
+    return;  // it was on its way when the detection was switched off
+  }
+  DetectedColors colors;
+  colors.frame_number = regions.frame_number;
+  colors.image_count = regions.image_count;
+  colors.arrival = arrival;
+  colors.connection_number = context_.number;
+  colors.width = regions.width;
+  colors.height = regions.height;
+  if (!isPossiblePlane(colors.width, colors.height)) {
+    return complain("a plane of " + std::to_string(colors.width) + "x" + std::to_string(colors.height) + " pixels");
+  }
+  for (std::size_t i = 0; i < regions.count; ++i) {
+    if (const ColorTablePtr& table = tables.at(regions.regions[i].channel)) {
+      colors.regions.push_back(regionOf(regions.regions[i], table->name));
+    }
+  }
+  if (regions.has_plane) {
+    colors.mask.resize(static_cast<std::size_t>(colors.width) * static_cast<std::size_t>(colors.height));
+    expectGood(version2::unpackColorPlane(plane, plane_size, colors.mask.size(), colors.mask.data()));
+  }
+  dropImpossible(&colors);
+  newest_ = std::move(colors);
+}
+
+void ColorIntake::deliver() {
+  const std::optional<DetectedColors> colors = std::exchange(newest_, std::nullopt);
+  if (!colors) {
+    return;
+  }
+  const auto period = detection_.every_nth_image * kShortestImageInterval / 2;
+  if (limit_.admit(colors->arrival, period).is_admitted) {
+    context_.notifier.colors(*colors);
+    return;
+  }
+  ++context_.counters.thinned_colors;
+  if (!std::exchange(thinning_is_logged_, true)) {
+    context_.warn(
+        "sends detected colours more than twice as often as it was asked to; the rest is dropped and counted");
+  }
+}
+
+void ColorIntake::dropImpossible(DetectedColors* colors) {
+  std::vector<DetectedRegion>& regions = colors->regions;
+  const auto is_impossible = [&](const DetectedRegion& region) {
+    if (isPossible(region, colors->width, colors->height)) {
+      return false;
+    }
+    complain(std::to_string(region.pixels) + " pixels of " + region.name + " in a box of " +
+             std::to_string(region.width) + "x" + std::to_string(region.height));
+    return true;
+  };
+  regions.erase(std::remove_if(regions.begin(), regions.end(), is_impossible), regions.end());
+}
+
+void ColorIntake::complain(const std::string& problem) {
+  ++context_.counters.impossible_values;
+  if (!std::exchange(impossible_is_logged_, true)) {
+    context_.warn("sent impossible colours, which are dropped: " + problem);
+  }
+}
+
+}  // namespace aibo_driver

@@ -1,0 +1,82 @@
+// The request and the push of version 2 about the camera's colour detection.
+#include <stdio.h>
+
+#include "rcserver/Version2.h"
+
+using namespace protocol::version2;
+
+void Version2::SetColors() {
+  ColorSettings settings = {1, false};
+  switch (request_.id) {
+    case COLORS_OFF:
+      if (IsWellFormed(checkNoPayload(request_.payload_size))) {
+        SwitchColors(false, settings);
+        Reply(0);
+      }
+      break;
+    case COLORS_ON:
+      if (IsWellFormed(decodeColorSettings(payload_, request_.payload_size, &settings))) {
+        SwitchColors(true, settings);
+        Reply(encodeColorSettings(settings, Payload()));
+      }
+      break;
+    case COLORS_TABLE:
+      LoadColorTable();
+      break;
+    default:
+      Refuse(CODE_REFUSED, "bad request: the id is not 0 (off), 1 (on) or 2 (table)");
+  }
+}
+
+// What was detected before, with other settings, is not pushed any more.
+void Version2::SwitchColors(bool on, const ColorSettings& settings) {
+  detects_colors_ = on;
+  colors_ = settings;
+  has_pushed_colors_ = false;
+  outbox_.Colors().Drop();
+}
+
+void Version2::LoadColorTable() {
+  ColorTable table;
+  if (!IsWellFormed(decodeColorTable(payload_, request_.payload_size, &table))) {
+    return;
+  }
+  const int channels = robot_.colors.NumberOfChannels();
+  if (table.channel >= channels) {
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "the camera of this robot has no channel %d to detect colours; it has %d, from 0 on",
+            static_cast<int>(table.channel), channels);
+    Refuse(CODE_REFUSED, text);
+  } else if (robot_.colors.Load(table)) {
+    Reply(0);
+  } else {
+    Refuse(CODE_REFUSED, "the robot's camera does not take this table; the robot's console says why");
+  }
+}
+
+// Takes the place of colours that still wait.
+void Version2::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
+  if (plane.pixels == NULL) {
+    if (outbox_.HasRoom()) {
+      SwitchColors(false, colors_);
+      SendError(0, CODE_NOT_SUPPORTED, "the images of this robot's camera have no plane with the colours detected");
+    }
+    return;
+  }
+  has_pushed_colors_ = true;
+  last_colors_ = image_count;
+  ColorRegions regions;
+  regions.image_count = image_count;
+  regions.frame_number = frame;
+  regions.width = static_cast<unsigned short>(plane.width);
+  regions.height = static_cast<unsigned short>(plane.height);
+  regions.has_plane = colors_.with_plane && canPackPlane(plane);
+  countColors(plane, robot_.colors.Loaded(), &regions);
+  size_t size = encodeColorRegions(regions, Payload());
+  if (regions.has_plane) {
+    size += packPlane(plane, Payload() + size);
+  }
+  const FrameHeader header = {COLORS_PUSH, 0, 0, static_cast<unsigned>(size)};
+  encodeFrameHeader(header, message_);
+  outbox_.Colors().Set(message_, FRAME_HEADER_SIZE + size);
+}

@@ -1,0 +1,47 @@
+/// @file ColorTables.h
+/// The tables of the camera's colour detection.
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_COLOR_TABLES_H
+#define AIBO_RCSERVER_RCSERVER_BODY_COLOR_TABLES_H
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENR.h>
+
+#include "protocol/color_requests.h"
+#include "rcserver/body/CameraControl.h"
+
+/// Gives the camera its tables, and knows which channels have one. A robot that nobody gives a table is left alone.
+class ColorTables {
+ public:
+  /// @param camera must outlive this
+  /// @param channels how many the camera has (robot_model.h)
+  ColorTables(CameraControl& camera, int channels);
+  ~ColorTables();
+
+  int NumberOfChannels() const { return channels_; }
+
+  /// The channels that have a table which is not empty: bits, as in the pixels of the plane.
+  unsigned char Loaded() const { return loaded_; }
+
+  /// Replaces the table of a channel.
+  /// @param table of a channel below NumberOfChannels()
+  /// @return false if the robot refuses; then nothing changes, and the console says why
+  bool Load(const protocol::version2::ColorTable& table);
+
+  /// Empties all tables, for the next client.
+  void ClientGone();
+
+ private:
+  ColorTables(const ColorTables&);
+  ColorTables& operator=(const ColorTables&);
+
+  bool CreateVector();
+  bool Set(int number_of_tables);
+
+  CameraControl& camera_;
+  int channels_;
+  unsigned char loaded_;
+  MemoryRegionID memory_;
+  OCdtVectorData* vector_;  ///< created for the first table; NULL before
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_COLOR_TABLES_H

@@ -1,0 +1,242 @@
+// The colour detection: what the client asks for, and what it believes.
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/fault.h"
+#include "client/version1_session.h"
+#include "client/version2_session.h"
+#include "protocol/color_requests.h"
+#include "session_fixture.h"
+#include "support/version2_frames.h"
+
+using namespace aibo_driver;
+using std::chrono::milliseconds;
+using test_pictures::Bytes;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+using version2_frames::makeFrame;
+
+namespace version2 = protocol::version2;
+
+namespace {
+
+ColorTablePtr tableNamed(const std::string& name) {
+  ColorTable table;
+  table.name = name;
+  table.segments[1] = ColorRange{1, 2, 3, 4};
+  return std::make_shared<ColorTable>(table);
+}
+
+version2::ColorRegions regionsOf(const std::vector<version2::ColorRegion>& regions) {
+  version2::ColorRegions colors = {7, 400, 104, 80, static_cast<unsigned char>(regions.size()), false, {}};
+  std::copy(regions.begin(), regions.end(), colors.regions);
+  return colors;
+}
+
+const version2::ColorRegion kBall = {0, 100, 64 * 50, 64 * 40 + 32, 45, 36, 11, 10};
+
+Bytes payloadOf(const version2::ColorRegions& colors, const Bytes& packed_plane = {}) {
+  Bytes payload(version2::MAX_COLOR_REGIONS_SIZE);
+  payload.resize(version2::encodeColorRegions(colors, payload.data()));
+  payload.insert(payload.end(), packed_plane.begin(), packed_plane.end());
+  return payload;
+}
+
+class ColorsTest : public SessionFixture {
+ protected:
+  Session& session() override { return session_; }
+
+  void begin(const std::string& capabilities = "H F W Z") {
+    EXPECT_EQ("H 0", request());
+    receive(makeFrame('h', number_, version2_frames::makeHello(capabilities)));
+  }
+
+  /// What the session sends now: kind, id and the beginning of the payload.
+  std::string request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return "";
+    }
+    const version2_frames::Frame frame = version2_frames::split(bytes);
+    number_ = frame.header.request_number;
+    payload_ = frame.payload;
+    std::string text = frame.header.kind + (" " + std::to_string(frame.header.id));
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, frame.payload.size()); ++i) {
+      text += " " + std::to_string(frame.payload[i]);
+    }
+    return text;
+  }
+
+  /// The detection is on, and channel 0 detects a ball.
+  void detectBall(bool with_mask = false) {
+    begin();
+    wish_.color_tables[0] = tableNamed("ball");
+    wish_.colors = {true, 1, with_mask};
+    EXPECT_EQ("Z 2 0 0 0 0", request());
+    EXPECT_EQ(std::string("Z 1 0 1 ") + (with_mask ? "1 0" : "0 0"), request());
+  }
+
+  void push(const version2::ColorRegions& colors, const Bytes& packed_plane = {}) {
+    receive(makeFrame('z', 0, payloadOf(colors, packed_plane)));
+  }
+
+  int number_ = 0;  // of the request that was sent last
+  Bytes payload_;   // the same
+  Version2Session session_{connection_, now_};
+};
+
+TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
+  begin();
+  wish_.color_tables[0] = tableNamed("ball");
+  wish_.color_tables[6] = tableNamed("box");
+  EXPECT_EQ("", request()) << "nobody wants to know";
+  wish_.colors = {true, 2, false};
+  EXPECT_EQ("Z 2 0 0 0 0", request());
+  ASSERT_THAT(payload_, SizeIs(version2::COLOR_TABLE_SIZE));
+  EXPECT_THAT(Bytes(payload_.begin() + 4, payload_.begin() + 12), ElementsAre(128, 128, 128, 128, 1, 2, 3, 4));
+  EXPECT_EQ("Z 2 6 0 0 0", request());
+  EXPECT_EQ("Z 1 0 2 0 0", request());
+  EXPECT_EQ("", request());
+  wish_.colors.with_mask = true;
+  EXPECT_EQ("Z 1 0 2 1 0", request());
+  wish_.color_tables[6] = nullptr;
+  EXPECT_EQ("Z 2 6 0 0 0", request());
+  EXPECT_THAT(payload_, testing::Contains(128).Times(128));
+  wish_.colors = ColorDetection();
+  EXPECT_EQ("Z 0", request());
+  EXPECT_EQ("", request());
+}
+
+TEST_F(ColorsTest, ARegionHasTheNameOfItsTable) {
+  detectBall();
+  push(regionsOf({kBall}));
+  ASSERT_THAT(colors_, SizeIs(1));
+  const DetectedColors& colors = colors_[0];
+  EXPECT_EQ(colors.frame_number, 400U);
+  EXPECT_EQ(colors.image_count, 7U);
+  EXPECT_EQ(colors.connection_number, 3U);
+  EXPECT_EQ(colors.arrival, now_);
+  EXPECT_EQ(colors.width, 104);
+  EXPECT_EQ(colors.height, 80);
+  EXPECT_THAT(colors.mask, IsEmpty());
+  ASSERT_THAT(colors.regions, SizeIs(1));
+  EXPECT_EQ(colors.regions[0].name, "ball");
+  EXPECT_EQ(colors.regions[0].pixels, 100U);
+  EXPECT_DOUBLE_EQ(colors.regions[0].x, 50);
+  EXPECT_DOUBLE_EQ(colors.regions[0].y, 40.5);
+  EXPECT_EQ(colors.regions[0].left, 45);
+  EXPECT_EQ(colors.regions[0].height, 10);
+}
+
+TEST_F(ColorsTest, TheMaskIsUnpacked) {
+  detectBall(true);
+  version2::ColorRegions colors = regionsOf({kBall});
+  colors.has_plane = true;
+  colors.width = 3;
+  colors.height = 2;
+  colors.regions[0] = {0, 2, 64, 0, 0, 0, 3, 1};
+  push(colors, {1, 1, 0, 0, 1, 254, 0});
+  ASSERT_THAT(colors_, SizeIs(1));
+  EXPECT_THAT(colors_[0].mask, ElementsAre(1, 0, 1, 0, 0, 0));
+  EXPECT_THROW(push(colors, {1, 1, 0}), ProtocolException) << "too short";
+}
+
+TEST_F(ColorsTest, OfSeveralThatComeTogetherTheNewestCounts) {
+  detectBall();
+  version2::ColorRegions later = regionsOf({kBall});
+  later.image_count = 8;
+  Bytes both = makeFrame('z', 0, payloadOf(regionsOf({kBall})));
+  const Bytes second = makeFrame('z', 0, payloadOf(later));
+  both.insert(both.end(), second.begin(), second.end());
+  receive(both);
+  ASSERT_THAT(colors_, SizeIs(1));
+  EXPECT_EQ(colors_[0].image_count, 8U);
+}
+
+TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
+  detectBall();
+  const std::vector<version2::ColorRegion> impossible = {
+      {0, 111, 64 * 50, 64 * 40, 45, 36, 11, 10},  // more pixels than the box has
+      {0, 100, 64 * 57, 64 * 40, 45, 36, 11, 10},  // the centroid is outside
+      {0, 100, 64 * 50, 64 * 46, 45, 36, 11, 10},
+      {0, 100, 64 * 99, 64 * 40, 95, 36, 11, 10},  // the box is outside
+      {0, 100, 64 * 50, 64 * 75, 45, 72, 11, 10},
+      {0, 100, 0, 0, 0, 0, 0, 0},  // no box
+      {0, 0, 0, 0, 0, 0, 5, 5},    // a box of nothing
+  };
+  for (const version2::ColorRegion& region : impossible) {
+    push(regionsOf({region}));
+    ASSERT_FALSE(colors_.empty());
+    EXPECT_THAT(colors_.back().regions, IsEmpty());
+    pass(milliseconds(40));
+  }
+  EXPECT_EQ(counters_.impossible_values, impossible.size());
+  EXPECT_EQ(logged("impossible colours"), 1);
+}
+
+TEST_F(ColorsTest, AnImpossiblePlaneIsDropped) {
+  detectBall();
+  version2::ColorRegions colors = regionsOf({});
+  colors.width = 60000;
+  push(colors);
+  EXPECT_THAT(colors_, IsEmpty());
+  EXPECT_EQ(counters_.impossible_values, 1U);
+}
+
+TEST_F(ColorsTest, WhatDoesNotDecodeEndsTheConnection) {
+  detectBall();
+  EXPECT_THROW(receive(makeFrame('z', 0, {1, 2, 3})), ProtocolException);
+}
+
+TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
+  begin();
+  push(regionsOf({kBall}));
+  EXPECT_THAT(colors_, IsEmpty()) << "the detection is off";
+  wish_.colors.on = true;
+  request();
+  push(regionsOf({kBall}));
+  ASSERT_THAT(colors_, SizeIs(1));
+  EXPECT_THAT(colors_[0].regions, IsEmpty()) << "the channel has no table";
+}
+
+TEST_F(ColorsTest, MoreThanTwiceAsManyAsAskedForAreDroppedAndCounted) {
+  detectBall();
+  for (int i = 0; i < 100; ++i) {
+    pass(milliseconds(1));
+    push(regionsOf({kBall}));
+  }
+  EXPECT_LT(colors_.size(), 30U);
+  EXPECT_EQ(colors_.size() + counters_.thinned_colors, 100U);
+  EXPECT_EQ(logged("more than twice as often"), 1);
+}
+
+TEST_F(ColorsTest, ARefusalIsLogged) {
+  detectBall();
+  receive(makeFrame('e', number_, version2_frames::makeError(0, "it does not")));
+  EXPECT_EQ(logged("to detect colours: it does not"), 1);
+}
+
+TEST_F(ColorsTest, AServerThatDetectsNoColoursIsNotAskedAndTheLogSaysSoOnce) {
+  begin("H F W");
+  wish_.colors.on = true;
+  wish_.color_tables[0] = tableNamed("ball");
+  EXPECT_EQ("", request());
+  EXPECT_EQ("", request());
+  EXPECT_EQ(logged("has no request to detect colours"), 1);
+}
+
+TEST_F(ColorsTest, AVersion1ServerIsNotAskedEither) {
+  ServerHabits habits;
+  Version1Session session(connection_, habits, Version1Session::VersionAnswer::kRefused, now_);
+  wish_.colors.on = true;
+  wish_.color_tables[0] = tableNamed("ball");
+  EXPECT_THAT(session.nextRequest(wish_, now_), IsEmpty());
+  EXPECT_EQ(logged("speaks version 1 of the protocol, which has no request to detect colours"), 1);
+}
+
+}  // namespace

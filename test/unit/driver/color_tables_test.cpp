@@ -1,0 +1,193 @@
+// Tables of the colour detection: files, the service, and what is published of the colours detected.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "ros/camera/color_messages.h"
+#include "ros/camera/color_table_file.h"
+#include "ros/camera/color_table_service.h"
+#include "support/fake_client.h"
+#include "support/temporary_folder.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+
+constexpr char kPink[] =
+    "name: pink\n"
+    "ranges:\n"
+    "- {y: [0, 159], cr: [150, 230], cb: [120, 190]}\n"
+    "- {y: [160, 255], cr: [160, 230], cb: [120, 190]}\n";
+
+std::string refusalOf(const std::string& text) {
+  try {
+    parseColorTable(text, "FILE");
+  } catch (const ColorTableException& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ColorTableFile, HasRangesForStepsOfBrightness) {
+  const ColorTable table = parseColorTable(kPink, "FILE");
+  EXPECT_EQ(table.name, "pink");
+  EXPECT_EQ(table.segments[0], (ColorRange{150, 230, 120, 190}));
+  EXPECT_EQ(table.segments[19], (ColorRange{150, 230, 120, 190}));
+  EXPECT_EQ(table.segments[20], (ColorRange{160, 230, 120, 190}));
+  EXPECT_EQ(table.segments[31], (ColorRange{160, 230, 120, 190}));
+}
+
+TEST(ColorTableFile, IsWrittenAsItIsRead) {
+  EXPECT_EQ(toYaml(parseColorTable(kPink, "FILE")), kPink);
+  ColorTable gaps;
+  gaps.name = "a: strange \"name\"";
+  gaps.segments[3] = ColorRange{0, 255, 7, 7};
+  gaps.segments[5] = ColorRange{0, 255, 7, 8};
+  const ColorTable again = parseColorTable(toYaml(gaps), "FILE");
+  EXPECT_EQ(again.name, gaps.name);
+  EXPECT_EQ(again.segments, gaps.segments);
+}
+
+TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
+  EXPECT_THAT(refusalOf("{"), HasSubstr("FILE: it is not YAML"));
+  EXPECT_THAT(refusalOf("name: a\nkey: [secret"), testing::Not(HasSubstr("secret"))) << "it may be anybody's file";
+  EXPECT_THAT(refusalOf(std::string(70000, 'a')), HasSubstr("too long"));
+  EXPECT_THAT(refusalOf(""), HasSubstr("no list of ranges"));
+  EXPECT_THAT(refusalOf("name: a\nranges: []"), HasSubstr("no list of ranges"));
+  EXPECT_THAT(refusalOf("ranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("name"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [3]"), HasSubstr("FILE, range 1"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [0, 1]}]"), HasSubstr("range 1: cb is missing"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [0, 256], cb: [0, 1]}]"), HasSubstr("cr is [0, 256]"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [9, 8], cb: [0, 1]}]"), HasSubstr("cr is [9, 8]"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [a, b], cb: [0, 1]}]"), HasSubstr("two whole numbers"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 8], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
+  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [4, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
+}
+
+TEST(ColorTableFile, OfThisPackageIsFoundByItsName) {
+  EXPECT_EQ(loadColorTable("pink_ball").segments[31], (ColorRange{160, 230, 120, 190}));
+  EXPECT_THROW(loadColorTable("no_such_table"), ColorTableException);
+}
+
+TEST(ColorTableFile, StandsForItsColor) {
+  const RgbColor color = colorOf(parseColorTable(kPink, "FILE"));
+  EXPECT_GT(color.red, 230);
+  EXPECT_LT(color.green, 120);
+  EXPECT_GT(color.blue, 160);
+}
+
+class ColorTableServiceTest : public ::testing::Test {
+ protected:
+  ColorTableServiceTest() {
+    client_.present.state = ConnectionState::kConnected;
+    client_.present.robot.capabilities = {"H", "Z"};
+  }
+
+  LoadColorTable::Response load(int channel, const std::string& file, const std::string& table = "") {
+    LoadColorTable::Request request;
+    LoadColorTable::Response response;
+    request.channel = static_cast<std::uint8_t>(channel);
+    request.file = file;
+    request.table = table;
+    EXPECT_TRUE(service_.load(request, response));
+    return response;
+  }
+
+  test_support::FakeClient client_;
+  std::vector<std::pair<int, std::string>> loaded_;
+  ColorTableService service_{
+      *robot_model::findRobotModel("ERS-7"), client_,
+      [this](int channel, const ColorTablePtr& table) { loaded_.emplace_back(channel, table ? table->name : ""); }};
+};
+
+TEST_F(ColorTableServiceTest, AFileATextOrNothing) {
+  const test_support::TemporaryFolder folder;
+  std::ofstream(folder.path("a.yaml")) << kPink;
+  EXPECT_THAT(load(2, folder.path("a.yaml").string()).message, HasSubstr("Channel 2 detects pink"));
+  EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("Channel 0 detects pink_ball"));
+  EXPECT_TRUE(load(6, "", kPink).success);
+  EXPECT_THAT(load(6, "", "").message, HasSubstr("detects nothing"));
+  EXPECT_THAT(client_.told, ElementsAre("table 2 pink", "table 0 pink_ball", "table 6 pink", "table 6 none"));
+  EXPECT_THAT(loaded_, ElementsAre(Pair(2, "pink"), Pair(0, "pink_ball"), Pair(6, "pink"), Pair(6, "")));
+}
+
+TEST_F(ColorTableServiceTest, WhatCannotBeLoadedLeavesTheChannelAsItIs) {
+  EXPECT_THAT(load(7, "pink_ball").message, HasSubstr("no channel 7"));
+  EXPECT_THAT(load(0, "", "nonsense").message, HasSubstr("No table was loaded: table: it has no list of ranges"));
+  EXPECT_THAT(load(0, "/no/such/file.yaml").message, HasSubstr("/no/such/file.yaml"));
+  EXPECT_THAT(load(0, "pink_ball", kPink).message, HasSubstr("both given"));
+  EXPECT_FALSE(load(0, "", "nonsense").success);
+  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(loaded_, IsEmpty());
+}
+
+TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
+  client_.present.state = ConnectionState::kConnecting;
+  EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("no connection now"));
+  client_.present = {};
+  client_.present.state = ConnectionState::kConnected;
+  const LoadColorTable::Response response = load(0, "pink_ball");
+  EXPECT_FALSE(response.success);
+  EXPECT_THAT(response.message, HasSubstr("detects no colours"));
+}
+
+TEST_F(ColorTableServiceTest, TablesOfTheStartAreForTheChannelsInTurn) {
+  service_.loadAtStart(" pink_ball, no_such_table pink_ball");
+  EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 2 pink_ball"));
+}
+
+DetectedColors someColors() {
+  DetectedColors colors;
+  colors.frame_number = 400;
+  colors.image_count = 7;
+  colors.width = 4;
+  colors.height = 1;
+  colors.regions = {{3, "pink", 2, 1.5, 0, 1, 0, 2, 1}, {5, "blue", 0, 0, 0, 0, 0, 0, 0}};
+  colors.mask = {0, 8, 9, 0x80};
+  return colors;
+}
+
+TEST(ColorMessages, AreInPixelsOfThePicture) {
+  std_msgs::Header header;
+  header.frame_id = "eye";
+  const ColorRegions regions = toRegions(someColors(), header);
+  EXPECT_EQ(regions.header.frame_id, "eye");
+  EXPECT_EQ(regions.frame_number, 400U);
+  EXPECT_EQ(regions.image_count, 7U);
+  EXPECT_EQ(regions.width, 8U);
+  EXPECT_EQ(regions.height, 2U);
+  ASSERT_EQ(regions.regions.size(), 2U);
+  const ColorRegion& region = regions.regions[0];
+  EXPECT_EQ(region.channel, 3);
+  EXPECT_EQ(region.name, "pink");
+  EXPECT_EQ(region.pixels, 8U);
+  EXPECT_FLOAT_EQ(region.x, 3.5) << "the middle of the columns 2 to 5";
+  EXPECT_FLOAT_EQ(region.y, 0.5);
+  EXPECT_EQ(region.box.x_offset, 2U);
+  EXPECT_EQ(region.box.width, 4U);
+  EXPECT_EQ(region.box.height, 2U);
+  EXPECT_EQ(regions.regions[1].pixels, 0U);
+  EXPECT_FLOAT_EQ(regions.regions[1].x, 0);
+}
+
+TEST(ColorMessages, TheMaskHasTheColorOfTheLowestChannel) {
+  ChannelColors channels{};
+  channels[0] = {1, 2, 3};
+  channels[3] = {4, 5, 6};
+  channels[7] = {7, 8, 9};
+  const sensor_msgs::Image mask = toMask(someColors(), channels, std_msgs::Header());
+  EXPECT_EQ(mask.encoding, "rgb8");
+  EXPECT_EQ(mask.width, 4U);
+  EXPECT_EQ(mask.height, 1U);
+  EXPECT_EQ(mask.step, 12U);
+  EXPECT_THAT(mask.data, ElementsAre(0, 0, 0, 4, 5, 6, 1, 2, 3, 7, 8, 9));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node

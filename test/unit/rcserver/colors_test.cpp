@@ -1,0 +1,280 @@
+// The camera's colour detection (`Z`).
+#include <gmock/gmock.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/color_requests.h"
+#include "rcserver/camera/ColorCounter.h"
+#include "rcserver_fixture.h"
+
+namespace {
+
+using namespace protocol::version2;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr unsigned kWidth = 104;
+constexpr unsigned kHeight = 80;
+
+std::string colorSettings(unsigned short every_nth_image, bool with_plane = false) {
+  return payloadOf(encodeColorSettings, ColorSettings{every_nth_image, with_plane}, COLOR_SETTINGS_SIZE);
+}
+
+// A table of colours for the brightest segment.
+ColorTable tableOf(unsigned char channel) {
+  ColorTable table = {channel, {}};
+  for (ColorSegment& segment : table.segments) {
+    segment = EMPTY_COLOR_SEGMENT;
+  }
+  table.segments[31] = {150, 230, 120, 190};
+  return table;
+}
+
+std::string bytesOf(const ColorTable& table) {
+  return payloadOf(encodeColorTable, table, COLOR_TABLE_SIZE);
+}
+
+// A plane with a bit in a rectangle.
+void draw(unsigned left, unsigned top, unsigned width, unsigned height, int channel, std::vector<byte>* plane) {
+  for (unsigned y = top; y < top + height; ++y) {
+    for (unsigned x = left; x < left + width; ++x) {
+      (*plane)[y * kWidth + x] = static_cast<byte>((*plane)[y * kWidth + x] | 1 << channel);
+    }
+  }
+}
+
+std::vector<byte> emptyPlane() {
+  return std::vector<byte>(kWidth * kHeight);
+}
+
+struct Colors {
+  ColorRegions regions{};
+  std::vector<byte> plane;
+};
+
+class ColorsTest : public FakeRobotFixture {
+ protected:
+  void SetUp() override {
+    robot_.color_plane = emptyPlane();
+    start();
+    connectVersion2();
+  }
+
+  void load(const ColorTable& table) { ASSERT_EQ(answerTo('Z', COLORS_TABLE, bytesOf(table)).header.kind, 'z'); }
+
+  void switchOn(unsigned short every_nth_image = 1, bool with_plane = false) {
+    ASSERT_EQ(answerTo('Z', COLORS_ON, colorSettings(every_nth_image, with_plane)).header.kind, 'z');
+  }
+
+  // Everything that has been pushed, which must be colours.
+  std::vector<Colors> pushed() {
+    std::vector<Colors> all;
+    for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
+      EXPECT_EQ(next->header.kind, COLORS_PUSH);
+      EXPECT_EQ(next->header.request_number, 0);
+      Colors colors;
+      const unsigned char* packed = nullptr;
+      size_t size = 0;
+      EXPECT_EQ(decodeColorRegions(next->payload.data(), next->payload.size(), &colors.regions, &packed, &size),
+                nullptr);
+      if (colors.regions.has_plane) {
+        colors.plane.resize(kWidth * kHeight);
+        EXPECT_EQ(unpackColorPlane(packed, size, colors.plane.size(), colors.plane.data()), nullptr);
+      }
+      all.push_back(colors);
+    }
+    return all;
+  }
+
+  Colors nextImage() {
+    pushed();
+    takeImage();
+    const std::vector<Colors> all = pushed();
+    EXPECT_THAT(all, SizeIs(1));
+    return all.empty() ? Colors() : all.back();
+  }
+};
+
+TEST_F(ColorsTest, TheCameraGetsTheTable) {
+  load(tableOf(2));
+  ASSERT_THAT(robot_.color_tables, SizeIs(1));
+  const std::vector<longword>& table = robot_.color_tables.at(ocdtCHANNEL2);
+  EXPECT_THAT(std::vector<longword>(table.begin(), table.end() - 1), Each(ocdtINIT));
+  EXPECT_EQ(table.back(), longword{190} << 24 | longword{120} << 16 | longword{230} << 8 | longword{150});
+}
+
+TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
+  load(tableOf(0));
+  load(tableOf(6));
+  draw(10, 20, 4, 2, 0, &robot_.color_plane);
+  draw(50, 21, 1, 1, 0, &robot_.color_plane);
+  draw(30, 30, 3, 3, 1, &robot_.color_plane);  // has no table
+  switchOn();
+  const Colors colors = nextImage();
+  EXPECT_EQ(colors.regions.image_count, robot_.lastImage());
+  EXPECT_EQ(colors.regions.frame_number, clock_.frame());
+  EXPECT_EQ(colors.regions.width, kWidth);
+  EXPECT_EQ(colors.regions.height, kHeight);
+  EXPECT_FALSE(colors.regions.has_plane);
+  ASSERT_EQ(colors.regions.count, 2);
+  const ColorRegion& first = colors.regions.regions[0];
+  EXPECT_EQ(first.channel, 0);
+  EXPECT_EQ(first.pixels, 9U);
+  EXPECT_EQ(first.x, (64 * (2 * (10 + 11 + 12 + 13) + 50) + 4) / 9);
+  EXPECT_EQ(first.y, (64 * (4 * 20 + 5 * 21) + 4) / 9);
+  EXPECT_EQ(first.left, 10);
+  EXPECT_EQ(first.top, 20);
+  EXPECT_EQ(first.width, 41);
+  EXPECT_EQ(first.height, 2);
+  const ColorRegion& second = colors.regions.regions[1];
+  EXPECT_EQ(second.channel, 6);
+  EXPECT_EQ(second.pixels, 0U);
+  EXPECT_EQ(second.width, 0);
+}
+
+TEST_F(ColorsTest, ThePlaneComesOnDemand) {
+  load(tableOf(0));
+  draw(10, 20, 4, 2, 0, &robot_.color_plane);
+  draw(90, 70, 14, 9, 3, &robot_.color_plane);
+  switchOn(1, true);
+  EXPECT_EQ(nextImage().plane, robot_.color_plane);
+}
+
+TEST_F(ColorsTest, TheLastRowHasTagsInsteadOfColours) {
+  load(tableOf(0));
+  draw(0, kHeight - 1, 16, 1, 0, &robot_.color_plane);
+  switchOn(1, true);
+  const Colors colors = nextImage();
+  EXPECT_EQ(colors.regions.regions[0].pixels, 0U);
+  EXPECT_EQ(colors.plane, emptyPlane());
+}
+
+TEST_F(ColorsTest, NoiseIsSentWhole) {
+  load(tableOf(0));
+  for (size_t i = 0; i + kWidth < robot_.color_plane.size(); ++i) {
+    robot_.color_plane[i] = static_cast<byte>(i * 37 + i / 7);
+  }
+  switchOn(1, true);
+  EXPECT_EQ(nextImage().plane, robot_.color_plane);
+}
+
+TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {
+  load(tableOf(0));
+  switchOn(3);
+  pushed();
+  for (int i = 0; i < 9; ++i) {
+    takeImage();
+  }
+  EXPECT_THAT(pushed(), SizeIs(3));
+  EXPECT_EQ(answerTo('Z', COLORS_OFF).header.kind, 'z');
+  pushed();
+  takeImage();
+  EXPECT_THAT(pushed(), IsEmpty());
+}
+
+TEST_F(ColorsTest, AClientThatReadsLateGetsTheNewest) {
+  disconnect();
+  connectVersion2(2048);
+  load(tableOf(0));
+  for (size_t i = 0; i + kWidth < robot_.color_plane.size(); ++i) {
+    robot_.color_plane[i] = static_cast<byte>(i * 37 + i / 7);  // so large that the connection soon takes no more
+  }
+  switchOn(1, true);
+  for (int i = 0; i < 100; ++i) {
+    takeImage();
+    if (i % 30 == 0) {
+      send(frame('H', 0, 7));  // so that the server does not take it for dead
+    }
+  }
+  const unsigned last = robot_.lastImage();
+  std::vector<unsigned> images;
+  ASSERT_TRUE(machine_->runUntil([&] {
+    for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
+      if (next->header.kind == COLORS_PUSH) {
+        images.push_back(static_cast<unsigned>(next->payload[2]) << 8 | next->payload[3]);
+      }
+    }
+    return !images.empty() && images.back() >= last;
+  }));
+  EXPECT_LT(images.size(), 60U) << "what could not be sent was dropped";
+}
+
+TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
+  load(tableOf(0));
+  ColorTable empty = tableOf(0);
+  empty.segments[31] = EMPTY_COLOR_SEGMENT;
+  load(empty);
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));
+  switchOn();
+  EXPECT_EQ(nextImage().regions.count, 0);
+}
+
+TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
+  load(tableOf(0));
+  load(tableOf(5));
+  switchOn();
+  reconnect();
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL5), Each(ocdtINIT));
+  takeImage();
+  EXPECT_THAT(pushed(), IsEmpty());
+  switchOn();
+  EXPECT_EQ(nextImage().regions.count, 0);
+}
+
+TEST_F(ColorsTest, ACameraThatNobodyGivesATableIsLeftAlone) {
+  switchOn();
+  reconnect();
+  EXPECT_THAT(robot_.color_tables, IsEmpty());
+}
+
+TEST_F(ColorsTest, NonsenseIsRefusedAndNothingIsLoaded) {
+  expectRefusal(answerTo('Z', 3), CODE_REFUSED, "the id is not");
+  expectRefusal(answerTo('Z', COLORS_ON, "abc"), CODE_REFUSED, "size");
+  expectRefusal(answerTo('Z', COLORS_ON, colorSettings(0)), CODE_REFUSED, "0th");
+  expectRefusal(answerTo('Z', COLORS_OFF, "a"), CODE_REFUSED, "bad request");
+  expectRefusal(answerTo('Z', COLORS_TABLE, "abc"), CODE_REFUSED, "size");
+  ColorTable table = tableOf(0);
+  table.segments[7] = {200, 100, 0, 255};
+  expectRefusal(answerTo('Z', COLORS_TABLE, bytesOf(table)), CODE_REFUSED, "minimum above its maximum");
+  expectRefusal(answerTo('Z', COLORS_TABLE, bytesOf(tableOf(7))), CODE_REFUSED, "no channel 7");
+  EXPECT_THAT(robot_.color_tables, IsEmpty());
+}
+
+TEST_F(ColorsTest, ARefusalByTheCameraIsToldAndOnTheConsole) {
+  robot_.refuses_color_tables = true;
+  expectRefusal(answerTo('Z', COLORS_TABLE, bytesOf(tableOf(0))), CODE_REFUSED, "does not take this table");
+  EXPECT_THAT(console_.str(), HasSubstr("does not take a table of its colour detection"));
+  robot_.refuses_color_tables = false;
+  switchOn();
+  EXPECT_EQ(nextImage().regions.count, 0);
+}
+
+TEST_F(ColorsTest, ACameraWithoutThePlaneIsReportedOnce) {
+  robot_.color_plane.clear();
+  switchOn();
+  takeImage();
+  std::optional<Frame> report = client_->nextFrame();
+  ASSERT_TRUE(report);
+  expectRefusal(*report, CODE_NOT_SUPPORTED, "no plane");
+  takeImage();
+  EXPECT_FALSE(client_->nextFrame());
+}
+
+TEST_F(ColorsTest, AnErs210HasEightChannelsAndItsOwnSize) {
+  // The counting does not depend on the robot.
+  std::vector<byte> pixels(88 * 72, 0x80);
+  ColorRegions regions{};
+  countColors({pixels.data(), 88, 72, 88}, 0xff, &regions);
+  ASSERT_EQ(regions.count, 8);
+  EXPECT_EQ(regions.regions[0].pixels, 0U);
+  EXPECT_EQ(regions.regions[7].pixels, 88U * 71);
+  EXPECT_EQ(regions.regions[7].x, 64 * 87 / 2);
+  EXPECT_EQ(regions.regions[7].y, 64 * 35);
+}
+
+}  // namespace
