@@ -71,6 +71,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
+      led_states_(handle_, model_),
       client_(parameters_.client, makeCallbacks()),
       settings_(private_handle, client_, joint_table_),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
@@ -126,6 +127,7 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_status = [this](const ConnectionStatus& status) { updateConnection(status); };
   callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const Telemetry& telemetry) { publishTelemetry(telemetry); };
+  callbacks.on_leds_accepted = [this](const std::vector<LedCommand>& leds) { led_states_.accept(leds); };
   callbacks.on_steered = [this](const WalkVelocity& in_force) { mover_.steered(in_force); };
   callbacks.on_ended = [this](const MotionEnd& end) {
     odometry_.motionEnded(end);
@@ -153,6 +155,7 @@ void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
 
 void AiboDriver::updateConnection(const ConnectionStatus& status) {
   connection_.publish(status);
+  led_states_.update(status);
   if (status.state != ConnectionState::kConnected) {
     measured_joints_.clear();
     mover_.disconnected();
