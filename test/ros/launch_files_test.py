@@ -11,7 +11,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 LAUNCH = PROJECT / 'launch'
 
 # Arguments of aibo.launch that are not the driver's parameters.
-NOT_OF_THE_DRIVER = {'ns', 'model', 'respawn', 'rviz'}
+NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz'}
 
 # For each other argument a value that is not the default.
 OTHER_VALUES = {
@@ -88,19 +88,21 @@ class LaunchFilesTest(unittest.TestCase):
         model = {'/aibo/robot_state_publisher/tf_prefix': ''}
         driver = {'/aibo/aibo_driver/' + name: documented_parameters()[name]
                   for name in [*OTHER_VALUES, 'publish_footprint']}
+        lights = {'/aibo/aibo_lights/frame_prefix': ''}
+        look_at = {'/aibo/aibo_look_at/frame_prefix': ''}
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
         expected = {
-            'aibo.launch': {**driver, **model},
-            'demo.launch': {**driver, **model},
+            'aibo.launch': {**driver, **model, **look_at},
+            'demo.launch': {**driver, **model, **look_at},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,
-            'playback.launch': {**model, '/use_sim_time': False},
+            'playback.launch': {**model, **lights, '/use_sim_time': False},
             'record.launch': {},
             'sliders.launch': {},
             'teleop.launch': {'/aibo/aibo_teleop_keyboard/' + name: speed for name, speed in
                               (('speed', 0.1), ('side_speed', 0.05), ('turn_speed', 0.5))},
-            'view.launch': {},
+            'view.launch': lights,
         }
         self.assertEqual(set(expected), {file.name for file in LAUNCH.glob('*.launch')})
         required = {'fleet.launch': {'robots': '/tmp/robots.yaml'}, 'playback.launch': {'bag': '/tmp/a.bag'}}
@@ -122,6 +124,13 @@ class LaunchFilesTest(unittest.TestCase):
         for name, required in (('aibo.launch', {}), ('model.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'})):
             config = resolve(name, ns='left', frame_prefix='port/side', **required)
             self.assertEqual(parameters(config)['/left/robot_state_publisher/tf_prefix'], 'port/side', name)
+
+    def test_what_needs_the_frames_has_their_prefix(self):
+        config = resolve('aibo.launch', ns='left', frame_prefix='port/side', rviz=True)
+        for node in ('aibo_look_at', 'aibo_lights'):
+            self.assertEqual(parameters(config)['/left/%s/frame_prefix' % node], 'port/side')
+        for arguments in ({'look_at': False}, {'model': False}, {'robot': 'ERS-210'}):
+            self.assertNotIn('/aibo/aibo_look_at', nodes(resolve('aibo.launch', **arguments)))
 
     def test_an_ers210_has_no_model(self):
         self.assertNotIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch', robot='ERS-210')))
