@@ -5,7 +5,8 @@
 /// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
 /// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
 /// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h,
-/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h.
+/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h, those about its
+/// colour detection in color_requests.h.
 ///
 /// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
 /// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
@@ -38,8 +39,8 @@ bool agreesToVersion2(const ValueReply& reply);
 /// The first bytes of every frame.
 struct FrameHeader {
   char kind;  ///< capital letter = request, lower-case letter = reply or push
-  /// JPEG quality of `F` and `W`, bits of TelemetryContent of `T`, HoldScope of `I`, CameraSetting of `G`, Posture of
-  /// `E`, bits of `U` and `P`; 0 for all other kinds
+  /// JPEG quality of `F` and `W`, bits of TelemetryContent of `T`, HoldScope of `I`, CameraSetting of `G`, ColorOrder
+  /// of `Z`, Posture of `E`, bits of `U` and `P`; 0 for all other kinds
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes that follow the header

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "fuzz_input.h"
+#include "protocol/color_requests.h"
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
 #include "protocol/walk_requests.h"
@@ -59,6 +60,28 @@ void decodeCameraValue(const Bytes& payload) {
   }
 }
 
+// What follows the regions is the plane, which may be packed in many ways.
+void decodeColorRegions(const Bytes& payload) {
+  version2::ColorRegions regions;
+  const unsigned char* packed = nullptr;
+  std::size_t packed_size = 0;
+  if (version2::decodeColorRegions(payload.data(), payload.size(), &regions, &packed, &packed_size) != nullptr) {
+    return;
+  }
+  Bytes again(payload.size() - packed_size);
+  require(version2::encodeColorRegions(regions, again.data()) == again.size(), "the plane is the rest");
+  require(std::equal(again.begin(), again.end(), payload.begin()), "accepted regions have only one form");
+  Bytes plane(std::min<std::size_t>(std::size_t{regions.width} * regions.height, kCapacity));
+  if (version2::unpackColorPlane(packed, packed_size, plane.size(), plane.data()) == nullptr) {
+    Bytes once_more(version2::packedColorPlaneSize(plane.size()));
+    const std::size_t size = version2::packColorPlane(plane.data(), plane.size(), once_more.data());
+    require(size <= once_more.size(), "a packed plane is not larger than its maximum");
+    Bytes same(plane.size());
+    require(version2::unpackColorPlane(once_more.data(), size, same.size(), same.data()) == nullptr && same == plane,
+            "a packed plane is unpacked again");
+  }
+}
+
 // The encoder truncates long texts.
 void decodeErrorMessage(const Bytes& payload) {
   version2::ErrorMessage message;
@@ -92,6 +115,8 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeJointIds, version2::encodeJointIds, payload);
   decode(version2::decodeLedValues, version2::encodeLedValues, payload);
   decode(version2::decodeEarPositions, version2::encodeEarPositions, payload);
+  decode(version2::decodeColorSettings, version2::encodeColorSettings, payload);
+  decode(version2::decodeColorTable, version2::encodeColorTable, payload);
   decode(version2::decodeVelocity, version2::encodeVelocity, payload);
   decode(version2::decodeMotionUpload, version2::encodeMotionUpload, payload);
   decode(decodeName, encodeName, payload);
@@ -99,6 +124,7 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeMotionList, version2::encodeMotionList, payload);
   decodePicture(payload);
   decodeCameraValue(payload);
+  decodeColorRegions(payload);
   decodeErrorMessage(payload);
   decodeEndMessage(payload);
 }

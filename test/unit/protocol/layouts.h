@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "bytes.h"
+#include "protocol/color_requests.h"
 #include "protocol/version2.h"
 
 namespace protocol {
@@ -46,6 +47,12 @@ constexpr char kTwoLeds[] =
     "1a 80 01 00";  // 26: 128, mode B
 
 constexpr char kVelocity[] = "00 96 ff c4 04 b0 00 00";  // 150 mm/s forward, 60 mm/s right, 1.2 rad/s left
+
+constexpr char kColorRegions[] =
+    "00 01 02 03 0a 0b 0c 0d "                                      // image 66051, frame 168496141
+    "00 68 00 50 02 00 00 00 "                                      // 104x80, two channels, without the plane
+    "00 00 00 00 00 00 01 2c 0d 00 0a 00 00 2a 00 1e 00 14 00 15 "  // channel 0: 300 pixels
+    "06 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00";  // channel 6: none
 
 constexpr char kUpload[] =
     "07 4e 4f 44 2e 4d 54 4e "  // NOD.MTN
@@ -85,6 +92,14 @@ inline const char* decodePictureBytes(const Bytes& bytes) {
   ImageHeader header{};
   size_t jpeg_size = 0;
   return decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
+}
+
+/// A decoder of one argument, like the others. The plane is left out.
+inline const char* decodeColorRegionsOnly(const unsigned char* payload, size_t size, ColorRegions* regions) {
+  const unsigned char* plane = nullptr;
+  size_t plane_size = 0;
+  const char* const problem = decodeColorRegions(payload, size, regions, &plane, &plane_size);
+  return problem == nullptr && plane_size > 0 ? "a plane" : problem;
 }
 
 }  // namespace version2
