@@ -1,4 +1,5 @@
-// Shows in rviz which LEDs shine and what touches the robot, as markers on the links of its model.
+// Shows in rviz which LEDs shine and what touches the robot, as markers on the links of its model. It listens to the
+// driver only while somebody listens to it.
 
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Touch.h>
@@ -15,16 +16,27 @@ namespace {
 
 class Lights {
  public:
-  Lights(ros::NodeHandle handle, const ros::NodeHandle& parameters)
-      : markers_(parameters.param<std::string>("frame_prefix", "")) {
+  Lights(const ros::NodeHandle& handle, const ros::NodeHandle& parameters)
+      : handle_(handle), markers_(parameters.param<std::string>("frame_prefix", "")) {
     constexpr bool kLatched = true;
-    publisher_ = handle.advertise<visualization_msgs::MarkerArray>("lights", 1, kLatched);
-    leds_ = handle.subscribe("led_states", 1, &Lights::receiveLeds, this);
-    touch_ = handle.subscribe("touch", 1, &Lights::receiveTouch, this);
+    const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
+      subscribersChanged();
+    };
+    publisher_ = handle_.advertise<visualization_msgs::MarkerArray>("lights", 1, changed, changed, nullptr, kLatched);
     publisher_.publish(markers_.markers());
   }
 
  private:
+  void subscribersChanged() {
+    if (publisher_.getNumSubscribers() == 0) {
+      leds_.shutdown();
+      touch_.shutdown();
+    } else if (!leds_) {
+      leds_ = handle_.subscribe("led_states", 1, &Lights::receiveLeds, this);
+      touch_ = handle_.subscribe("touch", 1, &Lights::receiveTouch, this);
+    }
+  }
+
   void receiveLeds(const aibo_driver::LedStates::ConstPtr& leds) { publishIf(markers_.setLeds(*leds)); }
   void receiveTouch(const aibo_driver::Touch::ConstPtr& touch) { publishIf(markers_.setTouch(*touch)); }
 
@@ -34,6 +46,7 @@ class Lights {
     }
   }
 
+  ros::NodeHandle handle_;
   lights::LightMarkers markers_;
   ros::Publisher publisher_;
   ros::Subscriber leds_;
