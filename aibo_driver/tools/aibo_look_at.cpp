@@ -28,10 +28,23 @@ using geometry_msgs::PointStamped;
 // From this error on, a point is not in the middle of the picture: a third of a pixel.
 constexpr double kMiddle = 0.0015;
 
-// How long to wait for the transform. Stamps of tf are late by one measurement of the robot, 32 ms, and the radio.
+// How long to wait for the transform and, after a start, for the driver. Stamps of tf are late by one measurement of
+// the robot, 32 ms, and the radio.
 constexpr double kPatience = 0.5;  // s
 
 constexpr double kDegree = M_PI / 180;
+
+// Waits by the wall clock: ROS' own may stand still. Other threads serve tf and connections meanwhile.
+template <typename Condition>
+bool waitFor(const Condition& condition) {
+  const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kPatience);
+  bool is_fulfilled = condition();
+  while (!is_fulfilled && ros::SteadyTime::now() < end && ros::ok()) {
+    ros::WallDuration(0.005).sleep();
+    is_fulfilled = condition();
+  }
+  return is_fulfilled;
+}
 
 std::string baseFrame(const ros::NodeHandle& parameters) {
   const auto prefix = parameters.param<std::string>("frame_prefix", "");
@@ -64,7 +77,7 @@ class LookAt {
   }
 
   void lookAt(const robot_model::Point& place, LookAtResult* result) {
-    if (joints_.getNumSubscribers() == 0) {
+    if (!waitFor([this] { return joints_.getNumSubscribers() > 0; })) {
       throw std::runtime_error("The head does not turn: nobody listens on " + joints_.getTopic() +
                                ". Does the driver run in this namespace?");
     }
@@ -109,15 +122,9 @@ class LookAt {
     return {place.x(), place.y(), place.z()};
   }
 
-  // Waits by the wall clock: ROS' own may stand still. The listener has a thread of its own.
   geometry_msgs::TransformStamped waitForTransform(const std_msgs::Header& header) {
-    const std::string& frame = header.frame_id[0] == '/' ? header.frame_id.substr(1) : header.frame_id;
-    const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kPatience);
-    std::string problem;
-    while (!frames_.canTransform(base_frame_, frame, header.stamp, &problem) && ros::SteadyTime::now() < end &&
-           ros::ok()) {
-      ros::WallDuration(0.005).sleep();
-    }
+    const std::string frame = header.frame_id[0] == '/' ? header.frame_id.substr(1) : header.frame_id;
+    waitFor([&] { return frames_.canTransform(base_frame_, frame, header.stamp); });
     try {
       return frames_.lookupTransform(base_frame_, frame, header.stamp);
     } catch (const tf2::TransformException& error) {

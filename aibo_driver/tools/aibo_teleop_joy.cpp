@@ -134,7 +134,7 @@ class Caller {
 class JoyTeleop {
  public:
   JoyTeleop(ros::NodeHandle handle, const ros::NodeHandle& parameters)
-      : mapping_(readMapping(parameters)), steering_(mapping_), stop_(handle), orders_(handle) {
+      : mapping_(readMapping(parameters)), steering_(mapping_), stop_(handle), pictures_(handle), movements_(handle) {
     velocities_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     head_positions_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
     joints_ = handle.subscribe("joint_states", 1, &JoyTeleop::receiveJoints, this);
@@ -164,16 +164,16 @@ class JoyTeleop {
     if (orders.take_picture) {
       TakePicture::Request request;
       request.save_to = pictureName();
-      orders_.call<TakePicture>("take_picture", request);
+      pictures_.call<TakePicture>("take_picture", request);
     }
     if (!orders.motion.empty()) {
       PlayMotion::Request request;
       request.name = orders.motion;
       request.repetitions = 1;
-      orders_.call<PlayMotion>("play_motion", request);
+      movements_.call<PlayMotion>("play_motion", request);
     }
     if (!orders.posture.empty()) {
-      orders_.call<Trigger>(orders.posture, {});
+      movements_.call<Trigger>(orders.posture, {});
     }
   }
 
@@ -215,7 +215,8 @@ class JoyTeleop {
   std::optional<double> pan_;
   std::optional<double> tilt_;
   Caller stop_;
-  Caller orders_;
+  Caller pictures_;
+  Caller movements_;
   ros::Publisher velocities_;
   ros::Publisher head_positions_;
   ros::Subscriber joints_;
