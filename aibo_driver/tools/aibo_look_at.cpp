@@ -7,6 +7,7 @@
 #include <sensor_msgs/JointState.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
+#include <visualization_msgs/Marker.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -46,17 +47,38 @@ bool waitFor(const Condition& condition) {
   return is_fulfilled;
 }
 
-std::string baseFrame(const ros::NodeHandle& parameters) {
+std::string readFramePrefix(const ros::NodeHandle& parameters) {
   const auto prefix = parameters.param<std::string>("frame_prefix", "");
-  return prefix.empty() ? "base_link" : prefix + "/base_link";
+  return prefix.empty() ? "" : prefix + "/";
+}
+
+// The floor around the robot, hardly visible. rviz' tool finds only points on something that is drawn, and its grid
+// does not count.
+visualization_msgs::Marker makeFloor(const std::string& frame) {
+  constexpr double kSize = 6;  // m
+  constexpr double kThickness = 0.002;
+  visualization_msgs::Marker floor;
+  floor.header.frame_id = frame;
+  floor.ns = "floor";
+  floor.type = visualization_msgs::Marker::CUBE;
+  floor.frame_locked = 1u;
+  floor.pose.position.z = -kThickness;  // below the grid
+  floor.pose.orientation.w = 1;
+  floor.scale.x = floor.scale.y = kSize;
+  floor.scale.z = kThickness;
+  floor.color.r = floor.color.g = floor.color.b = 1;
+  floor.color.a = 0.03F;
+  return floor;
 }
 
 class LookAt {
  public:
-  LookAt(ros::NodeHandle handle, const ros::NodeHandle& parameters) : base_frame_(baseFrame(parameters)) {
+  LookAt(ros::NodeHandle handle, const ros::NodeHandle& parameters) : frame_prefix_(readFramePrefix(parameters)) {
     constexpr bool kLatched = true;
     result_ = handle.advertise<LookAtResult>("look_at_result", 1, kLatched);
     joints_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
+    floor_ = handle.advertise<visualization_msgs::Marker>("look_at_floor", 1, kLatched);
+    floor_.publish(makeFloor(frame_prefix_ + "base_footprint"));
     points_ = handle.subscribe("look_at", 1, &LookAt::receive, this);
   }
 
@@ -135,12 +157,14 @@ class LookAt {
     }
   }
 
-  const std::string base_frame_;
+  const std::string frame_prefix_;
+  const std::string base_frame_ = frame_prefix_ + "base_link";
   tf2_ros::Buffer frames_;
   const tf2_ros::TransformListener listener_{frames_};
   aibo_driver::node::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM(text); }};
   ros::Publisher result_;
   ros::Publisher joints_;
+  ros::Publisher floor_;
   ros::Subscriber points_;
 };
 

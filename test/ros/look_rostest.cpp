@@ -148,11 +148,14 @@ TEST(LookOfAFleet, IsThatOfTheRobotInTheNamespace) {
   JointUser user("/left", quickWith("_frame_prefix:=left"));
   const Process node({AIBO_LOOK_AT, "__ns:=/left", "_frame_prefix:=left"});
   TopicListener<LookAtResult> results("/left/look_at_result");
+  TopicListener<Marker> floor("/left/look_at_floor");
   user.publish("look_at", point("left/base_footprint", 0.5, 0.5, 0.2));
   ASSERT_FALSE(results.waitForCount(1).empty());
   const auto result = results.waitForCount(1).front();
   EXPECT_TRUE(result->success) << result->message;
   EXPECT_TRUE(user.waitForPanBeyond(0.6));
+  ASSERT_FALSE(floor.waitForCount(1).empty());
+  EXPECT_EQ(floor.waitForCount(1).front()->header.frame_id, "left/base_footprint");
 }
 
 TEST(LookWithoutADriver, SaysThatNobodyListens) {
