@@ -108,8 +108,8 @@ class RcServerClient {
   /// rules.
   using JointsAcceptedCallback = std::function<void(const std::vector<JointTarget>& targets)>;
   /// Called on the client's thread with LEDs as the robot accepted them, each once: an LED that is only on or off has
-  /// intensity 0 or 255 if the server says so, which one of version 1 does not always. Version 1 sets modes for all LEDs
-  /// at once; until it has, mode A is assumed. Same rules.
+  /// intensity 0 or 255 if the server says so, which one of version 1 does not always. Version 1 sets modes for all
+  /// LEDs at once; until it has, mode A is assumed. Same rules.
   using LedsAcceptedCallback = std::function<void(const std::vector<LedCommand>& leds)>;
   /// Called on the client's thread with the velocity that the robot accepted for walking, within its limits. Same
   /// rules.
