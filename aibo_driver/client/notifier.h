@@ -34,6 +34,10 @@ class Notifier {
     call(callbacks_.on_joints_accepted, "on_joints_accepted", targets);
   }
 
+  void ledsAccepted(const std::vector<LedCommand>& leds) const noexcept {
+    call(callbacks_.on_leds_accepted, "on_leds_accepted", leds);
+  }
+
   void steered(const WalkVelocity& in_force) const noexcept { call(callbacks_.on_steered, "on_steered", in_force); }
 
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }

@@ -62,9 +62,17 @@ short toCentidegrees(double radian) {
   return protocol::centidegreesFromMicroradians(toMicro(radian));
 }
 
+// The low byte of a value.
+constexpr int kHighestIntensity = 255;
+
+// A version 1 server does not say what robot it has.
+const robot_model::RobotModel& ers7() {
+  return *robot_model::findRobotModel("ERS-7");
+}
+
 /// True if these are all LEDs of an ERS-7, and all get the same intensity and mode.
 bool areAllAlike(const std::vector<LedCommand>& leds) {
-  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  const robot_model::RobotModel& model = ers7();
   const auto count = std::count_if(leds.begin(), leds.end(), [&](const LedCommand& led) {
     return robot_model::findLedByIdentifier(model, led.id) != robot_model::NO_LED &&
            led.intensity == leds.front().intensity && led.mode == leds.front().mode;
@@ -308,6 +316,7 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     if (request.letter == protocol::REQUEST_JOINT) {
       connection_.context.notifier.jointsAccepted({{reply.identifier, position}});
     }
+    onLedsAccepted(reply);
     return;
   }
   habits_.unanswered_polls.erase(request.letter);
@@ -319,6 +328,23 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     telemetry.sensors = {makeVersion1Reading(reply.identifier, reply.value)};
   }
   connection_.measurements.deliver(std::move(telemetry), "");
+}
+
+void Version1Session::onLedsAccepted(const protocol::ValueReply& reply) {
+  const int intensity = reply.value & kHighestIntensity;
+  std::vector<LedCommand> leds;
+  if (reply.letter == protocol::version2::replyKind(protocol::REQUEST_LED)) {
+    leds.push_back({reply.identifier, intensity, led_mode_});
+  } else if (reply.letter == protocol::version2::replyKind(protocol::REQUEST_FACE_LEDS)) {
+    led_mode_ = reply.identifier == protocol::FACE_MODE_A ? LedMode::kA : LedMode::kB;
+    const robot_model::RobotModel& model = ers7();
+    for (int i = 0; i < model.number_of_leds; ++i) {
+      leds.push_back({model.leds[i].identifier, intensity, led_mode_});
+    }
+  }
+  if (!leds.empty()) {
+    connection_.context.notifier.ledsAccepted(leds);
+  }
 }
 
 Call* Version1Session::owedPicture() const {

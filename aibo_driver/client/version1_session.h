@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "aibo_driver/leds.h"
 #include "client/connection.h"
 #include "client/reply_parser.h"
 #include "client/session.h"
@@ -73,6 +74,7 @@ class Version1Session final : public Session {
   void onValueReply();
   void onAnswer(const protocol::ValueReply& reply);
   void onCallAnswered();
+  void onLedsAccepted(const protocol::ValueReply& reply);
   void onValue(const protocol::ValueReply& reply);
   void onError(int code);
   void onValueRefused(int code);
@@ -93,8 +95,9 @@ class Version1Session final : public Session {
   TimePoint now_;  // when the bytes were read that are being taken apart
   std::optional<ValueRequest> value_owed_;
   bool version_answer_owed_;
-  int last_target_ = 0;      // id of the joint that was commanded last
-  bool joints_turn_ = true;  // else it is the turn of LEDs and ears, if any wait
+  int last_target_ = 0;             // id of the joint that was commanded last
+  LedMode led_mode_ = LedMode::kA;  // of all LEDs, as last accepted
+  bool joints_turn_ = true;         // else it is the turn of LEDs and ears, if any wait
   ValuePoll poll_;
   bool poll_wanted_ = false;
   bool settled_;

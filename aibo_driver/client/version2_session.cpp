@@ -599,6 +599,8 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
       return onRequestedPicture(number, payload);
     case version2::REQUEST_JOINTS:
       return onJointsAccepted(payload);
+    case version2::REQUEST_LEDS:
+      return onLedsAccepted(payload);
     case version2::REQUEST_STEER:
       return onSteered(payload);
     case version2::REQUEST_CAMERA:
@@ -606,7 +608,7 @@ void Version2Session::onAnswer(char request_kind, int number, const Payload& pay
     case version2::REQUEST_DATAGRAMS:
       return onDatagramPort(payload);
     default:
-      // The answers for stream, speed limits, telemetry, colours, LEDs and ears only confirm what was requested.
+      // The answers for stream, speed limits, telemetry, colours and ears only confirm what was requested.
       if (const Call* const call = connection_.calls.find(number)) {
         onCallAnswered(*call, payload);
       }
@@ -714,6 +716,17 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
   }
   connection_.context.notifier.jointsAccepted(targets);
+}
+
+void Version2Session::onLedsAccepted(const Payload& payload) {
+  version2::LedValues accepted;
+  expectGood(version2::decodeLedValues(payload.data, payload.size, &accepted), "reply to LEDs");
+  std::vector<LedCommand> leds;
+  for (std::size_t i = 0; i < accepted.count; ++i) {
+    const version2::LedValue& led = accepted.leds[i];
+    leds.push_back({led.id, led.intensity, led.mode == version2::LED_MODE_B ? LedMode::kB : LedMode::kA});
+  }
+  connection_.context.notifier.ledsAccepted(leds);
 }
 
 void Version2Session::onSteered(const Payload& payload) {

@@ -94,6 +94,7 @@ class Version2Session final : public Session {
   void onRequestedPicture(int number, const Payload& payload);
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
+  void onLedsAccepted(const Payload& payload);
   void onSteered(const Payload& payload);
   void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);

@@ -72,6 +72,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       colors_(handle_, parameters_, usedRobotClock()),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
+      led_states_(handle_, model_),
       client_(parameters_.client, makeCallbacks()),
       settings_(private_handle, client_, joint_table_),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
@@ -136,6 +137,7 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const Telemetry& telemetry) { publishTelemetry(telemetry); };
   callbacks.on_colors = [this](const DetectedColors& colors) { colors_.publish(colors); };
+  callbacks.on_leds_accepted = [this](const std::vector<LedCommand>& leds) { led_states_.accept(leds); };
   callbacks.on_steered = [this](const WalkVelocity& in_force) { mover_.steered(in_force); };
   callbacks.on_ended = [this](const MotionEnd& end) {
     odometry_.motionEnded(end);
@@ -163,6 +165,7 @@ void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
 
 void AiboDriver::updateConnection(const ConnectionStatus& status) {
   connection_.publish(status);
+  led_states_.update(status);
   if (status.state != ConnectionState::kConnected) {
     measured_joints_.clear();
     mover_.disconnected();

@@ -16,6 +16,7 @@
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
 #include "ros/body/footprint_publisher.h"
+#include "ros/body/led_state_publisher.h"
 #include "ros/body/play_motion_server.h"
 #include "ros/body/power_status.h"
 #include "ros/body/robot_services.h"
@@ -102,6 +103,7 @@ class AiboDriver {
   TelemetryPublishers telemetry_;
   std::optional<FootprintPublisher> footprint_;  ///< of an ERS-7, if it is wanted
   OdometryPublisher odometry_;
+  LedStatePublisher led_states_;
 
   RcServerClient client_;
 

@@ -5,6 +5,7 @@
 #include <aibo_driver/DeletePicture.h>
 #include <aibo_driver/Ears.h>
 #include <aibo_driver/FetchPicture.h>
+#include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/ListPictures.h>
@@ -48,6 +49,7 @@ using aibo_driver::DeletePicture;
 using aibo_driver::Ears;
 using aibo_driver::FetchPicture;
 using aibo_driver::Leds;
+using aibo_driver::LedStates;
 using aibo_driver::ListMotions;
 using aibo_driver::ListPictures;
 using aibo_driver::PlayMotion;
@@ -265,6 +267,46 @@ TEST(LedsTopic, LeavesOutUnknownLedsAndNamesThem) {
   user.topics.publish("leds", message);
   user.waitForWarning("third_eye");
   EXPECT_THAT(user.payload("L"), ElementsAre(7, 255, 0, 0));
+}
+
+// The first LEDs of the table are those of the head, the seventh is face_1.
+bool areAll(const LedStates& states, float intensity) {
+  return std::all_of(states.intensities.begin(), states.intensities.end(),
+                     [=](float each) { return each == intensity || (std::isnan(each) && std::isnan(intensity)); });
+}
+
+TEST(LedStatesTopic, FollowsWhatTheRobotAcceptedAndTheConnection) {
+  BodyUser user("/led_states");
+  TopicListener<LedStates> states("/led_states/led_states");
+  ASSERT_TRUE(states.waitFor([](const LedStates& each) { return areAll(each, 0); })) << "they are off at first";
+  Leds message;
+  message.names = {"face_1", "wireless"};
+  message.intensities = {0.2F};
+  message.mode = Leds::MODE_B;
+  user.topics.publish("leds", message);
+  const auto shown = states.waitFor([](const LedStates& each) { return each.intensities.at(5) == 1; });
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->names.at(6), "face_1");
+  EXPECT_FLOAT_EQ(shown->intensities.at(6), 0.2F);
+  EXPECT_EQ(shown->modes.at(6), LedStates::MODE_B);
+  EXPECT_EQ(shown->modes.at(5), LedStates::MODE_A) << "this one has no modes";
+  TopicListener<LedStates> late("/led_states/led_states");
+  ASSERT_FALSE(late.waitForCount(1).empty()) << "it is latched";
+  user.robot.kill();
+  ASSERT_TRUE(states.waitFor([](const LedStates& each) { return areAll(each, NAN); }));
+  user.robot.restart();
+  EXPECT_TRUE(states.waitFor([](const LedStates& each) { return areAll(each, 0); }));
+}
+
+TEST(LedStatesTopic, OfAVersion1ServerHasWhatItAccepted) {
+  BodyUser user("/led_states1", {"--protocol-version", "1"});
+  TopicListener<LedStates> states("/led_states1/led_states");
+  Leds message;
+  message.names = {"face_1"};
+  message.intensities = {1.0F};
+  user.topics.publish("leds", message);
+  EXPECT_TRUE(states.waitFor(
+      [](const LedStates& each) { return each.intensities.at(6) == 1 && std::isnan(each.intensities.at(7)); }));
 }
 
 TEST(EarsTopic, ReachesTheRobot) {

@@ -124,10 +124,14 @@ class RvizConfigurationTest(unittest.TestCase):
         for name, prefix in (('left', 'port'), ('right', '')):
             model = next(d for d in groups[name] if d['Class'] == 'rviz/RobotModel')
             self.assertEqual((model['Robot Description'], model['TF Prefix']), ('/%s/robot_description' % name, prefix))
+            lights = next(d for d in groups[name] if d['Class'] == 'rviz/MarkerArray')
+            self.assertEqual(lights['Marker Topic'], '/%s/lights' % name)
             image = next(d for d in groups[name] if d['Class'] == 'rviz/Image')
             self.assertEqual((image['Image Topic'], image['Name']),
                              ('/%s/camera/image_raw' % name, '%s: Camera picture' % name))
         self.assertNotIn('/aibo/', str(manager))
+        points = [tool['Topic'] for tool in manager['Tools'] if tool['Class'] == 'rviz/PublishPoint']
+        self.assertEqual(points, ['/left/look_at', '/right/look_at'])
         frames = next(d for d in manager['Displays'] if d['Class'] == 'rviz/TF')['Frames']
         self.assertTrue(frames['port/camera_link']['Value'] and frames['camera_link']['Value'])
 

@@ -11,7 +11,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 LAUNCH = PROJECT / 'launch'
 
 # Arguments of aibo.launch that are not the driver's parameters.
-NOT_OF_THE_DRIVER = {'ns', 'model', 'respawn', 'rviz'}
+NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz'}
 
 # For each other argument a value that is not the default.
 OTHER_VALUES = {
@@ -86,13 +86,14 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertIs(type(value), type(defaults[parameter]), '%s in %s' % (parameter, name))
 
     def test_the_other_launch_files_set_nothing_else(self):
-        model = {'/aibo/robot_state_publisher/tf_prefix': ''}
+        model = {'/aibo/robot_state_publisher/tf_prefix': '', '/aibo/aibo_lights/frame_prefix': ''}
         driver = {'/aibo/aibo_driver/' + name: documented_parameters()[name]
                   for name in [*OTHER_VALUES, 'publish_footprint']}
+        look_at = {'/aibo/aibo_look_at/frame_prefix': ''}
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
         expected = {
-            'aibo.launch': {**driver, **model},
-            'demo.launch': {**driver, **model},
+            'aibo.launch': {**driver, **model, **look_at},
+            'demo.launch': {**driver, **model, **look_at},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,
@@ -115,14 +116,23 @@ class LaunchFilesTest(unittest.TestCase):
     def test_teleop_by_joystick_has_its_mapping(self):
         config = resolve('teleop.launch', joy=True, ns='left')
         mapping = yaml.safe_load((PROJECT / 'config/joy.yaml').read_text(encoding='utf-8'))
-        self.assertEqual(driver_parameters(config, '/left/aibo_teleop_joy'), mapping)
-        self.assertEqual(list(nodes(config)), ['/left/aibo_teleop_joy'])
-        self.assertIn('/joy_node', nodes(resolve('teleop.launch', joy=True, joy_node=True)))
+        self.assertEqual(driver_parameters(config, '/left/aibo_teleop_joy'),
+                         {name[1:]: value for name, value in flat('', mapping)})
+        self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
+        self.assertIn('/joy_node', nodes(resolve('teleop.launch', joy=True, joy_reader='joy_node')))
+        self.assertEqual(list(nodes(resolve('teleop.launch', joy=True, joy_reader='none'))), ['/aibo/aibo_teleop_joy'])
 
     def test_the_model_has_the_frame_prefix(self):
         for name, required in (('aibo.launch', {}), ('model.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'})):
             config = resolve(name, ns='left', frame_prefix='port/side', **required)
             self.assertEqual(parameters(config)['/left/robot_state_publisher/tf_prefix'], 'port/side', name)
+
+    def test_what_needs_the_frames_has_their_prefix(self):
+        config = resolve('aibo.launch', ns='left', frame_prefix='port/side')
+        for node in ('aibo_look_at', 'aibo_lights'):
+            self.assertEqual(parameters(config)['/left/%s/frame_prefix' % node], 'port/side')
+        for arguments in ({'look_at': False}, {'model': False}, {'robot': 'ERS-210'}):
+            self.assertNotIn('/aibo/aibo_look_at', nodes(resolve('aibo.launch', **arguments)))
 
     def test_an_ers210_has_no_model(self):
         self.assertNotIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch', robot='ERS-210')))

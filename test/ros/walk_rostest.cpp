@@ -19,6 +19,7 @@
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <thread>
@@ -388,7 +389,8 @@ TEST(JoystickTeleop, WalksWhileTheDeadManButtonIsPressed) {
   TopicListener<Twist> commands("/joystick/cmd_vel");
   TopicPublishers joystick("/joystick");
   Process teleop({AIBO_TELEOP_JOY, "__ns:=/joystick", "/joy:=/joystick/joy", "_dead_man_button:=1", "_forward_axis:=0",
-                  "_turn_axis:=1", "_speed:=0.08"});
+                  "_turn_axis:=1", "_left_axis:=-1", "_pan_axis:=-1", "_tilt_axis:=-1", "_stop_button:=-1",
+                  "_picture_button:=-1", "_speed:=0.08"});
   sensor_msgs::Joy joy;
   joy.axes = {1.0F, 0.0F};
   joy.buttons = {1, 0};
@@ -406,10 +408,53 @@ TEST(JoystickTeleop, WalksWhileTheDeadManButtonIsPressed) {
   teleop.waitForOutput("The joystick has 1 axes", kSafetyNet);
 }
 
+TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
+  Walker walker("/gamepad");
+  TopicPublishers joystick("/gamepad_of");
+  ros::param::set("/gamepad/aibo_teleop_joy/motions", std::map<std::string, int>{{"WAG", 2}});
+  ros::param::set("/gamepad/aibo_teleop_joy/postures", std::map<std::string, int>{{"sit", 5}});
+  Process teleop({AIBO_TELEOP_JOY, "__ns:=/gamepad", "/joy:=/gamepad_of/joy"});
+  sensor_msgs::Joy joy;
+  joy.axes = std::vector<float>(7, 0.0F);
+  const auto press = [&joy, &joystick](const std::vector<std::size_t>& pressed) {
+    joy.buttons.assign(6, 0);
+    for (const std::size_t button : pressed) {
+      joy.buttons[button] = 1;
+    }
+    joystick.publish("joy", joy);
+  };
+  press({0});
+  teleop.waitForOutput("/gamepad/take_picture: .*aibo_.*jpg", kSafetyNet);
+  press({4});
+  press({4, 2});
+  teleop.waitForOutput("/gamepad/play_motion: WAG.MTN has begun", kSafetyNet);
+  joy.axes[3] = 1;
+  std::atomic<bool> holds{true};
+  std::thread hand([&] {
+    while (holds) {
+      press({4});
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+  });
+  EXPECT_TRUE(walker.user.waitForPanBeyond(1.0));
+  holds = false;
+  hand.join();
+  joy.axes[3] = 0;
+  press({4, 5});
+  EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }));
+  press({1});
+  EXPECT_TRUE(walker.waitForEnd(Movement::POSTURE)) << "the stop did not wait for the posture";
+  teleop.waitForOutput("/gamepad/stop: ", kSafetyNet);
+}
+
 TEST(JoystickTeleop, RefusesAWrongMapping) {
-  Process teleop({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", "_turn_axis:=-1"});
-  teleop.waitForOutput("turn_axis is -1; allowed", kSafetyNet);
+  Process teleop({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", "_dead_man_button:=-1"});
+  teleop.waitForOutput("dead_man_button is -1; allowed", kSafetyNet);
   EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
+  ros::param::set("/wrong_posture/aibo_teleop_joy/postures", std::map<std::string, int>{{"fly", 2}});
+  Process flying({AIBO_TELEOP_JOY, "__ns:=/wrong_posture"});
+  flying.waitForOutput("the postures are stand, sit and rest", kSafetyNet);
+  EXPECT_EQ(flying.waitForExit(kSafetyNet), 1);
 }
 
 }  // namespace

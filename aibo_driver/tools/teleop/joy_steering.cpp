@@ -4,42 +4,102 @@
 #include <cmath>
 
 namespace teleop {
+namespace {
 
-std::optional<aibo_driver::WalkVelocity> JoySteering::steer(const std::vector<float>& axes,
-                                                            const std::vector<int>& buttons) {
-  const bool is_pressed =
-      problem(axes.size(), buttons.size()).empty() && buttons[static_cast<std::size_t>(mapping_.dead_man_button)] != 0;
-  if (!is_pressed && !steers_) {
-    return std::nullopt;
+bool isPressed(const std::vector<int>& buttons, int button) {
+  return button != kNoPlace && static_cast<std::size_t>(button) < buttons.size() &&
+         buttons[static_cast<std::size_t>(button)] != 0;
+}
+
+}  // namespace
+
+JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<int>& buttons) {
+  JoyOrders orders;
+  orders.stop = isPressed(buttons, mapping_.stop_button) && !isPressed(buttons_, mapping_.stop_button);
+  is_halted_ = is_halted_ || orders.stop;
+  const bool is_pressed = isDeadManPressed(axes, buttons);
+  readSticks(is_pressed, axes, &orders);
+  readButtons(is_pressed, buttons, &orders);
+  buttons_ = buttons;
+  return orders;
+}
+
+bool JoySteering::isDeadManPressed(const std::vector<float>& axes, const std::vector<int>& buttons) {
+  const bool is_pressed = problem(axes.size(), buttons.size()).empty() && isPressed(buttons, mapping_.dead_man_button);
+  is_halted_ = is_halted_ && is_pressed;
+  return is_pressed && !is_halted_;
+}
+
+// When it is let go, the robot is told once to stop.
+void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, JoyOrders* orders) {
+  if (is_pressed) {
+    orders->walk = {deflection(axes, mapping_.forward_axis) * mapping_.speeds.forward,
+                    deflection(axes, mapping_.left_axis) * mapping_.speeds.left,
+                    deflection(axes, mapping_.turn_axis) * mapping_.speeds.turn};
+    const HeadVelocity head = {deflection(axes, mapping_.pan_axis) * mapping_.head_speed,
+                               deflection(axes, mapping_.tilt_axis) * mapping_.head_speed};
+    if (head.pan != 0 || head.tilt != 0) {
+      orders->head = head;
+    }
+  } else if (steers_) {
+    orders->walk = aibo_driver::WalkVelocity();
   }
   steers_ = is_pressed;
+}
+
+void JoySteering::readButtons(bool is_pressed, const std::vector<int>& buttons, JoyOrders* orders) {
+  const auto is_new = [this, &buttons](int button) {
+    return isPressed(buttons, button) && !isPressed(buttons_, button);
+  };
+  orders->take_picture = is_new(mapping_.picture_button);
   if (!is_pressed) {
-    return aibo_driver::WalkVelocity();
+    return;
   }
-  const auto at = [&](int axis) { return deflection(axes[static_cast<std::size_t>(axis)]); };
-  return aibo_driver::WalkVelocity{at(mapping_.forward_axis) * mapping_.speeds.forward,
-                                   at(mapping_.left_axis) * mapping_.speeds.left,
-                                   at(mapping_.turn_axis) * mapping_.speeds.turn};
+  for (const auto& [name, button] : mapping_.motions) {
+    orders->motion = is_new(button) ? name : orders->motion;
+  }
+  for (const auto& [name, button] : mapping_.postures) {
+    orders->posture = is_new(button) ? name : orders->posture;
+  }
+}
+
+int JoySteering::lastAxis() const {
+  return std::max(
+      {mapping_.forward_axis, mapping_.left_axis, mapping_.turn_axis, mapping_.pan_axis, mapping_.tilt_axis});
+}
+
+int JoySteering::lastButton() const {
+  int last = std::max({mapping_.dead_man_button, mapping_.stop_button, mapping_.picture_button});
+  for (const auto* buttons : {&mapping_.motions, &mapping_.postures}) {
+    for (const auto& button : *buttons) {
+      last = std::max(last, button.second);
+    }
+  }
+  return last;
 }
 
 std::string JoySteering::problem(std::size_t axes, std::size_t buttons) const {
-  const int last_axis = std::max({mapping_.forward_axis, mapping_.left_axis, mapping_.turn_axis});
-  if (static_cast<std::size_t>(last_axis) < axes && static_cast<std::size_t>(mapping_.dead_man_button) < buttons) {
+  if (lastAxis() < static_cast<int>(axes) && lastButton() < static_cast<int>(buttons)) {
     return "";
   }
   return "The joystick has " + std::to_string(axes) + " axes and " + std::to_string(buttons) +
-         " buttons, but its mapping names axis " + std::to_string(last_axis) + " and button " +
-         std::to_string(mapping_.dead_man_button) +
-         ", counted from 0. It does not steer. See config/joy.yaml, and rostopic echo /joy.";
+         " buttons, but its mapping names axis " + std::to_string(lastAxis()) + " and button " +
+         std::to_string(lastButton()) +
+         ", counted from 0. It does not steer. Change the mapping (config/joy.yaml; -1 is none), and see rostopic echo "
+         "/joy.";
 }
 
 // From the edge of the dead zone on, it begins at 0.
-double JoySteering::deflection(double axis) const {
-  const double size = std::min(std::abs(axis), 1.0);
+double JoySteering::deflection(const std::vector<float>& axes, int axis) const {
+  if (axis == kNoPlace) {
+    return 0;
+  }
+  const double value = axes[static_cast<std::size_t>(axis)];
+  const double size = std::min(std::abs(value), 1.0);
   if (!(size > mapping_.dead_zone)) {  // or not a number
     return 0;
   }
-  return std::copysign((size - mapping_.dead_zone) / (1 - mapping_.dead_zone), axis);
+  return std::copysign((size - mapping_.dead_zone) / (1 - mapping_.dead_zone), value);
 }
 
 }  // namespace teleop

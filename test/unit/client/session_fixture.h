@@ -124,6 +124,7 @@ class SessionFixture : public testing::Test {
   std::vector<aibo_driver::PicturePtr> pictures_;
   std::vector<aibo_driver::Telemetry> telemetry_;
   std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
+  std::string leds_;  ///< as accepted: "7=255A "
   std::vector<aibo_driver::WalkVelocity> steered_;
   std::vector<aibo_driver::MotionEnd> ended_;
   std::vector<aibo_driver::DetectedColors> colors_;
@@ -146,6 +147,12 @@ class SessionFixture : public testing::Test {
     callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
     callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
       accepted_.push_back(targets);
+    };
+    callbacks.on_leds_accepted = [this](const std::vector<aibo_driver::LedCommand>& leds) {
+      for (const aibo_driver::LedCommand& led : leds) {
+        leds_ += std::to_string(led.id) + "=" + std::to_string(led.intensity) +
+                 (led.mode == aibo_driver::LedMode::kB ? "B " : "A ");
+      }
     };
     callbacks.on_steered = [this](const aibo_driver::WalkVelocity& in_force) { steered_.push_back(in_force); };
     callbacks.on_colors = [this](const aibo_driver::DetectedColors& colors) { colors_.push_back(colors); };

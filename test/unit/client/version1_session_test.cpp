@@ -13,7 +13,10 @@
 using namespace aibo_driver;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 namespace {
 
@@ -613,9 +616,11 @@ TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   EXPECT_EQ("", command());
   commandLeds({{8, 10}});
   receiveValue("L7", 255);
+  EXPECT_EQ("7=255A ", leds_);
   EXPECT_EQ("L8=10", command()) << "the latest";
   receive({'e', 0, 0, 0});
   EXPECT_EQ(1, logged("refused the request 'L' for LED 8: error code 0"));
+  EXPECT_EQ("7=255A ", leds_);
   EXPECT_EQ("", command());
 }
 
@@ -631,6 +636,22 @@ TEST_F(Version1SessionTest, AllLedsWithTheSameCommandAreSetTogetherWithTheirMode
   leds.back().mode = LedMode::kB;
   commandLeds(leds);
   EXPECT_EQ("L1=100", command()) << "one mode differs";
+  EXPECT_THAT(leds_, AllOf(StartsWith("1=100A 2=100A "), EndsWith(" 26=100A ")));
+}
+
+TEST_F(Version1SessionTest, TheModeOfAllLedsStaysThatOfEach) {
+  std::vector<LedCommand> leds;
+  for (int id = 1; id <= 26; ++id) {
+    leds.push_back({id, 100, LedMode::kB});
+  }
+  commandLeds(leds);
+  EXPECT_EQ("Y2=100", command());
+  receiveValue("Y2", 100);
+  leds_.clear();
+  commandLeds({{7, 255}});
+  EXPECT_EQ("L7=255", command());
+  receiveValue("L7", 255);
+  EXPECT_EQ("7=255B ", leds_);
 }
 
 TEST_F(Version1SessionTest, EarsAreMovedOneByOne) {

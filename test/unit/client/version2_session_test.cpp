@@ -628,6 +628,20 @@ TEST_F(Version2SessionTest, LedsCommandedTogetherAreSentTogether) {
   EXPECT_EQ(Bytes({7, 255, 1, 0, 8, 1, 0, 0}), frame_.payload);
 }
 
+TEST_F(Version2SessionTest, LedsAreReportedAsTheRobotAcceptedThem) {
+  commandLeds({{6, 1}, {7, 255, LedMode::kB}});
+  EXPECT_EQ("L2", request());
+  receive(makeFrame('l', 2, {6, 255, 0, 0, 7, 200, 1, 0}));
+  EXPECT_EQ("6=255A 7=200B ", leds_);
+  commandLeds({{99, 1}});
+  EXPECT_EQ("L3", request());
+  receive(makeError(3, 0, "there is no LED 99"));
+  EXPECT_EQ("6=255A 7=200B ", leds_) << "what was refused is not reported";
+  commandLeds({{7, 1}});
+  EXPECT_EQ("L4", request());
+  EXPECT_THROW(receive(makeFrame('l', 4, {7, 1, 9, 0})), ProtocolException);
+}
+
 TEST_F(Version2SessionTest, LedsAndEarsWaitForTheAnswerBeforeAndThenTheLatestIsNext) {
   commandLeds({{7, 1}});
   EXPECT_EQ("L2", request());

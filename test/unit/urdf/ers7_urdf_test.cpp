@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "robot_model/head.h"
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/head_kinematics.h"
@@ -280,6 +281,37 @@ TEST_F(RandomPostures, HaveTheCameraWhereTheSimulatedRobotHasIt) {
     ASSERT_LT((optical.translation() - camera.translation()).norm(), kPrecision);
     ASSERT_LT((optical.linear().col(2) - camera.linear().col(0)).norm(), kPrecision);
     ASSERT_LT((optical.linear().col(0) + camera.linear().col(1)).norm(), kPrecision);
+  }
+}
+
+// What the camera sees in its middle, near and far, it can be turned to again; the neck is then at least as upright.
+TEST_F(RandomPostures, LookAtWhatTheirCameraSees) {
+  std::uniform_real_distribution<double> distance(0.05, 3);
+  std::mt19937 random(7);
+  for (int i = 0; i < 3000; ++i) {
+    int allowed[robot_model::MAX_JOINTS];
+    Posture posture = next();
+    for (int j = 0; j < table_.number_of_joints; ++j) {
+      allowed[j] = static_cast<int>(std::lround(posture[table_.joints[j].name] * 1e6));
+    }
+    allowed[robot_model::findJointByName(table_, "mouth")] = -52360;  // closed
+    robot_model::clampPosture(table_, allowed);
+    for (int j = 0; j < table_.number_of_joints; ++j) {
+      posture[table_.joints[j].name] = allowed[j] * 1e-6;
+    }
+    const Vector3d place = urdf_.linkPose("camera_link", posture) * Vector3d(distance(random), 0, 0);
+    robot_model::HeadAngles angles;
+    const double error = robot_model::findHeadAngles({place.x(), place.y(), place.z()}, &angles);
+    ASSERT_LT(error, 0.001) << place.transpose() << ", neck " << posture["neck_tilt"] << ", pan " << posture["head_pan"]
+                            << ", tilt " << posture["head_tilt"];
+    EXPECT_GE(angles.neck_tilt, posture["neck_tilt"] - 0.006);
+    const Vector3d seen =
+        urdf_
+            .linkPose("camera_link",
+                      {{"neck_tilt", angles.neck_tilt}, {"head_pan", angles.head_pan}, {"head_tilt", angles.head_tilt}})
+            .inverse() *
+        place;
+    ASSERT_LT(std::atan2(std::hypot(seen.y(), seen.z()), seen.x()), 0.0011) << place.transpose();
   }
 }
 

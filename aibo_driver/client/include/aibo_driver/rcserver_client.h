@@ -122,6 +122,10 @@ class RcServerClient {
   /// Called on the client's thread with the targets that the robot accepted for joints, clamped to their limits. Same
   /// rules.
   using JointsAcceptedCallback = std::function<void(const std::vector<JointTarget>& targets)>;
+  /// Called on the client's thread with LEDs as the robot accepted them, each once: an LED that is only on or off has
+  /// intensity 0 or 255 if the server says so, which one of version 1 does not always. Version 1 sets modes for all
+  /// LEDs at once; until it has, mode A is assumed. Same rules.
+  using LedsAcceptedCallback = std::function<void(const std::vector<LedCommand>& leds)>;
   /// Called on the client's thread with the velocity that the robot accepted for walking, within its limits. Same
   /// rules.
   using SteeredCallback = std::function<void(const WalkVelocity& in_force)>;
@@ -142,6 +146,7 @@ class RcServerClient {
     StreamingCallback on_streaming;
     TelemetryCallback on_telemetry;
     JointsAcceptedCallback on_joints_accepted;
+    LedsAcceptedCallback on_leds_accepted;
     SteeredCallback on_steered;
     EndedCallback on_ended;
     ColorsCallback on_colors;
@@ -330,7 +335,8 @@ class RcServerClient {
   virtual void takePosture(Posture posture, std::chrono::milliseconds timeout);
 
   /// Sets LEDs. Returns without waiting, under the same rules as commandJoints(): if commands come faster than the
-  /// robot answers, each LED gets its latest one.
+  /// robot answers, each LED gets its latest one. The answer goes to on_leds_accepted, or to the log if the robot
+  /// refuses.
   ///
   /// A version 1 server gets one LED after the other, and the intensity alone: its only request with a mode sets all
   /// LEDs at once. That request is sent if a command gives all 26 LEDs of an ERS-7 the same intensity and mode.

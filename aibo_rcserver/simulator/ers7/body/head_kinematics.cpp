@@ -3,10 +3,9 @@
 namespace simulated_ers7 {
 namespace {
 
-// Lengths of the head's links, in metres (Tekkotsu's kinematic table of the ERS-7).
-const Eigen::Translation3d kNeckInBody(0.0675, 0, 0.0195);
-const Eigen::Translation3d kHeadOnNeck(0, 0, 0.080);
-const Eigen::Translation3d kCameraInHead(0.08106, 0, -0.0146);
+const Eigen::Translation3d kNeckInBody(robot_model::NECK_FORWARD, 0, robot_model::NECK_UP);
+const Eigen::Translation3d kHeadOnNeck(0, 0, robot_model::NECK_LENGTH);
+const Eigen::Translation3d kCameraInHead(robot_model::CAMERA_FORWARD, 0, robot_model::CAMERA_UP);
 
 /// Positive looks up, which is a negative rotation about y, because y points left.
 Eigen::AngleAxisd tilt(double angle) {

@@ -5,15 +5,11 @@
 
 #include <Eigen/Geometry>
 
+#include "robot_model/head.h"
+
 namespace simulated_ers7 {
 
-/// Angles of the three joints between body and camera, in radian. At zero the neck is upright and the head looks ahead.
-/// The limits from Sony's Model Information ERS-7, section 2.1.1, are not enforced here.
-struct HeadAngles {
-  double neck_tilt = 0;  ///< -75..0 degrees, positive lifts the head
-  double head_pan = 0;   ///< -88..88 degrees, positive to the left
-  double head_tilt = 0;  ///< -15..45 degrees, positive looks up
-};
+using robot_model::HeadAngles;
 
 /// Height of the body's origin, the centre of the joints of its four legs, over the floor, in metres (Webots' model of
 /// the ERS-7).

@@ -1,0 +1,190 @@
+#include "tools/lights/light_markers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace lights {
+namespace {
+
+using visualization_msgs::Marker;
+
+struct Color {
+  float red;
+  float green;
+  float blue;
+};
+
+constexpr Color kWhite{1.0F, 1.0F, 0.95F};
+constexpr Color kRed{1.0F, 0.1F, 0.1F};
+constexpr Color kGreen{0.2F, 1.0F, 0.3F};
+constexpr Color kBlue{0.2F, 0.5F, 1.0F};
+constexpr Color kOrange{1.0F, 0.6F, 0.1F};
+constexpr Color kTouched{0.7F, 1.0F, 0.0F};
+constexpr Color kModeB{1.0F, 0.35F, 0.75F};
+
+// An LED that shines at all can be seen.
+constexpr float kFaintest = 0.3F;
+constexpr float kTouchOpacity = 0.7F;
+
+// Boxes cover the parts of the model of which they show that they shine or are touched. Metres.
+struct Place {
+  const char* name;
+  const char* link;
+  int shape;
+  double x, y, z;  // of its centre, in the link
+  double length, width, height;
+  Color color;
+};
+
+// What is in urdf/ers7.urdf: the strips of light on the back, the pads with the touch sensors, chin and feet. Beside
+// each strip is its white LED.
+const Place kPlaces[] = {
+    {"back_front_color", "base_link", Marker::CUBE, 0.030, 0, 0.0475, 0.006, 0.016, 0.005, kBlue},
+    {"back_front_white", "base_link", Marker::CUBE, 0.038, 0, 0.0470, 0.005, 0.016, 0.004, kWhite},
+    {"back_middle_color", "base_link", Marker::CUBE, -0.004, 0, 0.0470, 0.006, 0.016, 0.005, kOrange},
+    {"back_middle_white", "base_link", Marker::CUBE, 0.004, 0, 0.0465, 0.005, 0.016, 0.004, kWhite},
+    {"back_rear_color", "base_link", Marker::CUBE, -0.038, 0, 0.0470, 0.006, 0.016, 0.005, kRed},
+    {"back_rear_white", "base_link", Marker::CUBE, -0.030, 0, 0.0465, 0.005, 0.016, 0.004, kWhite},
+    {"head_color", "head_tilt_link", Marker::CUBE, 0.001, 0, 0.0570, 0.006, 0.009, 0.004, kOrange},
+    {"head_white", "head_tilt_link", Marker::CUBE, -0.006, 0, 0.0570, 0.005, 0.009, 0.004, kWhite},
+    {"mode_red", "head_tilt_link", Marker::SPHERE, -0.036, 0.010, 0.0470, 0.008, 0.008, 0.008, kRed},
+    {"mode_green", "head_tilt_link", Marker::SPHERE, -0.036, 0, 0.0470, 0.008, 0.008, 0.008, kGreen},
+    {"mode_blue", "head_tilt_link", Marker::SPHERE, -0.036, -0.010, 0.0470, 0.008, 0.008, 0.008, kBlue},
+    {"wireless", "head_tilt_link", Marker::SPHERE, -0.047, 0, 0.0300, 0.008, 0.008, 0.008, kBlue},
+    {"touch back_front", "base_link", Marker::CUBE, 0.030, 0, 0.0450, 0.032, 0.028, 0.006, kTouched},
+    {"touch back_middle", "base_link", Marker::CUBE, -0.004, 0, 0.0445, 0.032, 0.028, 0.006, kTouched},
+    {"touch back_rear", "base_link", Marker::CUBE, -0.038, 0, 0.0445, 0.032, 0.028, 0.006, kTouched},
+    {"touch head", "head_tilt_link", Marker::CUBE, -0.002, 0, 0.0550, 0.024, 0.014, 0.006, kTouched},
+    {"touch chin", "mouth_link", Marker::CUBE, 0.020, 0, -0.0130, 0.040, 0.028, 0.006, kTouched},
+    {"touch paw_left_front", "left_front_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
+    {"touch paw_left_hind", "left_hind_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
+    {"touch paw_right_front", "right_front_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
+    {"touch paw_right_hind", "right_hind_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
+};
+
+// Where LEDs of the face are: seen from the middle of the dark ball, in degrees to the left and upwards.
+struct FacePlace {
+  int number;
+  double left;
+  double up;
+};
+
+constexpr FacePlace kFace[] = {{1, 68, 2},   {2, -68, 2}, {3, 62, 22},  {4, -62, 22}, {5, 34, 32},
+                               {6, -34, 32}, {7, 58, 44}, {8, -58, 44}, {9, 26, 54},  {10, -26, 54},
+                               {11, 0, 72},  {12, 0, 42}, {13, 50, 66}, {14, -50, 66}};
+
+Marker makeMarker(const Place& place, const std::string& frame_prefix) {
+  Marker marker;
+  marker.header.frame_id = frame_prefix.empty() ? place.link : frame_prefix + "/" + place.link;
+  marker.ns = "lights";
+  marker.type = place.shape;
+  marker.frame_locked = 1u;
+  marker.pose.position.x = place.x;
+  marker.pose.position.y = place.y;
+  marker.pose.position.z = place.z;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = place.length;
+  marker.scale.y = place.width;
+  marker.scale.z = place.height;
+  marker.color.r = place.color.red;
+  marker.color.g = place.color.green;
+  marker.color.b = place.color.blue;
+  return marker;
+}
+
+// On the ball's surface, with its centre in the middle between the two of the model.
+Place onFace(const FacePlace& place) {
+  constexpr double kRadius = 0.0355;
+  constexpr double kSize = 0.009;
+  constexpr double kDegree = M_PI / 180;
+  const double ahead = kRadius * std::cos(place.up * kDegree);
+  const double y = ahead * std::sin(place.left * kDegree);
+  return {"",
+          "head_tilt_link",
+          Marker::SPHERE,
+          0.031 + ahead * std::cos(place.left * kDegree),
+          y + std::copysign(std::min(std::abs(y), 0.005), y),
+          0.009 + kRadius * std::sin(place.up * kDegree),
+          kSize,
+          kSize,
+          kSize,
+          kWhite};
+}
+
+}  // namespace
+
+LightMarkers::LightMarkers(const std::string& frame_prefix) {
+  const auto add = [this, &frame_prefix](const std::string& name, const Place& place) {
+    Light light;
+    light.name = name;
+    light.marker = makeMarker(place, frame_prefix);
+    light.marker.id = static_cast<int>(lights_.size());
+    lights_.push_back(light);
+  };
+  for (const Place& place : kPlaces) {
+    add(place.name, place);
+  }
+  for (const FacePlace& place : kFace) {
+    add("face_" + std::to_string(place.number), onFace(place));
+  }
+}
+
+bool LightMarkers::setLeds(const aibo_driver::LedStates& leds) {
+  bool has_changed = false;
+  const std::size_t count = std::min({leds.names.size(), leds.intensities.size(), leds.modes.size()});
+  for (std::size_t i = 0; i < count; ++i) {
+    const float intensity = leds.intensities[i] > 0 ? std::min(leds.intensities[i], 1.0F) : 0;  // or unknown
+    has_changed |= set(leds.names[i], intensity, leds.modes[i] == aibo_driver::LedStates::MODE_B);
+  }
+  return has_changed;
+}
+
+bool LightMarkers::setTouch(const aibo_driver::Touch& touch) {
+  bool has_changed = false;
+  const auto set_pressed = [this, &has_changed](const std::string& name, bool is_pressed) {
+    has_changed |= set("touch " + name, is_pressed ? 1 : 0, false);
+  };
+  set_pressed("back_front", touch.back_front != 0);
+  set_pressed("back_middle", touch.back_middle != 0);
+  set_pressed("back_rear", touch.back_rear != 0);
+  set_pressed("head", touch.head != 0);
+  set_pressed("chin", touch.chin != 0);
+  set_pressed("paw_left_front", touch.paw_left_front != 0);
+  set_pressed("paw_left_hind", touch.paw_left_hind != 0);
+  set_pressed("paw_right_front", touch.paw_right_front != 0);
+  set_pressed("paw_right_hind", touch.paw_right_hind != 0);
+  return has_changed;
+}
+
+bool LightMarkers::set(const std::string& name, float intensity, bool is_mode_b) {
+  for (Light& light : lights_) {
+    if (light.name == name) {
+      const bool has_changed = light.intensity != intensity || (light.is_mode_b != is_mode_b && intensity > 0);
+      light.intensity = intensity;
+      light.is_mode_b = is_mode_b;
+      return has_changed;
+    }
+  }
+  return false;
+}
+
+visualization_msgs::MarkerArray LightMarkers::markers() const {
+  visualization_msgs::MarkerArray all;
+  for (const Light& light : lights_) {
+    Marker marker = light.marker;
+    const bool is_touch = light.name.rfind("touch ", 0) == 0;
+    const bool is_face = light.name.rfind("face_", 0) == 0;
+    marker.action = light.intensity > 0 ? Marker::ADD : Marker::DELETE;
+    marker.color.a = is_touch ? kTouchOpacity : kFaintest + (1 - kFaintest) * light.intensity;
+    if (is_face && light.is_mode_b) {
+      marker.color.r = kModeB.red;
+      marker.color.g = kModeB.green;
+      marker.color.b = kModeB.blue;
+    }
+    all.markers.push_back(marker);
+  }
+  return all;
+}
+
+}  // namespace lights

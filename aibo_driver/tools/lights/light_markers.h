@@ -1,0 +1,47 @@
+/// @file light_markers.h
+#ifndef AIBO_DRIVER_TOOLS_LIGHTS_LIGHT_MARKERS_H
+#define AIBO_DRIVER_TOOLS_LIGHTS_LIGHT_MARKERS_H
+
+#include <aibo_driver/LedStates.h>
+#include <aibo_driver/Touch.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+namespace lights {
+
+/// Shows in rviz which LEDs of an ERS-7 shine and what touches it, by markers on the links of its model.
+///
+/// The LEDs of the back and the touch sensors are where urdf/ers7.urdf has them. No source says where each LED of face
+/// and head is, so those are placed by a scheme: in pairs on the face, from below to above; LEDs of the face have
+/// another colour in mode B, which is not the real one.
+class LightMarkers {
+ public:
+  /// @param frame_prefix put before the frames of the links, such as "left"; may be empty
+  explicit LightMarkers(const std::string& frame_prefix);
+
+  /// @return true if markers() is different now. So does setTouch().
+  bool setLeds(const aibo_driver::LedStates& leds);
+  bool setTouch(const aibo_driver::Touch& touch);
+
+  /// All markers, each with an id of its own: those that shine are added, the others removed. They stay on their links
+  /// as these move.
+  visualization_msgs::MarkerArray markers() const;
+
+ private:
+  struct Light {
+    std::string name;
+    visualization_msgs::Marker marker;  ///< as when it shines fully
+    float intensity = 0;                ///< 0..1
+    bool is_mode_b = false;
+  };
+
+  bool set(const std::string& name, float intensity, bool is_mode_b);
+
+  std::vector<Light> lights_;
+};
+
+}  // namespace lights
+
+#endif  // AIBO_DRIVER_TOOLS_LIGHTS_LIGHT_MARKERS_H

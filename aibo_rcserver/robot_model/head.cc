@@ -1,0 +1,120 @@
+#include "robot_model/head.h"
+
+#include <math.h>
+
+#include <algorithm>
+
+#include "robot_model/robot_model.h"
+
+namespace robot_model {
+
+namespace {
+
+// An angle from which a place counts as being in the middle of the picture: a tenth of a pixel.
+const double MIDDLE = 0.0005;
+
+// The neck is tried in steps of this size, and then around the best one in ever smaller ones.
+const double FIRST_STEP = 0.005;
+const double LAST_STEP = 0.00001;
+
+struct Limits {
+  double lowest;
+  double highest;
+
+  double Clamp(double angle) const { return std::min(std::max(angle, lowest), highest); }
+};
+
+double radian(int microradian) {
+  return microradian * 1e-6;
+}
+
+// The joints of the head with their limits.
+class Head {
+ public:
+  Head()
+      : model_(*findRobotModel("ERS-7")),
+        neck_(findJointByName(model_, "neck_tilt")),
+        pan_(findJointByName(model_, "head_pan")),
+        tilt_(findJointByName(model_, "head_tilt")) {
+    std::fill(posture_, posture_ + MAX_JOINTS, 0);
+    const int mouth = findJointByName(model_, "mouth");
+    posture_[mouth] = model_.joints[mouth].highest;
+  }
+
+  Limits Neck() const { return LimitsOf(neck_); }
+  Limits Pan() const { return LimitsOf(pan_); }
+
+  // It has to keep out of the neck's way.
+  Limits Tilt(double neck_tilt) {
+    posture_[neck_] = static_cast<int>(floor(neck_tilt * 1e6 + 0.5));
+    const Limits limits = {radian(lowestPosition(model_, tilt_, posture_)), radian(model_.joints[tilt_].highest)};
+    return limits;
+  }
+
+ private:
+  Limits LimitsOf(int joint) const {
+    const Limits limits = {radian(model_.joints[joint].lowest), radian(model_.joints[joint].highest)};
+    return limits;
+  }
+
+  const RobotModel& model_;
+  const int neck_;
+  const int pan_;
+  const int tilt_;
+  int posture_[MAX_JOINTS];
+};
+
+// Where a place is from the point in which the axes of the head meet: x and z in the plane of the neck, z along it.
+Point fromHead(const Point& place, double neck_tilt) {
+  const double forward = place.x - NECK_FORWARD;
+  const double up = place.z - NECK_UP;
+  const Point result = {forward * cos(neck_tilt) + up * sin(neck_tilt), place.y,
+                        up * cos(neck_tilt) - forward * sin(neck_tilt) - NECK_LENGTH};
+  return result;
+}
+
+// The best pan and tilt for this angle of the neck.
+HeadAngles aim(const Point& place, double neck_tilt, Head* head) {
+  const Point way = fromHead(place, neck_tilt);
+  HeadAngles angles;
+  angles.neck_tilt = neck_tilt;
+  angles.head_pan = head->Pan().Clamp(atan2(way.y, way.x));
+  const double ahead = way.x * cos(angles.head_pan) + way.y * sin(angles.head_pan);
+  const double distance = std::max(sqrt(ahead * ahead + way.z * way.z), fabs(CAMERA_UP));
+  angles.head_tilt = head->Tilt(neck_tilt).Clamp(atan2(way.z, ahead) - asin(CAMERA_UP / distance));
+  return angles;
+}
+
+}  // namespace
+
+double findViewError(const Point& place, const HeadAngles& angles) {
+  const Point way = fromHead(place, angles.neck_tilt);
+  const double ahead = way.x * cos(angles.head_pan) + way.y * sin(angles.head_pan);
+  const double left = way.y * cos(angles.head_pan) - way.x * sin(angles.head_pan);
+  const double forward = ahead * cos(angles.head_tilt) + way.z * sin(angles.head_tilt) - CAMERA_FORWARD;
+  const double up = way.z * cos(angles.head_tilt) - ahead * sin(angles.head_tilt) - CAMERA_UP;
+  return atan2(sqrt(left * left + up * up), forward);
+}
+
+double findHeadAngles(const Point& place, HeadAngles* angles) {
+  Head head;
+  const Limits neck = head.Neck();
+  double error = 4;  // more than any angle
+  double from = neck.highest;
+  double to = neck.lowest;
+  for (double step = FIRST_STEP; step > LAST_STEP && error > MIDDLE; step /= 10) {
+    for (double tried = from; tried >= to && error > MIDDLE; tried -= step) {
+      const HeadAngles candidate = aim(place, tried, &head);
+      const double candidate_error = findViewError(place, candidate);
+      if (candidate_error < error) {
+        error = candidate_error;
+        *angles = candidate;
+      }
+    }
+    from = neck.Clamp(angles->neck_tilt + step);
+    to = neck.Clamp(angles->neck_tilt - step);
+  }
+  return error;
+}
+
+}  // namespace robot_model

@@ -1,0 +1,230 @@
+// Looking at points, and the lights that rviz shows.
+
+#include <aibo_driver/ColorRegions.h>
+#include <aibo_driver/Leds.h>
+#include <aibo_driver/LookAtResult.h>
+#include <geometry_msgs/PointStamped.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/ros/joint_user.h"
+
+namespace {
+
+using aibo_driver::LookAtResult;
+using geometry_msgs::PointStamped;
+using test_support::JointUser;
+using test_support::kQuick;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::HasSubstr;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+PointStamped point(const std::string& frame, double x, double y, double z) {
+  PointStamped message;
+  message.header.frame_id = frame;
+  message.point.x = x;
+  message.point.y = y;
+  message.point.z = z;
+  return message;
+}
+
+std::vector<std::string> quickWith(const std::string& parameter) {
+  std::vector<std::string> parameters = kQuick;
+  parameters.push_back(parameter);
+  return parameters;
+}
+
+// A robot, its driver, and a node that turns its head to points.
+class LookTest : public ::testing::Test {
+ protected:
+  LookAtResult lookAt(const PointStamped& where) {
+    results_.clear();
+    user_.publisherOf<PointStamped>("look_at").publish(where);
+    const auto results = results_.waitForCount(1);
+    return results.empty() ? LookAtResult() : *results.front();
+  }
+
+  // Waits until the middle of the picture shows a point.
+  bool seesInItsMiddle(const PointStamped& where) {
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    do {
+      user_.joints.messages().waitForNext();
+      try {
+        const auto transform =
+            frames_.lookupTransform("camera_optical_frame", where.header.frame_id, ros::Time()).transform;
+        const Eigen::Quaterniond rotation(transform.rotation.w, transform.rotation.x, transform.rotation.y,
+                                          transform.rotation.z);
+        const Eigen::Vector3d way(transform.translation.x, transform.translation.y, transform.translation.z);
+        const Eigen::Vector3d seen = rotation * Eigen::Vector3d(where.point.x, where.point.y, where.point.z) + way;
+        if (std::atan2(std::hypot(seen.x(), seen.y()), seen.z()) < 0.01) {
+          return true;
+        }
+      } catch (const tf2::TransformException&) {  // the frames have only begun
+      }
+    } while (std::chrono::steady_clock::now() < end);
+    return false;
+  }
+
+  JointUser user_{"/look"};
+  Process node_{{AIBO_LOOK_AT, "__ns:=/look"}};
+  TopicListener<LookAtResult> results_{"/look/look_at_result"};
+  tf2_ros::Buffer frames_;
+  const tf2_ros::TransformListener listener_{frames_};
+};
+
+TEST_F(LookTest, TurnsTheCameraToPointsInAnyFrame) {
+  for (const PointStamped& where :
+       {point("base_footprint", 0.6, 0.4, 0), point("base_link", 1, -1, 0.5), point("odom", 0.35, 0, 0.01)}) {
+    const LookAtResult result = lookAt(where);
+    EXPECT_TRUE(result.success) << result.message;
+    EXPECT_LT(result.error, 0.0015);
+    EXPECT_EQ(result.header.frame_id, where.header.frame_id);
+    EXPECT_TRUE(seesInItsMiddle(where)) << where.header.frame_id;
+  }
+}
+
+// A click into a picture: the head may have moved since the picture was taken.
+TEST_F(LookTest, KnowsWhereTheCameraWasWhenItTookThePicture) {
+  ASSERT_TRUE(lookAt(point("base_link", 1, 1, 0.1)).success);
+  ASSERT_TRUE(seesInItsMiddle(point("base_link", 1, 1, 0.1)));
+  PointStamped clicked = point("camera_optical_frame", 0.1, 0.05, 1);
+  clicked.header.stamp = user_.joints.messages().waitForNext()->header.stamp;
+  PointStamped in_body = point("base_link", 0, 0, 0);
+  ASSERT_TRUE(lookAt(point("base_link", 1, -1, 0.1)).success);
+  ASSERT_TRUE(seesInItsMiddle(point("base_link", 1, -1, 0.1)));
+  const auto transform = frames_.lookupTransform("base_link", "camera_optical_frame", clicked.header.stamp).transform;
+  const Eigen::Quaterniond rotation(transform.rotation.w, transform.rotation.x, transform.rotation.y,
+                                    transform.rotation.z);
+  const Eigen::Vector3d place = rotation * Eigen::Vector3d(0.1, 0.05, 1);
+  in_body.point.x = place.x() + transform.translation.x;
+  in_body.point.y = place.y() + transform.translation.y;
+  in_body.point.z = place.z() + transform.translation.z;
+  EXPECT_TRUE(lookAt(clicked).success);
+  EXPECT_TRUE(seesInItsMiddle(in_body));
+}
+
+TEST_F(LookTest, TurnsAsFarAsItCanAndSaysSo) {
+  ASSERT_TRUE(seesInItsMiddle(point("camera_optical_frame", 0, 0, 1))) << "there are frames";
+  const LookAtResult result = lookAt(point("base_link", -1, 1, 0.1));
+  EXPECT_FALSE(result.success);
+  EXPECT_TRUE(result.moves);
+  EXPECT_GT(result.error, 0.5);
+  EXPECT_THAT(result.message, HasSubstr("out of reach"));
+  EXPECT_TRUE(user_.waitForPanBeyond(1.5)) << "to its limit";
+  node_.waitForOutput("WARN.*out of reach", kSafetyNet);
+}
+
+TEST_F(LookTest, SaysWhyItDoesNotTurn) {
+  ASSERT_TRUE(seesInItsMiddle(point("camera_optical_frame", 0, 0, 1)));
+  const LookAtResult nowhere = lookAt(point("the_moon", 1, 0, 0));
+  EXPECT_FALSE(nowhere.success || nowhere.moves);
+  EXPECT_TRUE(std::isnan(nowhere.error));
+  EXPECT_THAT(nowhere.message, HasSubstr("tf does not know where frame 'the_moon'"));
+  EXPECT_THAT(lookAt(point("", 1, 0, 0)).message, HasSubstr("it has no frame"));
+  EXPECT_THAT(lookAt(point("base_link", std::numeric_limits<double>::quiet_NaN(), 0, 0)).message,
+              HasSubstr("not a finite number"));
+  PointStamped old = point("base_footprint", 1, 0, 0);
+  old.header.stamp = ros::Time(1);
+  EXPECT_THAT(lookAt(old).message, HasSubstr("at the point's time"));
+}
+
+TEST(LookOfAFleet, IsThatOfTheRobotInTheNamespace) {
+  JointUser user("/left", quickWith("_frame_prefix:=left"));
+  const Process node({AIBO_LOOK_AT, "__ns:=/left", "_frame_prefix:=left"});
+  TopicListener<LookAtResult> results("/left/look_at_result");
+  TopicListener<Marker> floor("/left/look_at_floor");
+  user.publish("look_at", point("left/base_footprint", 0.5, 0.5, 0.2));
+  ASSERT_FALSE(results.waitForCount(1).empty());
+  const auto result = results.waitForCount(1).front();
+  EXPECT_TRUE(result->success) << result->message;
+  EXPECT_TRUE(user.waitForPanBeyond(0.6));
+  ASSERT_FALSE(floor.waitForCount(1).empty());
+  EXPECT_EQ(floor.waitForCount(1).front()->header.frame_id, "left/base_footprint");
+}
+
+TEST(LookWithoutADriver, SaysThatNobodyListens) {
+  const Process node({AIBO_LOOK_AT, "__ns:=/nobody"});
+  TopicListener<LookAtResult> results("/nobody/look_at_result");
+  TopicPublishers user("/nobody");
+  user.publish("look_at", point("base_link", 1, 0, 0));
+  ASSERT_FALSE(results.waitForCount(1).empty());
+  EXPECT_THAT(results.waitForCount(1).front()->message, HasSubstr("nobody listens on /nobody/joint_command"));
+}
+
+// What the robot reports of a ball with a width of 20 pixels.
+aibo_driver::ColorRegions ballAt(float x, float y, int pixels = 300) {
+  aibo_driver::ColorRegions regions;
+  regions.header.frame_id = "camera_optical_frame";
+  regions.header.stamp = ros::Time(7);
+  regions.width = 208;
+  regions.height = 160;
+  regions.regions.resize(2);
+  regions.regions[0].name = "blue_bone";
+  regions.regions[0].pixels = 1000;
+  regions.regions[1].name = "pink_ball";
+  regions.regions[1].pixels = static_cast<std::uint32_t>(pixels);
+  regions.regions[1].x = x;
+  regions.regions[1].y = y;
+  regions.regions[1].box.width = 20;
+  regions.regions[1].box.height = 18;
+  return regions;
+}
+
+TEST(BallFollower, LooksAtTheBallWhileItSeesIt) {
+  TopicListener<PointStamped> points("/ball/look_at");
+  const Process node({BALL_FOLLOWER, "__ns:=/ball"});
+  TopicPublishers robot("/ball");
+  for (const auto& each : {ballAt(200, 10, 0), ballAt(200, 10, 5), ballAt(104, 80), ballAt(155.5F, 31.5F)}) {
+    robot.publish("color_regions", each);
+  }
+  ASSERT_FALSE(points.waitForCount(1).empty());
+  const auto point = points.waitForCount(1).front();
+  EXPECT_EQ(point->header.frame_id, "camera_optical_frame");
+  EXPECT_EQ(point->header.stamp, ros::Time(7)) << "where the camera was then";
+  const double distance = 0.085 * 192 / 20;
+  EXPECT_NEAR(point->point.z, distance, 1e-3);
+  EXPECT_NEAR(point->point.x, distance * 52 / 192, 1e-3);
+  EXPECT_NEAR(point->point.y, -distance * 48 / 192, 1e-3);
+  EXPECT_EQ(points.count(), 1u) << "nothing for no ball, for a speck, and for one in the middle";
+}
+
+TEST(Lights, ShowWhatShinesAndWhatIsTouched) {
+  JointUser user("/lit");
+  const Process node({AIBO_LIGHTS, "__ns:=/lit", "_frame_prefix:=port"});
+  TopicListener<MarkerArray> markers("/lit/lights");
+  aibo_driver::Leds leds;
+  leds.names = {"back_front_color"};
+  leds.intensities = {1.0F};
+  user.publish("leds", leds);
+  ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
+  const auto shines = [](const MarkerArray& array, const std::string& frame) {
+    return std::any_of(array.markers.begin(), array.markers.end(), [&frame](const Marker& marker) {
+      return marker.action == Marker::ADD && marker.header.frame_id == frame;
+    });
+  };
+  EXPECT_TRUE(markers.waitFor([&shines](const MarkerArray& array) {
+    return shines(array, "port/base_link") && shines(array, "port/mouth_link") && !shines(array, "port/head_tilt_link");
+  }));
+  user.robot.kill();
+  EXPECT_TRUE(markers.waitFor([&shines](const MarkerArray& array) {
+    return !shines(array, "port/base_link") && shines(array, "port/mouth_link");
+  })) << "no LED is known to shine without a connection";
+}
+
+}  // namespace

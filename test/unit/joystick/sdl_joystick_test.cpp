@@ -1,0 +1,93 @@
+#include "tools/joystick/sdl_joystick.h"
+
+#include <SDL2/SDL.h>
+#include <gmock/gmock.h>
+
+namespace joystick {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::FloatNear;
+using ::testing::HasSubstr;
+
+// Ubuntu 20.04 has SDL 2.0.10, which has no virtual joysticks.
+#if SDL_VERSION_ATLEAST(2, 0, 14)
+
+// A joystick without hardware, with 3 axes, 2 buttons and a hat.
+class VirtualJoystick {
+ public:
+  VirtualJoystick() : index_(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, 3, 2, 1)) {
+    EXPECT_GE(index_, 0) << SDL_GetError();
+    joystick_ = SDL_JoystickOpen(index_);
+  }
+  ~VirtualJoystick() {
+    SDL_JoystickClose(joystick_);
+    SDL_JoystickDetachVirtual(index_);
+  }
+
+  VirtualJoystick(const VirtualJoystick&) = delete;
+  VirtualJoystick& operator=(const VirtualJoystick&) = delete;
+
+  void setAxis(int axis, int value) { SDL_JoystickSetVirtualAxis(joystick_, axis, static_cast<Sint16>(value)); }
+  void setButton(int button, bool on) { SDL_JoystickSetVirtualButton(joystick_, button, on ? 1 : 0); }
+  void setHat(int value) { SDL_JoystickSetVirtualHat(joystick_, 0, static_cast<Uint8>(value)); }
+
+ private:
+  const int index_;
+  SDL_Joystick* joystick_ = nullptr;
+};
+
+TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
+  SdlJoystick joystick(0, "");
+  VirtualJoystick hardware;
+  hardware.setAxis(0, -32768);  // left
+  hardware.setAxis(1, 32767);   // down
+  hardware.setAxis(2, 16384);
+  hardware.setButton(1, true);
+  hardware.setHat(SDL_HAT_LEFTUP);
+  joystick.read();  // SDL passes on what was set
+  const auto state = joystick.read();
+  ASSERT_TRUE(state);
+  EXPECT_THAT(state->axes, ElementsAre(1, -1, FloatNear(-0.5F, 1e-3F), 1, 1));
+  EXPECT_THAT(state->buttons, ElementsAre(0, 1));
+  EXPECT_THAT(joystick.describe(), HasSubstr("with 5 axes and 2 buttons"));
+}
+
+TEST(SdlJoystick, MayBePulledOutAndPluggedInAgain) {
+  SdlJoystick joystick(0, "");
+  EXPECT_FALSE(joystick.read());
+  EXPECT_EQ(joystick.describe(), "");
+  for (int i = 0; i < 3; ++i) {
+    {
+      const VirtualJoystick hardware;
+      EXPECT_TRUE(joystick.read());
+    }
+    EXPECT_FALSE(joystick.read());
+  }
+}
+
+TEST(SdlJoystick, IsTheOneThatIsWanted) {
+  {
+    SdlJoystick second(1, "");
+    const VirtualJoystick one;
+    EXPECT_FALSE(second.read());
+    const VirtualJoystick other;
+    EXPECT_TRUE(second.read());
+  }
+  SdlJoystick named(5, "Virtual");
+  EXPECT_FALSE(named.read());
+  const VirtualJoystick hardware;
+  EXPECT_TRUE(named.read());
+}
+
+#else
+
+TEST(SdlJoystick, IsNotThereWithoutHardware) {
+  SdlJoystick joystick(0, "no joystick has this name");
+  EXPECT_FALSE(joystick.read());
+}
+
+#endif
+
+}  // namespace
+}  // namespace joystick

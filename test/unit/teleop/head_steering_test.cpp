@@ -1,0 +1,52 @@
+#include "tools/teleop/head_steering.h"
+
+#include <gtest/gtest.h>
+
+namespace teleop {
+namespace {
+
+using std::chrono::milliseconds;
+
+class HeadSteeringTest : public ::testing::Test {
+ protected:
+  std::optional<HeadPosition> steer(double pan, double tilt, milliseconds after = milliseconds(50)) {
+    now_ += after;
+    return head_.steer(HeadVelocity{pan, tilt}, now_);
+  }
+
+  HeadSteering head_;
+  HeadSteering::TimePoint now_{std::chrono::hours(1)};
+};
+
+TEST_F(HeadSteeringTest, BeginsWhereTheHeadIs) {
+  EXPECT_FALSE(steer(1, 0)) << "it has not been measured yet";
+  head_.measured({0.4, 0.2});
+  EXPECT_DOUBLE_EQ(steer(1, -1)->pan, 0.4);
+  EXPECT_DOUBLE_EQ(steer(1, -1)->pan, 0.45);
+  EXPECT_DOUBLE_EQ(steer(1, -1)->tilt, 0.1);
+  EXPECT_FALSE(head_.steer(std::nullopt, now_));
+  head_.measured({-0.5, 0});
+  EXPECT_DOUBLE_EQ(steer(1, 0)->pan, -0.5) << "others have moved it meanwhile";
+}
+
+TEST_F(HeadSteeringTest, KeepsToTheLimitsOfTheJoints) {
+  head_.measured({1.5, 0.7});
+  for (int i = 0; i < 10; ++i) {
+    steer(1, 1);
+  }
+  EXPECT_NEAR(steer(1, 1)->pan, 1.53589, 1e-6);
+  EXPECT_NEAR(steer(1, 1)->tilt, 0.785398, 1e-6);
+}
+
+TEST_F(HeadSteeringTest, DoesNotRunAheadOfASlowHeadOrJumpAfterAPause) {
+  head_.measured({0, 0});
+  for (int i = 0; i < 100; ++i) {
+    steer(1, 0);
+  }
+  EXPECT_NEAR(steer(1, 0)->pan, 0.3, 1e-9);
+  head_.measured({0.3, 0});
+  EXPECT_NEAR(steer(1, 0, milliseconds(10000))->pan, 0.4, 1e-9);
+}
+
+}  // namespace
+}  // namespace teleop
