@@ -1,4 +1,4 @@
-#include "ros/files.h"
+#include "files/files.h"
 
 #include <fcntl.h>
 #include <strings.h>
@@ -14,7 +14,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace aibo_driver::node {
+namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
   return target.string();
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::files

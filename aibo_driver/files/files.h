@@ -1,7 +1,9 @@
 /// @file files.h
-/// Files on the driver's machine that users name in service calls. `~` is not expanded.
-#ifndef AIBO_DRIVER_ROS_FILES_H
-#define AIBO_DRIVER_ROS_FILES_H
+/// Files on this computer that users name: in service calls, for which it is the driver's machine, or on a command
+/// line.
+/// `~` is not expanded.
+#ifndef AIBO_DRIVER_FILES_FILES_H
+#define AIBO_DRIVER_FILES_FILES_H
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +12,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::files {
 
 /// A file could not be read or written; the message says why, and what to do.
 class FileException : public Exception {
@@ -46,6 +48,6 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
 /// @throw FileException the bytes before the image data are not segments of a JPEG
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg);
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::files
 
-#endif  // AIBO_DRIVER_ROS_FILES_H
+#endif  // AIBO_DRIVER_FILES_FILES_H
