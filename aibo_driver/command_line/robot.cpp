@@ -104,10 +104,16 @@ bool Robot::waitUntil(const std::function<bool(const Received&)>& done, nanoseco
   }
 }
 
+void Robot::beginRequest() {
+  showWarnings();
+  refusals_before_ = client_->statistics().refusals;
+}
+
 bool Robot::waitUnlessRefused(const std::function<bool(const Received&)>& done, nanoseconds timeout) {
   const bool in_time = waitUntil(
-      [&](const Received& received) { return client_->statistics().refusals > 0 || done(received); }, timeout);
-  if (client_->statistics().refusals > 0) {
+      [&](const Received& received) { return client_->statistics().refusals > refusals_before_ || done(received); },
+      timeout);
+  if (client_->statistics().refusals > refusals_before_) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::string why = warnings_.empty() ? "the robot refused" : warnings_.back();
     warnings_.clear();

@@ -88,7 +88,11 @@ class Robot {
   bool waitUntil(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout,
                  Loss loss = Loss::kFails);
 
-  /// The same, while the robot has been sent a request that has no answer of its own.
+  /// To be called before a request is sent that has no answer of its own. What was refused before, such as a sensor
+  /// that an older robot does not have, is not meant by waitUnlessRefused().
+  void beginRequest();
+
+  /// waitUntil() after such a request.
   /// @throw CommandException the robot has refused a request
   bool waitUnlessRefused(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout);
 
@@ -110,8 +114,9 @@ class Robot {
   Output& output_;
   Event changed_;
   mutable std::mutex mutex_;
-  Received received_;                       // guarded by mutex_
-  std::vector<std::string> warnings_;       // the same
+  Received received_;                  // guarded by mutex_
+  std::vector<std::string> warnings_;  // the same
+  std::uint64_t refusals_before_ = 0;
   std::unique_ptr<RcServerClient> client_;  // last: its thread uses all of the above
 };
 

@@ -44,11 +44,14 @@ class SimulatedRobot:
             if found := re.match(r"RCServer listening on 127\.0\.0\.1:(\d+)", line):
                 self.port = int(found[1])
                 break
-        threading.Thread(target=self.process.stdout.read, daemon=True).start()
+        self.reader = threading.Thread(target=self.process.stdout.read, daemon=True)
+        self.reader.start()
 
     def end(self):
         self.process.kill()
         self.process.wait()
+        self.reader.join()
+        self.process.stdout.close()
 
 
 def version2_frame(kind, payload, number=0, identifier=0):
@@ -225,7 +228,7 @@ class OnBothVersions:
                 self.assertIn("Is another client connected?", self.aibo("joints", status=UNREACHABLE).errors)
                 report = self.json("doctor", status=UNREACHABLE)
                 self.assertFalse(report["good"])
-                self.assertIn("Another client has the robot", report["findings"][-1]["advice"])
+                self.assertIn(f"aibo (process {other.pid}) is connected", report["findings"][-1]["advice"])
             finally:
                 other.kill()
 
@@ -369,6 +372,14 @@ class Unreachable(TestCase):
     def test_a_server_that_says_nothing(self):
         port = self.server(lambda client: client.recv(1000) and threading.Event().wait(30))
         self.assertNotEqual(run("joints", port=port).returncode, DONE)
+
+    def test_a_robot_that_somebody_else_has(self):
+        def turn_away(client):
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        port = self.server(turn_away)
+        self.assertIn("Is another client connected?", self.aibo("joints", port=port, status=UNREACHABLE).errors)
+        report = self.json("doctor", port=port, status=UNREACHABLE)
+        self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
 
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))

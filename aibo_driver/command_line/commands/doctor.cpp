@@ -11,6 +11,7 @@
 #include "client/tcp_transport.h"
 #include "command_line/commands/commands.h"
 #include "command_line/link_meter.h"
+#include "command_line/local_clients.h"
 #include "command_line/quantities.h"
 
 namespace aibo_driver::command_line {
@@ -121,6 +122,7 @@ class Doctor {
   }
 
   void findName(const Lookup& lookup) {
+    numeric_address_ = lookup.address.empty() ? address_.host : lookup.address;
     if (lookup.address.empty()) {
       find({"name", true, address_.host + " is an address", ""});
     } else {
@@ -158,13 +160,21 @@ class Doctor {
       return true;
     } catch (const NetworkException& error) {
       const bool turned_away = error.kind() == FaultKind::kTurnedAway;
-      find({"server", false, error.what(),
-            turned_away
-                ? "Another client has the robot, such as a driver (rosnode list), or this computer's address is "
-                  "not among the ALLOWED_ADDRESSES in RCSERVER.CFG. The robot's console says which."
-                : "Is the robot within reach of its WLAN?"});
+      find({"server", false, error.what(), turned_away ? whoIsConnected() : "Is the robot within reach of its WLAN?"});
       return false;
     }
+  }
+
+  std::string whoIsConnected() const {
+    std::string names;
+    for (const std::string& name : localClients(numeric_address_, address_.port)) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    if (!names.empty()) {
+      return "On this computer, " + names + " is connected to the robot: end it.";
+    }
+    return "Another computer has the robot, or this computer's address is not among the ALLOWED_ADDRESSES in "
+           "RCSERVER.CFG. The robot's console (port 59000) says which.";
   }
 
   void checkVersion(const Robot& robot) {
@@ -245,6 +255,7 @@ class Doctor {
   const RobotAddress address_;
   const double seconds_;
   Output& output_;
+  std::string numeric_address_;
   std::vector<Json> findings_;
   int problems_ = 0;
   LinkMeter::Reading stream_;

@@ -87,6 +87,7 @@ class Mover {
     requireJoints();
     measure();
     const joints::JointOrders orders = order();
+    robot_.beginRequest();
     link_.send(orders, std::chrono::milliseconds(std::lround(1000 * move_.duration)));
     try {
       waitUntilAccepted(orders);
