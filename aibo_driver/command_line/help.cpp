@@ -64,7 +64,7 @@ std::string generalHelp() {
   options << commonOptions();
   return text + "\n" + options.str() +
          "\n`aibo help COMMAND` explains a command, with examples.\n"
-         "`source <(aibo completion)` lets bash complete them. `man aibo` is the manual.";
+         "`source <(aibo completion)` lets bash complete them. `aibo manual | man -l -` is the manual.";
 }
 
 std::string helpOf(const Command& command) {

@@ -37,9 +37,9 @@ def start(*words, port, **options):
 
 
 class SimulatedRobot:
-    def __init__(self, *options):
-        self.process = subprocess.Popen([RCSERVER, "--port", "0", "--no-console", *options], stdout=subprocess.PIPE,
-                                        text=True)
+    def __init__(self, *options, port=0):
+        self.process = subprocess.Popen([RCSERVER, "--port", str(port), "--no-console", *options],
+                                        stdout=subprocess.PIPE, text=True)
         for line in self.process.stdout:
             if found := re.match(r"RCServer listening on 127\.0\.0\.1:(\d+)", line):
                 self.port = int(found[1])
@@ -344,6 +344,38 @@ class WithPermission(TestCase):
         self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
         allows = next(f for f in self.json("doctor", "--seconds", "1")["findings"] if f["topic"] == "allows")
         self.assertEqual(allows["text"], "upload, delete")
+
+
+class Lost(TestCase):
+    @staticmethod
+    def second(watch, connected):
+        """The next second of such a kind."""
+        while line := watch.stdout.readline():
+            if (second := json.loads(line))["connected"] == connected:
+                return second
+        raise AssertionError("watch has ended")
+
+    def test_watching_goes_on_when_the_robot_is_back(self):
+        robot = SimulatedRobot()
+        with start("--json", "watch", port=robot.port) as watch:
+            try:
+                self.second(watch, True)
+                robot.end()
+                self.assertRegex(self.second(watch, False)["problem"], "(refused|closed) the connection")
+                robot = SimulatedRobot(port=robot.port)
+                self.second(watch, True)
+            finally:
+                watch.kill()
+                robot.end()
+
+    def test_a_movement_fails(self):
+        robot = SimulatedRobot()
+        with start("move", "head_pan=80deg", "--speed", "2deg/s", port=robot.port) as move:
+            with self.assertRaises(subprocess.TimeoutExpired):
+                move.wait(3)
+            robot.end()
+            self.assertEqual(move.wait(60), UNREACHABLE)
+            self.assertIn(b"closed the connection", move.communicate()[1])
 
 
 class Unreachable(TestCase):
