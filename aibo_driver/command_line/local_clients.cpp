@@ -50,9 +50,16 @@ std::string ownerOf(const std::string& socket) {
     if (number.find_first_not_of("0123456789") != std::string::npos || !holds(process->path(), socket)) {
       continue;
     }
+    if (number == std::to_string(::getpid())) {
+      return "";
+    }
     std::error_code unreadable;
-    const std::string name = fs::read_symlink(process->path() / "exe", unreadable).filename().string();
-    return number == std::to_string(::getpid()) ? "" : name + " (process " + number + ")";
+    return fs::read_symlink(process->path() / "exe", unreadable)
+               .filename()
+               .string()
+               .append(" (process ")
+               .append(number) +
+           ")";
   }
   return "a program of another user";
 }

@@ -85,13 +85,14 @@ class ScriptedServer:
 
 def says_hello(server, names=b""):
     """A server of version 2 with a name, which lists motions of these names and refuses everything else."""
+    hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N\nlimits=\n" % server
+
     def serve(client):
         client.recv(2, socket.MSG_WAITALL)
         client.sendall(b"x\x02\x00\x00")
         while header := client.recv(8, socket.MSG_WAITALL):
             kind, _, number, size = struct.unpack(">cBHI", header)
             client.recv(size, socket.MSG_WAITALL)
-            hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N\nlimits=\n" % server
             reply = {b"H": (b"h", hello), b"N": (b"n", names)}.get(kind, (b"e", b"\x00\x00no"))
             client.sendall(version2_frame(reply[0], reply[1], number))
     return serve
@@ -428,6 +429,8 @@ class Unreachable(TestCase):
                     self.assertNotRegex(result.stdout + result.stderr, rb"\x1b|\xc2\x9b|\xe2\x80\xae")
 
     def test_file_names_of_a_robot_never_become_paths(self):
+        good = self.server(says_hello(b"RCServer", b"NOD.MTN"))
+        self.assertEqual(self.json("motions", port=good)["motions"], ["NOD.MTN"])
         for name in (b"../../EVIL.MTN", b"\x1b[2J.MTN"):
             result = run("motions", port=self.server(says_hello(b"RCServer", name)), folder=self.folder)
             self.assertNotRegex(result.stdout + result.stderr, rb"\x1b")
