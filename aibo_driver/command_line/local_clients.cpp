@@ -42,6 +42,12 @@ bool holds(const fs::path& process, const std::string& socket) {
   return false;
 }
 
+std::string describe(const fs::path& process) {
+  std::error_code unreadable;
+  const std::string name = fs::read_symlink(process / "exe", unreadable).filename().string();
+  return name + " (process " + process.filename().string() + ")";
+}
+
 /// @return empty if it is this process
 std::string ownerOf(const std::string& socket) {
   std::error_code error;
@@ -50,16 +56,7 @@ std::string ownerOf(const std::string& socket) {
     if (number.find_first_not_of("0123456789") != std::string::npos || !holds(process->path(), socket)) {
       continue;
     }
-    if (number == std::to_string(::getpid())) {
-      return "";
-    }
-    std::error_code unreadable;
-    return fs::read_symlink(process->path() / "exe", unreadable)
-               .filename()
-               .string()
-               .append(" (process ")
-               .append(number) +
-           ")";
+    return number == std::to_string(::getpid()) ? "" : describe(process->path());
   }
   return "a program of another user";
 }
