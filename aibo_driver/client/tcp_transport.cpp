@@ -170,6 +170,9 @@ void TcpTransport::checkConnected(int socket) const {
   int error = 0;
   socklen_t size = sizeof error;
   ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+  if (error == ECONNRESET) {
+    throw Fault::turnedAway(address_);  // accepted, and reset before this thread looked
+  }
   if (error != 0) {
     throwFault(error);
   }

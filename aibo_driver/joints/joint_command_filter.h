@@ -14,6 +14,9 @@
 
 namespace aibo_driver::joints {
 
+/// The approach speed unless the user sets another one, in rad/s.
+constexpr double kUsualApproachSpeed = 0.5;
+
 /// The guard rails between users and joints.
 ///
 /// - A command whose arrays do not fit together is refused. A joint that the robot does not have, or whose position or

@@ -12,6 +12,9 @@
 
 namespace aibo_driver::joints {
 
+/// The speed limit of joints unless the user sets another one, in rad/s.
+constexpr double kUsualSpeedLimit = 3.0;
+
 /// The properties of a joint.
 struct JointProperties {
   std::string name;

@@ -15,7 +15,7 @@
 #include "aibo_driver/exceptions.h"
 #include "ros/camera/color_table_file.h"
 #include "ros/camera/jpeg_decoder.h"
-#include "ros/files.h"
+#include "files/files.h"
 #include "tools/color_table/table_maker.h"
 
 namespace {

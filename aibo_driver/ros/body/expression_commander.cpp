@@ -1,12 +1,12 @@
 #include "ros/body/expression_commander.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <sstream>
 
 #include "aibo_driver/exceptions.h"
+#include "body/led_names.h"
 #include "joints/joint_link.h"
 
 namespace aibo_driver::node {
@@ -14,40 +14,6 @@ namespace {
 
 // Several programs may each command some of the LEDs.
 constexpr std::uint32_t kQueueSize = 10;
-
-struct Group {
-  const char* name;
-  robot_model::LedPlace place;
-};
-
-constexpr Group kGroups[] = {{"face", robot_model::LED_ON_FACE},
-                             {"head", robot_model::LED_ON_HEAD},
-                             {"back", robot_model::LED_ON_BACK},
-                             {"tail", robot_model::LED_ON_TAIL}};
-
-constexpr float kHighestIntensity = 255;  // on the wire
-
-bool isNamed(const robot_model::Led& led, const std::string& name) {
-  if (name == "all" || name == led.name) {
-    return true;
-  }
-  for (const Group& group : kGroups) {
-    if (name == group.name) {
-      return led.place == group.place;
-    }
-  }
-  return false;
-}
-
-std::vector<int> findLeds(const std::string& name, const robot_model::RobotModel& model) {
-  std::vector<int> ids;
-  for (int i = 0; i < model.number_of_leds; ++i) {
-    if (isNamed(model.leds[i], name)) {
-      ids.push_back(model.leds[i].identifier);
-    }
-  }
-  return ids;
-}
 
 // @return what is wrong with the message as a whole; empty if it is fine
 std::string describeMisfit(const Leds& message) {
@@ -75,7 +41,7 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
   for (std::size_t i = 0; i < message.names.size(); ++i) {
     const std::string& name = message.names[i];
     const float intensity = message.intensities[message.intensities.size() == 1 ? 0 : i];
-    const std::vector<int> ids = findLeds(name, model);
+    const std::vector<int> ids = body::findLeds(name, model);
     if (ids.empty()) {
       orders.refusals.push_back("There is no LED and no group of LEDs named '" + name + "'.");
     } else if (!(intensity >= 0 && intensity <= 1)) {
@@ -83,8 +49,7 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
       text << "LED " << name << " cannot shine with intensity " << intensity << "; the range is 0..1.";
       orders.refusals.push_back(text.str());
     } else {
-      // Rounded up, so that the lowest intensity above 0 is not off.
-      const int level = static_cast<int>(std::ceil(intensity * kHighestIntensity));
+      const int level = body::ledLevel(intensity);
       for (const int id : ids) {
         commands[id] = {id, level, message.mode == Leds::MODE_B ? LedMode::kB : LedMode::kA};
       }

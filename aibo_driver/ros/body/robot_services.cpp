@@ -8,13 +8,13 @@
 #include <string>
 
 #include "aibo_driver/exceptions.h"
-#include "mtn/layout.h"
-#include "mtn/motion.h"
-#include "ros/files.h"
+#include "body/motion_files.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {
 namespace {
+
+using body::motionFileName;
 
 /// While it lives, and until the callbacks that are in a queue when it ends have run, nothing new moves the robot.
 class Interruption {
@@ -50,22 +50,11 @@ class Interruption {
   ros::CallbackQueueInterface* const queue_;
 };
 
-// Anybody who reaches the ROS master may name any file, and the robot's place may be taken by somebody else. So nothing
-// but motions leaves this computer.
-std::vector<std::uint8_t> loadMotion(const std::string& file) {
-  std::vector<std::uint8_t> content = loadFile(file, mtn::MAX_FILE_SIZE);
-  mtn::Motion motion;
-  if (!motion.read(content.data(), content.size())) {
-    throw FileException("'" + file + "' is not a motion file: " + motion.problem());
-  }
-  return content;
-}
-
 std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
   if (request.file.empty() == request.data.empty()) {
     throw InvalidArgumentException(request.file.empty() ? "give a file or data" : "give a file or data, not both");
   }
-  return request.file.empty() ? request.data : loadMotion(request.file);
+  return request.file.empty() ? request.data : body::loadMotion(request.file);
 }
 
 std::string nameOf(const UploadMotion::Request& request) {
@@ -73,10 +62,6 @@ std::string nameOf(const UploadMotion::Request& request) {
 }
 
 }  // namespace
-
-std::string motionFileName(const std::string& name) {
-  return fileNameOnRobot(name, ".MTN");
-}
 
 void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& joint_handle,
                               const ros::NodeHandle& handle) {

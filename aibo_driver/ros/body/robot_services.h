@@ -20,16 +20,13 @@
 
 namespace aibo_driver::node {
 
-/// fileNameOnRobot() for a motion.
-std::string motionFileName(const std::string& name);
-
 /// The services that the robot carries out: stop, motors, play_motion, list_motions, upload_motion, delete_motion,
 /// shut_down and reboot.
 ///
 /// Each call waits for the robot and is answered: if something cannot be done, success is false and message says why.
 /// The call itself never fails.
 ///
-/// A motion may be called by its name alone: see motionFileName().
+/// A motion may be called by its name alone: see body::motionFileName().
 class RobotServices {
  public:
   /// How long each kind of call waits for the robot's answer. A memory stick is slow.

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "ros/files.h"
+#include "files/files.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -95,9 +95,9 @@ ColorTable loadColorTable(const std::string& file) {
     path = ros::package::getPath("aibo_driver") + "/config/colors/" + file + ".yaml";
   }
   try {
-    const std::vector<std::uint8_t> content = loadFile(path, kLongestFile);
+    const std::vector<std::uint8_t> content = files::loadFile(path, kLongestFile);
     return parseColorTable(std::string(content.begin(), content.end()), path);
-  } catch (const FileException& error) {
+  } catch (const files::FileException& error) {
     throw ColorTableException(error.what());
   }
 }

@@ -6,7 +6,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "ros/camera/camera_publisher.h"
-#include "ros/files.h"
+#include "files/files.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {
@@ -19,13 +19,13 @@ std::string nameOf(const std::string& asked) {
   if (asked.empty()) {
     throw InvalidArgumentException("give the name of a picture. list_pictures lists them.");
   }
-  return fileNameOnRobot(asked, ".JPG");
+  return files::fileNameOnRobot(asked, ".JPG");
 }
 
 }  // namespace
 
 StickPictureServices::StickPictureServices(const DriverParameters& parameters, RcServerClient& client)
-    : picture_folder_(pictureFolder(parameters.picture_folder)),
+    : picture_folder_(files::pictureFolder(parameters.picture_folder)),
       frame_id_(parameters.frame(parameters.frame_id)),
       client_(client) {}
 
@@ -67,7 +67,7 @@ bool StickPictureServices::fetchPicture(FetchPicture::Request& request, FetchPic
   const std::string got = response.message;
   response.success = false;
   return answer(response, got + " It was not saved", [&] {
-    return got + " Saved to " + saveJpeg(picture_folder_, request.save_to, response.image.data) + ".";
+    return got + " Saved to " + files::saveJpeg(picture_folder_, request.save_to, response.image.data) + ".";
   });
 }
 

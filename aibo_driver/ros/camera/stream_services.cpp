@@ -8,7 +8,7 @@
 #include "aibo_driver/exceptions.h"
 #include "ros/camera/camera_options.h"
 #include "ros/connection_publisher.h"
-#include "ros/files.h"
+#include "files/files.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -34,7 +34,7 @@ std::string describePicture(const Picture& picture, int asked_quality, int strea
 StreamServices::StreamServices(const DriverParameters& parameters, RcServerClient& client, StreamPolicy& policy,
                                ToMessage to_message)
     : parameters_(parameters),
-      picture_folder_(pictureFolder(parameters.picture_folder)),
+      picture_folder_(files::pictureFolder(parameters.picture_folder)),
       client_(client),
       policy_(policy),
       to_message_(std::move(to_message)) {}
@@ -62,10 +62,10 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
     response.image = to_message_(*picture);
     response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {
-      response.message += " Saved to " + saveJpeg(picture_folder_, request.save_to, picture->jpeg) + ".";
+      response.message += " Saved to " + files::saveJpeg(picture_folder_, request.save_to, picture->jpeg) + ".";
     }
     response.success = true;
-  } catch (const FileException& error) {
+  } catch (const files::FileException& error) {
     response.message += std::string(" It was not saved: ") + error.what() + ".";
   } catch (const std::exception& error) {
     response.message = std::string("There is no picture: ") + error.what();

@@ -1,4 +1,4 @@
-#include "ros/files.h"
+#include "files/files.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -15,7 +15,7 @@
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -304,4 +304,4 @@ TEST(WithoutComments, ADamagedPictureIsRefused) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::files

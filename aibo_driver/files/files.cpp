@@ -1,4 +1,4 @@
-#include "ros/files.h"
+#include "files/files.h"
 
 #include <fcntl.h>
 #include <strings.h>
@@ -15,7 +15,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace aibo_driver::node {
+namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -254,4 +254,4 @@ std::string fileNameOnRobot(const std::string& name, const std::string& ending) 
   return file;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::files

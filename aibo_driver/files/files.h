@@ -1,8 +1,8 @@
 /// @file files.h
-/// Files that users name in service calls: on the driver's machine, where `~` is not expanded, and on the robot's
-/// memory stick.
-#ifndef AIBO_DRIVER_ROS_FILES_H
-#define AIBO_DRIVER_ROS_FILES_H
+/// Files that users name in service calls, for which it is the driver's machine, or on a command line: on this
+/// computer, where `~` is not expanded, and on the robot's memory stick.
+#ifndef AIBO_DRIVER_FILES_FILES_H
+#define AIBO_DRIVER_FILES_FILES_H
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::files {
 
 /// A file could not be read or written; the message says why, and what to do.
 class FileException : public Exception {
@@ -51,6 +51,6 @@ std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg)
 /// NOD.MTN. The empty name stays empty. The client checks whether the robot allows such a name.
 std::string fileNameOnRobot(const std::string& name, const std::string& ending);
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::files
 
-#endif  // AIBO_DRIVER_ROS_FILES_H
+#endif  // AIBO_DRIVER_FILES_FILES_H

@@ -1,0 +1,282 @@
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "command_line/commands/commands.h"
+#include "command_line/interruption.h"
+#include "command_line/link_meter.h"
+#include "command_line/quantities.h"
+#include "files/files.h"
+#include "ros/camera/camera_options.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+namespace po = boost::program_options;
+using std::chrono::steady_clock;
+
+constexpr double kLongestWatch = 7 * 24 * 3600;  // s
+constexpr std::chrono::milliseconds kPictureTimeout{5000};
+
+/// Options of both commands. The robot resets its camera when its client goes, so there is no command to set it.
+void addCameraOptions(po::options_description& options) {
+  options.add_options()("quality,q", po::value<int>()->default_value(85)->value_name("N"), "of the JPEG, 1 to 100")(
+      "resolution", po::value<std::string>()->default_value("208x160")->value_name("WxH"), node::kResolutionNames)(
+      "white-balance", po::value<std::string>()->value_name("NAME"), "indoor, outdoor, fluorescent or auto")(
+      "gain", po::value<std::string>()->value_name("NAME"), "low, mid or high")(
+      "shutter", po::value<std::string>()->value_name("NAME"), "slow, mid or fast")(
+      "auto-exposure", "lets the camera choose gain and shutter speed");
+}
+
+Resolution resolutionIn(const Arguments& arguments) {
+  const std::string& name = arguments.get<std::string>("resolution");
+  const std::optional<Resolution> resolution = node::resolutionOf(name);
+  if (!resolution) {
+    throw InvalidArgumentException("--resolution can be " + std::string(node::kResolutionNames) + ", not '" + name +
+                                   "'");
+  }
+  return *resolution;
+}
+
+/// @param names of the values 1, 2, ...
+int numberOf(const std::string& option, const std::string& name, const std::vector<std::string>& names) {
+  std::string allowed;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) {
+      return static_cast<int>(i) + 1;
+    }
+    allowed += (i == 0 ? "" : ", ") + names[i];
+  }
+  throw InvalidArgumentException("--" + option + " can be one of " + allowed + ", not '" + name + "'");
+}
+
+/// @return empty if the camera stays as it is
+std::optional<CameraSettings> cameraSettingsIn(const Arguments& arguments) {
+  CameraSettings settings;
+  if (arguments.has("white-balance")) {
+    const std::string& name = arguments.get<std::string>("white-balance");
+    settings.auto_white_balance = name == "auto";
+    if (!settings.auto_white_balance) {
+      settings.white_balance = numberOf("white-balance", name, {"indoor", "outdoor", "fluorescent", "auto"});
+    }
+  }
+  if (arguments.has("gain")) {
+    settings.gain = numberOf("gain", arguments.get<std::string>("gain"), {"low", "mid", "high"});
+  }
+  if (arguments.has("shutter")) {
+    settings.shutter_speed = numberOf("shutter", arguments.get<std::string>("shutter"), {"slow", "mid", "fast"});
+  }
+  settings.auto_exposure = arguments.has("auto-exposure");
+  return settings == CameraSettings() ? std::nullopt : std::make_optional(settings);
+}
+
+ClientOptions clientOptionsIn(const Arguments& arguments) {
+  ClientOptions options;
+  options.jpeg_quality = arguments.get<int>("quality");
+  return options;
+}
+
+/// The time of day in a name, such as 20261122-185601.
+std::string timeInName() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local = {};
+  ::localtime_r(&now, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
+  return text;
+}
+
+std::string save(const std::string& path, const Picture& picture) {
+  return files::saveJpeg("/", std::filesystem::absolute(path).string(), picture.jpeg);
+}
+
+/// With settings of the camera: the first picture of a stream that has them.
+PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
+  const int quality = arguments.get<int>("quality");
+  const Resolution resolution = resolutionIn(arguments);
+  const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
+  if (!settings) {
+    return robot.client().takePicture(quality, kPictureTimeout, nullptr, resolution);
+  }
+  if (!robot.received().status.robot.hasCapability("G")) {
+    throw CommandException(
+        "this server has no request to set its camera; leave --white-balance, --gain, --shutter and "
+        "--auto-exposure out");
+  }
+  robot.client().setCameraSettings(*settings);
+  const steady_clock::time_point end = steady_clock::now() + kPictureTimeout;
+  while (steady_clock::now() < end) {
+    PicturePtr picture = robot.client().takePicture(quality, kPictureTimeout, nullptr, resolution);
+    if (picture->settings == settings) {
+      return picture;
+    }
+  }
+  throw FailedException("no picture with these settings of the camera came in time");
+}
+
+ExitStatus picture(const Arguments& arguments, Output& output) {
+  const std::string file =
+      arguments.has("output") ? arguments.get<std::string>("output") : "aibo-" + timeInName() + ".jpg";
+  resolutionIn(arguments);
+  cameraSettingsIn(arguments);
+  Robot robot(arguments.robot, output, clientOptionsIn(arguments));
+  robot.connect();
+  const PicturePtr picture = takePicture(robot, arguments);
+  std::string path = file;
+  if (file == "-") {
+    output.leaveStandardOutputToBytes();
+    output.bytes(picture->jpeg);
+  } else {
+    path = save(file, *picture);
+  }
+  char words[96];
+  std::snprintf(words, sizeof words, "%dx%d pixels, %zu bytes: ", picture->width, picture->height,
+                picture->jpeg.size());
+  output.result(
+      words + path,
+      Json::object(
+          {{"file", path}, {"width", picture->width}, {"height", picture->height}, {"bytes", picture->jpeg.size()}}));
+  return kDone;
+}
+
+/// Where the pictures of `watch` go.
+class Album {
+ public:
+  Album(const Arguments& arguments, Output& output) : output_(output), plays_(arguments.has("play")) {
+    if (arguments.has("save")) {
+      folder_ = arguments.get<std::string>("save");
+      if (!std::filesystem::is_directory(folder_)) {
+        throw files::FileException("cannot save to '" + folder_ + "': there is no such folder; make it first");
+      }
+      prefix_ = "aibo-" + timeInName() + "-";
+    }
+    if (plays_) {
+      output_.leaveStandardOutputToBytes();
+    }
+  }
+
+  void add(const Picture& picture) {
+    if (plays_) {
+      output_.bytes(picture.jpeg);
+    }
+    if (!folder_.empty()) {
+      char number[32];
+      std::snprintf(number, sizeof number, "%06llu.jpg", ++saved_);
+      save((std::filesystem::path(folder_) / (prefix_ + number)).string(), picture);
+    }
+  }
+
+  unsigned long long saved() const { return saved_; }
+
+ private:
+  Output& output_;
+  const bool plays_;
+  std::string folder_;
+  std::string prefix_;
+  unsigned long long saved_ = 0;
+};
+
+/// Takes pictures until the time.
+void takeUntil(Robot& robot, LinkMeter& meter, Album& album, steady_clock::time_point end) {
+  const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
+  while (robot.waitUntil(has_pictures, end - steady_clock::now(), Robot::Loss::kIsTolerated)) {
+    for (const ArrivedPicture& arrived : robot.takePictures()) {
+      meter.add(*arrived.picture, arrived.time);
+      album.add(*arrived.picture);
+    }
+  }
+}
+
+void reportSecond(const Robot& robot, LinkMeter& meter, Output& output) {
+  const LinkMeter::Reading reading = meter.read(steady_clock::now());
+  const ConnectionStatus status = robot.received().status;
+  const bool lost = status.state != ConnectionState::kConnected;
+  const std::string why = lost ? status.reason + ". " + status.advice : "";
+  output.result(lost && reading.pictures == 0 ? "no pictures: " + why : wordsOf(reading),
+                Json::object({{"connected", !lost}, {"problem", why}, {"stream", jsonOf(reading)}}));
+}
+
+ExitStatus watch(const Arguments& arguments, Output& output) {
+  const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0, kLongestWatch);
+  const int every = arguments.get<int>("every");
+  const StreamFormat format{resolutionIn(arguments), every};
+  const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
+  Album album(arguments, output);
+  Robot robot(arguments.robot, output, clientOptionsIn(arguments));
+  robot.client().setStreamFormat(format);
+  if (settings) {
+    robot.client().setCameraSettings(*settings);
+  }
+  robot.connect();
+  robot.client().setStreaming(true);
+  LinkMeter meter(every, steady_clock::now());
+  try {
+    const steady_clock::time_point begin = steady_clock::now();
+    for (int second = 1; seconds == 0 || second <= seconds + 0.5; ++second) {
+      takeUntil(robot, meter, album, begin + std::chrono::seconds(second));
+      robot.showWarnings();
+      reportSecond(robot, meter, output);
+    }
+  } catch (const Interrupted&) {
+    // This is how it ends.
+  }
+  const std::uint64_t lost = robot.received().lost_pictures;
+  if (lost > 0) {
+    output.note("This computer was too slow for " + std::to_string(lost) + " pictures.");
+  }
+  if (album.saved() > 0) {
+    output.note("Saved " + std::to_string(album.saved()) + " pictures.");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command pictureCommand() {
+  Command command;
+  command.name = "picture";
+  command.summary = "takes a picture with the robot's camera";
+  command.details =
+      "Without -o, the file gets a name with the time. It replaces nothing but JPEGs. `-o -` writes the picture to the "
+      "standard output. A server of version 1 has 208x160 alone, and no settings of the camera.";
+  command.examples = {{"picture -o aibo.jpg", "saves aibo.jpg"},
+                      {"picture -q 95 --white-balance indoor", "better, for lamps"},
+                      {"picture -o - | feh -", "shows it"}};
+  command.add_options = [](po::options_description& options) {
+    options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
+                          "file to write; - is the standard output");
+    addCameraOptions(options);
+  };
+  command.run = picture;
+  return command;
+}
+
+Command watchCommand() {
+  Command command;
+  command.name = "watch";
+  command.summary = "streams pictures and shows the link's quality once a second";
+  command.details =
+      "Until Ctrl-C, or for --seconds. The age of a picture counts from the camera's image, beyond the shortest time "
+      "that any picture took; loss is the share of the camera's images that did not come. A server of version 1 tells "
+      "neither. A lost connection is made again. With --json, each second is a document in a line of its own.";
+  command.examples = {{"watch", "pictures a second, data rate, age, loss"},
+                      {"watch --save pictures --seconds 10", "saves each picture in the folder `pictures`"},
+                      {"watch --play | ffplay -f mjpeg -i -", "shows the stream; or: | mpv -"}};
+  command.add_options = [](po::options_description& options) {
+    options.add_options()("seconds", po::value<std::string>()->default_value("0")->value_name("S"),
+                          "how long; 0: until Ctrl-C")("save", po::value<std::string>()->value_name("FOLDER"),
+                                                       "saves each picture in this folder")(
+        "play", "writes the pictures (MJPEG) to the standard output, and the figures to the standard error output")(
+        "every", po::value<int>()->default_value(1)->value_name("N"), "every n-th image of the camera");
+    addCameraOptions(options);
+  };
+  command.run = watch;
+  return command;
+}
+
+}  // namespace aibo_driver::command_line

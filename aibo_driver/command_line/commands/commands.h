@@ -1,0 +1,45 @@
+/// @file commands.h
+/// Each command that talks to a robot. command.h says what a command is.
+#ifndef AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H
+#define AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H
+
+#include "command_line/command.h"
+
+namespace aibo_driver::command_line {
+
+// doctor.cpp
+Command doctorCommand();
+
+// camera.cpp
+Command pictureCommand();
+Command watchCommand();
+
+// joints.cpp
+Command jointsCommand();
+Command moveCommand();
+
+// legs.cpp
+Command walkCommand();
+Command standCommand();
+Command sitCommand();
+Command restCommand();
+
+// motions.cpp
+Command motionsCommand();
+Command playCommand();
+Command uploadCommand();
+Command deleteCommand();
+
+// power.cpp
+Command motorsCommand();
+Command stopCommand();
+
+// body.cpp
+Command sensorsCommand();
+Command batteryCommand();
+Command ledsCommand();
+Command earsCommand();
+
+}  // namespace aibo_driver::command_line
+
+#endif  // AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H

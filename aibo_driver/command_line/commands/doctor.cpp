@@ -1,0 +1,295 @@
+#include <netdb.h>
+#include <sys/socket.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/fault.h"
+#include "client/tcp_transport.h"
+#include "command_line/commands/commands.h"
+#include "command_line/link_meter.h"
+#include "command_line/local_clients.h"
+#include "command_line/quantities.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+namespace po = boost::program_options;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr int kConsolePort = 59000;
+constexpr milliseconds kConsoleTimeout{500};
+constexpr double kLongestTest = 600;  // s
+constexpr double kFewPictures = 20;   // a second, of the camera's 25 or 30
+constexpr double kHighLoss = 0.1;
+constexpr double kLongGap = 0.5;        // s, between two pictures
+constexpr double kLowCharge = 0.2;      // as in the driver's diagnostics
+constexpr double kBatteryPatience = 3;  // s
+constexpr int kTelemetryPeriod = 4;     // frames
+
+/// One line of the report.
+struct Finding {
+  std::string topic;
+  bool good = true;
+  std::string words;
+  std::string advice;  ///< what to do; empty if it is good
+};
+
+/// What a lookup of the robot's name has found. It runs on a thread that may be left behind.
+struct Lookup {
+  std::string address;
+  double seconds = 0;
+};
+
+double secondsSince(steady_clock::time_point begin) {
+  return std::chrono::duration<double>(steady_clock::now() - begin).count();
+}
+
+std::string inMilliseconds(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f ms", 1000 * seconds);
+  return text;
+}
+
+std::string numericAddress(const SocketAddress& address) {
+  char host[NI_MAXHOST] = "";
+  ::getnameinfo(reinterpret_cast<const sockaddr*>(&address.storage), address.size, host, sizeof host, nullptr, 0,
+                NI_NUMERICHOST);
+  return host;
+}
+
+/// Looks at one thing after the other, until one of them makes the next impossible.
+class Doctor {
+ public:
+  Doctor(const RobotAddress& address, double seconds, Output& output)
+      : address_(address), seconds_(seconds), output_(output) {}
+
+  ExitStatus run() {
+    const bool reachable = checkPort() && checkServer();
+    conclude();
+    return !reachable ? kUnreachable : problems_ > 0 ? kFailed : kDone;
+  }
+
+ private:
+  void find(const Finding& finding) {
+    problems_ += finding.good ? 0 : 1;
+    findings_.push_back(Json::object(
+        {{"topic", finding.topic}, {"good", finding.good}, {"text", finding.words}, {"advice", finding.advice}}));
+    if (!output_.json()) {
+      char topic[32];
+      std::snprintf(topic, sizeof topic, "%-4s %-9s ", finding.good ? "ok" : "BAD", finding.topic.c_str());
+      output_.result(topic + finding.words + (finding.advice.empty() ? "" : "\n               " + finding.advice), {});
+    }
+  }
+
+  /// @return false if nothing listens there
+  bool checkPort() {
+    const auto lookup = std::make_shared<Lookup>();
+    TcpTransport transport([lookup](const std::string& host, int port) {
+      const steady_clock::time_point begin = steady_clock::now();
+      NameLookupResult result = resolveWithSystem(host, port);
+      lookup->seconds = secondsSince(begin);
+      lookup->address = result.addresses.empty() ? "" : numericAddress(result.addresses.front());
+      return result;
+    });
+    const steady_clock::time_point begin = steady_clock::now();
+    const std::string port = "port " + std::to_string(address_.port);
+    try {
+      transport.connect(address_.host, address_.port, begin + address_.timeout);
+      const double seconds = secondsSince(begin);
+      findName(*lookup);
+      find({"port", true, port + " answers in " + inMilliseconds(seconds - lookup->seconds), ""});
+      return true;
+    } catch (const Fault& fault) {
+      if (fault.kind() == FaultKind::kNameNotFound) {
+        find({"name", false, fault.what(), fault.advice()});
+        return false;
+      }
+      if (fault.kind() != FaultKind::kNoAnswer) {
+        findName(*lookup);
+      }
+      if (fault.kind() == FaultKind::kTurnedAway) {
+        find({"port", true, port + " answers", ""});
+        return true;  // checkServer() says more
+      }
+      find({"port", false, fault.what(), adviceFor(fault)});
+      return false;
+    }
+  }
+
+  void findName(const Lookup& lookup) {
+    numeric_address_ = lookup.address.empty() ? address_.host : lookup.address;
+    if (lookup.address.empty()) {
+      find({"name", true, address_.host + " is an address", ""});
+    } else {
+      find(
+          {"name", true, address_.host + " is " + lookup.address + ", found in " + inMilliseconds(lookup.seconds), ""});
+    }
+  }
+
+  std::string adviceFor(const Fault& fault) {
+    if (fault.kind() == FaultKind::kRefused && consoleAnswers()) {
+      return "The robot's console (port 59000) answers: the robot is on, but RCServer is not running. The console says "
+             "why.";
+    }
+    return fault.advice() + (address_.host_is_given ? "" : " Name the robot: aibo doctor HOST.");
+  }
+
+  bool consoleAnswers() {
+    try {
+      TcpTransport transport;
+      transport.connect(address_.host, kConsolePort, steady_clock::now() + kConsoleTimeout);
+      return true;
+    } catch (const Fault&) {
+      return false;
+    }
+  }
+
+  /// @return false if the server does not serve this client
+  bool checkServer() {
+    Robot robot(address_, output_);
+    try {
+      robot.connect();
+      checkVersion(robot);
+      checkBattery(robot);
+      checkStream(robot);
+      return true;
+    } catch (const NetworkException& error) {
+      const bool turned_away = error.kind() == FaultKind::kTurnedAway;
+      find({"server", false, error.what(), turned_away ? whoIsConnected() : "Is the robot within reach of its WLAN?"});
+      return false;
+    }
+  }
+
+  std::string whoIsConnected() const {
+    std::string names;
+    for (const std::string& name : localClients(numeric_address_, address_.port)) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    if (!names.empty()) {
+      return "On this computer, " + names + " is connected to the robot: end it.";
+    }
+    return "Another computer has the robot, or this computer's address is not among the ALLOWED_ADDRESSES in "
+           "RCSERVER.CFG. The robot's console (port 59000) says which.";
+  }
+
+  void checkVersion(const Robot& robot) {
+    const ConnectionStatus status = robot.received().status;
+    if (status.protocol_version == 1) {
+      find({"server", true, "speaks version 1 of the protocol, as the RCServer of 2005 and 2006 does", ""});
+      return;
+    }
+    find({"server", true, status.robot.server + " on an " + status.robot.design + ", version 2 of the protocol", ""});
+    std::string allowed;
+    for (const auto& [letter, name] :
+         {std::make_pair("U", "upload"), {"D", "delete"}, {"Q", "shut down"}, {"R", "reboot"}}) {
+      allowed += status.robot.hasCapability(letter) ? (allowed.empty() ? "" : ", ") + std::string(name) : "";
+    }
+    find({"allows", true, allowed.empty() ? "nothing dangerous: no upload, delete, shut down, reboot" : allowed, ""});
+  }
+
+  void checkBattery(Robot& robot) {
+    const robot_model::RobotModel& model = robot.model();
+    const int index = robot_model::findSensorByName(model, "battery");
+    if (index == robot_model::NO_SENSOR) {
+      return;
+    }
+    const int id = model.sensors[index].identifier;
+    robot.client().setTelemetryPeriod(kTelemetryPeriod);
+    const auto measured = [id](const Received& received) { return received.sensors.count(id) > 0; };
+    if (!robot.waitUntil(measured, nanosecondsOf(kBatteryPatience))) {
+      find({"battery", false, "the robot does not report its battery", "Does its server support sensors?"});
+    } else {
+      const double charge = robot.received().sensors.at(id);
+      find({"battery", charge >= kLowCharge, std::to_string(std::lround(100 * charge)) + " % charged",
+            charge >= kLowCharge ? "" : "Charge it soon."});
+    }
+    robot.client().setTelemetryPeriod(0);
+  }
+
+  void checkStream(Robot& robot) {
+    robot.client().setStreaming(true);
+    LinkMeter meter(1, steady_clock::now());
+    const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds_);
+    const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
+    while (robot.waitUntil(has_pictures, end - steady_clock::now())) {
+      for (const ArrivedPicture& arrived : robot.takePictures()) {
+        meter.add(*arrived.picture, arrived.time);
+      }
+    }
+    stream_ = meter.read(steady_clock::now());
+    judgeStream();
+    const std::uint64_t damaged = robot.client().statistics().corrupt_pictures;
+    if (damaged > 0) {
+      find({"pictures", false, std::to_string(damaged) + " pictures were damaged",
+            "Is it an RCServer for an ERS-7 or an ERS-210? Look at the robot's console."});
+    }
+  }
+
+  void judgeStream() {
+    const bool enough = stream_.picturesPerSecond() >= kFewPictures && stream_.loss.value_or(0) <= kHighLoss;
+    find({"stream", enough, wordsOf(stream_),
+          enough ? "" : "Bring the robot nearer to its access point, or choose another channel; see docs/wlan.md."});
+    char words[64];
+    std::snprintf(words, sizeof words, "the longest time without a picture was %.0f ms", 1000 * stream_.longest_gap);
+    const bool steady = stream_.longest_gap < kLongGap;
+    find({"gaps", steady, words, steady ? "" : "The radio link stood still: look for other senders on its channel."});
+  }
+
+  void conclude() {
+    if (output_.json()) {
+      output_.result("", Json::object({{"host", address_.host},
+                                       {"port", address_.port},
+                                       {"good", problems_ == 0},
+                                       {"findings", Json::array(findings_)},
+                                       {"stream", stream_.seconds > 0 ? jsonOf(stream_) : Json()}}));
+    } else {
+      output_.result(problems_ == 0 ? "All is well." : "See the lines that begin with BAD.", {});
+    }
+  }
+
+  const RobotAddress address_;
+  const double seconds_;
+  Output& output_;
+  std::string numeric_address_;
+  std::vector<Json> findings_;
+  int problems_ = 0;
+  LinkMeter::Reading stream_;
+};
+
+ExitStatus diagnose(const Arguments& arguments, Output& output) {
+  RobotAddress address = arguments.robot;
+  if (!arguments.words.empty()) {
+    address.host = arguments.words.front();
+    address.host_is_given = true;
+  }
+  const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 1, kLongestTest);
+  return Doctor(address, seconds, output).run();
+}
+
+}  // namespace
+
+Command doctorCommand() {
+  Command command;
+  command.name = "doctor";
+  command.synopsis = "[HOST]";
+  command.summary = "checks the way to a robot, and says what to do";
+  command.details =
+      "Name, port, server, battery, then the stream for --seconds. It moves nothing. The exit status is 0 if all is "
+      "well, 1 if something is bad, 3 if the robot does not serve this computer.";
+  command.examples = {{"doctor 192.168.1.20", "the first thing to run with a new robot"},
+                      {"--json doctor", "one document, for scripts"}};
+  command.most_words = 1;
+  command.add_options = [](po::options_description& options) {
+    options.add_options()("seconds", po::value<std::string>()->default_value("10")->value_name("S"),
+                          "how long to watch the stream, 1 to 600");
+  };
+  command.run = diagnose;
+  return command;
+}
+
+}  // namespace aibo_driver::command_line

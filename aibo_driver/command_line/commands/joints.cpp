@@ -1,0 +1,317 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "command_line/commands/commands.h"
+#include "command_line/interruption.h"
+#include "command_line/quantities.h"
+#include "joints/joint_command_filter.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
+#include "joints/measured_joints.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+namespace po = boost::program_options;
+using std::chrono::steady_clock;
+
+constexpr double kPatience = 3;          // s, for measurements: a version 1 server sends one joint after the other
+constexpr double kMargin = 3;            // s, beyond the time that a way takes
+constexpr double kMoment = 1.5;          // s, beyond the time that a way takes at full speed
+constexpr double kThere = 0.0087;        // rad, half a degree
+constexpr double kNear = 0.087;          // rad, 5 degrees
+constexpr double kClamped = 0.001;       // rad
+constexpr double kLongestDuration = 60;  // s
+constexpr double kLowestSpeed = 0.01;    // rad/s
+constexpr int kTelemetryPeriod = 4;      // frames
+constexpr std::chrono::milliseconds kHoldTimeout{2000};
+
+/// To a tenth, without a sign before zero.
+double roundedDegrees(double radian) {
+  return std::round(10 * degrees(radian)) / 10 + 0.0;
+}
+
+std::string inDegrees(double radian) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f degrees", roundedDegrees(radian));
+  return text;
+}
+
+/// Where joints shall go.
+struct Move {
+  std::vector<std::string> names;
+  std::vector<double> positions;  ///< rad, as the user typed them
+  double speed = 0;               ///< rad/s
+  double duration = 0;            ///< s; 0: as fast as the speed allows
+};
+
+Move parseMove(const Arguments& arguments) {
+  Move move;
+  for (const Assignment& joint : parseAssignments(arguments.words, "head_pan=30deg")) {
+    move.names.push_back(joint.name);
+    move.positions.push_back(parseAngle(joint.name, joint.value));
+  }
+  move.speed = joints::kUsualApproachSpeed;
+  if (arguments.has("speed")) {
+    move.speed = parseAngularSpeed("--speed", arguments.get<std::string>("speed"));
+    if (!(move.speed >= kLowestSpeed && move.speed <= joints::kUsualSpeedLimit)) {
+      throw InvalidArgumentException("--speed can be 0.6deg/s to 171deg/s (3 rad/s)");
+    }
+  }
+  if (arguments.has("duration")) {
+    move.duration = parseNumber("--duration", arguments.get<std::string>("duration"), 0, kLongestDuration);
+  }
+  return move;
+}
+
+/// Moves joints as the driver does: within their limits, by its filter.
+class Mover {
+ public:
+  Mover(Robot& robot, Output& output, const Move& move)
+      : robot_(robot),
+        output_(output),
+        move_(move),
+        table_(robot.model().design, joints::kUsualSpeedLimit),
+        measured_(table_),
+        filter_(table_, measured_, move.speed),
+        link_(robot.client(), table_.design()) {}
+
+  /// @throw FailedException a joint does not arrive
+  ExitStatus run() {
+    requireJoints();
+    measure();
+    const joints::JointOrders orders = order();
+    robot_.beginRequest();
+    link_.send(orders, std::chrono::milliseconds(std::lround(1000 * move_.duration)));
+    try {
+      waitUntilAccepted(orders);
+      waitUntilArrived(orders);
+    } catch (const Interrupted&) {
+      hold(orders);
+      throw;
+    }
+    report();
+    return kDone;
+  }
+
+ private:
+  void requireJoints() const {
+    for (const std::string& name : move_.names) {
+      if (!table_.findByName(name)) {
+        throw InvalidArgumentException("the " + table_.design() + " has no joint '" + name +
+                                       "': `aibo joints` lists them");
+      }
+    }
+  }
+
+  /// The filter needs to know where the joints are.
+  void measure() {
+    robot_.client().setTelemetryPeriod(kTelemetryPeriod);
+    const bool measured = robot_.waitUntil(
+        [this](const Received& received) { return received.joints.size() >= table_.size(); }, nanosecondsOf(kPatience));
+    if (!measured) {
+      throw FailedException("the robot does not report where its joints are, so none was moved");
+    }
+    Telemetry telemetry;
+    telemetry.arrival = steady_clock::now();
+    for (const auto& joint : robot_.received().joints) {
+      telemetry.joints.push_back(joint.second);
+    }
+    measured_.update(telemetry);
+  }
+
+  joints::JointOrders order() {
+    joints::JointOrders orders;
+    for (const std::string& refusal : filter_.filter(move_.names, move_.positions, {}, steady_clock::now(), &orders)) {
+      throw InvalidArgumentException(refusal);
+    }
+    for (std::size_t i = 0; i < move_.names.size(); ++i) {
+      noteIfClamped(move_.names[i], move_.positions[i], orders.at(idOf(move_.names[i])).position,
+                    "beyond the joint's limit");
+    }
+    return orders;
+  }
+
+  void waitUntilAccepted(const joints::JointOrders& orders) {
+    const auto accepted = [&orders](const Received& received) {
+      return std::all_of(orders.begin(), orders.end(),
+                         [&](const auto& order) { return received.accepted_joints.count(order.first) > 0; });
+    };
+    if (!robot_.waitUnlessRefused(accepted, nanosecondsOf(kPatience))) {
+      throw FailedException("the robot did not say that it accepts the command");
+    }
+    for (const auto& [id, order] : orders) {
+      noteIfClamped(nameOf(id), order.position, target(id), "where another joint or the body is in its way");
+    }
+  }
+
+  /// Waits until the joints are where they were sent, or, a moment after the time for that, near it: under load, a
+  /// servo stays a little beside its target.
+  void waitUntilArrived(const joints::JointOrders& orders) {
+    double longest = move_.duration;
+    for (const auto& [id, order] : orders) {
+      longest = std::max(longest, std::abs(target(id) - position(id)) / order.speed);
+    }
+    const auto within = [&orders](double tolerance) {
+      return [&orders, tolerance](const Received& received) {
+        return std::all_of(orders.begin(), orders.end(), [&](const auto& order) {
+          const double target = received.accepted_joints.at(order.first);
+          return std::abs(received.joints.at(order.first).position - target) <= tolerance;
+        });
+      };
+    };
+    if (robot_.waitUnlessRefused(within(kThere), nanosecondsOf(longest + kMoment)) ||
+        robot_.waitUnlessRefused(within(kNear), nanosecondsOf(kMargin))) {
+      return;
+    }
+    throw FailedException("not all joints have arrived: " + whatIsLate(orders));
+  }
+
+  std::string whatIsLate(const joints::JointOrders& orders) const {
+    std::string late;
+    for (const auto& order : orders) {
+      const int id = order.first;
+      if (std::abs(position(id) - target(id)) > kNear) {
+        late += (late.empty() ? "" : ", ") + nameOf(id) + " is at " + inDegrees(position(id)) + " instead of " +
+                inDegrees(target(id));
+      }
+    }
+    const std::string message = robot_.received().status.robot_message;
+    return late + (message.empty() ? "" : ". The robot says: " + message);
+  }
+
+  /// A server that cannot hold gets the places where the joints are.
+  void hold(const joints::JointOrders& orders) {
+    std::vector<int> ids;
+    joints::JointOrders here;
+    for (const auto& [id, order] : orders) {
+      ids.push_back(id);
+      here[id] = {position(id), order.speed};
+    }
+    if (robot_.reportsEnds()) {
+      robot_.client().hold(ids, kHoldTimeout);
+    } else {
+      link_.send(here, std::chrono::milliseconds(0));
+      robot_.client().stopMotion("", kHoldTimeout);  // its answer comes after theirs
+    }
+  }
+
+  void report() {
+    std::string words;
+    std::vector<Json> documents;
+    for (std::size_t i = 0; i < move_.names.size(); ++i) {
+      const int id = idOf(move_.names[i]);
+      words += (words.empty() ? "" : "\n") + move_.names[i] + " is at " + inDegrees(position(id));
+      documents.push_back(Json::object({{"name", move_.names[i]},
+                                        {"commanded", move_.positions[i]},
+                                        {"target", target(id)},
+                                        {"position", position(id)},
+                                        {"clamped", std::abs(target(id) - move_.positions[i]) > kClamped}}));
+    }
+    output_.result(words, Json::object({{"joints", Json::array(documents)}}));
+  }
+
+  void noteIfClamped(const std::string& name, double wanted, double given, const std::string& why) {
+    if (std::abs(wanted - given) > kClamped) {
+      output_.note(name + " cannot go to " + inDegrees(wanted) + ", " + why + ": it goes to " + inDegrees(given) + ".");
+    }
+  }
+
+  int idOf(const std::string& name) const { return table_[*table_.findByName(name)].id; }
+  std::string nameOf(int id) const { return table_[*table_.findById(id)].name; }
+  double position(int id) const { return robot_.received().joints.at(id).position; }
+  double target(int id) const { return robot_.received().accepted_joints.at(id); }
+
+  Robot& robot_;
+  Output& output_;
+  const Move& move_;
+  const joints::JointTable table_;
+  joints::MeasuredJoints measured_;
+  joints::JointCommandFilter filter_;
+  joints::JointLink link_;
+};
+
+ExitStatus moveJoints(const Arguments& arguments, Output& output) {
+  const Move move = parseMove(arguments);
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  return Mover(robot, output, move).run();
+}
+
+ExitStatus showJoints(const Arguments& arguments, Output& output) {
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  const joints::JointTable table(robot.model().design, joints::kUsualSpeedLimit);
+  robot.client().setTelemetryPeriod(kTelemetryPeriod);
+  robot.waitUntil([&](const Received& received) { return received.joints.size() >= table.size(); },
+                  nanosecondsOf(kPatience));
+  const std::map<int, JointReading> measured = robot.received().joints;
+  if (measured.empty()) {
+    throw FailedException("the robot does not report its joints: does its server support them?");
+  }
+  char line[160];
+  std::snprintf(line, sizeof line, "%-20s %9s   %s", "", "degrees", "limits");
+  std::string words = line;
+  std::vector<Json> documents;
+  for (const joints::JointProperties& joint : table.joints()) {
+    const auto found = measured.find(joint.id);
+    if (found == measured.end()) {
+      continue;
+    }
+    const double position = found->second.position;
+    std::snprintf(line, sizeof line, "\n%-20s %9.1f   %.0f to %.0f", joint.name.c_str(), roundedDegrees(position),
+                  degrees(joint.lowest), degrees(joint.highest));
+    words += line;
+    documents.push_back(Json::object(
+        {{"name", joint.name}, {"position", position}, {"lowest", joint.lowest}, {"highest", joint.highest}}));
+  }
+  output.result(words, Json::object({{"robot", table.design()}, {"joints", Json::array(documents)}}));
+  return kDone;
+}
+
+}  // namespace
+
+Command jointsCommand() {
+  Command command;
+  command.name = "joints";
+  command.summary = "shows where the joints are";
+  command.details = "In degrees; in radians with --json. A server of version 1 takes a second.";
+  command.examples = {{"joints", "one line a joint, with its limits"}};
+  command.run = showJoints;
+  return command;
+}
+
+Command moveCommand() {
+  Command command;
+  command.name = "move";
+  command.synopsis = "JOINT=ANGLE...";
+  command.summary = "moves joints, and waits until they have arrived";
+  command.details =
+      "Angles need a unit, deg or rad. Joints keep to their limits, and what was clamped is said. They move at the "
+      "driver's approach speed, 29 degrees a second, unless --speed or --duration says otherwise. The motors have to "
+      "be "
+      "on. Ctrl-C lets the joints hold. When the command has ended, they hold their positions.";
+  command.examples = {{"move head_pan=30deg", "looks to the left"},
+                      {"move tail_pan=-0.5rad mouth=-20deg --duration 2", "both arrive after 2 s"}};
+  command.fewest_words = 1;
+  command.most_words = 32;
+  const joints::JointTable table("ERS-7", joints::kUsualSpeedLimit);
+  for (const joints::JointProperties& joint : table.joints()) {
+    command.completions.push_back(joint.name + "=");
+  }
+  command.add_options = [](po::options_description& options) {
+    options.add_options()("duration", po::value<std::string>()->value_name("S"),
+                          "time after which all arrive together, 0 to 60; longer if the speed does not allow it")(
+        "speed", po::value<std::string>()->value_name("SPEED"), "greatest speed, such as 60deg/s; at most 171deg/s");
+  };
+  command.run = moveJoints;
+  return command;
+}
+
+}  // namespace aibo_driver::command_line

@@ -1,0 +1,153 @@
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "aibo_driver/exceptions.h"
+#include "command_line/commands/commands.h"
+#include "command_line/commands/ends.h"
+#include "command_line/interruption.h"
+#include "command_line/quantities.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::chrono::milliseconds kTimeout{2000};
+constexpr std::chrono::milliseconds kSteeringPeriod{100};  // the robot stops 500 ms after the last one
+constexpr double kLongestWalk = 60;                        // s
+constexpr double kLongestPosture = 30;                     // s; lying down from standing takes about 5
+
+WalkVelocity velocityOf(const Arguments& arguments) {
+  WalkVelocity velocity;
+  for (const Assignment& part : parseAssignments(arguments.words, "forward=0.1m/s")) {
+    if (part.name == "forward") {
+      velocity.forward = parseSpeed("forward", part.value);
+    } else if (part.name == "left") {
+      velocity.left = parseSpeed("left", part.value);
+    } else if (part.name == "turn") {
+      velocity.turn = parseAngularSpeed("turn", part.value);
+    } else {
+      throw InvalidArgumentException("a walk has forward, left and turn, not '" + part.name + "'");
+    }
+  }
+  return velocity;
+}
+
+/// Steers until the time is over or somebody presses Ctrl-C; then the robot stops in an orderly way.
+void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
+  using std::chrono::steady_clock;
+  const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds);
+  const auto has_ended = [](const Received& received) { return !received.ends.empty(); };
+  bool interrupted = false;
+  try {
+    do {
+      robot.client().steer(velocity);
+    } while (!robot.waitUnlessRefused(has_ended,
+                                      std::min<std::chrono::nanoseconds>(kSteeringPeriod, end - steady_clock::now())) &&
+             steady_clock::now() < end);
+  } catch (const Interrupted&) {
+    interrupted = true;
+  }
+  robot.client().steer({});
+  if (interrupted) {
+    robot.client().hold({}, kTimeout);
+    throw Interrupted("the walk was interrupted");
+  }
+}
+
+ExitStatus walk(const Arguments& arguments, Output& output) {
+  const WalkVelocity velocity = velocityOf(arguments);
+  const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestWalk);
+  if (velocity.isZero()) {
+    throw InvalidArgumentException("a walk needs a velocity other than 0: see `aibo help walk`");
+  }
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  steer(robot, velocity, seconds);
+  if (!waitForEnd(robot, EndedKind::kWalk, "", kLongestPosture)) {
+    throw FailedException("the robot does not say that it stands");
+  }
+  output.result("The robot has walked and stands.", Json::object({{"walked", true}}));
+  return kDone;
+}
+
+ExitStatus takePosture(const Arguments& arguments, Output& output, Posture posture, const std::string& name,
+                       const std::string& words) {
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  robot.client().takePosture(posture, kTimeout);
+  if (!waitForEnd(robot, EndedKind::kPosture, name, kLongestPosture)) {
+    throw FailedException("the robot did not take the posture in time");
+  }
+  output.result(words, Json::object({{"posture", name}}));
+  return kDone;
+}
+
+ExitStatus stand(const Arguments& arguments, Output& output) {
+  return takePosture(arguments, output, Posture::kStand, "stand", "The robot stands.");
+}
+
+ExitStatus sit(const Arguments& arguments, Output& output) {
+  return takePosture(arguments, output, Posture::kSit, "sit", "The robot sits.");
+}
+
+ExitStatus rest(const Arguments& arguments, Output& output) {
+  return takePosture(arguments, output, Posture::kRest, "rest", "The robot lies, and its motors are off.");
+}
+
+Command postureCommand(const std::string& name, const std::string& summary) {
+  Command command;
+  command.name = name;
+  command.summary = summary;
+  command.details =
+      "It ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. The motors have to "
+      "be "
+      "on. A server of version 1 has no such request; a motion such as SIT.MTN may do.";
+  command.examples = {{name, summary}};
+  return command;
+}
+
+}  // namespace
+
+Command walkCommand() {
+  Command command;
+  command.name = "walk";
+  command.synopsis = "[forward=SPEED] [left=SPEED] [turn=SPEED]";
+  command.summary = "walks for a short time";
+  command.details =
+      "Speeds need units: m/s, cm/s or mm/s, and deg/s or rad/s for turn; negative ones go back, to the right and "
+      "clockwise. The robot keeps to its limits. It stands up first if it has to, and stands at the end. Ctrl-C stops "
+      "it, and so does a lost connection, within half a second. The motors have to be on. A server of version 1 cannot "
+      "walk.";
+  command.examples = {{"walk forward=5cm/s --seconds 3", "about 15 cm"}, {"walk turn=-20deg/s", "to the right"}};
+  command.fewest_words = 1;
+  command.most_words = 3;
+  command.completions = {"forward=", "left=", "turn="};
+  command.add_options = [](po::options_description& options) {
+    options.add_options()("seconds", po::value<std::string>()->default_value("1")->value_name("S"),
+                          "how long, 0.1 to 60");
+  };
+  command.run = walk;
+  return command;
+}
+
+Command standCommand() {
+  Command command = postureCommand("stand", "stands up");
+  command.run = stand;
+  return command;
+}
+
+Command sitCommand() {
+  Command command = postureCommand("sit", "sits down");
+  command.run = sit;
+  return command;
+}
+
+Command restCommand() {
+  Command command = postureCommand("rest", "lies down and switches the motors off");
+  command.run = rest;
+  return command;
+}
+
+}  // namespace aibo_driver::command_line

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "body/motion_files.h"
+#include "command_line/commands/commands.h"
+#include "command_line/commands/ends.h"
+#include "command_line/interruption.h"
+#include "command_line/quantities.h"
+#include "joints/joint_link.h"
+#include "joints/joint_table.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::chrono::milliseconds kPlayTimeout{2000};
+constexpr std::chrono::milliseconds kFileTimeout{5000};
+constexpr std::chrono::milliseconds kUploadTimeout{15000};
+constexpr double kLongestPlay = 3600;  // s
+constexpr double kBlindPlay = 10;      // s, if the server does not report ends
+
+ExitStatus list(const Arguments& arguments, Output& output) {
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  const std::vector<std::string> names = robot.client().listMotions(kFileTimeout);
+  std::string words;
+  for (const std::string& name : names) {
+    words += (words.empty() ? "" : "\n") + name;
+  }
+  output.result(names.empty() ? "There are no motions on the robot." : words,
+                Json::object({{"motions", Json::array({names.begin(), names.end()})}}));
+  return kDone;
+}
+
+/// Stops the motion when the time has passed, and at Ctrl-C.
+/// @return true if it has played to its end
+bool waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
+  bool done = false;
+  try {
+    if (robot.reportsEnds()) {
+      done = waitForEnd(robot, EndedKind::kMotion, name, seconds);
+    } else {
+      robot.waitUntil([](const Received&) { return false; }, nanosecondsOf(seconds));
+    }
+  } catch (const Interrupted&) {
+    robot.client().stopMotion(name, kPlayTimeout);
+    throw;
+  }
+  if (!done) {
+    robot.client().stopMotion(name, kPlayTimeout);
+  }
+  return done;
+}
+
+ExitStatus play(const Arguments& arguments, Output& output) {
+  const std::string name = body::motionFileName(arguments.words.front());
+  const bool limited = arguments.has("seconds");
+  double seconds =
+      limited ? parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestPlay) : kLongestPlay;
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  if (!robot.reportsEnds() && !limited) {
+    seconds = kBlindPlay;
+    output.note("This server does not say when a motion ends, so it is stopped after 10 s (--seconds).");
+  }
+  const joints::JointTable table(robot.model().design, joints::kUsualSpeedLimit);
+  joints::JointLink(robot.client(), table.design()).limitSpeeds(table.speedLimits());
+  const std::string changes = robot.client().playMotion(name, arguments.get<int>("times"), kPlayTimeout);
+  if (!changes.empty()) {
+    output.note(name + " plays differently than in its file: " + changes + ".");
+  }
+  const bool done = waitWhileItPlays(robot, name, seconds);
+  output.result(name + (done ? " was played to its end." : " was played, and stopped when its time was over."),
+                Json::object({{"motion", name}, {"to_its_end", done}, {"changes", changes}}));
+  return kDone;
+}
+
+ExitStatus upload(const Arguments& arguments, Output& output) {
+  const std::string& file = arguments.words.front();
+  const std::string given =
+      arguments.words.size() > 1 ? arguments.words[1] : std::filesystem::path(file).filename().string();
+  const std::string name = body::motionFileName(given);
+  const std::vector<std::uint8_t> content = body::loadMotion(file);
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  robot.client().uploadMotion(name, content, kUploadTimeout);
+  output.result(name + " is on the robot, " + std::to_string(content.size()) + " bytes.",
+                Json::object({{"motion", name}, {"bytes", content.size()}}));
+  return kDone;
+}
+
+ExitStatus deleteMotion(const Arguments& arguments, Output& output) {
+  const std::string name = body::motionFileName(arguments.words.front());
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  robot.client().deleteMotion(name, kFileTimeout);
+  output.result(name + " was deleted from the robot.", Json::object({{"motion", name}}));
+  return kDone;
+}
+
+}  // namespace
+
+Command motionsCommand() {
+  Command command;
+  command.name = "motions";
+  command.summary = "lists the motions on the robot's memory stick";
+  command.details = "A server of version 1 cannot list them; it plays them by name all the same.";
+  command.examples = {{"motions", "one name a line"}};
+  command.run = list;
+  return command;
+}
+
+Command playCommand() {
+  Command command;
+  command.name = "play";
+  command.synopsis = "MOTION";
+  command.summary = "plays a motion from the robot's memory stick";
+  command.details =
+      "It stays connected until the motion has ended, because the robot stops its motions when its client goes; Ctrl-C "
+      "stops it. The motors have to be on. Joints keep to the driver's usual speed limit, 3 rad/s.";
+  command.examples = {{"play nod", "plays NOD.MTN once"}, {"play wag --times 3", "three times"}};
+  command.fewest_words = command.most_words = 1;
+  command.add_options = [](po::options_description& options) {
+    options.add_options()("times", po::value<int>()->default_value(1)->value_name("N"), "how often, 1 to 65535")(
+        "seconds", po::value<std::string>()->value_name("S"),
+        "longest time to play; the default is to its end, or 10 if the server does not report ends");
+  };
+  command.run = play;
+  return command;
+}
+
+Command uploadCommand() {
+  Command command;
+  command.name = "upload";
+  command.synopsis = "FILE [NAME]";
+  command.summary = "stores a motion on the robot's memory stick";
+  command.details =
+      "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
+      "motion gets the name of its file: at most eight characters and .MTN.";
+  command.examples = {{"upload wave.mtn", "the robot can now play WAVE.MTN"}};
+  command.fewest_words = 1;
+  command.most_words = 2;
+  command.completions = {"FILE"};
+  command.run = upload;
+  return command;
+}
+
+Command deleteCommand() {
+  Command command;
+  command.name = "delete";
+  command.synopsis = "MOTION";
+  command.summary = "deletes a motion from the robot's memory stick";
+  command.details = "RCSERVER.CFG on the robot has to allow it (ALLOW_DELETE).";
+  command.examples = {{"delete wave", "WAVE.MTN is gone"}};
+  command.fewest_words = command.most_words = 1;
+  command.run = deleteMotion;
+  return command;
+}
+
+}  // namespace aibo_driver::command_line

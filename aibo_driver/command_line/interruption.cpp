@@ -1,0 +1,41 @@
+#include "command_line/interruption.h"
+
+#include <csignal>
+
+#include "client/event.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+volatile std::sig_atomic_t first_signal = 0;
+
+Event& event() {
+  static Event event;
+  return event;
+}
+
+extern "C" void noteInterruption(int signal) {
+  first_signal = signal;
+  event().raise();
+}
+
+}  // namespace
+
+void noteInterruptions() {
+  event();  // made here, not in the handler
+  struct sigaction action = {};
+  action.sa_handler = noteInterruption;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+int interruption() {
+  return first_signal;
+}
+
+int interruptionDescriptor() {
+  return event().descriptor();
+}
+
+}  // namespace aibo_driver::command_line

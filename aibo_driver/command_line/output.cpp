@@ -1,0 +1,33 @@
+#include "command_line/output.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "command_line/plain_text.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+void write(std::FILE* stream, const void* data, std::size_t size) {
+  if (std::fwrite(data, 1, size, stream) != size || std::fflush(stream) != 0) {
+    throw OutputException(std::string("cannot write to the standard output: ") + std::strerror(errno));
+  }
+}
+
+}  // namespace
+
+void Output::result(const std::string& words, const Json& json) {
+  const std::string line = (json_ ? json.text() : plainText(words)) + "\n";
+  write(results_to_stderr_ ? stderr : stdout, line.data(), line.size());
+}
+
+void Output::note(const std::string& words) {
+  std::fprintf(stderr, "%s\n", plainText(words).c_str());
+}
+
+void Output::bytes(const std::vector<std::uint8_t>& bytes) {
+  write(stdout, bytes.data(), bytes.size());
+}
+
+}  // namespace aibo_driver::command_line

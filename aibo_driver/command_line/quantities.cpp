@@ -1,0 +1,95 @@
+#include "command_line/quantities.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct Unit {
+  const char* name;
+  double size;
+};
+
+/// @param allowed what to give instead
+[[noreturn]] void refuse(const std::string& what, const std::string& text, const std::string& allowed) {
+  throw InvalidArgumentException(what + " cannot be '" + text + "': give " + allowed);
+}
+
+/// Splits a text into its number and what follows.
+double readNumber(const std::string& what, const std::string& text, const std::string& allowed, std::string* rest) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !std::isfinite(number)) {
+    refuse(what, text, allowed);
+  }
+  *rest = end;
+  return number;
+}
+
+double parseWithUnit(const std::string& what, const std::string& text, const std::vector<Unit>& units,
+                     const std::string& allowed) {
+  std::string rest;
+  const double number = readNumber(what, text, allowed, &rest);
+  for (const Unit& unit : units) {
+    if (rest == unit.name) {
+      return number * unit.size;
+    }
+  }
+  refuse(what, text, allowed);
+}
+
+}  // namespace
+
+std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, const std::string& example) {
+  std::vector<Assignment> assignments;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
+      throw InvalidArgumentException("'" + word + "' has to have the form NAME=VALUE, such as " + example);
+    }
+    assignments.push_back({word.substr(0, equals), word.substr(equals + 1)});
+  }
+  return assignments;
+}
+
+double parseAngle(const std::string& what, const std::string& text) {
+  return parseWithUnit(what, text, {{"deg", kPi / 180}, {"rad", 1}}, "a number with its unit: 30deg or 0.52rad");
+}
+
+double parseAngularSpeed(const std::string& what, const std::string& text) {
+  return parseWithUnit(what, text, {{"deg/s", kPi / 180}, {"rad/s", 1}},
+                       "a number with its unit: 30deg/s or 0.52rad/s");
+}
+
+double parseSpeed(const std::string& what, const std::string& text) {
+  return parseWithUnit(what, text, {{"m/s", 1}, {"cm/s", 0.01}, {"mm/s", 0.001}},
+                       "a number with its unit: 0.1m/s, 10cm/s or 100mm/s");
+}
+
+double parseNumber(const std::string& what, const std::string& text, double lowest, double highest) {
+  char allowed[64];
+  std::snprintf(allowed, sizeof allowed, "a number from %g to %g", lowest, highest);
+  std::string rest;
+  const double number = readNumber(what, text, allowed, &rest);
+  if (!rest.empty() || number < lowest || number > highest) {
+    refuse(what, text, allowed);
+  }
+  return number;
+}
+
+double degrees(double radian) {
+  return radian * 180 / kPi;
+}
+
+std::chrono::nanoseconds nanosecondsOf(double seconds) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace aibo_driver::command_line

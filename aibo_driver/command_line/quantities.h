@@ -1,0 +1,47 @@
+/// @file quantities.h
+/// NAME=VALUE with units, as users type them. Angles and lengths need a unit: 30 meant as degrees and taken as radians
+/// would be a movement to the joint's limit.
+#ifndef AIBO_DRIVER_COMMAND_LINE_QUANTITIES_H
+#define AIBO_DRIVER_COMMAND_LINE_QUANTITIES_H
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace aibo_driver::command_line {
+
+struct Assignment {
+  std::string name;
+  std::string value;
+};
+
+/// @param example for the message, such as "head_pan=30deg"
+/// @throw InvalidArgumentException a word has no '=', or nothing on one side of it
+std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, const std::string& example);
+
+// Each of these throws InvalidArgumentException if the text is not such a quantity, or not finite. `what` names it in
+// the message.
+
+/// @param text such as 30deg, -0.5rad
+/// @return rad
+double parseAngle(const std::string& what, const std::string& text);
+
+/// @param text such as 30deg/s, 0.5rad/s
+/// @return rad/s
+double parseAngularSpeed(const std::string& what, const std::string& text);
+
+/// @param text such as 0.1m/s, -5cm/s, 80mm/s
+/// @return m/s
+double parseSpeed(const std::string& what, const std::string& text);
+
+/// @return the number, without a unit
+double parseNumber(const std::string& what, const std::string& text, double lowest, double highest);
+
+double degrees(double radian);
+
+/// @param seconds below 9e9
+std::chrono::nanoseconds nanosecondsOf(double seconds);
+
+}  // namespace aibo_driver::command_line
+
+#endif  // AIBO_DRIVER_COMMAND_LINE_QUANTITIES_H

@@ -1,0 +1,510 @@
+"""The program aibo as its users and their scripts see it: exit status, files, JSON; with servers of both versions, with
+none, with one that is busy, and with one that is hostile."""
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import struct
+import subprocess
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+AIBO = os.environ["AIBO"]
+RCSERVER = os.environ["AIBO_RCSERVER"]
+STICK = Path(RCSERVER).parents[2] / "share/aibo_driver/memory_stick"
+NOD = PROJECT / "aibo_rcserver/memory_stick/OPEN-R/MW/DATA/P/NOD.MTN"
+DONE, FAILED, WRONG_USAGE, UNREACHABLE = range(4)
+CONTROL = re.compile(rb"[\x00-\x09\x0b-\x1f\x7f]")
+
+
+def environment():
+    return {name: value for name, value in os.environ.items() if name != "AIBO_HOST"}
+
+
+def run(*words, port, folder="."):
+    return subprocess.run([AIBO, "--port", str(port), *map(str, words)], capture_output=True, timeout=120, cwd=folder,
+                          env=environment(), check=False)
+
+
+def start(*words, port, **options):
+    return subprocess.Popen([AIBO, "--port", str(port), *words], env=environment(), stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, **options)
+
+
+class SimulatedRobot:
+    def __init__(self, *options, port=0):
+        self.process = subprocess.Popen([RCSERVER, "--port", str(port), "--no-console", *options],
+                                        stdout=subprocess.PIPE, text=True)
+        for line in self.process.stdout:
+            if found := re.match(r"RCServer listening on 127\.0\.0\.1:(\d+)", line):
+                self.port = int(found[1])
+                break
+        self.reader = threading.Thread(target=self.process.stdout.read, daemon=True)
+        self.reader.start()
+
+    def end(self):
+        self.process.kill()
+        self.process.wait()
+        self.reader.join()
+        self.process.stdout.close()
+
+
+def version2_frame(kind, payload, number=0, identifier=0):
+    return struct.pack(">cBHI", kind, identifier, number, len(payload)) + payload
+
+
+class ScriptedServer:
+    """Serves each client by `serve`, which gets its socket; then the connection ends."""
+
+    def __init__(self, serve):
+        self.socket = socket.create_server(("127.0.0.1", 0))
+        self.port = self.socket.getsockname()[1]
+        self.serve = serve
+        threading.Thread(target=self.run, daemon=True).start()
+
+    def run(self):
+        while True:
+            try:
+                client = self.socket.accept()[0]
+            except OSError:
+                return
+            with client:
+                try:
+                    self.serve(client)
+                except OSError:
+                    pass
+
+    def end(self):
+        self.socket.close()
+
+
+def says_hello(server, names=b""):
+    """A server of version 2 with a name, which lists motions of these names and refuses everything else."""
+    hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N\nlimits=\n" % server
+
+    def serve(client):
+        client.recv(2, socket.MSG_WAITALL)
+        client.sendall(b"x\x02\x00\x00")
+        while header := client.recv(8, socket.MSG_WAITALL):
+            kind, _, number, size = struct.unpack(">cBHI", header)
+            client.recv(size, socket.MSG_WAITALL)
+            reply = {b"H": (b"h", hello), b"N": (b"n", names)}.get(kind, (b"e", b"\x00\x00no"))
+            client.sendall(version2_frame(reply[0], reply[1], number))
+    return serve
+
+
+class TestCase(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="aibo_test."))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def aibo(self, *words, status=DONE, port=None):
+        """Runs a command. Whatever happens, nothing that a terminal obeys comes out."""
+        result = run(*words, port=port or self.robot.port, folder=self.folder)
+        self.assertEqual(result.returncode, status, (words, result.stdout, result.stderr))
+        self.assertNotRegex(result.stderr, CONTROL)
+        result.errors = result.stderr.decode()
+        return result
+
+    def text(self, *words, **options):
+        return self.aibo(*words, **options).stdout.decode()
+
+    def json(self, *words, **options):
+        return json.loads(self.text("--json", *words, **options))
+
+
+class OnBothVersions:
+    """What a server of 2006 can do, too."""
+
+    def test_takes_a_picture(self):
+        picture = self.json("picture", "-o", "a.jpg")
+        content = (self.folder / "a.jpg").read_bytes()
+        self.assertEqual((picture["width"], picture["height"], picture["file"]),
+                         (208, 160, str(self.folder / "a.jpg")))
+        self.assertEqual(content[:3], b"\xff\xd8\xff")
+
+    def test_gives_a_picture_a_name(self):
+        self.aibo("picture")
+        self.assertRegex("".join(os.listdir(self.folder)), r"^aibo-\d{8}-\d{6}\.jpg$")
+
+    def test_writes_a_picture_to_a_pipe(self):
+        self.assertEqual(self.aibo("picture", "-o", "-").stdout[:3], b"\xff\xd8\xff")
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_replaces_nothing_but_jpegs(self):
+        (self.folder / "a.jpg").write_text("precious")
+        self.assertIn("not a JPEG", self.aibo("picture", "-o", "a.jpg", status=FAILED).errors)
+        self.assertEqual((self.folder / "a.jpg").read_text(), "precious")
+
+    def test_shows_the_joints(self):
+        joints = self.json("joints")["joints"]
+        self.assertEqual(len(joints), 18)
+        for joint in joints:
+            self.assertTrue(joint["lowest"] - 0.05 <= joint["position"] <= joint["highest"] + 0.05, joint)
+
+    def test_moves_joints_until_they_have_arrived(self):
+        joints = self.json("move", "head_pan=20deg", "tail_pan=-0.2rad", "--speed", "120deg/s")["joints"]
+        self.assertEqual([joint["name"] for joint in joints], ["head_pan", "tail_pan"])
+        for joint, wanted in zip(joints, (0.349, -0.2)):
+            self.assertAlmostEqual(joint["position"], wanted, delta=0.02)
+            self.assertFalse(joint["clamped"])
+        self.assertAlmostEqual(self.position("head_pan"), 0.349, delta=0.03)  # and they stay
+
+    def position(self, name):
+        return next(joint["position"] for joint in self.json("joints")["joints"] if joint["name"] == name)
+
+    def test_says_what_was_clamped(self):
+        result = self.aibo("--json", "move", "mouth=30deg", "--speed", "120deg/s")
+        joint = json.loads(result.stdout)["joints"][0]
+        self.assertTrue(joint["clamped"])
+        self.assertAlmostEqual(joint["target"], -0.052, delta=0.01)  # 3 degrees
+        self.assertIn("mouth cannot go to 30.0 degrees", result.errors)
+
+    def test_moves_nothing_if_one_joint_is_misspelt(self):
+        before = self.position("tail_tilt")
+        self.assertIn("no joint 'nose'",
+                      self.aibo("move", "tail_tilt=50deg", "nose=1deg", status=WRONG_USAGE).errors)
+        self.assertAlmostEqual(self.position("tail_tilt"), before, delta=0.01)
+
+    def test_shows_sensors_and_battery(self):
+        sensors = {sensor["name"]: sensor for sensor in self.json("sensors")["sensors"]}
+        self.assertEqual(len(sensors), 18)
+        self.assertTrue(sensors["paw_left_front"]["pressed"])
+        self.assertIsNone(sensors["range_near"]["pressed"])
+        battery = self.json("battery")
+        self.assertTrue(0.5 < battery["charge"] <= 1 and 0 < battery["temperature"] < 60, battery)
+
+    def test_lights_leds_and_flicks_ears(self):
+        self.aibo("leds", "face=1", "head_white=0.5", "--mode", "B", "--seconds", "0.2")
+        self.aibo("ears", "left")
+        self.assertIn("no LED", self.aibo("leds", "nose=1", status=WRONG_USAGE).errors)
+        self.aibo("leds", "face=2", status=WRONG_USAGE)
+
+    def test_plays_a_motion_for_a_time(self):
+        self.assertEqual(self.json("play", "wag", "--times", "50", "--seconds", "1")["to_its_end"], False)
+        self.assertIn("NONE.MTN", self.aibo("play", "none", status=FAILED).errors)
+        self.aibo("play", "../../x", status=WRONG_USAGE)
+
+    def test_uploads_only_what_is_allowed(self):
+        self.aibo("upload", NOD, "wave", status=FAILED)
+        self.assertIn("not a motion", self.aibo("upload", __file__, "wave", status=FAILED).errors)
+        self.aibo("upload", NOD, "con", status=WRONG_USAGE)
+
+    def test_watches_the_stream(self):
+        lines = self.text("--json", "watch", "--seconds", "2").splitlines()
+        self.assertEqual(len(lines), 2)
+        for line in map(json.loads, lines):
+            self.assertTrue(line["connected"])
+            self.assertGreater(line["stream"]["pictures"], 0)
+
+    def test_saves_the_stream_under_names_of_its_own(self):
+        self.aibo("watch", "--seconds", "1", "--save", ".")
+        names = sorted(os.listdir(self.folder))
+        self.assertGreater(len(names), 3)
+        for number, name in enumerate(names, 1):
+            self.assertRegex(name, rf"^aibo-\d{{8}}-\d{{6}}-{number:06}\.jpg$")
+            self.assertEqual((self.folder / name).read_bytes()[:3], b"\xff\xd8\xff")
+        self.assertIn("no such folder", self.aibo("watch", "--save", "missing", status=FAILED).errors)
+
+    def test_pipes_the_stream_to_a_player(self):
+        result = self.aibo("watch", "--seconds", "1", "--play")
+        self.assertEqual(result.stdout[:3], b"\xff\xd8\xff")
+        self.assertIn("pictures/s", result.errors)
+
+    def test_examines_the_way_to_the_robot(self):
+        report = self.json("doctor", "--seconds", "1")
+        self.assertEqual({finding["topic"] for finding in report["findings"]} -
+                         {"allows"}, {"name", "port", "server", "battery", "stream", "gaps"})
+        self.assertGreater(report["stream"]["pictures"], 0)
+
+    def test_a_busy_robot_is_called_busy(self):
+        with start("watch", port=self.robot.port) as other:
+            try:
+                other.stdout.readline()
+                self.assertIn("Is another client connected?", self.aibo("joints", status=UNREACHABLE).errors)
+                report = self.json("doctor", status=UNREACHABLE)
+                self.assertFalse(report["good"])
+                self.assertIn(f"aibo (process {other.pid}) is connected", report["findings"][-1]["advice"])
+            finally:
+                other.kill()
+
+    def test_ctrl_c_ends_watching_and_files_are_whole(self):
+        with start("watch", "--save", ".", port=self.robot.port, cwd=self.folder) as watch:
+            watch.stdout.readline()
+            watch.send_signal(signal.SIGINT)
+            self.assertIn(b"Saved", watch.stderr.read())
+            self.assertEqual(watch.wait(60), DONE)
+        self.assertTrue(all(name.endswith(".jpg") and name[0] != "." for name in os.listdir(self.folder)))
+
+    def test_ctrl_c_stops_a_joint(self):
+        self.aibo("move", "head_pan=0deg", "--speed", "170deg/s")
+        with start("move", "head_pan=80deg", "--speed", "5deg/s", port=self.robot.port) as move:
+            with self.assertRaises(subprocess.TimeoutExpired):  # 16 s of movement
+                move.wait(4)
+            move.send_signal(signal.SIGINT)
+            self.assertEqual(move.wait(60), 130)
+            move.communicate()
+        before = self.position("head_pan")
+        self.assertLess(before, 1)
+        self.assertAlmostEqual(self.position("head_pan"), before, delta=0.01)
+
+    def test_a_reader_that_goes_ends_it_without_a_word(self):
+        with start("watch", port=self.robot.port) as watch:
+            watch.stdout.readline()
+            watch.stdout.close()
+            self.assertEqual(watch.wait(60), -signal.SIGPIPE)
+            self.assertEqual(watch.stderr.read(), b"")
+
+    def test_a_full_disk_is_said(self):
+        with open("/dev/full", "wb") as full:
+            result = subprocess.run([AIBO, "--port", str(self.robot.port), "joints"], stdout=full,
+                                    stderr=subprocess.PIPE, timeout=120, check=False)
+        self.assertEqual(result.returncode, FAILED)
+        self.assertIn(b"No space left", result.stderr)
+
+
+class Version1(OnBothVersions, TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = SimulatedRobot("--protocol-version", "1")
+        cls.addClassCleanup(cls.robot.end)
+
+    def test_says_what_such_a_server_cannot_do(self):
+        for words in (["motions"], ["stand"], ["sit"], ["rest"], ["walk", "forward=5cm/s"], ["motors", "on"],
+                      ["picture", "--resolution", "52x40"]):
+            with self.subTest(words):
+                self.assertIn("version 1", self.aibo(*words, status=FAILED).errors)
+        self.assertIn("set its camera", self.aibo("picture", "--gain", "high", status=FAILED).errors)
+
+    def test_stops_motions(self):
+        self.assertEqual(self.json("stop"), {"stopped": True, "holds": False})
+
+    def test_tells_neither_age_nor_loss(self):
+        stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
+        self.assertEqual((stream["age"], stream["loss"]), (None, None))
+
+
+class Version2(OnBothVersions, TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = SimulatedRobot()
+        cls.addClassCleanup(cls.robot.end)
+
+    def test_plays_a_motion_to_its_end(self):
+        self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
+        self.assertEqual(self.json("play", "nod"), {"motion": "NOD.MTN", "to_its_end": True, "changes": ""})
+
+    def test_stands_walks_and_rests(self):
+        self.assertEqual(self.json("stand"), {"posture": "stand"})
+        self.assertEqual(self.json("walk", "forward=5cm/s", "turn=5deg/s", "--seconds", "0.5"), {"walked": True})
+        self.assertEqual(self.json("rest"), {"posture": "rest"})
+        self.assertIn("motors are off", self.aibo("move", "head_pan=1deg", status=FAILED).errors)
+        self.assertIn("motors are off", self.aibo("walk", "forward=5cm/s", status=FAILED).errors)
+        self.assertEqual(self.json("motors", "on"), {"motors": True})
+        self.assertEqual(self.json("stop"), {"stopped": True, "holds": True})
+        self.json("stand")
+
+    def test_ctrl_c_ends_a_walk(self):
+        with start("walk", "forward=2cm/s", "--seconds", "60", port=self.robot.port) as walk:
+            with self.assertRaises(subprocess.TimeoutExpired):
+                walk.wait(3)
+            walk.send_signal(signal.SIGINT)
+            self.assertEqual(walk.wait(60), 130)
+            walk.communicate()
+        self.json("stand")
+
+    def test_sets_the_camera_for_a_picture(self):
+        self.json("picture", "-o", "a.jpg", "--white-balance", "indoor", "--gain", "low", "--shutter", "fast")
+        self.assertEqual(self.json("picture", "-o", "b.jpg", "--resolution", "104x80")["width"], 104)
+        self.aibo("picture", "--gain", "loud", status=WRONG_USAGE)
+
+    def test_measures_age_and_loss(self):
+        stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
+        self.assertIsNotNone(stream["age"])
+        self.assertIsNotNone(stream["loss"])
+
+
+class WithPermission(TestCase):
+    def setUp(self):
+        super().setUp()
+        stick = self.folder / "stick"
+        shutil.copytree(STICK, stick)
+        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n", encoding="ascii")
+        self.robot = SimulatedRobot("--memory-stick", str(stick))
+        self.addCleanup(self.robot.end)
+
+    def test_motions_are_stored_and_deleted(self):
+        self.assertEqual(self.json("upload", NOD, "wave")["motion"], "WAVE.MTN")
+        self.assertIn("WAVE.MTN", self.json("motions")["motions"])
+        self.json("delete", "wave")
+        self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
+        allows = next(f for f in self.json("doctor", "--seconds", "1")["findings"] if f["topic"] == "allows")
+        self.assertEqual(allows["text"], "upload, delete")
+
+
+class Lost(TestCase):
+    @staticmethod
+    def second(watch, connected):
+        """The next second of such a kind."""
+        while line := watch.stdout.readline():
+            if (second := json.loads(line))["connected"] == connected:
+                return second
+        raise AssertionError("watch has ended")
+
+    def test_watching_goes_on_when_the_robot_is_back(self):
+        robot = SimulatedRobot()
+        with start("--json", "watch", port=robot.port) as watch:
+            try:
+                self.second(watch, True)
+                robot.end()
+                self.assertRegex(self.second(watch, False)["problem"], "(refused|closed) the connection")
+                robot = SimulatedRobot(port=robot.port)
+                self.second(watch, True)
+            finally:
+                watch.kill()
+                robot.end()
+
+    def test_a_movement_fails(self):
+        robot = SimulatedRobot()
+        with start("move", "head_pan=80deg", "--speed", "2deg/s", port=robot.port) as move:
+            with self.assertRaises(subprocess.TimeoutExpired):
+                move.wait(3)
+            robot.end()
+            self.assertEqual(move.wait(60), UNREACHABLE)
+            self.assertIn(b"closed the connection", move.communicate()[1])
+
+
+class Unreachable(TestCase):
+    def server(self, serve):
+        server = ScriptedServer(serve)
+        self.addCleanup(server.end)
+        return server.port
+
+    def test_nobody_there(self):
+        with socket.socket() as reserved:
+            reserved.bind(("127.0.0.1", 0))
+            port = reserved.getsockname()[1]
+            error = self.json("joints", port=port, status=UNREACHABLE)
+            self.assertIn("refused the connection", error["error"])
+            self.assertIn("AIBO_HOST", error["error"])
+            self.assertEqual(error["status"], UNREACHABLE)
+            report = self.json("doctor", port=port, status=UNREACHABLE)
+            self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", True), ("port", False)])
+
+    def test_a_wrong_name(self):
+        self.assertIn("cannot be looked up",
+                      self.aibo("--host", "no.such.host.invalid", "joints", port=1, status=UNREACHABLE).errors)
+        report = self.json("doctor", "no.such.host.invalid", port=1, status=UNREACHABLE)
+        self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", False)])
+
+    def test_a_server_that_says_nothing(self):
+        port = self.server(lambda client: client.recv(1000) and threading.Event().wait(30))
+        self.assertNotEqual(run("joints", port=port).returncode, DONE)
+
+    def test_a_robot_that_somebody_else_has(self):
+        def turn_away(client):
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        port = self.server(turn_away)
+        self.assertIn("Is another client connected?", self.aibo("joints", port=port, status=UNREACHABLE).errors)
+        report = self.json("doctor", port=port, status=UNREACHABLE)
+        self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
+
+    def test_something_else_that_listens(self):
+        port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))
+        self.assertIn("does not speak the RCServer's protocol",
+                      self.aibo("joints", port=port, status=UNREACHABLE).errors)
+
+    def test_control_characters_of_a_robot_never_reach_the_terminal(self):
+        for name in (b"RCServer \x1b[2J", b"RCServer \xc2\x9b2J", b"RCServer \xe2\x80\xae"):
+            with self.subTest(name):
+                port = self.server(says_hello(name))
+                for words in (["motions"], ["--json", "doctor", "--seconds", "1"], ["doctor", "--seconds", "1"]):
+                    result = run(*words, port=port)
+                    self.assertEqual(result.returncode, UNREACHABLE)
+                    self.assertNotRegex(result.stdout + result.stderr, rb"\x1b|\xc2\x9b|\xe2\x80\xae")
+
+    def test_file_names_of_a_robot_never_become_paths(self):
+        good = self.server(says_hello(b"RCServer", b"NOD.MTN"))
+        self.assertEqual(self.json("motions", port=good)["motions"], ["NOD.MTN"])
+        for name in (b"../../EVIL.MTN", b"\x1b[2J.MTN"):
+            result = run("motions", port=self.server(says_hello(b"RCServer", name)), folder=self.folder)
+            self.assertNotRegex(result.stdout + result.stderr, rb"\x1b")
+            self.assertEqual(os.listdir(self.folder), [])
+
+
+class WrongUsage(TestCase):
+    def test_is_refused_before_anything_is_sent(self):
+        for words in ([], ["fly"], ["move"], ["move", "head_pan"], ["move", "head_pan=30"], ["motors", "maybe"],
+                      ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["picture", "-q", "0"], ["picture", "-q", "101"],
+                      ["picture", "--resolution", "1x1"], ["watch", "--every", "0"], ["watch", "--seconds", "-1"],
+                      ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
+                      ["play", "nod", "--seconds", "soon"], ["ears", "middle"], ["--json", "fly"]):
+            with self.subTest(words):
+                result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(),
+                                        check=False)
+                self.assertEqual(result.returncode, WRONG_USAGE, result)
+                self.assertTrue(result.stderr.startswith(b"aibo: "), result.stderr)
+                self.assertEqual(result.stdout != b"", "--json" in words)
+
+    def test_what_was_typed_is_shown_without_control_characters(self):
+        result = subprocess.run([AIBO, "\x1b[2J"], capture_output=True, timeout=60, check=False)
+        self.assertNotIn(b"\x1b", result.stderr)
+
+
+class Documents(unittest.TestCase):
+    """Help, manual, completion and docs/command_line.md have the same commands and options."""
+    OPTION = re.compile(r"--[a-z][a-z-]+")
+
+    @staticmethod
+    def text(*words):
+        return subprocess.run([AIBO, *words], capture_output=True, timeout=60, check=True, text=True).stdout
+
+    def setUp(self):
+        self.commands = re.findall(r"^  ([a-z]+) +\S", self.text("help").split("Options")[0], re.MULTILINE)
+        self.assertIn("doctor", self.commands)
+
+    def test_manual_and_completion_have_all_commands_and_options(self):
+        manual = self.text("manual").replace("\\-", "-")
+        completion = self.text("completion")
+        document = (PROJECT / "docs/command_line.md").read_text(encoding="utf-8")
+        for command in self.commands:
+            with self.subTest(command):
+                self.assertRegex(manual, rf"(?m)^\.SS {command}\b")
+                self.assertRegex(document, rf"`{command}\b")
+                section = re.search(rf"(?m)^    {command}\).*$", completion)[0]
+                common = re.search(r"common='(.*)'", completion)[1]
+                for option in set(self.OPTION.findall(self.text("help", command).split("Options", 1)[1])):
+                    self.assertIn(option, manual)
+                    self.assertIn(option, section + common)
+        for option in self.OPTION.findall(document):
+            self.assertIn(option, manual, "docs/command_line.md")
+
+    def test_bash_completes_commands_options_and_joints(self):
+        def complete(*words):
+            script = 'source <("$0" completion); COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _aibo 2> /dev/null; ' \
+                     'printf "%s\\n" "${COMPREPLY[@]}"'
+            return subprocess.run(["bash", "-c", script, AIBO, *words], capture_output=True, timeout=60, check=True,
+                                  text=True).stdout.split()
+        self.assertEqual(complete("aibo", "mo"), ["move", "motions", "motors"])
+        self.assertEqual(complete("aibo", "--host", "x", "move", "head_"), ["head_pan=", "head_tilt="])
+        self.assertEqual(complete("aibo", "watch", "--s"), ["--seconds", "--save", "--shutter"])
+        self.assertEqual(complete("aibo", "help", "doc"), ["doctor"])
+
+    @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
+    def test_the_manual_is_a_page(self):
+        page = subprocess.run(["groff", "-ww", "-man", "-Tutf8"], input=self.text("manual"), capture_output=True,
+                              timeout=60, check=True, text=True)
+        self.assertEqual(page.stderr, "")
+
+    def test_no_library_of_ros_is_linked(self):
+        libraries = subprocess.run(["ldd", AIBO], capture_output=True, timeout=60, check=True, text=True).stdout
+        self.assertNotRegex(libraries, r"libros|roscpp|xmlrpcpp")
+
+
+if __name__ == "__main__":
+    unittest.main()

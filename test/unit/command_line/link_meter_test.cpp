@@ -1,0 +1,72 @@
+#include "command_line/link_meter.h"
+
+#include <gmock/gmock.h>
+
+namespace aibo_driver::command_line {
+namespace {
+
+using std::chrono::milliseconds;
+
+class LinkMeterTest : public ::testing::Test {
+ protected:
+  /// A picture of the camera's n-th image, one every 4 frames.
+  void arrive(std::uint32_t image, milliseconds late = milliseconds(0)) {
+    Picture picture;
+    picture.jpeg.resize(1000);
+    picture.connection_number = 1;
+    picture.image_count = image;
+    picture.frame_number = 4 * image;
+    picture.first_byte_time = begin_ + milliseconds(32 * image) + late;
+    meter_.add(picture, picture.first_byte_time + milliseconds(2));
+  }
+
+  const LinkMeter::SteadyTime begin_{std::chrono::hours(1)};
+  LinkMeter meter_{1, begin_};
+};
+
+TEST_F(LinkMeterTest, CountsPicturesAndBytes) {
+  for (std::uint32_t image = 0; image < 10; ++image) {
+    arrive(image);
+  }
+  const LinkMeter::Reading reading = meter_.read(begin_ + milliseconds(500));
+  EXPECT_EQ(reading.pictures, 10U);
+  EXPECT_DOUBLE_EQ(reading.picturesPerSecond(), 20);
+  EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 20);
+  EXPECT_EQ(meter_.read(begin_ + milliseconds(600)).pictures, 0U);
+}
+
+TEST_F(LinkMeterTest, LossIsTheShareOfImagesThatDidNotCome) {
+  arrive(0);
+  arrive(1);
+  arrive(4);  // 2 and 3 are missing
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(200)).loss.value(), 0.5);
+  arrive(5);
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(300)).loss.value(), 0);
+}
+
+TEST_F(LinkMeterTest, AgeIsTheDelayBeyondTheShortest) {
+  for (std::uint32_t image = 0; image < 100; ++image) {
+    arrive(image);
+  }
+  EXPECT_NEAR(meter_.read(begin_ + milliseconds(3200)).mean_age.value(), 0.002, 0.001);
+  arrive(100, milliseconds(90));
+  EXPECT_NEAR(meter_.read(begin_ + milliseconds(3400)).worst_age.value(), 0.092, 0.003);
+}
+
+TEST_F(LinkMeterTest, AGapThatNoPictureHasEndedYetCounts) {
+  arrive(1);
+  EXPECT_NEAR(meter_.read(begin_ + milliseconds(1000)).longest_gap, 1 - 0.034, 1e-6);
+}
+
+TEST_F(LinkMeterTest, AServerOfVersion1TellsNeitherAgeNorLoss) {
+  Picture picture;
+  picture.first_byte_time = begin_;
+  meter_.add(picture, begin_);
+  const LinkMeter::Reading reading = meter_.read(begin_ + milliseconds(100));
+  EXPECT_FALSE(reading.mean_age || reading.loss);
+  EXPECT_THAT(jsonOf(reading).text(), ::testing::HasSubstr("\"age\": null"));
+  EXPECT_EQ(wordsOf(reading).find("age"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace aibo_driver::command_line

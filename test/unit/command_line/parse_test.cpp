@@ -1,0 +1,50 @@
+#include "command_line/parse.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(Parse, OptionsOfAllCommandsMayBeAnywhere) {
+  const CommandLine before = parse({"--host", "robot", "--json", "move", "head_pan=-3deg", "--duration", "2"});
+  EXPECT_EQ(before.command->name, "move");
+  EXPECT_EQ(before.arguments.robot.host, "robot");
+  EXPECT_TRUE(before.json);
+  EXPECT_THAT(before.arguments.words, ElementsAre("head_pan=-3deg"));
+  EXPECT_EQ(before.arguments.get<std::string>("duration"), "2");
+  EXPECT_EQ(parse({"joints", "--port", "4", "--host=robot"}).arguments.robot.port, 4);
+}
+
+TEST(Parse, TheEnvironmentNamesTheRobotUnlessAnOptionDoes) {
+  ::setenv("AIBO_HOST", "from_environment", 1);
+  EXPECT_EQ(parse({"joints"}).arguments.robot.host, "from_environment");
+  EXPECT_EQ(parse({"joints", "--host", "from_option"}).arguments.robot.host, "from_option");
+  ::unsetenv("AIBO_HOST");
+  EXPECT_FALSE(parse({"joints"}).arguments.robot.host_is_given);
+}
+
+TEST(Parse, RefusesWhatNoCommandHas) {
+  using Words = std::vector<std::string>;
+  for (const Words& words : {Words{}, Words{"fly"}, Words{"joints", "extra"}, Words{"move"}, Words{"motors"},
+                             Words{"joints", "--timeout", "soon"}, Words{"joints", "--timeout", "0"}}) {
+    EXPECT_THROW(parse(words), InvalidArgumentException) << ::testing::PrintToString(words);
+  }
+  for (const Words& words : {Words{"joints", "--duration", "1"}, Words{"joints", "--por", "1"},
+                             Words{"joints", "--port", "x"}, Words{"joints", "--host"}, Words{"play", "--times"}}) {
+    EXPECT_THROW(parse(words), boost::program_options::error) << ::testing::PrintToString(words);
+  }
+}
+
+TEST(Parse, HelpNeedsNoArguments) {
+  EXPECT_TRUE(parse({"--help"}).help);
+  EXPECT_EQ(parse({"move", "--help"}).command->name, "move");
+}
+
+}  // namespace
+}  // namespace aibo_driver::command_line

@@ -1,0 +1,61 @@
+#include "command_line/quantities.h"
+
+#include <gmock/gmock.h>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::command_line {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kTolerance = 1e-9;
+
+TEST(Angle, HasAUnit) {
+  EXPECT_NEAR(parseAngle("head_pan", "180deg"), 3.14159265358979, kTolerance);
+  EXPECT_NEAR(parseAngle("head_pan", "-.5rad"), -0.5, kTolerance);
+}
+
+TEST(Angle, WithoutAUnitOrWithoutANumberIsRefused) {
+  for (const char* const text : {"30", "deg", "30 deg", "30grad", "", "nandeg", "infrad", "1e999rad", "30degx"}) {
+    EXPECT_THROW(parseAngle("head_pan", text), InvalidArgumentException) << text;
+  }
+}
+
+TEST(Angle, RefusalSaysWhatIsMissing) {
+  try {
+    parseAngle("head_pan", "30");
+    FAIL();
+  } catch (const InvalidArgumentException& error) {
+    EXPECT_THAT(error.what(), HasSubstr("head_pan cannot be '30': give a number with its unit: 30deg or 0.52rad"));
+  }
+}
+
+TEST(Speed, HasAUnit) {
+  EXPECT_NEAR(parseSpeed("forward", "5cm/s"), 0.05, kTolerance);
+  EXPECT_NEAR(parseSpeed("forward", "-80mm/s"), -0.08, kTolerance);
+  EXPECT_NEAR(parseAngularSpeed("turn", "90deg/s"), 1.5707963267949, kTolerance);
+  EXPECT_THROW(parseSpeed("forward", "5cm"), InvalidArgumentException);
+  EXPECT_THROW(parseAngularSpeed("turn", "90deg"), InvalidArgumentException);
+}
+
+TEST(Number, KeepsToItsRange) {
+  EXPECT_EQ(parseNumber("--seconds", "0.5", 0, 1), 0.5);
+  EXPECT_THROW(parseNumber("--seconds", "1.1", 0, 1), InvalidArgumentException);
+  EXPECT_THROW(parseNumber("--seconds", "-0.1", 0, 1), InvalidArgumentException);
+  EXPECT_THROW(parseNumber("--seconds", "1s", 0, 1), InvalidArgumentException);
+  EXPECT_THROW(parseNumber("--seconds", "nan", 0, 1), InvalidArgumentException);
+}
+
+TEST(Assignment, HasANameAndAValue) {
+  const std::vector<Assignment> parsed = parseAssignments({"a=1", "b=c=d"}, "a=1");
+  ASSERT_EQ(parsed.size(), 2U);
+  EXPECT_EQ(parsed[1].name, "b");
+  EXPECT_EQ(parsed[1].value, "c=d");
+  for (const char* const word : {"a", "=1", "a="}) {
+    EXPECT_THROW(parseAssignments({word}, "a=1"), InvalidArgumentException) << word;
+  }
+}
+
+}  // namespace
+}  // namespace aibo_driver::command_line
