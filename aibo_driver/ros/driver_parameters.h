@@ -36,12 +36,12 @@ struct DriverParameters {
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
   std::string picture_folder;                            ///< for save_to; empty: see files::pictureFolder()
 
-  std::string robot = "ERS-7";     ///< or "ERS-210"
-  double telemetry_rate = 31.25;   ///< 0..31.25 messages a second, joint_states and sensors; 0: none
-  double joint_speed_limit = joints::kUsualSpeedLimit;  ///< rad/s, 0.1..20; a joint that cannot move that fast has its own limit
-  double speed_scale = 1.0;        ///< 0.1..1, of the speed limits
-  double approach_speed = joints::kUsualApproachSpeed;  ///< rad/s, 0.05..20; for the first motion of each joint, see JointCommandFilter
-  bool slow_down = false;          ///< slow down a trajectory that is too fast, instead of refusing it
+  std::string robot = "ERS-7";    ///< or "ERS-210"
+  double telemetry_rate = 31.25;  ///< 0..31.25 messages a second, joint_states and sensors; 0: none
+  double joint_speed_limit = joints::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
+  double speed_scale = 1.0;                             ///< 0.1..1, of the speed limits
+  double approach_speed = joints::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
+  bool slow_down = false;  ///< slow down a trajectory that is too fast, instead of refusing it
 
   WalkSettings walk;
 

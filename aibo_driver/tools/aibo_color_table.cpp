@@ -13,9 +13,9 @@
 #include <string>
 
 #include "aibo_driver/exceptions.h"
+#include "files/files.h"
 #include "ros/camera/color_table_file.h"
 #include "ros/camera/jpeg_decoder.h"
-#include "files/files.h"
 #include "tools/color_table/table_maker.h"
 
 namespace {

@@ -15,9 +15,7 @@
 inline std::map<std::string, openr_host::ObjectDescription> objectCatalog() {
   openr_host::ObjectDescription file_keeper = describeFileKeeper();
   file_keeper.waits = true;
-  return {{"RCSERVER.BIN", describeRCServer()},
-          {"ENCODER.BIN", describePictureEncoder()},
-          {"FILES.BIN", file_keeper}};
+  return {{"RCSERVER.BIN", describeRCServer()}, {"ENCODER.BIN", describePictureEncoder()}, {"FILES.BIN", file_keeper}};
 }
 
 #endif  // AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H

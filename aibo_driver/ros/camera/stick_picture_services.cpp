@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
-#include "ros/camera/camera_publisher.h"
 #include "files/files.h"
+#include "ros/camera/camera_publisher.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
+#include "files/files.h"
 #include "ros/camera/camera_options.h"
 #include "ros/connection_publisher.h"
-#include "files/files.h"
 
 namespace aibo_driver::node {
 namespace {
