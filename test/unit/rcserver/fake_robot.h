@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
+#include "simulator/openr_host/objects/filled_on_read.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 /// Takes an image every four frames, beginning with frame 4, in the layers H, M and L. Each image has the same
@@ -58,7 +59,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// @param robot_design one that robot_model knows
   explicit FakeRobot(const char* robot_design = "ERS-7")
       : model(*robot_model::findRobotModel(robot_design)),
-        region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * kMostBands * kWidth * kHeight)) {
+        region_(new RCRegion(sizeof(OFbkImageVectorData) + 2 * kMostBands * kWidth * kHeight)),
+        pixels_(std::in_place, region_->Base(), region_->Size()) {
     std::vector<int> posture(joints.size(), 0);
     robot_model::clampPosture(model, posture.data());
     for (size_t i = 0; i < joints.size(); ++i) {
@@ -66,6 +68,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     }
   }
   ~FakeRobot() override {
+    pixels_.reset();
     region_->RemoveReference();
     sensors_->RemoveReference();
   }
@@ -234,6 +237,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   byte cb = 128;
   bool counts_images = true;     ///< in the field counter; false: it does not change
   std::optional<byte> detail{};  ///< of images, in all three bands; without it there are no such bands
+  int images_read = 0;           ///< of those taken, the number whose pixels were read
   bool refuses_camera_settings = false;
   std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one
   std::string missing_locator;                                          ///< of a primitive that does not open
@@ -253,6 +257,7 @@ class FakeRobot : public openr_host::VirtualRobot {
       drawLayer(frame, offset, *vector, layer);
       offset += vector->GetInfo(layer)->dataSize;
     }
+    pixels_->fillBy([this] { ++images_read; });
     return region_;
   }
 
@@ -340,6 +345,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   RCRegion* region_;
+  std::optional<openr_host::FilledOnRead> pixels_;
   RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
                                     kMostEntries * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;

@@ -83,11 +83,15 @@ void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
   }
 }
 
-void writeTag(byte* data, const LayerFormat& format, longword image_number) {
-  byte* tag = data + (format.height - 1) * format.bands * format.width;
-  std::fill_n(tag, kTagBytes, static_cast<byte>(0));
-  for (unsigned i = 0; i < sizeof(image_number); ++i) {
-    tag[i] = static_cast<byte>(image_number >> (8 * i));
+void writeTags(OFbkImageVectorData* vector, longword image_number) {
+  for (const LayerFormat& format : kLayers) {
+    if (format.type != odataFBK_CDT) {
+      byte* tag = vector->GetData(format.layer) + (format.height - 1) * format.bands * format.width;
+      std::fill_n(tag, kTagBytes, static_cast<byte>(0));
+      for (unsigned i = 0; i < sizeof(image_number); ++i) {
+        tag[i] = static_cast<byte>(image_number >> (8 * i));
+      }
+    }
   }
 }
 
@@ -127,11 +131,16 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
   }
 }
 
-void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, longword image_number) {
+void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
   OFbkImageVectorData* vector = vectorIn(region);
   for (const LayerFormat& format : kLayers) {
     vector->GetInfo(format.layer)->frameNumber = frame;
   }
+  writeTags(vector, image_number);
+}
+
+void drawFbkImage(RCRegion* region, const YCrCbImage& picture, longword image_number) {
+  OFbkImageVectorData* vector = vectorIn(region);
   byte* high = vector->GetData(ofbkimageLAYER_H);
   writeBand(picture.y, high);
   writeBand(picture.cr, high + kWidth);
@@ -145,11 +154,7 @@ void writeFbkImage(RCRegion* region, const YCrCbImage& picture, longword frame, 
   byte* low = vector->GetData(ofbkimageLAYER_L);
   halve(medium, low, kWidth / 4, kHeight / 4);
   split(medium, low, kWidth / 4, kHeight / 4);
-  for (const LayerFormat& format : kLayers) {
-    if (format.type != odataFBK_CDT) {
-      writeTag(vector->GetData(format.layer), format, image_number);
-    }
-  }
+  writeTags(vector, image_number);
 }
 
 }  // namespace simulated_ers7
