@@ -72,8 +72,11 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
-      settings_(private_handle, client_, joint_table_),
-      stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
+      adapter_(client_),
+      settings_(private_handle, client_, adapter_, joint_table_),
+      stream_services_(
+          parameters_, client_, policy_, [this] { return adapter_.wishedQuality(); },
+          [this](const Picture& p) { return camera_.toMessage(p); }),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
@@ -83,7 +86,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       robot_services_(client_, mover_),
       motion_action_(client_, mover_),
       diagnostics_(handle_, private_handle, name,
-                   {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
+                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
@@ -140,6 +143,7 @@ void AiboDriver::publishPicture(const Picture& picture) {
   raw_images_.publish(message);
   camera_state_.update(picture, message->header);
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
+  adapter_.picturePublished(std::chrono::steady_clock::now(), camera_.takenAt(picture));
 }
 
 void AiboDriver::publishTelemetry(const Telemetry& telemetry) {

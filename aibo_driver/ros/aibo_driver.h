@@ -24,6 +24,7 @@
 #include "ros/camera/camera_publisher.h"
 #include "ros/camera/camera_state_publisher.h"
 #include "ros/camera/raw_image_publisher.h"
+#include "ros/camera/stream_adapter.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
 #include "ros/camera/stream_services.h"
@@ -102,6 +103,7 @@ class AiboDriver {
   RcServerClient client_;
 
   // What needs the client.
+  StreamAdapter adapter_;
   LiveSettings settings_;
   StreamServices stream_services_;
   JointMover mover_;

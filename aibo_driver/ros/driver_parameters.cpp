@@ -219,6 +219,8 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("stream_on_demand", &parameters.stream_on_demand);
   reader.read("resolution", kResolutionNames, isResolution, &parameters.resolution);
   reader.read("frame_rate", "pictures a second", kLowestFrameRate, kCameraRate, &parameters.frame_rate);
+  reader.read("adaptive", &parameters.adaptive);
+  reader.read("max_picture_age", "seconds", 0.05, 2.0, &parameters.max_picture_age);
   reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
   reader.read("gain", 1, 3, &parameters.camera.gain);
   reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);

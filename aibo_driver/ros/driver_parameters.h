@@ -21,6 +21,8 @@ struct DriverParameters {
   bool stream_on_start = true;  ///< whether the stream is wanted before set_streaming is called
   std::string resolution = "208x160";  ///< of the stream, for resolutionOf()
   double frame_rate = 30.0;            ///< pictures per second of the stream, for everyNthImageOf()
+  bool adaptive = false;               ///< lower quality and rate to keep max_picture_age
+  double max_picture_age = 0.15;       ///< s, 0.05..2
   CameraSettings camera;               ///< of the camera, with Sony's numbers
   bool stream_on_demand = false;       ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";

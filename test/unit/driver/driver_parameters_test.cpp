@@ -48,6 +48,8 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_EQ(parameters.robot, "ERS-7");
   EXPECT_EQ(parameters.resolution, "208x160");
   EXPECT_DOUBLE_EQ(parameters.frame_rate, 30.0);
+  EXPECT_FALSE(parameters.adaptive);
+  EXPECT_DOUBLE_EQ(parameters.max_picture_age, 0.15);
   EXPECT_TRUE(parameters.camera == CameraSettings());
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
@@ -64,6 +66,9 @@ TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
   EXPECT_THAT(refusal("resolution", "640x480"), HasSubstr("52x40, 104x80, 208x160 or 416x320"));
   EXPECT_EQ(parse(one("frame_rate", 10)).frame_rate, 10.0);
   EXPECT_THAT(refusal("frame_rate", 1.5), HasSubstr("2..30"));
+  EXPECT_TRUE(parse(one("adaptive", true)).adaptive);
+  EXPECT_EQ(parse(one("max_picture_age", 0.3)).max_picture_age, 0.3);
+  EXPECT_THAT(refusal("max_picture_age", 0), HasSubstr("seconds, 0.05..2"));
   EXPECT_EQ(parse(one("shutter_speed", 1)).camera.shutter_speed, 1);
   EXPECT_THAT(refusal("gain", 0), HasSubstr("1..3"));
   EXPECT_THAT(refusal("white_balance", 4), HasSubstr("1..3"));
