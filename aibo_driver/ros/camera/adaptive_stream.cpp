@@ -28,13 +28,16 @@ double loadOf(const AdaptiveStream::Step& step) {
 }
 
 /// A full link is asked for this part of what it carries, so that what waits in the robot's buffers gets through.
-constexpr double kPartOfFullLink = 0.8;
+constexpr double kPartOfFullLink = 0.95;
+
+/// A share of fewer pictures would say little.
+constexpr std::chrono::milliseconds kHalfASecond{500};
 
 /// If fewer of the pictures asked for arrive than this part, the link is full.
 constexpr double kFull = 0.85;
 
 /// A single change leaves at least this part of the load: a link that only paused has carried little for a moment.
-constexpr double kLeastLeft = 0.4;
+constexpr double kLeastLeft = 0.5;
 
 }  // namespace
 
@@ -80,20 +83,28 @@ std::optional<AdaptiveStream::Step> AdaptiveStream::pictureArrived(SteadyTime no
   return std::nullopt;
 }
 
-std::deque<AdaptiveStream::Arrival>::const_iterator AdaptiveStream::firstLate() const {
-  const auto in_time = std::find_if(arrivals_.rbegin(), arrivals_.rend(),
-                                    [this](const Arrival& arrival) { return arrival.age <= max_age_; });
-  return in_time.base();
+bool AdaptiveStream::isLate(const Arrival& arrival) const {
+  return seconds(arrival.age) > kLate * seconds(max_age_);
 }
 
-AdaptiveStream::Duration AdaptiveStream::lateFor(SteadyTime now) const {
-  const auto first = firstLate();
-  return first == arrivals_.end() ? Duration(0) : now - first->time;
+AdaptiveStream::Arrivals::const_iterator AdaptiveStream::lastSecond(SteadyTime now) const {
+  return std::find_if(arrivals_.begin(), arrivals_.end(),
+                      [now](const Arrival& arrival) { return now - arrival.time <= std::chrono::seconds(1); });
 }
 
 bool AdaptiveStream::mustLower(SteadyTime now) const {
-  return current_ + 1 < steps_.size() && lateFor(now) >= kPatience &&
-         std::distance(firstLate(), arrivals_.end()) >= kFewestLate;
+  if (current_ + 1 == steps_.size()) {
+    return false;
+  }
+  const auto late = [this](const Arrival& arrival) { return isLate(arrival); };
+  const auto run = std::find_if_not(arrivals_.rbegin(), arrivals_.rend(), late).base();
+  if (std::distance(run, arrivals_.end()) >= kFewestLate && now - run->time >= kPatience) {
+    return true;
+  }
+  const auto recent = lastSecond(now);
+  const auto late_ones = std::count_if(recent, arrivals_.end(), late);
+  return late_ones >= kFewestLate && 3 * late_ones >= std::distance(recent, arrivals_.end()) &&
+         now - recent->time >= kHalfASecond;
 }
 
 bool AdaptiveStream::mayRaise(SteadyTime now) const {
@@ -104,8 +115,9 @@ bool AdaptiveStream::mayRaise(SteadyTime now) const {
 
 std::size_t AdaptiveStream::lowerStep(SteadyTime now) const {
   const Rung& present = steps_[current_];
-  const auto late_pictures = static_cast<double>(std::distance(firstLate(), arrivals_.end()) - 1);
-  const double share = late_pictures / seconds(lateFor(now)) / frameRateOf(present.step.every_nth_image);
+  const auto recent = lastSecond(now);
+  const auto intervals = static_cast<double>(std::distance(recent, arrivals_.end()) - 1);
+  const double share = intervals / seconds(now - recent->time) / frameRateOf(present.step.every_nth_image);
   std::size_t to = current_ + 1;
   if (share < kFull) {
     const double carried = std::max(kLeastLeft, kPartOfFullLink * share) * present.load;

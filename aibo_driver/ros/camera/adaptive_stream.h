@@ -14,12 +14,13 @@ namespace aibo_driver::node {
 /// Keeps the age of pictures below a limit. It lowers first the quality of the stream, down to kLowestQuality, then its
 /// rate, as far as needed, and raises them again when the link carries more. All numbers below are our choice.
 ///
-/// - Lower: when all pictures of kPatience, and kFewestLate at least, have been too old. If fewer pictures come than
-/// are asked for, the link is
-///   full, and what it carries says how far to go; otherwise one step.
+/// - A picture is late from kLate times the limit on, since the shortest delay that messages meet cannot be measured.
+/// - Lower: when all pictures of kPatience, or a third of those of the last second, are late. If fewer pictures come
+///   than are asked for, the link is full, and what it carries says how far to go; otherwise one step. A lost packet
+///   holds up one or two pictures, which is no reason: it takes kFewestLate late ones.
 /// - Raise: one step at a time, when no picture of kCalmTime has been older than kCalm times the limit, and the present
-///   step has lasted for its waiting time. A step that proves too much within kTrial has twice the waiting time from
-///   then on, up to kLongestWait; so a link that can almost carry a step is not tried again and again.
+///   step has lasted for the waiting time of the next. A step that proves too much within kTrial has twice the waiting
+///   time from then on, up to kLongestWait; so a link that can almost carry a step is not tried again and again.
 ///
 /// It has no clock of its own, and one thread at a time may use it.
 class AdaptiveStream {
@@ -30,10 +31,11 @@ class AdaptiveStream {
   static constexpr int kLowestQuality = 50;
   static constexpr int kRarestImage = 15;  ///< every 15th: two pictures a second
   static constexpr std::chrono::milliseconds kPatience{150};
-  static constexpr int kFewestLate = 4;  ///< a lost packet holds up one or two pictures, at low rates for longer
+  static constexpr int kFewestLate = 4;
+  static constexpr double kLate = 0.8;
   static constexpr std::chrono::milliseconds kSettling{250};  ///< pictures of the step before are still on their way
   static constexpr std::chrono::seconds kCalmTime{3};
-  static constexpr double kCalm = 0.7;
+  static constexpr double kCalm = 0.6;
   static constexpr std::chrono::seconds kTrial{10};
   static constexpr std::chrono::seconds kFirstWait{5};
   static constexpr std::chrono::minutes kLongestWait{10};
@@ -69,8 +71,10 @@ class AdaptiveStream {
     Duration age;
   };
 
-  std::deque<Arrival>::const_iterator firstLate() const;
-  Duration lateFor(SteadyTime now) const;
+  using Arrivals = std::deque<Arrival>;
+
+  bool isLate(const Arrival& arrival) const;
+  Arrivals::const_iterator lastSecond(SteadyTime now) const;
   bool mustLower(SteadyTime now) const;
   bool mayRaise(SteadyTime now) const;
   std::size_t lowerStep(SteadyTime now) const;
@@ -79,7 +83,7 @@ class AdaptiveStream {
   Duration max_age_;
   std::vector<Rung> steps_;  ///< from the best to the last resort
   std::size_t current_ = 0;
-  std::deque<Arrival> arrivals_;          ///< of this step, of the last kCalmTime; without those of kSettling
+  Arrivals arrivals_;                     ///< of this step, of the last kCalmTime; without those of kSettling
   std::optional<SteadyTime> changed_at_;  ///< when the present step began; none before the first picture
   std::optional<SteadyTime> raised_at_;   ///< if the last change was up
 };
