@@ -30,6 +30,17 @@ void warnOfMissingModel(const std::string& design) {
   }
 }
 
+// actionlib publishes the state of each action at every change, for those who subscribe later, too, and repeats it five
+// times a second unless this parameter says otherwise. These repetitions took a third of an idle driver's wake-ups.
+void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
+  constexpr const char* kParameter = "actionlib_status_frequency";
+  constexpr double kTimesASecond = 1;
+  std::string found;
+  if (!handle.searchParam(kParameter, found)) {
+    handle.setParam(kParameter, kTimesASecond);
+  }
+}
+
 // As the logger ros.aibo_driver.client.
 void logForClient(LogLevel level, const std::string& message) {
   switch (level) {
@@ -96,6 +107,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   joints_.subscribe(joint_thread_.handle());
   walk_.subscribe(joint_thread_.handle());
   postures_.advertise(posture_threads_.handle());
+  repeatStateOfActionsRarely(handle_);
   motion_action_.start(joint_thread_.handle());
   trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
