@@ -30,6 +30,17 @@ void warnOfMissingModel(const std::string& design) {
   }
 }
 
+// actionlib publishes the state of each action at every change, for those who subscribe later, too, and repeats it five
+// times a second unless this parameter says otherwise. These repetitions took a third of an idle driver's wake-ups.
+void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
+  constexpr const char* kParameter = "actionlib_status_frequency";
+  constexpr double kTimesASecond = 1;
+  std::string found;
+  if (!handle.searchParam(kParameter, found)) {
+    handle.setParam(kParameter, kTimesASecond);
+  }
+}
+
 // As the logger ros.aibo_driver.client.
 void logForClient(LogLevel level, const std::string& message) {
   switch (level) {
@@ -74,8 +85,11 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       odometry_(handle_, parameters_, telemetry_stamper_),
       led_states_(handle_, model_),
       client_(parameters_.client, makeCallbacks()),
-      settings_(private_handle, client_, joint_table_),
-      stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
+      adapter_(client_),
+      settings_(private_handle, client_, adapter_, joint_table_),
+      stream_services_(
+          parameters_, client_, policy_, [this] { return adapter_.wishedQuality(); },
+          [this](const Picture& p) { return camera_.toMessage(p); }),
       stick_pictures_(parameters_, client_),
       color_tables_(model_, client_,
                     [this](int channel, const ColorTablePtr& table) { colors_.setTable(channel, table); }),
@@ -88,7 +102,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       robot_services_(client_, mover_),
       motion_action_(client_, mover_),
       diagnostics_(handle_, private_handle, name,
-                   {parameters_, client_, policy_, meter_, raw_images_, settings_, robot_clock_, power_}) {
+                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_}) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
@@ -98,6 +112,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   joints_.subscribe(joint_thread_.handle());
   walk_.subscribe(joint_thread_.handle());
   postures_.advertise(posture_threads_.handle());
+  repeatStateOfActionsRarely(handle_);
   motion_action_.start(joint_thread_.handle());
   trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
@@ -152,6 +167,7 @@ void AiboDriver::publishPicture(const Picture& picture) {
   raw_images_.publish(message);
   camera_state_.update(picture, message->header);
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
+  adapter_.picturePublished(std::chrono::steady_clock::now(), camera_.takenAt(picture));
 }
 
 void AiboDriver::publishTelemetry(const Telemetry& telemetry) {

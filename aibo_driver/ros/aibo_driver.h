@@ -28,6 +28,7 @@
 #include "ros/camera/color_table_service.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stick_picture_services.h"
+#include "ros/camera/stream_adapter.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
 #include "ros/camera/stream_services.h"
@@ -108,6 +109,7 @@ class AiboDriver {
   RcServerClient client_;
 
   // What needs the client.
+  StreamAdapter adapter_;
   LiveSettings settings_;
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;

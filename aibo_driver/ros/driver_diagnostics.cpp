@@ -92,6 +92,8 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   reportTransport(status);
   status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
   status.add("streaming", yesOrNo(sources_.client.streaming()));
+  status.add("adaptive", sources_.adapter.describe());
+  status.add("quality asked for", sources_.client.jpegQuality());
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
   status.add("pictures per second asked for", oneDecimal(asked_rate));
   status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));

@@ -14,6 +14,7 @@
 #include "robot_time/robot_clock.h"
 #include "ros/body/power_status.h"
 #include "ros/camera/raw_image_publisher.h"
+#include "ros/camera/stream_adapter.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
 #include "ros/driver_parameters.h"
@@ -30,6 +31,7 @@ class DriverDiagnostics {
     const DriverParameters& parameters;
     const RcServerClient& client;
     const StreamPolicy& policy;
+    const StreamAdapter& adapter;
     StreamMeter& meter;
     const RawImagePublisher& raw_images;
     const LiveSettings& settings;

@@ -232,6 +232,8 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("color_rate", "images a second", kLowestFrameRate, kCameraRate, &parameters.color_rate);
   reader.read("color_tables", "the files or names of colour tables, separated by blanks, or empty", isAnyText,
               &parameters.color_tables);
+  reader.read("adaptive", &parameters.adaptive);
+  reader.read("max_picture_age", "seconds", 0.05, 2.0, &parameters.max_picture_age);
   reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
   reader.read("gain", 1, 3, &parameters.camera.gain);
   reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);

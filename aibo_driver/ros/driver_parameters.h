@@ -24,6 +24,8 @@ struct DriverParameters {
   std::string resolution = "208x160";      ///< of the stream, for resolutionOf()
   double frame_rate = 30.0;                ///< pictures per second of the stream, for everyNthImageOf()
   std::string transport = "tcp";           ///< of the stream's pictures, for transportOf()
+  bool adaptive = false;                   ///< lower quality and rate to keep max_picture_age
+  double max_picture_age = 0.15;           ///< s, 0.05..2
   CameraSettings camera;                   ///< of the camera, with Sony's numbers
   double color_rate = 30.0;                ///< of the colour detection, images per second, for everyNthImageOf()
   std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()

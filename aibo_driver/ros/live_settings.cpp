@@ -10,9 +10,10 @@
 
 namespace aibo_driver::node {
 
-LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client,
+LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client, StreamAdapter& adapter,
                            joints::JointTable& joint_table)
     : client_(client),
+      adapter_(adapter),
       joint_table_(joint_table),
       in_force_(AiboDriverConfig::__getDefault__()),
       server_(private_handle) {
@@ -30,17 +31,21 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   if (std::isnan(config.frame_rate)) {
     config.frame_rate = in_force_.frame_rate;
   }
+  if (std::isnan(config.max_picture_age)) {
+    config.max_picture_age = in_force_.max_picture_age;
+  }
   applyToCamera(config);
   telemetry_period_ = telemetryPeriodOf(config.telemetry_rate);
   config.telemetry_rate = telemetryRateOf(telemetry_period_);
-  client_.setJpegQuality(config.jpeg_quality);
   client_.setTelemetryPeriod(telemetry_period_);
   joint_table_.setSpeedScale(config.speed_scale);
   in_force_ = config;
   ROS_INFO_STREAM("Settings in force: jpeg_quality "
                   << config.jpeg_quality << " of 1..100, resolution " << config.resolution << ", frame_rate "
-                  << config.frame_rate << " of 2..30, transport " << config.transport << ", telemetry_rate "
-                  << config.telemetry_rate << " of 0..31.25, speed_scale " << config.speed_scale << " of 0.1..1.");
+                  << config.frame_rate << " of 2..30, transport " << config.transport << ", adaptive "
+                  << (config.adaptive ? "on" : "off") << ", max_picture_age " << config.max_picture_age
+                  << " of 0.05..2, telemetry_rate " << config.telemetry_rate << " of 0..31.25, speed_scale "
+                  << config.speed_scale << " of 0.1..1.");
 }
 
 void LiveSettings::applyToCamera(AiboDriverConfig& config) {
@@ -49,11 +54,14 @@ void LiveSettings::applyToCamera(AiboDriverConfig& config) {
                                        << ": it stays at " << in_force_.resolution << ".");
     config.resolution = in_force_.resolution;
   }
-  StreamFormat format;
-  format.resolution = *resolutionOf(config.resolution);
-  format.every_nth_image = everyNthImageOf(config.frame_rate);
-  config.frame_rate = frameRateOf(format.every_nth_image);
-  client_.setStreamFormat(format);
+  StreamAdapter::Wish stream;
+  stream.jpeg_quality = config.jpeg_quality;
+  stream.format.resolution = *resolutionOf(config.resolution);
+  stream.format.every_nth_image = everyNthImageOf(config.frame_rate);
+  stream.adaptive = config.adaptive;
+  stream.max_picture_age = config.max_picture_age;
+  config.frame_rate = frameRateOf(stream.format.every_nth_image);
+  adapter_.setWish(stream);
   if (!transportOf(config.transport)) {
     ROS_WARN_STREAM("The transport '" << config.transport << "' is not one of " << kTransportNames << ": it stays at "
                                       << in_force_.transport << ".");

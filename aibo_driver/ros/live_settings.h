@@ -10,6 +10,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "joints/joint_table.h"
+#include "ros/camera/stream_adapter.h"
 
 namespace aibo_driver::node {
 
@@ -19,8 +20,9 @@ namespace aibo_driver::node {
 class LiveSettings {
  public:
   /// Applies the settings at once, and again from private_handle's callback queue whenever they change.
-  /// @param client, joint_table must outlive the object
-  LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client, joints::JointTable& joint_table);
+  /// @param client, adapter, joint_table must outlive the object
+  LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client, StreamAdapter& adapter,
+               joints::JointTable& joint_table);
 
   /// The period of joint_states and the sensors, in OPEN-R frames; 0: none. From any thread.
   int telemetryPeriod() const { return telemetry_period_; }
@@ -30,6 +32,7 @@ class LiveSettings {
   void applyToCamera(AiboDriverConfig& config);
 
   RcServerClient& client_;
+  StreamAdapter& adapter_;
   joints::JointTable& joint_table_;
   std::atomic<int> telemetry_period_{0};
   AiboDriverConfig in_force_;

@@ -30,11 +30,23 @@ RobotStamper::RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nan
 
 ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
                               SteadyTime arrival) {
+  return find(connection_number, frame_number, arrival).stamp;
+}
+
+std::optional<RobotStamper::SteadyTime> RobotStamper::takenAt(const Picture& picture) {
+  if (robot_clock_ == nullptr || !picture.frame_number) {
+    return std::nullopt;
+  }
+  return find(picture.connection_number, picture.frame_number, picture.first_byte_time).taken;
+}
+
+RobotStamper::Stamped RobotStamper::find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
+                                         SteadyTime arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::size_t remembered = std::min(count_, kRemembered);
   for (std::size_t i = 0; i < remembered; ++i) {
     if (latest_[i].arrival == arrival && latest_[i].frame_number == frame_number) {
-      return latest_[i].stamp;
+      return latest_[i];
     }
   }
   const bool by_frame = robot_clock_ != nullptr && frame_number;
@@ -49,9 +61,10 @@ ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std
       stamp = last + ros::Duration(0, 1);
     }
   }
-  latest_[count_ % kRemembered] = {arrival, frame_number, stamp};
+  Stamped& newest = latest_[count_ % kRemembered];
+  newest = {arrival, frame_number, taken, stamp};
   ++count_;
-  return stamp;
+  return newest;
 }
 
 ros::Time RobotStamper::toRosTime(SteadyTime time) const {

@@ -48,6 +48,10 @@ class RobotStamper {
     return stamp(picture.connection_number, picture.frame_number, picture.first_byte_time);
   }
 
+  /// When the robot took the picture, on the steady clock, up to the shortest delay of a message (RobotClock). Nothing
+  /// without a frame number or a clock of the robot.
+  std::optional<SteadyTime> takenAt(const Picture& picture);
+
   /// As for a picture.
   ros::Time stamp(const Telemetry& telemetry) {
     return stamp(telemetry.connection_number, telemetry.frame_number, telemetry.arrival);
@@ -64,9 +68,12 @@ class RobotStamper {
   struct Stamped {
     SteadyTime arrival;
     std::optional<std::uint32_t> frame_number;  ///< distinguishes messages that arrive together
+    SteadyTime taken;
     ros::Time stamp;
   };
 
+  /// Computes what is not among the latest.
+  Stamped find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
   ros::Time stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
   ros::Time toRosTime(SteadyTime time) const;
 

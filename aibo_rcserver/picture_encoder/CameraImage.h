@@ -8,8 +8,8 @@
 /// The planes Y, Cr and Cb of one layer, each of full width and height. The camera interleaves their rows, so two rows
 /// of a plane are `stride` bytes apart.
 ///
-/// The camera overwrites the first TAG_SIZE bytes of the last row (OPENR/OFbkImage.h): with its counter of images in
-/// two of them, and with results of its colour detection.
+/// The camera overwrites the first TAG_SIZE bytes of the last row (OPENR/OFbkImage.h): with its counter of images,
+/// which counts all of them, delivered or not, and with results of its colour detection.
 struct CameraImage {
   /// Pixels at the beginning of the last row that the camera overwrites.
   static const size_t TAG_SIZE = 16;
@@ -20,12 +20,6 @@ struct CameraImage {
   size_t width;   ///< pixels
   size_t height;  ///< pixels
   size_t stride;  ///< bytes from one row to the next of the same plane: width + skip
-
-  /// The camera's counter of images, 0..65535. It counts all images, delivered or not.
-  unsigned short FieldCounter() const {
-    const unsigned char* tag = y + (height - 1) * stride;
-    return static_cast<unsigned short>(tag[0] | (tag[1] << 8));
-  }
 };
 
 /// The bands of fine detail that belong to a CameraImage, with its width, height and stride. An ERS-7 splits the

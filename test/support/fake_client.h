@@ -34,6 +34,7 @@ class FakeClient : public aibo_driver::RcServerClient {
   std::vector<aibo_driver::LedCommand> leds;  ///< of the last command
 
   void setStreaming(bool on) override { tell(on ? "stream" : "no stream"); }
+  void setJpegQuality(int quality) override { tell("quality " + std::to_string(quality)); }
   int jpegQuality() const override { return 85; }
   void setStreamFormat(const aibo_driver::StreamFormat& format) override {
     tell("format " + std::to_string(static_cast<int>(format.resolution)) + " " +

@@ -6,6 +6,7 @@
 #include <sensor_msgs/CompressedImage.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "aibo_driver/picture.h"
@@ -36,6 +37,9 @@ class CameraPublisher {
 
   /// The picture as a message. The same picture gets the same header each time. From any thread.
   sensor_msgs::CompressedImage toMessage(const Picture& picture);
+
+  /// As RobotStamper::takenAt(). From any thread.
+  std::optional<RobotStamper::SteadyTime> takenAt(const Picture& picture) { return stamper_.takenAt(picture); }
 
   bool hasSubscribers() const;
 

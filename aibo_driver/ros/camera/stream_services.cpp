@@ -32,11 +32,12 @@ std::string describePicture(const Picture& picture, int asked_quality, int strea
 }  // namespace
 
 StreamServices::StreamServices(const DriverParameters& parameters, RcServerClient& client, StreamPolicy& policy,
-                               ToMessage to_message)
+                               std::function<int()> default_quality, ToMessage to_message)
     : parameters_(parameters),
       picture_folder_(files::pictureFolder(parameters.picture_folder)),
       client_(client),
       policy_(policy),
+      default_quality_(std::move(default_quality)),
       to_message_(std::move(to_message)) {}
 
 void StreamServices::advertise(const ros::NodeHandle& handle, const ros::NodeHandle& picture_handle) {
@@ -48,7 +49,7 @@ void StreamServices::advertise(const ros::NodeHandle& handle, const ros::NodeHan
 }
 
 bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Response& response) {
-  const int quality = request.quality == 0 ? client_.jpegQuality() : std::min<int>(request.quality, kMaxQuality);
+  const int quality = request.quality == 0 ? default_quality_() : std::min<int>(request.quality, kMaxQuality);
   const std::optional<Resolution> resolution = resolutionOf(request.resolution);
   if (!resolution && !request.resolution.empty()) {
     response.message = "There is no picture: the resolution '" + request.resolution + "' is not one of " +

@@ -26,9 +26,10 @@ class StreamServices {
   using ToMessage = std::function<sensor_msgs::CompressedImage(const Picture&)>;
 
   /// @param client, policy must outlive this object
+  /// @param default_quality of take_picture, 1..100; from any thread
   /// @param to_message makes the message of take_picture's answer; from any thread
   StreamServices(const DriverParameters& parameters, RcServerClient& client, StreamPolicy& policy,
-                 ToMessage to_message);
+                 std::function<int()> default_quality, ToMessage to_message);
 
   /// @param handle for set_streaming and toggle_streaming, which do not wait
   /// @param picture_handle for take_picture, which waits for the robot
@@ -47,6 +48,7 @@ class StreamServices {
   const std::string picture_folder_;  ///< where save_to may write
   RcServerClient& client_;
   StreamPolicy& policy_;
+  const std::function<int()> default_quality_;
   const ToMessage to_message_;
   std::vector<ros::ServiceServer> servers_;
 };

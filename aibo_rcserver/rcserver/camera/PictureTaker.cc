@@ -70,12 +70,14 @@ PictureTaker::PictureTaker()
       images_left_out_(0) {}
 
 void PictureTaker::CountImage(OFbkImageVectorData* image) {
-  CameraImage layer;
-  if (FindPlanes(image, ofbkimageLAYER_H, &layer)) {
-    image_count_ += static_cast<unsigned short>(layer.FieldCounter() - image_count_);
+  OFbkImageInfo* info = image->GetInfo(ofbkimageLAYER_H);
+  byte* data = image->GetData(ofbkimageLAYER_H);
+  OFbkImage y(info, data, ofbkimageBAND_Y);
+  if (y.IsValid()) {
+    image_count_ += static_cast<unsigned short>(y.FieldCounter() - image_count_);
   }
-  DetailBands detail;
-  has_detail_ = FindDetail(image, &detail);
+  // A layer that has one band of fine detail has all three.
+  has_detail_ = OFbkImage(info, data, ofbkimageBAND_Y_HH).IsValid();
 }
 
 const char* PictureTaker::Offer(OFbkImageVectorData* image, const PictureOrder& order,

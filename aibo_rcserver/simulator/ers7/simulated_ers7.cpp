@@ -10,6 +10,7 @@
 #include "simulator/ers7/body/sensor_frame_writer.h"
 #include "simulator/ers7/camera/photographs.h"
 #include "simulator/ers7/camera/scene_view.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -226,6 +227,7 @@ void SimulatedErs7::passFrame(longword frame, const openr_host::EffectorCommands
     }
   }
   joints_.passFrame();
+  scene_.setTime(frame * openr_host::kFrameSeconds);
   travel_.passFrame(joints_.legs(), joints_.head(), scene_);
   sensors_.passFrame({frame, joints_.head(), travel_.stance(), travel_.acceleration()});
   battery_.passFrame();
@@ -318,9 +320,7 @@ bool SimulatedErs7::cameraImageDue(longword frame) {
 }
 
 RCRegion* SimulatedErs7::captureImage(longword frame) {
-  pictures_->setHead(joints_.head());
-  pictures_->setBody(travel_.stance().body);
-  return camera_.capture(frame);
+  return camera_.capture(frame, {joints_.head(), travel_.stance().body});
 }
 
 }  // namespace simulated_ers7

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -17,6 +18,8 @@
 #include "radio/network_host.h"
 #include "radio/radio_link.h"
 #include "radio/robot_on_radio.h"
+#include "robot_time/robot_clock.h"
+#include "ros/camera/adaptive_stream.h"
 #include "support/program.h"
 
 namespace fault_bench {
@@ -44,6 +47,36 @@ struct Trial {
   milliseconds recovery_mark{0};  ///< the next picture must come within this time after an outage; 0 = no outage
   aibo_driver::PictureTransport transport = aibo_driver::PictureTransport::kTcp;
   bool on_busy_computer = false;  ///< which may hold the client up, so that pictures grow stale
+  milliseconds max_age{0};        ///< of a picture; 0 = any. Pictures must not be older for more than a second
+  bool is_adaptive = false;       ///< quality and rate are adapted to keep max_age
+};
+
+/// The longest time for which pictures may be older than Trial::max_age.
+constexpr milliseconds kLongestLate{1000};
+
+/// Adapts quality and rate as the driver does.
+class Adapter {
+ public:
+  Adapter(aibo_driver::RcServerClient& client, milliseconds max_age) : client_(client), stream_({85, 1}, max_age) {}
+
+  void see(const aibo_driver::Picture& picture) {
+    const auto taken = clock_.timeOf(picture.connection_number, *picture.frame_number, picture.first_byte_time);
+    const auto now = steady_clock::now();
+    if (const auto step = stream_.pictureArrived(now, now - taken)) {
+      client_.setJpegQuality(step->jpeg_quality);
+      client_.setStreamFormat({aibo_driver::Resolution::kHigh, step->every_nth_image});
+      changes_.push_back(std::to_string(step->jpeg_quality) + "/" + std::to_string(step->every_nth_image));
+    }
+  }
+
+  /// Quality and every n-th image of all changes.
+  const std::vector<std::string>& changes() const { return changes_; }
+
+ private:
+  aibo_driver::RcServerClient& client_;
+  aibo_driver::robot_time::RobotClock clock_;
+  aibo_driver::node::AdaptiveStream stream_;
+  std::vector<std::string> changes_;
 };
 
 struct Sighting {
@@ -96,7 +129,9 @@ struct Result {
   double longest_gap = 0;    ///< ms, between pictures
   double recovery = -1;      ///< ms, from the end of the last outage to the next picture; -1 = no outage
   std::uint64_t connections = 0;
-  std::string transport_problem;  ///< why pictures came by TCP instead of UDP
+  std::string transport_problem;     ///< why pictures came by TCP instead of UDP
+  double longest_late = 0;           ///< ms, for which pictures were older than the limit
+  std::vector<std::string> changes;  ///< of quality and rate
   std::set<std::string> violations;
 };
 
@@ -124,6 +159,21 @@ void measureRecovery(const Trial& trial, const std::vector<Sighting>& sightings,
   }
 }
 
+void measureLateness(const Trial& trial, const std::vector<Sighting>& sightings, Result& result) {
+  const Sighting* first_late = nullptr;
+  for (const Sighting& sighting : sightings) {
+    if (sighting.seen_at - sighting.sent.image_at <= trial.max_age) {
+      first_late = nullptr;
+      continue;
+    }
+    first_late = first_late != nullptr ? first_late : &sighting;
+    result.longest_late = std::max(result.longest_late, Milliseconds(sighting.seen_at - first_late->seen_at).count());
+  }
+  if (trial.is_adaptive && result.longest_late > static_cast<double>(kLongestLate.count())) {
+    result.violations.insert("pictures older than the limit for more than a second");
+  }
+}
+
 /// @param stale number of pictures that the client may have left out because this computer held it up
 Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time_point begin, std::uint64_t stale) {
   Result result;
@@ -140,9 +190,12 @@ Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time
   result.pictures_per_second =
       static_cast<double>(sightings.size()) / std::chrono::duration<double>(trial.length).count();
   measureRecovery(trial, sightings, begin, result);
+  if (trial.max_age.count() > 0) {
+    measureLateness(trial, sightings, result);
+  }
   if (sightings.empty()) {
     result.violations.insert("no picture at all");
-  } else if (trial.radio.loss == 0 && trial.radio.outages.empty() &&
+  } else if (trial.max_age.count() == 0 && trial.radio.loss == 0 && trial.radio.outages.empty() &&
              sightings.back().sent.number - sightings.front().sent.number + 1 > sightings.size() + stale) {
     result.violations.insert("pictures lost on a link without loss");
   }
@@ -161,9 +214,18 @@ Result run(const Trial& trial) {
     aibo_driver::ClientOptions options;
     options.host = kRobotAddress;
     options.picture_transport = trial.transport;
+    std::optional<Adapter> adapter;
     aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_picture = [&](const aibo_driver::PicturePtr& picture) { observer.see(*picture); };
+    callbacks.on_picture = [&](const aibo_driver::PicturePtr& picture) {
+      observer.see(*picture);
+      if (adapter) {
+        adapter->see(*picture);
+      }
+    };
     aibo_driver::RcServerClient client(options, callbacks);
+    if (trial.is_adaptive) {
+      adapter.emplace(client, trial.max_age);
+    }
     client.setStreaming(true);
     client.start();
     std::this_thread::sleep_until(link.begin() + trial.length);  // the length is what the rates are measured over
@@ -177,6 +239,9 @@ Result run(const Trial& trial) {
     result = evaluate(trial, observer, link.begin(), trial.on_busy_computer ? statistics.stale_pictures : 0);
     result.transport_problem = transport_problem;
     result.connections = statistics.connections;
+    if (adapter) {
+      result.changes = adapter->changes();
+    }
   }).join();
   return result;
 }
@@ -249,6 +314,23 @@ std::vector<Trial> comparedTrials(std::uint32_t seed) {
   return trials;
 }
 
+/// The same links with and without adaptive quality and rate.
+std::vector<Trial> adaptiveTrials(std::uint32_t first_seed) {
+  std::vector<Trial> trials;
+  for (const double rate : {11e6, 2e6, 1e6}) {
+    for (const double loss : {0.0, 0.01}) {
+      for (const bool is_adaptive : {false, true}) {
+        Trial trial = lossTrial(rate, loss, first_seed, milliseconds(30000));
+        trial.title += is_adaptive ? ", adaptive" : "";
+        trial.max_age = milliseconds(150);
+        trial.is_adaptive = is_adaptive;
+        trials.push_back(trial);
+      }
+    }
+  }
+  return trials;
+}
+
 /// With a generous limit for recovery, because the machine may be busy.
 std::vector<Trial> shortTrials(std::uint32_t seed) {
   std::vector<Trial> trials = {lossTrial(11e6, 0, seed, milliseconds(2000)),
@@ -269,6 +351,14 @@ bool print(const Trial& trial, const Result& result) {
   if (!result.transport_problem.empty()) {
     std::printf("  by TCP in the end: %s\n", result.transport_problem.c_str());
   }
+  if (trial.max_age.count() > 0) {
+    std::printf("  older than %lld ms for at most %.0f ms; changes:", static_cast<long long>(trial.max_age.count()),
+                result.longest_late);
+    for (const std::string& change : result.changes) {
+      std::printf(" %s", change.c_str());
+    }
+    std::printf("\n");
+  }
   for (const std::string& violation : result.violations) {
     std::printf("  VIOLATION: %s\n", violation.c_str());
   }
@@ -286,13 +376,29 @@ int runAll(const std::vector<Trial>& trials) {
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-po::options_description describe(std::uint32_t* seed, bool* short_form, bool* compare) {
+/// Which trials to run; none of them: all but those that compare.
+struct Choice {
+  bool short_form = false;
+  bool compare = false;
+  bool adaptive = false;
+};
+
+std::vector<Trial> chosenTrials(const Choice& choice, std::uint32_t seed) {
+  return choice.compare      ? comparedTrials(seed)
+         : choice.adaptive   ? adaptiveTrials(seed)
+         : choice.short_form ? shortTrials(seed)
+                             : allTrials(seed);
+}
+
+po::options_description describe(std::uint32_t* seed, Choice* choice) {
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
     ("seed", po::value(seed)->default_value(1), "seed of loss and jitter; the campaign tries this one and the next two")
-    ("compare", po::bool_switch(compare), "TCP and UDP over the same links, at 11, 2 and 1 Mbit/s with up to 10 % loss")
-    ("short", po::bool_switch(short_form), "a few seconds only, for the test run");
+    ("compare", po::bool_switch(&choice->compare),
+     "TCP and UDP over the same links, at 11, 2 and 1 Mbit/s with up to 10 % loss")
+    ("adaptive", po::bool_switch(&choice->adaptive), "only weak links with and without adaptive quality and rate")
+    ("short", po::bool_switch(&choice->short_form), "a few seconds only, for the test run");
   // clang-format on
   return description;
 }
@@ -302,17 +408,14 @@ po::options_description describe(std::uint32_t* seed, bool* short_form, bool* co
 
 int main(int argc, char** argv) {
   std::uint32_t seed = 1;
-  bool short_form = false;
-  bool compare = false;
+  fault_bench::Choice choice;
   return test_support::runProgram(
       argc, argv,
       "Driver and robot over an emulated 802.11b link: how many pictures come, how old they are (from the camera's\n"
       "image to their delivery), and when they come again after an outage. Needs root.",
-      fault_bench::describe(&seed, &short_form, &compare), [&] {
+      fault_bench::describe(&seed, &choice), [&] {
         try {
-          return fault_bench::runAll(compare      ? fault_bench::comparedTrials(seed)
-                                     : short_form ? fault_bench::shortTrials(seed)
-                                                  : fault_bench::allTrials(seed));
+          return fault_bench::runAll(fault_bench::chosenTrials(choice, seed));
         } catch (const fault_bench::NoNetworkHosts& problem) {
           std::cout << "Skipped: " << problem.what() << "\n";
           return fault_bench::kSkipped;

@@ -49,6 +49,8 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_EQ(parameters.resolution, "208x160");
   EXPECT_DOUBLE_EQ(parameters.frame_rate, 30.0);
   EXPECT_EQ(parameters.transport, "tcp");
+  EXPECT_FALSE(parameters.adaptive);
+  EXPECT_DOUBLE_EQ(parameters.max_picture_age, 0.15);
   EXPECT_TRUE(parameters.camera == CameraSettings());
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
@@ -68,6 +70,9 @@ TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
   EXPECT_EQ(parse(one("transport", "udp")).client.picture_transport, PictureTransport::kUdp);
   EXPECT_EQ(parse(one("transport", "tcp")).client.picture_transport, PictureTransport::kTcp);
   EXPECT_THAT(refusal("transport", "UDP"), HasSubstr("tcp or udp"));
+  EXPECT_TRUE(parse(one("adaptive", true)).adaptive);
+  EXPECT_EQ(parse(one("max_picture_age", 0.3)).max_picture_age, 0.3);
+  EXPECT_THAT(refusal("max_picture_age", 0), HasSubstr("seconds, 0.05..2"));
   EXPECT_EQ(parse(one("shutter_speed", 1)).camera.shutter_speed, 1);
   EXPECT_THAT(refusal("gain", 0), HasSubstr("1..3"));
   EXPECT_THAT(refusal("white_balance", 4), HasSubstr("1..3"));

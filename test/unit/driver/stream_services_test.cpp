@@ -45,7 +45,8 @@ class StreamServicesTest : public ::testing::Test {
 
   test_support::FakeClient client_;
   StreamPolicy policy_{false, true};
-  StreamServices services_{DriverParameters(), client_, policy_, [](const Picture& picture) {
+  StreamServices services_{DriverParameters(), client_, policy_, [] { return 85; },
+                           [](const Picture& picture) {
                              sensor_msgs::CompressedImage message;
                              message.data = picture.jpeg;
                              return message;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
+#include "simulator/openr_host/objects/filled_on_read.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 /// Takes an image every four frames, beginning with frame 4, in the layers H, M and L, and C if the test
@@ -62,7 +63,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   explicit FakeRobot(const char* robot_design = "ERS-7")
       : model(*robot_model::findRobotModel(robot_design)),
         region_(new RCRegion(sizeof(OFbkImageVectorData) + kLayers * sizeof(OFbkImageInfo) +
-                             2 * kMostBands * kWidth * kHeight)) {
+                             2 * kMostBands * kWidth * kHeight)),
+        pixels_(std::in_place, region_->Base(), region_->Size()) {
     std::vector<int> posture(joints.size(), 0);
     robot_model::clampPosture(model, posture.data());
     for (size_t i = 0; i < joints.size(); ++i) {
@@ -70,6 +72,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     }
   }
   ~FakeRobot() override {
+    pixels_.reset();
     region_->RemoveReference();
     sensors_->RemoveReference();
   }
@@ -253,6 +256,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   byte cb = 128;
   bool counts_images = true;     ///< in the field counter; false: it does not change
   std::optional<byte> detail{};  ///< of images, in all three bands; without it there are no such bands
+  int images_read = 0;           ///< of those taken, the number whose pixels were read
   bool refuses_camera_settings = false;
   bool refuses_color_tables = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
@@ -276,6 +280,7 @@ class FakeRobot : public openr_host::VirtualRobot {
       offset += vector->GetInfo(layer)->dataSize;
     }
     drawColorPlane(offset, *vector);
+    pixels_->fillBy([this] { ++images_read; });
     return region_;
   }
 
@@ -373,6 +378,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   RCRegion* region_;
+  std::optional<openr_host::FilledOnRead> pixels_;
   RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
                                     kMostEntries * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;

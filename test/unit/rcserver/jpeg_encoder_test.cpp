@@ -228,12 +228,6 @@ TEST_F(JpegEncoderTest, NothingButTheTagIsReplaced) {
   EXPECT_LT(decoded.at(static_cast<int>(CameraImage::TAG_SIZE), 158)[1], 60);
 }
 
-TEST(CameraImage, FieldCounterIsReadLittleEndianFromTheTag) {
-  CameraImageFixture tagged = CameraImageFixture::plain({100, 128, 128});
-  tagged.setTag(0, 0x1234);
-  EXPECT_EQ(tagged.image().FieldCounter(), 0x1234);
-}
-
 struct Size {
   size_t width;
   size_t height;

@@ -94,6 +94,21 @@ TEST_F(PicturesTest, RedIsRedAndBlueIsBlue) {
   }
 }
 
+// The simulated camera draws only what is read.
+TEST_F(PicturesTest, OnlyImagesThatBecomePicturesAreRead) {
+  takeImage();
+  takeImage();
+  EXPECT_EQ(robot_.images_read, 0);
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  takeImage();
+  EXPECT_EQ(pictures().size(), 2U);
+  EXPECT_EQ(robot_.images_read, 2);
+  answerTo('W', 85, kStreamOff);
+  takeImage();
+  EXPECT_EQ(robot_.images_read, 2);
+}
+
 // Programmer's Guide, 3.1: the upper four bits are the class, and an object never runs while one of a higher class
 // does.
 TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {

@@ -5,8 +5,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "simulator/openr_host/clock.h"
-
 namespace simulated_ers7 {
 
 using Eigen::Isometry3d;
@@ -57,7 +55,7 @@ bool canBePressed(const robot_model::Sensor& sensor) {
 
 }  // namespace
 
-Sensors::Sensors(const robot_model::RobotModel& model, Scene& scene, std::uint64_t seed)
+Sensors::Sensors(const robot_model::RobotModel& model, const Scene& scene, std::uint64_t seed)
     : scene_(scene), random_(seed) {
   for (int i = 0; i < model.number_of_sensors; ++i) {
     const robot_model::Sensor& sensor = model.sensors[i];
@@ -96,7 +94,6 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
 }
 
 void Sensors::passFrame(const Situation& situation) {
-  scene_.setTime(situation.frame * openr_host::kFrameSeconds);
   for (Sensor& sensor : sensors_) {
     OSensorValue value = {};
     value.value = sensor.measure(situation);

@@ -55,9 +55,9 @@ class Sensors {
   using Readings = std::array<OSensorValue, Joint::kReadings>;
 
   /// @param model must outlive the sensors
-  /// @param scene is set to the time of each measurement; must outlive the sensors
+  /// @param scene what there is to measure; must outlive the sensors
   /// @param seed of the errors. The same seed and situations give the same readings
-  Sensors(const robot_model::RobotModel& model, Scene& scene, std::uint64_t seed);
+  Sensors(const robot_model::RobotModel& model, const Scene& scene, std::uint64_t seed);
 
   /// 8 ms pass; everything is measured at the end.
   void passFrame(const Situation& situation);
@@ -83,7 +83,7 @@ class Sensors {
   int acceleration(std::size_t sensor, const Eigen::Vector3d& axis, const Situation& situation);
   int errorUpTo(int most);
 
-  Scene& scene_;
+  const Scene& scene_;
   std::mt19937_64 random_;
   std::vector<Sensor> sensors_;
 };

@@ -30,7 +30,10 @@ OStatus turn(bool on, bool* setting) {
 }  // namespace
 
 Camera::Camera(PictureSource& source, OPrimitiveID id)
-    : source_(source), regions_(fbkImageSize(), [id](RCRegion* region) { prepareFbkImage(region, id); }) {}
+    : source_(source), regions_(fbkImageSize(), [this, id](RCRegion* region) {
+        prepareFbkImage(region, id);
+        pixels_.try_emplace(region, region->Base(), region->Size());
+      }) {}
 
 bool Camera::imageDue(longword frame) {
   const longword images = imagesUpTo(frame);
@@ -39,17 +42,25 @@ bool Camera::imageDue(longword frame) {
   return due;
 }
 
-RCRegion* Camera::capture(longword frame) {
-  const longword image_number = imagesUpTo(frame);
+RCRegion* Camera::capture(longword frame, const CameraPose& pose) {
   RCRegion* region = regions_.freeRegion();
-  writeFbkImage(region, source_.picture(frame * openr_host::kFrameSeconds, image_number, settings_), colors_, frame,
-                image_number);
+  announceFbkImage(region, frame, imagesUpTo(frame));
+  pixels_.at(region).fillBy(
+      [this, region, exposure = Exposure{frame, pose, settings_, colors_}] { draw(exposure, region); });
   return region;
 }
 
 void Camera::reset() {
   settings_ = CameraSettings();
   colors_.clear();
+}
+
+void Camera::draw(const Exposure& exposure, RCRegion* region) {
+  const longword image_number = imagesUpTo(exposure.frame);
+  source_.setHead(exposure.pose.head);
+  source_.setBody(exposure.pose.body);
+  const double seconds = exposure.frame * openr_host::kFrameSeconds;
+  drawFbkImage(region, source_.picture(seconds, image_number, exposure.settings), exposure.colors, image_number);
 }
 
 OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {

@@ -9,11 +9,14 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <map>
 
 #include "simulator/ers7/body/head_kinematics.h"
+#include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/camera/color_detection.h"
 #include "simulator/ers7/camera/ycrcb_image.h"
 #include "simulator/ers7/region_pool.h"
+#include "simulator/openr_host/objects/filled_on_read.h"
 
 namespace simulated_ers7 {
 
@@ -38,6 +41,12 @@ constexpr longword imagesUpTo(longword frame) {
   return static_cast<longword>(frame * kImages / kFrames + 1);
 }
 
+/// Where the robot holds its camera.
+struct CameraPose {
+  HeadAngles head = restingHead();
+  Eigen::Isometry3d body{Eigen::Translation3d(0, 0, kStandingHeight)};  ///< its pose in the scene (scene.h)
+};
+
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
@@ -57,9 +66,12 @@ class PictureSource {
 };
 
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
+///
+/// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an image that nobody looks at costs
+/// next to nothing. It always shows what there was to see when it was taken.
 class Camera {
  public:
-  /// @param source provides the pictures; must outlive the camera
+  /// @param source draws the pictures; must outlive the camera
   /// @param id the camera's primitive, which its images contain
   Camera(PictureSource& source, OPrimitiveID id);
 
@@ -68,8 +80,8 @@ class Camera {
   bool imageDue(longword frame);
 
   /// Takes an image, with the colours that are detected in it, in a region to which only the camera refers
-  /// (region_pool.h).
-  RCRegion* capture(longword frame);
+  /// (region_pool.h). Its pixels must not be read after the camera's end.
+  RCRegion* capture(longword frame, const CameraPose& pose = CameraPose());
 
   /// Carries out OPENR::ControlPrimitive().
   /// @param param, param_size an OPrimitiveControl_CameraParam for the SET requests; ignored for others
@@ -86,11 +98,22 @@ class Camera {
   void reset();
 
  private:
+  /// What an image is taken of, and how.
+  struct Exposure {
+    longword frame;
+    CameraPose pose;
+    CameraSettings settings;
+    ColorDetection colors;
+  };
+
+  void draw(const Exposure& exposure, RCRegion* region);
+
   PictureSource& source_;
   CameraSettings settings_;
   ColorDetection colors_;
   longword images_seen_ = 0;
   RegionPool regions_;
+  std::map<const RCRegion*, openr_host::FilledOnRead> pixels_;
 };
 
 }  // namespace simulated_ers7

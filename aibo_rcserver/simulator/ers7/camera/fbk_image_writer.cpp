@@ -112,6 +112,12 @@ void writeTag(byte* data, const LayerFormat& format, longword image_number, cons
   }
 }
 
+void writeTags(OFbkImageVectorData* vector, longword image_number, const ColorCounts& counts) {
+  for (const LayerFormat& format : kLayers) {
+    writeTag(vector->GetData(format.layer), format, image_number, counts);
+  }
+}
+
 }  // namespace
 
 std::size_t fbkImageSize() {
@@ -148,12 +154,16 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
   }
 }
 
-void writeFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword frame,
-                   longword image_number) {
+void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
   OFbkImageVectorData* vector = vectorIn(region);
   for (const LayerFormat& format : kLayers) {
     vector->GetInfo(format.layer)->frameNumber = frame;
   }
+  writeTags(vector, image_number, {});
+}
+
+void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number) {
+  OFbkImageVectorData* vector = vectorIn(region);
   byte* high = vector->GetData(ofbkimageLAYER_H);
   writeBand(picture.y, high);
   writeBand(picture.cr, high + kWidth);
@@ -168,9 +178,7 @@ void writeFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetec
   halve(medium, low, kWidth / 4, kHeight / 4);
   split(medium, low, kWidth / 4, kHeight / 4);
   const ColorCounts counts = detect(colors, medium, vector->GetData(ofbkimageLAYER_C));
-  for (const LayerFormat& format : kLayers) {
-    writeTag(vector->GetData(format.layer), format, image_number, counts);
-  }
+  writeTags(vector, image_number, counts);
 }
 
 }  // namespace simulated_ers7

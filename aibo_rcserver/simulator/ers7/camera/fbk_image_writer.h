@@ -26,12 +26,17 @@ std::size_t fbkImageSize();
 /// @param camera the camera's primitive, for the infos
 void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 
-/// Writes a picture into a prepared region. The pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the
-/// colours detected in M.
+/// Writes what can be known of an image before its picture is drawn. Its pixels are those of an earlier image or empty.
+/// @param region prepared
 /// @param frame OPEN-R frame of the capture
 /// @param image_number the camera's own count, for the tag bytes
-void writeFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword frame,
-                   longword image_number);
+void announceFbkImage(RCRegion* region, longword frame, longword image_number);
+
+/// Writes the picture into a region. The pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the colours
+/// detected in M.
+/// @param region announced
+/// @param image_number as announced
+void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number);
 
 }  // namespace simulated_ers7
 

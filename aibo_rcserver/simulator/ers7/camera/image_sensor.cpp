@@ -18,7 +18,20 @@ const Color kCornerLight(0.70, 0.74, 0.80);
 /// Part of its light that a pixel gives to each of its neighbours.
 constexpr double kBlur = 0.20;
 
-Color blurred(const Color& before, const Color& here, const Color& after) {
+/// Numbers of several pixels in a row, so that the processor calculates several at once.
+using Numbers = Eigen::Map<Eigen::ArrayXd>;
+using ConstNumbers = Eigen::Map<const Eigen::ArrayXd>;
+
+ConstNumbers numbersFrom(const Color* first, std::size_t pixels) {
+  return ConstNumbers(first->data(), 3 * static_cast<Eigen::Index>(pixels));
+}
+
+Numbers numbersFrom(Color* first, std::size_t pixels) {
+  return Numbers(first->data(), 3 * static_cast<Eigen::Index>(pixels));
+}
+
+template <typename Values>
+auto blurred(const Values& before, const Values& here, const Values& after) {
   return (1 - 2 * kBlur) * here + kBlur * (before + after);
 }
 
@@ -116,19 +129,17 @@ const LightImage& Lens::project(const LightImage& light) {
     const Color* row = &light[y * kWidth];
     Color* out = &blurred_across_[y * kWidth];
     out[0] = blurred(row[0], row[0], row[1]);
-    for (std::size_t x = 1; x < kWidth - 1; ++x) {
-      out[x] = blurred(row[x - 1], row[x], row[x + 1]);
-    }
+    numbersFrom(out + 1, kWidth - 2) =
+        blurred(numbersFrom(row, kWidth - 2), numbersFrom(row + 1, kWidth - 2), numbersFrom(row + 2, kWidth - 2));
     out[kWidth - 1] = blurred(row[kWidth - 2], row[kWidth - 1], row[kWidth - 1]);
   }
   for (std::size_t y = 0; y < kHeight; ++y) {
     const Color* here = &blurred_across_[y * kWidth];
     const Color* above = y > 0 ? here - kWidth : here;
     const Color* below = y < kHeight - 1 ? here + kWidth : here;
-    for (std::size_t x = 0; x < kWidth; ++x) {
-      const std::size_t i = y * kWidth + x;
-      projected_[i] = blurred(above[x], here[x], below[x]) * transmission_[i];
-    }
+    numbersFrom(&projected_[y * kWidth], kWidth) =
+        blurred(numbersFrom(above, kWidth), numbersFrom(here, kWidth), numbersFrom(below, kWidth)) *
+        numbersFrom(&transmission_[y * kWidth], kWidth);
   }
   return projected_;
 }

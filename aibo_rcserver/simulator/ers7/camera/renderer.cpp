@@ -150,6 +150,7 @@ Renderer::Renderer(const Scene& scene)
       picture_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       detail_(static_cast<size_t>(kPictureWidth * kPictureHeight), FineDetail{}),
       seen_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
+      is_edge_(seen_.size()),
       near_(static_cast<size_t>(kPictureWidth * kPictureHeight)),
       drawn_positions_(scene.bodies().size()) {}
 
@@ -232,10 +233,11 @@ void Renderer::drawBlock(const Eye& eye, int left, int top) {
 }
 
 void Renderer::smoothEdges(const Eye& eye, const Window& window) {
+  findEdges(window);
   for (int y = window.top; y < window.bottom; ++y) {
     for (int x = window.left; x < window.right; ++x) {
       detail_[indexOf(x, y)] = {};
-      if (isEdge(x, y)) {
+      if (is_edge_[indexOf(x, y)]) {
         const std::array<Color, 4> parts = lightOfParts(eye, x, y);
         picture_[indexOf(x, y)] = (parts[0] + parts[1] + parts[2] + parts[3]) / 4;
         detail_[indexOf(x, y)] = relativeDetail(parts);
@@ -267,11 +269,24 @@ std::array<Color, 4> Renderer::lightOfParts(const Eye& eye, int x, int y) const 
   return parts;
 }
 
-bool Renderer::isEdge(int x, int y) const {
-  const size_t here = indexOf(x, y);
-  const auto differs = [&](size_t there) { return !seen_[here].isAlso(seen_[there].surface, seen_[there].normal); };
-  return (x > 0 && differs(here - 1)) || (x + 1 < kPictureWidth && differs(here + 1)) ||
-         (y > 0 && differs(here - kPictureWidth)) || (y + 1 < kPictureHeight && differs(here + kPictureWidth));
+/// Compares each pixel in the window with those around it, each two only once.
+void Renderer::findEdges(const Window& window) {
+  std::fill(is_edge_.begin(), is_edge_.end(), false);
+  const auto compare = [this](size_t one, size_t other) {
+    if (!seen_[one].isAlso(seen_[other].surface, seen_[other].normal)) {
+      is_edge_[one] = is_edge_[other] = true;
+    }
+  };
+  for (int y = std::max(window.top - 1, 0); y < window.bottom; ++y) {
+    for (int x = std::max(window.left - 1, 0); x < window.right; ++x) {
+      if (x + 1 < kPictureWidth) {
+        compare(indexOf(x, y), indexOf(x + 1, y));
+      }
+      if (y + 1 < kPictureHeight) {
+        compare(indexOf(x, y), indexOf(x, y + 1));
+      }
+    }
+  }
 }
 
 /// The pixels that may show a part of a ball, or of something inside it.

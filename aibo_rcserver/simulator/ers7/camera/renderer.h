@@ -73,7 +73,7 @@ class Renderer {
   void drawBlock(const Eye& eye, int left, int top);
   void smoothEdges(const Eye& eye, const Window& window);
   std::array<Color, 4> lightOfParts(const Eye& eye, int x, int y) const;
-  bool isEdge(int x, int y) const;
+  void findEdges(const Window& window);
   static Window united(const Window& one, const Window& other);
   static Window wholeBlocks(const Window& window);
   static Window windowAround(const Eigen::Isometry3d& camera, const Eigen::Vector3d& center, double radius);
@@ -82,6 +82,7 @@ class Renderer {
   LightImage picture_;
   DetailImage detail_;
   std::vector<Seen> seen_;
+  std::vector<char> is_edge_;  ///< whether a pixel next to it shows another face
   std::vector<Near> near_;
   std::optional<Eigen::Isometry3d> drawn_from_;   ///< the camera's pose in picture_
   std::vector<Eigen::Vector3d> drawn_positions_;  ///< of the scene's bodies in picture_

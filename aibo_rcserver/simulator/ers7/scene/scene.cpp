@@ -117,14 +117,6 @@ Body::Body(const Vector3d& position, double yaw, std::vector<Part> parts)
   }
 }
 
-Vector3d Body::turnToBody(const Vector3d& vector) const {
-  return {cos_yaw_ * vector.x() + sin_yaw_ * vector.y(), cos_yaw_ * vector.y() - sin_yaw_ * vector.x(), vector.z()};
-}
-
-Vector3d Body::turnToRoom(const Vector3d& vector) const {
-  return {cos_yaw_ * vector.x() - sin_yaw_ * vector.y(), cos_yaw_ * vector.y() + sin_yaw_ * vector.x(), vector.z()};
-}
-
 double Body::distanceInBody(const Vector3d& point) const {
   double distance = std::numeric_limits<double>::infinity();
   for (const Part& part : parts_) {

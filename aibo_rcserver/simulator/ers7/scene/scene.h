@@ -77,8 +77,12 @@ class Body {
 
   /// Conversions between the room's frame and the body's.
   Eigen::Vector3d pointToBody(const Eigen::Vector3d& point) const { return turnToBody(point - position_); }
-  Eigen::Vector3d turnToBody(const Eigen::Vector3d& vector) const;
-  Eigen::Vector3d turnToRoom(const Eigen::Vector3d& vector) const;
+  Eigen::Vector3d turnToBody(const Eigen::Vector3d& vector) const {
+    return {cos_yaw_ * vector.x() + sin_yaw_ * vector.y(), cos_yaw_ * vector.y() - sin_yaw_ * vector.x(), vector.z()};
+  }
+  Eigen::Vector3d turnToRoom(const Eigen::Vector3d& vector) const {
+    return {cos_yaw_ * vector.x() - sin_yaw_ * vector.y(), cos_yaw_ * vector.y() + sin_yaw_ * vector.x(), vector.z()};
+  }
 
   /// Distance from a point to the body's surface, negative inside.
   /// @param point in the body's frame

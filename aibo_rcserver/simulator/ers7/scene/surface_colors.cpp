@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "simulator/ers7/scene/scene.h"
 
@@ -65,11 +67,25 @@ double repeatedCoverage(const Span& span, double period, double thickness) {
   return coverage(span, band, band + thickness) + coverage(span, band + period, band + period + thickness);
 }
 
-/// A pseudo-random number in 0..1 for a cell of a grid.
+/// A square of pseudo-random numbers in 0..1, row by row. Larger than the eye can follow, small enough for the
+/// processor's cache.
+constexpr std::size_t kGridSize = 128;
+
+std::vector<float> makeGrid() {
+  std::vector<float> grid;
+  for (uint64_t i = 0; i < kGridSize * kGridSize; ++i) {
+    uint64_t mixed = i % kGridSize * 0x9E3779B97F4A7C15u ^ i / kGridSize * 0xC2B2AE3D27D4EB4Fu;
+    mixed = (mixed ^ (mixed >> 29)) * 0xBF58476D1CE4E5B9u;
+    grid.push_back(static_cast<float>(mixed >> 40) / static_cast<float>(1u << 24));
+  }
+  return grid;
+}
+
+const std::vector<float> kGrid = makeGrid();
+
+/// The number for a cell of the grid, which is repeated in all directions.
 double cellValue(int64_t x, int64_t y) {
-  uint64_t mixed = static_cast<uint64_t>(x) * 0x9E3779B97F4A7C15u ^ static_cast<uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu;
-  mixed = (mixed ^ (mixed >> 29)) * 0xBF58476D1CE4E5B9u;
-  return static_cast<double>(mixed >> 40) / static_cast<double>(1u << 24);
+  return kGrid[static_cast<std::size_t>(y) % kGridSize * kGridSize + static_cast<std::size_t>(x) % kGridSize];
 }
 
 /// Smooth noise of mean 0 between -1 and 1, with bumps of size 1.

@@ -1,5 +1,7 @@
 #include <OPENR/OFbkImage.h>
 
+#include "simulator/openr_host/objects/filled_on_read.h"
+
 namespace {
 
 /// The number of bands in a layer, which are interleaved row by row.
@@ -43,11 +45,17 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   }
 }
 
+byte* OFbkImage::Pointer() const {
+  openr_host::FilledOnRead::read(pointer_);
+  return pointer_;
+}
+
 word OFbkImage::FieldCounter() const {
   return static_cast<word>(Tag(0) | Tag(1) << 8);
 }
 
 byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
+  openr_host::FilledOnRead::read(pointer_);
   switch (channel) {
     case ocdtCHANNEL0:
       return Tag(8);

@@ -54,16 +54,22 @@ class TestPicture : public PictureSource {
     }
   }
 
-  void setHead(const HeadAngles& /*angles*/) override {}
-  void setBody(const Eigen::Isometry3d& /*in_room*/) override {}
-  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& /*settings*/) override {
+  void setHead(const HeadAngles& angles) override { last_head_pan = angles.head_pan; }
+  void setBody(const Eigen::Isometry3d& in_room) override { last_x = in_room.translation().x(); }
+  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override {
+    ++times_drawn;
     last_seconds = seconds;
     last_image_number = image_number;
+    last_settings = settings;
     return image_;
   }
 
+  int times_drawn = 0;
+  double last_head_pan = -1;
+  double last_x = -1;
   double last_seconds = -1;
   longword last_image_number = 0;
+  CameraSettings last_settings;
 
  private:
   YCrCbImage image_;
@@ -207,14 +213,37 @@ TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
   const longword number = imagesUpTo(frame);
   ASSERT_GT(number, 65536u);
   const OFbkImage luminance = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y);
-  EXPECT_EQ(luminance.FieldCounter(), number % 65536);
+  EXPECT_EQ(luminance.FieldCounter(), number % 65536) << "before it is drawn";
   EXPECT_EQ(luminance.Pixel(2, 159), number / 65536);
+  EXPECT_EQ(luminance.FieldCounter(), number % 65536) << "and afterwards";
   for (int x = 3; x < 16; ++x) {
     EXPECT_EQ(luminance.Pixel(x, 159), 0);
   }
   EXPECT_EQ(luminance.Pixel(16, 159), (16 + 2 * 159) % 256);
   EXPECT_EQ(source_.last_image_number, number);
   EXPECT_DOUBLE_EQ(source_.last_seconds, 300000 * 0.008);
+}
+
+TEST_F(CameraTest, APictureIsDrawnWhenItIsReadAsItWasWhenItWasTaken) {
+  longword shutter = ocamparamSHUTTER_FAST;
+  camera_.control(oprmreqCAM_SET_SHUTTER_SPEED, &shutter, sizeof(shutter));
+  CameraPose pose;
+  pose.head.head_pan = 0.3;
+  pose.body = Eigen::Translation3d(2, 0, 0);
+  RCRegion* early = camera_.capture(100, pose);
+  early->AddReference();
+  camera_.resetSettings();
+  camera_.capture(104);
+  EXPECT_EQ(source_.times_drawn, 0);
+
+  EXPECT_EQ(bandOf(early, ofbkimageLAYER_M, ofbkimageBAND_Cr).Pixel(50, 10), 2 * 20 + 1);
+  EXPECT_EQ(source_.times_drawn, 1);
+  EXPECT_DOUBLE_EQ(source_.last_seconds, 0.8);
+  EXPECT_EQ(source_.last_image_number, imagesUpTo(100));
+  EXPECT_DOUBLE_EQ(source_.last_head_pan, 0.3);
+  EXPECT_DOUBLE_EQ(source_.last_x, 2);
+  EXPECT_EQ(source_.last_settings.shutter, static_cast<longword>(ocamparamSHUTTER_FAST));
+  early->RemoveReference();
 }
 
 TEST_F(CameraTest, TheInfosContainCameraAndFrame) {

@@ -21,11 +21,20 @@ namespace {
 
 constexpr char kCameraLocator[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 
-/// Centre of all pink pixels in the part of the picture around a point.
-Eigen::Vector2d middleOfPink(RCRegion* region, const Eigen::Vector2d& around) {
+OFbkImage redIn(RCRegion* region) {
   void* base = region->Base();
   auto* vector = static_cast<OFbkImageVectorData*>(base);
-  OFbkImage cr(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), ofbkimageBAND_Cr);
+  return OFbkImage(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), ofbkimageBAND_Cr);
+}
+
+/// The camera draws what is read.
+void draw(RCRegion* region) {
+  redIn(region).Pointer();
+}
+
+/// Centre of all pink pixels in the part of the picture around a point.
+Eigen::Vector2d middleOfPink(RCRegion* region, const Eigen::Vector2d& around) {
+  const OFbkImage cr = redIn(region);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   int count = 0;
   for (int y = 0; y < kPictureHeight; ++y) {
@@ -571,6 +580,8 @@ TEST_F(SimulatedErs7Test, TwoRobotsWithTheSameSeedDeliverTheSameBytes) {
     if (due) {
       RCRegion* left = robot_.captureImage(frame);
       RCRegion* right = twin.captureImage(frame);
+      draw(left);
+      draw(right);
       ASSERT_EQ(left->Size(), right->Size());
       ASSERT_EQ(std::memcmp(left->Base(), right->Base(), left->Size()), 0) << "frame " << frame;
     }

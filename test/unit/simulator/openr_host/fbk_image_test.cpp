@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "simulator/openr_host/objects/filled_on_read.h"
+
 namespace {
 
 constexpr int kWidth = 20;
@@ -70,6 +72,57 @@ TEST(OFbkImageTest, ReadsTheTagBytesOfTheLastRow) {
   EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL4), 0x14);
   EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL7), 0x17);
   EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL_UNDEF), 0);
+}
+
+/// An image that is drawn when it is read, next to bytes that are not part of it.
+class UnreadImageTest : public testing::Test {
+ protected:
+  void announce() {
+    pixels_.fillBy([this] { ++times_drawn_; });
+  }
+
+  OFbkImageInfo info_ = infoOf(odataFBK_CDT);
+  std::vector<byte> data_ = std::vector<byte>(3 * kWidth * kHeight);
+  byte* const middle_ = data_.data() + kWidth * kHeight;
+  openr_host::FilledOnRead pixels_{middle_, kWidth* kHeight};
+  const OFbkImage image_{&info_, middle_, ofbkimageBAND_CDT};
+  int times_drawn_ = 0;
+};
+
+TEST_F(UnreadImageTest, IsDrawnOnceWhenItsPixelsAreRead) {
+  announce();
+  EXPECT_EQ(times_drawn_, 0);
+  EXPECT_EQ(image_.Pointer(), middle_);
+  EXPECT_EQ(times_drawn_, 1);
+  image_.Pixel(0, 0);
+  EXPECT_EQ(times_drawn_, 1);
+  announce();
+  image_.Pixel(0, 0);
+  EXPECT_EQ(times_drawn_, 2);
+}
+
+TEST_F(UnreadImageTest, IsDrawnForTheColourDetectionButNotForTheFieldCounter) {
+  announce();
+  image_.FieldCounter();
+  EXPECT_EQ(times_drawn_, 0);
+  image_.ColorFrequency(ocdtCHANNEL0);
+  EXPECT_EQ(times_drawn_, 1);
+}
+
+TEST_F(UnreadImageTest, IsReplacedByTheNextOneInItsMemory) {
+  int first_drawn = 0;
+  pixels_.fillBy([&] { ++first_drawn; });
+  announce();
+  image_.Pointer();
+  EXPECT_EQ(first_drawn, 0);
+  EXPECT_EQ(times_drawn_, 1);
+}
+
+TEST_F(UnreadImageTest, IsNotDrawnForOneInOtherMemory) {
+  announce();
+  OFbkImage(&info_, data_.data(), ofbkimageBAND_CDT).Pointer();
+  OFbkImage(&info_, middle_ + kWidth * kHeight, ofbkimageBAND_CDT).Pointer();
+  EXPECT_EQ(times_drawn_, 0);
 }
 
 TEST(RCRegionTest, StartsWithItsCreatorsReference) {

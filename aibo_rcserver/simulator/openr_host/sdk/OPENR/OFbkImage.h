@@ -27,8 +27,10 @@ class OFbkImage {
   /// False if the layer has no such band. Then no other function may be called.
   bool IsValid() const { return pointer_ != 0; }
 
-  /// The first pixel.
-  byte* Pointer() const { return pointer_; }
+  /// The first pixel. The simulated camera draws its picture when this or Pixel() is called for it first; until then
+  /// the image has only its infos and the field counter. So pixels are to be read through this, not through
+  /// OFbkImageVectorData::GetData() alone.
+  byte* Pointer() const;
   int Width() const { return width_; }
   int Height() const { return height_; }
   /// Bytes between the last pixel of a row and the first of the next: pixel (x, y) is
@@ -36,16 +38,16 @@ class OFbkImage {
   int Skip() const { return skip_; }
   /// @param x 0..Width()-1
   /// @param y 0..Height()-1, from the top
-  byte Pixel(int x, int y) const { return pointer_[y * (width_ + skip_) + x]; }
+  byte Pixel(int x, int y) const { return Pointer()[y * (width_ + skip_) + x]; }
 
-  /// The camera's count of fields, from the tag bytes.
+  /// The camera's count of fields, from the tag bytes. Known before the picture is drawn.
   word FieldCounter() const;
   /// The number of pixels, in sixteenths, that the colour detection found in a channel; from the tag bytes.
   /// @param channel one of ocdtCHANNEL0..ocdtCHANNEL7; 0 for any other
   byte ColorFrequency(OCdtChannel channel) const;
 
  private:
-  byte Tag(int index) const { return Pixel(index, height_ - 1); }
+  byte Tag(int index) const { return pointer_[(height_ - 1) * (width_ + skip_) + index]; }
 
   byte* pointer_;
   int width_;

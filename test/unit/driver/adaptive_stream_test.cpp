@@ -1,0 +1,163 @@
+#include "ros/camera/adaptive_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace aibo_driver::node {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kMaxAge = 150ms;
+constexpr auto kInTime = 60ms;
+
+/// Pictures come with a stepped clock, every n-th of 30 a second as they are asked for, or as many as the link carries.
+class AdaptiveStreamTest : public testing::Test {
+ protected:
+  using Step = AdaptiveStream::Step;
+
+  /// The link carries this many pictures of quality 85 in a second.
+  void passOverLink(double rate_at_85, AdaptiveStream::Duration time) {
+    const auto end = now_ + time;
+    while (now_ < end) {
+      const Step& step = stream_.inForce();
+      const double asked = 30.0 / step.every_nth_image;
+      const double size = step.jpeg_quality >= 85 ? 1 : 0.5 + 0.5 * (step.jpeg_quality - 50) / 35;
+      const double carried = rate_at_85 / size;
+      arrive(std::min(asked, carried), asked > carried ? 250ms : kInTime);
+    }
+  }
+
+  /// Pictures of one age, as many as are asked for.
+  void pass(AdaptiveStream::Duration age, AdaptiveStream::Duration time) {
+    const auto end = now_ + time;
+    while (now_ < end) {
+      arrive(30.0 / stream_.inForce().every_nth_image, age);
+    }
+  }
+
+  void arrive(double rate, AdaptiveStream::Duration age) {
+    now_ += std::chrono::duration_cast<AdaptiveStream::Duration>(std::chrono::duration<double>(1 / rate));
+    if (stream_.pictureArrived(now_, age)) {
+      changes_.push_back(now_);
+    }
+    too_old_since_ = age > kMaxAge ? std::min(too_old_since_, now_) : AdaptiveStream::SteadyTime::max();
+    longest_too_old_ = std::max(longest_too_old_, now_ - std::min(too_old_since_, now_));
+  }
+
+  AdaptiveStream stream_{{85, 1}, kMaxAge};
+  AdaptiveStream::SteadyTime now_{1000s};
+  std::vector<AdaptiveStream::SteadyTime> changes_;
+  AdaptiveStream::SteadyTime too_old_since_ = AdaptiveStream::SteadyTime::max();
+  AdaptiveStream::Duration longest_too_old_{0};
+};
+
+TEST_F(AdaptiveStreamTest, ChangesNothingWhilePicturesAreInTime) {
+  pass(kInTime, 60s);
+  EXPECT_TRUE(changes_.empty());
+  EXPECT_FALSE(stream_.isLowered());
+}
+
+TEST_F(AdaptiveStreamTest, FewOldPicturesChangeNothing) {
+  for (int i = 0; i < 20; ++i) {
+    pass(300ms, 60ms);
+    pass(kInTime, 400ms);
+  }
+  EXPECT_TRUE(changes_.empty());
+}
+
+TEST_F(AdaptiveStreamTest, AThirdOfThePicturesTooOldIsTooMany) {
+  for (int i = 0; i < 10; ++i) {
+    arrive(30, 140ms);
+    arrive(30, kInTime);
+    arrive(30, kInTime);
+  }
+  EXPECT_TRUE(stream_.isLowered());
+}
+
+TEST_F(AdaptiveStreamTest, LowersQualityBeforeRate) {
+  int last_quality = 85;
+  int last_nth = 1;
+  for (int i = 0; i < 30; ++i) {
+    pass(200ms, 1s);
+    const Step& step = stream_.inForce();
+    EXPECT_LE(step.jpeg_quality, last_quality);
+    EXPECT_GE(step.every_nth_image, last_nth);
+    EXPECT_TRUE(step.every_nth_image == 1 || step.jpeg_quality == AdaptiveStream::kLowestQuality);
+    last_quality = step.jpeg_quality;
+    last_nth = step.every_nth_image;
+  }
+  EXPECT_EQ(last_quality, AdaptiveStream::kLowestQuality);
+  EXPECT_EQ(last_nth, AdaptiveStream::kRarestImage);
+}
+
+TEST_F(AdaptiveStreamTest, OnAFullLinkPicturesAreTooOldForLessThanASecond) {
+  for (const double rate_at_85 : {25.0, 17.3, 8.0}) {
+    stream_ = AdaptiveStream({85, 1}, kMaxAge);
+    passOverLink(rate_at_85, 60s);
+  }
+  EXPECT_LT(longest_too_old_, 1s);
+}
+
+TEST_F(AdaptiveStreamTest, TriesAHigherStepEverMoreRarely) {
+  passOverLink(17.3, 10min);
+  const auto first_half = std::count_if(changes_.begin(), changes_.end(), [this](auto at) { return at < now_ - 5min; });
+  EXPECT_LE(changes_.size(), 30U);
+  EXPECT_LE(static_cast<long>(changes_.size()) - first_half, 4) << "in the last five minutes";
+}
+
+TEST_F(AdaptiveStreamTest, ComesBackToTheBestWhenTheLinkIsGoodAgain) {
+  passOverLink(8, 20s);
+  ASSERT_TRUE(stream_.isLowered());
+  pass(kInTime, 2min);
+  EXPECT_EQ(stream_.inForce().jpeg_quality, 85);
+  EXPECT_EQ(stream_.inForce().every_nth_image, 1);
+}
+
+TEST_F(AdaptiveStreamTest, StaysWhereThePicturesAreJustInTime) {
+  passOverLink(17.3, 3s);
+  const std::size_t changes = changes_.size();
+  ASSERT_GT(changes, 0U);
+  pass(110ms, 60s);
+  EXPECT_EQ(changes_.size(), changes) << "more would be too much";
+}
+
+TEST_F(AdaptiveStreamTest, PicturesThatWereUnderWayAtAChangeDoNotCount) {
+  pass(200ms, 200ms);
+  ASSERT_EQ(changes_.size(), 1U);
+  pass(200ms, 200ms);
+  EXPECT_EQ(changes_.size(), 1U);
+}
+
+TEST_F(AdaptiveStreamTest, APauseOfTheLinkLowersLittle) {
+  pass(kInTime, 5s);
+  now_ += 800ms;
+  pass(700ms, 200ms);
+  EXPECT_EQ(changes_.size(), 1U);
+  EXPECT_EQ(stream_.inForce().every_nth_image, 1);
+}
+
+// At a low rate, TCP notices a lost packet later.
+TEST_F(AdaptiveStreamTest, AtALowRateSingleLatePicturesChangeNothing) {
+  stream_ = AdaptiveStream({50, 6}, kMaxAge);
+  for (int i = 0; i < 20; ++i) {
+    pass(300ms, 500ms);
+    pass(kInTime, 1s);
+  }
+  EXPECT_TRUE(changes_.empty());
+}
+
+TEST_F(AdaptiveStreamTest, KeepsToTheUsersRateAndALowQuality) {
+  stream_ = AdaptiveStream({30, 4}, kMaxAge);
+  EXPECT_EQ(stream_.inForce().every_nth_image, 4);
+  pass(300ms, 10s);
+  EXPECT_EQ(stream_.inForce().jpeg_quality, 30);
+  EXPECT_GT(stream_.inForce().every_nth_image, 4);
+  pass(kInTime, 5min);
+  EXPECT_EQ(stream_.inForce().every_nth_image, 4);
+}
+
+}  // namespace
+}  // namespace aibo_driver::node
