@@ -72,6 +72,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
       client_(parameters_.client, makeCallbacks()),
+      link_quality_(handle_, [this] { return askedEveryNthImage(); }),
       settings_(private_handle, client_, joint_table_),
       stream_services_(parameters_, client_, policy_, [this](const Picture& p) { return camera_.toMessage(p); }),
       mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
@@ -135,10 +136,15 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   return callbacks;
 }
 
+std::optional<int> AiboDriver::askedEveryNthImage() const {
+  return client_.streaming() ? std::optional<int>(client_.streamFormat().every_nth_image) : std::nullopt;
+}
+
 void AiboDriver::publishPicture(const Picture& picture) {
   const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture);
   raw_images_.publish(message);
   camera_state_.update(picture, message->header);
+  link_quality_.add(picture, message->header.stamp);
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
 }
 

@@ -23,6 +23,7 @@
 #include "ros/callback_threads.h"
 #include "ros/camera/camera_publisher.h"
 #include "ros/camera/camera_state_publisher.h"
+#include "ros/camera/link_quality.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stream_meter.h"
 #include "ros/camera/stream_policy.h"
@@ -65,6 +66,10 @@ class AiboDriver {
  private:
   RcServerClient::Callbacks makeCallbacks();
   void publishPicture(const Picture& picture);
+
+  /// Empty while the stream is off.
+  std::optional<int> askedEveryNthImage() const;
+
   void publishTelemetry(const Telemetry& telemetry);
   void updateConnection(const ConnectionStatus& status);
 
@@ -102,6 +107,7 @@ class AiboDriver {
   RcServerClient client_;
 
   // What needs the client.
+  LinkQualityPublisher link_quality_;
   LiveSettings settings_;
   StreamServices stream_services_;
   JointMover mover_;
