@@ -26,7 +26,8 @@ QString titleOf(const RobotConnection& connection) {
     return connection.text;
   }
   const QString robot = connection.robot.isEmpty() ? QString("robot") : connection.robot;
-  return robot + " at " + connection.address + ", connected by version " + QString::number(connection.protocol_version);
+  return robot + " at " + connection.address + ", connected (version " + QString::number(connection.protocol_version) +
+         ")";
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "remote_control/drive_pad.h"
 
+#include <cmath>
+
 namespace aibo_driver::remote_control {
 namespace {
 
@@ -8,7 +10,13 @@ constexpr double kForward = 0.15;  // m/s
 constexpr double kLeft = 0.06;     // m/s
 constexpr double kTurn = 1.0;      // rad/s
 
+constexpr double kDeadZone = 0.1;  // of the half width: so that straight ahead is straight ahead
+
 constexpr int kPeriod = 100;  // ms; the robot stops 500 ms after the last one
+
+double withoutDeadZone(double deflection) {
+  return std::abs(deflection) < kDeadZone ? 0 : deflection;
+}
 
 }  // namespace
 
@@ -30,9 +38,10 @@ DrivePad::DrivePad(QWidget* parent) : AxisPad(parent) {
 }
 
 void DrivePad::send() {
-  const QPointF place = chosen();
+  const double forward = withoutDeadZone(chosen().y());
+  const double left = -withoutDeadZone(chosen().x());
   const bool turns = button() == Qt::LeftButton;
-  Q_EMIT walk(place.y() * kForward, turns ? 0 : -place.x() * kLeft, turns ? -place.x() * kTurn : 0);
+  Q_EMIT walk(forward * kForward, turns ? 0 : left * kLeft, turns ? left * kTurn : 0);
 }
 
 }  // namespace aibo_driver::remote_control

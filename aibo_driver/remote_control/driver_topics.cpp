@@ -22,8 +22,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kHeardFor{3};            // the driver says something once a second
-constexpr std::chrono::milliseconds kJointPeriod{100};  // joints come 31 times a second, which no eye follows
+constexpr std::chrono::seconds kHeardFor{3};       // the driver says something once a second
+constexpr std::chrono::milliseconds kPeriod{100};  // what comes 31 times a second, no eye follows
 
 QImage imageOf(const node::BgrImage& picture) {
   QImage image(picture.width, picture.height, QImage::Format_RGB32);
@@ -75,7 +75,6 @@ DriverTopics::DriverTopics(const ros::NodeHandle& handle, const Post& post,
   velocity_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   look_at_ = handle_.advertise<geometry_msgs::PointStamped>("look_at", 1);
   subscribeStates(connection_changed);
-  subscribeSensors();
 }
 
 void DriverTopics::subscribeStates(const std::function<void()>& connection_changed) {
@@ -98,6 +97,11 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
     const bool on = message.data != 0;
     post_([on](Robot& robot) { Q_EMIT robot.streamingChanged(on); });
   });
+  subscribe<sensor_msgs::BatteryState>("battery", [this](const sensor_msgs::BatteryState& message) {
+    const auto charge = static_cast<double>(message.percentage);
+    const auto temperature = static_cast<double>(message.temperature);
+    post_([charge, temperature](Robot& robot) { Q_EMIT robot.batteryMeasured(charge, temperature); });
+  });
   subscribe<MotionState>("motion_state", [this](const MotionState& message) {
     const bool plays = std::any_of(message.movements.begin(), message.movements.end(),
                                    [](const Movement& movement) { return movement.kind == Movement::MOTION; });
@@ -106,14 +110,39 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
   });
 }
 
-void DriverTopics::subscribeSensors() {
-  subscribe<sensor_msgs::JointState>("joint_states",
-                                     [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
-  subscribe<sensor_msgs::BatteryState>("battery", [this](const sensor_msgs::BatteryState& message) {
-    const auto charge = static_cast<double>(message.percentage);
-    const auto temperature = static_cast<double>(message.temperature);
-    post_([charge, temperature](Robot& robot) { Q_EMIT robot.batteryMeasured(charge, temperature); });
-  });
+void DriverTopics::show(Part part, bool visible) {
+  switch (part) {
+    case Part::kPictures:
+      showPictures(visible);
+      break;
+    case Part::kJoints:
+      if (!visible) {
+        drop({"joint_states"});
+      } else if (subscribers_.count("joint_states") == 0) {
+        subscribe<sensor_msgs::JointState>("joint_states",
+                                           [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
+      }
+      break;
+    case Part::kSensors:
+      showSensors(visible);
+      break;
+  }
+}
+
+void DriverTopics::drop(const std::vector<std::string>& topics) {
+  for (const std::string& topic : topics) {
+    subscribers_.erase(topic);
+  }
+}
+
+void DriverTopics::showSensors(bool visible) {
+  if (!visible) {
+    drop({"touch", "range/near", "range/far", "range/chest", "range/head"});
+    return;
+  }
+  if (subscribers_.count("touch") > 0) {
+    return;
+  }
   subscribe<Touch>("touch", [this, last = QStringList("unknown")](const Touch& message) mutable {
     const QStringList places = touchedPlaces(message);
     if (places != std::exchange(last, places)) {
@@ -124,7 +153,7 @@ void DriverTopics::subscribeSensors() {
     subscribe<sensor_msgs::Range>(std::string("range/") + name, [this, name, last = steady_clock::time_point()](
                                                                     const sensor_msgs::Range& message) mutable {
       const auto now = steady_clock::now();
-      if (now - last >= kJointPeriod) {
+      if (now - last >= kPeriod) {
         last = now;
         const Distance distance{name, static_cast<double>(message.range), static_cast<double>(message.max_range)};
         post_([distance](Robot& robot) { Q_EMIT robot.distanceMeasured(distance); });
@@ -144,19 +173,28 @@ void DriverTopics::hear(const std::function<void()>& connection_changed) {
   }
 }
 
-void DriverTopics::wantPictures(bool wanted) {
+// The camera's calibration comes with each picture, but is needed once.
+void DriverTopics::showPictures(bool visible) {
   const std::string jpegs = "camera/image_raw/compressed";
   const std::string calibration = "camera/camera_info";
-  if (!wanted) {
-    subscribers_.erase(jpegs);
-    subscribers_.erase(calibration);
-  } else if (subscribers_.count(jpegs) == 0) {
-    subscribe<sensor_msgs::CompressedImage>(
-        jpegs, [this](const sensor_msgs::CompressedImage& message) { receivePicture(message); });
+  bool knows_camera = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    knows_camera = camera_.has_value();
+  }
+  if (!visible || knows_camera) {
+    drop({calibration});
+  } else if (subscribers_.count(calibration) == 0) {
     subscribe<sensor_msgs::CameraInfo>(calibration, [this](const sensor_msgs::CameraInfo& message) {
       const std::lock_guard<std::mutex> lock(mutex_);
       camera_ = message;
     });
+  }
+  if (!visible) {
+    drop({jpegs});
+  } else if (subscribers_.count(jpegs) == 0) {
+    subscribe<sensor_msgs::CompressedImage>(
+        jpegs, [this](const sensor_msgs::CompressedImage& message) { receivePicture(message); });
   }
 }
 
@@ -167,6 +205,10 @@ void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
     image = imageOf(node::decodeJpeg(message.data.data(), message.data.size()));
   } catch (const node::DecodeException&) {
     return;  // the driver's diagnostics count them
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    picture_stamp_ = message.header.stamp;
   }
   const std::lock_guard<std::mutex> lock(newest_->mutex);
   const bool one_waits = !newest_->picture.isNull();
@@ -188,7 +230,7 @@ void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
     positions_[QString::fromStdString(message.name[i])] = message.position[i];
   }
   const auto now = steady_clock::now();
-  if (now - positions_posted_ >= kJointPeriod) {
+  if (now - positions_posted_ >= kPeriod) {
     positions_posted_ = now;
     post_([positions = positions_](Robot& robot) { Q_EMIT robot.jointsMeasured(positions); });
   }
@@ -266,7 +308,8 @@ bool DriverTopics::publishLookAt(const QPointF& place) const {
     if (!camera_ || camera_->K[0] <= 0 || camera_->K[4] <= 0) {
       return false;
     }
-    message.header = camera_->header;
+    message.header.frame_id = camera_->header.frame_id;
+    message.header.stamp = picture_stamp_;
     message.point.x = (place.x() * camera_->width - camera_->K[2]) / camera_->K[0];
     message.point.y = (place.y() * camera_->height - camera_->K[5]) / camera_->K[4];
     message.point.z = 1;

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "remote_control/robot.h"
 
@@ -34,8 +35,8 @@ class DriverTopics {
   /// @param connection_changed is called when connection() or isHeard() may have changed
   DriverTopics(const ros::NodeHandle& handle, const Post& post, const std::function<void()>& connection_changed);
 
-  /// Subscribes to pictures only while they are wanted.
-  void wantPictures(bool wanted);
+  /// Subscribes to a part while somebody looks at it. To be called every few seconds.
+  void show(Part part, bool visible);
 
   /// Subscribes to the settings that have this owner; does nothing if it has done so. Empty: to none.
   void followSettings(const std::string& owner);
@@ -62,7 +63,9 @@ class DriverTopics {
   void subscribe(const std::string& topic, const std::function<void(const Message&)>& receive,
                  std::uint32_t queue_size = 1);
   void subscribeStates(const std::function<void()>& connection_changed);
-  void subscribeSensors();
+  void showPictures(bool visible);
+  void showSensors(bool visible);
+  void drop(const std::vector<std::string>& topics);
   void hear(const std::function<void()>& connection_changed);
   void receivePicture(const sensor_msgs::CompressedImage& message);
   void receiveJoints(const sensor_msgs::JointState& message);
@@ -78,7 +81,8 @@ class DriverTopics {
   mutable std::mutex mutex_;
   aibo_driver::Connection::ConstPtr connection_;
   std::chrono::steady_clock::time_point last_heard_;
-  std::optional<sensor_msgs::CameraInfo> camera_;
+  std::optional<sensor_msgs::CameraInfo> camera_;  ///< its first message; other sizes of pictures have the same view
+  ros::Time picture_stamp_;                        ///< of the newest
 
   struct Newest {
     std::mutex mutex;

@@ -68,7 +68,7 @@ JointSlider::JointSlider(const joints::JointProperties& joint, const QString& la
                  .arg(degrees(slider_->maximum())));
   auto* name = new QLabel(label, this);
   name->setFixedWidth(fontMetrics().horizontalAdvance("elevator  "));
-  text_->setFixedWidth(fontMetrics().horizontalAdvance(QString::fromUtf8("-100\u00B0 \u2192 -100\u00B0")));
+  text_->setFixedWidth(fontMetrics().horizontalAdvance(QString::fromUtf8("\u2192-100\u00B0")));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(name);
@@ -110,11 +110,11 @@ void JointSlider::measure(double position) {
   }
 }
 
+// While it is on its way, where it is to go, otherwise where it is.
 void JointSlider::showText() {
-  QString text = measured_ ? QString::fromUtf8("%1\u00B0").arg(degrees(*measured_)) : QString("?");
-  if (commanded_) {
-    text += QString::fromUtf8(" \u2192 %1\u00B0").arg(degrees(*commanded_));
-  }
+  const QString text = commanded_  ? QString::fromUtf8("\u2192%1\u00B0").arg(degrees(*commanded_))
+                       : measured_ ? QString::fromUtf8("%1\u00B0").arg(degrees(*measured_))
+                                   : QString("?");
   if (text != text_->text()) {
     text_->setText(text);
   }

@@ -38,6 +38,7 @@ LightsPage::LightsPage(Robot& robot, QWidget* parent)
   row->addWidget(new QLabel("Intensity", this));
   row->addWidget(intensity_);
   auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 4);
   layout->addLayout(row);
   layout->addWidget(makeFace());
   layout->addWidget(makeGroups());
@@ -64,6 +65,7 @@ QPushButton* LightsPage::makeLed(const QString& name, const QString& label) {
 QWidget* LightsPage::makeFace() {
   auto* face = new QGroupBox("Face", this);
   auto* grid = new QGridLayout(face);
+  grid->setContentsMargins(4, 4, 4, 4);
   for (int number = 1; number <= kFaceLeds; ++number) {
     grid->addWidget(makeLed(faceLed(number), QString::number(number)), (number - 1) / 7, (number - 1) % 7);
   }
@@ -87,6 +89,7 @@ QWidget* LightsPage::makeFace() {
 QWidget* LightsPage::makeGroups() {
   auto* groups = new QGroupBox("Groups", this);
   auto* grid = new QGridLayout(groups);
+  grid->setContentsMargins(4, 4, 4, 4);
   int column = 0;
   for (const char* name : {"face", "back", "head", "all"}) {
     const QString group = name;
@@ -102,8 +105,9 @@ QWidget* LightsPage::makeGroups() {
 }
 
 QWidget* LightsPage::makeEars() {
-  auto* ears = new QGroupBox("Ears", this);
+  auto* ears = new QWidget(this);
   auto* row = new QHBoxLayout(ears);
+  row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(makeButton(Needs::kConnection, "Left ear", "Flicks it", [this] { robot_.flickEars(true, false); }));
   row->addWidget(makeButton(Needs::kConnection, "Both ears", "Flicks them", [this] { robot_.flickEars(true, true); }));
   row->addWidget(makeButton(Needs::kConnection, "Right ear", "Flicks it", [this] { robot_.flickEars(false, true); }));

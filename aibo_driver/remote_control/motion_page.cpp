@@ -60,8 +60,9 @@ void MotionPage::connectionChanged(const RobotConnection& connection) {
   }
   listed_for_ = robot;
   list_->clear();
-  movement_->clear();
-  if (!robot.isEmpty()) {
+  if (robot.isEmpty()) {
+    movement_->clear();
+  } else {
     robot_.listMotions();
   }
 }

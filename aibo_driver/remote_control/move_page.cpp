@@ -15,6 +15,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   grid->addWidget(new QLabel("Head", this), 0, 1, Qt::AlignHCenter);
   grid->addWidget(drive_pad_, 1, 0);
   grid->addWidget(head_pad_, 1, 1);
+  grid->setContentsMargins(6, 4, 6, 4);
   grid->setRowStretch(1, 1);
   auto* buttons = new QHBoxLayout;
   const auto add_posture = [&](const QString& text, const QString& tip) {

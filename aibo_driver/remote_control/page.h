@@ -19,6 +19,8 @@ class Page : public QWidget {
  public:
   using QWidget::QWidget;
 
+  Q_SIGNAL void visibilityChanged();
+
   /// Enables its widgets, or disables them and says why.
   void setConnection(const RobotConnection& connection) {
     const QString not_connected = connection.isConnected() ? QString() : connection.text;
@@ -49,6 +51,14 @@ class Page : public QWidget {
   }
 
  private:
+  void showEvent(QShowEvent* event) override {
+    QWidget::showEvent(event);
+    Q_EMIT visibilityChanged();
+  }
+  void hideEvent(QHideEvent* event) override {
+    QWidget::hideEvent(event);
+    Q_EMIT visibilityChanged();
+  }
   virtual void connectionChanged(const RobotConnection&) {}
 
   struct Control {

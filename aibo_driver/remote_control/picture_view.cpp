@@ -60,12 +60,12 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
 
 void PictureView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  Q_EMIT visibilityChanged(true);
+  Q_EMIT visibilityChanged();
 }
 
 void PictureView::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  Q_EMIT visibilityChanged(false);
+  Q_EMIT visibilityChanged();
 }
 
 }  // namespace aibo_driver::remote_control

@@ -27,7 +27,7 @@ class PictureView : public QWidget {
   void clicked(const QPointF& place);
 
   /// The view has appeared or disappeared.
-  void visibilityChanged(bool visible);
+  void visibilityChanged();
 
  private:
   void paintEvent(QPaintEvent* event) override;

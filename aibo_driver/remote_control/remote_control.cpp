@@ -37,9 +37,7 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   layout->addWidget(makePages(), 2);
   layout->addWidget(status_);
   connectSignals();
-  for (QLineEdit* edit : findChildren<QLineEdit*>()) {
-    edit->installEventFilter(this);
-  }
+  keepSpaceBar();
   showConnection({});
 }
 
@@ -74,6 +72,7 @@ QWidget* RemoteControl::makePages() {
     page->setObjectName(title);
     tabs->addTab(page, title);
     pages_.push_back(page);
+    connect(page, &Page::visibilityChanged, this, &RemoteControl::askForWhatIsVisible);
   }
   return tabs;
 }
@@ -87,7 +86,7 @@ void RemoteControl::connectSignals() {
   connect(take_button_, &QPushButton::clicked, camera_page_, &CameraPage::takePicture);
   connect(stream_button_, &QPushButton::clicked, this, [this] { robot_.setStreaming(!streaming_); });
   connect(picture_, &PictureView::clicked, &robot_, &Robot::lookAt);
-  connect(picture_, &PictureView::visibilityChanged, &robot_, &Robot::showPictures);
+  connect(picture_, &PictureView::visibilityChanged, this, &RemoteControl::askForWhatIsVisible);
   connect(camera_page_, &CameraPage::folderChanged, this, &RemoteControl::changed);
   connect(camera_page_, &CameraPage::opened, this,
           [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
@@ -95,6 +94,7 @@ void RemoteControl::connectSignals() {
     useDriver(name_space);
     Q_EMIT changed();
   });
+  connect(&robot_, &Robot::settingsDescribed, this, &RemoteControl::keepSpaceBar);
   connect(&robot_, &Robot::driversFound, connection_bar_, &ConnectionBar::showDrivers);
   connect(&robot_, &Robot::batteryMeasured, connection_bar_, &ConnectionBar::showBattery);
   connect(&robot_, &Robot::linkMeasured, connection_bar_, [this](const LinkFigures& figures) {
@@ -109,12 +109,28 @@ void RemoteControl::connectSignals() {
 }
 
 // A text field would take the space bar for itself.
+void RemoteControl::keepSpaceBar() {
+  for (QLineEdit* edit : findChildren<QLineEdit*>()) {
+    edit->installEventFilter(this);
+  }
+  for (QAbstractSpinBox* box : findChildren<QAbstractSpinBox*>()) {
+    box->installEventFilter(this);
+  }
+}
+
 bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
     event->ignore();
     return true;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+void RemoteControl::askForWhatIsVisible() {
+  const auto is_visible = [this](const QString& page) { return findChild<Page*>(page)->isVisible(); };
+  robot_.show(Part::kPictures, picture_->isVisible());
+  robot_.show(Part::kJoints, is_visible("Move") || is_visible("Joints"));
+  robot_.show(Part::kSensors, is_visible("Sensors"));
 }
 
 void RemoteControl::useDriver(const QString& name_space) {

@@ -35,11 +35,13 @@ class RemoteControl : public QWidget {
 
  private:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void keepSpaceBar();
   QLayout* makeButtons();
   QWidget* makePages();
   void connectSignals();
   void showConnection(const RobotConnection& connection);
   void showStreaming(bool on);
+  void askForWhatIsVisible();
   void showWhyNoPicture();
   void showAnswer(bool success, const QString& text);
 

@@ -63,6 +63,9 @@ struct Distance {
   double farthest = 1;  ///< m, that it can measure
 };
 
+/// What the robot tells only while somebody looks at it, to save processor time.
+enum class Part { kPictures, kJoints, kSensors };
+
 using JointPositions = QMap<QString, double>;  ///< rad, by name
 using SettingValues = QMap<QString, QVariant>;
 using LedIntensities = QMap<QString, double>;  ///< 0..1, by name of the LED
@@ -82,8 +85,8 @@ class Robot : public QObject {
   /// @param name_space such as "/aibo"; empty: the first one that is found
   virtual void useDriver(const QString& name_space) = 0;
 
-  /// Whether somebody looks at the pictures. Nothing is decoded for nobody.
-  virtual void showPictures(bool wanted) = 0;
+  /// Whether somebody looks at a part; at first at none.
+  virtual void show(Part part, bool visible) = 0;
 
   /// Holds everything that moves, at once. Waits for no other call.
   virtual void stop() = 0;

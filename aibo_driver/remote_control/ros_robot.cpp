@@ -86,7 +86,9 @@ void RosRobot::manageTopics() {
         useTopicsOf(chosen);
       }
       if (topics_) {
-        topics_->wantPictures(wishes.pictures);
+        for (const Part part : {Part::kPictures, Part::kJoints, Part::kSensors}) {
+          topics_->show(part, wishes.visible.count(part) > 0);
+        }
         const std::string owner = settingsOf(name_space_, master_);
         topics_->followSettings(owner.empty() ? topics_->settingsOwner() : owner);
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -238,8 +240,14 @@ void RosRobot::useDriver(const QString& name_space) {
   wish([&name_space](Wishes& wishes) { wishes.name_space = name_space.toStdString(); });
 }
 
-void RosRobot::showPictures(bool wanted) {
-  wish([wanted](Wishes& wishes) { wishes.pictures = wanted; });
+void RosRobot::show(Part part, bool visible) {
+  wish([part, visible](Wishes& wishes) {
+    if (visible) {
+      wishes.visible.insert(part);
+    } else {
+      wishes.visible.erase(part);
+    }
+  });
 }
 
 void RosRobot::stop() {

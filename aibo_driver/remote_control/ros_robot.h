@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -32,7 +33,7 @@ class RosRobot : public Robot {
   ~RosRobot() override;
 
   void useDriver(const QString& name_space) override;
-  void showPictures(bool wanted) override;
+  void show(Part part, bool visible) override;
   void stop() override;
   void takePicture(const QString& folder) override;
   void setStreaming(bool on) override;
@@ -52,10 +53,10 @@ class RosRobot : public Robot {
   /// What the thread that asks the master is to do.
   struct Wishes {
     std::string name_space;  ///< empty: the first that is found
-    bool pictures = false;
+    std::set<Part> visible;
     bool end = false;
     bool operator==(const Wishes& other) const {
-      return name_space == other.name_space && pictures == other.pictures && end == other.end;
+      return name_space == other.name_space && visible == other.visible && end == other.end;
     }
   };
 

@@ -87,7 +87,10 @@ void SensorsPage::showDistance(const Distance& distance) {
       std::isinf(distance.metres) ? (distance.metres > 0 ? 1 : 0) : distance.metres / distance.farthest;
   bar->setFormat(text);
   bar->setValue(std::isnan(share) ? 0 : qRound(100 * share));
-  bar->setStyleSheet(distance.metres < kNear ? "QProgressBar::chunk { background: #e53935 }" : "");
+  const QString style = distance.metres < kNear ? "QProgressBar::chunk { background: #e53935 }" : "";
+  if (style != bar->styleSheet()) {  // costs as much as all the rest
+    bar->setStyleSheet(style);
+  }
 }
 
 }  // namespace aibo_driver::remote_control

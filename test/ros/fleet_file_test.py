@@ -128,6 +128,7 @@ class RvizConfigurationTest(unittest.TestCase):
             self.assertEqual((image['Image Topic'], image['Name']),
                              ('/%s/camera/image_raw' % name, '%s: Camera picture' % name))
         self.assertNotIn('/aibo/', str(manager))
+        self.assertEqual([panel['Driver'] for panel in made['Panels']], ['/left'])
         frames = next(d for d in manager['Displays'] if d['Class'] == 'rviz/TF')['Frames']
         self.assertTrue(frames['port/camera_link']['Value'] and frames['camera_link']['Value'])
 
