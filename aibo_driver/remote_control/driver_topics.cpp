@@ -1,8 +1,10 @@
 #include "remote_control/driver_topics.h"
 
 #include <aibo_driver/Ears.h>
+#include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
@@ -75,6 +77,7 @@ DriverTopics::DriverTopics(const ros::NodeHandle& handle, const Post& post,
   velocity_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   look_at_ = handle_.advertise<geometry_msgs::PointStamped>("look_at", 1);
   subscribeStates(connection_changed);
+  subscribeAnswers();
 }
 
 void DriverTopics::subscribeStates(const std::function<void()>& connection_changed) {
@@ -107,6 +110,23 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
                                    [](const Movement& movement) { return movement.kind == Movement::MOTION; });
     const QString text = QString::fromStdString(message.text);
     post_([text, plays](Robot& robot) { Q_EMIT robot.movementChanged(text, plays); });
+  });
+}
+
+void DriverTopics::subscribeAnswers() {
+  subscribe<LedStates>("led_states", [this](const LedStates& message) {
+    LedIntensities intensities;
+    for (std::size_t i = 0; i < std::min(message.names.size(), message.intensities.size()); ++i) {
+      intensities[QString::fromStdString(message.names[i])] = static_cast<double>(message.intensities[i]);
+    }
+    post_([intensities](Robot& robot) { Q_EMIT robot.ledsChanged(intensities); });
+  });
+  subscribe<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
+    if (asked_to_look_.exchange(false)) {  // else it answers somebody else
+      const bool success = message.success != 0;
+      const QString text = "look there: " + QString::fromStdString(message.message);
+      post_([success, text](Robot& robot) { Q_EMIT robot.answered(success, text); });
+    }
   });
 }
 
@@ -301,7 +321,7 @@ void DriverTopics::publishVelocity(double forward, double left, double turn) con
 }
 
 // A metre before the camera. The lens' distortion does not matter for what gets into the middle.
-bool DriverTopics::publishLookAt(const QPointF& place) const {
+bool DriverTopics::publishLookAt(const QPointF& place) {
   geometry_msgs::PointStamped message;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -314,6 +334,7 @@ bool DriverTopics::publishLookAt(const QPointF& place) const {
     message.point.y = (place.y() * camera_->height - camera_->K[5]) / camera_->K[4];
     message.point.z = 1;
   }
+  asked_to_look_ = true;
   look_at_.publish(message);
   return true;
 }

@@ -8,6 +8,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/JointState.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -56,13 +57,14 @@ class DriverTopics {
 
   /// @param place of the newest picture, 0..1 from left to right and from top to bottom
   /// @return false if no picture, or nothing of its camera, is known
-  bool publishLookAt(const QPointF& place) const;
+  bool publishLookAt(const QPointF& place);
 
  private:
   template <typename Message>
   void subscribe(const std::string& topic, const std::function<void(const Message&)>& receive,
                  std::uint32_t queue_size = 1);
   void subscribeStates(const std::function<void()>& connection_changed);
+  void subscribeAnswers();
   void showPictures(bool visible);
   void showSensors(bool visible);
   void drop(const std::vector<std::string>& topics);
@@ -89,6 +91,7 @@ class DriverTopics {
     QImage picture;  ///< on its way to the window; null if none is
   };
   const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
+  std::atomic<bool> asked_to_look_{false};
   JointPositions positions_;  ///< all that were measured
   std::chrono::steady_clock::time_point positions_posted_;
   std::string settings_owner_;
