@@ -28,6 +28,8 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
       status_(new QLabel(this)) {
   status_->setObjectName("status");
   status_->setWordWrap(true);
+  status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  status_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2);  // a long answer must not move the buttons
   status_->setText("Nothing has been asked of the robot yet.");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
@@ -166,6 +168,7 @@ void RemoteControl::showWhyNoPicture() {
 
 void RemoteControl::showAnswer(bool success, const QString& text) {
   status_->setText(QTime::currentTime().toString("HH:mm:ss ") + text);
+  status_->setToolTip(text);
   status_->setStyleSheet(success ? "" : "color: #e53935");
 }
 

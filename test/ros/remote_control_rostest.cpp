@@ -16,6 +16,7 @@
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QtTest/QTest>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,6 +51,8 @@ class User {
     window.resize(480, 700);
     window.useDriver(QString::fromStdString(name_space));
     window.show();
+    window.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
   }
 
   bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kTimeout); }
@@ -72,11 +75,16 @@ class User {
   }
 
   // Clicks, and waits for the answer.
-  // @return false if the answer does not contain this
   bool click(const QString& button, const QString& answer) {
-    find<QLabel>("status")->clear();
-    QTest::mouseClick(find<QAbstractButton>(button), Qt::LeftButton);
-    return waitForText("status", answer);
+    QStringList answers;
+    const auto listening = QObject::connect(&robot, &RosRobot::answered, &window,
+                                            [&answers](bool, const QString& text) { answers.append(text); });
+    EXPECT_TRUE(find<QAbstractButton>(button)->isEnabled()) << find<QWidget>(button)->toolTip().toStdString();
+    find<QAbstractButton>(button)->click();
+    const bool came = waitFor([&] { return !answers.filter(answer).empty(); });
+    QObject::disconnect(listening);
+    EXPECT_TRUE(came) << answers.join("; ").toStdString();
+    return came;
   }
 
   RosRobot robot;
@@ -164,7 +172,8 @@ TEST_F(RemoteControlRosTest, MovesTheHeadAndAJoint) {
                std::chrono::milliseconds(kTimeout)) != nullptr;
   };
   auto* pad = user_.find<AxisPad>("head_pad");
-  QTest::mouseClick(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2 - pad->height() / 4, pad->height() / 2));
+  QTest::mouseClick(pad, Qt::LeftButton, {},
+                    QPoint(pad->width() / 2 - std::min(pad->width(), pad->height()) / 4, pad->height() / 2));
   EXPECT_TRUE(is_at("head_pan", 0.77));
   user_.open("Joints");
   auto* slider = user_.find<JointSlider>("tail_pan")->slider();
