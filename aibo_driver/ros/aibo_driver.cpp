@@ -86,6 +86,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       led_states_(handle_, model_),
       client_(parameters_.client, makeCallbacks()),
       adapter_(client_),
+      link_quality_(handle_, [this] { return askedEveryNthImage(); }),
       settings_(private_handle, client_, adapter_, joint_table_),
       stream_services_(
           parameters_, client_, policy_, [this] { return adapter_.wishedQuality(); },
@@ -162,10 +163,15 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   return callbacks;
 }
 
+std::optional<int> AiboDriver::askedEveryNthImage() const {
+  return client_.streaming() ? std::optional<int>(client_.streamFormat().every_nth_image) : std::nullopt;
+}
+
 void AiboDriver::publishPicture(const Picture& picture) {
   const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture);
   raw_images_.publish(message);
   camera_state_.update(picture, message->header);
+  link_quality_.add(picture, message->header.stamp);
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
   adapter_.picturePublished(std::chrono::steady_clock::now(), camera_.takenAt(picture));
 }

@@ -26,6 +26,7 @@
 #include "ros/camera/camera_state_publisher.h"
 #include "ros/camera/color_publisher.h"
 #include "ros/camera/color_table_service.h"
+#include "ros/camera/link_quality.h"
 #include "ros/camera/raw_image_publisher.h"
 #include "ros/camera/stick_picture_services.h"
 #include "ros/camera/stream_adapter.h"
@@ -70,6 +71,10 @@ class AiboDriver {
  private:
   RcServerClient::Callbacks makeCallbacks();
   void publishPicture(const Picture& picture);
+
+  /// Empty while the stream is off.
+  std::optional<int> askedEveryNthImage() const;
+
   void publishTelemetry(const Telemetry& telemetry);
   void updateConnection(const ConnectionStatus& status);
 
@@ -110,6 +115,7 @@ class AiboDriver {
 
   // What needs the client.
   StreamAdapter adapter_;
+  LinkQualityPublisher link_quality_;
   LiveSettings settings_;
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;

@@ -132,6 +132,7 @@ class RvizConfigurationTest(unittest.TestCase):
         self.assertNotIn('/aibo/', str(manager))
         points = [tool['Topic'] for tool in manager['Tools'] if tool['Class'] == 'rviz/PublishPoint']
         self.assertEqual(points, ['/left/look_at', '/right/look_at'])
+        self.assertEqual([panel['Driver'] for panel in made['Panels']], ['/left'])
         frames = next(d for d in manager['Displays'] if d['Class'] == 'rviz/TF')['Frames']
         self.assertTrue(frames['port/camera_link']['Value'] and frames['camera_link']['Value'])
 

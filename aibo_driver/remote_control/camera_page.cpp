@@ -1,0 +1,96 @@
+#include "remote_control/camera_page.h"
+
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QPixmap>
+#include <QScrollArea>
+#include <QStandardPaths>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+constexpr QSize kThumbnail(104, 80);
+
+QString defaultFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+}
+
+}  // namespace
+
+CameraPage::CameraPage(Robot& robot, QWidget* parent)
+    : Page(parent),
+      robot_(robot),
+      folder_(defaultFolder()),
+      thumbnail_(new QPushButton(this)),
+      path_(new QLabel(this)),
+      folder_button_(new QPushButton("Folder...", this)) {
+  thumbnail_->setObjectName("thumbnail");
+  thumbnail_->setIconSize(kThumbnail);
+  thumbnail_->setFixedSize(kThumbnail + QSize(8, 8));
+  allow(thumbnail_, "no picture has been taken yet");
+  path_->setObjectName("path");
+  path_->setWordWrap(true);
+  path_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(thumbnail_, 0, 0, 2, 1);
+  grid->addWidget(path_, 0, 1);
+  grid->addWidget(folder_button_, 1, 1, Qt::AlignLeft);
+  grid->setColumnStretch(1, 1);
+  auto* form = new SettingsForm(this);
+  auto* scroll = new QScrollArea(this);
+  settings_ = scroll;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(form);
+  grid->addWidget(scroll, 2, 0, 1, 2);
+  grid->setRowStretch(2, 1);
+  setFolder(folder_);
+  connect(thumbnail_, &QPushButton::clicked, this, [this] { Q_EMIT opened(taken_); });
+  connect(folder_button_, &QPushButton::clicked, this, &CameraPage::chooseFolder);
+  connect(form, &SettingsForm::changed, &robot, &Robot::changeSetting);
+  connect(&robot, &Robot::settingsDescribed, form, &SettingsForm::describe);
+  connect(&robot, &Robot::settingsChanged, form, &SettingsForm::showValues);
+  connect(&robot, &Robot::pictureTaken, this, &CameraPage::showTaken);
+}
+
+void CameraPage::setFolder(const QString& folder) {
+  folder_ = folder.isEmpty() ? defaultFolder() : folder;
+  folder_button_->setToolTip("Pictures are saved in " + folder_ + ". Click to choose another folder.");
+  if (taken_.isEmpty()) {
+    path_->setText("Pictures are saved in " + folder_ + ".");
+  }
+}
+
+void CameraPage::takePicture() {
+  robot_.takePicture(folder_);
+}
+
+void CameraPage::showTaken(const QImage& picture, const QString& path) {
+  taken_ = path;
+  thumbnail_->setIcon(QPixmap::fromImage(picture.scaled(kThumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  thumbnail_->setProperty("own_tool_tip", "Opens " + path);
+  allow(thumbnail_, {});
+  path_->setText(path);
+}
+
+// The dialog does not hold up the rest of the window.
+void CameraPage::chooseFolder() {
+  auto* dialog = new QFileDialog(this, "Folder for pictures", folder_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    setFolder(folder);
+    Q_EMIT folderChanged();
+  });
+  dialog->open();
+}
+
+// The driver's settings can be changed also while it has no robot.
+void CameraPage::connectionChanged(const RobotConnection& connection) {
+  const bool has_driver =
+      connection.state != RobotConnection::State::kNoDriver && connection.state != RobotConnection::State::kNoMaster;
+  allow(settings_, has_driver ? QString() : connection.text);
+}
+
+}  // namespace aibo_driver::remote_control

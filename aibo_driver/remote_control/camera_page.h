@@ -1,0 +1,51 @@
+/// @file camera_page.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_CAMERA_PAGE_H
+#define AIBO_DRIVER_REMOTE_CONTROL_CAMERA_PAGE_H
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "remote_control/page.h"
+#include "remote_control/settings_form.h"
+
+namespace aibo_driver::remote_control {
+
+/// Taking pictures, and the settings of camera and driver.
+class CameraPage : public Page {
+  Q_OBJECT
+
+ public:
+  /// @param robot outlives the page
+  explicit CameraPage(Robot& robot, QWidget* parent = nullptr);
+
+  /// The folder on this machine in which pictures are saved.
+  const QString& folder() const { return folder_; }
+  void setFolder(const QString& folder);
+
+  /// Takes a picture, and shows it when it comes.
+  void takePicture();
+
+ Q_SIGNALS:
+  /// Somebody has chosen another folder.
+  void folderChanged();
+
+  /// Somebody wants to see a picture that was taken.
+  void opened(const QString& path);
+
+ private:
+  void connectionChanged(const RobotConnection& connection) override;
+  void showTaken(const QImage& picture, const QString& path);
+  void chooseFolder();
+
+  Robot& robot_;
+  QString folder_;
+  QString taken_;  ///< path of the newest picture that was taken
+  QPushButton* thumbnail_;
+  QLabel* path_;
+  QPushButton* folder_button_;
+  QWidget* settings_;
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_CAMERA_PAGE_H

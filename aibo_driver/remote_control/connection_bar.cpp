@@ -1,0 +1,114 @@
+#include "remote_control/connection_bar.h"
+
+#include <QGridLayout>
+#include <QSignalBlocker>
+#include <cmath>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+QString colourOf(RobotConnection::State state) {
+  switch (state) {
+    case RobotConnection::State::kConnected:
+      return "#4caf50";
+    case RobotConnection::State::kConnecting:
+      return "#ffb300";
+    case RobotConnection::State::kDisconnected:
+    case RobotConnection::State::kNoDriver:
+    case RobotConnection::State::kNoMaster:
+      break;
+  }
+  return "#e53935";
+}
+
+QString titleOf(const RobotConnection& connection) {
+  if (!connection.isConnected()) {
+    return connection.text;
+  }
+  const QString robot = connection.robot.isEmpty() ? QString("robot") : connection.robot;
+  return robot + " at " + connection.address + ", connected (version " + QString::number(connection.protocol_version) +
+         ")";
+}
+
+}  // namespace
+
+ConnectionBar::ConnectionBar(QWidget* parent)
+    : QWidget(parent),
+      chooser_(new QComboBox(this)),
+      lamp_(new QLabel(QString::fromUtf8("\u25CF"), this)),
+      text_(new QLabel(this)),
+      battery_(new QLabel(this)),
+      link_(new QLabel(this)) {
+  chooser_->setObjectName("driver");
+  chooser_->setToolTip("The drivers that are running, by namespace");
+  chooser_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  text_->setObjectName("connection");
+  text_->setWordWrap(true);
+  battery_->setObjectName("battery");
+  link_->setObjectName("link");
+  link_->setToolTip("Pictures a second; how old they are when they are published; the share that did not come");
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(lamp_, 0, 0);
+  grid->addWidget(text_, 0, 1, 1, 2);
+  grid->addWidget(chooser_, 0, 3);
+  grid->addWidget(battery_, 1, 1);
+  grid->addWidget(link_, 1, 2, 1, 2, Qt::AlignRight);
+  grid->setColumnStretch(1, 1);
+  connect(chooser_, qOverload<int>(&QComboBox::activated), this,
+          [this](int index) { Q_EMIT chosen(chooser_->itemText(index)); });
+  showConnection({});
+}
+
+void ConnectionBar::showDrivers(const QStringList& name_spaces) {
+  found_ = name_spaces;
+  fillChooser();
+}
+
+void ConnectionBar::showConnection(const RobotConnection& connection) {
+  current_ = connection.name_space;
+  fillChooser();
+  lamp_->setStyleSheet("color: " + colourOf(connection.state));
+  text_->setText(titleOf(connection));
+  if (!connection.isConnected()) {
+    battery_->clear();
+    link_->clear();
+  }
+}
+
+// The driver in use is in the list, even if it does not run.
+void ConnectionBar::fillChooser() {
+  QStringList entries = found_;
+  if (!current_.isEmpty() && !entries.contains(current_)) {
+    entries.prepend(current_);
+  }
+  chooser_->clear();
+  chooser_->addItems(entries);
+  chooser_->setCurrentText(current_);
+  chooser_->setEnabled(!entries.empty());
+}
+
+void ConnectionBar::showBattery(double charge, double temperature) {
+  QString text;
+  if (std::isfinite(charge)) {
+    text = QString("Battery %1 %").arg(qRound(100 * charge));
+  }
+  if (std::isfinite(temperature)) {
+    text += QString::fromUtf8(", %1 \u00B0C").arg(qRound(temperature));
+  }
+  battery_->setText(text);
+  battery_->setStyleSheet(charge < 0.2 ? "color: #e53935; font-weight: bold" : "");
+}
+
+void ConnectionBar::showLink(const LinkFigures& figures) {
+  QString text = QString("%1 pictures/s").arg(figures.pictures_per_second, 0, 'f', 1);
+  if (std::isfinite(figures.age)) {
+    text += QString(", %1 ms old").arg(qRound(1000 * figures.age));
+  }
+  if (std::isfinite(figures.lost)) {
+    text += QString(", %1 % lost").arg(100 * figures.lost, 0, 'f', figures.lost > 0 ? 1 : 0);
+  }
+  link_->setText(text);
+}
+
+}  // namespace aibo_driver::remote_control

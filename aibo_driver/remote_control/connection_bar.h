@@ -1,0 +1,43 @@
+/// @file connection_bar.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_CONNECTION_BAR_H
+#define AIBO_DRIVER_REMOTE_CONTROL_CONNECTION_BAR_H
+
+#include <QComboBox>
+#include <QLabel>
+#include <QWidget>
+
+#include "remote_control/robot.h"
+
+namespace aibo_driver::remote_control {
+
+/// Which driver is used, whether its robot is connected, its battery, and how well pictures come.
+class ConnectionBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ConnectionBar(QWidget* parent = nullptr);
+
+  void showDrivers(const QStringList& name_spaces);
+  void showConnection(const RobotConnection& connection);
+  void showBattery(double charge, double temperature);
+  void showLink(const LinkFigures& figures);
+
+ Q_SIGNALS:
+  /// Somebody has chosen another driver.
+  void chosen(const QString& name_space);
+
+ private:
+  void fillChooser();
+
+  QComboBox* chooser_;
+  QLabel* lamp_;
+  QLabel* text_;
+  QLabel* battery_;
+  QLabel* link_;
+  QStringList found_;
+  QString current_;
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_CONNECTION_BAR_H

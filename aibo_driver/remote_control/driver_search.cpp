@@ -1,0 +1,102 @@
+#include "remote_control/driver_search.h"
+
+#include <aibo_driver/Connection.h>
+#include <dynamic_reconfigure/Config.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <algorithm>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+const std::string kConnection = "/connection";
+const std::string kSettings = "/parameter_updates";
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::optional<XmlRpcValue> call(const char* method, XmlRpcValue arguments) {
+  XmlRpcValue response;
+  XmlRpcValue payload;
+  constexpr bool kWaitForMaster = false;
+  arguments[0] = ros::this_node::getName();
+  return ros::master::execute(method, arguments, response, payload, kWaitForMaster)
+             ? std::optional<XmlRpcValue>(payload)
+             : std::nullopt;
+}
+
+bool hasType(const MasterState& state, const std::string& topic, const std::string& type) {
+  const auto found = state.types.find(topic);
+  return found != state.types.end() && found->second == type;
+}
+
+bool shareANode(const std::vector<std::string>& some, const std::vector<std::string>& others) {
+  return std::any_of(some.begin(), some.end(), [&others](const std::string& node) {
+    return std::find(others.begin(), others.end(), node) != others.end();
+  });
+}
+
+}  // namespace
+
+std::optional<MasterState> askMaster() {
+  XmlRpcValue any_subgraph;
+  any_subgraph[1] = "";
+  std::optional<XmlRpcValue> topics = call("getPublishedTopics", any_subgraph);
+  std::optional<XmlRpcValue> system = topics ? call("getSystemState", XmlRpcValue()) : std::nullopt;
+  if (!system) {
+    return std::nullopt;
+  }
+  MasterState state;
+  for (int i = 0; i < topics->size(); ++i) {
+    XmlRpcValue& topic = (*topics)[i];  // name and type
+    state.types[topic[0]] = std::string(topic[1]);
+  }
+  XmlRpcValue& published = (*system)[0];
+  for (int i = 0; i < published.size(); ++i) {
+    XmlRpcValue& nodes = published[i][1];
+    for (int j = 0; j < nodes.size(); ++j) {
+      state.publishers[published[i][0]].push_back(nodes[j]);
+    }
+  }
+  return state;
+}
+
+std::vector<std::string> driversIn(const MasterState& state) {
+  std::vector<std::string> found;
+  for (const auto& [topic, type] : state.types) {
+    if (endsWith(topic, kConnection) && type == ros::message_traits::datatype<Connection>()) {
+      found.push_back(topic.substr(0, topic.size() - kConnection.size()));
+    }
+  }
+  return found;
+}
+
+// A nodelet manager may have several drivers, each with a name in its own namespace; a node that was started bare has
+// its parameters elsewhere than its topics.
+std::string settingsOf(const std::string& name_space, const MasterState& state) {
+  const auto driver = state.publishers.find(name_space + kConnection);
+  if (driver == state.publishers.end()) {
+    return "";
+  }
+  std::string elsewhere;
+  for (const auto& [topic, nodes] : state.publishers) {
+    if (!endsWith(topic, kSettings) ||
+        !hasType(state, topic, ros::message_traits::datatype<dynamic_reconfigure::Config>()) ||
+        !shareANode(nodes, driver->second)) {
+      continue;
+    }
+    const std::string owner = topic.substr(0, topic.size() - kSettings.size());
+    if (owner.compare(0, name_space.size() + 1, name_space + "/") == 0) {
+      return owner;
+    }
+    elsewhere = owner;
+  }
+  return elsewhere;
+}
+
+}  // namespace aibo_driver::remote_control

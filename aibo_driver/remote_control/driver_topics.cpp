@@ -1,0 +1,342 @@
+#include "remote_control/driver_topics.h"
+
+#include <aibo_driver/Ears.h>
+#include <aibo_driver/LedStates.h>
+#include <aibo_driver/Leds.h>
+#include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/LookAtResult.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/Touch.h>
+#include <geometry_msgs/PointStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/Range.h>
+#include <std_msgs/Bool.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "remote_control/settings_messages.h"
+#include "ros/camera/jpeg_decoder.h"
+
+namespace aibo_driver::remote_control {
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kHeardFor{3};       // the driver says something once a second
+constexpr std::chrono::milliseconds kPeriod{100};  // what comes 31 times a second, no eye follows
+
+QImage imageOf(const node::BgrImage& picture) {
+  QImage image(picture.width, picture.height, QImage::Format_RGB32);
+  const std::uint8_t* pixel = picture.pixels.data();
+  for (int y = 0; y < picture.height; ++y) {
+    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < picture.width; ++x, pixel += 3) {
+      row[x] = qRgb(pixel[2], pixel[1], pixel[0]);
+    }
+  }
+  return image;
+}
+
+QStringList touchedPlaces(const Touch& touch) {
+  const std::pair<const char*, bool> places[] = {{"paw_left_front", touch.paw_left_front},
+                                                 {"paw_left_hind", touch.paw_left_hind},
+                                                 {"paw_right_front", touch.paw_right_front},
+                                                 {"paw_right_hind", touch.paw_right_hind},
+                                                 {"chin", touch.chin},
+                                                 {"head", touch.head},
+                                                 {"back_front", touch.back_front},
+                                                 {"back_middle", touch.back_middle},
+                                                 {"back_rear", touch.back_rear}};
+  QStringList touched;
+  for (const auto& [place, is_touched] : places) {
+    if (is_touched) {
+      touched.append(place);
+    }
+  }
+  return touched;
+}
+
+}  // namespace
+
+template <typename Message>
+void DriverTopics::subscribe(const std::string& topic, const std::function<void(const Message&)>& receive,
+                             std::uint32_t queue_size) {
+  subscribers_[topic] = handle_.subscribe<Message>(
+      topic, queue_size, [receive](const boost::shared_ptr<const Message>& message) { receive(*message); }, {},
+      ros::TransportHints().tcpNoDelay());
+}
+
+DriverTopics::DriverTopics(const ros::NodeHandle& handle, const Post& post,
+                           const std::function<void()>& connection_changed)
+    : handle_(handle), post_(post) {
+  leds_ = handle_.advertise<Leds>("leds", 30);
+  ears_ = handle_.advertise<Ears>("ears", 1);
+  joint_command_ = handle_.advertise<sensor_msgs::JointState>("joint_command", 1);
+  velocity_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+  look_at_ = handle_.advertise<geometry_msgs::PointStamped>("look_at", 1);
+  subscribeStates(connection_changed);
+  subscribeAnswers();
+}
+
+void DriverTopics::subscribeStates(const std::function<void()>& connection_changed) {
+  subscribe<aibo_driver::Connection>("connection", [this, connection_changed](const aibo_driver::Connection& message) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      connection_ = boost::make_shared<const aibo_driver::Connection>(message);
+    }
+    connection_changed();
+  });
+  subscribe<LinkQuality>("link_quality", [this, connection_changed](const LinkQuality& message) {
+    hear(connection_changed);
+    LinkFigures figures;
+    figures.pictures_per_second = static_cast<double>(message.pictures_per_second);
+    figures.age = static_cast<double>(message.age);
+    figures.lost = static_cast<double>(message.lost);
+    post_([figures](Robot& robot) { Q_EMIT robot.linkMeasured(figures); });
+  });
+  subscribe<std_msgs::Bool>("streaming", [this](const std_msgs::Bool& message) {
+    const bool on = message.data != 0;
+    post_([on](Robot& robot) { Q_EMIT robot.streamingChanged(on); });
+  });
+  subscribe<sensor_msgs::BatteryState>("battery", [this](const sensor_msgs::BatteryState& message) {
+    const auto charge = static_cast<double>(message.percentage);
+    const auto temperature = static_cast<double>(message.temperature);
+    post_([charge, temperature](Robot& robot) { Q_EMIT robot.batteryMeasured(charge, temperature); });
+  });
+  subscribe<MotionState>("motion_state", [this](const MotionState& message) {
+    const bool plays = std::any_of(message.movements.begin(), message.movements.end(),
+                                   [](const Movement& movement) { return movement.kind == Movement::MOTION; });
+    const QString text = QString::fromStdString(message.text);
+    post_([text, plays](Robot& robot) { Q_EMIT robot.movementChanged(text, plays); });
+  });
+}
+
+void DriverTopics::subscribeAnswers() {
+  subscribe<LedStates>("led_states", [this](const LedStates& message) {
+    LedIntensities intensities;
+    for (std::size_t i = 0; i < std::min(message.names.size(), message.intensities.size()); ++i) {
+      intensities[QString::fromStdString(message.names[i])] = static_cast<double>(message.intensities[i]);
+    }
+    post_([intensities](Robot& robot) { Q_EMIT robot.ledsChanged(intensities); });
+  });
+  subscribe<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
+    if (asked_to_look_.exchange(false)) {  // else it answers somebody else
+      const bool success = message.success != 0;
+      const QString text = "look there: " + QString::fromStdString(message.message);
+      post_([success, text](Robot& robot) { Q_EMIT robot.answered(success, text); });
+    }
+  });
+}
+
+void DriverTopics::show(Part part, bool visible) {
+  switch (part) {
+    case Part::kPictures:
+      showPictures(visible);
+      break;
+    case Part::kJoints:
+      if (!visible) {
+        drop({"joint_states"});
+      } else if (subscribers_.count("joint_states") == 0) {
+        subscribe<sensor_msgs::JointState>("joint_states",
+                                           [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
+      }
+      break;
+    case Part::kSensors:
+      showSensors(visible);
+      break;
+  }
+}
+
+void DriverTopics::drop(const std::vector<std::string>& topics) {
+  for (const std::string& topic : topics) {
+    subscribers_.erase(topic);
+  }
+}
+
+void DriverTopics::showSensors(bool visible) {
+  if (!visible) {
+    drop({"touch", "range/near", "range/far", "range/chest", "range/head"});
+    return;
+  }
+  if (subscribers_.count("touch") > 0) {
+    return;
+  }
+  subscribe<Touch>("touch", [this, last = QStringList("unknown")](const Touch& message) mutable {
+    const QStringList places = touchedPlaces(message);
+    if (places != std::exchange(last, places)) {
+      post_([places](Robot& robot) { Q_EMIT robot.touched(places); });
+    }
+  });
+  for (const char* name : {"near", "far", "chest", "head"}) {
+    subscribe<sensor_msgs::Range>(std::string("range/") + name, [this, name, last = steady_clock::time_point()](
+                                                                    const sensor_msgs::Range& message) mutable {
+      const auto now = steady_clock::now();
+      if (now - last >= kPeriod) {
+        last = now;
+        const Distance distance{name, static_cast<double>(message.range), static_cast<double>(message.max_range)};
+        post_([distance](Robot& robot) { Q_EMIT robot.distanceMeasured(distance); });
+      }
+    });
+  }
+}
+
+void DriverTopics::hear(const std::function<void()>& connection_changed) {
+  const bool was_heard = isHeard();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_heard_ = steady_clock::now();
+  }
+  if (!was_heard) {
+    connection_changed();
+  }
+}
+
+// The camera's calibration comes with each picture, but is needed once.
+void DriverTopics::showPictures(bool visible) {
+  const std::string jpegs = "camera/image_raw/compressed";
+  const std::string calibration = "camera/camera_info";
+  bool knows_camera = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    knows_camera = camera_.has_value();
+  }
+  if (!visible || knows_camera) {
+    drop({calibration});
+  } else if (subscribers_.count(calibration) == 0) {
+    subscribe<sensor_msgs::CameraInfo>(calibration, [this](const sensor_msgs::CameraInfo& message) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      camera_ = message;
+    });
+  }
+  if (!visible) {
+    drop({jpegs});
+  } else if (subscribers_.count(jpegs) == 0) {
+    subscribe<sensor_msgs::CompressedImage>(
+        jpegs, [this](const sensor_msgs::CompressedImage& message) { receivePicture(message); });
+  }
+}
+
+// If the window is too slow, a newer picture replaces the one that waits for it.
+void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
+  QImage image;
+  try {
+    image = imageOf(node::decodeJpeg(message.data.data(), message.data.size()));
+  } catch (const node::DecodeException&) {
+    return;  // the driver's diagnostics count them
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    picture_stamp_ = message.header.stamp;
+  }
+  const std::lock_guard<std::mutex> lock(newest_->mutex);
+  const bool one_waits = !newest_->picture.isNull();
+  newest_->picture = image;
+  if (!one_waits) {
+    post_([newest = newest_](Robot& robot) {
+      QImage picture;
+      {
+        const std::lock_guard<std::mutex> taking(newest->mutex);
+        picture = std::exchange(newest->picture, {});
+      }
+      Q_EMIT robot.pictureArrived(picture);
+    });
+  }
+}
+
+void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
+  for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
+    positions_[QString::fromStdString(message.name[i])] = message.position[i];
+  }
+  const auto now = steady_clock::now();
+  if (now - positions_posted_ >= kPeriod) {
+    positions_posted_ = now;
+    post_([positions = positions_](Robot& robot) { Q_EMIT robot.jointsMeasured(positions); });
+  }
+}
+
+void DriverTopics::followSettings(const std::string& owner) {
+  if (owner == settings_owner_) {
+    return;
+  }
+  subscribers_.erase(settings_owner_ + "/parameter_descriptions");
+  subscribers_.erase(settings_owner_ + "/parameter_updates");
+  settings_owner_ = owner;
+  if (owner.empty()) {
+    return;
+  }
+  subscribe<dynamic_reconfigure::ConfigDescription>(
+      owner + "/parameter_descriptions", [this](const dynamic_reconfigure::ConfigDescription& message) {
+        post_([settings = settingsIn(message)](Robot& robot) { Q_EMIT robot.settingsDescribed(settings); });
+      });
+  subscribe<dynamic_reconfigure::Config>(
+      owner + "/parameter_updates", [this](const dynamic_reconfigure::Config& message) {
+        post_([values = valuesIn(message)](Robot& robot) { Q_EMIT robot.settingsChanged(values); });
+      });
+}
+
+aibo_driver::Connection::ConstPtr DriverTopics::connection() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return connection_;
+}
+
+bool DriverTopics::isHeard() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_heard_ != steady_clock::time_point() && steady_clock::now() - last_heard_ < kHeardFor;
+}
+
+void DriverTopics::publishLeds(const QStringList& names, double intensity) const {
+  Leds message;
+  for (const QString& name : names) {
+    message.names.push_back(name.toStdString());
+  }
+  message.intensities = {static_cast<float>(intensity)};
+  leds_.publish(message);
+}
+
+void DriverTopics::publishEars(bool left, bool right) const {
+  Ears message;
+  message.left = left;
+  message.right = right;
+  ears_.publish(message);
+}
+
+void DriverTopics::publishJoints(const JointPositions& positions) const {
+  sensor_msgs::JointState message;
+  message.header.stamp = ros::Time::now();
+  for (auto joint = positions.begin(); joint != positions.end(); ++joint) {
+    message.name.push_back(joint.key().toStdString());
+    message.position.push_back(joint.value());
+  }
+  joint_command_.publish(message);
+}
+
+void DriverTopics::publishVelocity(double forward, double left, double turn) const {
+  geometry_msgs::Twist message;
+  message.linear.x = forward;
+  message.linear.y = left;
+  message.angular.z = turn;
+  velocity_.publish(message);
+}
+
+// A metre before the camera. The lens' distortion does not matter for what gets into the middle.
+bool DriverTopics::publishLookAt(const QPointF& place) {
+  geometry_msgs::PointStamped message;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!camera_ || camera_->K[0] <= 0 || camera_->K[4] <= 0) {
+      return false;
+    }
+    message.header.frame_id = camera_->header.frame_id;
+    message.header.stamp = picture_stamp_;
+    message.point.x = (place.x() * camera_->width - camera_->K[2]) / camera_->K[0];
+    message.point.y = (place.y() * camera_->height - camera_->K[5]) / camera_->K[4];
+    message.point.z = 1;
+  }
+  asked_to_look_ = true;
+  look_at_.publish(message);
+  return true;
+}
+
+}  // namespace aibo_driver::remote_control

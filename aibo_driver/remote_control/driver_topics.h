@@ -1,0 +1,103 @@
+/// @file driver_topics.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_DRIVER_TOPICS_H
+#define AIBO_DRIVER_REMOTE_CONTROL_DRIVER_TOPICS_H
+
+#include <aibo_driver/Connection.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/JointState.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "remote_control/robot.h"
+
+namespace aibo_driver::remote_control {
+
+/// Hands on what is to be done with the robot of the window, on the window's thread.
+using Post = std::function<void(const std::function<void(Robot&)>&)>;
+
+/// The topics of one driver: turns its messages into signals, and wishes into messages.
+///
+/// To be made and to be changed by one thread, which may wait for the ROS master. The publishing functions wait for
+/// nothing and may be called from any thread.
+class DriverTopics {
+ public:
+  /// @param handle in the driver's namespace; one thread serves its callback queue
+  /// @param post must work until this object is gone
+  /// @param connection_changed is called when connection() or isHeard() may have changed
+  DriverTopics(const ros::NodeHandle& handle, const Post& post, const std::function<void()>& connection_changed);
+
+  /// Subscribes to a part while somebody looks at it. To be called every few seconds.
+  void show(Part part, bool visible);
+
+  /// Subscribes to the settings that have this owner; does nothing if it has done so. Empty: to none.
+  void followSettings(const std::string& owner);
+
+  /// The newest message about the connection; null if there was none.
+  aibo_driver::Connection::ConstPtr connection() const;
+
+  /// Whether the driver was heard in the last seconds. It says something once a second.
+  bool isHeard() const;
+
+  std::string settingsOwner() const { return settings_owner_; }
+
+  void publishLeds(const QStringList& names, double intensity) const;
+  void publishEars(bool left, bool right) const;
+  void publishJoints(const JointPositions& positions) const;
+  void publishVelocity(double forward, double left, double turn) const;
+
+  /// @param place of the newest picture, 0..1 from left to right and from top to bottom
+  /// @return false if no picture, or nothing of its camera, is known
+  bool publishLookAt(const QPointF& place);
+
+ private:
+  template <typename Message>
+  void subscribe(const std::string& topic, const std::function<void(const Message&)>& receive,
+                 std::uint32_t queue_size = 1);
+  void subscribeStates(const std::function<void()>& connection_changed);
+  void subscribeAnswers();
+  void showPictures(bool visible);
+  void showSensors(bool visible);
+  void drop(const std::vector<std::string>& topics);
+  void hear(const std::function<void()>& connection_changed);
+  void receivePicture(const sensor_msgs::CompressedImage& message);
+  void receiveJoints(const sensor_msgs::JointState& message);
+
+  ros::NodeHandle handle_;
+  const Post post_;
+  ros::Publisher leds_;
+  ros::Publisher ears_;
+  ros::Publisher joint_command_;
+  ros::Publisher velocity_;
+  ros::Publisher look_at_;
+
+  mutable std::mutex mutex_;
+  aibo_driver::Connection::ConstPtr connection_;
+  std::chrono::steady_clock::time_point last_heard_;
+  std::optional<sensor_msgs::CameraInfo> camera_;  ///< its first message; other sizes of pictures have the same view
+  ros::Time picture_stamp_;                        ///< of the newest
+
+  struct Newest {
+    std::mutex mutex;
+    QImage picture;  ///< on its way to the window; null if none is
+  };
+  const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
+  std::atomic<bool> asked_to_look_{false};
+  JointPositions positions_;  ///< all that were measured
+  std::chrono::steady_clock::time_point positions_posted_;
+  std::string settings_owner_;
+  std::map<std::string, ros::Subscriber> subscribers_;  // last: their callbacks use all of the above
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_DRIVER_TOPICS_H

@@ -1,0 +1,34 @@
+/// @file head_pad.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_HEAD_PAD_H
+#define AIBO_DRIVER_REMOTE_CONTROL_HEAD_PAD_H
+
+#include "joints/joint_table.h"
+#include "remote_control/axis_pad.h"
+#include "remote_control/robot.h"
+
+namespace aibo_driver::remote_control {
+
+/// A pad that points the head: to the sides with head_pan, up and down with head_tilt. Its mark is where the head is.
+class HeadPad : public AxisPad {
+  Q_OBJECT
+
+ public:
+  explicit HeadPad(QWidget* parent = nullptr);
+
+  /// Uses the limits of this robot. Does nothing for a robot that is not known.
+  void setDesign(const QString& design);
+
+  void showPositions(const JointPositions& positions);
+
+ Q_SIGNALS:
+  /// Somebody points the head there.
+  void pointed(const aibo_driver::remote_control::JointPositions& positions);
+
+ private:
+  joints::JointProperties pan_;
+  joints::JointProperties tilt_;
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_HEAD_PAD_H

@@ -1,0 +1,100 @@
+#include "remote_control/joints_page.h"
+
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QScrollArea>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::remote_control {
+namespace {
+
+constexpr double kAnySpeed = 20;  // rad/s; the driver limits it
+
+/// Where a joint is on the page: the title of its group, and its own name there.
+struct Place {
+  QString group;
+  QString label;
+};
+
+Place placeOf(const QString& joint) {
+  for (const char* leg : {"left_front", "right_front", "left_hind", "right_hind"}) {
+    if (joint.startsWith(leg)) {
+      QString title = QString(leg).replace('_', ' ');
+      title[0] = title[0].toUpper();
+      return {title, joint.mid(static_cast<int>(qstrlen(leg)) + 1)};
+    }
+  }
+  return {joint.startsWith("tail") ? "Tail" : "Head", QString(joint).replace('_', ' ')};
+}
+
+}  // namespace
+
+JointsPage::JointsPage(QWidget* parent) : Page(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  makeSliders("ERS-7");
+}
+
+void JointsPage::connectionChanged(const RobotConnection& connection) {
+  if (connection.isConnected() && !connection.robot.isEmpty() && connection.robot != design_) {
+    makeSliders(connection.robot);
+  }
+  allow(box_, connection.isConnected() ? QString() : connection.text);
+}
+
+void JointsPage::makeSliders(const QString& design) {
+  design_ = design;
+  sliders_.clear();
+  delete layout()->takeAt(0);
+  delete box_;
+  auto* scroll = new QScrollArea(this);
+  box_ = scroll;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  layout()->addWidget(scroll);
+  auto* inside = new QWidget(scroll);
+  scroll->setWidget(inside);
+  auto* grid = new QGridLayout(inside);
+  grid->setContentsMargins(2, 2, 2, 2);
+  std::map<QString, QVBoxLayout*> groups;
+  try {
+    const joints::JointTable table(design.toStdString(), kAnySpeed);
+    for (const char* title : {"Head", "Tail", "Left front", "Right front", "Left hind", "Right hind"}) {
+      auto* group = new QGroupBox(title, inside);
+      auto* rows = new QVBoxLayout(group);
+      rows->setContentsMargins(4, 2, 4, 2);
+      rows->setSpacing(2);
+      const int number = static_cast<int>(groups.size());
+      groups[title] = rows;
+      grid->addWidget(group, number / 2, number % 2);
+    }
+    for (const joints::JointProperties& joint : table.joints()) {
+      const Place place = placeOf(QString::fromStdString(joint.name));
+      auto* slider = new JointSlider(joint, place.label, inside);
+      groups[place.group]->addWidget(slider);
+      sliders_[slider->joint()] = slider;
+      connect(slider, &JointSlider::moved, this, [this](const QString& name, double position) {
+        Q_EMIT moved({{name, position}});
+      });
+    }
+    for (const auto& [title, rows] : groups) {
+      rows->addStretch(1);
+    }
+  } catch (const InvalidArgumentException& error) {
+    grid->addWidget(new QLabel(error.what(), inside), 0, 0);
+  }
+}
+
+void JointsPage::showPositions(const JointPositions& positions) {
+  if (!isVisible()) {
+    return;
+  }
+  for (auto joint = positions.begin(); joint != positions.end(); ++joint) {
+    if (const auto found = sliders_.find(joint.key()); found != sliders_.end()) {
+      found->second->measure(joint.value());
+    }
+  }
+}
+
+}  // namespace aibo_driver::remote_control

@@ -1,0 +1,70 @@
+#include "remote_control/motion_page.h"
+
+#include <QGridLayout>
+
+namespace aibo_driver::remote_control {
+
+MotionPage::MotionPage(Robot& robot, QWidget* parent)
+    : Page(parent),
+      robot_(robot),
+      list_(new QListWidget(this)),
+      name_(new QLineEdit(this)),
+      repetitions_(new QSpinBox(this)),
+      movement_(new QLabel(this)) {
+  list_->setObjectName("motions");
+  list_->setToolTip("The motions on the robot's memory stick. A double click plays one.");
+  name_->setObjectName("motion_name");
+  name_->setPlaceholderText("name of a motion");
+  name_->setToolTip("The motion to play. A robot of version 1 cannot list its motions; write the name then.");
+  repetitions_->setRange(1, 999);
+  repetitions_->setSuffix(" times");
+  movement_->setObjectName("movement");
+  movement_->setWordWrap(true);
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(need(Needs::kVersion2, list_), 0, 0, 5, 1);
+  grid->addWidget(need(Needs::kConnection, name_), 0, 1);
+  grid->addWidget(need(Needs::kConnection, repetitions_), 1, 1);
+  grid->addWidget(makeButton(Needs::kConnection, "Play", "Plays the motion", [this] { play(); }), 2, 1);
+  grid->addWidget(makeButton(Needs::kConnection, "Stop motions", "Ends all motions; the joints hold where they are",
+                             [this] { robot_.stopMotions(); }),
+                  3, 1);
+  grid->addWidget(makeButton(Needs::kVersion2, "List again", "Asks the robot which motions it has",
+                             [this] { robot_.listMotions(); }),
+                  4, 1, Qt::AlignTop);
+  grid->addWidget(movement_, 5, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  grid->setRowStretch(4, 1);
+  connect(list_, &QListWidget::currentTextChanged, name_, &QLineEdit::setText);
+  connect(list_, &QListWidget::itemDoubleClicked, this, [this] { play(); });
+  connect(name_, &QLineEdit::returnPressed, this, [this] { play(); });
+  connect(&robot, &Robot::motionsListed, this, &MotionPage::showMotions);
+  connect(&robot, &Robot::movementChanged, this, [this](const QString& text) { movement_->setText("Now: " + text); });
+}
+
+void MotionPage::play() {
+  if (!name_->text().trimmed().isEmpty()) {
+    robot_.playMotion(name_->text().trimmed(), repetitions_->value());
+  }
+}
+
+void MotionPage::showMotions(const QStringList& names) {
+  list_->clear();
+  list_->addItems(names);
+}
+
+// A robot is asked once for each connection.
+void MotionPage::connectionChanged(const RobotConnection& connection) {
+  const QString robot = connection.protocol_version == 2 ? connection.name_space + connection.address : QString();
+  if (robot == listed_for_) {
+    return;
+  }
+  listed_for_ = robot;
+  list_->clear();
+  if (robot.isEmpty()) {
+    movement_->clear();
+  } else {
+    robot_.listMotions();
+  }
+}
+
+}  // namespace aibo_driver::remote_control

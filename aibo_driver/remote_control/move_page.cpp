@@ -1,0 +1,47 @@
+#include "remote_control/move_page.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace aibo_driver::remote_control {
+
+MovePage::MovePage(Robot& robot, QWidget* parent)
+    : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)) {
+  need(Needs::kVersion2, drive_pad_);
+  need(Needs::kConnection, head_pad_);
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(new QLabel("Walk: while the mouse is held", this), 0, 0, Qt::AlignHCenter);
+  grid->addWidget(new QLabel("Head", this), 0, 1, Qt::AlignHCenter);
+  grid->addWidget(drive_pad_, 1, 0);
+  grid->addWidget(head_pad_, 1, 1);
+  grid->setContentsMargins(6, 4, 6, 4);
+  grid->setRowStretch(1, 1);
+  auto* buttons = new QHBoxLayout;
+  const auto add_posture = [&](const QString& text, const QString& tip) {
+    buttons->addWidget(
+        makeButton(Needs::kVersion2, text, tip, [&robot, posture = text.toLower()] { robot.takePosture(posture); }));
+  };
+  add_posture("Stand", "Stands up");
+  add_posture("Sit", "Sits down");
+  add_posture("Rest", "Lies down, and switches the motors off");
+  buttons->addWidget(makeButton(Needs::kVersion2, "Motors on", "The joints hold their positions and can be moved",
+                                [&robot] { robot.setMotors(true); }));
+  buttons->addWidget(makeButton(Needs::kVersion2, "Motors off",
+                                "The joints can be moved by hand. A robot that stands falls!",
+                                [&robot] { robot.setMotors(false); }));
+  grid->addLayout(buttons, 2, 0, 1, 2);
+  connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
+  connect(head_pad_, &HeadPad::pointed, &robot, &Robot::moveJoints);
+  connect(&robot, &Robot::jointsMeasured, head_pad_, &HeadPad::showPositions);
+}
+
+void MovePage::connectionChanged(const RobotConnection& connection) {
+  if (connection.isConnected()) {
+    head_pad_->setDesign(connection.robot);
+  } else {
+    head_pad_->setMeasured(std::nullopt);
+  }
+}
+
+}  // namespace aibo_driver::remote_control

@@ -1,0 +1,41 @@
+#include "remote_control/panel.h"
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include <QVBoxLayout>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+constexpr const char* kNamespace = "Driver";
+constexpr const char* kFolder = "Picture Folder";
+
+}  // namespace
+
+Panel::Panel(QWidget* parent) : rviz::Panel(parent), window_(new RemoteControl(robot_, this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(window_);
+  connect(window_, &RemoteControl::changed, this, &rviz::Panel::configChanged);
+}
+
+void Panel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  QString text;
+  if (config.mapGetString(kNamespace, &text)) {
+    window_->useDriver(text);
+  }
+  if (config.mapGetString(kFolder, &text)) {
+    window_->setFolder(text);
+  }
+}
+
+void Panel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  config.mapSetValue(kNamespace, window_->driver());
+  config.mapSetValue(kFolder, window_->folder());
+}
+
+}  // namespace aibo_driver::remote_control
+
+PLUGINLIB_EXPORT_CLASS(aibo_driver::remote_control::Panel, rviz::Panel)

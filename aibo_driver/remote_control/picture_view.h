@@ -1,0 +1,45 @@
+/// @file picture_view.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_PICTURE_VIEW_H
+#define AIBO_DRIVER_REMOTE_CONTROL_PICTURE_VIEW_H
+
+#include <QImage>
+#include <QWidget>
+
+namespace aibo_driver::remote_control {
+
+/// The live picture, as large as there is room for it.
+class PictureView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PictureView(QWidget* parent = nullptr);
+
+  void showPicture(const QImage& picture);
+
+  /// Shows a text instead of a picture, until the next picture comes.
+  void showText(const QString& text);
+
+  QSize sizeHint() const override { return {416, 240}; }
+
+ Q_SIGNALS:
+  /// Somebody has clicked into the picture.
+  /// @param place 0..1 from left to right, and from top to bottom
+  void clicked(const QPointF& place);
+
+  /// The view has appeared or disappeared.
+  void visibilityChanged();
+
+ private:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  QRectF target() const;
+
+  QImage picture_;
+  QString text_;
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_PICTURE_VIEW_H

@@ -1,0 +1,65 @@
+/// @file remote_control.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_REMOTE_CONTROL_H
+#define AIBO_DRIVER_REMOTE_CONTROL_REMOTE_CONTROL_H
+
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+#include <vector>
+
+#include "remote_control/camera_page.h"
+#include "remote_control/connection_bar.h"
+#include "remote_control/page.h"
+#include "remote_control/picture_view.h"
+
+namespace aibo_driver::remote_control {
+
+/// The whole window: the connection, the live picture, buttons, pages and a line with the last answer. It shows only
+/// what the robot says, never what was clicked.
+class RemoteControl : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param robot outlives the window
+  explicit RemoteControl(Robot& robot, QWidget* parent = nullptr);
+
+  /// What is kept from one start to the next. An empty namespace means the first driver that is found.
+  void useDriver(const QString& name_space);
+  QString driver() const { return driver_; }
+  void setFolder(const QString& folder) { camera_page_->setFolder(folder); }
+  QString folder() const { return camera_page_->folder(); }
+
+ Q_SIGNALS:
+  /// What is kept has changed.
+  void changed();
+
+ private:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keepSpaceBar();
+  QLayout* makeButtons();
+  QWidget* makePages();
+  void connectSignals();
+  void showConnection(const RobotConnection& connection);
+  void showStreaming(bool on);
+  void askForWhatIsVisible();
+  void showWhyNoPicture();
+  void showAnswer(bool success, const QString& text);
+
+  Robot& robot_;
+  QString driver_;  ///< as chosen
+  RobotConnection connection_;
+  bool streaming_ = false;
+
+  ConnectionBar* connection_bar_;
+  PictureView* picture_;
+  CameraPage* camera_page_;
+  QPushButton* take_button_ = nullptr;
+  QPushButton* stream_button_ = nullptr;
+  QPushButton* stop_button_ = nullptr;
+  QLabel* status_;
+  std::vector<Page*> pages_;
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_REMOTE_CONTROL_H

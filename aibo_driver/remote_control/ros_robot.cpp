@@ -1,0 +1,361 @@
+#include "remote_control/ros_robot.h"
+
+#include <aibo_driver/ListMotions.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/TakePicture.h>
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <ros/names.h>
+#include <ros/this_node.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <QDateTime>
+#include <QDir>
+#include <QSaveFile>
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "remote_control/settings_messages.h"
+
+namespace aibo_driver::remote_control {
+namespace {
+
+constexpr std::chrono::milliseconds kSearchPeriod{2000};
+
+/// Saves a JPEG under a name with the time.
+/// @return its path
+/// @throw std::runtime_error why it was not saved
+QString savePicture(const std::vector<std::uint8_t>& jpeg, const QString& folder) {
+  const QString name = "aibo_" + QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz") + ".jpg";
+  QSaveFile file(QDir(folder).filePath(name));
+  if (!QDir().mkpath(folder) || !file.open(QIODevice::WriteOnly) ||
+      file.write(reinterpret_cast<const char*>(jpeg.data()), static_cast<qint64>(jpeg.size())) < 0 || !file.commit()) {
+    throw std::runtime_error("the picture was taken, but not saved in " + folder.toStdString() + ": " +
+                             file.errorString().toStdString() + ". Choose another folder.");
+  }
+  return file.fileName();
+}
+
+QString noDriverText(const QString& name_space) {
+  return name_space.isEmpty() ? QString("no driver is running: start one with roslaunch aibo_driver aibo.launch")
+                              : "the driver in " + name_space + " does not answer: is it running?";
+}
+
+}  // namespace
+
+RosRobot::RosRobot(QObject* parent)
+    : Robot(parent),
+      callbacks_(ros::NodeHandle("/")),
+      master_watch_(ros::this_node::getName()),
+      manager_(&RosRobot::manageTopics, this) {
+  callbacks_.start();
+}
+
+RosRobot::~RosRobot() {
+  calls_.cancel();
+  wish([](Wishes& wishes) { wishes.end = true; });
+  manager_.join();
+  topics_.reset();  // while their callback queue is there
+  callbacks_.stop();
+}
+
+// --- The thread that asks the master
+// ----------------------------------------------------------------------------------
+
+void RosRobot::wish(const std::function<void(Wishes&)>& change) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  change(wishes_);
+  changed_.notify_all();
+}
+
+void RosRobot::manageTopics() {
+  auto next_search = std::chrono::steady_clock::now();
+  Wishes wishes;
+  while (!wishes.end) {
+    if (std::chrono::steady_clock::now() >= next_search) {
+      search();
+      next_search = std::chrono::steady_clock::now() + kSearchPeriod;
+    }
+    if (master_answers_) {  // otherwise roscpp would wait until it does
+      std::string chosen = wishes.name_space;
+      if (chosen.empty()) {
+        chosen = name_space_.empty() && !found_drivers_.empty() ? found_drivers_.front() : name_space_;
+      }
+      if (chosen != name_space_) {
+        useTopicsOf(chosen);
+      }
+      if (topics_) {
+        for (const Part part : {Part::kPictures, Part::kJoints, Part::kSensors}) {
+          topics_->show(part, wishes.visible.count(part) > 0);
+        }
+        const std::string owner = settingsOf(name_space_, master_);
+        topics_->followSettings(owner.empty() ? topics_->settingsOwner() : owner);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        settings_owner_ = topics_->settingsOwner();
+      }
+    }
+    reportConnection();
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_until(lock, next_search, [this, &wishes] { return connection_changed_ || !(wishes_ == wishes); });
+    connection_changed_ = false;
+    wishes = wishes_;
+  }
+}
+
+void RosRobot::search() {
+  const std::optional<MasterState> answer = askMaster();
+  master_answers_ = answer.has_value();
+  if (!answer) {
+    return;
+  }
+  master_ = *answer;
+  found_drivers_ = driversIn(master_);
+  QStringList drivers;
+  for (const std::string& driver : found_drivers_) {
+    drivers.append(QString::fromStdString(driver));
+  }
+  if (drivers != std::exchange(reported_drivers_, drivers)) {
+    post([drivers](Robot& robot) { Q_EMIT robot.driversFound(drivers); });
+  }
+}
+
+void RosRobot::useTopicsOf(const std::string& name_space) {
+  std::shared_ptr<DriverTopics> old;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    old = std::exchange(topics_, nullptr);
+  }
+  old.reset();  // waits for its callbacks
+  // What is still on its way from the old driver is not to be taken for the new one's.
+  const auto is_current = std::make_shared<std::atomic<bool>>(true);
+  ros::NodeHandle handle(callbacks_.handle(), name_space);
+  auto made = std::shared_ptr<DriverTopics>(new DriverTopics(
+                                                handle,
+                                                [this, is_current](const std::function<void(Robot&)>& work) {
+                                                  post([is_current, work](Robot& robot) {
+                                                    if (*is_current) {
+                                                      work(robot);
+                                                    }
+                                                  });
+                                                },
+                                                [this] {
+                                                  const std::lock_guard<std::mutex> lock(mutex_);
+                                                  connection_changed_ = true;
+                                                  changed_.notify_all();
+                                                }),
+                                            [is_current](DriverTopics* topics) {
+                                              *is_current = false;
+                                              delete topics;
+                                            });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  topics_ = made;
+  name_space_ = name_space;
+}
+
+RobotConnection RosRobot::connectionNow() const {
+  RobotConnection now;
+  now.name_space = QString::fromStdString(name_space_);
+  const aibo_driver::Connection::ConstPtr message = topics_ ? topics_->connection() : nullptr;
+  if (!topics_ || !topics_->isHeard() || !message) {
+    now.state = master_answers_ ? RobotConnection::State::kNoDriver : RobotConnection::State::kNoMaster;
+    now.text =
+        master_answers_ ? noDriverText(now.name_space) : QString("the ROS master does not answer: is roscore running?");
+    return now;
+  }
+  now.state = message->state == aibo_driver::Connection::CONNECTED    ? RobotConnection::State::kConnected
+              : message->state == aibo_driver::Connection::CONNECTING ? RobotConnection::State::kConnecting
+                                                                      : RobotConnection::State::kDisconnected;
+  now.robot = QString::fromStdString(message->robot);
+  now.address = QString::fromStdString(message->host) + ":" + QString::number(message->port);
+  now.protocol_version = message->protocol_version;
+  now.text = QString::fromStdString(message->text);
+  return now;
+}
+
+void RosRobot::reportConnection() {
+  const RobotConnection now = connectionNow();
+  const QString text = now.name_space + now.robot + now.text;
+  if (text != std::exchange(reported_connection_, text)) {
+    post([this, now](Robot& robot) {
+      connection_ = now;
+      Q_EMIT robot.connectionChanged(now);
+    });
+  }
+}
+
+// --- Wishes
+// -----------------------------------------------------------------------------------------------------------
+
+void RosRobot::post(const std::function<void(Robot&)>& work) {
+  QMetaObject::invokeMethod(
+      this, [this, work] { work(*this); }, Qt::QueuedConnection);
+}
+
+void RosRobot::answer(bool success, const QString& text) {
+  post([success, text](Robot& robot) { Q_EMIT robot.answered(success, text); });
+}
+
+std::shared_ptr<DriverTopics> RosRobot::topics() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return topics_;
+}
+
+std::shared_ptr<DriverTopics> RosRobot::topicsForCommand(const QString& request) {
+  if (connection_.isConnected()) {
+    return topics();
+  }
+  answer(false, request + ": " + connection_.text);
+  return nullptr;
+}
+
+template <typename Service>
+void RosRobot::call(const QString& request, const std::string& service, const typename Service::Request& arguments,
+                    const std::function<void(const typename Service::Response&)>& also) {
+  using Response = typename Service::Response;
+  if (connection_.name_space.isEmpty()) {
+    answer(false, request + ": " + connection_.text);
+    return;
+  }
+  const std::string name = ros::names::resolve(connection_.name_space.toStdString(), service);
+  const auto done = [this, request, name, also](const Response* response) {
+    if (response == nullptr) {
+      answer(false,
+             request + ": no answer from the service " + QString::fromStdString(name) + ": is the driver running?");
+    } else if constexpr (std::is_same_v<Service, dynamic_reconfigure::Reconfigure>) {
+      also(*response);
+    } else {
+      answer(response->success != 0, request + ": " + QString::fromStdString(response->message));
+      if (also) {
+        also(*response);
+      }
+    }
+  };
+  if (!calls_.start<Service>(name, arguments, done)) {
+    answer(false, request + ": the last call has not been answered yet");
+  }
+}
+
+void RosRobot::useDriver(const QString& name_space) {
+  wish([&name_space](Wishes& wishes) { wishes.name_space = name_space.toStdString(); });
+}
+
+void RosRobot::show(Part part, bool visible) {
+  wish([part, visible](Wishes& wishes) {
+    if (visible) {
+      wishes.visible.insert(part);
+    } else {
+      wishes.visible.erase(part);
+    }
+  });
+}
+
+void RosRobot::stop() {
+  call<std_srvs::Trigger>("stop", "stop", {});
+}
+
+void RosRobot::takePicture(const QString& folder) {
+  const auto done = [this, folder](const TakePicture::Response& response) {
+    if (response.success == 0) {
+      return;
+    }
+    try {
+      const QString path = savePicture(response.image.data, folder);
+      const QImage image = QImage::fromData(response.image.data.data(), static_cast<int>(response.image.data.size()));
+      post([image, path](Robot& robot) { Q_EMIT robot.pictureTaken(image, path); });
+    } catch (const std::runtime_error& error) {
+      answer(false, QString("take picture: ") + error.what());
+    }
+  };
+  call<TakePicture>("take picture", "take_picture", {}, done);
+}
+
+void RosRobot::setStreaming(bool on) {
+  std_srvs::SetBool::Request request;
+  request.data = static_cast<std::uint8_t>(on);
+  call<std_srvs::SetBool>(on ? "stream on" : "stream off", "set_streaming", request);
+}
+
+void RosRobot::setMotors(bool on) {
+  std_srvs::SetBool::Request request;
+  request.data = static_cast<std::uint8_t>(on);
+  call<std_srvs::SetBool>(on ? "motors on" : "motors off", "motors", request);
+}
+
+void RosRobot::takePosture(const QString& posture) {
+  call<std_srvs::Trigger>(posture, posture.toStdString(), {});
+}
+
+void RosRobot::listMotions() {
+  call<ListMotions>("list motions", "list_motions", {}, [this](const ListMotions::Response& response) {
+    QStringList names;
+    for (const std::string& name : response.names) {
+      names.append(QString::fromStdString(name));
+    }
+    post([names](Robot& robot) { Q_EMIT robot.motionsListed(names); });
+  });
+}
+
+void RosRobot::playMotion(const QString& name, int repetitions) {
+  PlayMotion::Request arguments;
+  arguments.name = name.toStdString();
+  arguments.repetitions = static_cast<std::uint16_t>(repetitions);
+  call<PlayMotion>("play " + name, "play_motion", arguments);
+}
+
+void RosRobot::stopMotions() {
+  PlayMotion::Request arguments;
+  arguments.stop = 1;
+  call<PlayMotion>("stop motions", "play_motion", arguments);
+}
+
+void RosRobot::changeSetting(const QString& name, const QVariant& value) {
+  std::string owner;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    owner = settings_owner_;
+  }
+  dynamic_reconfigure::Reconfigure::Request request;
+  request.config = changeOf(name, value);
+  const auto done = [this, name](const dynamic_reconfigure::Reconfigure::Response& response) {
+    const SettingValues values = valuesIn(response.config);
+    answer(true, name + " is " + values.value(name).toString());
+    post([values](Robot& robot) { Q_EMIT robot.settingsChanged(values); });
+  };
+  call<dynamic_reconfigure::Reconfigure>(name, owner + "/set_parameters", request, done);
+}
+
+void RosRobot::setLeds(const QStringList& names, double intensity) {
+  if (const auto topics = topicsForCommand("LEDs")) {
+    topics->publishLeds(names, intensity);
+  }
+}
+
+void RosRobot::flickEars(bool left, bool right) {
+  if (const auto topics = topicsForCommand("ears")) {
+    topics->publishEars(left, right);
+  }
+}
+
+void RosRobot::moveJoints(const JointPositions& positions) {
+  if (const auto topics = topicsForCommand("joints")) {
+    topics->publishJoints(positions);
+  }
+}
+
+// The end of a walk is always sent, and is no news to anybody.
+void RosRobot::walk(double forward, double left, double turn) {
+  const bool is_end = forward == 0 && left == 0 && turn == 0;
+  if (const auto used = is_end ? topics() : topicsForCommand("walk")) {
+    used->publishVelocity(forward, left, turn);
+  }
+}
+
+void RosRobot::lookAt(const QPointF& place) {
+  const auto topics = topicsForCommand("look there");
+  if (topics && !topics->publishLookAt(place)) {
+    answer(false, "look there: nothing is known of the camera yet");
+  }
+}
+
+}  // namespace aibo_driver::remote_control

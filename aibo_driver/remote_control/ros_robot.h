@@ -1,0 +1,108 @@
+/// @file ros_robot.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
+#define AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "remote_control/driver_search.h"
+#include "remote_control/driver_topics.h"
+#include "remote_control/robot.h"
+#include "remote_control/service_calls.h"
+#include "ros/callback_threads.h"
+#include "ros/master_watch.h"
+
+namespace aibo_driver::remote_control {
+
+/// The robot behind a running driver.
+///
+/// Whatever may wait for a node or for the ROS master does so on threads of this object: one asks the master and makes
+/// topics, one takes messages, and each call of a service has its own.
+class RosRobot : public Robot {
+  Q_OBJECT
+
+ public:
+  /// ros::init() must have been called.
+  explicit RosRobot(QObject* parent = nullptr);
+
+  /// Ends the calls that are under way.
+  ~RosRobot() override;
+
+  void useDriver(const QString& name_space) override;
+  void show(Part part, bool visible) override;
+  void stop() override;
+  void takePicture(const QString& folder) override;
+  void setStreaming(bool on) override;
+  void setMotors(bool on) override;
+  void takePosture(const QString& posture) override;
+  void listMotions() override;
+  void playMotion(const QString& name, int repetitions) override;
+  void stopMotions() override;
+  void changeSetting(const QString& name, const QVariant& value) override;
+  void setLeds(const QStringList& names, double intensity) override;
+  void flickEars(bool left, bool right) override;
+  void moveJoints(const JointPositions& positions) override;
+  void walk(double forward, double left, double turn) override;
+  void lookAt(const QPointF& place) override;
+
+ private:
+  /// What the thread that asks the master is to do.
+  struct Wishes {
+    std::string name_space;  ///< empty: the first that is found
+    std::set<Part> visible;
+    bool end = false;
+    bool operator==(const Wishes& other) const {
+      return name_space == other.name_space && visible == other.visible && end == other.end;
+    }
+  };
+
+  void wish(const std::function<void(Wishes&)>& change);
+  void manageTopics();
+  void search();
+  void useTopicsOf(const std::string& name_space);
+  void reportConnection();
+  RobotConnection connectionNow() const;
+
+  std::shared_ptr<DriverTopics> topicsForCommand(const QString& request);
+  std::shared_ptr<DriverTopics> topics() const;
+
+  /// @param request what is asked for, in words
+  /// @param service its name, in the driver's namespace or a full one
+  /// @param also is called with the answer, on a thread of its own, if there is one
+  template <typename Service>
+  void call(const QString& request, const std::string& service, const typename Service::Request& arguments,
+            const std::function<void(const typename Service::Response&)>& also = {});
+  void answer(bool success, const QString& text);
+  void post(const std::function<void(Robot&)>& work);
+
+  // Of the window's thread.
+  RobotConnection connection_;
+  ServiceCalls calls_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Wishes wishes_;
+  bool connection_changed_ = false;
+  std::shared_ptr<DriverTopics> topics_;  ///< null: no driver is known
+  std::string name_space_;                ///< of the topics
+  std::string settings_owner_;
+
+  // Of the thread that asks the master.
+  bool master_answers_ = true;
+  QStringList reported_drivers_;
+  QString reported_connection_;
+  std::vector<std::string> found_drivers_;
+  MasterState master_;
+
+  node::CallbackThreads callbacks_;
+  node::MasterWatch master_watch_;
+  std::thread manager_;  // last: it uses all of the above
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H

@@ -1,0 +1,96 @@
+#include "remote_control/sensors_page.h"
+
+#include <QGroupBox>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+constexpr double kNear = 0.2;  // m: an obstacle that the robot is about to meet
+
+const char* const kUntouched = "background: palette(base); border: 1px solid palette(mid); border-radius: 4px";
+const char* const kTouched =
+    "background: #ffb300; color: black; border: 1px solid palette(mid); border-radius: 4px; font-weight: bold";
+
+/// In the order of the page: as seen from above, with the head at the top.
+constexpr std::pair<const char*, std::pair<int, int>> kPlaces[] = {
+    {"head", {0, 0}},          {"chin", {0, 2}},        {"paw_left_front", {1, 0}},
+    {"back_front", {1, 1}},    {"back_middle", {2, 1}}, {"paw_right_front", {1, 2}},
+    {"paw_left_hind", {3, 0}}, {"back_rear", {3, 1}},   {"paw_right_hind", {3, 2}}};
+
+QString words(const Distance& distance) {
+  if (std::isnan(distance.metres)) {
+    return distance.name + ": unknown";
+  }
+  if (std::isinf(distance.metres)) {
+    return distance.name + (distance.metres > 0 ? ": nothing near" : ": very near");
+  }
+  return QString("%1: %2 m").arg(distance.name).arg(distance.metres, 0, 'f', 2);
+}
+
+}  // namespace
+
+SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
+  auto* touch = new QGroupBox("Touch", this);
+  auto* grid = new QGridLayout(touch);
+  for (const auto& [name, cell] : kPlaces) {
+    auto* place = new QLabel(QString(name).replace('_', ' '), touch);
+    place->setObjectName(name);
+    place->setAlignment(Qt::AlignCenter);
+    place->setMinimumHeight(2 * fontMetrics().height());
+    place->setStyleSheet(kUntouched);
+    grid->addWidget(place, cell.first, cell.second);
+    places_[name] = place;
+  }
+  auto* ranges = new QGroupBox("Range finders", this);
+  distances_ = new QGridLayout(ranges);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(touch);
+  layout->addWidget(ranges);
+  layout->addStretch(1);
+  connect(&robot, &Robot::touched, this, &SensorsPage::showTouched);
+  connect(&robot, &Robot::distanceMeasured, this, &SensorsPage::showDistance);
+}
+
+void SensorsPage::connectionChanged(const RobotConnection& connection) {
+  if (!connection.isConnected()) {
+    showTouched({});
+    for (const auto& [name, bar] : bars_) {
+      bar->deleteLater();
+    }
+    bars_.clear();
+  }
+}
+
+void SensorsPage::showTouched(const QStringList& places) {
+  for (const auto& [name, label] : places_) {
+    label->setStyleSheet(places.contains(name) ? kTouched : kUntouched);
+    label->setProperty("touched", places.contains(name));
+  }
+}
+
+void SensorsPage::showDistance(const Distance& distance) {
+  QProgressBar*& bar = bars_[distance.name];
+  if (bar == nullptr) {
+    bar = new QProgressBar(this);
+    bar->setObjectName("range_" + distance.name);
+    bar->setRange(0, 100);
+    distances_->addWidget(bar, static_cast<int>(bars_.size()), 0);
+  }
+  const QString text = words(distance);
+  if (text == bar->format()) {
+    return;
+  }
+  const double share =
+      std::isinf(distance.metres) ? (distance.metres > 0 ? 1 : 0) : distance.metres / distance.farthest;
+  bar->setFormat(text);
+  bar->setValue(std::isnan(share) ? 0 : qRound(100 * share));
+  const QString style = distance.metres < kNear ? "QProgressBar::chunk { background: #e53935 }" : "";
+  if (style != bar->styleSheet()) {  // costs as much as all the rest
+    bar->setStyleSheet(style);
+  }
+}
+
+}  // namespace aibo_driver::remote_control

@@ -1,0 +1,42 @@
+/// @file settings_form.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_SETTINGS_FORM_H
+#define AIBO_DRIVER_REMOTE_CONTROL_SETTINGS_FORM_H
+
+#include <QWidget>
+#include <functional>
+#include <map>
+
+#include "remote_control/robot.h"
+
+namespace aibo_driver::remote_control {
+
+/// The driver's settings, made from its own description, so that a new one is there as soon as the driver has it. Each
+/// shows the value in force.
+class SettingsForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SettingsForm(QWidget* parent = nullptr) : QWidget(parent) {}
+
+  void describe(const QVector<Setting>& settings);
+  void showValues(const SettingValues& values);
+
+ Q_SIGNALS:
+  /// Somebody has chosen another value.
+  void changed(const QString& name, const QVariant& value);
+
+ private:
+  QWidget* makeSwitch(const Setting& setting);
+  QWidget* makeChoice(const Setting& setting);
+  QWidget* makeInteger(const Setting& setting);
+  QWidget* makeNumber(const Setting& setting);
+  QWidget* makeEditor(const Setting& setting);
+
+  QWidget* form_ = nullptr;
+  SettingValues values_;
+  std::map<QString, std::function<void(const QVariant&)>> show_;  ///< shows a value, by name of the setting
+};
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_SETTINGS_FORM_H

@@ -1,0 +1,45 @@
+#include "remote_control/driver_search.h"
+
+#include <gmock/gmock.h>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr const char* kConnection = "aibo_driver/Connection";
+constexpr const char* kSettings = "dynamic_reconfigure/Config";
+
+TEST(DriverSearch, FindsDriversByTheirTopicAndItsType) {
+  MasterState state;
+  state.types = {{"/left/connection", kConnection},
+                 {"/lab/right/connection", kConnection},
+                 {"/other/connection", "std_msgs/Bool"},
+                 {"/left/camera_connection", kConnection}};
+  EXPECT_THAT(driversIn(state), ElementsAre("/lab/right", "/left"));
+}
+
+TEST(DriverSearch, FindsTheSettingsOfTheNodeThatPublishes) {
+  MasterState state;
+  state.types = {{"/aibo/connection", kConnection},
+                 {"/aibo_driver/parameter_updates", kSettings},
+                 {"/camera/parameter_updates", kSettings}};
+  state.publishers = {{"/aibo/connection", {"/aibo_driver"}},
+                      {"/aibo_driver/parameter_updates", {"/aibo_driver"}},
+                      {"/camera/parameter_updates", {"/camera"}}};
+  EXPECT_EQ(settingsOf("/aibo", state), "/aibo_driver");
+  EXPECT_EQ(settingsOf("/right", state), "");
+}
+
+TEST(DriverSearch, InANodeletManagerTheSettingsAreThoseInTheSameNamespace) {
+  MasterState state;
+  for (const char* owner : {"/a/driver", "/left/driver", "/z/driver"}) {
+    state.types[std::string(owner) + "/parameter_updates"] = kSettings;
+    state.publishers[std::string(owner) + "/parameter_updates"] = {"/manager"};
+  }
+  state.publishers["/left/connection"] = {"/manager"};
+  EXPECT_EQ(settingsOf("/left", state), "/left/driver");
+}
+
+}  // namespace
+}  // namespace aibo_driver::remote_control

@@ -1,0 +1,401 @@
+// The window, without a display and with a robot that only writes down what is wished of it.
+#include "remote_control/remote_control.h"
+
+#include <gmock/gmock.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QWheelEvent>
+#include <QtTest/QTest>
+
+#include "remote_control/axis_pad.h"
+#include "remote_control/joint_slider.h"
+#include "unit/remote_control/fake_robot.h"
+
+namespace aibo_driver::remote_control {
+namespace {
+
+using State = RobotConnection::State;
+
+class RemoteControlTest : public ::testing::Test {
+ protected:
+  RemoteControlTest() : window_(robot_) {
+    window_.resize(480, 700);
+    window_.show();
+    window_.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+  }
+
+  // Shows the page with this title.
+  void open(const QString& page) { find<QTabWidget>("")->setCurrentWidget(find<QWidget>(page)); }
+
+  template <typename Widget>
+  Widget* find(const QString& name) {
+    auto* widget = window_.findChild<Widget*>(name);
+    if (widget == nullptr) {
+      throw std::runtime_error("there is no " + name.toStdString());
+    }
+    return widget;
+  }
+
+  // What the robot is asked for when this button is clicked.
+  QStringList click(const QString& button) {
+    robot_.take();
+    find<QAbstractButton>(button)->click();
+    return robot_.take();
+  }
+
+  QString textOf(const QString& label) { return find<QLabel>(label)->text(); }
+
+  QPoint placeOn(const QWidget* pad, double x, double y) {
+    const double half = std::min(pad->width(), pad->height()) / 2.0 - 1;
+    return QPoint(qRound(pad->width() / 2.0 + x * half), qRound(pad->height() / 2.0 - y * half));
+  }
+
+  FakeRobot robot_;
+  RemoteControl window_;
+};
+
+TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
+  robot_.connectIt();
+  window_.setFolder("/pictures");
+  EXPECT_EQ(click("take_picture"), QStringList("picture /pictures"));
+  EXPECT_EQ(click("stop"), QStringList("stop"));
+  EXPECT_EQ(click("Stand"), QStringList("stand"));
+  EXPECT_EQ(click("Sit"), QStringList("sit"));
+  EXPECT_EQ(click("Rest"), QStringList("rest"));
+  EXPECT_EQ(click("Motors on"), QStringList("motors on"));
+  EXPECT_EQ(click("Motors off"), QStringList("motors off"));
+  open("Motions");
+  EXPECT_EQ(click("Stop motions"), QStringList("stop motions"));
+  EXPECT_EQ(click("List again"), QStringList("list"));
+  open("Lights");
+  EXPECT_EQ(click("back on"), QStringList("back 1"));
+  EXPECT_EQ(click("all off"), QStringList("all 0"));
+  EXPECT_EQ(click("Left ear"), QStringList("ears 1 0"));
+  EXPECT_EQ(click("Right ear"), QStringList("ears 0 1"));
+  EXPECT_EQ(click("Both ears"), QStringList("ears 1 1"));
+}
+
+TEST_F(RemoteControlTest, WithoutAConnectionOnlyStopCanBeClickedAndTheReasonIsThere) {
+  const QString reason = "not connected to robot:54321: refused (is the robot on?)";
+  robot_.connectIt();
+  robot_.disconnectIt(State::kDisconnected, reason);
+  EXPECT_EQ(textOf("connection"), reason);
+  for (QPushButton* button : window_.findChildren<QPushButton*>()) {
+    const bool needs_no_robot = button->objectName() == "stop" || button->text() == "Folder...";
+    EXPECT_EQ(button->isEnabled(), needs_no_robot) << button->text().toStdString();
+  }
+  EXPECT_EQ(find<QWidget>("take_picture")->toolTip(), "Not now: " + reason);
+  EXPECT_EQ(find<QWidget>("drive_pad")->toolTip(), "Not now: " + reason);
+  EXPECT_EQ(click("stop"), QStringList("stop"));
+  robot_.connectIt();
+  EXPECT_TRUE(find<QWidget>("Stand")->isEnabled());
+  EXPECT_EQ(find<QWidget>("Stand")->toolTip(), "Stands up");
+}
+
+TEST_F(RemoteControlTest, WhatVersion1CannotDoIsDisabledAndSaysSo) {
+  robot_.connectIt(1);
+  for (const char* name : {"Stand", "Motors off", "drive_pad", "motions"}) {
+    EXPECT_FALSE(find<QWidget>(name)->isEnabled()) << name;
+    EXPECT_TRUE(find<QWidget>(name)->toolTip().contains("version 1")) << name;
+  }
+  EXPECT_TRUE(find<QWidget>("Play")->isEnabled());
+  EXPECT_TRUE(find<QWidget>("take_picture")->isEnabled());
+  EXPECT_EQ(robot_.take(), QStringList()) << "it cannot list its motions";
+}
+
+TEST_F(RemoteControlTest, TheSpaceBarStopsWhereverTheFocusIs) {
+  robot_.connectIt();
+  open("Motions");
+  for (const char* focus : {"Play", "motion_name", "motions", "stop", "take_picture"}) {
+    auto* widget = find<QWidget>(focus);
+    widget->setFocus();
+    robot_.take();
+    QTest::keyClick(widget, Qt::Key_Space);
+    EXPECT_EQ(robot_.take(), QStringList("stop")) << focus;
+  }
+  EXPECT_EQ(find<QLineEdit>("motion_name")->text(), "");
+}
+
+TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoWhereASettingIsTyped) {
+  robot_.connectIt();
+  open("Camera");
+  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}}});
+  auto* quality = find<QSpinBox>("jpeg_quality");
+  quality->setFocus();
+  robot_.take();
+  QTest::keyClick(quality, Qt::Key_Space);
+  EXPECT_EQ(robot_.take(), QStringList("stop"));
+}
+
+TEST_F(RemoteControlTest, TheStreamsButtonFollowsTheRobotNotTheClick) {
+  robot_.connectIt();
+  Q_EMIT robot_.streamingChanged(true);
+  EXPECT_EQ(click("stream"), QStringList("stream off"));
+  EXPECT_EQ(find<QAbstractButton>("stream")->text(), "Stop stream");
+  Q_EMIT robot_.streamingChanged(false);
+  EXPECT_EQ(find<QAbstractButton>("stream")->text(), "Start stream");
+  EXPECT_EQ(click("stream"), QStringList("stream on"));
+}
+
+TEST_F(RemoteControlTest, ThePadWalksWhileItIsHeldAndStopsOnce) {
+  robot_.connectIt();
+  auto* pad = find<AxisPad>("drive_pad");
+  robot_.take();
+  QTest::mousePress(pad, Qt::LeftButton, {}, placeOn(pad, 0, 1));
+  EXPECT_EQ(robot_.take(), QStringList("walk 0.15 0.00 0.00"));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return robot_.wishes.size() >= 2; })) << "it goes on while it is held";
+  QMouseEvent move(QEvent::MouseMove, placeOn(pad, -1.2, 0), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(pad, &move);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return robot_.wishes.contains("walk 0.00 0.00 1.00"); }));
+  QTest::mouseRelease(pad, Qt::LeftButton);
+  EXPECT_EQ(robot_.take().last(), "walk 0.00 0.00 0.00");
+  QTest::qWait(250);
+  EXPECT_EQ(robot_.take(), QStringList()) << "then it is silent";
+}
+
+TEST_F(RemoteControlTest, TheRightButtonStepsToTheSides) {
+  robot_.connectIt();
+  auto* pad = find<AxisPad>("drive_pad");
+  robot_.take();
+  QTest::mousePress(pad, Qt::RightButton, {}, placeOn(pad, 1, 0));
+  EXPECT_EQ(robot_.take(), QStringList("walk 0.00 -0.06 0.00"));
+  QTest::mouseRelease(pad, Qt::LeftButton);
+  EXPECT_TRUE(pad->isHeld()) << "another button than the one that holds it";
+}
+
+// A dead man's switch also opens when the mouse's release cannot be seen.
+TEST_F(RemoteControlTest, ThePadStopsWhenItsPageIsLeftOrDisabledOrTheWindowLosesTheFocus) {
+  const auto hold = [this] {
+    robot_.connectIt();
+    open("Move");
+    auto* pad = find<AxisPad>("drive_pad");
+    QTest::mouseRelease(pad, Qt::LeftButton);
+    QTest::mousePress(pad, Qt::LeftButton, {}, placeOn(pad, 0, 1));
+    robot_.take();
+    return pad;
+  };
+  hold();
+  open("Camera");
+  EXPECT_EQ(robot_.take(), QStringList("walk 0.00 0.00 0.00"));
+  hold();
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_EQ(robot_.take(), QStringList("walk 0.00 0.00 0.00"));
+  auto* pad = hold();
+  QEvent deactivation(QEvent::WindowDeactivate);
+  QApplication::sendEvent(pad, &deactivation);
+  EXPECT_EQ(robot_.take(), QStringList("walk 0.00 0.00 0.00"));
+}
+
+TEST_F(RemoteControlTest, TheHeadsPadPointsWithinTheLimitsAndLeftIsPositive) {
+  robot_.connectIt();
+  auto* pad = find<AxisPad>("head_pad");
+  robot_.take();
+  QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, -1, 1));
+  EXPECT_EQ(robot_.take(), QStringList("head_pan 1.5, head_tilt 0.8"));
+  QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, 1, -1));
+  EXPECT_EQ(robot_.take(), QStringList("head_pan -1.5, head_tilt -0.3"));
+}
+
+TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
+  robot_.connectIt();
+  auto* view = window_.findChild<PictureView*>();
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  robot_.take();
+  Q_EMIT robot_.streamingChanged(true);
+  Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
+  const double scale = std::min(view->width() / 208.0, view->height() / 160.0);
+  const QPoint half(qRound(208 * scale / 2), qRound(160 * scale / 2));
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - half * 0.6);
+  EXPECT_EQ(robot_.take(), QStringList("look 0.2 0.2"));
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - half - QPoint(3, 0));
+  EXPECT_EQ(robot_.take(), QStringList()) << "beside the picture";
+}
+
+TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
+  robot_.connectIt();
+  open("Move");
+  EXPECT_EQ(robot_.visible, (std::set<Part>{Part::kPictures, Part::kJoints}));
+  open("Sensors");
+  EXPECT_EQ(robot_.visible, (std::set<Part>{Part::kPictures, Part::kSensors}));
+  open("Joints");
+  EXPECT_EQ(robot_.visible, (std::set<Part>{Part::kPictures, Part::kJoints}));
+  window_.hide();
+  EXPECT_EQ(robot_.visible, std::set<Part>());
+}
+
+TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleClickOrButton) {
+  robot_.connectIt();
+  EXPECT_EQ(robot_.take(), QStringList("list"));
+  robot_.connectIt();
+  EXPECT_EQ(robot_.take(), QStringList());
+  open("Motions");
+  Q_EMIT robot_.motionsListed({"NOD.MTN", "WAG.MTN"});
+  find<QListWidget>("motions")->setCurrentRow(1);
+  EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 1"));
+  Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
+  EXPECT_EQ(textOf("movement"), "Now: motion WAG.MTN");
+}
+
+TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
+  Q_EMIT robot_.answered(false, "stand: the robot fell");
+  EXPECT_TRUE(textOf("status").endsWith("stand: the robot fell"));
+}
+
+TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
+  robot_.connectIt();
+  Q_EMIT robot_.batteryMeasured(0.82, 31.4);
+  Q_EMIT robot_.linkMeasured({29.96, 0.012, 0.034});
+  EXPECT_EQ(textOf("connection"), "ERS-7 at robot:54321, connected (version 2)");
+  EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C"));
+  EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
+  robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
+  EXPECT_EQ(textOf("battery"), "");
+  EXPECT_EQ(textOf("link"), "");
+}
+
+TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
+  robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
+  Q_EMIT robot_.driversFound({"/left", "/right"});
+  auto* chooser = find<QComboBox>("driver");
+  EXPECT_EQ(chooser->currentText(), "/aibo");
+  robot_.take();
+  Q_EMIT chooser->activated(chooser->findText("/right"));
+  EXPECT_EQ(robot_.take(), QStringList("use /right"));
+  EXPECT_EQ(window_.driver(), "/right");
+}
+
+TEST_F(RemoteControlTest, TouchedPlacesLightUp) {
+  robot_.connectIt();
+  open("Sensors");
+  Q_EMIT robot_.touched({"chin", "back_rear"});
+  EXPECT_TRUE(find<QLabel>("chin")->property("touched").toBool());
+  EXPECT_FALSE(find<QLabel>("head")->property("touched").toBool());
+  Q_EMIT robot_.touched({});
+  EXPECT_FALSE(find<QLabel>("chin")->property("touched").toBool());
+}
+
+TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
+  robot_.connectIt();
+  open("Sensors");
+  Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
+  auto* bar = find<QProgressBar>("range_near");
+  EXPECT_EQ(bar->format(), "near: 0.25 m");
+  EXPECT_EQ(bar->value(), 50);
+  Q_EMIT robot_.distanceMeasured({"near", std::numeric_limits<double>::infinity(), 0.5});
+  EXPECT_EQ(bar->value(), 100);
+  Q_EMIT robot_.distanceMeasured({"near", -std::numeric_limits<double>::infinity(), 0.5});
+  EXPECT_EQ(bar->value(), 0);
+}
+
+TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
+  robot_.connectIt();
+  open("Lights");
+  find<QSlider>("intensity")->setValue(40);
+  EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
+  EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
+  Q_EMIT robot_.ledsChanged({{"face_3", 0.4}});
+  EXPECT_EQ(click("face_3"), QStringList("face_3 0"));
+}
+
+TEST_F(RemoteControlTest, APatternReplacesTheFace) {
+  robot_.connectIt();
+  open("Lights");
+  EXPECT_EQ(click("Lower"), (QStringList{"face 0", "face_1,face_2,face_3,face_4,face_5,face_6,face_7 1"}));
+}
+
+TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
+  robot_.connectIt();
+  open("Camera");
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 85}, {"gain", 2}, {"auto_exposure", false}, {"speed_scale", 1.0}});
+  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}},
+                                   {"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}},
+                                   {"auto_exposure", "", Setting::Kind::kSwitch, 0, 0, {}},
+                                   {"speed_scale", "", Setting::Kind::kNumber, 0.1, 1, {}}});
+  EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 85);
+  EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
+  EXPECT_EQ(click("auto_exposure"), QStringList("auto_exposure true"));
+  robot_.take();
+  find<QSpinBox>("jpeg_quality")->setValue(60);
+  EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 60"));
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}});
+  EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 70);
+  EXPECT_EQ(robot_.take(), QStringList()) << "what the driver says is no wish";
+}
+
+class JointSliderTest : public ::testing::Test {
+ protected:
+  JointSliderTest() : slider_({"head_pan", 2, -1.5, 1.5, 3, 3, false}, "pan") {
+    QObject::connect(&slider_, &JointSlider::moved,
+                     [this](const QString& joint, double position) { moved_[joint] = position; });
+  }
+
+  JointPositions moved_;
+  JointSlider slider_;
+};
+
+TEST_F(JointSliderTest, CannotBeMovedBeforeItsJointIsMeasured) {
+  EXPECT_FALSE(slider_.slider()->isEnabled());
+  slider_.measure(0.4);
+  EXPECT_TRUE(slider_.slider()->isEnabled());
+}
+
+TEST_F(JointSliderTest, FollowsItsJointWithoutCommandingIt) {
+  slider_.measure(0.4);
+  slider_.measure(0.5);
+  EXPECT_EQ(slider_.slider()->value(), 500);
+  EXPECT_EQ(moved_, JointPositions());
+}
+
+TEST_F(JointSliderTest, CommandsItsJointAndWaitsUntilItHasArrived) {
+  slider_.measure(0.4);
+  slider_.slider()->setValue(1000);
+  EXPECT_EQ(moved_, JointPositions({{"head_pan", 1.0}}));
+  slider_.measure(0.6);
+  EXPECT_EQ(slider_.slider()->value(), 1000) << "the joint is on its way";
+  slider_.measure(0.99);
+  slider_.measure(0.7);
+  EXPECT_EQ(slider_.slider()->value(), 700) << "it has been there, and somebody else has moved it";
+}
+
+TEST_F(JointSliderTest, DoesNotFollowWhileItIsHeld) {
+  slider_.measure(0.4);
+  slider_.slider()->setSliderDown(true);
+  slider_.slider()->setValue(450);
+  slider_.measure(0.45);
+  slider_.measure(0.2);
+  EXPECT_EQ(slider_.slider()->value(), 450);
+  slider_.slider()->setSliderDown(false);
+  slider_.measure(0.449);
+  slider_.measure(0.2);
+  EXPECT_EQ(slider_.slider()->value(), 200);
+}
+
+TEST_F(JointSliderTest, TheWheelDoesNotMoveTheRobot) {
+  slider_.measure(0.4);
+  QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(slider_.slider(), &wheel);
+  EXPECT_EQ(moved_, JointPositions());
+}
+
+}  // namespace
+}  // namespace aibo_driver::remote_control
+
+int main(int argc, char** argv) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  ::testing::InitGoogleMock(&argc, argv);
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

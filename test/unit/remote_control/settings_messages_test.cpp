@@ -1,0 +1,53 @@
+#include "remote_control/settings_messages.h"
+
+#include <aibo_driver/AiboDriverConfig.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace aibo_driver::remote_control {
+namespace {
+
+// The driver's own description, as its generated code publishes it.
+Setting settingOf(const QString& name) {
+  const QVector<Setting> settings = settingsIn(AiboDriverConfig::__getDescriptionMessage__());
+  const auto found =
+      std::find_if(settings.begin(), settings.end(), [&name](const Setting& setting) { return setting.name == name; });
+  return found == settings.end() ? Setting() : *found;
+}
+
+TEST(SettingsMessages, EachOfTheDriversSettingsIsThere) {
+  const auto description = AiboDriverConfig::__getDescriptionMessage__();
+  const QVector<Setting> settings = settingsIn(description);
+  ASSERT_EQ(static_cast<std::size_t>(settings.size()), description.groups.at(0).parameters.size());
+}
+
+TEST(SettingsMessages, NumbersHaveTheirRange) {
+  EXPECT_EQ(settingOf("jpeg_quality").kind, Setting::Kind::kInteger);
+  EXPECT_EQ(settingOf("jpeg_quality").lowest, 1);
+  EXPECT_EQ(settingOf("jpeg_quality").highest, 100);
+  EXPECT_EQ(settingOf("telemetry_rate").kind, Setting::Kind::kNumber);
+  EXPECT_EQ(settingOf("telemetry_rate").highest, 31.25);
+  EXPECT_EQ(settingOf("auto_exposure").kind, Setting::Kind::kSwitch);
+}
+
+TEST(SettingsMessages, ChoicesHaveAllTheirValues) {
+  const Setting resolution = settingOf("resolution");
+  EXPECT_EQ(resolution.kind, Setting::Kind::kChoice);
+  ASSERT_EQ(resolution.choices.size(), 4);
+  EXPECT_EQ(resolution.choices[2].first, "208x160 (layer H)");
+  EXPECT_EQ(resolution.choices[2].second, QVariant("208x160"));
+  const Setting gain = settingOf("gain");
+  ASSERT_EQ(gain.choices.size(), 3);
+  EXPECT_EQ(gain.choices[0].first, "GAIN_LOW (-6 dB)");
+  EXPECT_EQ(gain.choices[0].second, QVariant(1));
+}
+
+TEST(SettingsMessages, AChangeComesBackAsItsValue) {
+  for (const QVariant& value : {QVariant(7), QVariant(0.5), QVariant(true), QVariant("208x160")}) {
+    EXPECT_EQ(valuesIn(changeOf("name", value)), (SettingValues{{"name", value}}));
+  }
+}
+
+}  // namespace
+}  // namespace aibo_driver::remote_control
