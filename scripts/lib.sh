@@ -83,3 +83,17 @@ for port in (int(sys.argv[1]), 0):
         break
 PYTHON
 }
+
+# start_roscore LOG: starts a ROS master on a free port, for this script and what it starts, until the script ends.
+start_roscore() {
+  local port
+  port=$(free_port 0)
+  export ROS_MASTER_URI=http://127.0.0.1:$port
+  setsid roscore -p "$port" > "$1" 2>&1 &  # Ctrl-C does not reach it
+  roscore=$!
+  trap 'kill "$roscore"; wait "$roscore" || true' EXIT
+  until true 2> /dev/null < "/dev/tcp/127.0.0.1/$port"; do
+    kill -0 "$roscore" 2> /dev/null || fail "roscore did not start:" "$(tail -n 3 "$1")"
+    sleep 0.1
+  done
+}

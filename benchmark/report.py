@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Turns figures into a table: median of the rounds, comparison in the same run, and mark.
+
+    report.py FIGURES [--results FILE] [--check]
+
+FIGURES has a line of JSON for each figure (figures.h), or is what Google Benchmark writes as JSON in one line.
+--results FILE also writes the table to this file, with machine, date and versions.
+--check fails if a figure is worse than its mark by more than the noise of its rounds.
+"""
+import argparse
+import datetime
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+
+# Counters of the Google Benchmarks that are ratios, and their marks.
+RATIOS = {"ratio_to_bare": ("bare TurboJPEG", 1.0)}
+
+
+def figures_of(google_benchmark):
+    """The figures in a report of Google Benchmark."""
+    runs = {}
+    for run in google_benchmark["benchmarks"]:
+        if run.get("run_type") != "aggregate":
+            runs.setdefault(run["run_name"], []).append(run)
+    for name, rounds in runs.items():
+        yield {"figure": "time of " + name, "unit": rounds[0]["time_unit"], "rounds": [r["cpu_time"] for r in rounds]}
+        for counter, (rival, mark) in RATIOS.items():
+            if counter in rounds[0]:
+                yield {"figure": "ratio of " + name + " to " + rival, "unit": "",
+                       "rounds": [r[counter] for r in rounds], "at_most": mark}
+
+
+def read(path):
+    with open(path, encoding="utf-8") as lines:
+        for line in filter(str.strip, lines):
+            entry = json.loads(line)
+            if "benchmarks" in entry:
+                yield from figures_of(entry)
+            else:
+                yield entry
+
+
+class Judged:
+    """A figure with its median, its ratio to what it is compared with, and whether it meets its mark."""
+
+    def __init__(self, entry):
+        self.name, self.unit, self.rival = entry["figure"], entry["unit"], entry.get("with", "")
+        self.median = statistics.median(entry["rounds"])
+        judged = entry["rounds"]
+        self.rival_median = self.ratio = None
+        if self.rival:
+            judged = [own / other for own, other in zip(entry["rounds"], entry["with_rounds"]) if other]
+            self.rival_median = statistics.median(entry["with_rounds"])
+            self.ratio = statistics.median(judged) if judged else None
+        value = statistics.median(judged) if judged else None
+        noise = (max(judged) - min(judged)) / 2 if judged else 0
+        self.mark, self.met = "", None
+        for key, sign, text in (("at_most", 1, "at most"), ("at_least", -1, "at least")):
+            if key in entry and value is not None:
+                self.mark = f"{text} {entry[key]:g}"
+                self.met = sign * (value - entry[key]) <= noise
+
+    def row(self):
+        compared = f"{self.rival}: {self.rival_median:.4g}" if self.rival else ""
+        ratio = f"{self.ratio:.2f}" if self.ratio is not None else ""
+        met = {None: "", True: "yes", False: "**no**"}[self.met]
+        return f"| {self.name} | {self.median:.4g} {self.unit} | {compared} | {ratio} | {self.mark} | {met} |"
+
+
+def table(figures):
+    return "\n".join(["| figure | median | compared with | ratio | mark | met |", "|---|---|---|---|---|---|"]
+                     + [figure.row() for figure in figures])
+
+
+def processor():
+    with open("/proc/cpuinfo", encoding="utf-8") as lines:
+        for line in lines:
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    return platform.machine()
+
+
+def version():
+    folder = os.path.dirname(os.path.abspath(__file__))
+    result = subprocess.run(["git", "-C", folder, "describe", "--always", "--dirty"], capture_output=True, text=True,
+                            check=False)
+    return result.stdout.strip() or "unknown"
+
+
+def machine():
+    with open("/etc/os-release", encoding="utf-8") as lines:
+        system = dict(line.rstrip().split("=", 1) for line in lines if "=" in line).get("PRETTY_NAME", "").strip('"')
+    return (f"Measured on {datetime.date.today()}, version {version()}, {os.cpu_count()} processors "
+            f"({processor()}), {system}, Linux {platform.release()}.")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("figures")
+    parser.add_argument("--results")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    figures = [Judged(entry) for entry in read(options.figures)]
+    print(table(figures))
+    if options.results:
+        with open(options.results, "w", encoding="utf-8") as results:
+            results.write("# Results\n\nWritten by `scripts/benchmark`. A figure is the median of its rounds; a ratio "
+                          "compares it\nwith a limit or a rival in the same run. Only ratios say something about "
+                          "another machine.\n\n" + machine() + "\n\n" + table(figures) + "\n")
+    missed = [figure for figure in figures if figure.met is False]
+    if missed:
+        print(f"\n{len(missed)} of {sum(figure.met is not None for figure in figures)} marks are not met.")
+    return 1 if options.check and missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

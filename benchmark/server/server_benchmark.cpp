@@ -1,0 +1,292 @@
+// Measures what the robot's server costs on this computer, with the simulated ERS-7: while nobody is connected, and for
+// each picture, with photographs, in the rendered room with the robot at rest, and walking with its head moving. Beside
+// it, GStreamer compresses pictures of the same size, with the same quality and at the same rate.
+//
+//   server_benchmark [--rounds N] [--seconds N]
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <atomic>
+#include <boost/program_options.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "aibo_driver/rcserver_client.h"
+#include "figures.h"
+#include "process_cost.h"
+#include "robot_model/robot_model.h"
+#include "support/process.h"
+#include "support/program.h"
+#include "support/simulated_robot.h"
+#include "support/sockets.h"
+#include "support/temporary_folder.h"
+#include "support/test_pictures.h"
+
+namespace {
+
+namespace po = boost::program_options;
+using benchmark_figures::atMost;
+using benchmark_figures::print;
+using benchmark_figures::Rounds;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using std::chrono::steady_clock;
+
+constexpr seconds kWarmUp{2};
+constexpr seconds kSafetyNet{30};
+constexpr milliseconds kCommandPeriod{100};
+
+/// A client that counts pictures.
+class Client {
+ public:
+  explicit Client(int port) : client_(optionsFor(port), callbacks()) {
+    client_.setStreaming(true);
+    client_.start();
+    const auto end = steady_clock::now() + kSafetyNet;
+    while (pictures_ == 0) {
+      if (steady_clock::now() > end) {
+        throw std::runtime_error("no picture came");
+      }
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+  }
+
+  std::uint64_t pictures() const { return pictures_; }
+
+  void walkAndLookAround(double time) {
+    client_.steer({0.05, 0, 0.3});
+    const auto* model = robot_model::findRobotModel("ERS-7");
+    const auto pan = static_cast<std::size_t>(robot_model::findJointByName(*model, "head_pan"));
+    client_.commandJoints({{model->joints[pan].identifier, 0.6 * std::sin(2 * time)}}, kCommandPeriod);
+  }
+
+ private:
+  static aibo_driver::ClientOptions optionsFor(int port) {
+    aibo_driver::ClientOptions options;
+    options.host = "127.0.0.1";
+    options.port = static_cast<std::uint16_t>(port);
+    return options;
+  }
+
+  aibo_driver::RcServerClient::Callbacks callbacks() {
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_driver::PicturePtr&) { ++pictures_; };
+    return callbacks;
+  }
+
+  std::atomic<std::uint64_t> pictures_{0};
+  aibo_driver::RcServerClient client_;
+};
+
+/// GStreamer as a server of JPEGs, and a client that reads and forgets them.
+class GStreamer {
+ public:
+  /// @param images raw images, 4:2:0, of the robot's size, one after the other
+  explicit GStreamer(const std::string& images) : port_(freePort()), process_(command(images, port_)) {
+    const auto end = steady_clock::now() + kSafetyNet;
+    while (!connect()) {
+      if (steady_clock::now() > end) {
+        throw std::runtime_error("GStreamer does not serve: " + process_.output());
+      }
+      std::this_thread::sleep_for(milliseconds(50));
+    }
+    reader_ = std::thread([this] { read(); });
+  }
+
+  ~GStreamer() {
+    process_.kill();
+    reader_.join();
+  }
+
+  GStreamer(const GStreamer&) = delete;
+  GStreamer& operator=(const GStreamer&) = delete;
+
+  pid_t pid() const { return process_.pid(); }
+  std::uint64_t pictures() const { return pictures_; }
+
+ private:
+  static int freePort() { return test_support::portOf(test_support::bindTo("127.0.0.1", 0)); }
+
+  static std::vector<std::string> command(const std::string& images, int port) {
+    const std::string format = "format=i420";
+    return {"gst-launch-1.0",
+            "-q",
+            "filesrc",
+            "location=" + images,
+            "!",
+            "rawvideoparse",
+            "width=208",
+            "height=160",
+            format,
+            "framerate=299/10",
+            "!",
+            "identity",
+            "sync=true",
+            "!",
+            "jpegenc",
+            "quality=85",
+            "!",
+            "multipartmux",
+            "boundary=picture",
+            "!",
+            "tcpserversink",
+            "host=127.0.0.1",
+            "port=" + std::to_string(port)};
+  }
+
+  bool connect() {
+    connection_ = test_support::beginConnecting("127.0.0.1", port_);
+    pollfd polled{connection_.get(), POLLOUT, 0};
+    int error = 0;
+    socklen_t length = sizeof error;
+    return ::poll(&polled, 1, 1000) > 0 &&
+           ::getsockopt(connection_.get(), SOL_SOCKET, SO_ERROR, &error, &length) == 0 && error == 0;
+  }
+
+  void read() {
+    const std::string boundary = "--picture";
+    std::string rest;
+    char buffer[65536];
+    pollfd polled{connection_.get(), POLLIN, 0};
+    while (::poll(&polled, 1, -1) > 0) {
+      const ssize_t size = ::recv(connection_.get(), buffer, sizeof buffer, 0);
+      if (size <= 0) {
+        return;
+      }
+      rest.append(buffer, static_cast<std::size_t>(size));
+      std::size_t at = rest.find(boundary);
+      for (; at != std::string::npos; at = rest.find(boundary)) {
+        ++pictures_;
+        rest.erase(0, at + boundary.size());
+      }
+      rest.erase(0, rest.size() - std::min(rest.size(), boundary.size() - 1));
+    }
+  }
+
+  int port_;
+  test_support::Process process_;
+  aibo_driver::FileDescriptor connection_;
+  std::atomic<std::uint64_t> pictures_{0};
+  std::thread reader_;
+};
+
+class ServerBenchmark {
+ public:
+  ServerBenchmark(int rounds, int window) : rounds_(rounds), window_(window) { writeImages(); }
+
+  void run() {
+    for (int round = 0; round < rounds_; ++round) {
+      measureIdle();
+      measureStream("photographs", {"--images", folder_.path("photographs").string()}, false);
+      measureGStreamer();
+      measureStream("at rest", {}, false);
+      measureStream("walking", {}, true);
+    }
+    print("processor share of the simulated robot, nobody connected", "%", costs_["idle"], {}, atMost(1));
+    print("processor time of the server, photographs", "us a picture", costs_["photographs"],
+          {"GStreamer", costs_["GStreamer"]}, atMost(0.5));
+    print("processor time of the simulated robot at rest", "us a picture", costs_["at rest"], {}, atMost(4000));
+    print("processor time of the simulated robot walking", "us a picture", costs_["walking"], {}, atMost(6000));
+  }
+
+ private:
+  // The same pictures as JPEGs, and as raw images for 60 s.
+  void writeImages() const {
+    std::string raw;
+    for (unsigned i = 0; i < 16; ++i) {
+      const auto jpeg = test_pictures::makeNumbered(i);
+      folder_.write("photographs/" + std::to_string(100 + i) + ".jpg", std::string(jpeg.begin(), jpeg.end()));
+      raw += planesOf(jpeg);
+    }
+    std::string all;
+    for (int i = 0; i < 113; ++i) {
+      all += raw;
+    }
+    folder_.write("images.i420", all);
+  }
+
+  static std::string planesOf(const test_pictures::Bytes& jpeg) {
+    std::string planes(208 * 160 * 3 / 2, '\0');
+    void* const bytes = planes.data();
+    const tjhandle decoder = tjInitDecompress();
+    const int result = tjDecompressToYUV2(decoder, jpeg.data(), static_cast<unsigned long>(jpeg.size()),
+                                          static_cast<unsigned char*>(bytes), 208, 4, 160, 0);
+    tjDestroy(decoder);
+    if (result != 0) {
+      throw std::runtime_error("the pictures cannot be decoded");
+    }
+    return planes;
+  }
+
+  double processorSecondsIn(pid_t process, const std::function<void(double time)>& meanwhile = nullptr) const {
+    const double before = benchmark_figures::processorSeconds(process);
+    const auto begin = steady_clock::now();
+    for (auto now = begin; now < begin + seconds(window_); now = steady_clock::now()) {
+      if (meanwhile) {
+        meanwhile(std::chrono::duration<double>(now - begin).count());
+      }
+      std::this_thread::sleep_for(kCommandPeriod);
+    }
+    return benchmark_figures::processorSeconds(process) - before;
+  }
+
+  void measureIdle() {
+    test_support::SimulatedRobot robot;
+    std::this_thread::sleep_for(kWarmUp);
+    costs_["idle"].push_back(100 * processorSecondsIn(robot.process().pid()) / window_);
+  }
+
+  void measureStream(const std::string& name, const std::vector<std::string>& options, bool moving) {
+    test_support::SimulatedRobot robot(options);
+    Client client(robot.port());
+    const auto move = [&client](double time) { client.walkAndLookAround(time); };
+    if (moving) {
+      move(0);
+    }
+    std::this_thread::sleep_for(kWarmUp);
+    const std::uint64_t before = client.pictures();
+    const double processor = processorSecondsIn(
+        robot.process().pid(), moving ? std::function<void(double)>(move) : std::function<void(double)>());
+    costs_[name].push_back(1e6 * processor / static_cast<double>(client.pictures() - before));
+  }
+
+  void measureGStreamer() {
+    const GStreamer server(folder_.path("images.i420").string());
+    std::this_thread::sleep_for(kWarmUp);
+    const std::uint64_t before = server.pictures();
+    const double processor = processorSecondsIn(server.pid());
+    costs_["GStreamer"].push_back(1e6 * processor / static_cast<double>(server.pictures() - before));
+  }
+
+  const int rounds_;
+  const int window_;
+  const test_support::TemporaryFolder folder_;
+  std::map<std::string, Rounds> costs_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int rounds = 3;
+  int window = 5;
+  po::options_description description("Options", 120);
+  // clang-format off
+  description.add_options()
+    ("rounds", po::value(&rounds)->default_value(rounds), "how often everything is measured")
+    ("seconds", po::value(&window)->default_value(window), "how long each measurement takes");
+  // clang-format on
+  return test_support::runProgram(argc, argv, "Measures what the robot's server costs, beside GStreamer.", description,
+                                  [&] {
+                                    ServerBenchmark(rounds, window).run();
+                                    return EXIT_SUCCESS;
+                                  });
+}
