@@ -31,36 +31,36 @@ constexpr float kTouchOpacity = 0.7F;
 struct Place {
   const char* name;
   const char* link;
-  int shape;
   double x, y, z;  // of its centre, in the link
   double length, width, height;
+  int shape;
   Color color;
 };
 
 // What is in urdf/ers7.urdf: the strips of light on the back, the pads with the touch sensors, chin and feet. Beside
 // each strip is its white LED.
 const Place kPlaces[] = {
-    {"back_front_color", "base_link", Marker::CUBE, 0.030, 0, 0.0475, 0.006, 0.016, 0.005, kBlue},
-    {"back_front_white", "base_link", Marker::CUBE, 0.038, 0, 0.0470, 0.005, 0.016, 0.004, kWhite},
-    {"back_middle_color", "base_link", Marker::CUBE, -0.004, 0, 0.0470, 0.006, 0.016, 0.005, kOrange},
-    {"back_middle_white", "base_link", Marker::CUBE, 0.004, 0, 0.0465, 0.005, 0.016, 0.004, kWhite},
-    {"back_rear_color", "base_link", Marker::CUBE, -0.038, 0, 0.0470, 0.006, 0.016, 0.005, kRed},
-    {"back_rear_white", "base_link", Marker::CUBE, -0.030, 0, 0.0465, 0.005, 0.016, 0.004, kWhite},
-    {"head_color", "head_tilt_link", Marker::CUBE, 0.001, 0, 0.0570, 0.006, 0.009, 0.004, kOrange},
-    {"head_white", "head_tilt_link", Marker::CUBE, -0.006, 0, 0.0570, 0.005, 0.009, 0.004, kWhite},
-    {"mode_red", "head_tilt_link", Marker::SPHERE, -0.036, 0.010, 0.0470, 0.008, 0.008, 0.008, kRed},
-    {"mode_green", "head_tilt_link", Marker::SPHERE, -0.036, 0, 0.0470, 0.008, 0.008, 0.008, kGreen},
-    {"mode_blue", "head_tilt_link", Marker::SPHERE, -0.036, -0.010, 0.0470, 0.008, 0.008, 0.008, kBlue},
-    {"wireless", "head_tilt_link", Marker::SPHERE, -0.047, 0, 0.0300, 0.008, 0.008, 0.008, kBlue},
-    {"touch back_front", "base_link", Marker::CUBE, 0.030, 0, 0.0450, 0.032, 0.028, 0.006, kTouched},
-    {"touch back_middle", "base_link", Marker::CUBE, -0.004, 0, 0.0445, 0.032, 0.028, 0.006, kTouched},
-    {"touch back_rear", "base_link", Marker::CUBE, -0.038, 0, 0.0445, 0.032, 0.028, 0.006, kTouched},
-    {"touch head", "head_tilt_link", Marker::CUBE, -0.002, 0, 0.0550, 0.024, 0.014, 0.006, kTouched},
-    {"touch chin", "mouth_link", Marker::CUBE, 0.020, 0, -0.0130, 0.040, 0.028, 0.006, kTouched},
-    {"touch paw_left_front", "left_front_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
-    {"touch paw_left_hind", "left_hind_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
-    {"touch paw_right_front", "right_front_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
-    {"touch paw_right_hind", "right_hind_foot_link", Marker::SPHERE, 0, 0, 0, 0.032, 0.032, 0.032, kTouched},
+    {"back_front_color", "base_link", 0.030, 0, 0.0475, 0.006, 0.016, 0.005, Marker::CUBE, kBlue},
+    {"back_front_white", "base_link", 0.038, 0, 0.0470, 0.005, 0.016, 0.004, Marker::CUBE, kWhite},
+    {"back_middle_color", "base_link", -0.004, 0, 0.0470, 0.006, 0.016, 0.005, Marker::CUBE, kOrange},
+    {"back_middle_white", "base_link", 0.004, 0, 0.0465, 0.005, 0.016, 0.004, Marker::CUBE, kWhite},
+    {"back_rear_color", "base_link", -0.038, 0, 0.0470, 0.006, 0.016, 0.005, Marker::CUBE, kRed},
+    {"back_rear_white", "base_link", -0.030, 0, 0.0465, 0.005, 0.016, 0.004, Marker::CUBE, kWhite},
+    {"head_color", "head_tilt_link", 0.001, 0, 0.0570, 0.006, 0.009, 0.004, Marker::CUBE, kOrange},
+    {"head_white", "head_tilt_link", -0.006, 0, 0.0570, 0.005, 0.009, 0.004, Marker::CUBE, kWhite},
+    {"mode_red", "head_tilt_link", -0.036, 0.010, 0.0470, 0.008, 0.008, 0.008, Marker::SPHERE, kRed},
+    {"mode_green", "head_tilt_link", -0.036, 0, 0.0470, 0.008, 0.008, 0.008, Marker::SPHERE, kGreen},
+    {"mode_blue", "head_tilt_link", -0.036, -0.010, 0.0470, 0.008, 0.008, 0.008, Marker::SPHERE, kBlue},
+    {"wireless", "head_tilt_link", -0.047, 0, 0.0300, 0.008, 0.008, 0.008, Marker::SPHERE, kBlue},
+    {"touch back_front", "base_link", 0.030, 0, 0.0450, 0.032, 0.028, 0.006, Marker::CUBE, kTouched},
+    {"touch back_middle", "base_link", -0.004, 0, 0.0445, 0.032, 0.028, 0.006, Marker::CUBE, kTouched},
+    {"touch back_rear", "base_link", -0.038, 0, 0.0445, 0.032, 0.028, 0.006, Marker::CUBE, kTouched},
+    {"touch head", "head_tilt_link", -0.002, 0, 0.0550, 0.024, 0.014, 0.006, Marker::CUBE, kTouched},
+    {"touch chin", "mouth_link", 0.020, 0, -0.0130, 0.040, 0.028, 0.006, Marker::CUBE, kTouched},
+    {"touch paw_left_front", "left_front_foot_link", 0, 0, 0, 0.032, 0.032, 0.032, Marker::SPHERE, kTouched},
+    {"touch paw_left_hind", "left_hind_foot_link", 0, 0, 0, 0.032, 0.032, 0.032, Marker::SPHERE, kTouched},
+    {"touch paw_right_front", "right_front_foot_link", 0, 0, 0, 0.032, 0.032, 0.032, Marker::SPHERE, kTouched},
+    {"touch paw_right_hind", "right_hind_foot_link", 0, 0, 0, 0.032, 0.032, 0.032, Marker::SPHERE, kTouched},
 };
 
 // Where LEDs of the face are: seen from the middle of the dark ball, in degrees to the left and upwards.
@@ -102,13 +102,13 @@ Place onFace(const FacePlace& place) {
   const double y = ahead * std::sin(place.left * kDegree);
   return {"",
           "head_tilt_link",
-          Marker::SPHERE,
           0.031 + ahead * std::cos(place.left * kDegree),
           y + std::copysign(std::min(std::abs(y), 0.005), y),
           0.009 + kRadius * std::sin(place.up * kDegree),
           kSize,
           kSize,
           kSize,
+          Marker::SPHERE,
           kWhite};
 }
 
