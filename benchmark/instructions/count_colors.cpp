@@ -1,8 +1,7 @@
 // Counts the detected colours of a plane as the robot does, to count instructions.
 //
-//   count_colors PLANE ROUNDS    does so ROUNDS times; PLANE is empty, ball (a disc of 20 pixels across, on one
-//   channel),
-//                                or worst (a chessboard of seven channels); each as of an ERS-7, with the packed plane
+//   count_colors PLANE ROUNDS    does so ROUNDS times; PLANE is empty, ball (a disc of 20 pixels, on one channel), or
+//                                worst (a chessboard of seven channels); each as of an ERS-7, with the packed plane
 #include <cstdio>
 #include <cstdlib>
 #include <string>
