@@ -49,6 +49,7 @@ RosRobot::RosRobot(QObject* parent)
       callbacks_(ros::NodeHandle("/")),
       master_watch_(ros::this_node::getName()),
       manager_(&RosRobot::manageTopics, this) {
+  connection_.text = "no driver has been found yet";
   callbacks_.start();
 }
 

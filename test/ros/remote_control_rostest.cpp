@@ -20,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "remote_control/axis_pad.h"
 #include "remote_control/joint_slider.h"
@@ -43,6 +44,9 @@ using test_support::TemporaryFolder;
 using test_support::TopicListener;
 
 constexpr int kTimeout = 30000;  // ms; only a failing test waits this long
+
+// A busy computer may be silent for longer than a robot.
+const std::vector<std::string> kPatient{"_read_timeout:=20"};
 
 /// The window, and somebody who uses it.
 class User {
@@ -94,7 +98,7 @@ class User {
 class RemoteControlRosTest : public ::testing::Test {
  protected:
   explicit RemoteControlRosTest(const std::string& name_space = "/remote")
-      : driver_(std::make_unique<DriverProcess>(name_space, simulated_.port())), user_(name_space) {
+      : driver_(std::make_unique<DriverProcess>(name_space, simulated_.port(), kPatient)), user_(name_space) {
     EXPECT_TRUE(user_.waitForConnection()) << user_.textOf("connection").toStdString();
   }
 
@@ -223,7 +227,7 @@ TEST_F(RemoteControlRosTest, SurvivesARestartOfTheDriverAndSaysWhatIsMissingMean
   EXPECT_TRUE(user_.waitForText("connection", "does not answer"));
   EXPECT_FALSE(user_.find<QWidget>("take_picture")->isEnabled());
   EXPECT_TRUE(user_.click("stop", "no answer from the service"));
-  driver_ = std::make_unique<DriverProcess>("/remote", simulated_.port());
+  driver_ = std::make_unique<DriverProcess>("/remote", simulated_.port(), kPatient);
   EXPECT_TRUE(user_.waitForConnection());
   EXPECT_TRUE(user_.click("Motors on", "motors on: "));
 }
