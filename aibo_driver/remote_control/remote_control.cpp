@@ -40,7 +40,9 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   layout->addWidget(status_);
   connectSignals();
   keepSpaceBar();
-  showConnection({});
+  RobotConnection unknown;
+  unknown.text = "no driver has been found yet";
+  showConnection(unknown);
 }
 
 QLayout* RemoteControl::makeButtons() {

@@ -22,6 +22,7 @@ namespace aibo_driver::remote_control {
 namespace {
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
+constexpr std::chrono::seconds kTimeToSpeak{5};  // a driver says something once a second
 
 /// Saves a JPEG under a name with the time.
 /// @return its path
@@ -49,6 +50,7 @@ RosRobot::RosRobot(QObject* parent)
       callbacks_(ros::NodeHandle("/")),
       master_watch_(ros::this_node::getName()),
       manager_(&RosRobot::manageTopics, this) {
+  connection_.text = "no driver has been found yet";
   callbacks_.start();
 }
 
@@ -78,10 +80,7 @@ void RosRobot::manageTopics() {
       next_search = std::chrono::steady_clock::now() + kSearchPeriod;
     }
     if (master_answers_) {  // otherwise roscpp would wait until it does
-      std::string chosen = wishes.name_space;
-      if (chosen.empty()) {
-        chosen = name_space_.empty() && !found_drivers_.empty() ? found_drivers_.front() : name_space_;
-      }
+      const std::string chosen = wishes.name_space.empty() ? findDriver() : wishes.name_space;
       if (chosen != name_space_) {
         useTopicsOf(chosen);
       }
@@ -101,6 +100,16 @@ void RosRobot::manageTopics() {
     connection_changed_ = false;
     wishes = wishes_;
   }
+}
+
+// The master may know drivers that are no more, so one that is not heard is given up for the next.
+std::string RosRobot::findDriver() const {
+  const bool is_new = std::chrono::steady_clock::now() - used_since_ < kTimeToSpeak;
+  if (found_drivers_.empty() || (topics_ && (is_new || topics_->isHeard()))) {
+    return name_space_;
+  }
+  const auto next = std::upper_bound(found_drivers_.begin(), found_drivers_.end(), name_space_);
+  return next == found_drivers_.end() ? found_drivers_.front() : *next;
 }
 
 void RosRobot::search() {
@@ -150,6 +159,7 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
                                             });
   const std::lock_guard<std::mutex> lock(mutex_);
   topics_ = made;
+  used_since_ = std::chrono::steady_clock::now();
   name_space_ = name_space;
 }
 

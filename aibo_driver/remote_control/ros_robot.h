@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 #define AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -63,6 +64,7 @@ class RosRobot : public Robot {
   void wish(const std::function<void(Wishes&)>& change);
   void manageTopics();
   void search();
+  std::string findDriver() const;
   void useTopicsOf(const std::string& name_space);
   void reportConnection();
   RobotConnection connectionNow() const;
@@ -93,6 +95,7 @@ class RosRobot : public Robot {
 
   // Of the thread that asks the master.
   bool master_answers_ = true;
+  std::chrono::steady_clock::time_point used_since_;  ///< the driver
   QStringList reported_drivers_;
   QString reported_connection_;
   std::vector<std::string> found_drivers_;

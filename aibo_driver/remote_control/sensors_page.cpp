@@ -35,17 +35,19 @@ QString words(const Distance& distance) {
 SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
   auto* touch = new QGroupBox("Touch", this);
   auto* grid = new QGridLayout(touch);
+  grid->setContentsMargins(4, 4, 4, 4);
   for (const auto& [name, cell] : kPlaces) {
     auto* place = new QLabel(QString(name).replace('_', ' '), touch);
     place->setObjectName(name);
     place->setAlignment(Qt::AlignCenter);
-    place->setMinimumHeight(2 * fontMetrics().height());
+    place->setMinimumHeight(3 * fontMetrics().height() / 2);
     place->setStyleSheet(kUntouched);
     grid->addWidget(place, cell.first, cell.second);
     places_[name] = place;
   }
   auto* ranges = new QGroupBox("Range finders", this);
   distances_ = new QGridLayout(ranges);
+  distances_->setContentsMargins(4, 4, 4, 4);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(touch);
   layout->addWidget(ranges);

@@ -104,6 +104,13 @@ TEST_F(RemoteControlTest, WithoutAConnectionOnlyStopCanBeClickedAndTheReasonIsTh
   EXPECT_EQ(find<QWidget>("Stand")->toolTip(), "Stands up");
 }
 
+TEST_F(RemoteControlTest, BeforeAnythingIsKnownOnlyStopCanBeClicked) {
+  EXPECT_FALSE(find<QWidget>("take_picture")->isEnabled());
+  EXPECT_FALSE(find<QWidget>("Play")->isEnabled());
+  EXPECT_EQ(find<QWidget>("Stand")->toolTip(), "Not now: no driver has been found yet");
+  EXPECT_TRUE(find<QWidget>("stop")->isEnabled());
+}
+
 TEST_F(RemoteControlTest, WhatVersion1CannotDoIsDisabledAndSaysSo) {
   robot_.connectIt(1);
   for (const char* name : {"Stand", "Motors off", "drive_pad", "motions"}) {
