@@ -340,6 +340,14 @@ TEST_F(StickPicturesTest, RequestsForTheStickKeepTheirOrder) {
   EXPECT_THAT(counts.answers, ElementsAre("e3", "h4", "m1", "y2"));
 }
 
+TEST_F(StickPicturesTest, APictureWaitsForTheRequestBeforeIt) {
+  file_keeper_.slowDown();
+  send(frame('N', 0, 1) + frame('M', 85, 2));
+  EXPECT_THAT(pass(20).answers, IsEmpty());
+  file_keeper_.speedUp();
+  EXPECT_THAT(pass(20).answers, ElementsAre("n1", "m2"));
+}
+
 TEST_F(StickPicturesTest, APictureThatHasNotBeenTakenIsForgottenWithItsClient) {
   send(frame('M', 85, 1));
   reconnect();

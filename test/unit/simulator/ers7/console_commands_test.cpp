@@ -82,9 +82,9 @@ TEST_F(ConsoleCommandsTest, LiftedOrOnItsSideTheRobotHasItsPawsUp) {
 
 TEST_F(ConsoleCommandsTest, TheMemoryStickIsFullLockedOutSlowOrReady) {
   const auto status = [this] {
-    OMemoryStickStatus status = omemorystickUNDEF;
-    robot_.getMemoryStickStatus(&status);
-    return status;
+    OMemoryStickStatus state = omemorystickUNDEF;
+    robot_.getMemoryStickStatus(&state);
+    return state;
   };
   const size_t* const room = robot_.stick().room();
   EXPECT_EQ(say("stick full"), "ok: stick full\n");
