@@ -27,8 +27,7 @@ class DatagramSwitch {
 ///
 /// UDP itself does not slow a sender down, and on a slow radio link old pictures would fill the queue of the radio. So
 /// at most MOST_UNACKNOWLEDGED pictures are on their way: the client acknowledges each, and without an acknowledgement
-/// the next one goes after a
-/// while.
+/// the next one goes after a while.
 class PictureDatagrams : public DatagramSwitch {
  public:
   /// Two, so that the radio does not wait for the acknowledgement.
