@@ -235,7 +235,8 @@ int run(Options* options) {
 
 std::vector<Row> allRows() {
   std::vector<Row> rows;
-  for (auto& some : {clientRows(), pictureRows(), systemRows(), serverRows(), wayRows(), datagramRows(), hostileRows()}) {
+  for (auto& some :
+       {clientRows(), pictureRows(), systemRows(), serverRows(), wayRows(), datagramRows(), hostileRows()}) {
     rows.insert(rows.end(), some.begin(), some.end());
   }
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
