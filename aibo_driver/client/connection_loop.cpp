@@ -211,11 +211,13 @@ Wish ConnectionLoop::takeNews(TimePoint now) {
 /// The port for pictures by UDP; 0 if they are to come by TCP.
 int ConnectionLoop::datagramPort(const Wish& wish) {
   Connection& connection = *connection_;
-  if (wish.transport == PictureTransport::kTcp) {
+  if (wish.transport_changes != std::exchange(transport_changes_, wish.transport_changes)) {
     connection.transport_problem.clear();
     connection.lets_no_datagram_through = false;
     datagrams_blocked_.clear();
-  } else if (session_->ready() && connection.transport_problem.empty() && !transport_->datagrams().isOpen()) {
+  }
+  const bool is_wanted = wish.transport == PictureTransport::kUdp && session_->ready();
+  if (is_wanted && connection.transport_problem.empty() && !transport_->datagrams().isOpen()) {
     if (!connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_DATAGRAMS))) {
       connection.giveUpDatagrams("its server has no request for it");
     } else if (!transport_->openDatagrams()) {

@@ -11,6 +11,8 @@ void DatagramIntake::begin(TimePoint now) {
   used_ = true;
   window_ = {};
   assembly_ = {};
+  newest_ = acknowledged_ = -1;
+  to_acknowledge_.reset();
   expectFrom(now);
 }
 
@@ -50,10 +52,20 @@ std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t
     refuse("other parts of its picture describe the picture differently");
   }
   context_.counters.lost_pictures += assembly_.lost() - lost_pictures;
-  if (whole || datagram.part + 1U == version2::numberOfParts(datagram.jpeg_size)) {
-    to_acknowledge_ = datagram.picture;
-  }
+  acknowledge(datagram);
   return whole;
+}
+
+// When the last part has come, or, if that is lost, a part of the next picture.
+void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
+  const std::int64_t before = newest_;
+  newest_ = std::max<std::int64_t>(newest_, datagram.picture);
+  const bool is_last = datagram.part + 1U == version2::numberOfParts(datagram.jpeg_size);
+  const std::int64_t done = is_last ? datagram.picture : newest_ > before ? before : -1;
+  if (done > acknowledged_) {
+    acknowledged_ = done;
+    to_acknowledge_ = static_cast<std::uint32_t>(done);
+  }
 }
 
 void DatagramIntake::count(SequenceWindow::Verdict verdict) {

@@ -68,6 +68,7 @@ class DatagramIntake {
 
  private:
   void count(SequenceWindow::Verdict verdict);
+  void acknowledge(const protocol::version2::PictureDatagram& datagram);
   void refuse(const std::string& problem);
 
   const ConnectionContext& context_;
@@ -78,6 +79,8 @@ class DatagramIntake {
   TimePoint last_datagram_;              // or since when one is due
   std::optional<TimePoint> tcp_worked_;  // when something first came by TCP after kMissing
   std::optional<std::uint32_t> to_acknowledge_;
+  std::int64_t newest_ = -1;        // of which a part has come
+  std::int64_t acknowledged_ = -1;  // the newest one
   SequenceWindow window_;
   PictureAssembly assembly_;
 };

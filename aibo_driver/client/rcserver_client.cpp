@@ -176,7 +176,10 @@ void RcServerClient::setCameraSettings(const CameraSettings& settings) {
 }
 
 void RcServerClient::setPictureTransport(PictureTransport transport) {
-  loop_->change([transport](Shared& shared) { shared.wish.transport = transport; });
+  loop_->change([transport](Shared& shared) {
+    shared.wish.transport_changes += shared.wish.transport != transport ? 1 : 0;
+    shared.wish.transport = transport;
+  });
 }
 
 void RcServerClient::setColorDetection(const ColorDetection& detection) {

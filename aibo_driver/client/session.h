@@ -21,7 +21,8 @@ struct Wish {
   StreamFormat format{};
   CameraSettings camera{};
   PictureTransport transport = PictureTransport::kTcp;
-  int datagram_port = 0;  ///< to which pictures can be sent by UDP; 0 = they come by TCP
+  unsigned transport_changes = 0;  ///< how often the user has changed it
+  int datagram_port = 0;           ///< to which pictures can be sent by UDP; 0 = they come by TCP
   ColorDetection colors{};
   ColorTables color_tables{};  ///< sent only while colours are detected
 };

@@ -54,8 +54,8 @@ size_t encodePictureDatagram(const PictureDatagram& datagram, unsigned char* out
 /// Decodes a datagram, and checks that it has all bytes of its part, which begin at bytes + DATAGRAM_HEADER_SIZE.
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
 
-/// What a receiver sends back when the last part of a picture has come, or the whole picture: char `a`, 3 x uint8 0,
-/// uint32 picture.
+/// What a receiver sends back when the last part of a picture has come, or a part of a later one: char `a`, 3 x uint8
+/// 0, uint32 picture.
 const size_t ACKNOWLEDGEMENT_SIZE = 8;
 size_t encodeAcknowledgement(unsigned picture, unsigned char* out);
 const char* decodeAcknowledgement(const unsigned char* bytes, size_t size, unsigned* picture);

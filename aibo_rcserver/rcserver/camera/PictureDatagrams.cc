@@ -22,6 +22,7 @@ const size_t RECEIVE_SIZE = protocol::version2::ACKNOWLEDGEMENT_SIZE + 1;  // a 
 
 const unsigned PictureDatagrams::MOST_UNACKNOWLEDGED;
 const longword PictureDatagrams::PATIENCE;
+const longword PictureDatagrams::PATIENCE_PER_PART;
 
 PictureDatagrams::PictureDatagrams()
     : object_(),
@@ -67,7 +68,8 @@ bool PictureDatagrams::SendTo(Port port) {
 }
 
 bool PictureDatagrams::MaySend(longword now) const {
-  return !IsOn() || next_.picture - acknowledged_ < MOST_UNACKNOWLEDGED || now - last_begun_ >= PATIENCE;
+  const longword patience = PATIENCE + PATIENCE_PER_PART * static_cast<longword>(number_of_parts_);
+  return !IsOn() || next_.picture - acknowledged_ < MOST_UNACKNOWLEDGED || now - last_begun_ >= patience;
 }
 
 void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size, longword now) {
@@ -154,7 +156,7 @@ void PictureDatagrams::SendPart() {
   }
 }
 
-// If the IPStack refuses, pictures go at the pace of PATIENCE.
+// If the IPStack refuses, each picture waits for the end of the patience.
 void PictureDatagrams::Receive() {
   UDPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), static_cast<int>(RECEIVE_SIZE));
   receive.continuation = reinterpret_cast<void*>(endpoint_number_);

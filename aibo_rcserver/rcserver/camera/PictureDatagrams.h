@@ -27,14 +27,16 @@ class DatagramSwitch {
 ///
 /// UDP itself does not slow a sender down, and on a slow radio link old pictures would fill the queue of the radio. So
 /// at most MOST_UNACKNOWLEDGED pictures are on their way: the client acknowledges each, and without an acknowledgement
-/// the next one goes after PATIENCE.
+/// the next one goes after a while.
 class PictureDatagrams : public DatagramSwitch {
  public:
   /// Two, so that the radio does not wait for the acknowledgement.
   static const unsigned MOST_UNACKNOWLEDGED = 2;
 
-  /// Frames: 0.25 s. Longer than a picture takes at 1 Mbit/s, even one of double resolution.
-  static const longword PATIENCE = 31;
+  /// Frames without an acknowledgement until the next picture goes all the same: this many, and PATIENCE_PER_PART for
+  /// each part of the last picture. A part takes 12 ms at 1 Mbit/s.
+  static const longword PATIENCE = 6;
+  static const longword PATIENCE_PER_PART = 2;
 
   PictureDatagrams();
   virtual ~PictureDatagrams() {}

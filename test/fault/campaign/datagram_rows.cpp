@@ -1,4 +1,4 @@
-// F23: pictures by UDP, over a network that does anything with the datagrams.
+// F24: pictures by UDP, over a network that does anything with the datagrams.
 
 #include <algorithm>
 #include <condition_variable>
@@ -191,7 +191,7 @@ class DatagramExperiment : public Experiment {
 }  // namespace
 
 std::vector<Row> datagramRows() {
-  return {{"F23", "datagrams lost, cut, nonsense, twice, swapped, late, forged, swallowed", 400, 8, Milliseconds(500),
+  return {{"F24", "datagrams lost, cut, nonsense, twice, swapped, late, forged, swallowed", 400, 8, Milliseconds(500),
            maker<DatagramExperiment>()}};
 }
 

@@ -63,10 +63,14 @@ Function* next(const char* name) {
 
 using RecvFrom = ssize_t(int, void*, size_t, int, sockaddr*, socklen_t*);
 
-/// Receives a datagram with the fault of this thread's mark, from an IPv4 address.
-ssize_t receiveWithFault(RecvFrom* real, int fd, void* buffer, size_t size, sockaddr* sender, socklen_t* sender_size) {
+/// Receives a datagram with the fault of this thread's mark, from an IPv4 address; nothing if there is no such fault.
+std::optional<ssize_t> receiveWithFault(RecvFrom* real, int fd, void* buffer, size_t size, sockaddr* sender,
+                                        socklen_t* sender_size) {
   const std::lock_guard<std::mutex> lock(mutex);
   Entry& entry = entries.at(static_cast<std::size_t>(own_mark));
+  if (own_mark == kUnmarked || entry.datagram_fault == nullptr) {
+    return std::nullopt;
+  }
   std::vector<std::uint8_t> bytes(65536);
   ssize_t count = 0;
   while (entry.datagrams.empty() && (count = real(fd, bytes.data(), bytes.size(), 0, sender, sender_size)) >= 0) {
@@ -83,11 +87,6 @@ ssize_t receiveWithFault(RecvFrom* real, int fd, void* buffer, size_t size, sock
   const size_t taken = std::min(size, datagram.bytes.size());
   std::copy_n(datagram.bytes.begin(), taken, static_cast<std::uint8_t*>(buffer));
   return static_cast<ssize_t>(taken);
-}
-
-bool hasDatagramFault() {
-  const std::lock_guard<std::mutex> lock(mutex);
-  return own_mark != kUnmarked && entries.at(static_cast<std::size_t>(own_mark)).datagram_fault != nullptr;
 }
 
 /// Calls the real function, unless the call should fail.
@@ -176,10 +175,8 @@ ssize_t recv(int fd, void* buffer, size_t size, int flags) {
 
 ssize_t recvfrom(int fd, void* buffer, size_t size, int flags, sockaddr* sender, socklen_t* sender_size) {
   static const auto real = interposers::next<interposers::RecvFrom>("recvfrom");
-  if (sender != nullptr && interposers::hasDatagramFault()) {
-    return interposers::receiveWithFault(real, fd, buffer, size, sender, sender_size);
-  }
-  return real(fd, buffer, size, flags, sender, sender_size);
+  const auto count = interposers::receiveWithFault(real, fd, buffer, size, sender, sender_size);
+  return count ? *count : real(fd, buffer, size, flags, sender, sender_size);
 }
 
 ssize_t send(int fd, const void* buffer, size_t size, int flags) {

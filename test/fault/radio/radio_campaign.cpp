@@ -301,7 +301,7 @@ std::vector<Trial> comparedTrials(std::uint32_t seed) {
   std::vector<Trial> trials;
   for (const double rate : {11e6, 2e6, 1e6}) {
     for (const double loss : {0.0, 0.01, 0.05, 0.1}) {
-      const Trial trial = lossTrial(rate, loss, seed, milliseconds(20000));
+      const Trial trial = lossTrial(rate, loss, seed, milliseconds(10000));
       trials.push_back(trial);
       trials.push_back(byUdp(trial));
     }

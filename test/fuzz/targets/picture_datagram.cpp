@@ -73,7 +73,7 @@ class Receiver {
   void arrive(const Bytes& bytes) {
     const auto whole = intake_.arrived(bytes.data(), bytes.size(), now_);
     unsigned picture = 0;
-    require(version2::decodeAcknowledgement(bytes.data(), bytes.size(), &picture) == nullptr || !whole,
+    require(version2::decodeAcknowledgement(bytes.data(), bytes.size(), &picture) != nullptr || !whole,
             "an acknowledgement is no picture");
     intake_.takeAcknowledgement();
     if (!whole) {
