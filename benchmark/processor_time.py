@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The driver's processor time for a picture, beside that of a minimal node that publishes the same pictures.
 
-All of them run at the same time, each with a simulated robot of its own, so that a busy computer slows all of them down.
+All of them run at the same time, each with a simulated robot of its own, so that a busy computer slows all of them
+down.
 The times are those that the kernel charges to the processes, over all their threads.
 """
 import argparse
