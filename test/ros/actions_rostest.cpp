@@ -160,6 +160,20 @@ TEST(PlayMotionGoal, EndsWithTheMotion) {
   EXPECT_EQ(goal.result()->end, MotionState::DONE);
 }
 
+// Each repetition wakes several of the driver's threads.
+TEST(Actions, RepeatTheirStateOnceASecondOrAsOftenAsTheUserLikes) {
+  double frequency = 0;
+  {
+    const PlayUser user("/usual_actions");
+    EXPECT_TRUE(ros::param::get("/usual_actions/actionlib_status_frequency", frequency));
+    EXPECT_EQ(frequency, 1);
+  }
+  ros::param::set("/quick_actions/actionlib_status_frequency", 10.0);
+  const PlayUser user("/quick_actions");
+  EXPECT_TRUE(ros::param::get("/quick_actions/actionlib_status_frequency", frequency));
+  EXPECT_EQ(frequency, 10);
+}
+
 TEST(PlayMotionGoal, ThatIsCancelledStopsTheMotion) {
   PlayUser user("/play_cancelled");
   PlayGoal goal(user.client, PlayUser::nod(100));

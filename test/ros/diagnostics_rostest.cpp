@@ -106,6 +106,20 @@ TEST(StreamDiagnostics, SayWhyPicturesComeByTcpAlthoughUdpIsWanted) {
   EXPECT_TRUE(pictures.waitForNext());
 }
 
+TEST(StreamDiagnostics, SayToWhatAdaptiveHasLoweredTheStream) {
+  SimulatedRobot robot;
+  FaultProxy proxy(robot.port());
+  test_support::Conditions slow_link;
+  slow_link.bytes_per_second = 60000;  // 12 pictures a second at quality 85
+  proxy.setConditions(slow_link);
+  DriverProcess driver("/adaptive", proxy.port(), {"_adaptive:=true", "_telemetry_rate:=0", "_read_timeout:=20"});
+  DiagnosticsListener diagnostics;
+  const auto lowered = diagnostics.waitFor("adaptive/aibo_driver: stream", [](const auto& status) {
+    return DiagnosticsListener::value(status, "adaptive").find("lowered to quality 50 of 85") == 0;
+  });
+  EXPECT_EQ(DiagnosticsListener::value(lowered, "quality asked for"), "50");
+}
+
 TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
   SimulatedRobot robot;
   DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false"});

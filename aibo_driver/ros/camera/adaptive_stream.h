@@ -36,7 +36,7 @@ class AdaptiveStream {
   static constexpr std::chrono::milliseconds kSettling{250};  ///< pictures of the step before are still on their way
   static constexpr std::chrono::seconds kCalmTime{3};
   static constexpr double kCalm = 0.6;
-  static constexpr std::chrono::seconds kTrial{10};
+  static constexpr std::chrono::seconds kTrial{60};
   static constexpr std::chrono::seconds kFirstWait{5};
   static constexpr std::chrono::minutes kLongestWait{10};
 

@@ -317,10 +317,10 @@ std::vector<Trial> comparedTrials(std::uint32_t seed) {
 /// The same links with and without adaptive quality and rate.
 std::vector<Trial> adaptiveTrials(std::uint32_t first_seed) {
   std::vector<Trial> trials;
-  for (const double rate : {11e6, 2e6, 1e6}) {
+  for (const double rate : {1e6, 2e6, 11e6}) {
     for (const double loss : {0.0, 0.01}) {
-      for (const bool is_adaptive : {false, true}) {
-        Trial trial = lossTrial(rate, loss, first_seed, milliseconds(30000));
+      for (const bool is_adaptive : {true, false}) {
+        Trial trial = lossTrial(rate, loss, first_seed, milliseconds(rate < 2e6 ? 120000 : 30000));
         trial.title += is_adaptive ? ", adaptive" : "";
         trial.max_age = milliseconds(150);
         trial.is_adaptive = is_adaptive;
