@@ -133,7 +133,9 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   pictures_.CountImage(image_vector);
-  tokens_.Stir(image_vector);
+  if (!tokens_.HasImage()) {
+    tokens_.Stir(image_vector);
+  }
   session_->Camera().SetHasDetail(pictures_.HasDetail());
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
@@ -633,7 +635,9 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   if (const char* problem = pictures_.Offer(image_vector, order, body_->Camera().Settings())) {
     OSYSLOG1((osyslogERROR, "RCServer: %s", problem));
     DropClient("there is no picture for it", true);
+    return;
   }
+  tokens_.Stir(image_vector);
 }
 
 // What kind of picture to make of this image. False if none is due.

@@ -21,7 +21,7 @@ unsigned Spread(unsigned value) {
 
 }  // namespace
 
-TokenMaker::TokenMaker() : one_(0x811c9dc5U), other_(0x9e3779b9U) {
+TokenMaker::TokenMaker() : one_(0x811c9dc5U), other_(0x9e3779b9U), has_image_(false) {
   Stir(hostSettings().random[0]);
   Stir(hostSettings().random[1]);
 }
@@ -37,6 +37,7 @@ void TokenMaker::Stir(OFbkImageVectorData* image) {
   if (!y.IsValid()) {
     return;
   }
+  has_image_ = true;
   const int size = y.Height() * (y.Width() + y.Skip());
   for (int i = 0; i < size; i += PIXEL_STEP) {
     Stir(y.Pointer()[i]);
