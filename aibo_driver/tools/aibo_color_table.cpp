@@ -71,7 +71,7 @@ BgrImage pictureOfTopic(const std::string& topic, int argc, char** argv) {
 }
 
 BgrImage pictureOfFile(const std::string& file) {
-  const auto jpeg = aibo_driver::node::loadFile(file, kLongestFile);
+  const auto jpeg = aibo_driver::files::loadFile(file, kLongestFile);
   return aibo_driver::node::decodeJpeg(jpeg.data(), jpeg.size());
 }
 

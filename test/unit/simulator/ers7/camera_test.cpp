@@ -232,7 +232,7 @@ TEST_F(CameraTest, APictureIsDrawnWhenItIsReadAsItWasWhenItWasTaken) {
   pose.body = Eigen::Translation3d(2, 0, 0);
   RCRegion* early = camera_.capture(100, pose);
   early->AddReference();
-  camera_.resetSettings();
+  camera_.reset();
   camera_.capture(104);
   EXPECT_EQ(source_.times_drawn, 0);
 
