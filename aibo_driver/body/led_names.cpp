@@ -57,7 +57,8 @@ std::vector<std::string> namesOfLeds(const robot_model::RobotModel& model) {
 }
 
 int ledLevel(double intensity) {
-  return static_cast<int>(std::ceil(intensity * kHighestLevel));
+  constexpr double kRounding = 1e-4;  // 0.2 in a message is a float, and a little more than 0.2
+  return static_cast<int>(std::ceil(intensity * kHighestLevel - kRounding));
 }
 
 }  // namespace aibo_driver::body

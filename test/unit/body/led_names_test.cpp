@@ -33,6 +33,7 @@ TEST(LedNames, AreListedAndEachIsKnown) {
 TEST(LedLevel, IsNeverOffAboveZero) {
   EXPECT_EQ(ledLevel(0), 0);
   EXPECT_EQ(ledLevel(0.0001), 1);
+  EXPECT_EQ(ledLevel(0.2F), 51) << "the float is a little more than 0.2";
   EXPECT_EQ(ledLevel(1), 255);
 }
 
