@@ -9,10 +9,11 @@
 
 /// Makes tokens of 64 bits that nobody can guess who does not see the robot's network traffic.
 ///
-/// OPEN-R has no random numbers. They come from the noise of the camera's first image and of those that become pictures,
-/// and from when clients come. Hundreds of pixels of an image, whose lowest bits are noise, are more than enough. A
-/// client of a robot whose camera is covered gets a token with fewer random bits. On a computer, the simulator adds
-/// random numbers of the system. This is no cryptography: it keeps mistakes out, not an attacker who listens.
+/// OPEN-R has no random numbers. They come from the noise of the camera's first image and of those that become
+/// pictures, and from when clients come. Hundreds of pixels of an image, whose lowest bits are noise, are more than
+/// enough. A client of a robot whose camera is covered gets a token with fewer random bits. On a computer, the
+/// simulator adds random numbers of the system. This is no cryptography: it keeps mistakes out, not an attacker who
+/// listens.
 class TokenMaker {
  public:
   TokenMaker();
