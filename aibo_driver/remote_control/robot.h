@@ -74,7 +74,7 @@ using LedIntensities = QMap<QString, double>;  ///< 0..1, by name of the LED
 ///
 /// No function waits. What a function asked for shows in the signals, and the answer of a service in answered(). All
 /// signals come on the thread of the object, which is the window's. A wish that cannot be fulfilled, for example
-/// because there is no connection, is answered, too.
+/// because there is no connection, is answered as well.
 class Robot : public QObject {
   Q_OBJECT
 

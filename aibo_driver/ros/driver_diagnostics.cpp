@@ -108,7 +108,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("images dropped for newer ones", raw.skipped);
 }
 
-// That pictures come by TCP instead is no fault of the stream, but the user has to know.
+// The stream works if pictures come by TCP instead, but the user has to know.
 void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   const ConnectionStatus connection = sources_.client.status();
   const ClientStatistics client = sources_.client.statistics();

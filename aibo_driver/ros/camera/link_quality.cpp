@@ -25,7 +25,7 @@ void LinkQualityMeter::add(const Picture& picture, double age, int every_nth_ima
   }
 }
 
-// The first picture of a connection says nothing about those before it, nor does one whose count goes back.
+// The first picture of a connection says nothing about those before it. The same holds if the count goes back.
 std::uint64_t LinkQualityMeter::imagesDue(const Picture& picture, int every_nth_image) {
   const std::optional<std::uint32_t> before =
       picture.connection_number == connection_number_ ? last_image_ : std::nullopt;

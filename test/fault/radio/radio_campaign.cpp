@@ -376,7 +376,7 @@ int runAll(const std::vector<Trial>& trials) {
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-/// Which trials to run; none of them: all but those that compare.
+/// Which trials to run. Without a choice, all but those that compare.
 struct Choice {
   bool short_form = false;
   bool compare = false;

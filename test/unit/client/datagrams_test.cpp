@@ -115,7 +115,7 @@ class DatagramsTest : public SessionFixture {
     }
   }
 
-  /// The numbers of the pictures delivered; the first that was made is 1. 0 is none of them.
+  /// The numbers of the pictures delivered. They begin with 1; 0 means no picture.
   std::vector<unsigned> delivered() const {
     std::vector<unsigned> numbers;
     for (const PicturePtr& picture : pictures_) {

@@ -398,7 +398,7 @@ class RcServerClient {
   /// @param timeout longest time to wait, 1 ms..1 h
   virtual std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
 
-  /// Takes a picture of 208x160 onto the robot's memory stick, where it stays whatever becomes of the connection.
+  /// Takes a picture of 208x160 onto the robot's memory stick, where it stays even if the connection ends.
   /// RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES), which version 1 of the protocol does
   /// not have. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
   /// @param quality 1..100
