@@ -24,10 +24,11 @@ ROBOT, COMPUTER = "192.168.7.2", "192.168.7.1"
 OFFICE, COMPUTER_IN_OFFICE = "192.168.1.9", "192.168.1.5"
 
 
-def run(*command):
-    """Runs a command and returns its output."""
+def run(*command, given=None):
+    """Runs a command, with this text as its input, and returns its output."""
     environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}  # missing in the PATH of ordinary users
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True, env=environment).stdout
+    return subprocess.run(command, input=given, check=True, stdout=subprocess.PIPE, universal_newlines=True,
+                          env=environment).stdout
 
 
 def rules_loaded():
@@ -157,6 +158,17 @@ class TheRules(unittest.TestCase):
                 robot.sendto(b"from robot", (COMPUTER_IN_OFFICE, 5001))
             self.driver_and_robot_talk()
             self.assertEqual(arrived(self.at_computer), expected)
+
+    def test_let_pictures_by_udp_in_if_the_line_is_used(self):
+        line = "ip saddr $robot udp dport 32768-60999 accept"
+        rules = RULES.read_text()
+        self.assertIn("# " + line, rules)
+        with self.robot.udp() as robot, self.computer.udp(port=32769) as driver:
+            for text, expected in ((rules, []), (rules.replace("# " + line, line), [b"picture"])):
+                run("nft", "-f", "-", given=text)
+                robot.sendto(b"picture", (COMPUTER, 32769))
+                self.driver_and_robot_talk()
+                self.assertEqual(arrived(driver), expected)
 
     def test_let_the_robot_ask_for_its_address(self):
         run("nft", "-f", str(RULES))
