@@ -36,7 +36,7 @@ def figures_of(google_benchmark):
 
 def read(path):
     with open(path, encoding="utf-8") as lines:
-        for line in filter(str.strip, lines):
+        for line in (line for line in lines if line.startswith("{")):  # roscpp logs to stdout
             entry = json.loads(line)
             if "benchmarks" in entry:
                 yield from figures_of(entry)
@@ -108,7 +108,7 @@ def main():
     print(table(figures))
     if options.results:
         with open(options.results, "w", encoding="utf-8") as results:
-            results.write("# Results\n\nWritten by `scripts/benchmark`. A figure is the median of its rounds; a ratio "
+            results.write("# Results\n\n`scripts/benchmark` writes this file. A figure is the median of its rounds; a ratio "
                           "compares it\nwith a limit or a rival in the same run. Only ratios say something about "
                           "another machine.\n\n" + machine() + "\n\n" + table(figures) + "\n")
     missed = [figure for figure in figures if figure.met is False]

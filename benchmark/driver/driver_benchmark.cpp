@@ -33,7 +33,6 @@
 namespace {
 
 namespace po = boost::program_options;
-using benchmark_figures::atLeast;
 using benchmark_figures::atMost;
 using benchmark_figures::print;
 using benchmark_figures::quantile;
@@ -44,7 +43,6 @@ using std::chrono::steady_clock;
 
 constexpr char kNamespace[] = "/driver_benchmark";
 constexpr microseconds kCameraPeriod{33445};  // of the ERS-7: 29.9 pictures a second
-constexpr microseconds kFastPeriod{1000};
 constexpr seconds kWarmUp{2};
 constexpr seconds kSafetyNet{30};
 
@@ -54,13 +52,10 @@ enum class Subscription { kNone, kCompressed, kRaw };
 struct Sources {
   test_support::PictureServer robot{2, kCameraPeriod};
   test_support::PictureServer old_robot{1, kCameraPeriod};  // minimal_node knows version 1 alone
-  test_support::PictureServer fast_robot{2, kFastPeriod};
-  test_support::PictureServer fast_old_robot{1, kFastPeriod};
   driver_benchmark::MjpegServer web_camera{kCameraPeriod};
 };
 
 struct Cost {
-  double pictures_per_second = 0;
   double processor_share = 0;  ///< of one processor
   double per_picture = 0;      ///< us of processor time
   std::vector<double> ages{};  ///< ms, from the first byte to the subscriber's callback
@@ -129,7 +124,6 @@ class DriverBenchmark {
   void run() {
     for (int round = 0; round < rounds_; ++round) {
       measureCamera();
-      measureFullRate();
     }
     report();
   }
@@ -137,16 +131,14 @@ class DriverBenchmark {
  private:
   using Start = std::function<std::unique_ptr<test_support::Process>()>;
 
-  static Start node(const test_support::PictureServer& robot, const std::vector<std::string>& parameters = {}) {
-    return [&robot, parameters] {
-      return std::make_unique<test_support::DriverProcess>(kNamespace, robot.port(), withoutTelemetry(parameters));
+  // Parameters stay at the master, so each node gets all of them. The rivals have no joints.
+  static Start node(const test_support::PictureServer& robot, bool streams = true) {
+    return [&robot, streams] {
+      return std::make_unique<test_support::DriverProcess>(
+          kNamespace, robot.port(),
+          std::vector<std::string>{"_telemetry_rate:=0",
+                                   streams ? "_stream_on_start:=true" : "_stream_on_start:=false"});
     };
-  }
-
-  // The rivals have no joints.
-  static std::vector<std::string> withoutTelemetry(std::vector<std::string> parameters) {
-    parameters.emplace_back("_telemetry_rate:=0");
-    return parameters;
   }
 
   static Start command(const std::vector<std::string>& words) {
@@ -182,14 +174,7 @@ class DriverBenchmark {
     measure("node, decoded", node(sources_.robot), Subscription::kRaw, robot);
     measure("OpenCV", python("opencv_reader.py"), Subscription::kRaw, web_camera);
     measure("node, no subscriber", node(sources_.robot), Subscription::kNone, robot);
-    measure("node, idle", node(sources_.robot, {"_stream_on_start:=false"}), Subscription::kNone, robot);
-  }
-
-  void measureFullRate() {
-    measure("node, 1000 a second", node(sources_.fast_robot), Subscription::kCompressed,
-            [this](std::uint64_t number) { return sources_.fast_robot.timeOf(number); });
-    measure("minimal node, 1000 a second", minimal(sources_.fast_old_robot), Subscription::kCompressed,
-            [this](std::uint64_t number) { return sources_.fast_old_robot.timeOf(number); });
+    measure("node, idle", node(sources_.robot, false), Subscription::kNone, robot);
   }
 
   void measure(const std::string& name, const Start& start, Subscription subscription,
@@ -207,8 +192,7 @@ class DriverBenchmark {
     const double duration = std::chrono::duration<double>(steady_clock::now() - begin).count();
     const auto pictures = static_cast<double>(
         subscription == Subscription::kNone ? sources_.robot.lastNumber() - sent_before : subscriber.count());
-    record(name, {pictures / duration, processor / duration, pictures > 0 ? 1e6 * processor / pictures : 0,
-                  subscriber.ages()});
+    record(name, {processor / duration, pictures > 0 ? 1e6 * processor / pictures : 0, subscriber.ages()});
   }
 
   static void waitForPictures(Subscription subscription, const Subscriber& subscriber, const std::string& name,
@@ -223,7 +207,6 @@ class DriverBenchmark {
   }
 
   void record(const std::string& name, const Cost& cost) {
-    rates_[name].push_back(cost.pictures_per_second);
     shares_[name].push_back(100 * cost.processor_share);
     costs_[name].push_back(cost.per_picture);
     medians_[name].push_back(quantile(cost.ages, 0.5));
@@ -241,10 +224,6 @@ class DriverBenchmark {
       print("age at the subscriber, median, node", "ms", medians_["node"], {name, medians_[name]});
       print("age at the subscriber, 99 %, node", "ms", worsts_["node"], {name, worsts_[name]});
     }
-    print("pictures a second, node, of 1000 a second", "/s", rates_["node, 1000 a second"],
-          {"minimal node", rates_["minimal node, 1000 a second"]});
-    print("processor time of node at 1000 a second", "us a picture", costs_["node, 1000 a second"],
-          {"minimal node", costs_["minimal node, 1000 a second"]});
   }
 
   void printCost(const char* name, const char* rival, const benchmark_figures::Mark& mark) {
@@ -255,7 +234,6 @@ class DriverBenchmark {
   const int window_;
   Sources sources_;
   ros::AsyncSpinner spinner_{1};
-  std::map<std::string, Rounds> rates_;
   std::map<std::string, Rounds> shares_;
   std::map<std::string, Rounds> costs_;
   std::map<std::string, Rounds> medians_;
