@@ -23,7 +23,7 @@ const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
     : object_(),
-      buffer_(NULL),
+      buffer_(),
       endpoint_number_(0),
       state_(CLOSED),
       aborting_(false),
@@ -43,27 +43,11 @@ Connection::Connection()
 bool Connection::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
-  antEnvCreateSharedBufferMsg create(MESSAGE_CAPACITY + PICTURE_SIZE + RECEIVE_SIZE);
-  if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
-    return false;
-  }
-  shared_buffer_ = create.buffer;
-  if (shared_buffer_.Map() != ANT_SUCCESS) {
-    return false;
-  }
-  buffer_ = static_cast<byte*>(shared_buffer_.GetAddress());
-  return true;
+  return buffer_.Create(stack_, MESSAGE_CAPACITY + PICTURE_SIZE + RECEIVE_SIZE);
 }
 
 void Connection::Destroy() {
-  if (buffer_ == NULL) {
-    return;
-  }
-  buffer_ = NULL;
-  // The IPStack refuses while a client is still connected. That does no harm: the robot is going off.
-  shared_buffer_.UnMap();
-  antEnvDestroySharedBufferMsg destroy(shared_buffer_);
-  destroy.Call(stack_, sizeof(destroy));
+  buffer_.Destroy(stack_);
 }
 
 bool Connection::Owns(const void* continuation) const {

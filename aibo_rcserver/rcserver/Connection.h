@@ -10,6 +10,7 @@
 #include "picture_encoder/PictureJob.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Session.h"
+#include "rcserver/SharedBuffer.h"
 
 /// Listens, serves one client, closes and listens again, each time with a new endpoint, because an endpoint of the
 /// IPStack serves only one connection.
@@ -76,7 +77,7 @@ class Connection {
   bool IsSending() const { return sending_; }
 
   /// Where the next message goes, MESSAGE_CAPACITY bytes. Not while IsSending().
-  byte* MessageBuffer() const { return buffer_; }
+  byte* MessageBuffer() const { return buffer_.Bytes(); }
 
   /// Sends the message in MessageBuffer(). Not while IsSending().
   /// @return false if the IPStack refuses
@@ -141,12 +142,11 @@ class Connection {
   bool Send(byte* bytes, size_t size);
   bool SendPart();
   bool Post(antEnvMsg& message, Selector entry, size_t size);
-  byte* ReceiveBuffer() const { return buffer_ + MESSAGE_CAPACITY + PICTURE_SIZE; }
+  byte* ReceiveBuffer() const { return buffer_.Bytes() + MESSAGE_CAPACITY + PICTURE_SIZE; }
 
   OID object_;
   antStackRef stack_;
-  antSharedBuffer shared_buffer_;
-  byte* buffer_;
+  SharedBuffer buffer_;
   antModuleRef endpoint_;
   size_t endpoint_number_;
   State state_;

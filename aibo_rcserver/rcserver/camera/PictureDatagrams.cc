@@ -26,7 +26,7 @@ const longword PictureDatagrams::PATIENCE_PER_PART;
 
 PictureDatagrams::PictureDatagrams()
     : object_(),
-      buffer_(NULL),
+      buffer_(),
       endpoint_number_(0),
       receiver_(0),
       port_(0),
@@ -39,27 +39,12 @@ PictureDatagrams::PictureDatagrams()
 bool PictureDatagrams::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
-  antEnvCreateSharedBufferMsg create(DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY + RECEIVE_SIZE);
-  if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
-    return false;
-  }
-  shared_buffer_ = create.buffer;
-  if (shared_buffer_.Map() != ANT_SUCCESS) {
-    return false;
-  }
-  buffer_ = static_cast<byte*>(shared_buffer_.GetAddress());
-  return true;
+  return buffer_.Create(stack_, DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY + RECEIVE_SIZE);
 }
 
 void PictureDatagrams::Destroy() {
-  if (buffer_ == NULL) {
-    return;
-  }
   Close();
-  buffer_ = NULL;
-  shared_buffer_.UnMap();
-  antEnvDestroySharedBufferMsg destroy(shared_buffer_);
-  destroy.Call(stack_, sizeof(destroy));
+  buffer_.Destroy(stack_);
 }
 
 bool PictureDatagrams::SendTo(Port port) {
@@ -74,7 +59,7 @@ bool PictureDatagrams::MaySend(longword now) const {
 
 void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size, longword now) {
   last_begun_ = now;
-  memcpy(buffer_ + DATAGRAM_HEADER_SIZE, jpeg, size);
+  memcpy(buffer_.Bytes() + DATAGRAM_HEADER_SIZE, jpeg, size);
   next_.jpeg_size = static_cast<unsigned>(size);
   next_.image = image;
   unsent_part_ = 0;
@@ -142,7 +127,7 @@ void PictureDatagrams::Close() {
 
 // The header takes the place of the end of the part before it, which the IPStack has already.
 void PictureDatagrams::SendPart() {
-  byte* const datagram = buffer_ + unsent_part_ * DATAGRAM_PART_SIZE;
+  byte* const datagram = buffer_.Bytes() + unsent_part_ * DATAGRAM_PART_SIZE;
   next_.part = static_cast<unsigned short>(unsent_part_);
   encodePictureDatagram(next_, datagram);
   ++next_.sequence;
@@ -164,5 +149,5 @@ void PictureDatagrams::Receive() {
 }
 
 byte* PictureDatagrams::ReceiveBuffer() const {
-  return buffer_ + DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
+  return buffer_.Bytes() + DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
 }

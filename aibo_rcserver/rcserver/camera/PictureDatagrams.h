@@ -9,6 +9,7 @@
 
 #include "picture_encoder/PictureJob.h"
 #include "protocol/picture_datagram.h"
+#include "rcserver/SharedBuffer.h"
 
 /// What a client's requests can do about datagrams.
 class DatagramSwitch {
@@ -87,8 +88,7 @@ class PictureDatagrams : public DatagramSwitch {
 
   OID object_;
   antStackRef stack_;
-  antSharedBuffer shared_buffer_;
-  byte* buffer_;  ///< room for the header of a datagram, then the JPEG, then a received datagram
+  SharedBuffer buffer_;  ///< room for the header of a datagram, then the JPEG, then a received datagram
   antModuleRef endpoint_;
   size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be told
   unsigned receiver_;       ///< the client's address
