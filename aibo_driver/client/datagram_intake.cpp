@@ -95,7 +95,8 @@ DatagramIntake::TimePoint DatagramIntake::deadline(std::chrono::milliseconds ext
 
 std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds extra_interval) const {
   if (assembly_.givenUpInARow() >= kMostGivenUp) {
-    return "so many datagrams are lost that no picture is whole; a weak radio link carries smaller pictures better";
+    return "so many datagrams are lost that no picture is complete; smaller pictures get through a weak radio link "
+           "better";
   }
   if (now < deadline(extra_interval)) {
     return "";

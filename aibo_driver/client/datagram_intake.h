@@ -28,8 +28,8 @@ class DatagramIntake {
   static constexpr std::chrono::milliseconds kMissing{500};
   /// ... and the next datagram gets this much time: after an outage, an answer by TCP may come first.
   static constexpr std::chrono::milliseconds kGrace{200};
-  /// If so many pictures in a row have lost a part, none will come: by chance, with pictures of 4 datagrams and a tenth
-  /// of them lost, it happens once in two years.
+  /// After this many incomplete pictures in a row, the client goes back to TCP. With 4 datagrams for each picture and a
+  /// tenth of them lost, that many follow each other by chance once in three years.
   static constexpr int kMostGivenUp = 20;
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(context) {}

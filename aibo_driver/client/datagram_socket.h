@@ -34,10 +34,10 @@ class DatagramSocket {
 
   /// Takes the next datagram, without waiting.
   /// @param[out] size bytes written to buffer; those that do not fit are lost
-  /// @return who sent it: the connection's peer or anybody else; nothing if there is none
+  /// @return who sent it, the connection's peer or somebody else; nothing if no datagram has come
   std::optional<Origin> receive(std::uint8_t* buffer, std::size_t capacity, std::size_t* size);
 
-  /// Sends a datagram to whom receive() has last had one from. It may be lost, as any.
+  /// Sends a datagram to the sender of the last one received. It may be lost.
   void reply(const std::uint8_t* data, std::size_t size) const;
 
  private:

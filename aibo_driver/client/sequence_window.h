@@ -12,7 +12,8 @@ namespace aibo_driver {
 class SequenceWindow {
  public:
   static constexpr std::int64_t kSize = 64;
-  /// A number that is further ahead is no robot's: at 31 pictures a second of 4 datagrams each, nine minutes.
+  /// A number further ahead than this is impossible. At 31 pictures a second of 4 datagrams each, it would be nine
+  /// minutes ahead.
   static constexpr std::int64_t kFarthest = 65536;
 
   enum class Verdict { kNext, kReordered, kDuplicate, kImpossible };

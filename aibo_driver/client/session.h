@@ -61,7 +61,7 @@ class Session {
   virtual void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 
   /// A datagram has come from the server's address at this time.
-  /// @return a datagram to send back; empty if there is none
+  /// @return the datagram to send back, or empty
   /// @throw as bytesArrived()
   virtual Bytes datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 

@@ -72,7 +72,7 @@ struct Command {
 /// All commands, in the order of the help.
 const std::vector<Command>& allCommands();
 
-/// @return null if there is none of this name
+/// The command with this name, or null.
 const Command* findCommand(const std::string& name);
 
 }  // namespace aibo_driver::command_line

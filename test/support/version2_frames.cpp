@@ -12,6 +12,14 @@ Frame split(const Bytes& bytes) {
   return {version2::decodeFrameHeader(bytes.data()), Bytes(bytes.begin() + version2::FRAME_HEADER_SIZE, bytes.end())};
 }
 
+std::string textOf(const Frame& frame, std::size_t longest) {
+  std::string text = frame.header.kind + (" " + std::to_string(frame.header.id));
+  for (std::size_t i = 0; i < std::min(longest, frame.payload.size()); ++i) {
+    text += " " + std::to_string(frame.payload[i]);
+  }
+  return text;
+}
+
 Bytes makeFrame(char kind, int number, const Bytes& payload) {
   version2::FrameHeader header = {};
   header.kind = kind;

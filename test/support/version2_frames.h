@@ -3,6 +3,7 @@
 #ifndef TEST_SUPPORT_VERSION2_FRAMES_H
 #define TEST_SUPPORT_VERSION2_FRAMES_H
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Frame {
 
 /// Splits one whole frame into header and payload.
 Frame split(const Bytes& bytes);
+
+/// Kind, id and payload as text, as in "W 85 1 0 0 1".
+/// @param longest the most bytes of the payload that are shown
+std::string textOf(const Frame& frame, std::size_t longest = 256);
 
 Bytes makeFrame(char kind, int number, const Bytes& payload);
 

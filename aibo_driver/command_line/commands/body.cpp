@@ -118,8 +118,7 @@ std::vector<LedCommand> ledCommands(const Arguments& arguments, const robot_mode
   for (const Assignment& led : parseAssignments(arguments.words, "face=0.5")) {
     const std::vector<int> ids = body::findLeds(led.name, model);
     if (ids.empty()) {
-      throw InvalidArgumentException("there is no LED and no group of LEDs named '" + led.name +
-                                     "': see `aibo help leds`");
+      throw InvalidArgumentException("no LED or group of LEDs is named '" + led.name + "': see `aibo help leds`");
     }
     const int level = body::ledLevel(parseNumber("the intensity of " + led.name, led.value, 0, 1));
     for (const int id : ids) {

@@ -43,7 +43,7 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
     const float intensity = message.intensities[message.intensities.size() == 1 ? 0 : i];
     const std::vector<int> ids = body::findLeds(name, model);
     if (ids.empty()) {
-      orders.refusals.push_back("There is no LED and no group of LEDs named '" + name + "'.");
+      orders.refusals.push_back("No LED or group of LEDs is named '" + name + "'.");
     } else if (!(intensity >= 0 && intensity <= 1)) {
       std::ostringstream text;
       text << "LED " << name << " cannot shine with intensity " << intensity << "; the range is 0..1.";

@@ -35,11 +35,7 @@ class CameraRequestsTest : public SessionFixture {
     }
     const version2_frames::Frame frame = version2_frames::split(bytes);
     number_ = frame.header.request_number;
-    std::string text = frame.header.kind + (" " + std::to_string(frame.header.id));
-    for (const std::uint8_t byte : frame.payload) {
-      text += " " + std::to_string(byte);
-    }
-    return frame.payload.empty() ? text + " -" : text;
+    return version2_frames::textOf(frame) + (frame.payload.empty() ? " -" : "");
   }
 
   void refuse(int code) { receive(makeFrame('e', number_, version2_frames::makeError(code, "not supported: it"))); }

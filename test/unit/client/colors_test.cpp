@@ -65,11 +65,7 @@ class ColorsTest : public SessionFixture {
     const version2_frames::Frame frame = version2_frames::split(bytes);
     number_ = frame.header.request_number;
     payload_ = frame.payload;
-    std::string text = frame.header.kind + (" " + std::to_string(frame.header.id));
-    for (std::size_t i = 0; i < std::min<std::size_t>(4, frame.payload.size()); ++i) {
-      text += " " + std::to_string(frame.payload[i]);
-    }
-    return text;
+    return version2_frames::textOf(frame, 4);
   }
 
   /// The detection is on, and channel 0 detects a ball.

@@ -14,7 +14,7 @@
 
 namespace aibo_driver {
 
-/// The camera has so many channels at most, each with a table of its own: an ERS-7 can use 0..6, an ERS-210 0..7.
+/// A camera has at most this many channels, each with its own table. An ERS-7 can use 0..6, an ERS-210 0..7.
 constexpr int kMostColorChannels = 8;
 
 /// A table has a segment for each 8 values of Y, from dark to bright.
