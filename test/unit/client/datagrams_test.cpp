@@ -323,7 +323,7 @@ TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcp) {
     picture.pop_back();
     arrive(picture);
   });
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("no picture is whole"));
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no picture is complete"));
   EXPECT_FALSE(connection_.lets_no_datagram_through);
 }
 
