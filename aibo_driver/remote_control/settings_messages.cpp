@@ -23,10 +23,10 @@ QVariant valueOf(const Parameters& parameters, const std::string& name) {
 // dynamic_reconfigure writes choices as a dictionary of Python, in which each entry has a name, a value and, last, a
 // description.
 QVector<QPair<QString, QVariant>> choicesIn(const QString& edit_method, bool are_texts) {
-  static const QRegularExpression kEntry(
+  static const QRegularExpression pattern(
       "'name': '([^']*)'[^}]*?'value': '?([^',}]*)'?,[^}]*?'description': ['\"](.*?)['\"][,}]");
   QVector<QPair<QString, QVariant>> choices;
-  auto entries = kEntry.globalMatch(edit_method);
+  auto entries = pattern.globalMatch(edit_method);
   while (entries.hasNext()) {
     const QRegularExpressionMatch entry = entries.next();
     const QVariant value = are_texts ? QVariant(entry.captured(2)) : QVariant(entry.captured(2).toInt());
