@@ -7,7 +7,7 @@ namespace aibo_driver {
 namespace {
 
 // Room for the largest picture twice; the kernel gives what it allows.
-constexpr int kReceiveBufferSize = 512 * 1024;
+constexpr int kDatagramBufferSize = 512 * 1024;
 
 sockaddr* asAddress(sockaddr_storage* storage) {
   return reinterpret_cast<sockaddr*>(storage);
@@ -35,7 +35,7 @@ bool DatagramSocket::open(int connection) {
   if (!socket.valid() || ::bind(socket.get(), asAddress(&own), own_size) != 0) {
     return false;
   }
-  ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &kReceiveBufferSize, sizeof kReceiveBufferSize);
+  ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &kDatagramBufferSize, sizeof kDatagramBufferSize);
   socket_ = std::move(socket);
   return true;
 }

@@ -51,6 +51,9 @@ struct Received {
 class Robot {
  public:
   static constexpr std::size_t kMostPictures = 64;
+  static constexpr int kTelemetryPeriod = 4;                  ///< frames
+  static constexpr std::chrono::seconds kMeasureTimeout{3};   ///< a version 1 server measures one value after the other
+  static constexpr std::chrono::milliseconds kTimeout{2000};  ///< of a request that is answered at once
 
   /// Whether a lost connection ends waiting. It is made again in any case.
   enum class Loss { kFails, kIsTolerated };

@@ -7,7 +7,6 @@ namespace {
 
 constexpr const char* kPan = "head_pan";
 constexpr const char* kTilt = "head_tilt";
-constexpr double kAnySpeed = 20;  // rad/s; the driver limits it
 
 /// -1 at the lowest position, 1 at the highest.
 double toPad(double position, const joints::JointProperties& joint) {

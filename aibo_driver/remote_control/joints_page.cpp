@@ -9,8 +9,6 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-constexpr double kAnySpeed = 20;  // rad/s; the driver limits it
-
 /// Where a joint is on the page: the title of its group, and its own name there.
 struct Place {
   QString group;

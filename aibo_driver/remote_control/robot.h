@@ -17,6 +17,9 @@ namespace aibo_driver::remote_control {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+/// rad/s, where a speed has to be given; the driver limits it.
+constexpr double kAnySpeed = 20;
+
 /// The way from this window to the robot.
 struct RobotConnection {
   enum class State {

@@ -14,7 +14,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-constexpr double kPeriod = 1.0;  // seconds, REP 107
+constexpr double kDiagnosticsPeriod = 1.0;  // seconds, REP 107
 
 std::string oneDecimal(double value) {
   char text[32];
@@ -54,7 +54,7 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
   updater_.add("stream", this, &DriverDiagnostics::reportStream);
   updater_.add("joints", this, &DriverDiagnostics::reportJoints);
   updater_.add("power", this, &DriverDiagnostics::reportPower);
-  timer_ = ros::NodeHandle(handle).createSteadyTimer(ros::WallDuration(kPeriod),
+  timer_ = ros::NodeHandle(handle).createSteadyTimer(ros::WallDuration(kDiagnosticsPeriod),
                                                      [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
 }
 

@@ -134,7 +134,7 @@ class ParameterReader {
     if (value.getType() == XmlRpcValue::TypeString) {
       message << "the text '" << static_cast<std::string>(XmlRpcValue(value)) << "'";
     } else {
-      message << value;
+      value.write(message);
     }
     message << "; allowed is " << allowed << ". ";
     refusals_ += message.str();

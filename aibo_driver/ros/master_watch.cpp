@@ -22,7 +22,7 @@ namespace {
 using XmlRpc::XmlRpcDispatch;
 using XmlRpc::XmlRpcValue;
 
-constexpr std::chrono::seconds kPeriod{5};
+constexpr std::chrono::seconds kQuestionPeriod{5};
 constexpr std::chrono::seconds kAnswerTimeout{2};
 constexpr double kSlice = 0.05;  // s: how often a call that waits looks whether the watch ends
 constexpr int kSuccess = 1;      // the status of an answer, http://wiki.ros.org/ROS/Master_API
@@ -170,7 +170,7 @@ void MasterWatch::run(const std::string& parameters) {
     } catch (const XmlRpc::XmlRpcException& error) {
       ROS_WARN_STREAM_ONCE_NAMED("master", "The ROS master's answer cannot be understood: " << error.getMessage());
     }
-  } while (ended_.wait_for(kPeriod) == std::future_status::timeout);
+  } while (ended_.wait_for(kQuestionPeriod) == std::future_status::timeout);
 }
 
 }  // namespace aibo_driver::node

@@ -7,7 +7,7 @@
 namespace aibo_driver::node {
 namespace {
 
-constexpr std::chrono::seconds kPeriod{5};
+constexpr std::chrono::seconds kRepetitionPeriod{5};
 
 // Texts quote what users send, so their number is not limited.
 constexpr std::size_t kMostRemembered = 100;
@@ -28,7 +28,7 @@ void ThrottledWarnings::warn(const std::string& text) {
   const auto now = std::chrono::steady_clock::now();
   const std::string kind = withoutNumbers(text);
   const auto found = last_.find(kind);
-  if (found != last_.end() && now - found->second < kPeriod) {
+  if (found != last_.end() && now - found->second < kRepetitionPeriod) {
     return;
   }
   if (last_.size() >= kMostRemembered) {

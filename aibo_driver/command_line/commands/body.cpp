@@ -14,10 +14,8 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr double kPatience = 3;    // s, for measurements: a version 1 server sends one sensor after the other
 constexpr double kLongest = 3600;  // s
 constexpr double kEarTime = 0.3;   // s, until an ear has been drawn (128 ms) and let go
-constexpr int kTelemetryPeriod = 4;
 
 std::string unitOf(robot_model::SensorKind kind) {
   switch (kind) {
@@ -45,8 +43,8 @@ const char* wordOf(robot_model::SensorKind kind, bool pressed) {
 /// Waits for all sensors of the robot, and returns what has come.
 std::map<int, double> measureSensors(Robot& robot) {
   const auto all = static_cast<std::size_t>(robot.model().number_of_sensors);
-  robot.client().setTelemetryPeriod(kTelemetryPeriod);
-  robot.waitUntil([all](const Received& received) { return received.sensors.size() >= all; }, nanosecondsOf(kPatience));
+  robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
+  robot.waitUntil([all](const Received& received) { return received.sensors.size() >= all; }, Robot::kMeasureTimeout);
   const std::map<int, double> sensors = robot.received().sensors;
   if (sensors.empty()) {
     throw FailedException("the robot does not report its sensors: does its server support them?");
@@ -91,12 +89,12 @@ ExitStatus showBattery(const Arguments& arguments, Output& output) {
   };
   const int charge_id = idOf("battery");
   const int temperature_id = idOf("temperature");
-  robot.client().setTelemetryPeriod(kTelemetryPeriod);
+  robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
   const bool measured = robot.waitUntil(
       [&](const Received& received) {
         return received.sensors.count(charge_id) > 0 && received.sensors.count(temperature_id) > 0;
       },
-      nanosecondsOf(kPatience));
+      Robot::kMeasureTimeout);
   if (!measured) {
     throw FailedException("the robot does not report its battery: does its server support sensors?");
   }

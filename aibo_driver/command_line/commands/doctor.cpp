@@ -29,7 +29,6 @@ constexpr double kHighLoss = 0.1;
 constexpr double kLongGap = 0.5;        // s, between two pictures
 constexpr double kLowCharge = 0.2;      // as in the driver's diagnostics
 constexpr double kBatteryPatience = 3;  // s
-constexpr int kTelemetryPeriod = 4;     // frames
 
 /// One line of the report.
 struct Finding {
@@ -199,7 +198,7 @@ class Doctor {
       return;
     }
     const int id = model.sensors[index].identifier;
-    robot.client().setTelemetryPeriod(kTelemetryPeriod);
+    robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
     const auto measured = [id](const Received& received) { return received.sensors.count(id) > 0; };
     if (!robot.waitUntil(measured, nanosecondsOf(kBatteryPatience))) {
       find({"battery", false, "the robot does not report its battery", "Does its server support sensors?"});

@@ -21,7 +21,6 @@ namespace {
 namespace po = boost::program_options;
 using std::chrono::steady_clock;
 
-constexpr double kPatience = 3;          // s, for measurements: a version 1 server sends one joint after the other
 constexpr double kMargin = 3;            // s, beyond the time that a way takes
 constexpr double kMoment = 1.5;          // s, beyond the time that a way takes at full speed
 constexpr double kThere = 0.0087;        // rad, half a degree
@@ -29,8 +28,6 @@ constexpr double kNear = 0.087;          // rad, 5 degrees
 constexpr double kClamped = 0.001;       // rad
 constexpr double kLongestDuration = 60;  // s
 constexpr double kLowestSpeed = 0.01;    // rad/s
-constexpr int kTelemetryPeriod = 4;      // frames
-constexpr std::chrono::milliseconds kHoldTimeout{2000};
 
 /// To a tenth, without a sign before zero.
 double roundedDegrees(double radian) {
@@ -112,9 +109,9 @@ class Mover {
 
   /// The filter needs to know where the joints are.
   void measure() {
-    robot_.client().setTelemetryPeriod(kTelemetryPeriod);
+    robot_.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
     const bool measured = robot_.waitUntil(
-        [this](const Received& received) { return received.joints.size() >= table_.size(); }, nanosecondsOf(kPatience));
+        [this](const Received& received) { return received.joints.size() >= table_.size(); }, Robot::kMeasureTimeout);
     if (!measured) {
       throw FailedException("the robot does not report where its joints are, so none was moved");
     }
@@ -143,7 +140,7 @@ class Mover {
       return std::all_of(orders.begin(), orders.end(),
                          [&](const auto& order) { return received.accepted_joints.count(order.first) > 0; });
     };
-    if (!robot_.waitUnlessRefused(accepted, nanosecondsOf(kPatience))) {
+    if (!robot_.waitUnlessRefused(accepted, Robot::kMeasureTimeout)) {
       throw FailedException("the robot did not say that it accepts the command");
     }
     for (const auto& [id, order] : orders) {
@@ -195,10 +192,10 @@ class Mover {
       here[id] = {position(id), order.speed};
     }
     if (robot_.reportsEnds()) {
-      robot_.client().hold(ids, kHoldTimeout);
+      robot_.client().hold(ids, Robot::kTimeout);
     } else {
       link_.send(here, std::chrono::milliseconds(0));
-      robot_.client().stopMotion("", kHoldTimeout);  // its answer comes after theirs
+      robot_.client().stopMotion("", Robot::kTimeout);  // its answer comes after theirs
     }
   }
 
@@ -248,9 +245,9 @@ ExitStatus showJoints(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
   const joints::JointTable table(robot.model().design, joints::kUsualSpeedLimit);
-  robot.client().setTelemetryPeriod(kTelemetryPeriod);
+  robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
   robot.waitUntil([&](const Received& received) { return received.joints.size() >= table.size(); },
-                  nanosecondsOf(kPatience));
+                  Robot::kMeasureTimeout);
   const std::map<int, JointReading> measured = robot.received().joints;
   if (measured.empty()) {
     throw FailedException("the robot does not report its joints: does its server support them?");

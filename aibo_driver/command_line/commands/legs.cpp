@@ -13,7 +13,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::chrono::milliseconds kTimeout{2000};
 constexpr std::chrono::milliseconds kSteeringPeriod{100};  // the robot stops 500 ms after the last one
 constexpr double kLongestWalk = 60;                        // s
 constexpr double kLongestPosture = 30;                     // s; lying down from standing takes about 5
@@ -51,7 +50,7 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
   }
   robot.client().steer({});
   if (interrupted) {
-    robot.client().hold({}, kTimeout);
+    robot.client().hold({}, Robot::kTimeout);
     throw Interrupted("the walk was interrupted");
   }
 }
@@ -76,7 +75,7 @@ ExitStatus takePosture(const Arguments& arguments, Output& output, Posture postu
                        const std::string& words) {
   Robot robot(arguments.robot, output);
   robot.connect();
-  robot.client().takePosture(posture, kTimeout);
+  robot.client().takePosture(posture, Robot::kTimeout);
   if (!waitForEnd(robot, EndedKind::kPosture, name, kLongestPosture)) {
     throw FailedException("the robot did not take the posture in time");
   }

@@ -7,8 +7,6 @@
 namespace aibo_driver::command_line {
 namespace {
 
-constexpr std::chrono::milliseconds kTimeout{2000};
-
 ExitStatus switchMotors(const Arguments& arguments, Output& output) {
   const std::string& wish = arguments.words.front();
   if (wish != "on" && wish != "off") {
@@ -16,7 +14,7 @@ ExitStatus switchMotors(const Arguments& arguments, Output& output) {
   }
   Robot robot(arguments.robot, output);
   robot.connect();
-  const bool on = robot.client().setMotors(wish == "on", kTimeout);
+  const bool on = robot.client().setMotors(wish == "on", Robot::kTimeout);
   if (on != (wish == "on")) {
     throw FailedException(std::string("the robot says that its motors are still ") + (on ? "on" : "off"));
   }
@@ -30,9 +28,9 @@ ExitStatus stop(const Arguments& arguments, Output& output) {
   robot.connect();
   const bool holds = robot.reportsEnds();
   if (holds) {
-    robot.client().hold({}, kTimeout);
+    robot.client().hold({}, Robot::kTimeout);
   } else {
-    robot.client().stopMotion("", kTimeout);
+    robot.client().stopMotion("", Robot::kTimeout);
   }
   output.result(holds ? "The robot holds: nothing moves it any more."
                       : "All motions are stopped. This server has no request that stops joints on their way.",

@@ -13,7 +13,7 @@ namespace aibo_driver::node {
 namespace {
 
 // Several programs may each command some of the LEDs.
-constexpr std::uint32_t kQueueSize = 10;
+constexpr std::uint32_t kExpressionQueueSize = 10;
 
 // @return what is wrong with the message as a whole; empty if it is fine
 std::string describeMisfit(const Leds& message) {
@@ -66,11 +66,11 @@ void ExpressionCommander::subscribe(const ros::NodeHandle& handle) {
   const boost::function<void(const Leds::ConstPtr&)> receive_leds = [this](const Leds::ConstPtr& message) {
     receiveLeds(*message);
   };
-  leds_ = topics.subscribe<Leds>("leds", kQueueSize, receive_leds);
+  leds_ = topics.subscribe<Leds>("leds", kExpressionQueueSize, receive_leds);
   const boost::function<void(const Ears::ConstPtr&)> receive_ears = [this](const Ears::ConstPtr& message) {
     receiveEars(*message);
   };
-  ears_ = topics.subscribe<Ears>("ears", kQueueSize, receive_ears);
+  ears_ = topics.subscribe<Ears>("ears", kExpressionQueueSize, receive_ears);
 }
 
 void ExpressionCommander::receiveLeds(const Leds& message) {

@@ -10,16 +10,12 @@ namespace aibo_driver::node {
 namespace {
 
 // As robot_state_publisher's.
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kFootprintQueueSize = 100;
 
 // The accelerometer measures every step and stop of the robot, too. Our choice.
 constexpr double kSmoothing = 0.25;  // s
 
 constexpr const char* kLegNames[kLegs] = {"left_front_", "left_hind_", "right_front_", "right_hind_"};
-
-const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const char* name) {
-  return model.sensors[robot_model::findSensorByName(model, name)];
-}
 
 geometry_msgs::Transform toTransform(const Eigen::Isometry3d& pose) {
   const Eigen::Quaterniond rotation(pose.linear());
@@ -49,7 +45,7 @@ FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const Driv
     leg_joints_[leg] = {*joint_table.findByName(name + "rotator"), *joint_table.findByName(name + "elevator"),
                         *joint_table.findByName(name + "knee")};
   }
-  publisher_ = ros::NodeHandle(handle).advertise<tf2_msgs::TFMessage>("/tf", kQueueSize);
+  publisher_ = ros::NodeHandle(handle).advertise<tf2_msgs::TFMessage>("/tf", kFootprintQueueSize);
 }
 
 void FootprintPublisher::publish(const Telemetry& telemetry) {

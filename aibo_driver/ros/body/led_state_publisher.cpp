@@ -6,7 +6,7 @@
 namespace aibo_driver::node {
 namespace {
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUnknownIntensity = std::numeric_limits<float>::quiet_NaN();
 constexpr float kHighestIntensity = 255;  // on the wire
 
 bool areEqual(float left, float right) {
@@ -19,7 +19,7 @@ LedMemory::LedMemory(const robot_model::RobotModel& model) : model_(model) {
   for (int i = 0; i < model.number_of_leds; ++i) {
     states_.names.emplace_back(model.leds[i].name);
   }
-  states_.intensities.assign(states_.names.size(), kUnknown);
+  states_.intensities.assign(states_.names.size(), kUnknownIntensity);
   states_.modes.assign(states_.names.size(), LedStates::MODE_A);
 }
 
@@ -29,7 +29,7 @@ bool LedMemory::update(const ConnectionStatus& status) {
     return false;
   }
   is_connected_ = is_connected;
-  return setAll(is_connected && status.protocol_version >= 2 ? 0 : kUnknown);
+  return setAll(is_connected && status.protocol_version >= 2 ? 0 : kUnknownIntensity);
 }
 
 bool LedMemory::accept(const std::vector<LedCommand>& leds) {

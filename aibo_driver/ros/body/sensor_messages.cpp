@@ -39,6 +39,10 @@ Touch untouched() {
 
 }  // namespace
 
+const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const char* name) {
+  return model.sensors[robot_model::findSensorByName(model, name)];
+}
+
 std::optional<double> readingOf(const robot_model::Sensor& sensor, const Telemetry& telemetry) {
   const auto found = std::find_if(telemetry.sensors.begin(), telemetry.sensors.end(),
                                   [&sensor](const SensorReading& reading) { return reading.id == sensor.identifier; });

@@ -22,6 +22,9 @@
 
 namespace aibo_driver::node {
 
+/// @param name of a sensor that every robot has
+const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const char* name);
+
 /// @return what a sensor measured; empty if this telemetry does not contain it
 std::optional<double> readingOf(const robot_model::Sensor& sensor, const Telemetry& telemetry);
 

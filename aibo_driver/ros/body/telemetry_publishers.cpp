@@ -9,14 +9,9 @@ namespace aibo_driver::node {
 namespace {
 
 // For each subscriber. As many messages can come at once after the radio was held up (rcserver_client.h).
-constexpr std::uint32_t kQueueSize = 64;
+constexpr std::uint32_t kTelemetryQueueSize = 64;
 
 constexpr const char* kBaseFrame = "base_link";
-
-// For sensors that every robot has.
-const robot_model::Sensor& sensorOf(const robot_model::RobotModel& model, const char* name) {
-  return model.sensors[robot_model::findSensorByName(model, name)];
-}
 
 }  // namespace
 
@@ -51,7 +46,7 @@ template <typename Source>
 void TelemetryPublishers::add(const std::string& topic, const std::string& frame, Source source) {
   using Message = typename Source::Message;
   const std::string frame_id = frame.empty() ? "" : parameters_.frame(frame);
-  publishers_.push_back([this, publisher = handle_.advertise<Message>(topic, kQueueSize), frame_id,
+  publishers_.push_back([this, publisher = handle_.advertise<Message>(topic, kTelemetryQueueSize), frame_id,
                          source = std::move(source)](const Telemetry& telemetry) mutable {
     if (auto reading = source.read(telemetry)) {
       const auto message = boost::make_shared<Message>(std::move(*reading));

@@ -15,6 +15,9 @@ constexpr double kCameraRate = 30.0;
 /// The lowest rate of a stream. With one picture in a second or less, the stream could not be told from a broken one.
 constexpr double kLowestFrameRate = 2.0;
 
+/// The highest quality of a JPEG (report, section 3.3.6).
+constexpr int kMaxQuality = 100;
+
 /// What users may write as a resolution, for messages.
 constexpr const char* kResolutionNames = "52x40, 104x80, 208x160 or 416x320";
 

@@ -9,7 +9,7 @@ namespace aibo_driver::node {
 namespace {
 
 // For each subscriber. At 30 pictures a second, one that cannot keep up is at most 170 ms behind.
-constexpr std::uint32_t kQueueSize = 5;
+constexpr std::uint32_t kPictureQueueSize = 5;
 
 }  // namespace
 
@@ -24,10 +24,10 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
     subscribers_changed();
   };
   // Built from the resolved base name, so that remapping image_raw remaps these two as well.
-  compressed_publisher_ =
-      handle.advertise<sensor_msgs::CompressedImage>(image_topic + "/compressed", kQueueSize, on_change, on_change);
+  compressed_publisher_ = handle.advertise<sensor_msgs::CompressedImage>(image_topic + "/compressed", kPictureQueueSize,
+                                                                         on_change, on_change);
   camera_info_publisher_ = handle.advertise<sensor_msgs::CameraInfo>(image_transport::getCameraInfoTopic(image_topic),
-                                                                     kQueueSize, on_change, on_change);
+                                                                     kPictureQueueSize, on_change, on_change);
 }
 
 sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture) {

@@ -8,7 +8,7 @@ namespace aibo_driver::node {
 namespace {
 
 constexpr RgbColor kWhite = {255, 255, 255};
-constexpr std::uint32_t kQueueSize = 5;  // as of pictures
+constexpr std::uint32_t kColorQueueSize = 5;  // as of pictures
 
 }  // namespace
 
@@ -22,8 +22,8 @@ ColorPublisher::ColorPublisher(const ros::NodeHandle& handle, const DriverParame
   const ros::SubscriberStatusCallback on_change = [this](const ros::SingleSubscriberPublisher&) {
     subscribersChanged();
   };
-  regions_ = topics.advertise<ColorRegions>("color_regions", kQueueSize, on_change, on_change);
-  mask_ = topics.advertise<sensor_msgs::Image>("color_mask", kQueueSize, on_change, on_change);
+  regions_ = topics.advertise<ColorRegions>("color_regions", kColorQueueSize, on_change, on_change);
+  mask_ = topics.advertise<sensor_msgs::Image>("color_mask", kColorQueueSize, on_change, on_change);
 }
 
 void ColorPublisher::start(std::function<void(const ColorDetection&)> detect) {

@@ -9,7 +9,7 @@
 namespace aibo_driver::node {
 namespace {
 
-constexpr double kPeriod = 1.0;  // s
+constexpr double kQualityPeriod = 1.0;  // s
 
 }  // namespace
 
@@ -60,7 +60,8 @@ LinkQualityPublisher::LinkQualityPublisher(const ros::NodeHandle& handle,
     : asked_every_nth_image_(std::move(asked_every_nth_image)) {
   ros::NodeHandle topics(handle);
   publisher_ = topics.advertise<LinkQuality>("link_quality", 1);
-  timer_ = topics.createSteadyTimer(ros::WallDuration(kPeriod), [this](const ros::SteadyTimerEvent&) { publish(); });
+  timer_ =
+      topics.createSteadyTimer(ros::WallDuration(kQualityPeriod), [this](const ros::SteadyTimerEvent&) { publish(); });
 }
 
 void LinkQualityPublisher::add(const Picture& picture, const ros::Time& stamp) {

@@ -1,18 +1,16 @@
 #include "ros/camera/stick_picture_services.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
 #include "files/files.h"
+#include "ros/camera/camera_options.h"
 #include "ros/camera/camera_publisher.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {
 namespace {
-
-constexpr std::uint8_t kMaxQuality = 100;  // report, section 3.3.6
 
 /// @throw InvalidArgumentException there is no name
 std::string nameOf(const std::string& asked) {

@@ -1,7 +1,6 @@
 #include "ros/camera/stream_services.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -12,8 +11,6 @@
 
 namespace aibo_driver::node {
 namespace {
-
-constexpr std::uint8_t kMaxQuality = 100;  // report, section 3.3.6
 
 std::string describePicture(const Picture& picture, int asked_quality, int stream_quality) {
   std::string text = "Took a picture of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +

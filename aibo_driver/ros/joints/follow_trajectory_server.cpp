@@ -31,7 +31,7 @@ using Server = actionlib::ActionServer<FollowJointTrajectoryAction>;
 using Result = FollowJointTrajectoryResult;
 using Tolerances = std::map<std::string, control_msgs::JointTolerance>;
 
-constexpr std::chrono::milliseconds kPeriod{50};
+constexpr std::chrono::milliseconds kFeedbackPeriod{50};
 
 // How long joints may take to settle within the tolerances if the goal does not say.
 constexpr double kSettling = 0.3;  // s
@@ -93,7 +93,7 @@ class ActionServer : public FollowTrajectoryServer {
     constexpr bool kOneShot = false;
     constexpr bool kAutostart = false;
     timer_ = actions.createSteadyTimer(
-        ros::WallDuration(std::chrono::duration<double>(kPeriod).count()),
+        ros::WallDuration(std::chrono::duration<double>(kFeedbackPeriod).count()),
         [this](const ros::SteadyTimerEvent&) { watch(); }, kOneShot, kAutostart);
     server_ = std::make_unique<Server>(
         actions, "follow_joint_trajectory", [this](const Server::GoalHandle& goal) { accept(goal); },

@@ -12,7 +12,7 @@ namespace aibo_driver::node {
 namespace {
 
 // Several programs may each command some of the joints.
-constexpr std::uint32_t kQueueSize = 10;
+constexpr std::uint32_t kCommandQueueSize = 10;
 
 // A newer trajectory may replace another one, or move other joints.
 constexpr std::uint32_t kTrajectoryQueueSize = 5;
@@ -50,7 +50,7 @@ void JointCommander::subscribe(const ros::NodeHandle& handle) {
                               }));
   }
   using sensor_msgs::JointState;
-  subscribers_.push_back(subscribeTo<JointState>("joint_command", kQueueSize, &topics,
+  subscribers_.push_back(subscribeTo<JointState>("joint_command", kCommandQueueSize, &topics,
                                                  [this](const ros::MessageEvent<JointState const>& event) {
                                                    receive(*event.getMessage(), event.getPublisherName());
                                                  }));

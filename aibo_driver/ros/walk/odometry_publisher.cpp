@@ -18,7 +18,7 @@ constexpr double kVelocityError = 0.15;
 constexpr double kRestError = 0.001;  // m/s, rad/s
 
 // What odometry over the floor does not measure, height, roll and pitch, as drivers of other robots give it.
-constexpr double kUnknown = 1e6;
+constexpr double kUnknownVariance = 1e6;
 
 double varianceOf(double velocity, double other) {
   const double error = kRestError + kVelocityError * (std::abs(velocity) + std::abs(other));
@@ -54,8 +54,8 @@ nav_msgs::Odometry toMessage(const Odometry& odometry, const WalkVelocity& veloc
   odom.twist.covariance[at(1, 1)] = odom.twist.covariance[at(0, 0)];
   odom.twist.covariance[at(5, 5)] = varianceOf(velocity.turn, velocity.forward);
   for (const std::size_t unknown : kNotMeasured) {
-    odom.pose.covariance[at(unknown, unknown)] = kUnknown;
-    odom.twist.covariance[at(unknown, unknown)] = kUnknown;
+    odom.pose.covariance[at(unknown, unknown)] = kUnknownVariance;
+    odom.twist.covariance[at(unknown, unknown)] = kUnknownVariance;
   }
   return odom;
 }

@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-UDPEndpointError errorOf(int error) {
+UDPEndpointError udpErrorOf(int error) {
   switch (error) {
     case 0:
       return UDP_SUCCESS;
@@ -46,7 +46,7 @@ void UdpEndpoint::bind(UDPEndpointBindMsg& message, const std::string& bind_addr
   FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const sockaddr_in local = SocketAddress::parse(bind_address, message.port).system();
   if (!socket.isOpen() || ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&local), sizeof(local)) != 0) {
-    message.error = errorOf(errno);
+    message.error = udpErrorOf(errno);
     return;
   }
   setsockopt(socket.get(), SOL_SOCKET, SO_SNDBUF, &pool_size_, sizeof(pool_size_));
@@ -64,7 +64,7 @@ void UdpEndpoint::connect(UDPEndpointConnectMsg& message) {
   }
   const sockaddr_in foreign = SocketAddress(message.address, message.port).system();
   const bool connected = ::connect(socket_.get(), reinterpret_cast<const sockaddr*>(&foreign), sizeof(foreign)) == 0;
-  message.error = connected ? UDP_SUCCESS : errorOf(errno);
+  message.error = connected ? UDP_SUCCESS : udpErrorOf(errno);
   is_connected_ = is_connected_ || connected;
 }
 
@@ -100,7 +100,7 @@ void UdpEndpoint::goOnSending() {
   if (count >= 0) {
     sending_.end(UDP_SUCCESS);
   } else if (!isTransient(errno)) {
-    sending_.end(errorOf(errno));
+    sending_.end(udpErrorOf(errno));
   }
 }
 
@@ -123,7 +123,7 @@ void UdpEndpoint::goOnReceiving() {
     receiving_->size = static_cast<int>(count);
     receiving_.end(UDP_SUCCESS);
   } else if (!isTransient(errno)) {
-    receiving_.end(errorOf(errno));
+    receiving_.end(udpErrorOf(errno));
   }
 }
 
