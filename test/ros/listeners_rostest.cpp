@@ -43,7 +43,8 @@ class ListenersTest : public ::testing::TestWithParam<int> {
  protected:
   static bool hasWalk() { return GetParam() > 1; }
 
-  std::string topic(const std::string& name) const { return namespace_ + "/" + name; }
+  /// @param name absolute, or in the driver's namespace
+  std::string topic(const std::string& name) const { return name.front() == '/' ? name : namespace_ + "/" + name; }
 
   /// Somebody comes, gets a message, and goes.
   template <typename Message>
