@@ -68,10 +68,10 @@ void ColorIntake::receive(const unsigned char* payload, std::size_t size, const 
 }
 
 void ColorIntake::deliver() {
-  const std::optional<DetectedColors> colors = std::exchange(newest_, std::nullopt);
-  if (!colors) {
+  if (!newest_) {
     return;
   }
+  const std::optional<DetectedColors> colors = std::exchange(newest_, std::nullopt);
   const auto period = detection_.every_nth_image * kShortestImageInterval / 2;
   if (limit_.admit(colors->arrival, period).is_admitted) {
     context_.notifier.colors(*colors);

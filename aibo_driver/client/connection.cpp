@@ -74,12 +74,12 @@ void Connection::warnOfMissingColors(bool wanted) {
 }
 
 void Connection::warnOfMissingSettings(bool format, bool camera) {
-  const std::string who = lackOfRequest();
   if (!std::exchange(warned_of_format_, format) && format) {
-    context.warn(who + " for resolution and rate of the stream: it sends every image of its camera, at 208x160");
+    context.warn(lackOfRequest() +
+                 " for resolution and rate of the stream: it sends every image of its camera, at 208x160");
   }
   if (!std::exchange(warned_of_camera_, camera) && camera) {
-    context.warn(who + " to set the camera: its settings stay as they are");
+    context.warn(lackOfRequest() + " to set the camera: its settings stay as they are");
   }
 }
 

@@ -180,32 +180,31 @@ void ConnectionLoop::pauseUntil(TimePoint end) {
 
 void ConnectionLoop::talk() {
   const TimePoint now = steady_clock::now();
-  Wish wish = takeNews(now);
-  wish.datagram_port = datagramPort(wish);
-  for (Session::Bytes bytes; !(bytes = session_->nextRequest(wish, now)).empty();) {
+  if (has_news_.exchange(false)) {
+    takeNews(now);
+  }
+  wish_.datagram_port = datagramPort(wish_);
+  for (Session::Bytes bytes; !(bytes = session_->nextRequest(wish_, now)).empty();) {
     send(bytes);
     updateStreaming(connection_->pictures.streaming());
   }
 }
 
-/// Takes over new calls and commands.
-/// @return what is wanted now
-Wish ConnectionLoop::takeNews(TimePoint now) {
+/// Takes over what is wanted, and new calls and commands.
+void ConnectionLoop::takeNews(TimePoint now) {
   std::vector<Call> calls;
   CommandOutbox commands;
-  Wish wish;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     calls = std::exchange(shared_.calls, {});
     commands = std::exchange(shared_.commands, {});
-    wish = shared_.wish;
+    wish_ = shared_.wish;
   }
   for (Call& call : calls) {
     call.since = now;
     session_->add(std::move(call));
   }
   connection_->commands.append(std::move(commands), now);
-  return wish;
 }
 
 /// The port for pictures by UDP; 0 if they are to come by TCP.
@@ -272,6 +271,14 @@ bool ConnectionLoop::takeDatagrams(TimePoint now) {
 }
 
 void ConnectionLoop::reportSession() {
+  const bool is_known = read([this](const Shared& shared) {
+    return shared.status.robot_message == connection_->robot_message &&
+           shared.status.transport == connection_->transport &&
+           shared.status.transport_problem == connection_->transport_problem;
+  });
+  if (is_known) {
+    return;  // as with nearly every picture: a status is not copied for each
+  }
   updateStatus([this](ConnectionStatus& status) {
     status.robot_message = connection_->robot_message;
     status.transport = connection_->transport;

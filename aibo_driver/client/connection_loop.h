@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_CLIENT_CONNECTION_LOOP_H
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -63,6 +64,7 @@ class ConnectionLoop {
       const std::lock_guard<std::mutex> lock(mutex_);
       change(shared_);
     }
+    has_news_ = true;
     transport_->wakeUp();
   }
 
@@ -84,7 +86,7 @@ class ConnectionLoop {
   void pauseUntil(TimePoint end);
   void talk();
   void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }
-  Wish takeNews(TimePoint now);
+  void takeNews(TimePoint now);
   int datagramPort(const Wish& wish);
   void listen();
   bool takeDatagrams(TimePoint now);
@@ -111,9 +113,11 @@ class ConnectionLoop {
   std::thread thread_;          // guarded by lifecycle_mutex_
 
   mutable std::mutex mutex_;
-  Shared shared_;  // guarded by mutex_
+  Shared shared_;                     // guarded by mutex_
+  std::atomic<bool> has_news_{true};  // shared_ may hold something that the client's thread has not seen yet
 
   // Used by the client's thread alone.
+  Wish wish_;  // as last seen
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // there once the version of the protocol is clear
   ServerHabits habits_;

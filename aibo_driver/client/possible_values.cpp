@@ -1,8 +1,9 @@
 #include "client/possible_values.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "client/units.h"
 #include "robot_model/robot_model.h"
@@ -20,30 +21,49 @@ constexpr double kSpeedFactor = 3;        // of the highest speed
 constexpr double kTwoTurns = 4 * 3.1416;  // rad
 constexpr double kAnySpeed = 100;         // rad/s, of a joint that is not in the tables
 
-std::vector<const robot_model::RobotModel*> modelsFor(const std::string& design) {
+/// At most one from each design. Without memory of its own: it is made for each measured value.
+template <typename Part>
+class Parts {
+ public:
+  void add(const Part& part) { parts_[count_++] = &part; }
+  bool empty() const { return count_ == 0; }
+  const Part& front() const { return *parts_[0]; }
+  const Part* const* begin() const { return parts_.data(); }
+  const Part* const* end() const { return parts_.data() + count_; }
+
+ private:
+  std::array<const Part*, 2> parts_{};
+  std::size_t count_ = 0;
+};
+
+Parts<robot_model::RobotModel> modelsFor(const std::string& design) {
+  Parts<robot_model::RobotModel> models;
   if (const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str())) {
-    return {model};
+    models.add(*model);
+  } else {
+    models.add(*robot_model::findRobotModel("ERS-7"));
+    models.add(*robot_model::findRobotModel("ERS-210"));
   }
-  return {robot_model::findRobotModel("ERS-7"), robot_model::findRobotModel("ERS-210")};
+  return models;
 }
 
-std::vector<const robot_model::Joint*> jointsFor(const std::string& design, int id) {
-  std::vector<const robot_model::Joint*> joints;
+Parts<robot_model::Joint> jointsFor(const std::string& design, int id) {
+  Parts<robot_model::Joint> joints;
   for (const robot_model::RobotModel* const model : modelsFor(design)) {
     const int index = robot_model::findJointByIdentifier(*model, id);
     if (index != robot_model::NO_JOINT) {
-      joints.push_back(&model->joints[index]);
+      joints.add(model->joints[index]);
     }
   }
   return joints;
 }
 
-std::vector<const robot_model::Sensor*> sensorsFor(const std::string& design, int id) {
-  std::vector<const robot_model::Sensor*> sensors;
+Parts<robot_model::Sensor> sensorsFor(const std::string& design, int id) {
+  Parts<robot_model::Sensor> sensors;
   for (const robot_model::RobotModel* const model : modelsFor(design)) {
     const int index = robot_model::findSensorByIdentifier(*model, id);
     if (index != robot_model::NO_SENSOR) {
-      sensors.push_back(&model->sensors[index]);
+      sensors.add(model->sensors[index]);
     }
   }
   return sensors;
@@ -114,12 +134,12 @@ bool isPossible(const DetectedRegion& region, int width, int height) {
 
 std::string nameOfJoint(const std::string& design, int id) {
   const auto joints = jointsFor(design, id);
-  return joints.empty() ? "joint " + std::to_string(id) : joints.front()->name;
+  return joints.empty() ? "joint " + std::to_string(id) : joints.front().name;
 }
 
 std::string nameOfSensor(const std::string& design, int id) {
   const auto sensors = sensorsFor(design, id);
-  return sensors.empty() ? "sensor " + std::to_string(id) : sensors.front()->name;
+  return sensors.empty() ? "sensor " + std::to_string(id) : sensors.front().name;
 }
 
 }  // namespace aibo_driver

@@ -268,7 +268,7 @@ StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
 
 // One after the other. Before the stream, so that its first picture has them.
 Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
-  if (!connection_.robot.hasCapability(std::string(1, version2::REQUEST_CAMERA))) {
+  if (!serves(version2::REQUEST_CAMERA)) {
     connection_.warnOfMissingSettings(false, wish.camera != CameraSettings());
     return {};
   }
@@ -322,7 +322,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
   telemetry_period_ = wish.telemetry_period;
   connection_.measurements.askedFor(telemetry_period_);
   const auto frames = static_cast<unsigned short>(wish.telemetry_period);
-  const bool can_walk = connection_.robot.hasCapability(std::string(1, version2::REQUEST_STEER));
+  const bool can_walk = serves(version2::REQUEST_STEER);
   const int content = version2::TELEMETRY_WITH_DUTY | (can_walk ? version2::TELEMETRY_WITH_WALK : 0);
   return request(version2::REQUEST_TELEMETRY, content, now, version2::TELEMETRY_PERIOD_SIZE,
                  [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
@@ -330,7 +330,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
 
 // Tables go first, so that the first push has all of them.
 Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
-  if (!connection_.robot.hasCapability(std::string(1, version2::REQUEST_COLORS))) {
+  if (!serves(version2::REQUEST_COLORS)) {
     connection_.warnOfMissingColors(wish.colors.on);
     return {};
   }
@@ -518,8 +518,10 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   if (!reader_.isBetweenFrames()) {
     connection_.pictures.signOfPicture(now);  // nothing else is so large that it comes in parts
   }
-  for (Telemetry& telemetry : std::exchange(telemetry_, {})) {
-    connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
+  if (!telemetry_.empty()) {
+    for (Telemetry& telemetry : std::exchange(telemetry_, {})) {
+      connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
+    }
   }
   connection_.colors.deliver();
 }
@@ -620,6 +622,12 @@ void Version2Session::onHello(const Payload& payload) {
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   connection_.robot = makeRobotInfo(hello);
   connection_.token = hello.token;
+  served_.reset();
+  for (const std::string& word : connection_.robot.capabilities) {
+    if (word.size() == 1) {
+      served_.set(static_cast<unsigned char>(word.front()));
+    }
+  }
   ready_ = true;
 }
 
@@ -694,6 +702,8 @@ void Version2Session::onTelemetry(const Payload& payload) {
   Telemetry& telemetry = telemetry_.emplace_back();
   telemetry.frame_number = measured.frame_number;
   telemetry.arrival = frame_began_;
+  telemetry.joints.reserve(measured.count);
+  telemetry.sensors.reserve(measured.count);
   for (std::size_t i = 0; i < measured.count; ++i) {
     const version2::TelemetryEntry& entry = measured.entries[i];
     if (entry.group == version2::GROUP_JOINT) {

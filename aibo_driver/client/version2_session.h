@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -84,6 +85,7 @@ class Version2Session final : public Session {
   template <typename Encode>
   Bytes makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode);
   int nextNumber();
+  bool serves(char request) const { return served_.test(static_cast<unsigned char>(request)); }
 
   void onFrame();
   void onPush(char kind, const Payload& payload);
@@ -127,6 +129,7 @@ class Version2Session final : public Session {
   std::map<int, Exchange> exchanges_;  // by request number
 
   bool ready_ = false;
+  std::bitset<256> served_;  // letters of the requests that this server knows
   TimePoint next_hello_;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested

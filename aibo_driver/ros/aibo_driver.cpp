@@ -16,6 +16,10 @@ constexpr int kStopThreads = 2;
 // A posture does not wait until the one before it, which it ends, has answered.
 constexpr int kPostureThreads = 2;
 
+// From one diagnostic message to the next, as REP 107 has it, and from one link_quality to the next. One timer serves
+// both, because each wakes two threads several times.
+constexpr double kReportPeriod = 1.0;  // s
+
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   for (const std::string& name : parameters.unknown) {
     ROS_WARN_STREAM("The driver has no parameter " << name_prefix << "/" << name
@@ -103,7 +107,11 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       robot_services_(client_, mover_),
       motion_action_(client_, mover_),
       diagnostics_(handle_, private_handle, name,
-                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_}) {
+                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_}),
+      report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod), [this](const ros::SteadyTimerEvent&) {
+        link_quality_.publish();
+        diagnostics_.publish();
+      })) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
@@ -168,15 +176,21 @@ std::optional<int> AiboDriver::askedEveryNthImage() const {
 }
 
 void AiboDriver::publishPicture(const Picture& picture) {
-  const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture);
-  raw_images_.publish(message);
-  camera_state_.update(picture, message->header);
-  link_quality_.add(picture, message->header.stamp);
+  const ros::Time stamp = camera_.stamp(picture);
+  const bool is_decoded = raw_images_.hasSubscribers();
+  const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture, is_decoded);
+  if (is_decoded) {
+    raw_images_.publish(message);
+  }
+  camera_state_.update(picture, stamp, camera_.frameId());
+  link_quality_.add(picture, stamp);
   meter_.add(picture.jpeg.size(), picture.first_byte_time);
   adapter_.picturePublished(std::chrono::steady_clock::now(), camera_.takenAt(picture));
 }
 
 void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
+  telemetry_stamper_.stamp(telemetry);  // the robot's clock is known from all of it, whether anybody listens or not
+  measured_joints_.update(telemetry);
   telemetry_.publish(telemetry);
   if (footprint_) {
     footprint_->publish(telemetry);

@@ -4,6 +4,7 @@
 
 #include <ros/console.h>
 #include <ros/node_handle.h>
+#include <ros/steady_timer.h>
 
 #include <memory>
 #include <optional>
@@ -130,6 +131,7 @@ class AiboDriver {
   PlayMotionServer motion_action_;
   std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
   DriverDiagnostics diagnostics_;
+  ros::SteadyTimer report_timer_;
 };
 
 }  // namespace aibo_driver::node

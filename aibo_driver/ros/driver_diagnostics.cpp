@@ -1,5 +1,6 @@
 #include "ros/driver_diagnostics.h"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <cstdio>
@@ -13,8 +14,6 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
-
-constexpr double kDiagnosticsPeriod = 1.0;  // seconds, REP 107
 
 std::string oneDecimal(double value) {
   char text[32];
@@ -48,14 +47,42 @@ const char* yesOrNo(bool value) {
 
 DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                      const std::string& name, const Sources& sources)
-    : sources_(sources), updater_(handle, private_handle, name) {
+    : sources_(sources),
+      topic_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
+      updater_(handle, private_handle, name) {
   updater_.setHardwareID(robotAddress(sources_.parameters.client));
   updater_.add("connection", this, &DriverDiagnostics::reportConnection);
   updater_.add("stream", this, &DriverDiagnostics::reportStream);
   updater_.add("joints", this, &DriverDiagnostics::reportJoints);
   updater_.add("power", this, &DriverDiagnostics::reportPower);
-  timer_ = ros::NodeHandle(handle).createSteadyTimer(ros::WallDuration(kDiagnosticsPeriod),
-                                                     [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
+}
+
+// A listener who comes later gets what happened within the last second, not all that has happened since the start.
+void DriverDiagnostics::publish() {
+  period_ = takePeriod();
+  if (topic_.getNumSubscribers() > 0) {
+    updater_.force_update();
+  }
+}
+
+DriverDiagnostics::Period DriverDiagnostics::takePeriod() {
+  const ClientStatistics client = sources_.client.statistics();
+  const ClientStatistics before = std::exchange(client_before_, client);
+  const std::uint64_t undecodable = sources_.raw_images.statistics().decode_errors;
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> passed = now - std::exchange(period_began_, now);
+  Period period;
+  if (sources_.client.streaming()) {
+    period.asked_rate = frameRateOf(sources_.client.streamFormat().every_nth_image);
+  }
+  period.stream = sources_.meter.read(period.asked_rate);
+  period.delay = sources_.robot_clock.read();
+  period.damaged =
+      client.corrupt_pictures - before.corrupt_pictures + undecodable - std::exchange(undecodable_before_, undecodable);
+  period.measurement_rate = static_cast<double>(client.telemetry - before.telemetry) / passed.count();
+  period.impossible = client.impossible_values - before.impossible_values;
+  period.thinned = client.thinned_telemetry - before.thinned_telemetry;
+  return period;
 }
 
 void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
@@ -79,23 +106,18 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
-  const double asked_rate =
-      sources_.client.streaming() ? frameRateOf(sources_.client.streamFormat().every_nth_image) : 0;
-  const StreamMeter::Reading reading = sources_.meter.read(asked_rate);
+  const StreamMeter::Reading& reading = period_.stream;
   const ClientStatistics client = sources_.client.statistics();
   const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
-  const std::uint64_t damaged = client.corrupt_pictures + raw.decode_errors;
-  const std::uint64_t newly_damaged = damaged - reported_damaged_;
-  reported_damaged_ = damaged;
-  summarizeStream(reading, asked_rate, newly_damaged, status);
-  reportDelay(sources_.robot_clock.read(), status);
+  summarizeStream(status);
+  reportDelay(period_.delay, status);
   reportTransport(status);
   status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
   status.add("streaming", yesOrNo(sources_.client.streaming()));
   status.add("adaptive", sources_.adapter.describe());
   status.add("quality asked for", sources_.client.jpegQuality());
   status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
-  status.add("pictures per second asked for", oneDecimal(asked_rate));
+  status.add("pictures per second asked for", oneDecimal(period_.asked_rate));
   status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
   status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
   status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
@@ -129,15 +151,15 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   status.add("pictures lost with a datagram", client.lost_pictures);
 }
 
-void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, double asked_rate,
-                                        std::uint64_t newly_damaged, DiagnosticStatusWrapper& status) const {
-  if (newly_damaged > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(newly_damaged) +
+void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
+  const StreamMeter::Reading& reading = period_.stream;
+  if (period_.damaged > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(period_.damaged) +
                                                " damaged pictures dropped: is the RCServer on the robot the one that "
                                                "belongs to this driver, and its memory stick in order?");
   } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
     status.summary(DiagnosticStatus::WARN, "only " + oneDecimal(reading.picturesPerSecond()) + " of " +
-                                               oneDecimal(asked_rate) +
+                                               oneDecimal(period_.asked_rate) +
                                                " pictures/s: is the radio link weak, or the robot or this computer "
                                                "busy?");
   } else if (reading.pictures > 0) {
@@ -157,15 +179,6 @@ void DriverDiagnostics::summarizeStream(const StreamMeter::Reading& reading, dou
 void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   const ConnectionStatus connection = sources_.client.status();
   const ClientStatistics client = sources_.client.statistics();
-  const auto now = std::chrono::steady_clock::now();
-  const double rate = static_cast<double>(client.telemetry - reported_telemetry_) /
-                      std::chrono::duration<double>(now - telemetry_reported_at_).count();
-  reported_telemetry_ = client.telemetry;
-  telemetry_reported_at_ = now;
-  const std::uint64_t impossible =
-      client.impossible_values - std::exchange(reported_impossible_, client.impossible_values);
-  const std::uint64_t thinned = client.thinned_telemetry - std::exchange(reported_thinned_, client.thinned_telemetry);
-
   if (connection.state != ConnectionState::kConnected) {
     status.summary(DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
   } else if (!connection.robot.design.empty() && connection.robot.design != sources_.parameters.robot) {
@@ -174,22 +187,22 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
                                                 sources_.parameters.robot);
   } else if (!connection.robot_message.empty()) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
-  } else if (impossible > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(impossible) +
+  } else if (period_.impossible > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(period_.impossible) +
                                                " impossible values dropped, which the log names: is that part of the "
                                                "robot broken, or does its RCServer not belong to this driver?");
-  } else if (thinned > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(thinned) +
+  } else if (period_.thinned > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(period_.thinned) +
                                                " measurements dropped: the robot sends more than twice as many as it "
                                                "was asked for");
   } else if (sources_.settings.telemetryPeriod() == 0) {
     status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
-  } else if (rate > 0) {
-    status.summary(DiagnosticStatus::OK, oneDecimal(rate) + " measurements/s");
+  } else if (period_.measurement_rate > 0) {
+    status.summary(DiagnosticStatus::OK, oneDecimal(period_.measurement_rate) + " measurements/s");
   } else {
     status.summary(DiagnosticStatus::WARN, "the robot sends no joint positions: does its RCServer support joints?");
   }
-  status.add("measurements per second", oneDecimal(rate));
+  status.add("measurements per second", oneDecimal(period_.measurement_rate));
   status.add("measurements received", client.telemetry);
   status.add("measurements dropped for newer ones", client.dropped_telemetry);
   status.add("measurements dropped, more than asked for", client.thinned_telemetry);

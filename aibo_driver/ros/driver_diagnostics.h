@@ -4,7 +4,6 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 
 #include <chrono>
 #include <cstdint>
@@ -22,8 +21,9 @@
 
 namespace aibo_driver::node {
 
-/// Publishes /diagnostics once a second of wall time, whether or not pictures come: one status each for the connection,
-/// the stream, the joints and the power. A stream that is off, or that no subscriber demands, is not a fault.
+/// Publishes /diagnostics, whether or not pictures come: one status each for the connection, the stream, the joints and
+/// the power. They are made only if somebody listens. A stream that is off, or that no subscriber demands, is not a
+/// fault.
 class DriverDiagnostics {
  public:
   /// What the diagnostics report; all of it must outlive them.
@@ -43,23 +43,36 @@ class DriverDiagnostics {
   DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name,
                     const Sources& sources);
 
+  /// To be called once a second of wall time, from one thread at a time.
+  void publish();
+
  private:
+  /// What happened since the last call of publish().
+  struct Period {
+    double asked_rate = 0;  ///< pictures a second, at its end
+    StreamMeter::Reading stream;
+    robot_time::RobotClock::Reading delay;
+    std::uint64_t damaged = 0;  ///< pictures
+    double measurement_rate = 0;
+    std::uint64_t impossible = 0;  ///< values
+    std::uint64_t thinned = 0;     ///< measurements
+  };
+
+  Period takePeriod();
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportTransport(diagnostic_updater::DiagnosticStatusWrapper& status) const;
-  void summarizeStream(const StreamMeter::Reading& reading, double asked_rate, std::uint64_t newly_damaged,
-                       diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  void summarizeStream(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void reportJoints(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportPower(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   Sources sources_;
-  std::uint64_t reported_damaged_ = 0;
-  std::uint64_t reported_telemetry_ = 0;
-  std::uint64_t reported_impossible_ = 0;
-  std::uint64_t reported_thinned_ = 0;
-  std::chrono::steady_clock::time_point telemetry_reported_at_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point period_began_ = std::chrono::steady_clock::now();
+  ClientStatistics client_before_;  ///< at that time
+  std::uint64_t undecodable_before_ = 0;
+  Period period_;  ///< that is reported
+  ros::Publisher topic_;
   diagnostic_updater::Updater updater_;
-  ros::SteadyTimer timer_;
 };
 
 }  // namespace aibo_driver::node

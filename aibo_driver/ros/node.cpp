@@ -5,8 +5,10 @@
 #include <ros/init.h>
 #include <ros/this_node.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 
@@ -16,6 +18,20 @@ namespace aibo_driver::node {
 namespace {
 
 constexpr unsigned kTimeToUnregister = 10;  // s; a master that answers takes less than 1; roslaunch kills after 15
+
+// How late the kernel may wake roscpp's threads when they only look whether there is something to do. Three of them do
+// so ten times a second, which was most of what an idle driver cost. Messages, requests and signals wake them at once.
+// Shorter than anybody notices where roscpp does wait for the next look: a new publisher is connected to by then, and
+// the node ends by then.
+constexpr std::chrono::nanoseconds kRoscppSlack = std::chrono::milliseconds(200);
+
+/// Starts roscpp. Its threads inherit the slack of the one that starts them.
+ros::NodeHandle startWithSlack() {
+  ::prctl(PR_SET_TIMERSLACK, kRoscppSlack.count());
+  ros::NodeHandle handle;
+  ::prctl(PR_SET_TIMERSLACK, 0);  // the usual one again
+  return handle;
+}
 
 // Does only what a signal handler may do.
 void endAtOnce(int) {
@@ -53,7 +69,7 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 }
 
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
-  const ros::NodeHandle handle;  // logging ends with the last handle, so this one outlives the try block
+  const ros::NodeHandle handle = startWithSlack();  // outlives the try block: logging ends with the last handle
   endOnInterrupt();
   try {
     const std::shared_ptr<void> node = make();

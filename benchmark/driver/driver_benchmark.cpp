@@ -1,6 +1,7 @@
 // Measures what a driver costs and how long pictures take through it: ours as node and nodelet, the least that a node
-// can do, an MJPEG reader in Python, and OpenCV. All get the same JPEGs at the same rate from this process, over
-// 127.0.0.1, and publish to a subscriber in it. Processor time is that of the driver's process alone.
+// can do, an MJPEG reader in Python, and OpenCV. All get the same JPEGs from this process, over 127.0.0.1, at the rate
+// of a camera and as fast as they take them, and publish to a subscriber in it. Processor time is that of the driver's
+// process alone. Each round measures everything once, so that a busy computer slows all of it down.
 //
 //   driver_benchmark [--rounds N] [--seconds N]
 //
@@ -19,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "driver/mjpeg_server.h"
@@ -43,27 +45,45 @@ using std::chrono::steady_clock;
 
 constexpr char kNamespace[] = "/driver_benchmark";
 constexpr microseconds kCameraPeriod{33445};  // of the ERS-7: 29.9 pictures a second
-constexpr seconds kWarmUp{2};
+constexpr microseconds kFullRate{0};          // a picture is due whenever the one before has been taken
+constexpr seconds kWarmUp{1};
+constexpr seconds kFullRateWindow{1};  // thousands of pictures
 constexpr seconds kSafetyNet{30};
 
 enum class Subscription { kNone, kCompressed, kRaw };
 
 /// The pictures' sources, and what they have sent.
 struct Sources {
-  test_support::PictureServer robot{2, kCameraPeriod};
-  test_support::PictureServer old_robot{1, kCameraPeriod};  // minimal_node knows version 1 alone
-  driver_benchmark::MjpegServer web_camera{kCameraPeriod};
+  explicit Sources(microseconds period)
+      : robot(2, period), old_robot(1, period), web_camera(period), is_paced(period != kFullRate) {
+    setRunning(is_paced);
+  }
+
+  /// At the full rate, a server needs a processor of its own even if nobody is connected.
+  void setRunning(bool running) {
+    robot.setStopped(!running);
+    old_robot.setStopped(!running);
+  }
+
+  test_support::PictureServer robot;
+  test_support::PictureServer old_robot;  // minimal_node knows version 1 alone
+  driver_benchmark::MjpegServer web_camera;
+  const bool is_paced;
 };
 
+/// One figure from each round.
 struct Cost {
-  double processor_share = 0;  ///< of one processor
-  double per_picture = 0;      ///< us of processor time
-  std::vector<double> ages{};  ///< ms, from the first byte to the subscriber's callback
+  Rounds rates{};        ///< pictures a second
+  Rounds shares{};       ///< of one processor, %
+  Rounds per_picture{};  ///< us of processor time
+  Rounds medians{};      ///< ms, of the age from the first byte to the subscriber's callback
+  Rounds worsts{};       ///< ms, below which 99 % of the ages are
 };
 
-/// Counts pictures, and how old they are if they tell their number.
+/// Counts pictures, and how old they are.
 class Subscriber {
  public:
+  /// When a picture was sent; 0 stands for the newest.
   using TimeOf = std::function<steady_clock::time_point(std::uint64_t number)>;
 
   Subscriber(Subscription subscription, TimeOf time_of) : time_of_(std::move(time_of)) {
@@ -104,9 +124,12 @@ class Subscriber {
     }
   }
 
+  // A decoded picture does not tell its number. At the rate of a camera, it is the newest.
   void onRaw(const sensor_msgs::ImageConstPtr&) {
+    const auto now = steady_clock::now();
     const std::lock_guard<std::mutex> lock(mutex_);
     ++count_;
+    ages_.push_back(std::chrono::duration<double, std::milli>(now - time_of_(0)).count());
   }
 
   ros::NodeHandle node_{kNamespace};
@@ -123,13 +146,21 @@ class DriverBenchmark {
 
   void run() {
     for (int round = 0; round < rounds_; ++round) {
-      measureCamera();
+      measureAll(camera_, window_, "");
+      measureIdle();
+      full_rate_.setRunning(true);
+      measureAll(full_rate_, kFullRateWindow, kAtFullRate);
+      full_rate_.setRunning(false);
     }
-    report();
+    reportCosts();
+    reportAges();
+    reportFullRate();
   }
 
  private:
   using Start = std::function<std::unique_ptr<test_support::Process>()>;
+
+  static constexpr char kAtFullRate[] = ", full rate";
 
   // Parameters stay at the master, so each node gets all of them. The rivals have no joints.
   static Start node(const test_support::PictureServer& robot, bool streams = true) {
@@ -148,51 +179,81 @@ class DriverBenchmark {
     };
   }
 
-  Start nodelet() const {
-    return command(
-        test_support::nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "_host:=127.0.0.1",
-                                   "_port:=" + std::to_string(sources_.robot.port()), "_telemetry_rate:=0"}));
+  static Start nodelet(const test_support::PictureServer& robot) {
+    return command(test_support::nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "_host:=127.0.0.1",
+                                              "_port:=" + std::to_string(robot.port()), "_telemetry_rate:=0"}));
   }
 
-  Start minimal(const test_support::PictureServer& robot) const {
-    return command({MINIMAL_NODE, std::to_string(robot.port())});
-  }
-
-  Start python(const std::string& program) const {
+  static Start python(const std::string& program, const driver_benchmark::MjpegServer& camera) {
     return command({"/usr/bin/python3", RIVALS_FOLDER "/" + program,
-                    "http://127.0.0.1:" + std::to_string(sources_.web_camera.port()) + "/stream.mjpg"});
+                    "http://127.0.0.1:" + std::to_string(camera.port()) + "/stream.mjpg"});
   }
 
-  void measureCamera() {
-    const auto robot = [this](std::uint64_t number) { return sources_.robot.timeOf(number); };
-    const auto old_robot = [this](std::uint64_t number) { return sources_.old_robot.timeOf(number); };
-    const auto web_camera = [this](std::uint64_t number) { return sources_.web_camera.timeOf(number); };
-    measure("node", node(sources_.robot), Subscription::kCompressed, robot);
-    measure("minimal node", minimal(sources_.old_robot), Subscription::kCompressed, old_robot);
-    measure("nodelet", nodelet(), Subscription::kCompressed, robot);
-    measure("MJPEG reader", python("mjpeg_reader.py"), Subscription::kCompressed, web_camera);
-    measure("node, decoded", node(sources_.robot), Subscription::kRaw, robot);
-    measure("OpenCV", python("opencv_reader.py"), Subscription::kRaw, web_camera);
-    measure("node, no subscriber", node(sources_.robot), Subscription::kNone, robot);
-    measure("node, idle", node(sources_.robot, false), Subscription::kNone, robot);
+  template <typename Server>
+  static Subscriber::TimeOf timesOf(const Server& server) {
+    return [&server](std::uint64_t number) { return server.timeOf(number == 0 ? server.lastNumber() : number); };
+  }
+
+  /// @param suffix of the names
+  void measureAll(const Sources& sources, seconds window, const std::string& suffix) {
+    const auto& [robot, old_robot, camera, is_paced] = sources;
+    const auto times = timesOf(robot);
+    const Subscription compressed = Subscription::kCompressed;
+    measure("node" + suffix, node(robot), compressed, times, window);
+    measure("minimal node" + suffix, command({MINIMAL_NODE, std::to_string(old_robot.port())}), compressed,
+            timesOf(old_robot), window);
+    measure("nodelet" + suffix, nodelet(robot), compressed, times, window);
+    measure("MJPEG reader" + suffix, python("mjpeg_reader.py", camera), compressed, timesOf(camera), window);
+    measure("node, decoded" + suffix, node(robot), Subscription::kRaw, times, window);
+    measure("OpenCV" + suffix, python("opencv_reader.py", camera), Subscription::kRaw, timesOf(camera), window);
+    if (is_paced) {
+      measure("nodelet, decoded" + suffix, nodelet(robot), Subscription::kRaw, times, window);
+      measure("node, no subscriber" + suffix, node(robot), Subscription::kNone, times, window);
+    }
+  }
+
+  // Both at once: so little happens that it takes longer to measure.
+  void measureIdle() {
+    const std::vector<std::pair<std::string, Start>> nodes = {{"node, idle", node(camera_.robot, false)},
+                                                              {"empty node, idle", command({MINIMAL_NODE})}};
+    std::vector<std::unique_ptr<test_support::Process>> processes;
+    std::vector<double> before;
+    for (const auto& each : nodes) {
+      processes.push_back(each.second());
+    }
+    std::this_thread::sleep_for(2 * kWarmUp);
+    for (const auto& process : processes) {
+      before.push_back(benchmark_figures::processorSeconds(process->pid()));
+    }
+    const seconds window = 2 * window_;
+    std::this_thread::sleep_for(window);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double used = benchmark_figures::processorSeconds(processes[i]->pid()) - before[i];
+      costs_[nodes[i].first].shares.push_back(100 * used / static_cast<double>(window.count()));
+    }
   }
 
   void measure(const std::string& name, const Start& start, Subscription subscription,
-               const Subscriber::TimeOf& time_of) {
+               const Subscriber::TimeOf& time_of, seconds window) {
     Subscriber subscriber(subscription, time_of);
     const auto process = start();
     waitForPictures(subscription, subscriber, name, *process);
     std::this_thread::sleep_for(kWarmUp);
     subscriber.clear();
-    const std::uint64_t sent_before = sources_.robot.lastNumber();
+    const std::uint64_t sent_before = camera_.robot.lastNumber();
     const auto begin = steady_clock::now();
     const double processor_before = benchmark_figures::processorSeconds(process->pid());
-    std::this_thread::sleep_for(seconds(window_));
+    std::this_thread::sleep_for(window);
     const double processor = benchmark_figures::processorSeconds(process->pid()) - processor_before;
     const double duration = std::chrono::duration<double>(steady_clock::now() - begin).count();
     const auto pictures = static_cast<double>(
-        subscription == Subscription::kNone ? sources_.robot.lastNumber() - sent_before : subscriber.count());
-    record(name, {processor / duration, pictures > 0 ? 1e6 * processor / pictures : 0, subscriber.ages()});
+        subscription == Subscription::kNone ? camera_.robot.lastNumber() - sent_before : subscriber.count());
+    Cost& cost = costs_[name];
+    cost.rates.push_back(pictures / duration);
+    cost.shares.push_back(100 * processor / duration);
+    cost.per_picture.push_back(pictures > 0 ? 1e6 * processor / pictures : 0);
+    cost.medians.push_back(quantile(subscriber.ages(), 0.5));
+    cost.worsts.push_back(quantile(subscriber.ages(), 0.99));
   }
 
   static void waitForPictures(Subscription subscription, const Subscriber& subscriber, const std::string& name,
@@ -206,51 +267,70 @@ class DriverBenchmark {
     }
   }
 
-  void record(const std::string& name, const Cost& cost) {
-    shares_[name].push_back(100 * cost.processor_share);
-    costs_[name].push_back(cost.per_picture);
-    medians_[name].push_back(quantile(cost.ages, 0.5));
-    worsts_[name].push_back(quantile(cost.ages, 0.99));
-  }
-
-  void report() {
+  void reportCosts() {
     printCost("node", "minimal node", atMost(1.2));
     printCost("node", "MJPEG reader", atMost(0.6));
     printCost("nodelet", "minimal node", {});
     printCost("node, decoded", "OpenCV", atMost(0.8));
-    print("processor time of node, no subscriber", "us a picture", costs_["node, no subscriber"], {}, atMost(60));
-    print("processor share of node, idle", "%", shares_["node, idle"], {}, atMost(0.1));
-    for (const char* name : {"minimal node", "MJPEG reader"}) {
-      print("age at the subscriber, median, node", "ms", medians_["node"], {name, medians_[name]});
-      print("age at the subscriber, 99 %, node", "ms", worsts_["node"], {name, worsts_[name]});
+    printCost("nodelet, decoded", "OpenCV", {});
+    print("processor time of node, no subscriber", "us a picture", costs_["node, no subscriber"].per_picture, {},
+          atMost(60));
+    print("processor share of node, idle", "%", costs_["node, idle"].shares, {}, atMost(0.1));
+    print("processor share of node, idle", "%", costs_["node, idle"].shares,
+          {"empty node", costs_["empty node, idle"].shares});
+  }
+
+  void reportAges() {
+    for (const std::string name : {"node", "nodelet"}) {
+      for (const std::string rival : {"minimal node", "MJPEG reader"}) {
+        print("age at the subscriber, median, " + name, "ms", costs_[name].medians, {rival, costs_[rival].medians});
+        print("age at the subscriber, 99 %, " + name, "ms", costs_[name].worsts, {rival, costs_[rival].worsts});
+      }
+      const Cost& decoded = costs_[name + ", decoded"];
+      print("age at the subscriber, median, " + name + ", decoded", "ms", decoded.medians);
+      print("age at the subscriber, 99 %, " + name + ", decoded", "ms", decoded.worsts);
     }
   }
 
-  void printCost(const char* name, const char* rival, const benchmark_figures::Mark& mark) {
-    print(std::string("processor time of ") + name, "us a picture", costs_[name], {rival, costs_[rival]}, mark);
+  void reportFullRate() {
+    const std::vector<std::pair<std::string, std::string>> pairs = {
+        {"node", "minimal node"}, {"nodelet", "minimal node"}, {"node", "MJPEG reader"}, {"node, decoded", "OpenCV"}};
+    for (const auto& [name, rival] : pairs) {
+      const Cost& own = costs_[name + kAtFullRate];
+      const Cost& other = costs_[rival + kAtFullRate];
+      print("pictures a second, " + name + kAtFullRate, "/s", own.rates, {rival, other.rates});
+      print("processor time of " + name + kAtFullRate, "us a picture", own.per_picture, {rival, other.per_picture});
+      if (name != "node, decoded") {
+        print("age at the subscriber, median, " + name + kAtFullRate, "ms", own.medians, {rival, other.medians});
+        print("age at the subscriber, 99 %, " + name + kAtFullRate, "ms", own.worsts, {rival, other.worsts});
+      }
+    }
+  }
+
+  void printCost(const std::string& name, const std::string& rival, const benchmark_figures::Mark& mark) {
+    print("processor time of " + name, "us a picture", costs_[name].per_picture, {rival, costs_[rival].per_picture},
+          mark);
   }
 
   const int rounds_;
-  const int window_;
-  Sources sources_;
+  const seconds window_;
+  Sources camera_{kCameraPeriod};
+  Sources full_rate_{kFullRate};
   ros::AsyncSpinner spinner_{1};
-  std::map<std::string, Rounds> shares_;
-  std::map<std::string, Rounds> costs_;
-  std::map<std::string, Rounds> medians_;
-  std::map<std::string, Rounds> worsts_;
+  std::map<std::string, Cost> costs_;  // by what was measured
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
   int rounds = 3;
-  int window = 5;
+  int window = 3;
   ros::init(argc, argv, "driver_benchmark", ros::init_options::AnonymousName);
   po::options_description description("Options", 120);
   // clang-format off
   description.add_options()
     ("rounds", po::value(&rounds)->default_value(rounds), "how often everything is measured")
-    ("seconds", po::value(&window)->default_value(window), "how long each measurement takes");
+    ("seconds", po::value(&window)->default_value(window), "how long each measurement at the rate of a camera takes");
   // clang-format on
   return test_support::runProgram(argc, argv, "Measures what a driver costs, beside other drivers.", description, [&] {
     if (!ros::master::check()) {

@@ -1,9 +1,12 @@
 // The least that a driver can do, to compare with: asks the robot for its stream by the protocol's version 1 and
 // publishes each JPEG. It checks nothing, knows no joints, and ends when anything is wrong.
 //
-//   minimal_node PORT
+//   minimal_node [PORT]
+//
+// Without a port it has nothing to do: what it costs then is roscpp's.
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sys/socket.h>
@@ -34,6 +37,9 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "minimal_node", ros::init_options::AnonymousName);
   ros::NodeHandle node;
   ros::Publisher publisher = node.advertise<sensor_msgs::CompressedImage>("camera/image_raw/compressed", 1);
+  while (argc < 2 && ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
+  }
   const int robot = argc > 1 ? connectTo(argv[1]) : -1;
   constexpr std::uint8_t kStreamAtQuality85[] = {'W', 85};
   if (robot < 0 || ::send(robot, kStreamAtQuality85, sizeof kStreamAtQuality85, 0) < 0) {

@@ -51,6 +51,9 @@ FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const Driv
 void FootprintPublisher::publish(const Telemetry& telemetry) {
   const ros::Time stamp = stamper_.stamp(telemetry);
   updateAcceleration(telemetry, stamp);
+  if (publisher_.getNumSubscribers() == 0) {
+    return;
+  }
   const auto angles = legs();
   if (telemetry.joints.empty() || !angles || !acceleration_) {
     return;

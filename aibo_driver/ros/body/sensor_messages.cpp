@@ -52,14 +52,19 @@ std::optional<double> readingOf(const robot_model::Sensor& sensor, const Telemet
   return found->value;
 }
 
-std::optional<sensor_msgs::JointState> JointStates::read(const Telemetry& telemetry) {
+std::optional<sensor_msgs::JointState> JointStates::read(const Telemetry& telemetry) const {
   Message message;
-  for (const joints::MeasuredJoint& joint : measured_.update(telemetry)) {
-    message.name.push_back(table_[joint.index].name);
-    message.position.push_back(joint.position);
-    message.velocity.push_back(joint.velocity);
-    if (joint.duty) {
-      message.effort.push_back(*joint.duty);
+  for (const JointReading& reading : telemetry.joints) {
+    const std::optional<std::size_t> index = table_.findById(reading.id);
+    const auto joint = index ? measured_.find(*index) : std::nullopt;
+    if (!joint) {
+      continue;
+    }
+    message.name.push_back(table_[*index].name);
+    message.position.push_back(joint->position);
+    message.velocity.push_back(joint->velocity);
+    if (joint->duty) {
+      message.effort.push_back(*joint->duty);
     }
   }
   if (message.effort.size() != message.name.size()) {
@@ -110,7 +115,14 @@ std::optional<sensor_msgs::Imu> Accelerometer::read(const Telemetry& telemetry) 
   return message;
 }
 
-TouchSensors::TouchSensors(const robot_model::RobotModel& model) : model_(model), message_(untouched()) {}
+TouchSensors::TouchSensors(const robot_model::RobotModel& model) : message_(untouched()) {
+  for (const Field& field : kFields) {
+    const int index = robot_model::findSensorByName(model, field.sensor);
+    if (index != robot_model::NO_SENSOR) {
+      parts_.push_back({&model.sensors[index], field.touched, field.strength});
+    }
+  }
+}
 
 std::optional<Touch> TouchSensors::read(const Telemetry& telemetry) {
   if (connection_ != telemetry.connection_number) {
@@ -118,20 +130,15 @@ std::optional<Touch> TouchSensors::read(const Telemetry& telemetry) {
     message_ = untouched();
   }
   bool anything = false;
-  for (const Field& field : kFields) {
-    const int index = robot_model::findSensorByName(model_, field.sensor);
-    if (index == robot_model::NO_SENSOR) {
-      continue;
-    }
-    const robot_model::Sensor& sensor = model_.sensors[index];
-    const std::optional<double> value = readingOf(sensor, telemetry);
+  for (const Part& part : parts_) {
+    const std::optional<double> value = readingOf(*part.sensor, telemetry);
     if (!value) {
       continue;
     }
     anything = true;
-    message_.*field.touched = robot_model::isPressed(sensor, *value, message_.*field.touched != 0);
-    if (field.strength != nullptr) {
-      message_.*field.strength = static_cast<float>(*value);
+    message_.*part.touched = robot_model::isPressed(*part.sensor, *value, message_.*part.touched != 0);
+    if (part.strength != nullptr) {
+      message_.*part.strength = static_cast<float>(*value);
     }
   }
   return anything ? std::optional<Touch>(message_) : std::nullopt;

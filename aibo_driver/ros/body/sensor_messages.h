@@ -1,5 +1,6 @@
 /// @file sensor_messages.h
-/// ROS messages made from telemetry. The messages come without a header.
+/// ROS messages made from telemetry. The messages come without a header. A source has kRemembers if its next message
+/// depends on telemetry before, so that it has to read all of it, whether anybody listens or not.
 #ifndef AIBO_DRIVER_ROS_BODY_SENSOR_MESSAGES_H
 #define AIBO_DRIVER_ROS_BODY_SENSOR_MESSAGES_H
 
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "aibo_driver/telemetry.h"
 #include "joints/joint_table.h"
@@ -33,17 +35,19 @@ std::optional<double> readingOf(const robot_model::Sensor& sensor, const Telemet
 class JointStates {
  public:
   using Message = sensor_msgs::JointState;
+  static constexpr bool kRemembers = false;
 
   /// @param table, measured must outlive the object
-  JointStates(const joints::JointTable& table, joints::MeasuredJoints& measured) : table_(table), measured_(measured) {}
+  JointStates(const joints::JointTable& table, const joints::MeasuredJoints& measured)
+      : table_(table), measured_(measured) {}
 
-  /// Updates the measured joints, too.
+  /// @param telemetry with which the measured joints have been updated
   /// @return empty if the telemetry contains no joint
-  std::optional<Message> read(const Telemetry& telemetry);
+  std::optional<Message> read(const Telemetry& telemetry) const;
 
  private:
   const joints::JointTable& table_;
-  joints::MeasuredJoints& measured_;
+  const joints::MeasuredJoints& measured_;
 };
 
 /// What an infrared range finder measures. Out of its range, the range is -inf if something is too near to be measured,
@@ -51,6 +55,7 @@ class JointStates {
 class RangeFinder {
  public:
   using Message = sensor_msgs::Range;
+  static constexpr bool kRemembers = false;
 
   /// For rviz and for costmaps. The beam is narrow, but no source says how narrow: 2 degrees.
   static constexpr float kFieldOfView = 0.035F;  // rad
@@ -76,6 +81,7 @@ class RangeFinder {
 class Accelerometer {
  public:
   using Message = sensor_msgs::Imu;
+  static constexpr bool kRemembers = true;
 
   /// The sensors must outlive the object, as the tables of robot_model do.
   Accelerometer(const robot_model::Sensor& front_back, const robot_model::Sensor& right_left,
@@ -95,6 +101,7 @@ class Accelerometer {
 class TouchSensors {
  public:
   using Message = Touch;
+  static constexpr bool kRemembers = true;
 
   /// @param model must outlive the object
   explicit TouchSensors(const robot_model::RobotModel& model);
@@ -104,7 +111,14 @@ class TouchSensors {
   std::optional<Message> read(const Telemetry& telemetry);
 
  private:
-  const robot_model::RobotModel& model_;
+  /// A sensor of this robot, and its fields in the message.
+  struct Part {
+    const robot_model::Sensor* sensor;
+    std::uint8_t Touch::*touched;
+    float Touch::*strength;  ///< null: a switch
+  };
+
+  std::vector<Part> parts_;
   Message message_;
   std::uint64_t connection_ = 0;
 };
@@ -113,6 +127,7 @@ class TouchSensors {
 class Battery {
  public:
   using Message = sensor_msgs::BatteryState;
+  static constexpr bool kRemembers = true;
 
   /// A charge lasts for more than an hour, so one message in this time is enough.
   static constexpr std::chrono::seconds kPeriod{1};

@@ -17,7 +17,7 @@ constexpr const char* kBaseFrame = "base_link";
 
 TelemetryPublishers::TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                          const robot_model::RobotModel& model, const joints::JointTable& joint_table,
-                                         joints::MeasuredJoints& measured_joints, RobotStamper& stamper)
+                                         const joints::MeasuredJoints& measured_joints, RobotStamper& stamper)
     : handle_(handle), parameters_(parameters), stamper_(stamper) {
   add("joint_states", "", JointStates(joint_table, measured_joints));
   const std::string range_prefix = "range_";
@@ -48,7 +48,11 @@ void TelemetryPublishers::add(const std::string& topic, const std::string& frame
   const std::string frame_id = frame.empty() ? "" : parameters_.frame(frame);
   publishers_.push_back([this, publisher = handle_.advertise<Message>(topic, kTelemetryQueueSize), frame_id,
                          source = std::move(source)](const Telemetry& telemetry) mutable {
-    if (auto reading = source.read(telemetry)) {
+    const bool has_listeners = publisher.getNumSubscribers() > 0;
+    if (!has_listeners && !Source::kRemembers) {
+      return;
+    }
+    if (auto reading = source.read(telemetry); reading && has_listeners) {
       const auto message = boost::make_shared<Message>(std::move(*reading));
       message->header.stamp = stamper_.stamp(telemetry);
       message->header.frame_id = frame_id;

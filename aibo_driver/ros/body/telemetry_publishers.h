@@ -18,15 +18,16 @@
 namespace aibo_driver::node {
 
 /// Publishes what the robot measures: joint_states, range/NAME, imu/data_raw, touch and battery. A sensor that the
-/// robot does not have gets no topic. A message is published whenever there is something new for it.
+/// robot does not have gets no topic. A message is published whenever there is something new for it, and made only if
+/// somebody listens.
 class TelemetryPublishers {
  public:
   /// All arguments but the handle must outlive the object.
   TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
                       const robot_model::RobotModel& model, const joints::JointTable& joint_table,
-                      joints::MeasuredJoints& measured_joints, RobotStamper& stamper);
+                      const joints::MeasuredJoints& measured_joints, RobotStamper& stamper);
 
-  /// Never blocks. From one thread at a time.
+  /// To be called when `measured_joints` has been updated. Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);
 
  private:

@@ -141,6 +141,12 @@ Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string
   service_ = ros::NodeHandle(camera_handle).advertiseService("set_camera_info", &Calibration::set, this);
 }
 
+void Calibration::pictureCame(std::uint32_t width, std::uint32_t height) {
+  if (pictureSize() != std::make_pair(width, height)) {
+    infoFor(width, height);
+  }
+}
+
 CameraInfo Calibration::infoFor(std::uint32_t width, std::uint32_t height) {
   const std::lock_guard<std::mutex> lock(mutex_);
   picture_width_ = width;

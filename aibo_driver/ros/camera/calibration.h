@@ -29,6 +29,10 @@ class Calibration {
   Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
               const std::string& design);
 
+  /// To be called for each picture, so that a calibration that does not fit is noticed although nobody asks for it.
+  /// From any thread.
+  void pictureCame(std::uint32_t width, std::uint32_t height);
+
   /// The calibration for a picture, without a header. Always of the picture's size. From any thread.
   /// @param width, height of the picture, above 0
   sensor_msgs::CameraInfo infoFor(std::uint32_t width, std::uint32_t height);

@@ -30,11 +30,19 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
                                                                      kPictureQueueSize, on_change, on_change);
 }
 
-sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture) {
-  const sensor_msgs::CompressedImageConstPtr message =
-      boost::make_shared<sensor_msgs::CompressedImage>(toMessage(picture));
-  compressed_publisher_.publish(message);
-  publishCameraInfo(message->header, picture);
+sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture, bool is_wanted) {
+  const bool has_listeners = compressed_publisher_.getNumSubscribers() > 0;
+  sensor_msgs::CompressedImageConstPtr message;
+  if (has_listeners || is_wanted) {
+    message = boost::make_shared<sensor_msgs::CompressedImage>(toMessage(picture));
+  }
+  if (has_listeners) {
+    compressed_publisher_.publish(message);
+  }
+  calibration_.pictureCame(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height));
+  if (camera_info_publisher_.getNumSubscribers() > 0) {
+    publishCameraInfo(picture);
+  }
   return message;
 }
 
@@ -51,10 +59,11 @@ bool CameraPublisher::hasSubscribers() const {
   return compressed_publisher_.getNumSubscribers() > 0 || camera_info_publisher_.getNumSubscribers() > 0;
 }
 
-void CameraPublisher::publishCameraInfo(const std_msgs::Header& header, const Picture& picture) {
+void CameraPublisher::publishCameraInfo(const Picture& picture) {
   const auto message = boost::make_shared<sensor_msgs::CameraInfo>(
       calibration_.infoFor(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height)));
-  message->header = header;
+  message->header.stamp = stamp(picture);
+  message->header.frame_id = frame_id_;
   camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
 }
 

@@ -31,12 +31,19 @@ class CameraPublisher {
   CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
                   robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
 
-  /// Never blocks. From one thread at a time.
-  /// @return the message that was published
-  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture);
+  /// Publishes a picture to those who listen. Never blocks. From one thread at a time.
+  /// @param is_wanted the caller needs the message, too
+  /// @return the message; null if it was not made, because nobody needs it
+  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture, bool is_wanted);
 
   /// The picture as a message. The same picture gets the same header each time. From any thread.
   sensor_msgs::CompressedImage toMessage(const Picture& picture);
+
+  /// The stamp of the picture's messages. To be called for each picture, whether anybody listens or not: the robot's
+  /// clock is known from all of them. From any thread.
+  ros::Time stamp(const Picture& picture) { return stamper_.stamp(picture); }
+
+  const std::string& frameId() const { return frame_id_; }
 
   /// As RobotStamper::takenAt(). From any thread.
   std::optional<RobotStamper::SteadyTime> takenAt(const Picture& picture) { return stamper_.takenAt(picture); }
@@ -44,7 +51,7 @@ class CameraPublisher {
   bool hasSubscribers() const;
 
  private:
-  void publishCameraInfo(const std_msgs::Header& header, const Picture& picture);
+  void publishCameraInfo(const Picture& picture);
 
   const std::string frame_id_;
   RobotStamper stamper_;

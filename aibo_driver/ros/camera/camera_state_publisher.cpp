@@ -37,12 +37,15 @@ bool isSameState(const CameraState& one, const CameraState& other) {
 CameraStatePublisher::CameraStatePublisher(const ros::NodeHandle& camera_handle)
     : publisher_(ros::NodeHandle(camera_handle).advertise<CameraState>("state", 10, true)) {}
 
-void CameraStatePublisher::update(const Picture& picture, const std_msgs::Header& header) {
-  const CameraState state = cameraStateOf(picture, header);
-  if (!last_ || !isSameState(*last_, state)) {
-    last_ = state;
-    publisher_.publish(state);
+void CameraStatePublisher::update(const Picture& picture, const ros::Time& stamp, const std::string& frame_id) {
+  CameraState state = cameraStateOf(picture, {});
+  if (last_ && isSameState(*last_, state)) {
+    return;
   }
+  state.header.stamp = stamp;
+  state.header.frame_id = frame_id;
+  last_ = state;
+  publisher_.publish(state);
 }
 
 }  // namespace aibo_driver::node

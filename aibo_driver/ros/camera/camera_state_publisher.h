@@ -4,9 +4,11 @@
 
 #include <aibo_driver/CameraState.h>
 #include <ros/node_handle.h>
+#include <ros/time.h>
 #include <std_msgs/Header.h>
 
 #include <optional>
+#include <string>
 
 #include "aibo_driver/picture.h"
 
@@ -25,8 +27,9 @@ class CameraStatePublisher {
   /// @param camera_handle the camera's namespace
   explicit CameraStatePublisher(const ros::NodeHandle& camera_handle);
 
-  /// To be called for each published picture. Never blocks. From one thread at a time.
-  void update(const Picture& picture, const std_msgs::Header& header);
+  /// To be called for each picture. Never blocks. From one thread at a time.
+  /// @param stamp, frame_id of the picture's messages
+  void update(const Picture& picture, const ros::Time& stamp, const std::string& frame_id);
 
  private:
   ros::Publisher publisher_;

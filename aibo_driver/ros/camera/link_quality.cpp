@@ -7,12 +7,6 @@
 #include "ros/camera/camera_options.h"
 
 namespace aibo_driver::node {
-namespace {
-
-constexpr double kQualityPeriod = 1.0;  // s
-
-}  // namespace
-
 void LinkQualityMeter::add(const Picture& picture, double age, int every_nth_image) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++pictures_;
@@ -58,10 +52,7 @@ LinkQuality LinkQualityMeter::read(double seconds, double asked_rate) {
 LinkQualityPublisher::LinkQualityPublisher(const ros::NodeHandle& handle,
                                            std::function<std::optional<int>()> asked_every_nth_image)
     : asked_every_nth_image_(std::move(asked_every_nth_image)) {
-  ros::NodeHandle topics(handle);
-  publisher_ = topics.advertise<LinkQuality>("link_quality", 1);
-  timer_ =
-      topics.createSteadyTimer(ros::WallDuration(kQualityPeriod), [this](const ros::SteadyTimerEvent&) { publish(); });
+  publisher_ = ros::NodeHandle(handle).advertise<LinkQuality>("link_quality", 1);
 }
 
 void LinkQualityPublisher::add(const Picture& picture, const ros::Time& stamp) {

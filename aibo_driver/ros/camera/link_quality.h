@@ -4,7 +4,6 @@
 
 #include <aibo_driver/LinkQuality.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 #include <ros/time.h>
 
 #include <cstdint>
@@ -43,7 +42,7 @@ class LinkQualityMeter {
   std::optional<std::uint32_t> last_image_;  ///< number of the newest image of this connection
 };
 
-/// Publishes the topic `link_quality` once a second while it has a subscriber.
+/// Publishes the topic `link_quality` while it has a subscriber.
 class LinkQualityPublisher {
  public:
   /// @param asked_every_nth_image how the robot is asked to stream now; empty while the stream is off
@@ -53,14 +52,14 @@ class LinkQualityPublisher {
   /// @param stamp of its message
   void add(const Picture& picture, const ros::Time& stamp);
 
- private:
+  /// Publishes what was measured since the last call. To be called once a second, from one thread at a time.
   void publish();
 
+ private:
   const std::function<std::optional<int>()> asked_every_nth_image_;
   LinkQualityMeter meter_;
   ros::SteadyTime last_publication_ = ros::SteadyTime::now();
   ros::Publisher publisher_;
-  ros::SteadyTimer timer_;  // last: it uses all of the above
 };
 
 }  // namespace aibo_driver::node

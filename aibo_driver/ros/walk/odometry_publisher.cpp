@@ -69,15 +69,19 @@ OdometryPublisher::OdometryPublisher(const ros::NodeHandle& handle, const Driver
 }
 
 void OdometryPublisher::publish(const Telemetry& telemetry) {
-  const bool walks = way_.update(telemetry);
+  const bool is_told = way_.update(telemetry) && odom_.getNumSubscribers() > 0;
+  const bool is_in_tf = parameters_.walk.publish_odom_tf && tf_.getNumSubscribers() > 0;
+  if (!is_told && !is_in_tf) {
+    return;
+  }
   nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
   odom.header.stamp = stamper_.stamp(telemetry);
   odom.header.frame_id = parameters_.frame("odom");
   odom.child_frame_id = parameters_.frame("base_footprint");
-  if (walks) {
+  if (is_told) {
     odom_.publish(odom);
   }
-  if (parameters_.walk.publish_odom_tf) {
+  if (is_in_tf) {
     publishTransform(odom);
   }
 }

@@ -590,11 +590,13 @@ TEST_F(Version2SessionTest, AReportThatItLiesOnItsSideIsOverWhenItWalksAgain) {
 }
 
 TEST_F(Version2SessionTest, OnlyARobotThatWalksIsAskedHowItWalks) {
-  connection_.robot.capabilities.push_back("S");
+  pass(milliseconds(500));
+  EXPECT_EQ("H2", request());
+  receive(makeFrame('h', 2, version2_frames::makeHello("S")));
   wish_.telemetry_period = 4;
-  EXPECT_EQ("T2", request());
+  EXPECT_EQ("T3", request());
   EXPECT_EQ(version2::TELEMETRY_WITH_DUTY | version2::TELEMETRY_WITH_WALK, frame_.header.id);
-  receive(makeFrame('t', 2, {0, 4}));
+  receive(makeFrame('t', 3, {0, 4}));
   receive(makeFrame(
       't', 0,
       version2_frames::makeTelemetry(
