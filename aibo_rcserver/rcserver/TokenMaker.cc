@@ -39,8 +39,9 @@ void TokenMaker::Stir(OFbkImageVectorData* image) {
   }
   has_image_ = true;
   const int size = y.Height() * (y.Width() + y.Skip());
+  const byte* const pixels = y.Pointer();
   for (int i = 0; i < size; i += PIXEL_STEP) {
-    Stir(y.Pointer()[i]);
+    Stir(pixels[i]);
   }
 }
 

@@ -93,6 +93,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   RCRegion* captureSensors(longword frame) override;
 
   bool cameraImageDue(longword frame) override;
+  longword nextCameraImage(longword frame) const override { return imageAfter(frame); }
 
   /// The camera is where the head is after the last frame that passed.
   RCRegion* captureImage(longword frame) override;

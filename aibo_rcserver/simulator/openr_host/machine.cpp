@@ -16,6 +16,9 @@
 namespace openr_host {
 namespace {
 
+/// Rounds of messages before the sockets have a turn, even if objects always send each other more of them.
+constexpr int kMostRounds = 16;
+
 std::ifstream openConfiguration(const std::string& path) {
   std::ifstream file(path);
   if (!file) {
@@ -62,8 +65,8 @@ void Machine::boot() {
 }
 
 void Machine::load() {
-  system_ = std::make_unique<System>(options_.bind_address, options_.memory_stick, options_.console,
-                                     options_.on_console_line, robot_, options_.on_send);
+  system_ = std::make_unique<System>(options_.bind_address, options_.memory_stick, options_.console, consoleListener(),
+                                     robot_, options_.on_send);
   system_->modelTime(options_.handler_time, [this] { return clock_.now(); });
   createObjects();
   const auto connections = readConnections();
@@ -73,6 +76,17 @@ void Machine::load() {
     system_->connect(connection.subject.text(), connection.observer.text());
   }
   system_->start();
+}
+
+/// What is typed acts on the robot as it is now: the frames that have passed unnoticed do so before.
+std::function<std::string(const std::string& line)> Machine::consoleListener() {
+  if (!options_.on_console_line) {
+    return nullptr;
+  }
+  return [this](const std::string& line) {
+    beginFrame();
+    return options_.on_console_line(line);
+  };
 }
 
 System& Machine::running() const {
@@ -132,7 +146,13 @@ std::vector<ServiceConnection> Machine::readConnections() const {
 
 void Machine::run() {
   while (!stop_requested_ && isOn()) {
-    handle(nextEvent());
+    int rounds = 0;
+    while (isOn() && rounds < kMostRounds && handleMessages()) {
+      ++rounds;
+    }
+    if (isOn()) {
+      handleSockets(rounds < kMostRounds ? nextEvent() : std::chrono::steady_clock::now());
+    }
   }
 }
 
@@ -166,22 +186,36 @@ bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseco
 }
 
 /// One round: the frame, the messages, then the sockets. Waits for sockets until `latest` if there was nothing else.
+/// After messages it does not wait: they may be what the caller of runUntil() is waiting for.
 /// @return false if there was nothing at all
 bool Machine::handle(const Deadline& latest) {
+  const bool had_messages = handleMessages();
+  return isOn() && (handleSockets(had_messages ? std::chrono::steady_clock::time_point() : latest) || had_messages);
+}
+
+/// The frame, and the messages that are queued now.
+/// @return false if there was nothing
+bool Machine::handleMessages() {
   System& system = running();
   const bool began_frame = beginFrame();
   const bool had_messages = system.hasMessages();
   system.handleMessages();
+  const bool has_more = system.hasMessages();
+  obeyShutdownRequest();
+  return began_frame || had_messages || has_more;
+}
 
+/// Waits for sockets until `latest`.
+/// @return false if none was ready
+bool Machine::handleSockets(const Deadline& latest) {
+  System& system = running();
   PollSet poll_set;
   poll_set.add(wake_.get(), POLLIN, [this] { clearWake(); });
   system.console().addTo(poll_set);
   system.ipStack().addTo(poll_set);
-  // After messages do not wait: they may be what the caller of runUntil() is waiting for.
-  const bool may_wait = !began_frame && !had_messages && !system.hasMessages();
-  const bool had_sockets = poll_set.wait(may_wait ? latest : std::chrono::steady_clock::time_point());
+  const bool had_sockets = poll_set.wait(latest);
   obeyShutdownRequest();
-  return began_frame || had_messages || had_sockets;
+  return had_sockets;
 }
 
 void Machine::obeyShutdownRequest() {
@@ -208,9 +242,10 @@ bool Machine::beginFrame() {
   return true;
 }
 
-/// The time of the next event that does not come from a socket.
+/// The time of the next event that does not come from a socket. Frames in which nothing happens that an object could
+/// notice pass later, all at once: each time this thread wakes up costs more than a frame of the robot.
 Machine::Deadline Machine::nextEvent() const {
-  const Deadline next_frame = clock_.beginOf(last_frame_ ? *last_frame_ + 1 : 0);
+  const Deadline next_frame = clock_.beginOf(last_frame_ ? robot_comm_->nextEvent() : 0);
   const auto next_finish = system_->nextFinish();
   const Deadline end = next_finish ? clock_.timeOf(*next_finish) : next_frame;
   return end && next_frame ? std::min(end, next_frame) : next_frame;

@@ -125,7 +125,10 @@ class Machine {
   System& running() const;
   void clearWake();
   bool beginFrame();
+  std::function<std::string(const std::string& line)> consoleListener();
   bool handle(const Deadline& latest);
+  bool handleMessages();
+  bool handleSockets(const Deadline& latest);
   void obeyShutdownRequest();
   Deadline nextEvent() const;
 

@@ -61,8 +61,9 @@ class VirtualRobot {
   virtual bool takesCommand(OPrimitiveID id, ODataType type) const = 0;
 
   /// One frame of 8 ms passes; later calls see the body after it. Called for every frame in turn, even for those that
-  /// the host delayed, so that no part of a motion is lost. After a delay of more than kMostFramesCaughtUp frames, only
-  /// this many are passed, the latest ones, and the waiting commands are played in them.
+  /// the host delayed, so that no part of a motion is lost. While nobody could notice, several frames pass at once.
+  /// After a delay of more than kMostFramesCaughtUp frames, only this many are passed, the latest ones, and the waiting
+  /// commands are played in them.
   /// @param commands of OVirtualRobotComm.Effector for this frame; empty if no object has sent any
   virtual void passFrame(longword frame, const EffectorCommands& commands) = 0;
 
@@ -75,6 +76,9 @@ class VirtualRobot {
   /// Called once per frame, in ascending order, whether or not an observer is ready. After a delay by the host, frames
   /// are left out: an image that was due in one of them is due now.
   virtual bool cameraImageDue(longword frame) = 0;
+
+  /// The earliest frame after this one in which an image may be due.
+  virtual longword nextCameraImage(longword frame) const { return frame + 1; }
 
   /// Takes the image that is due: an OFbkImageVectorData with its pixels in one region. Called only if an observer of
   /// OVirtualRobotComm.FbkImageSensor is ready. The robot keeps its own reference to the region, and may reuse the

@@ -45,6 +45,14 @@ const Vector3d kBack[] = {
     {0.085, 0.045, 0.045}, {0.085, -0.045, 0.045}, {-0.085, 0.045, 0.045}, {-0.085, -0.045, 0.045}};
 const Vector3d kHead[] = {{0.04, 0, 0.03}, {-0.03, 0, 0.03}, {0.09, 0, -0.02}, {0.04, 0.04, 0}, {0.04, -0.04, 0}};
 
+bool isSameLeg(const LegAngles& a, const LegAngles& b) {
+  return a.rotator == b.rotator && a.elevator == b.elevator && a.knee == b.knee;
+}
+
+bool isSameHead(const HeadAngles& a, const HeadAngles& b) {
+  return a.neck_tilt == b.neck_tilt && a.head_pan == b.head_pan && a.head_tilt == b.head_tilt;
+}
+
 Quaterniond attitudeOn(Side side) {
   const double quarter = std::acos(-1.0) / 2;
   switch (side) {
@@ -136,15 +144,30 @@ Vector2d wayOut(const Scene& scene, const Vector3d& point) {
 }  // namespace
 
 Travel::Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head)
-    : supports_(supportsOf(legs)),
+    : legs_(legs),
+      supports_(supportsOf(legs)),
       head_(head),
       floor_(restOn(supports_).floor),
       stance_(stanceOver(floor_, supports_)) {}
 
+// Whatever moves in the scene, it does not push the robot, so a robot that stands still is left alone by it.
 void Travel::passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene) {
+  const bool joints_rest = std::equal(legs.begin(), legs.end(), legs_.begin(), isSameLeg) && isSameHead(head, head_);
+  if (is_settled_ && joints_rest) {
+    return;
+  }
+  const Travel before = *this;
+  travel(legs, head, scene);
+  is_settled_ = joints_rest && held_ == before.held_ && raised_ == before.raised_ && step_.isZero(0) &&
+                floor_.slope == before.floor_.slope && floor_.height == before.floor_.height &&
+                stance_.body.matrix() == before.stance_.body.matrix() && acceleration_ == before.acceleration_;
+}
+
+void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene) {
   const Vector3d place_before = stance_.body.translation();
   const Bumpers bumpers_before = bumpers();
   const Supports before = turned(stanceOver(floor_, supports_).body, supports_);
+  legs_ = legs;
   supports_ = supportsOf(legs);
   head_ = head;
   floor_ = tip(supports_, restOn(supports_), floor_.slope, kFrameSeconds);

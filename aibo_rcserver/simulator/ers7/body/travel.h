@@ -47,11 +47,17 @@ class Travel {
   void passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
 
   /// Somebody lifts the robot, which takes half a second, and holds it level, or sets it down in the same place.
-  void lift(bool lifted) { is_lifted_ = lifted; }
+  void lift(bool lifted) {
+    is_lifted_ = lifted;
+    is_settled_ = false;
+  }
 
   /// The robot falls on a side or its back, or is put back on its feet; each takes half a second. It does not travel
   /// there, and its paws are not on the floor.
-  void lie(Side side) { wanted_side_ = side; }
+  void lie(Side side) {
+    wanted_side_ = side;
+    is_settled_ = false;
+  }
 
   const Place& place() const { return place_; }
 
@@ -70,6 +76,7 @@ class Travel {
   using Bumpers = std::array<Eigen::Vector3d, 3>;
 
   bool isOnFeet() const { return held_ == 0 && raised_ == 0; }
+  void travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
   void passFrameOfHolding();
   Eigen::Isometry3d poseInPlace() const;
   Step push(const Supports& before, const Supports& now) const;
@@ -78,6 +85,7 @@ class Travel {
   void stopAtObstacles(const Bumpers& before, const Scene& scene);
   void feelAcceleration(const Eigen::Vector3d& before);
 
+  std::array<LegAngles, kLegs> legs_;
   Supports supports_;  ///< in the body
   HeadAngles head_;
   Floor floor_;
@@ -86,6 +94,7 @@ class Travel {
   Step step_ = Step::Zero();  ///< of the last frame
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
+  bool is_settled_ = false;  ///< the last frame changed nothing, so neither does the next one if no joint moves
 
   bool is_lifted_ = false;
   Side wanted_side_ = Side::kFeet;

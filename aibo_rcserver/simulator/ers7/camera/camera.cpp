@@ -22,6 +22,10 @@ OStatus choose(const void* param, size_t param_size, longword* setting) {
   return oSUCCESS;
 }
 
+std::size_t distance(const void* from, const void* to) {
+  return static_cast<std::size_t>(static_cast<const byte*>(to) - static_cast<const byte*>(from));
+}
+
 OStatus turn(bool on, bool* setting) {
   *setting = on;
   return oSUCCESS;
@@ -32,7 +36,7 @@ OStatus turn(bool on, bool* setting) {
 Camera::Camera(PictureSource& source, OPrimitiveID id)
     : source_(source), regions_(fbkImageSize(), [this, id](RCRegion* region) {
         prepareFbkImage(region, id);
-        pixels_.try_emplace(region, region->Base(), region->Size());
+        images_.try_emplace(region, region);
       }) {}
 
 bool Camera::imageDue(longword frame) {
@@ -45,8 +49,13 @@ bool Camera::imageDue(longword frame) {
 RCRegion* Camera::capture(longword frame, const CameraPose& pose) {
   RCRegion* region = regions_.freeRegion();
   announceFbkImage(region, frame, imagesUpTo(frame));
-  pixels_.at(region).fillBy(
-      [this, region, exposure = Exposure{frame, pose, settings_, colors_}] { draw(exposure, region); });
+  Image& image = images_.at(region);
+  image.exposure = {frame, pose, settings_, colors_};
+  image.largest_colors.fillBy([this, region, &image] { drawLargestColors(region, image); });
+  image.others.fillBy([this, region, &image] { draw(region, image); });
+  if (drawn_ == &image) {
+    drawn_ = nullptr;
+  }
   return region;
 }
 
@@ -55,12 +64,33 @@ void Camera::reset() {
   colors_.clear();
 }
 
-void Camera::draw(const Exposure& exposure, RCRegion* region) {
-  const longword image_number = imagesUpTo(exposure.frame);
-  source_.setHead(exposure.pose.head);
-  source_.setBody(exposure.pose.body);
-  const double seconds = exposure.frame * openr_host::kFrameSeconds;
-  drawFbkImage(region, source_.picture(seconds, image_number, exposure.settings), exposure.colors, image_number);
+Camera::Image::Image(RCRegion* region)
+    : largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
+      others(otherBands(region), region->Size() - distance(region->Base(), otherBands(region))) {}
+
+/// With colour detection everything is drawn, because the tag of layer H tells what has been detected.
+void Camera::drawLargestColors(RCRegion* region, const Image& image) {
+  if (image.exposure.colors.isOn()) {
+    openr_host::FilledOnRead::read(otherBands(region));
+  } else {
+    simulated_ers7::drawLargestColors(region, pictureOf(image), imagesUpTo(image.exposure.frame));
+  }
+}
+
+void Camera::draw(RCRegion* region, const Image& image) {
+  drawFbkImage(region, pictureOf(image), image.exposure.colors, imagesUpTo(image.exposure.frame));
+}
+
+const YCrCbImage& Camera::pictureOf(const Image& image) {
+  if (drawn_ != &image) {
+    const Exposure& exposure = image.exposure;
+    source_.setHead(exposure.pose.head);
+    source_.setBody(exposure.pose.body);
+    const double seconds = exposure.frame * openr_host::kFrameSeconds;
+    picture_ = &source_.picture(seconds, imagesUpTo(exposure.frame), exposure.settings);
+    drawn_ = &image;
+  }
+  return *picture_;
 }
 
 OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {

@@ -41,6 +41,15 @@ constexpr longword imagesUpTo(longword frame) {
   return static_cast<longword>(frame * kImages / kFrames + 1);
 }
 
+/// The first frame after this one in which the camera finishes an image.
+constexpr longword imageAfter(longword frame) {
+  longword next = frame + 1;
+  while (imagesUpTo(next) == imagesUpTo(frame)) {
+    ++next;
+  }
+  return next;
+}
+
 /// Where the robot holds its camera.
 struct CameraPose {
   HeadAngles head = restingHead();
@@ -68,7 +77,8 @@ class PictureSource {
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
 ///
 /// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an image that nobody looks at costs
-/// next to nothing. It always shows what there was to see when it was taken.
+/// next to nothing. As long as only Y, Cr and Cb of layer H are read, only these are written. It always shows what
+/// there was to see when it was taken.
 class Camera {
  public:
   /// @param source draws the pictures; must outlive the camera
@@ -100,20 +110,35 @@ class Camera {
  private:
   /// What an image is taken of, and how.
   struct Exposure {
-    longword frame;
+    longword frame = 0;
     CameraPose pose;
     CameraSettings settings;
     ColorDetection colors;
   };
 
-  void draw(const Exposure& exposure, RCRegion* region);
+  /// An image in one of the regions, with the parts that are drawn separately. Objects ask for a band by the address of
+  /// its beginning, so the part with Y, Cr and Cb of layer H contains only their beginnings.
+  struct Image {
+    explicit Image(RCRegion* region);
+
+    Exposure exposure;
+    openr_host::FilledOnRead largest_colors;
+    openr_host::FilledOnRead others;
+  };
+
+  void drawLargestColors(RCRegion* region, const Image& image);
+  void draw(RCRegion* region, const Image& image);
+  const YCrCbImage& pictureOf(const Image& image);
 
   PictureSource& source_;
   CameraSettings settings_;
   ColorDetection colors_;
   longword images_seen_ = 0;
   RegionPool regions_;
-  std::map<const RCRegion*, openr_host::FilledOnRead> pixels_;
+  std::map<const RCRegion*, Image> images_;
+  const Image* drawn_ =
+      nullptr;  ///< whose picture the source has drawn last; null if that image is not in use any more
+  const YCrCbImage* picture_ = nullptr;  ///< of `drawn_`
 };
 
 }  // namespace simulated_ers7

@@ -48,6 +48,13 @@ void writeBand(const YCrCbImage::Plane& plane, byte* first_row) {
   }
 }
 
+/// Fills Y, Cr and Cb of layer H.
+void writeColors(const YCrCbImage& picture, byte* high) {
+  writeBand(picture.y, high);
+  writeBand(picture.cr, high + kWidth);
+  writeBand(picture.cb, high + 2 * kWidth);
+}
+
 byte toBand(float detail) {
   return toByte(detail + kNoDetail);
 }
@@ -162,12 +169,20 @@ void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
   writeTags(vector, image_number, {});
 }
 
+const void* otherBands(RCRegion* region) {
+  return vectorIn(region)->GetData(ofbkimageLAYER_H) + kColorBands * kWidth;
+}
+
+void drawLargestColors(RCRegion* region, const YCrCbImage& picture, longword image_number) {
+  byte* high = vectorIn(region)->GetData(ofbkimageLAYER_H);
+  writeColors(picture, high);
+  writeTag(high, kLayers[0], image_number, {});
+}
+
 void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number) {
   OFbkImageVectorData* vector = vectorIn(region);
   byte* high = vector->GetData(ofbkimageLAYER_H);
-  writeBand(picture.y, high);
-  writeBand(picture.cr, high + kWidth);
-  writeBand(picture.cb, high + 2 * kWidth);
+  writeColors(picture, high);
   writeBand(picture.y_lh, high + 3 * kWidth);
   writeBand(picture.y_hl, high + 4 * kWidth);
   writeBand(picture.y_hh, high + 5 * kWidth);

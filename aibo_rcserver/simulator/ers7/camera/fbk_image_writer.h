@@ -32,8 +32,18 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 /// @param image_number the camera's own count, for the tag bytes
 void announceFbkImage(RCRegion* region, longword frame, longword image_number);
 
-/// Writes the picture into a region. The pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the colours
-/// detected in M.
+/// Where the bands begin that come after Y, Cr and Cb of layer H: its detail, then the other layers.
+/// @param region prepared
+const void* otherBands(RCRegion* region);
+
+/// Writes Y, Cr and Cb of layer H alone, which are most often all that is read. The tag says that no colours have been
+/// detected, so this is for images without colour detection.
+/// @param region announced
+/// @param image_number as announced
+void drawLargestColors(RCRegion* region, const YCrCbImage& picture, longword image_number);
+
+/// Writes the whole picture into a region. The pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the
+/// colours detected in M.
 /// @param region announced
 /// @param image_number as announced
 void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number);

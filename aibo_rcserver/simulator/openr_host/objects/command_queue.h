@@ -27,6 +27,9 @@ class CommandQueue {
   /// @return true if this was the last frame of a vector, whose region is now free
   bool next(EffectorCommands* commands);
 
+  /// True if there is nothing to output.
+  bool isEmpty() const { return vectors_.empty(); }
+
  private:
   struct Entry {
     OCommandInfo info;

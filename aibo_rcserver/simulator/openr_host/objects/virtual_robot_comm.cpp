@@ -74,6 +74,18 @@ void VirtualRobotComm::beginFrame(longword frame) {
   look(frame);
 }
 
+longword VirtualRobotComm::nextEvent() const {
+  const longword next = last_frame_ ? *last_frame_ + 1 : 0;
+  const bool has_commands = std::any_of(commanders_.begin(), commanders_.end(), [](const Commander& commander) {
+    return !commander.commands.isEmpty() || commander.was_refused;
+  });
+  if (has_commands || !last_frame_) {
+    return next;
+  }
+  const longword sensors = next + (kFramesPerSensorVector - 1 - next % kFramesPerSensorVector);
+  return std::min(sensors, robot_.nextCameraImage(*last_frame_));
+}
+
 void VirtualRobotComm::passFrame(longword frame) {
   EffectorCommands commands;
   std::vector<SubjectID> ready;

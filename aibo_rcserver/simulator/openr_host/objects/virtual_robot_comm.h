@@ -40,6 +40,10 @@ class VirtualRobotComm : public OObject {
   /// A frame of 8 ms has begun. Frames since the last call are made up.
   void beginFrame(longword frame);
 
+  /// The next frame in which objects may get something: sensors, an image, or READY for a command vector. Frames before
+  /// it may pass together with it. It is never more than 32 ms away, so that changes of the power are noticed.
+  longword nextEvent() const;
+
  private:
   /// An object that commands the body.
   struct Commander {

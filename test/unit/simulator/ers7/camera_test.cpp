@@ -90,6 +90,14 @@ class CameraTest : public testing::Test {
   Camera camera_{source_, kId};
 };
 
+TEST_F(CameraTest, TheNextImageIsKnownInAdvance) {
+  for (longword frame = 0; frame < 1000; ++frame) {
+    const longword next = imageAfter(frame);
+    EXPECT_EQ(imagesUpTo(next), imagesUpTo(frame) + 1);
+    EXPECT_EQ(imagesUpTo(next - 1), imagesUpTo(frame));
+  }
+}
+
 TEST_F(CameraTest, EveryImageIsDueOnceInItsFrame) {
   for (longword frame = 0; frame < 1000; ++frame) {
     const bool expected = frame == 0 || imagesUpTo(frame) != imagesUpTo(frame - 1);
@@ -244,6 +252,38 @@ TEST_F(CameraTest, APictureIsDrawnWhenItIsReadAsItWasWhenItWasTaken) {
   EXPECT_DOUBLE_EQ(source_.last_x, 2);
   EXPECT_EQ(source_.last_settings.shutter, static_cast<longword>(ocamparamSHUTTER_FAST));
   early->RemoveReference();
+}
+
+TEST_F(CameraTest, OnlyWhatIsReadIsWrittenWithoutDrawingThePictureAgain) {
+  RCRegion* region = camera_.capture(0);
+  const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y_LH);
+  const byte* const unread = vectorIn(region)->GetData(ofbkimageLAYER_H) + 3 * 208;
+  EXPECT_EQ(bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Cr).Pixel(50, 10), 20);
+  EXPECT_EQ(*unread, 128);
+  EXPECT_EQ(detail.Pixel(0, 0), 100);
+  EXPECT_EQ(bandOf(region, ofbkimageLAYER_M, ofbkimageBAND_Cr).Pixel(50, 10), 2 * 20 + 1);
+  EXPECT_EQ(*unread, 100);
+  EXPECT_EQ(source_.times_drawn, 1);
+}
+
+TEST_F(CameraTest, AnImageThatIsReadLaterThanTheNextOneIsDrawnAsItWas) {
+  RCRegion* early = camera_.capture(100);
+  early->AddReference();
+  bandOf(early, ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(0, 0);
+  bandOf(camera_.capture(104), ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(0, 0);
+  EXPECT_DOUBLE_EQ(source_.last_seconds, 104 * 0.008);
+  bandOf(early, ofbkimageLAYER_L, ofbkimageBAND_Y).Pixel(0, 0);
+  EXPECT_DOUBLE_EQ(source_.last_seconds, 0.8);
+  EXPECT_EQ(source_.times_drawn, 3);
+  early->RemoveReference();
+}
+
+TEST_F(CameraTest, ARegionThatIsUsedAgainShowsTheNewPicture) {
+  RCRegion* region = camera_.capture(100);
+  bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(0, 0);
+  ASSERT_EQ(camera_.capture(104), region);
+  bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(0, 0);
+  EXPECT_EQ(source_.times_drawn, 2);
 }
 
 TEST_F(CameraTest, TheInfosContainCameraAndFrame) {

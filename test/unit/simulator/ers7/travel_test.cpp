@@ -109,6 +109,31 @@ TEST_F(TravelTest, ARobotThatStandsStaysWhereItIs) {
   EXPECT_TRUE(travel_.acceleration().isZero(1e-9));
 }
 
+// 30 s are enough for the last tiny movement to end.
+TEST_F(TravelTest, ARobotThatHasLongStoodStillMovesLikeAnyOther) {
+  Travel other{kStanding, {}};
+  pass(kStanding, 30);
+  travel_.lift(true);
+  other.lift(true);
+  for (int frame = 0; frame < 125; ++frame) {
+    pass(kStanding);
+    other.passFrame(kStanding, {}, scene_);
+  }
+  EXPECT_GT(travel_.stance().body.translation().z(), 0.3);
+  EXPECT_TRUE(travel_.stance().body.isApprox(other.stance().body, 1e-9));
+  pass(kStanding, 30);
+  travel_.lift(false);
+  pass(kStanding, 30);
+  EXPECT_NEAR(travel_.stance().body.translation().z(), kHeight, 1e-6);
+  travel_.lie(Side::kLeft);
+  pass(kStanding, 1.5);
+  EXPECT_NEAR((travel_.stance().body.linear() * Vector3d(0, 1, 0)).z(), -1, 1e-6);
+  travel_.lie(Side::kFeet);
+  pass(kStanding, 30);
+  trot({0.1, 0, 0}, 2);
+  EXPECT_GT(travel_.place().x, 0.15);
+}
+
 TEST_F(TravelTest, ATrotGoesWhereItsFeetPushItUpright) {
   const Velocity velocities[] = {{0.10, 0, 0}, {-0.08, 0, 0}, {0, 0.05, 0}, {0, -0.05, 0}, {0, 0, 0.8}, {0, 0, -0.8}};
   for (const Velocity& velocity : velocities) {

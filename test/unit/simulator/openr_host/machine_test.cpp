@@ -85,6 +85,22 @@ class SlowClock : public Clock {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// Five frames pass each time somebody wants to wait for one, and no time in reality.
+class HastyClock : public Clock {
+ public:
+  std::chrono::nanoseconds now() const override { return now_; }
+  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override {
+    waited_for.push_back(static_cast<longword>(since_begin / kFramePeriod));
+    now_ += 5 * kFramePeriod;
+    return std::chrono::steady_clock::now();
+  }
+
+  mutable std::vector<longword> waited_for;
+
+ private:
+  mutable std::chrono::nanoseconds now_{0};
+};
+
 class MachineTest : public testing::Test {
  protected:
   MachineTest() {
@@ -177,6 +193,32 @@ TEST_F(MachineTest, TheConsoleCanBeListenedTo) {
   robot_.frames_with_image = {1};
   stepTo(1);
   EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "image 1\n"; }));
+}
+
+TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
+  robot_.frames_with_image = {0, 9};
+  HastyClock clock;
+  Machine machine(options_, clock, robot_);
+  machine.boot();
+  machine.runUntil([&] { return clock.waited_for.size() > 3; });
+  EXPECT_EQ(std::vector<longword>(clock.waited_for.begin(), clock.waited_for.begin() + 3),
+            (std::vector<longword>{3, 7, 11}));
+}
+
+TEST_F(MachineTest, WhatIsTypedActsOnTheRobotAfterTheFramesThatHavePassed) {
+  HastyClock clock;
+  std::string last_call;
+  options_.on_console_line = [&](const std::string& /*line*/) {
+    last_call = robot_.calls.back() + " of " + std::to_string(clock.frame());
+    return "";
+  };
+  Machine machine(options_, clock, robot_);
+  machine.boot();
+  TestClient telnet(machine.hostPort(kConsolePort));
+  telnet.send("press head_touch\n");
+  ASSERT_TRUE(machine.runUntil([&] { return !last_call.empty(); }));
+  const std::string frame = last_call.substr(last_call.rfind(' ') + 1);
+  EXPECT_EQ(last_call, "cameraImageDue " + frame + " of " + frame);
 }
 
 TEST_F(MachineTest, LinesTypedAtTheConsoleGoToTheMachinesCallback) {

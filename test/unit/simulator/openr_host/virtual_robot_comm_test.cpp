@@ -372,6 +372,27 @@ TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn)
   EXPECT_TRUE(mover_.subject().IsReady());
 }
 
+TEST_F(VirtualRobotCommTest, TheNextEventIsThatOfTheSensorsOrAnImage) {
+  pass(1);  // 100
+  EXPECT_EQ(comm_.nextEvent(), 103u);
+  robot_.frames_with_image = {102, 104};
+  EXPECT_EQ(comm_.nextEvent(), 102u);
+  pass(2);
+  EXPECT_EQ(comm_.nextEvent(), 103u);
+  pass(1);
+  EXPECT_EQ(comm_.nextEvent(), 104u);
+  pass(1);
+  EXPECT_EQ(comm_.nextEvent(), 107u);
+}
+
+TEST_F(VirtualRobotCommTest, WhileAnObjectCommandsTheBodyEachFrameIsAnEvent) {
+  send({makeVector({{1, {1, 2}}})});
+  pass(1);
+  EXPECT_EQ(comm_.nextEvent(), 101u);
+  pass(1);
+  EXPECT_EQ(comm_.nextEvent(), 103u);
+}
+
 TEST_F(VirtualRobotCommTest, AfterADelayOfMoreThanASecondTheLastSecondIsPassedWithTheWaitingCommands) {
   test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
   test_.run();
