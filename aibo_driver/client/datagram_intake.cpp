@@ -12,6 +12,7 @@ void DatagramIntake::begin(TimePoint now) {
   window_ = {};
   assembly_ = {};
   newest_ = acknowledged_ = -1;
+  is_protected_ = false;
   to_acknowledge_.reset();
   loss_to_report_.reset();
   expectFrom(now);
@@ -69,15 +70,20 @@ void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const st
   context_.counters.repaired_datagrams += assembly_.repaired() - repaired;
 }
 
-// When the last part has come, or, if that is lost, its parity or a part of the next picture.
+// When the last part has come, or, if that is lost, its parity or a part of the next picture. Where datagrams are lost,
+// so are acknowledgements: a part of the next picture repeats that of a picture with parities. Two lost ones in a row
+// would let the robot wait.
 void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
   const std::int64_t before = newest_;
   newest_ = std::max<std::int64_t>(newest_, datagram.picture);
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
   const bool is_last =
       datagram.is_parity ? datagram.part + version2::PARTS_PER_PARITY >= parts : datagram.part + 1U == parts;
-  const std::int64_t done = is_last ? datagram.picture : newest_ > before ? before : -1;
-  if (done > acknowledged_) {
+  const bool is_first = newest_ > before;
+  const std::int64_t done = is_last ? datagram.picture : is_first ? before : -1;
+  const bool repeats = is_first && done == acknowledged_ && is_protected_;
+  is_protected_ = datagram.is_parity || (is_protected_ && !is_first);
+  if (done >= 0 && (done > acknowledged_ || repeats)) {
     acknowledged_ = done;
     to_acknowledge_ = static_cast<std::uint32_t>(done);
   }

@@ -88,6 +88,7 @@ class DatagramIntake {
   std::optional<std::uint32_t> loss_to_report_;
   std::int64_t newest_ = -1;        // of which a part has come
   std::int64_t acknowledged_ = -1;  // the newest one
+  bool is_protected_ = false;       // the newest one has parities
   SequenceWindow window_;
   PictureAssembly assembly_;
 };

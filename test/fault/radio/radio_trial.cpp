@@ -98,25 +98,6 @@ class Observer {
   std::set<std::string> violations_;
 };
 
-void measureRecovery(const Trial& trial, const std::vector<Sighting>& sightings, steady_clock::time_point begin,
-                     Result& result) {
-  if (trial.radio.outages.empty()) {
-    return;
-  }
-  const auto back_at = begin + trial.radio.outages.back().begin + trial.radio.outages.back().length;
-  const auto first = std::find_if(sightings.begin(), sightings.end(),
-                                  [back_at](const Sighting& sighting) { return sighting.seen_at >= back_at; });
-  if (first == sightings.end()) {
-    result.violations.insert("no picture after the outage");
-    return;
-  }
-  result.recovery = Milliseconds(first->seen_at - back_at).count();
-  if (result.recovery > static_cast<double>(trial.recovery_mark.count())) {
-    result.violations.insert("no picture within " + std::to_string(trial.recovery_mark.count()) +
-                             " ms after the outage");
-  }
-}
-
 void measureLateness(const Trial& trial, const std::vector<Sighting>& sightings, Result& result) {
   const Sighting* first_late = nullptr;
   for (const Sighting& sighting : sightings) {
@@ -132,31 +113,40 @@ void measureLateness(const Trial& trial, const std::vector<Sighting>& sightings,
   }
 }
 
+void measureRecovery(const Trial& trial, Result& result) {
+  if (trial.radio.outages.empty()) {
+    return;
+  }
+  const Outage& last = trial.radio.outages.back();
+  const double back_at = std::chrono::duration<double>(last.begin + last.length).count();
+  const auto first = std::find_if(result.deliveries.begin(), result.deliveries.end(),
+                                  [back_at](const Result::Delivery& delivery) { return delivery.time >= back_at; });
+  if (first == result.deliveries.end()) {
+    result.violations.insert("no picture after the outage");
+    return;
+  }
+  result.recovery = 1e3 * (first->time - back_at);
+  if (result.recovery > static_cast<double>(trial.recovery_mark.count())) {
+    result.violations.insert("no picture within " + std::to_string(trial.recovery_mark.count()) +
+                             " ms after the outage");
+  }
+}
+
 /// @param stale number of pictures that the client may have left out because this computer held it up
 Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time_point begin, std::uint64_t stale) {
   Result result;
   const std::vector<Sighting> sightings = observer.sightings();
   result.violations = observer.violations();
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    const double age = Milliseconds(sightings[i].seen_at - sightings[i].sent.image_at).count();
-    result.deliveries.push_back({std::chrono::duration<double>(sightings[i].seen_at - begin).count(), age});
-    result.ages.push_back(age);
-    if (i > 0) {
-      const double gap = Milliseconds(sightings[i].seen_at - sightings[i - 1].seen_at).count();
-      result.longest_gap = std::max(result.longest_gap, gap);
-    }
+  for (const Sighting& sighting : sightings) {
+    result.deliveries.push_back({std::chrono::duration<double>(sighting.seen_at - begin).count(),
+                                 Milliseconds(sighting.seen_at - sighting.sent.image_at).count()});
   }
-  std::sort(result.ages.begin(), result.ages.end());
-  result.pictures_per_second =
-      static_cast<double>(sightings.size()) / std::chrono::duration<double>(trial.length).count();
-  measureRecovery(trial, sightings, begin, result);
+  summarize(trial, result);
   if (trial.max_age.count() > 0) {
     measureLateness(trial, sightings, result);
   }
-  if (sightings.empty()) {
-    result.violations.insert("no picture at all");
-  } else if (trial.max_age.count() == 0 && trial.radio.loss == 0 && trial.radio.outages.empty() &&
-             sightings.back().sent.number - sightings.front().sent.number + 1 > sightings.size() + stale) {
+  if (!sightings.empty() && trial.max_age.count() == 0 && trial.radio.loss == 0 && trial.radio.outages.empty() &&
+      sightings.back().sent.number - sightings.front().sent.number + 1 > sightings.size() + stale) {
     result.violations.insert("pictures lost on a link without loss");
   }
   return result;
@@ -167,6 +157,23 @@ Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time
 double quantile(const std::vector<double>& sorted, double part) {
   const auto index = static_cast<std::size_t>(part * static_cast<double>(sorted.size()));
   return sorted.empty() ? 0 : sorted[std::min(index, sorted.size() - 1)];
+}
+
+void summarize(const Trial& trial, Result& result) {
+  const std::vector<Result::Delivery>& deliveries = result.deliveries;
+  if (deliveries.empty()) {
+    result.violations.insert("no picture at all");
+    return;
+  }
+  for (std::size_t i = 0; i < deliveries.size(); ++i) {
+    result.ages.push_back(deliveries[i].age);
+    const double gap = i > 0 ? deliveries[i].time - deliveries[i - 1].time : 0;
+    result.longest_gap = std::max(result.longest_gap, 1e3 * gap);
+  }
+  std::sort(result.ages.begin(), result.ages.end());
+  const double length = std::chrono::duration<double>(trial.length).count();
+  result.pictures_per_second = static_cast<double>(deliveries.size()) / (length - deliveries.front().time);
+  measureRecovery(trial, result);
 }
 
 Result run(const Trial& trial) {
@@ -194,7 +201,6 @@ Result run(const Trial& trial) {
       adapter.emplace(client, trial.max_age);
     }
     client.setStreaming(true);
-    client.setTelemetryPeriod(4);
     client.start();
     std::this_thread::sleep_until(link.begin() + trial.length);  // the length is what the rates are measured over
     const auto deadline = steady_clock::now() + kSafetyNet;

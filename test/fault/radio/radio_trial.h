@@ -35,10 +35,10 @@ struct Result {
   };
 
   std::vector<Delivery> deliveries;
-  double pictures_per_second = 0;
-  std::vector<double> ages;  ///< ms, sorted: those of the deliveries
-  double longest_gap = 0;    ///< ms, between pictures
-  double recovery = -1;      ///< ms, from the end of the last outage to the next picture; -1 = no outage
+  double pictures_per_second = 0;  ///< from the first one to the end
+  std::vector<double> ages;        ///< ms, sorted: those of the deliveries
+  double longest_gap = 0;          ///< ms, between pictures
+  double recovery = -1;            ///< ms, from the end of the last outage to the next picture; -1 = no outage
   std::uint64_t connections = 0;
   std::string transport_problem;     ///< why pictures came by TCP instead of UDP
   double longest_late = 0;           ///< ms, for which pictures were older than the limit
@@ -49,6 +49,9 @@ struct Result {
 /// Runs a trial, in real time. Several may run at a time, on threads of their own.
 /// @throw NoNetworkHosts
 Result run(const Trial& trial);
+
+/// Computes from the deliveries what the result says about them all: rate, ages, gap, recovery and its violation.
+void summarize(const Trial& trial, Result& result);
 
 /// Over a link that loses packets.
 /// @param loss share of them, 0..1

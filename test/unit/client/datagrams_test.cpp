@@ -476,6 +476,16 @@ TEST_F(DatagramsTest, TheParityOfTheLastPartsAcknowledgesToo) {
   EXPECT_THAT(delivered(), ElementsAre(1));
 }
 
+TEST_F(DatagramsTest, TheAcknowledgementOfAPictureWithParitiesIsRepeated) {
+  startStream();
+  arrive(nextPicture());
+  arrive(nextPicture(true));
+  EXPECT_EQ(2u, repliesOf('a').size()) << "that of a picture without is not";
+  arrive(nextPicture().front());
+  EXPECT_EQ(3u, repliesOf('a').size());
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 1}), repliesOf('a').back());
+}
+
 TEST_F(DatagramsTest, DatagramsAfterTheReturnToTcpAreIgnored) {
   startStream();
   arrive(nextPicture());
