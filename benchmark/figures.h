@@ -22,7 +22,8 @@ struct Comparison {
 struct Mark {
   enum class Kind { kNone, kAtMost, kAtLeast };
   Kind kind = Kind::kNone;
-  double value = 0;  ///< of the ratio to what it is compared with, or of the figure itself
+  double value = 0;       ///< of the ratio to what it is compared with, or of the figure itself
+  bool of_value = false;  ///< of the figure itself, even if it is compared with something
 };
 
 inline Mark atMost(double value) {
@@ -31,6 +32,12 @@ inline Mark atMost(double value) {
 
 inline Mark atLeast(double value) {
   return {Mark::Kind::kAtLeast, value};
+}
+
+/// The same for the figure itself, whatever it is compared with.
+inline Mark ofValue(Mark mark) {
+  mark.of_value = true;
+  return mark;
 }
 
 inline std::string listOf(const Rounds& rounds) {
@@ -54,6 +61,7 @@ inline void print(const std::string& name, const std::string& unit, const Rounds
   }
   if (mark.kind != Mark::Kind::kNone) {
     std::printf(", \"%s\": %g", mark.kind == Mark::Kind::kAtMost ? "at_most" : "at_least", mark.value);
+    std::printf("%s", mark.of_value ? ", \"mark_is_of_value\": true" : "");
   }
   std::printf("}\n");
   std::fflush(stdout);

@@ -56,6 +56,8 @@ class Judged:
             judged = [own / other for own, other in zip(entry["rounds"], entry["with_rounds"]) if other]
             self.rival_median = statistics.median(entry["with_rounds"])
             self.ratio = statistics.median(judged) if judged else None
+            if entry.get("mark_is_of_value"):
+                judged = entry["rounds"]
         value = statistics.median(judged) if judged else None
         noise = (max(judged) - min(judged)) / 2 if judged else 0
         self.mark, self.met = "", None

@@ -263,7 +263,7 @@ bool ConnectionLoop::takeDatagrams(TimePoint now) {
       continue;
     }
     connection_->pictures.bytesArrived(now);
-    if (const Session::Bytes reply = session_->datagramArrived(buffer_.data(), size, now); !reply.empty()) {
+    for (const Session::Bytes& reply : session_->datagramArrived(buffer_.data(), size, now)) {
       transport_->datagrams().reply(reply.data(), reply.size());
     }
   }

@@ -32,6 +32,7 @@ struct Counters {
   std::atomic<std::uint64_t> duplicate_datagrams{0};
   std::atomic<std::uint64_t> bad_datagrams{0};
   std::atomic<std::uint64_t> foreign_datagrams{0};
+  std::atomic<std::uint64_t> repaired_datagrams{0};
   std::atomic<std::uint64_t> lost_pictures{0};
 
   ClientStatistics snapshot() const {
@@ -57,6 +58,7 @@ struct Counters {
     result.duplicate_datagrams = duplicate_datagrams;
     result.bad_datagrams = bad_datagrams;
     result.foreign_datagrams = foreign_datagrams;
+    result.repaired_datagrams = repaired_datagrams;
     result.lost_pictures = lost_pictures;
     return result;
   }

@@ -12,7 +12,9 @@ void DatagramIntake::begin(TimePoint now) {
   window_ = {};
   assembly_ = {};
   newest_ = acknowledged_ = -1;
+  is_protected_ = false;
   to_acknowledge_.reset();
+  loss_to_report_.reset();
   expectFrom(now);
 }
 
@@ -35,6 +37,7 @@ std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t
     return std::nullopt;
   }
   const std::uint64_t lost = window_.lost();
+  const bool shows_loss = datagram.sequence > window_.next();
   const SequenceWindow::Verdict verdict =
       datagram.picture > datagram.sequence ? SequenceWindow::Verdict::kImpossible : window_.add(datagram.sequence);
   if (verdict == SequenceWindow::Verdict::kImpossible) {
@@ -45,24 +48,42 @@ std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t
   count(verdict);
   something_came_ = true;
   expectFrom(now);
-  std::optional<PictureAssembly::Whole> whole;
-  const std::uint64_t lost_pictures = assembly_.lost();
-  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now, &whole) ==
-      PictureAssembly::Result::kContradiction) {
-    refuse("other parts of its picture describe the picture differently");
+  if (shows_loss) {
+    loss_to_report_ = datagram.picture;
   }
-  context_.counters.lost_pictures += assembly_.lost() - lost_pictures;
+  std::optional<PictureAssembly::Whole> whole;
+  addPart(datagram, data, now, &whole);
   acknowledge(datagram);
   return whole;
 }
 
-// When the last part has come, or, if that is lost, a part of the next picture.
+/// @param[out] whole the picture, if this completes it
+void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
+                             std::optional<PictureAssembly::Whole>* whole) {
+  const std::uint64_t lost = assembly_.lost();
+  const std::uint64_t repaired = assembly_.repaired();
+  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now, whole) ==
+      PictureAssembly::Result::kContradiction) {
+    refuse("other parts of its picture describe the picture differently");
+  }
+  context_.counters.lost_pictures += assembly_.lost() - lost;
+  context_.counters.repaired_datagrams += assembly_.repaired() - repaired;
+}
+
+// When the last part has come, or, if that is lost, its parity or a part of the next picture. Where datagrams are lost,
+// so are acknowledgements: a part of the next picture repeats that of a picture with parities. Two lost ones in a row
+// would let the robot wait.
 void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
   const std::int64_t before = newest_;
   newest_ = std::max<std::int64_t>(newest_, datagram.picture);
-  const bool is_last = datagram.part + 1U == version2::numberOfParts(datagram.jpeg_size);
-  const std::int64_t done = is_last ? datagram.picture : newest_ > before ? before : -1;
-  if (done > acknowledged_) {
+  const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
+  const bool is_last =
+      datagram.is_parity ? datagram.part + version2::PARTS_PER_PARITY >= parts : datagram.part + 1U == parts;
+  const bool is_first = newest_ > before;
+  const std::int64_t done = is_last ? datagram.picture : is_first ? before : -1;
+  const bool repeats = is_first && done == acknowledged_ && is_protected_;
+  is_protected_ = datagram.is_parity || (is_protected_ && !is_first);
+  if (done >= 0 && (done > acknowledged_ || repeats)) {
     acknowledged_ = done;
     to_acknowledge_ = static_cast<std::uint32_t>(done);
   }

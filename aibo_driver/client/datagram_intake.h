@@ -52,6 +52,10 @@ class DatagramIntake {
   /// The picture to acknowledge, once: the robot waits for it before it sends more. None if there is nothing new.
   std::optional<std::uint32_t> takeAcknowledgement() { return std::exchange(to_acknowledge_, std::nullopt); }
 
+  /// The picture that has shown a loss, to be reported, so that the robot protects the next ones. None if there is
+  /// nothing new.
+  std::optional<std::uint32_t> takeLossReport() { return std::exchange(loss_to_report_, std::nullopt); }
+
   /// When to look at problem() again at the latest.
   /// @param extra_interval how much longer than with every image of the camera the next picture may take
   TimePoint deadline(std::chrono::milliseconds extra_interval) const;
@@ -68,6 +72,8 @@ class DatagramIntake {
 
  private:
   void count(SequenceWindow::Verdict verdict);
+  void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
+               std::optional<PictureAssembly::Whole>* whole);
   void acknowledge(const protocol::version2::PictureDatagram& datagram);
   void refuse(const std::string& problem);
 
@@ -79,8 +85,10 @@ class DatagramIntake {
   TimePoint last_datagram_;              // or since when one is due
   std::optional<TimePoint> tcp_worked_;  // when something first came by TCP after kMissing
   std::optional<std::uint32_t> to_acknowledge_;
+  std::optional<std::uint32_t> loss_to_report_;
   std::int64_t newest_ = -1;        // of which a part has come
   std::int64_t acknowledged_ = -1;  // the newest one
+  bool is_protected_ = false;       // the newest one has parities
   SequenceWindow window_;
   PictureAssembly assembly_;
 };

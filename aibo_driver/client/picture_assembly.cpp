@@ -14,14 +14,11 @@ PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& da
       picture->header.frame_number != datagram.image.frame_number) {
     return picture == nullptr ? Result::kUseless : Result::kContradiction;
   }
-  const std::size_t part = datagram.part;
-  if (picture->has_part[part]) {
+  if (!take(datagram, bytes, *picture)) {
     return Result::kUseless;
   }
-  picture->has_part[part] = true;
-  std::copy_n(bytes, version2::sizeOfPart(datagram.jpeg_size, part),
-              picture->jpeg.data() + part * version2::DATAGRAM_PART_SIZE);
-  if (--picture->missing == 0) {
+  repair(*picture, datagram.part / version2::PARTS_PER_PARITY);
+  if (picture->missing == 0) {
     *whole = Whole{picture->header, std::move(picture->jpeg), picture->began};
     lost_ += static_cast<std::uint64_t>(datagram.picture - last_settled_ - 1);
     last_settled_ = datagram.picture;
@@ -29,6 +26,52 @@ PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& da
     given_up_in_a_row_ = 0;
   }
   return Result::kTaken;
+}
+
+/// @return false if the picture has this part or parity already
+bool PictureAssembly::take(const version2::PictureDatagram& datagram, const unsigned char* bytes, Incomplete& picture) {
+  const std::size_t part = datagram.part;
+  const std::size_t size = version2::sizeOfPart(datagram.jpeg_size, part);
+  if (datagram.is_parity) {
+    std::vector<std::uint8_t>& parity = picture.parities[part / version2::PARTS_PER_PARITY];
+    if (!parity.empty()) {
+      return false;
+    }
+    parity.assign(bytes, bytes + size);
+    return true;
+  }
+  if (picture.has_part[part]) {
+    return false;
+  }
+  picture.has_part[part] = true;
+  --picture.missing;
+  std::copy_n(bytes, size, picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE);
+  return true;
+}
+
+/// Makes the only part that a group lacks from the others and their parity.
+void PictureAssembly::repair(Incomplete& picture, std::size_t group) {
+  const std::size_t begin = group * version2::PARTS_PER_PARITY;
+  const std::size_t end = std::min(begin + version2::PARTS_PER_PARITY, picture.has_part.size());
+  const auto first = picture.has_part.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = picture.has_part.begin() + static_cast<std::ptrdiff_t>(end);
+  std::vector<std::uint8_t> sum = picture.parities[group];
+  if (sum.empty() || std::count(first, last, false) != 1) {
+    return;
+  }
+  const std::size_t size = picture.jpeg.size();
+  for (std::size_t part = begin; part < end; ++part) {
+    if (picture.has_part[part]) {
+      version2::addToParity(picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE, version2::sizeOfPart(size, part),
+                            sum.data());
+    }
+  }
+  const auto lost = static_cast<std::size_t>(std::find(first, last, false) - picture.has_part.begin());
+  std::copy_n(sum.begin(), version2::sizeOfPart(size, lost),
+              picture.jpeg.begin() + static_cast<std::ptrdiff_t>(lost * version2::DATAGRAM_PART_SIZE));
+  picture.has_part[lost] = true;
+  --picture.missing;
+  ++repaired_;
 }
 
 /// @return null if the picture has been completed or given up
@@ -42,7 +85,11 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
     return &found->second;
   }
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  incomplete_[number] = {datagram.image, std::vector<std::uint8_t>(datagram.jpeg_size), std::vector<bool>(parts), parts,
+  incomplete_[number] = {datagram.image,
+                         std::vector<std::uint8_t>(datagram.jpeg_size),
+                         std::vector<bool>(parts),
+                         std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
+                         parts,
                          now};
   if (incomplete_.size() > kMostIncomplete) {
     giveUpOldest();

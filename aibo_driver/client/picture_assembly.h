@@ -14,7 +14,8 @@
 namespace aibo_driver {
 
 /// Puts the parts of pictures together. Few pictures are incomplete at a time, so that what a robot sends cannot fill
-/// the memory: a newer picture takes the place of the oldest, and a whole one of all that are older.
+/// the memory: a newer picture takes the place of the oldest, and a whole one of all that are older. A part that is
+/// lost is made from the parity of its group, if that has come.
 class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -35,14 +36,17 @@ class PictureAssembly {
     kContradiction  ///< the picture cannot have this part: other parts describe it differently
   };
 
-  /// Adds a part.
-  /// @param bytes of the JPEG, as many as the datagram says
+  /// Adds a part, or a parity.
+  /// @param bytes of the part or the parity, as many as the datagram says
   /// @param[out] whole the picture, if this completes it; it is newer than all before it
   Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now,
              std::optional<Whole>* whole);
 
   /// Pictures that were sent and have not become whole, also those of which nothing came.
   std::uint64_t lost() const { return lost_; }
+
+  /// Parts that were made from parities.
+  std::uint64_t repaired() const { return repaired_; }
 
   /// How many pictures in a row were begun and given up since the last whole one.
   int givenUpInARow() const { return given_up_in_a_row_; }
@@ -52,16 +56,21 @@ class PictureAssembly {
     protocol::version2::ImageHeader header;
     std::vector<std::uint8_t> jpeg;
     std::vector<bool> has_part;
+    std::vector<std::vector<std::uint8_t>> parities;  // of each group; empty until it has come
     std::size_t missing;
     TimePoint began;
   };
 
+  static bool take(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes,
+                   Incomplete& picture);
+  void repair(Incomplete& picture, std::size_t group);
   Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
   void giveUpOldest();
 
   std::map<std::int64_t, Incomplete> incomplete_;  // by the picture's number
   std::int64_t last_settled_ = -1;                 // this picture and those before it are whole or given up
   std::uint64_t lost_ = 0;
+  std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;
 };
 

@@ -40,6 +40,9 @@ class SequenceWindow {
     return Verdict::kReordered;
   }
 
+  /// The number of the next datagram, if none is lost.
+  std::int64_t next() const { return highest_ + 1; }
+
   /// How many have been lost.
   std::uint64_t lost() const { return lost_; }
 

@@ -61,9 +61,9 @@ class Session {
   virtual void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 
   /// A datagram has come from the server's address at this time.
-  /// @return the datagram to send back, or empty
+  /// @return the datagrams to send back
   /// @throw as bytesArrived()
-  virtual Bytes datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
+  virtual std::vector<Bytes> datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 
   /// To be called when nextDeadline() has passed and what had arrived until then has been handed in.
   /// @throw Fault something was due and did not come

@@ -43,7 +43,9 @@ class Version1Session final : public Session {
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
-  Bytes datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override { return {}; }  // none was asked for
+  std::vector<Bytes> datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override {
+    return {};
+  }  // none was asked for
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 

@@ -526,7 +526,8 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   connection_.colors.deliver();
 }
 
-Session::Bytes Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
+std::vector<Session::Bytes> Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size,
+                                                             TimePoint now) {
   if (!datagrams_.on()) {
     return {};
   }
@@ -536,12 +537,14 @@ Session::Bytes Version2Session::datagramArrived(const std::uint8_t* data, std::s
       deliverFromStream(picture);
     }
   }
-  Bytes acknowledgement;
+  std::vector<Bytes> replies;
   if (const auto picture = datagrams_.takeAcknowledgement()) {
-    acknowledgement.resize(version2::ACKNOWLEDGEMENT_SIZE);
-    version2::encodeAcknowledgement(*picture, acknowledgement.data());
+    version2::encodeAcknowledgement(*picture, replies.emplace_back(version2::ACKNOWLEDGEMENT_SIZE).data());
   }
-  return acknowledgement;
+  if (const auto picture = datagrams_.takeLossReport()) {
+    version2::encodeLossReport(*picture, replies.emplace_back(version2::LOSS_REPORT_SIZE).data());
+  }
+  return replies;
 }
 
 void Version2Session::onFrame() {

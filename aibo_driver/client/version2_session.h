@@ -39,7 +39,7 @@ class Version2Session final : public Session {
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
-  Bytes datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  std::vector<Bytes> datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 

@@ -148,6 +148,7 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   status.add("datagrams that came twice", client.duplicate_datagrams);
   status.add("datagrams that are no part of a picture", client.bad_datagrams);
   status.add("datagrams from strangers", client.foreign_datagrams);
+  status.add("lost datagrams that were repaired", client.repaired_datagrams);
   status.add("pictures lost with a datagram", client.lost_pictures);
 }
 

@@ -8,6 +8,7 @@ namespace {
 
 const size_t IMAGE_HEADER_OFFSET = DATAGRAM_HEADER_SIZE - IMAGE_HEADER_SIZE;
 const unsigned ACKNOWLEDGEMENT_MARK = 0x61000000U;  // 'a', 0, 0, 0
+const unsigned LOSS_REPORT_MARK = 0x6c000000U;      // 'l', 0, 0, 0
 
 }  // namespace
 
@@ -33,9 +34,19 @@ size_t sizeOfPart(size_t jpeg_size, size_t part) {
   return rest < DATAGRAM_PART_SIZE ? rest : DATAGRAM_PART_SIZE;
 }
 
+size_t numberOfParities(size_t parts) {
+  return (parts + PARTS_PER_PARITY - 1) / PARTS_PER_PARITY;
+}
+
+void addToParity(const unsigned char* part, size_t size, unsigned char* parity) {
+  for (size_t i = 0; i < size; ++i) {
+    parity[i] = static_cast<unsigned char>(parity[i] ^ part[i]);
+  }
+}
+
 size_t encodePictureDatagram(const PictureDatagram& datagram, unsigned char* out) {
   out[0] = static_cast<unsigned char>(DATAGRAM_MARK);
-  out[1] = 0;
+  out[1] = datagram.is_parity ? 1 : 0;
   encodeBigEndian16(datagram.part, out + 2);
   encodeBigEndian32(datagram.sequence, out + 4);
   encodeBigEndian32(datagram.picture, out + 8);
@@ -47,10 +58,11 @@ const char* decodePictureDatagram(const unsigned char* bytes, size_t size, Pictu
   if (size < DATAGRAM_HEADER_SIZE) {
     return "the datagram is shorter than its header";
   }
-  if (bytes[0] != static_cast<unsigned char>(DATAGRAM_MARK) || bytes[1] != 0) {
+  if (bytes[0] != static_cast<unsigned char>(DATAGRAM_MARK) || bytes[1] > 1) {
     return "the datagram does not begin as one with a part of a picture does";
   }
   PictureDatagram decoded;
+  decoded.is_parity = bytes[1] == 1;
   decoded.part = decodeBigEndian16(bytes + 2);
   decoded.sequence = decodeBigEndian32(bytes + 4);
   decoded.picture = decodeBigEndian32(bytes + 8);
@@ -60,6 +72,9 @@ const char* decodePictureDatagram(const unsigned char* bytes, size_t size, Pictu
   }
   if (decoded.part >= numberOfParts(decoded.jpeg_size)) {
     return "the picture in the datagram does not have that many parts";
+  }
+  if (decoded.is_parity && decoded.part % PARTS_PER_PARITY != 0) {
+    return "no group of parts begins with that of the parity in the datagram";
   }
   if (size - DATAGRAM_HEADER_SIZE != sizeOfPart(decoded.jpeg_size, decoded.part)) {
     return "the datagram does not have the size of its part";
@@ -82,6 +97,20 @@ size_t encodeAcknowledgement(unsigned picture, unsigned char* out) {
 const char* decodeAcknowledgement(const unsigned char* bytes, size_t size, unsigned* picture) {
   if (size != ACKNOWLEDGEMENT_SIZE || decodeBigEndian32(bytes) != ACKNOWLEDGEMENT_MARK) {
     return "the datagram is no acknowledgement";
+  }
+  *picture = decodeBigEndian32(bytes + 4);
+  return NULL;
+}
+
+size_t encodeLossReport(unsigned picture, unsigned char* out) {
+  encodeBigEndian32(LOSS_REPORT_MARK, out);
+  encodeBigEndian32(picture, out + 4);
+  return LOSS_REPORT_SIZE;
+}
+
+const char* decodeLossReport(const unsigned char* bytes, size_t size, unsigned* picture) {
+  if (size != LOSS_REPORT_SIZE || decodeBigEndian32(bytes) != LOSS_REPORT_MARK) {
+    return "the datagram is no report of a loss";
   }
   *picture = decodeBigEndian32(bytes + 4);
   return NULL;

@@ -43,8 +43,9 @@ bool isJpegBehind(const Header& header, const unsigned char* bytes, std::size_t 
 
 bool SentPictures::add(const void* data, std::size_t size) {
   const auto* bytes = static_cast<const unsigned char*>(data);
+  is_parity_ = false;
   if (size > 0 && bytes[0] == protocol::version2::DATAGRAM_MARK && addDatagram(bytes, size)) {
-    return jpeg_.size() == size - protocol::version2::DATAGRAM_HEADER_SIZE;
+    return !is_parity_ && jpeg_.size() == size - protocol::version2::DATAGRAM_HEADER_SIZE;
   }
   const bool goes_on = jpeg_.size() < jpeg_size_ && bytes == next_;
   const bool begins = !goes_on && begin(bytes, size);
@@ -61,6 +62,10 @@ bool SentPictures::addDatagram(const unsigned char* bytes, std::size_t size) {
   PictureDatagram datagram = {};
   if (decodePictureDatagram(bytes, size, &datagram) != nullptr) {
     return false;
+  }
+  is_parity_ = datagram.is_parity;
+  if (is_parity_) {
+    return true;
   }
   if (datagram.part == 0) {
     jpeg_.clear();

@@ -14,7 +14,7 @@ class SentPictures {
   bool add(const void* data, std::size_t size);
 
   /// True if the last add() completed a picture.
-  bool isComplete() const { return jpeg_size_ > 0 && jpeg_.size() == jpeg_size_; }
+  bool isComplete() const { return !is_parity_ && jpeg_size_ > 0 && jpeg_.size() == jpeg_size_; }
 
   /// The JPEG; only if isComplete().
   const std::string& jpeg() const { return jpeg_; }
@@ -24,6 +24,7 @@ class SentPictures {
   bool addDatagram(const unsigned char* bytes, std::size_t size);
 
   std::string jpeg_;                     ///< the part received so far
+  bool is_parity_ = false;               ///< the last one added: it has nothing of the JPEG that is not in its parts
   std::size_t jpeg_size_ = 0;            ///< of the complete picture; 0 if none is being sent
   const unsigned char* next_ = nullptr;  ///< beginning of its next part
 };

@@ -9,6 +9,7 @@ using protocol::version2::DATAGRAM_HEADER_SIZE;
 using protocol::version2::DATAGRAM_PART_SIZE;
 using protocol::version2::ImageHeader;
 using protocol::version2::MAX_DATAGRAM_SIZE;
+using protocol::version2::PARTS_PER_PARITY;
 using protocol::version2::PictureDatagram;
 
 namespace {
@@ -17,12 +18,15 @@ namespace {
 const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
 
 const size_t RECEIVE_SIZE = protocol::version2::ACKNOWLEDGEMENT_SIZE + 1;  // a byte more, to tell longer ones
+const size_t PARITY_OFFSET = DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
+const size_t RECEIVE_OFFSET = PARITY_OFFSET + MAX_DATAGRAM_SIZE;
 
 }  // namespace
 
 const unsigned PictureDatagrams::MOST_UNACKNOWLEDGED;
 const longword PictureDatagrams::PATIENCE;
 const longword PictureDatagrams::PATIENCE_PER_PART;
+const unsigned PictureDatagrams::PROTECTED_PICTURES;
 
 PictureDatagrams::PictureDatagrams()
     : object_(),
@@ -33,13 +37,16 @@ PictureDatagrams::PictureDatagrams()
       next_(),
       unsent_part_(0),
       number_of_parts_(0),
+      has_parities_(false),
+      is_sending_parity_(false),
+      to_be_protected_(0),
       acknowledged_(0),
       last_begun_(0) {}
 
 bool PictureDatagrams::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
-  return buffer_.Create(stack_, DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY + RECEIVE_SIZE);
+  return buffer_.Create(stack_, RECEIVE_OFFSET + RECEIVE_SIZE);
 }
 
 void PictureDatagrams::Destroy() {
@@ -64,6 +71,8 @@ void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t s
   next_.image = image;
   unsent_part_ = 0;
   number_of_parts_ = protocol::version2::numberOfParts(size);
+  has_parities_ = to_be_protected_ > 0;
+  to_be_protected_ -= has_parities_ ? 1 : 0;
   SendPart();
 }
 
@@ -72,8 +81,15 @@ void PictureDatagrams::Sent(const UDPEndpointSendMsg& answer) {
   if (port_ == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_ || !HasPicture()) {
     return;
   }
-  ++unsent_part_;
-  if (HasPicture()) {
+  if (is_sending_parity_) {
+    is_sending_parity_ = false;
+  } else {
+    ++unsent_part_;
+    is_sending_parity_ = has_parities_ && GroupEnds();
+  }
+  if (is_sending_parity_) {
+    SendParity();
+  } else if (HasPicture()) {
     SendPart();
   } else {
     ++next_.picture;
@@ -84,13 +100,17 @@ void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
   if (port_ == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_) {
     return;
   }
-  unsigned picture = 0;
   const bool is_from_client =
       answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == port_;
-  if (is_from_client &&
-      protocol::version2::decodeAcknowledgement(ReceiveBuffer(), static_cast<size_t>(answer.size), &picture) == NULL &&
-      picture <= next_.picture && picture >= acknowledged_) {
-    acknowledged_ = picture + 1;
+  const size_t size = is_from_client ? static_cast<size_t>(answer.size) : 0;
+  unsigned picture = 0;
+  if (protocol::version2::decodeAcknowledgement(ReceiveBuffer(), size, &picture) == NULL) {
+    if (picture <= next_.picture && picture >= acknowledged_) {
+      acknowledged_ = picture + 1;
+    }
+  } else if (protocol::version2::decodeLossReport(ReceiveBuffer(), size, &picture) == NULL &&
+             picture <= next_.picture) {
+    to_be_protected_ = PROTECTED_PICTURES;
   }
   Receive();
 }
@@ -106,6 +126,7 @@ bool PictureDatagrams::Open(Port port) {
   next_.sequence = 0;
   next_.picture = 0;
   acknowledged_ = 0;
+  to_be_protected_ = 0;
   UDPEndpointBindMsg bind(endpoint_, IP_ADDR_ANY, IP_PORT_ANY);
   if (bind.Call(stack_, sizeof(bind)) != ANT_SUCCESS || bind.error != UDP_SUCCESS) {
     Close();
@@ -123,20 +144,47 @@ void PictureDatagrams::Close() {
   port_ = 0;
   unsent_part_ = 0;
   number_of_parts_ = 0;
+  is_sending_parity_ = false;
+}
+
+// True if the last part that was sent is the last one of its group.
+bool PictureDatagrams::GroupEnds() const {
+  return unsent_part_ % PARTS_PER_PARITY == 0 || unsent_part_ == number_of_parts_;
 }
 
 // The header takes the place of the end of the part before it, which the IPStack has already.
 void PictureDatagrams::SendPart() {
   byte* const datagram = buffer_.Bytes() + unsent_part_ * DATAGRAM_PART_SIZE;
+  const size_t part_size = protocol::version2::sizeOfPart(next_.jpeg_size, unsent_part_);
+  if (has_parities_) {
+    byte* const parity = ParityBuffer() + DATAGRAM_HEADER_SIZE;
+    if (unsent_part_ % PARTS_PER_PARITY == 0) {
+      memset(parity, 0, part_size);
+    }
+    protocol::version2::addToParity(datagram + DATAGRAM_HEADER_SIZE, part_size, parity);
+  }
+  next_.is_parity = false;
   next_.part = static_cast<unsigned short>(unsent_part_);
+  SendDatagram(datagram, part_size);
+}
+
+void PictureDatagrams::SendParity() {
+  const size_t first_part = (unsent_part_ - 1) / PARTS_PER_PARITY * PARTS_PER_PARITY;
+  next_.is_parity = true;
+  next_.part = static_cast<unsigned short>(first_part);
+  SendDatagram(ParityBuffer(), protocol::version2::sizeOfPart(next_.jpeg_size, first_part));
+}
+
+// @param datagram room for its header, and behind it its content
+void PictureDatagrams::SendDatagram(byte* datagram, size_t content_size) {
   encodePictureDatagram(next_, datagram);
   ++next_.sequence;
-  const size_t part_size = protocol::version2::sizeOfPart(next_.jpeg_size, unsent_part_);
   UDPEndpointSendMsg send(endpoint_, IPAddress(static_cast<uint32>(receiver_)), port_, datagram,
-                          static_cast<int>(DATAGRAM_HEADER_SIZE + part_size));
+                          static_cast<int>(DATAGRAM_HEADER_SIZE + content_size));
   send.continuation = reinterpret_cast<void*>(endpoint_number_);
   if (send.Send(stack_, object_, Extra_Entry[entryDatagramCont], sizeof(send)) != ANT_SUCCESS) {
     number_of_parts_ = 0;  // the rest of this picture is lost; the next one may fare better
+    is_sending_parity_ = false;
     ++next_.picture;
   }
 }
@@ -149,5 +197,9 @@ void PictureDatagrams::Receive() {
 }
 
 byte* PictureDatagrams::ReceiveBuffer() const {
-  return buffer_.Bytes() + DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
+  return buffer_.Bytes() + RECEIVE_OFFSET;
+}
+
+byte* PictureDatagrams::ParityBuffer() const {
+  return buffer_.Bytes() + PARITY_OFFSET;
 }

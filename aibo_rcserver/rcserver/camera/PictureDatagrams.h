@@ -29,6 +29,9 @@ class DatagramSwitch {
 /// UDP itself does not slow a sender down, and on a slow radio link old pictures would fill the queue of the radio. So
 /// at most MOST_UNACKNOWLEDGED pictures are on their way: the client acknowledges each, and without an acknowledgement
 /// the next one goes after a while.
+///
+/// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that they become whole even if they
+/// lose a datagram.
 class PictureDatagrams : public DatagramSwitch {
  public:
   /// Two, so that the radio does not wait for the acknowledgement.
@@ -38,6 +41,9 @@ class PictureDatagrams : public DatagramSwitch {
   /// each part of the last picture. A part takes 12 ms at 1 Mbit/s.
   static const longword PATIENCE = 6;
   static const longword PATIENCE_PER_PART = 2;
+
+  /// About 2 s at full rate: if more than one datagram in 300 is lost, nearly all pictures have parities.
+  static const unsigned PROTECTED_PICTURES = 64;
 
   PictureDatagrams();
   virtual ~PictureDatagrams() {}
@@ -59,7 +65,7 @@ class PictureDatagrams : public DatagramSwitch {
   bool IsOn() const { return port_ != 0; }
 
   /// True while there is a picture that has not been sent completely.
-  bool HasPicture() const { return unsent_part_ < number_of_parts_; }
+  bool HasPicture() const { return unsent_part_ < number_of_parts_ || is_sending_parity_; }
 
   /// False while enough pictures are on their way.
   /// @param now OPEN-R frame
@@ -73,7 +79,7 @@ class PictureDatagrams : public DatagramSwitch {
   /// The IPStack's answer to a datagram: sends the next one, if there is one.
   void Sent(const UDPEndpointSendMsg& answer);
 
-  /// A datagram has come. Only the client's acknowledgements count.
+  /// A datagram has come. Only the client's acknowledgements and reports of losses count.
   void Received(const UDPEndpointReceiveMsg& answer);
 
  private:
@@ -82,13 +88,17 @@ class PictureDatagrams : public DatagramSwitch {
 
   bool Open(Port port);
   void Close();
+  bool GroupEnds() const;
   void SendPart();
+  void SendParity();
+  void SendDatagram(byte* datagram, size_t content_size);
   void Receive();
   byte* ReceiveBuffer() const;
+  byte* ParityBuffer() const;
 
   OID object_;
   antStackRef stack_;
-  SharedBuffer buffer_;  ///< room for the header of a datagram, then the JPEG, then a received datagram
+  SharedBuffer buffer_;  ///< room for the header of a datagram, the JPEG, a datagram with a parity, a received one
   antModuleRef endpoint_;
   size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be told
   unsigned receiver_;       ///< the client's address
@@ -96,8 +106,11 @@ class PictureDatagrams : public DatagramSwitch {
   protocol::version2::PictureDatagram next_;
   size_t unsent_part_;
   size_t number_of_parts_;
-  unsigned acknowledged_;  ///< pictures, counted from the first
-  longword last_begun_;    ///< frame in which a picture was last begun
+  bool has_parities_;         ///< the picture that is being sent
+  bool is_sending_parity_;    ///< of the group before unsent_part_
+  unsigned to_be_protected_;  ///< pictures that shall have parities
+  unsigned acknowledged_;     ///< pictures, counted from the first
+  longword last_begun_;       ///< frame in which a picture was last begun
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H

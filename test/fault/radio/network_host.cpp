@@ -67,6 +67,15 @@ FileDescriptor openTunDevice() {
   return packets;
 }
 
+/// Computers differ in how TCP reacts to losses. Reno's way is the one that every system knows, old ones too.
+void useOrdinaryTcp() {
+  constexpr char kName[] = "reno";
+  const FileDescriptor setting(::open("/proc/sys/net/ipv4/tcp_congestion_control", O_WRONLY | O_CLOEXEC));
+  if (!setting.valid() || ::write(setting.get(), kName, sizeof kName - 1) < 0) {
+    throwProblem("TCP's congestion control");
+  }
+}
+
 void configure(const std::string& address) {
   const FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   if (!socket.valid()) {
@@ -76,6 +85,7 @@ void configure(const std::string& address) {
   setAddress(socket.get(), SIOCSIFADDR, address);
   setAddress(socket.get(), SIOCSIFNETMASK, kNetmask);
   bringUp(socket.get(), kDevice);
+  useOrdinaryTcp();
 }
 
 }  // namespace

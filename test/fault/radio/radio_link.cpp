@@ -5,9 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <optional>
-#include <utility>
+#include <vector>
 
 namespace fault_bench {
 namespace {
@@ -44,14 +42,11 @@ void RadioLink::run() {
   }
 }
 
-void RadioLink::waitForWork() const {
-  nanoseconds patience = std::chrono::hours(1);
-  for (const std::vector<Packet>& packets : under_way_) {
-    if (!packets.empty()) {
-      patience = std::min<nanoseconds>(patience, packets.front().arrival - steady_clock::now());
-    }
-  }
-  const timespec timeout = toTimespec(std::max(patience, nanoseconds(0)));
+void RadioLink::waitForWork() {
+  const RadioMedium::Time present = now();
+  const auto next = medium_.nextEvent(present);
+  const nanoseconds patience = next ? std::max(*next - present, nanoseconds(0)) : std::chrono::hours(1);
+  const timespec timeout = toTimespec(patience);
   pollfd polled[] = {{stop_event_.descriptor(), POLLIN, 0}, {hosts_[0], POLLIN, 0}, {hosts_[1], POLLIN, 0}};
   ::ppoll(polled, 3, &timeout, nullptr);
 }
@@ -59,26 +54,18 @@ void RadioLink::waitForWork() const {
 void RadioLink::takePackets(RadioMedium::Direction direction) {
   std::vector<std::uint8_t> bytes(kLargestPacket);
   for (ssize_t size; (size = ::read(hosts_[direction], bytes.data(), bytes.size())) > 0;) {
-    const auto arrival = medium_.send(direction, static_cast<std::size_t>(size), steady_clock::now() - begin_);
-    if (!arrival) {
-      ++lost_;
-      continue;
-    }
-    under_way_[direction].push_back({begin_ + *arrival, hosts_[1 - direction], {bytes.begin(), bytes.begin() + size}});
+    medium_.send(direction, {bytes.begin(), bytes.begin() + size}, now());
   }
 }
 
 void RadioLink::deliverPackets() {
-  const auto now = steady_clock::now();
-  for (std::vector<Packet>& packets : under_way_) {
-    const auto is_under_way = [now](const Packet& packet) { return packet.arrival > now; };
-    const auto end = std::find_if(packets.begin(), packets.end(), is_under_way);
-    for (auto packet = packets.begin(); packet != end; ++packet) {
-      // A packet that the host does not take is lost, as with any network card.
-      ++(::write(packet->receiver, packet->bytes.data(), packet->bytes.size()) > 0 ? carried_ : lost_);
-    }
-    packets.erase(packets.begin(), end);
+  while (const auto packet = medium_.receive(now())) {
+    // A packet that the host does not take is lost, as with any network card.
+    const bool taken = ::write(hosts_[1 - packet->direction], packet->bytes.data(), packet->bytes.size()) > 0;
+    carried_ += taken ? 1 : 0;
+    refused_ += taken ? 0 : 1;
   }
+  lost_ = medium_.lost() + refused_;
 }
 
 }  // namespace fault_bench

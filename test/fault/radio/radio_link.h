@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <thread>
-#include <vector>
 
 #include "client/event.h"
 #include "radio/network_host.h"
@@ -35,21 +34,16 @@ class RadioLink {
   /// @}
 
  private:
-  struct Packet {
-    std::chrono::steady_clock::time_point arrival;
-    int receiver;
-    std::vector<std::uint8_t> bytes;
-  };
-
   void run();
   void takePackets(RadioMedium::Direction direction);
   void deliverPackets();
-  void waitForWork() const;
+  void waitForWork();
+  RadioMedium::Time now() const { return std::chrono::steady_clock::now() - begin_; }
 
   const std::array<int, 2> hosts_;  // descriptors of their packets
   RadioMedium medium_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::array<std::vector<Packet>, 2> under_way_;  // in the order of arrival, by direction
+  std::uint64_t refused_ = 0;  // packets, by the hosts
   std::atomic<std::uint64_t> carried_{0};
   std::atomic<std::uint64_t> lost_{0};
   aibo_driver::Event stop_event_;

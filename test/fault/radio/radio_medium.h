@@ -29,30 +29,59 @@ struct RadioOptions {
   std::vector<Outage> outages;
 };
 
-/// Computes when a packet arrives, if it does. Both directions share the air, which carries one packet at a time. No
-/// packet overtakes another. Uses no sockets and no clock.
+/// Carries packets between two stations. They share the air, which carries one packet at a time; when both have packets
+/// to send, they take turns, as 802.11 gives each station the same chance. No packet overtakes another of its station.
+/// Uses no sockets and no clock.
 class RadioMedium {
  public:
   /// Time since the beginning.
   using Time = std::chrono::nanoseconds;
+  using Bytes = std::vector<std::uint8_t>;
 
   enum Direction { kUp = 0, kDown = 1 };
 
+  struct Packet {
+    Direction direction;
+    Time arrival;
+    Bytes bytes;
+  };
+
   explicit RadioMedium(const RadioOptions& options);
 
-  /// Sends a packet.
-  /// @param now not less than in the last call
-  /// @return when it arrives; nothing if it is lost or the queue is full
-  std::optional<Time> send(Direction direction, std::size_t bytes, Time now);
+  /// A station wants to send a packet.
+  /// @param now not less than in the last call, as in the other functions
+  /// @return false if its queue is full: the packet is dropped
+  bool send(Direction direction, Bytes bytes, Time now);
+
+  /// The next packet that has arrived; nothing if none has. Packets that are lost never arrive.
+  std::optional<Packet> receive(Time now);
+
+  /// When to call receive() again if nobody sends; nothing if no packet is under way.
+  std::optional<Time> nextEvent(Time now);
+
+  /// Packets that were dropped or lost on the way.
+  std::uint64_t lost() const { return lost_; }
 
  private:
+  struct Waiting {
+    Time since;
+    Bytes bytes;
+  };
+
   bool isOut(Time time) const;
+  std::optional<Direction> nextSender(Time* begin) const;
+  void carryUntil(Time now);
+  void carry(Direction direction, Time begin);
 
   const RadioOptions options_;
   std::mt19937 random_;
-  std::deque<Time> waiting_;  // for each packet that waits or is on the air: when it leaves the air
+  std::deque<Waiting> queues_[2];  // a packet on the air is in its queue until it has left the air
+  Direction last_sender_ = kDown;
+  bool air_is_busy_ = false;  // with the first packet of last_sender_
   Time air_is_free_{0};
+  std::deque<Packet> under_way_[2];  // after the air, in the order of arrival
   Time last_arrival_[2] = {};
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace fault_bench

@@ -2,6 +2,7 @@
 // as their content, so that a picture of mixed parts would show.
 //
 // An input is a row of datagrams: a byte for the Kind, and what belongs to it.
+#include <algorithm>
 #include <optional>
 
 #include "client/datagram_intake.h"
@@ -12,7 +13,7 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-enum Kind { PART = 0, RAW = 5, TIME_PASSES, TCP_WORKS, BEGINS_ANEW, COUNT };
+enum Kind { PART = 0, PARITY = 4, RAW = 5, TIME_PASSES, TCP_WORKS, BEGINS_ANEW, COUNT };
 
 constexpr std::size_t kQualityOffset = 28;
 
@@ -33,7 +34,7 @@ class Receiver {
   void play() {
     const unsigned kind = input_.takeByte() % COUNT;
     if (kind < RAW) {
-      arrive(takePart());
+      arrive(takePart(kind == PARITY));
     } else if (kind == RAW) {
       arrive(takeRaw());
     } else if (kind == TIME_PASSES) {
@@ -46,18 +47,30 @@ class Receiver {
     }
   }
 
-  Bytes takePart() {
+  Bytes takePart(bool is_parity) {
     version2::PictureDatagram datagram = {};
     datagram.picture = input_.takeByte();
     datagram.sequence = input_.take16();
     datagram.jpeg_size = 1 + input_.takeByte() * 31U;
     datagram.part = static_cast<unsigned short>(input_.takeByte() % version2::numberOfParts(datagram.jpeg_size));
+    datagram.is_parity = is_parity;
+    if (is_parity) {
+      datagram.part =
+          static_cast<unsigned short>(datagram.part / version2::PARTS_PER_PARITY * version2::PARTS_PER_PARITY);
+    }
     datagram.image = {
         datagram.picture, 4 * datagram.picture + input_.takeByte() / 128, 208, 160, 85, version2::LAYER_HIGH, {}};
     Bytes bytes(version2::DATAGRAM_HEADER_SIZE);
     version2::encodePictureDatagram(datagram, bytes.data());
-    bytes.resize(bytes.size() + version2::sizeOfPart(datagram.jpeg_size, datagram.part),
-                 static_cast<std::uint8_t>(datagram.picture));
+    const std::size_t first = datagram.part;
+    bytes.resize(bytes.size() + version2::sizeOfPart(datagram.jpeg_size, first));
+    const std::size_t last =
+        is_parity ? std::min(first + version2::PARTS_PER_PARITY, version2::numberOfParts(datagram.jpeg_size))
+                  : first + 1;
+    for (std::size_t part = first; part < last; ++part) {
+      const Bytes content(version2::sizeOfPart(datagram.jpeg_size, part), static_cast<std::uint8_t>(datagram.picture));
+      version2::addToParity(content.data(), content.size(), bytes.data() + version2::DATAGRAM_HEADER_SIZE);
+    }
     return bytes;
   }
 
@@ -76,12 +89,17 @@ class Receiver {
     require(version2::decodeAcknowledgement(bytes.data(), bytes.size(), &picture) != nullptr || !whole,
             "an acknowledgement is no picture");
     intake_.takeAcknowledgement();
+    intake_.takeLossReport();
     if (!whole) {
       return;
     }
     require(!whole->jpeg.empty() && whole->jpeg.size() <= version2::MAX_JPEG_SIZE, "a picture has a possible size");
     require(whole->began <= now_, "it began before it was whole");
     if (whole->header.quality != 0) {
+      const auto picture_number = static_cast<std::uint8_t>(whole->header.image_count);
+      require(std::count(whole->jpeg.begin(), whole->jpeg.end(), picture_number) ==
+                  static_cast<std::ptrdiff_t>(whole->jpeg.size()),
+              "all parts are of the picture, also those that were repaired");
       require(!newest_ || whole->header.image_count > *newest_, "no picture comes after a newer one");
       newest_ = whole->header.image_count;
     }

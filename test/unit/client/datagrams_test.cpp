@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -102,10 +103,17 @@ class DatagramsTest : public SessionFixture {
     }
   }
 
-  std::vector<Bytes> nextPicture() {
+  std::vector<Bytes> nextPicture(bool with_parities = false) {
     ++picture_;
     jpegs_.push_back(makeJpeg(picture_));
-    return test_support::makeDatagrams(jpegs_.back(), picture_ - 1, 1000 + 4 * picture_, &sequence_);
+    return test_support::makeDatagrams(jpegs_.back(), picture_ - 1, 1000 + 4 * picture_, &sequence_, with_parities);
+  }
+  std::vector<Bytes> nextLargePicture() {
+    ++picture_;
+    Bytes jpeg = makeJpeg(picture_);
+    jpeg.insert(jpeg.end() - 2, 17 * protocol::version2::DATAGRAM_PART_SIZE, static_cast<std::uint8_t>(picture_));
+    jpegs_.push_back(jpeg);
+    return test_support::makeDatagrams(jpeg, picture_ - 1, 1000 + 4 * picture_, &sequence_, true);
   }
 
   void arrive(const Bytes& datagram) { receiveDatagram(datagram); }
@@ -123,6 +131,14 @@ class DatagramsTest : public SessionFixture {
       numbers.push_back(found == jpegs_.end() ? 0 : static_cast<unsigned>(found - jpegs_.begin()) + 1);
     }
     return numbers;
+  }
+
+  /// The replies that begin with this letter: `a` acknowledgements, `l` reports of losses.
+  std::vector<Bytes> repliesOf(char letter) const {
+    std::vector<Bytes> found;
+    std::copy_if(replies_.begin(), replies_.end(), std::back_inserter(found),
+                 [letter](const Bytes& reply) { return reply[0] == static_cast<std::uint8_t>(letter); });
+    return found;
   }
 
   Bytes byTcp(unsigned seed, unsigned frame_number, int number = 0) {
@@ -369,22 +385,105 @@ TEST_F(DatagramsTest, PicturesByTcpThatWereOvertakenAreNotDelivered) {
 TEST_F(DatagramsTest, EachPictureIsAcknowledgedWhenItsLastPartOrALaterOneHasCome) {
   startStream();
   arrive(nextPicture());
-  EXPECT_THAT(replies_, ElementsAre(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
+  EXPECT_THAT(repliesOf('a'), ElementsAre(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
   std::vector<Bytes> picture = nextPicture();
   arrive(picture.back());
-  EXPECT_EQ(2u, replies_.size());
+  EXPECT_EQ(2u, repliesOf('a').size());
   picture.pop_back();
   arrive(picture);
-  EXPECT_EQ(2u, replies_.size());
-  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 1}), replies_.back());
+  EXPECT_EQ(2u, repliesOf('a').size());
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 1}), repliesOf('a').back());
   std::vector<Bytes> cut = nextPicture();
   cut.pop_back();
-  const std::size_t before = replies_.size();
+  const std::size_t before = repliesOf('a').size();
   arrive(cut);
   arrive(Bytes(10, 'x'));
-  EXPECT_EQ(before, replies_.size());
+  EXPECT_EQ(before, repliesOf('a').size());
   arrive(nextPicture().front());
-  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 2}), replies_.back()) << "its last part will not come any more";
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 2}), repliesOf('a').back()) << "its last part will not come any more";
+}
+
+TEST_F(DatagramsTest, AnyDatagramOfAGroupWithParityMayBeLost) {
+  startStream();
+  const std::size_t datagrams = nextPicture(true).size();
+  picture_ = 0;
+  jpegs_.clear();
+  sequence_ = 0;
+  for (std::size_t lost = 0; lost < datagrams; ++lost) {
+    std::vector<Bytes> picture = nextPicture(true);
+    picture.erase(picture.begin() + static_cast<std::ptrdiff_t>(std::min(lost, picture.size() - 1)));
+    arrive(picture);
+    EXPECT_EQ(delivered().size(), picture_) << lost;
+    EXPECT_EQ(delivered().back(), picture_) << lost;
+  }
+  EXPECT_EQ(datagrams - 1, counters_.repaired_datagrams) << "a lost parity needs no repair";
+  EXPECT_EQ(0u, counters_.lost_pictures);
+  EXPECT_EQ(0u, counters_.bad_datagrams);
+}
+
+TEST_F(DatagramsTest, EachGroupOfALargePictureMayLoseADatagram) {
+  startStream();
+  std::vector<Bytes> picture = nextLargePicture();
+  ASSERT_GT(picture.size(), 2 * protocol::version2::PARTS_PER_PARITY);
+  picture.erase(picture.end() - 2);    // the last part
+  picture.erase(picture.begin() + 9);  // the first of the second group, behind the parity of the first
+  std::reverse(picture.begin(), picture.end());
+  const Bytes last = picture.back();
+  picture.pop_back();
+  arrive(picture);
+  EXPECT_THAT(delivered(), ElementsAre(1)) << "the first part, too, is made from its parity";
+  EXPECT_EQ(3u, counters_.repaired_datagrams);
+  arrive(last);
+  EXPECT_THAT(delivered(), ElementsAre(1));
+}
+
+TEST_F(DatagramsTest, TwoLostDatagramsOfAGroupCannotBeRepaired) {
+  startStream();
+  std::vector<Bytes> picture = nextPicture(true);
+  const Bytes late = picture[0];
+  picture.erase(picture.begin(), picture.begin() + 2);
+  arrive(picture);
+  EXPECT_THAT(delivered(), IsEmpty());
+  arrive(late);
+  EXPECT_THAT(delivered(), ElementsAre(1)) << "one is lost, the other was late";
+}
+
+TEST_F(DatagramsTest, ALossIsReportedWhenALaterDatagramShowsIt) {
+  startStream();
+  arrive(nextPicture());
+  EXPECT_THAT(repliesOf('l'), IsEmpty());
+  std::vector<Bytes> picture = nextPicture();
+  picture.erase(picture.begin() + 1);
+  arrive(picture);
+  EXPECT_THAT(repliesOf('l'), ElementsAre(Bytes({'l', 0, 0, 0, 0, 0, 0, 1})));
+  picture = nextPicture();
+  picture.pop_back();
+  arrive(picture);
+  EXPECT_EQ(1u, repliesOf('l').size());
+  arrive(nextPicture());
+  EXPECT_EQ(2u, repliesOf('l').size());
+}
+
+TEST_F(DatagramsTest, TheParityOfTheLastPartsAcknowledgesToo) {
+  startStream();
+  std::vector<Bytes> picture = nextPicture(true);
+  const Bytes parity = picture.back();
+  picture.resize(picture.size() - 2);  // without the last part
+  arrive(picture);
+  EXPECT_THAT(replies_, IsEmpty());
+  arrive(parity);
+  EXPECT_THAT(replies_, testing::Contains(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
+  EXPECT_THAT(delivered(), ElementsAre(1));
+}
+
+TEST_F(DatagramsTest, TheAcknowledgementOfAPictureWithParitiesIsRepeated) {
+  startStream();
+  arrive(nextPicture());
+  arrive(nextPicture(true));
+  EXPECT_EQ(2u, repliesOf('a').size()) << "that of a picture without is not";
+  arrive(nextPicture().front());
+  EXPECT_EQ(3u, repliesOf('a').size());
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 1}), repliesOf('a').back());
 }
 
 TEST_F(DatagramsTest, DatagramsAfterTheReturnToTcpAreIgnored) {

@@ -31,10 +31,8 @@ class SessionFixture : public testing::Test {
 
   void receiveDatagram(const Bytes& bytes) {
     connection_.pictures.bytesArrived(now_);
-    const Bytes reply = session().datagramArrived(bytes.data(), bytes.size(), now_);
-    if (!reply.empty()) {
-      replies_.push_back(reply);
-    }
+    const std::vector<Bytes> replies = session().datagramArrived(bytes.data(), bytes.size(), now_);
+    replies_.insert(replies_.end(), replies.begin(), replies.end());
     look();
   }
 

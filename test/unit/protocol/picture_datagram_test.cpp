@@ -35,6 +35,7 @@ TEST(PictureDatagram, HasTheLayoutOfTheDocument) {
   const Bytes bytes = lastPart();
   PictureDatagram datagram{};
   ASSERT_THAT(decodePictureDatagram(bytes.data(), bytes.size(), &datagram), IsNull());
+  EXPECT_FALSE(datagram.is_parity);
   EXPECT_EQ(datagram.part, 1);
   EXPECT_EQ(datagram.sequence, 7U);
   EXPECT_EQ(datagram.picture, 3U);
@@ -66,13 +67,54 @@ TEST(PictureDatagram, CutOrPaddedOnesAreRefused) {
 TEST(PictureDatagram, ImpossibleOnesAreRefused) {
   const Bytes bytes = lastPart();
   EXPECT_THAT(decode(with(bytes, 0, 'f')), HasSubstr("begin"));
-  EXPECT_THAT(decode(with(bytes, 1, 1)), HasSubstr("begin"));
+  EXPECT_THAT(decode(with(bytes, 1, 2)), HasSubstr("begin"));
+  EXPECT_THAT(decode(with(bytes, 1, 1)), HasSubstr("no group")) << "a parity of group 0 names part 0";
   EXPECT_THAT(decode(with(bytes, 3, 2)), HasSubstr("that many parts"));
   EXPECT_THAT(decode(with(bytes, 3, 0)), HasSubstr("size of its part"));
   EXPECT_THAT(decode(with(bytes, 12, 0x7f)), HasSubstr("too large"));
   EXPECT_THAT(decode(with(with(bytes, 14, 0), 15, 0)), HasSubstr("empty"));
   EXPECT_THAT(decode(with(bytes, 28, 101)), HasSubstr("quality"));
   EXPECT_THAT(decode(with(bytes, 29, 9)), HasSubstr("layer"));
+}
+
+TEST(PictureDatagram, AParityIsAsLongAsTheFirstPartOfItsGroup) {
+  Bytes bytes = with(with(hex(kHeader), 1, 1), 3, 0);
+  EXPECT_THAT(decode(bytes + Bytes(4, 7)), HasSubstr("size of its part"));
+  bytes = bytes + Bytes(DATAGRAM_PART_SIZE, 7);
+  PictureDatagram datagram{};
+  ASSERT_THAT(decodePictureDatagram(bytes.data(), bytes.size(), &datagram), IsNull());
+  EXPECT_TRUE(datagram.is_parity);
+  EXPECT_EQ(encoded(encodePictureDatagram, datagram, DATAGRAM_HEADER_SIZE), firstOf(bytes, DATAGRAM_HEADER_SIZE));
+}
+
+TEST(Parity, OfAGroupGivesBackAnyPartOfIt) {
+  EXPECT_EQ(numberOfParities(1), 1U);
+  EXPECT_EQ(numberOfParities(8), 1U);
+  EXPECT_EQ(numberOfParities(9), 2U);
+  const std::vector<Bytes> parts = {hex("01 02 03 04"), hex("ff 00 ff 00"), hex("55 aa")};
+  for (size_t lost = 0; lost < parts.size(); ++lost) {
+    Bytes sum(4);
+    for (const Bytes& part : parts) {
+      addToParity(part.data(), part.size(), sum.data());
+    }
+    for (size_t i = 0; i < parts.size(); ++i) {
+      if (i != lost) {
+        addToParity(parts[i].data(), parts[i].size(), sum.data());
+      }
+    }
+    EXPECT_EQ(firstOf(sum, parts[lost].size()), parts[lost]);
+  }
+}
+
+TEST(LossReport, NamesThePicture) {
+  unsigned picture = 0;
+  const Bytes bytes = hex("6c 00 00 00 00 00 12 34");
+  ASSERT_THAT(decodeLossReport(bytes.data(), bytes.size(), &picture), IsNull());
+  EXPECT_EQ(picture, 0x1234U);
+  EXPECT_EQ(encoded(encodeLossReport, picture, LOSS_REPORT_SIZE), bytes);
+  EXPECT_NE(decodeLossReport(bytes.data(), 7, &picture), nullptr);
+  EXPECT_NE(decodeLossReport(with(bytes, 1, 1).data(), 8, &picture), nullptr);
+  EXPECT_NE(decodeLossReport(hex("61 00 00 00 00 00 12 34").data(), 8, &picture), nullptr) << "an acknowledgement";
 }
 
 TEST(Acknowledgement, NamesThePicture) {

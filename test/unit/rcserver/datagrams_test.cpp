@@ -60,7 +60,7 @@ class DatagramsTest : public FakeRobotFixture {
       EXPECT_EQ(decodePictureDatagram(datagram->data(), datagram->size(), &part.header), nullptr);
       part.bytes.assign(datagram->begin() + DATAGRAM_HEADER_SIZE, datagram->end());
       parts.push_back(part);
-      if (acknowledges_ && part.header.part + 1U == numberOfParts(part.header.jpeg_size)) {
+      if (acknowledges_ && !part.header.is_parity && part.header.part + 1U == numberOfParts(part.header.jpeg_size)) {
         receiver.reply(acknowledgement(part.header.picture));
       }
     }
@@ -78,6 +78,16 @@ class DatagramsTest : public FakeRobotFixture {
       }
     }
     return pictures;
+  }
+
+  static std::vector<uint8_t> lossReport(unsigned picture) {
+    std::vector<uint8_t> bytes(LOSS_REPORT_SIZE);
+    encodeLossReport(picture, bytes.data());
+    return bytes;
+  }
+
+  static bool hasParity(const std::vector<ReceivedPart>& parts) {
+    return std::any_of(parts.begin(), parts.end(), [](const ReceivedPart& part) { return part.header.is_parity; });
   }
 
   static std::vector<uint8_t> joined(const std::vector<ReceivedPart>& parts) {
@@ -246,6 +256,72 @@ TEST_F(DatagramsTest, NoMoreThanTwoPicturesAreOnTheirWayUnlessTheyAreAcknowledge
   receiver.reply(acknowledgement(3));
   passFrames(1);
   EXPECT_LE(framesUntilAPicture(receiver), FakeRobot::kFramesPerImage + 1U);
+}
+
+TEST_F(DatagramsTest, AfterALossEachGroupOfPartsIsFollowedByItsParity) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  streamTo(receiver);
+  answerTo('W', 100, kStreamOn);
+  takeImage();
+  EXPECT_FALSE(hasParity(partsAt(receiver)));
+  receiver.reply(lossReport(0));
+  takeImage();
+  const std::vector<ReceivedPart> parts = partsAt(receiver);
+  ASSERT_GT(parts.size(), 2 * PARTS_PER_PARITY) << "the test needs several groups";
+  EXPECT_THAT(sizes_, Each(Le(1372U)));
+  unsigned part = 0;
+  std::vector<uint8_t> sum;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const ReceivedPart& received = parts[i];
+    EXPECT_EQ(received.header.sequence, parts[0].header.sequence + i);
+    if (received.header.is_parity) {
+      EXPECT_EQ(received.header.part, (part - 1) / PARTS_PER_PARITY * PARTS_PER_PARITY);
+      EXPECT_EQ(received.bytes, sum) << "of the parts until " << part;
+      sum.clear();
+      continue;
+    }
+    EXPECT_EQ(received.header.part, part++);
+    sum.resize(std::max(sum.size(), received.bytes.size()));
+    addToParity(received.bytes.data(), received.bytes.size(), sum.data());
+  }
+  EXPECT_TRUE(parts.back().header.is_parity);
+  EXPECT_EQ(part, numberOfParts(parts[0].header.jpeg_size));
+  EXPECT_EQ(parts.size(), part + numberOfParities(part));
+  takeImage();
+  const std::vector<ReceivedPart> next = partsAt(receiver);
+  ASSERT_FALSE(next.empty());
+  EXPECT_EQ(next[0].header.picture, parts[0].header.picture + 1);
+}
+
+TEST_F(DatagramsTest, WithoutAnotherLossTheParitiesEnd) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  takeImage();
+  partsAt(receiver);
+  receiver.reply(lossReport(0));
+  unsigned with_parity = 0;
+  for (int i = 0; i < 100; ++i) {
+    takeImage();
+    with_parity += hasParity(partsAt(receiver)) ? 1 : 0;
+  }
+  EXPECT_EQ(with_parity, 64U);
+}
+
+TEST_F(DatagramsTest, OnlyTheClientReportsLosses) {
+  UdpSocket receiver;
+  UdpSocket stranger;
+  streamTo(receiver);
+  takeImage();
+  partsAt(receiver);
+  stranger.send(receiver.senderPort(), lossReport(0));
+  receiver.reply(lossReport(1000));
+  takeImage();
+  EXPECT_FALSE(hasParity(partsAt(receiver)));
+  receiver.reply(lossReport(0));
+  switchOn(receiver);
+  takeImage();
+  EXPECT_FALSE(hasParity(partsAt(receiver))) << "each B begins anew";
 }
 
 TEST_F(DatagramsTest, OnlyTheClientAcknowledges) {

@@ -88,6 +88,7 @@ struct ClientStatistics {
   std::uint64_t duplicate_datagrams = 0;  ///< that came before
   std::uint64_t bad_datagrams = 0;        ///< dropped: from the robot's address, but no part of a picture
   std::uint64_t foreign_datagrams = 0;    ///< dropped: not from the robot's address
+  std::uint64_t repaired_datagrams = 0;   ///< lost or late, and made from others that came
   std::uint64_t lost_pictures = 0;        ///< of which a datagram was lost, or came too late
   /// @}
 };

@@ -1,0 +1,254 @@
+#include "radio/radio_trial.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "radio/network_host.h"
+#include "radio/radio_link.h"
+#include "radio/robot_on_radio.h"
+#include "robot_time/robot_clock.h"
+#include "ros/camera/adaptive_stream.h"
+
+namespace fault_bench {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+constexpr char kRobotAddress[] = "10.77.0.1";
+constexpr char kComputerAddress[] = "10.77.0.2";
+
+/// The stream must begin within this time, whatever the loss.
+constexpr std::chrono::seconds kSafetyNet{20};
+/// An older picture is stale: it has waited in a socket while nothing got through.
+constexpr milliseconds kOldestPicture{1500};
+/// The longest time for which pictures may be older than Trial::max_age.
+constexpr milliseconds kLongestLate{1000};
+
+/// Adapts quality and rate as the driver does.
+class Adapter {
+ public:
+  Adapter(aibo_driver::RcServerClient& client, milliseconds max_age) : client_(client), stream_({85, 1}, max_age) {}
+
+  void see(const aibo_driver::Picture& picture) {
+    const auto taken = clock_.timeOf(picture.connection_number, *picture.frame_number, picture.first_byte_time);
+    const auto now = steady_clock::now();
+    if (const auto step = stream_.pictureArrived(now, now - taken)) {
+      client_.setJpegQuality(step->jpeg_quality);
+      client_.setStreamFormat({aibo_driver::Resolution::kHigh, step->every_nth_image});
+      changes_.push_back(std::to_string(step->jpeg_quality) + "/" + std::to_string(step->every_nth_image));
+    }
+  }
+
+  /// Quality and every n-th image of all changes.
+  const std::vector<std::string>& changes() const { return changes_; }
+
+ private:
+  aibo_driver::RcServerClient& client_;
+  aibo_driver::robot_time::RobotClock clock_;
+  aibo_driver::node::AdaptiveStream stream_;
+  std::vector<std::string> changes_;
+};
+
+struct Sighting {
+  RobotOnRadio::Sent sent;
+  steady_clock::time_point seen_at;
+};
+
+/// Records and checks what the client delivers.
+class Observer {
+ public:
+  explicit Observer(const RobotOnRadio& robot) : robot_(robot) {}
+
+  void see(const aibo_driver::Picture& picture) {
+    const auto now = steady_clock::now();
+    const auto sent = robot_.find(picture.jpeg);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!sent) {
+      violations_.insert("a picture that was never sent");
+      return;
+    }
+    if (!sightings_.empty() && sent->number <= sightings_.back().sent.number) {
+      violations_.insert("a picture that is not newer than the one before");
+    }
+    if (now - sent->image_at > kOldestPicture) {
+      violations_.insert("a stale picture");
+    }
+    sightings_.push_back({*sent, now});
+  }
+
+  std::vector<Sighting> sightings() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return sightings_;
+  }
+
+  std::set<std::string> violations() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return violations_;
+  }
+
+ private:
+  const RobotOnRadio& robot_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::vector<Sighting> sightings_;
+  std::set<std::string> violations_;
+};
+
+void measureLateness(const Trial& trial, const std::vector<Sighting>& sightings, Result& result) {
+  const Sighting* first_late = nullptr;
+  for (const Sighting& sighting : sightings) {
+    if (sighting.seen_at - sighting.sent.image_at <= trial.max_age) {
+      first_late = nullptr;
+      continue;
+    }
+    first_late = first_late != nullptr ? first_late : &sighting;
+    result.longest_late = std::max(result.longest_late, Milliseconds(sighting.seen_at - first_late->seen_at).count());
+  }
+  if (trial.is_adaptive && result.longest_late > static_cast<double>(kLongestLate.count())) {
+    result.violations.insert("pictures older than the limit for more than a second");
+  }
+}
+
+void measureRecovery(const Trial& trial, Result& result) {
+  if (trial.radio.outages.empty()) {
+    return;
+  }
+  const Outage& last = trial.radio.outages.back();
+  const double back_at = std::chrono::duration<double>(last.begin + last.length).count();
+  const auto first = std::find_if(result.deliveries.begin(), result.deliveries.end(),
+                                  [back_at](const Result::Delivery& delivery) { return delivery.time >= back_at; });
+  if (first == result.deliveries.end()) {
+    result.violations.insert("no picture after the outage");
+    return;
+  }
+  result.recovery = 1e3 * (first->time - back_at);
+  if (result.recovery > static_cast<double>(trial.recovery_mark.count())) {
+    result.violations.insert("no picture within " + std::to_string(trial.recovery_mark.count()) +
+                             " ms after the outage");
+  }
+}
+
+/// @param stale number of pictures that the client may have left out because this computer held it up
+Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time_point begin, std::uint64_t stale) {
+  Result result;
+  const std::vector<Sighting> sightings = observer.sightings();
+  result.violations = observer.violations();
+  for (const Sighting& sighting : sightings) {
+    result.deliveries.push_back({std::chrono::duration<double>(sighting.seen_at - begin).count(),
+                                 Milliseconds(sighting.seen_at - sighting.sent.image_at).count()});
+  }
+  summarize(trial, result);
+  if (trial.max_age.count() > 0) {
+    measureLateness(trial, sightings, result);
+  }
+  if (!sightings.empty() && trial.max_age.count() == 0 && trial.radio.loss == 0 && trial.radio.outages.empty() &&
+      sightings.back().sent.number - sightings.front().sent.number + 1 > sightings.size() + stale) {
+    result.violations.insert("pictures lost on a link without loss");
+  }
+  return result;
+}
+
+}  // namespace
+
+double quantile(const std::vector<double>& sorted, double part) {
+  const auto index = static_cast<std::size_t>(part * static_cast<double>(sorted.size()));
+  return sorted.empty() ? 0 : sorted[std::min(index, sorted.size() - 1)];
+}
+
+void summarize(const Trial& trial, Result& result) {
+  const std::vector<Result::Delivery>& deliveries = result.deliveries;
+  if (deliveries.empty()) {
+    result.violations.insert("no picture at all");
+    return;
+  }
+  for (std::size_t i = 0; i < deliveries.size(); ++i) {
+    result.ages.push_back(deliveries[i].age);
+    const double gap = i > 0 ? deliveries[i].time - deliveries[i - 1].time : 0;
+    result.longest_gap = std::max(result.longest_gap, 1e3 * gap);
+  }
+  std::sort(result.ages.begin(), result.ages.end());
+  const double length = std::chrono::duration<double>(trial.length).count();
+  result.pictures_per_second = static_cast<double>(deliveries.size()) / (length - deliveries.front().time);
+  measureRecovery(trial, result);
+}
+
+Result run(const Trial& trial) {
+  const NetworkHost robot_host(kRobotAddress);
+  const NetworkHost computer(kComputerAddress);
+  const RobotOnRadio robot(robot_host);
+  Observer observer(robot);
+  Result result;
+  std::thread([&] {
+    computer.enter();
+    const RadioLink link(robot_host, computer, trial.radio);
+    aibo_driver::ClientOptions options;
+    options.host = kRobotAddress;
+    options.picture_transport = trial.transport;
+    std::optional<Adapter> adapter;
+    aibo_driver::RcServerClient::Callbacks callbacks;
+    callbacks.on_picture = [&](const aibo_driver::PicturePtr& picture) {
+      observer.see(*picture);
+      if (adapter) {
+        adapter->see(*picture);
+      }
+    };
+    aibo_driver::RcServerClient client(options, callbacks);
+    if (trial.is_adaptive) {
+      adapter.emplace(client, trial.max_age);
+    }
+    client.setStreaming(true);
+    client.start();
+    std::this_thread::sleep_until(link.begin() + trial.length);  // the length is what the rates are measured over
+    const auto deadline = steady_clock::now() + kSafetyNet;
+    while (observer.sightings().empty() && steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    const std::string transport_problem = client.status().transport_problem;
+    client.stop();
+    const aibo_driver::ClientStatistics statistics = client.statistics();
+    result = evaluate(trial, observer, link.begin(), trial.on_busy_computer ? statistics.stale_pictures : 0);
+    result.transport_problem = transport_problem;
+    result.connections = statistics.connections;
+    if (adapter) {
+      result.changes = adapter->changes();
+    }
+  }).join();
+  return result;
+}
+
+Trial byUdp(Trial trial) {
+  trial.transport = aibo_driver::PictureTransport::kUdp;
+  trial.title += ", UDP";
+  return trial;
+}
+
+Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, milliseconds length) {
+  Trial trial;
+  trial.radio.bits_per_second = bits_per_second;
+  trial.radio.loss = loss;
+  trial.radio.seed = seed;
+  trial.length = length;
+  char title[64];
+  std::snprintf(title, sizeof title, "%4.1f Mbit/s, loss %g %%, seed %u", bits_per_second / 1e6, loss * 100, seed);
+  trial.title = title;
+  return trial;
+}
+
+Trial outageTrial(milliseconds outage, std::uint32_t seed, milliseconds recovery_mark) {
+  Trial trial;
+  trial.radio.seed = seed;
+  trial.radio.outages = {{milliseconds(2000), outage}};
+  trial.length = outage + milliseconds(7000);
+  trial.recovery_mark = recovery_mark;
+  char title[64];
+  std::snprintf(title, sizeof title, "11 Mbit/s, outage of %g s, seed %u", static_cast<double>(outage.count()) / 1e3,
+                seed);
+  trial.title = title;
+  return trial;
+}
+
+}  // namespace fault_bench
