@@ -92,8 +92,9 @@ TEST_F(ComingBackTest, ATokenIsForgottenWhenTheServerGivesNone) {
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   older.close();
   ScriptedPeer peer = server_.accept();
-  peer.agreeToVersion2();
-  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  expectCommand(&peer, 'X', 2);
+  peer.send({'x', 2, 0, 0});
+  EXPECT_TRUE(peer.readFrame().payload.empty());
 }
 
 TEST_F(ComingBackTest, AServerWithoutTokensIsAskedAsBefore) {
