@@ -105,7 +105,7 @@ void DatagramIntake::refuse(const std::string& problem) {
 }
 
 DatagramIntake::TimePoint DatagramIntake::deadline(std::chrono::milliseconds extra_interval) const {
-  if (assembly_.givenUpInARow() >= kMostGivenUp) {
+  if (on_ && assembly_.givenUpInARow() >= kMostGivenUp) {
     return last_datagram_;
   }
   if (!on_ || !tcp_worked_) {
@@ -115,7 +115,7 @@ DatagramIntake::TimePoint DatagramIntake::deadline(std::chrono::milliseconds ext
 }
 
 std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds extra_interval) const {
-  if (assembly_.givenUpInARow() >= kMostGivenUp) {
+  if (on_ && assembly_.givenUpInARow() >= kMostGivenUp) {
     return "so many datagrams are lost that no picture is complete; smaller pictures get through a weak radio link "
            "better";
   }

@@ -3,8 +3,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "command_line/plain_text.h"
+#include "files/files.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -22,12 +24,30 @@ void Output::result(const std::string& words, const Json& json) {
   write(results_to_stderr_ ? stderr : stdout, line.data(), line.size());
 }
 
+void Output::names(const std::string& kind, const std::vector<std::string>& names) {
+  std::string words;
+  for (const std::string& name : names) {
+    words += (words.empty() ? "" : "\n") + name;
+  }
+  result(names.empty() ? "There are no " + kind + " on the robot." : words,
+         Json::object({{kind, Json::array({names.begin(), names.end()})}}));
+}
+
 void Output::note(const std::string& words) {
   std::fprintf(stderr, "%s\n", plainText(words).c_str());
 }
 
 void Output::bytes(const std::vector<std::uint8_t>& bytes) {
   write(stdout, bytes.data(), bytes.size());
+}
+
+std::string Output::picture(const std::string& file, const std::vector<std::uint8_t>& jpeg) {
+  if (file != "-") {
+    return files::saveJpeg("/", std::filesystem::absolute(file).string(), jpeg);
+  }
+  leaveStandardOutputToBytes();
+  bytes(jpeg);
+  return file;
 }
 
 }  // namespace aibo_driver::command_line

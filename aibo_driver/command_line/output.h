@@ -33,12 +33,24 @@ class Output {
   /// @throw OutputException
   void result(const std::string& words, const Json& json);
 
+  /// Shows the names of files on the robot, one a line.
+  /// @param kind of the files, such as "motions"
+  /// @throw OutputException
+  void names(const std::string& kind, const std::vector<std::string>& names);
+
   /// Tells the user something that is not a result. Never fails.
   void note(const std::string& words);
 
   /// Writes a picture to the standard output.
   /// @throw OutputException
   void bytes(const std::vector<std::uint8_t>& bytes);
+
+  /// Writes a picture to a file of this computer, which replaces nothing but JPEGs.
+  /// @param file of any folder; "-" is the standard output, which is for bytes alone from then on
+  /// @return the file's absolute path, or "-"
+  /// @throw OutputException
+  /// @throw files::FileException as files::saveJpeg()
+  std::string picture(const std::string& file, const std::vector<std::uint8_t>& jpeg);
 
  private:
   const bool json_;

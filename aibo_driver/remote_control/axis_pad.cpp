@@ -1,7 +1,6 @@
 #include "remote_control/axis_pad.h"
 
 #include <QMouseEvent>
-#include <QPainter>
 #include <algorithm>
 #include <cmath>
 
@@ -84,6 +83,16 @@ void AxisPad::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
+// From text to text.
+void AxisPad::paintAxes(QPainter& painter, const QRectF& inside) const {
+  const int height = fontMetrics().height() + 2;
+  const auto width = [this](const QString& text) { return fontMetrics().horizontalAdvance(text) + 4; };
+  const QPointF center = inside.center();
+  painter.drawLine(QPointF(inside.left() + width(texts_[2]), center.y()),
+                   QPointF(inside.right() - width(texts_[3]), center.y()));
+  painter.drawLine(QPointF(center.x(), inside.top() + height), QPointF(center.x(), inside.bottom() - height));
+}
+
 void AxisPad::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -92,10 +101,9 @@ void AxisPad::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(group, QPalette::Mid));
   painter.setBrush(palette().color(group, QPalette::Base));
   painter.drawRoundedRect(square, 6, 6);
-  painter.drawLine(QPointF(square.left(), square.center().y()), QPointF(square.right(), square.center().y()));
-  painter.drawLine(QPointF(square.center().x(), square.top()), QPointF(square.center().x(), square.bottom()));
-  painter.setPen(palette().color(group, QPalette::Text));
   const QRectF inside = square.adjusted(4, 2, -4, -2);
+  paintAxes(painter, inside);
+  painter.setPen(palette().color(group, QPalette::Text));
   painter.drawText(inside, Qt::AlignTop | Qt::AlignHCenter, texts_[0]);
   painter.drawText(inside, Qt::AlignBottom | Qt::AlignHCenter, texts_[1]);
   painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, texts_[2]);

@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_AXIS_PAD_H
 #define AIBO_DRIVER_REMOTE_CONTROL_AXIS_PAD_H
 
+#include <QPainter>
 #include <QPointF>
 #include <QString>
 #include <QWidget>
@@ -25,6 +26,9 @@ class AxisPad : public QWidget {
   /// Shows what is measured beside what is chosen; none: nothing is known.
   void setMeasured(const std::optional<QPointF>& place);
 
+  /// What is measured, as it was set.
+  const std::optional<QPointF>& measured() const { return measured_; }
+
   bool isHeld() const { return held_; }
 
   /// What was chosen last.
@@ -43,6 +47,7 @@ class AxisPad : public QWidget {
  private:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void paintAxes(QPainter& painter, const QRectF& inside) const;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

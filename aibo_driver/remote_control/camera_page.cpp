@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QPixmap>
-#include <QScrollArea>
 #include <QStandardPaths>
 
 namespace aibo_driver::remote_control {
@@ -37,12 +36,8 @@ CameraPage::CameraPage(Robot& robot, QWidget* parent)
   grid->addWidget(folder_button_, 1, 1, Qt::AlignLeft);
   grid->setColumnStretch(1, 1);
   auto* form = new SettingsForm(this);
-  auto* scroll = new QScrollArea(this);
-  settings_ = scroll;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(form);
-  grid->addWidget(scroll, 2, 0, 1, 2);
+  settings_ = makeScrollArea(form);
+  grid->addWidget(settings_, 2, 0, 1, 2);
   grid->setRowStretch(2, 1);
   setFolder(folder_);
   connect(thumbnail_, &QPushButton::clicked, this, [this] { Q_EMIT opened(taken_); });

@@ -24,8 +24,11 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kHeardFor{3};       // the driver says something once a second
-constexpr std::chrono::milliseconds kPeriod{100};  // what comes 31 times a second, no eye follows
+constexpr std::chrono::seconds kHeardFor{3};  // the driver says something once a second
+
+// Joints of a robot of version 1 come one by one, and a short touch is not to be missed.
+constexpr std::uint32_t kAllOfThem = 64;
+constexpr std::uint32_t kTheNewest = 1;
 
 QImage imageOf(const node::BgrImage& picture) {
   QImage image(picture.width, picture.height, QImage::Format_RGB32);
@@ -61,16 +64,28 @@ QStringList touchedPlaces(const Touch& touch) {
 }  // namespace
 
 template <typename Message>
-void DriverTopics::subscribe(const std::string& topic, const std::function<void(const Message&)>& receive,
-                             std::uint32_t queue_size) {
-  subscribers_[topic] = handle_.subscribe<Message>(
+void DriverTopics::subscribe(const std::string& topic, const std::function<void(const Message&)>& receive) {
+  subscribeIn(handle_, topic, kTheNewest, receive);
+}
+
+template <typename Message>
+void DriverTopics::subscribeMeasurements(const std::string& topic, std::uint32_t queue_size,
+                                         const std::function<void(const Message&)>& receive) {
+  subscribeIn(measurements_handle_, topic, queue_size, receive);
+}
+
+template <typename Message>
+void DriverTopics::subscribeIn(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
+                               const std::function<void(const Message&)>& receive) {
+  subscribers_[topic] = handle.subscribe<Message>(
       topic, queue_size, [receive](const boost::shared_ptr<const Message>& message) { receive(*message); }, {},
       ros::TransportHints().tcpNoDelay());
 }
 
 DriverTopics::DriverTopics(const ros::NodeHandle& handle, const Post& post,
                            const std::function<void()>& connection_changed)
-    : handle_(handle), post_(post) {
+    : handle_(handle), measurements_handle_(handle), post_(post) {
+  measurements_handle_.setCallbackQueue(&measurements_);
   leds_ = handle_.advertise<Leds>("leds", 30);
   ears_ = handle_.advertise<Ears>("ears", 1);
   joint_command_ = handle_.advertise<sensor_msgs::JointState>("joint_command", 1);
@@ -139,8 +154,8 @@ void DriverTopics::show(Part part, bool visible) {
       if (!visible) {
         drop({"joint_states"});
       } else if (subscribers_.count("joint_states") == 0) {
-        subscribe<sensor_msgs::JointState>("joint_states",
-                                           [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
+        subscribeMeasurements<sensor_msgs::JointState>(
+            "joint_states", kAllOfThem, [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
       }
       break;
     case Part::kSensors:
@@ -163,22 +178,19 @@ void DriverTopics::showSensors(bool visible) {
   if (subscribers_.count("touch") > 0) {
     return;
   }
-  subscribe<Touch>("touch", [this, last = QStringList("unknown")](const Touch& message) mutable {
-    const QStringList places = touchedPlaces(message);
-    if (places != std::exchange(last, places)) {
-      post_([places](Robot& robot) { Q_EMIT robot.touched(places); });
-    }
-  });
+  subscribeMeasurements<Touch>("touch", kAllOfThem,
+                               [this, last = QStringList("unknown")](const Touch& message) mutable {
+                                 const QStringList places = touchedPlaces(message);
+                                 if (places != std::exchange(last, places)) {
+                                   post_([places](Robot& robot) { Q_EMIT robot.touched(places); });
+                                 }
+                               });
   for (const char* name : {"near", "far", "chest", "head"}) {
-    subscribe<sensor_msgs::Range>(std::string("range/") + name, [this, name, last = steady_clock::time_point()](
-                                                                    const sensor_msgs::Range& message) mutable {
-      const auto now = steady_clock::now();
-      if (now - last >= kPeriod) {
-        last = now;
-        const Distance distance{name, static_cast<double>(message.range), static_cast<double>(message.max_range)};
-        post_([distance](Robot& robot) { Q_EMIT robot.distanceMeasured(distance); });
-      }
-    });
+    subscribeMeasurements<sensor_msgs::Range>(
+        std::string("range/") + name, kTheNewest, [this, name](const sensor_msgs::Range& message) {
+          const Distance distance{name, static_cast<double>(message.range), static_cast<double>(message.max_range)};
+          post_([distance](Robot& robot) { Q_EMIT robot.distanceMeasured(distance); });
+        });
   }
 }
 
@@ -249,9 +261,12 @@ void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
   for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
     positions_[QString::fromStdString(message.name[i])] = message.position[i];
   }
-  const auto now = steady_clock::now();
-  if (now - positions_posted_ >= kPeriod) {
-    positions_posted_ = now;
+  positions_are_new_ = true;
+}
+
+void DriverTopics::takeMeasurements() {
+  measurements_.callAvailable();
+  if (std::exchange(positions_are_new_, false)) {
     post_([positions = positions_](Robot& robot) { Q_EMIT robot.jointsMeasured(positions); });
   }
 }

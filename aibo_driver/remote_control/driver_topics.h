@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_REMOTE_CONTROL_DRIVER_TOPICS_H
 
 #include <aibo_driver/Connection.h>
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -39,6 +40,11 @@ class DriverTopics {
   /// Subscribes to a part while somebody looks at it. To be called every few seconds.
   void show(Part part, bool visible);
 
+  /// Hands on what has been measured of joints and sensors since the last call. They come up to 31 times a second each,
+  /// which no eye follows, and to wake a thread for each would take more time than all else that they need.
+  /// On one thread, always the same.
+  void takeMeasurements();
+
   /// Subscribes to the settings that have this owner; does nothing if it has done so. Empty: to none.
   void followSettings(const std::string& owner);
 
@@ -61,8 +67,13 @@ class DriverTopics {
 
  private:
   template <typename Message>
-  void subscribe(const std::string& topic, const std::function<void(const Message&)>& receive,
-                 std::uint32_t queue_size = 1);
+  void subscribe(const std::string& topic, const std::function<void(const Message&)>& receive);
+  template <typename Message>
+  void subscribeMeasurements(const std::string& topic, std::uint32_t queue_size,
+                             const std::function<void(const Message&)>& receive);
+  template <typename Message>
+  void subscribeIn(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
+                   const std::function<void(const Message&)>& receive);
   void subscribeStates(const std::function<void()>& connection_changed);
   void subscribeAnswers();
   void showPictures(bool visible);
@@ -72,7 +83,9 @@ class DriverTopics {
   void receivePicture(const sensor_msgs::CompressedImage& message);
   void receiveJoints(const sensor_msgs::JointState& message);
 
+  ros::CallbackQueue measurements_;  ///< until takeMeasurements()
   ros::NodeHandle handle_;
+  ros::NodeHandle measurements_handle_;
   const Post post_;
   ros::Publisher leds_;
   ros::Publisher ears_;
@@ -93,7 +106,7 @@ class DriverTopics {
   const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
   std::atomic<bool> asked_to_look_{false};
   JointPositions positions_;  ///< all that were measured
-  std::chrono::steady_clock::time_point positions_posted_;
+  bool positions_are_new_ = false;
   std::string settings_owner_;
   std::map<std::string, ros::Subscriber> subscribers_;  // last: their callbacks use all of the above
 };

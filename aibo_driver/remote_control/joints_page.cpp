@@ -2,7 +2,6 @@
 
 #include <QGridLayout>
 #include <QGroupBox>
-#include <QScrollArea>
 
 #include "aibo_driver/exceptions.h"
 
@@ -46,13 +45,9 @@ void JointsPage::makeSliders(const QString& design) {
   sliders_.clear();
   delete layout()->takeAt(0);
   delete box_;
-  auto* scroll = new QScrollArea(this);
-  box_ = scroll;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  layout()->addWidget(scroll);
-  auto* inside = new QWidget(scroll);
-  scroll->setWidget(inside);
+  auto* inside = new QWidget;
+  box_ = makeScrollArea(inside);
+  layout()->addWidget(box_);
   auto* grid = new QGridLayout(inside);
   grid->setContentsMargins(2, 2, 2, 2);
   std::map<QString, QVBoxLayout*> groups;

@@ -17,6 +17,7 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
   name_->setPlaceholderText("name of a motion");
   name_->setToolTip("The motion to play. A robot of version 1 cannot list its motions; write the name then.");
   repetitions_->setRange(1, 999);
+  repetitions_->setSpecialValueText("once");
   repetitions_->setSuffix(" times");
   movement_->setObjectName("movement");
   movement_->setWordWrap(true);

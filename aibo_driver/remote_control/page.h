@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_REMOTE_CONTROL_PAGE_H
 
 #include <QPushButton>
+#include <QScrollArea>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -40,6 +41,17 @@ class Page : public QWidget {
     controls_.push_back({widget, needs == Needs::kVersion2});
     allow(widget, "nothing is known of the robot yet");
     return widget;
+  }
+
+  /// Shows something that may need more room than the page has.
+  QScrollArea* makeScrollArea(QWidget* content) {
+    auto* area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidget(content);
+    content->setAutoFillBackground(false);  // the page's background
+    area->viewport()->setAutoFillBackground(false);
+    return area;
   }
 
   QPushButton* makeButton(Needs needs, const QString& text, const QString& tip, const std::function<void()>& clicked) {

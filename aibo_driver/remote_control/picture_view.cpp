@@ -6,7 +6,7 @@
 namespace aibo_driver::remote_control {
 
 PictureView::PictureView(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(208, 160);
+  setMinimumSize(104, 80);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setToolTip("Click, and the head turns to it");

@@ -22,6 +22,7 @@ namespace aibo_driver::remote_control {
 namespace {
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
+constexpr std::chrono::milliseconds kMeasurementsPeriod{100};
 constexpr std::chrono::seconds kTimeToSpeak{5};  // a driver says something once a second
 
 /// Saves a JPEG under a name with the time.
@@ -51,6 +52,7 @@ RosRobot::RosRobot(QObject* parent)
       master_watch_(ros::this_node::getName()),
       manager_(&RosRobot::manageTopics, this) {
   connection_.text = "no driver has been found yet";
+  connect(&measurements_timer_, &QTimer::timeout, this, &RosRobot::takeMeasurements);
   callbacks_.start();
 }
 
@@ -258,6 +260,18 @@ void RosRobot::show(Part part, bool visible) {
       wishes.visible.erase(part);
     }
   });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (wishes_.visible.count(Part::kJoints) + wishes_.visible.count(Part::kSensors) == 0) {
+    measurements_timer_.stop();
+  } else if (!measurements_timer_.isActive()) {
+    measurements_timer_.start(kMeasurementsPeriod);
+  }
+}
+
+void RosRobot::takeMeasurements() {
+  if (const auto used = topics()) {
+    used->takeMeasurements();
+  }
 }
 
 void RosRobot::stop() {

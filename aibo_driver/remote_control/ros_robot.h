@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 #define AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 
+#include <QTimer>
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -80,10 +81,12 @@ class RosRobot : public Robot {
             const std::function<void(const typename Service::Response&)>& also = {});
   void answer(bool success, const QString& text);
   void post(const std::function<void(Robot&)>& work);
+  void takeMeasurements();
 
   // Of the window's thread.
   RobotConnection connection_;
   ServiceCalls calls_;
+  QTimer measurements_timer_;  ///< runs while somebody looks at measurements
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

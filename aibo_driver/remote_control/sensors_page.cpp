@@ -9,6 +9,7 @@ namespace aibo_driver::remote_control {
 namespace {
 
 constexpr double kNear = 0.2;  // m: an obstacle that the robot is about to meet
+const QColor kNearColor("#e53935");
 
 const char* const kUntouched = "background: palette(base); border: 1px solid palette(mid); border-radius: 4px";
 const char* const kTouched =
@@ -25,7 +26,7 @@ QString words(const Distance& distance) {
     return distance.name + ": unknown";
   }
   if (std::isinf(distance.metres)) {
-    return distance.name + (distance.metres > 0 ? ": nothing near" : ": very near");
+    return distance.name + (distance.metres > 0 ? ": nothing within reach" : ": nearer than it can measure");
   }
   return QString("%1: %2 m").arg(distance.name).arg(distance.metres, 0, 'f', 2);
 }
@@ -48,7 +49,11 @@ SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
   auto* ranges = new QGroupBox("Range finders", this);
   distances_ = new QGridLayout(ranges);
   distances_->setContentsMargins(4, 4, 4, 4);
-  auto* layout = new QVBoxLayout(this);
+  auto* content = new QWidget;
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(makeScrollArea(content));
+  auto* layout = new QVBoxLayout(content);
   layout->addWidget(touch);
   layout->addWidget(ranges);
   layout->addStretch(1);
@@ -68,8 +73,11 @@ void SensorsPage::connectionChanged(const RobotConnection& connection) {
 
 void SensorsPage::showTouched(const QStringList& places) {
   for (const auto& [name, label] : places_) {
-    label->setStyleSheet(places.contains(name) ? kTouched : kUntouched);
-    label->setProperty("touched", places.contains(name));
+    const bool is_touched = places.contains(name);
+    if (label->property("touched").toBool() != is_touched) {
+      label->setStyleSheet(is_touched ? kTouched : kUntouched);
+      label->setProperty("touched", is_touched);
+    }
   }
 }
 
@@ -89,9 +97,12 @@ void SensorsPage::showDistance(const Distance& distance) {
       std::isinf(distance.metres) ? (distance.metres > 0 ? 1 : 0) : distance.metres / distance.farthest;
   bar->setFormat(text);
   bar->setValue(std::isnan(share) ? 0 : qRound(100 * share));
-  const QString style = distance.metres < kNear ? "QProgressBar::chunk { background: #e53935 }" : "";
-  if (style != bar->styleSheet()) {  // costs as much as all the rest
-    bar->setStyleSheet(style);
+  QPalette colors = palette();
+  if (distance.metres < kNear) {
+    colors.setColor(QPalette::Highlight, kNearColor);
+  }
+  if (colors != bar->palette()) {
+    bar->setPalette(colors);
   }
 }
 

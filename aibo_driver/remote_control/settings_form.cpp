@@ -37,6 +37,7 @@ QWidget* SettingsForm::makeSwitch(const Setting& setting) {
 
 QWidget* SettingsForm::makeChoice(const Setting& setting) {
   auto* box = new QComboBox(form_);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // long texts are in its list
   for (const auto& [text, value] : setting.choices) {
     box->addItem(text, value);
   }

@@ -190,6 +190,15 @@ class OnBothVersions:
         self.assertIn("NONE.MTN", self.aibo("play", "none", status=FAILED).errors)
         self.aibo("play", "../../x", status=WRONG_USAGE)
 
+    def test_keeps_pictures_on_the_robot_only_if_it_is_allowed(self):
+        for words in (["snap"], ["pictures"], ["fetch", "aibo0001"], ["delete", "aibo0001.jpg"]):
+            with self.subTest(words):
+                self.assertRegex(self.aibo(*words, status=FAILED).errors, "ALLOW_PICTURES|ALLOW_DELETE|version 1")
+        self.assertEqual(os.listdir(self.folder), [])
+        self.aibo("fetch", "../../x", status=WRONG_USAGE)
+        self.aibo("fetch", "", status=WRONG_USAGE)
+        self.aibo("snap", "-q", "0", status=WRONG_USAGE)
+
     def test_uploads_only_what_is_allowed(self):
         self.aibo("upload", NOD, "wave", status=FAILED)
         self.assertIn("not a motion", self.aibo("upload", __file__, "wave", status=FAILED).errors)
@@ -334,7 +343,9 @@ class WithPermission(TestCase):
         super().setUp()
         stick = self.folder / "stick"
         shutil.copytree(STICK, stick)
-        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n", encoding="ascii")
+        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text(
+            "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\n", encoding="ascii")
+        self.stick = stick / "OPEN-R/MW/DATA/P"
         self.robot = SimulatedRobot("--memory-stick", str(stick))
         self.addCleanup(self.robot.end)
 
@@ -344,7 +355,33 @@ class WithPermission(TestCase):
         self.json("delete", "wave")
         self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
         allows = next(f for f in self.json("doctor", "--seconds", "1")["findings"] if f["topic"] == "allows")
-        self.assertEqual(allows["text"], "upload, delete")
+        self.assertEqual(allows["text"], "upload, delete, pictures")
+
+    def test_pictures_are_taken_listed_fetched_and_deleted(self):
+        self.assertIn("no pictures", self.text("pictures"))
+        self.assertEqual(self.json("snap", "-q", "40"), {"picture": "AIBO0001.JPG"})
+        self.assertIn("AIBO0002.JPG", self.text("snap"))
+        self.assertEqual(self.json("pictures")["pictures"], ["AIBO0001.JPG", "AIBO0002.JPG"])
+        fetched = self.json("fetch", "aibo0001")
+        self.assertEqual(fetched["file"], str(self.folder / "AIBO0001.JPG"))
+        content = (self.stick / "AIBO0001.JPG").read_bytes()
+        self.assertEqual(fetched["bytes"], len(content))
+        self.assertEqual((self.folder / "AIBO0001.JPG").read_bytes(), content)
+        self.assertEqual(self.aibo("fetch", "AIBO0002.JPG", "-o", "-").stdout,
+                         (self.stick / "AIBO0002.JPG").read_bytes())
+        self.assertEqual(self.json("delete", "aibo0001.jpg"), {"picture": "AIBO0001.JPG"})
+        self.assertEqual(self.json("pictures")["pictures"], ["AIBO0002.JPG"])
+
+    def test_what_cannot_be_fetched_is_said(self):
+        (self.stick / "EVIL.JPG").write_text("echo owned", encoding="ascii")
+        self.assertIn("not a picture of its camera", self.aibo("fetch", "evil", status=FAILED).errors)
+        self.assertIn("NONE.JPG", self.aibo("fetch", "none", status=FAILED).errors)
+        self.text("snap")
+        (self.folder / "mine.jpg").write_text("precious")
+        self.assertIn("not a JPEG", self.aibo("fetch", "aibo0001", "-o", "mine.jpg", status=FAILED).errors)
+        self.assertEqual((self.folder / "mine.jpg").read_text(), "precious")
+        self.assertIn("mine.jpg", os.listdir(self.folder))
+        self.assertNotIn("AIBO0001.JPG", os.listdir(self.folder))
 
 
 class Lost(TestCase):

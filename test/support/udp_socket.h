@@ -19,10 +19,11 @@ namespace test_support {
 
 class UdpSocket {
  public:
-  /// Takes any free port.
   /// @param address of this computer; Linux has all of 127.0.0.0/8
-  explicit UdpSocket(const char* address = "127.0.0.1") : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in own = addressOf(address, 0);
+  /// @param port 0: any that is free
+  explicit UdpSocket(const char* address = "127.0.0.1", int port = 0)
+      : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in own = addressOf(address, port);
     if (::bind(socket_, reinterpret_cast<sockaddr*>(&own), sizeof(own)) != 0) {
       throw std::system_error(errno, std::generic_category(), "bind");
     }

@@ -91,10 +91,6 @@ std::string timeInName() {
   return text;
 }
 
-std::string save(const std::string& path, const Picture& picture) {
-  return files::saveJpeg("/", std::filesystem::absolute(path).string(), picture.jpeg);
-}
-
 /// With settings of the camera: the first picture of a stream that has them.
 PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
   const int quality = arguments.get<int>("quality");
@@ -127,13 +123,7 @@ ExitStatus picture(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output, clientOptionsIn(arguments));
   robot.connect();
   const PicturePtr picture = takePicture(robot, arguments);
-  std::string path = file;
-  if (file == "-") {
-    output.leaveStandardOutputToBytes();
-    output.bytes(picture->jpeg);
-  } else {
-    path = save(file, *picture);
-  }
+  const std::string path = output.picture(file, picture->jpeg);
   char words[96];
   std::snprintf(words, sizeof words, "%dx%d pixels, %zu bytes: ", picture->width, picture->height,
                 picture->jpeg.size());
@@ -167,7 +157,7 @@ class Album {
     if (!folder_.empty()) {
       char number[32];
       std::snprintf(number, sizeof number, "%06llu.jpg", ++saved_);
-      save((std::filesystem::path(folder_) / (prefix_ + number)).string(), picture);
+      output_.picture((std::filesystem::path(folder_) / (prefix_ + number)).string(), picture.jpeg);
     }
   }
 

@@ -28,6 +28,11 @@ Command restCommand();
 Command motionsCommand();
 Command playCommand();
 Command uploadCommand();
+
+// memory_stick.cpp
+Command snapCommand();
+Command picturesCommand();
+Command fetchCommand();
 Command deleteCommand();
 
 // power.cpp

@@ -185,10 +185,11 @@ class Doctor {
     find({"server", true, status.robot.server + " on an " + status.robot.design + ", version 2 of the protocol", ""});
     std::string allowed;
     for (const auto& [letter, name] :
-         {std::make_pair("U", "upload"), {"D", "delete"}, {"Q", "shut down"}, {"R", "reboot"}}) {
+         {std::make_pair("U", "upload"), {"D", "delete"}, {"M", "pictures"}, {"Q", "shut down"}, {"R", "reboot"}}) {
       allowed += status.robot.hasCapability(letter) ? (allowed.empty() ? "" : ", ") + std::string(name) : "";
     }
-    find({"allows", true, allowed.empty() ? "nothing dangerous: no upload, delete, shut down, reboot" : allowed, ""});
+    find({"allows", true,
+          allowed.empty() ? "nothing dangerous: no upload, delete, pictures, shut down, reboot" : allowed, ""});
   }
 
   void checkBattery(Robot& robot) {

@@ -27,13 +27,7 @@ constexpr double kBlindPlay = 10;      // s, if the server does not report ends
 ExitStatus list(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
-  const std::vector<std::string> names = robot.client().listMotions(kFileTimeout);
-  std::string words;
-  for (const std::string& name : names) {
-    words += (words.empty() ? "" : "\n") + name;
-  }
-  output.result(names.empty() ? "There are no motions on the robot." : words,
-                Json::object({{"motions", Json::array({names.begin(), names.end()})}}));
+  output.names("motions", robot.client().listMotions(kFileTimeout));
   return kDone;
 }
 
@@ -94,15 +88,6 @@ ExitStatus upload(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
-ExitStatus deleteMotion(const Arguments& arguments, Output& output) {
-  const std::string name = body::motionFileName(arguments.words.front());
-  Robot robot(arguments.robot, output);
-  robot.connect();
-  robot.client().deleteMotion(name, kFileTimeout);
-  output.result(name + " was deleted from the robot.", Json::object({{"motion", name}}));
-  return kDone;
-}
-
 }  // namespace
 
 Command motionsCommand() {
@@ -147,18 +132,6 @@ Command uploadCommand() {
   command.most_words = 2;
   command.completions = {"FILE"};
   command.run = upload;
-  return command;
-}
-
-Command deleteCommand() {
-  Command command;
-  command.name = "delete";
-  command.synopsis = "MOTION";
-  command.summary = "deletes a motion from the robot's memory stick";
-  command.details = "RCSERVER.CFG on the robot has to allow it (ALLOW_DELETE).";
-  command.examples = {{"delete wave", "WAVE.MTN is gone"}};
-  command.fewest_words = command.most_words = 1;
-  command.run = deleteMotion;
   return command;
 }
 

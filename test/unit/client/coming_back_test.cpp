@@ -83,6 +83,20 @@ TEST_F(ComingBackTest, AnotherServerThatSpeaksVersion1IsAskedAgainWithoutTheToke
   EXPECT_FALSE(peer.readCommandWithin(std::chrono::milliseconds(50))) << "nothing is sent to it unasked";
 }
 
+TEST_F(ComingBackTest, ATokenIsForgottenWhenTheServerGivesNone) {
+  serveFirst();
+  ScriptedPeer older = server_.accept();
+  older.read(protocol::version2::INTRODUCTION_SIZE);
+  older.send({'x', 2, 0, 0});
+  older.send(makeFrame('h', 1, version2_frames::makeHello("F W")));
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  older.close();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'X', 2);
+  peer.send({'x', 2, 0, 0});
+  EXPECT_TRUE(peer.readFrame().payload.empty());
+}
+
 TEST_F(ComingBackTest, AServerWithoutTokensIsAskedAsBefore) {
   connectVersion2().close();
   EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));

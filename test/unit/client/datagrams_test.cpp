@@ -292,6 +292,15 @@ TEST_F(DatagramsTest, WithoutADatagramForOneSecondThePicturesComeByTcp) {
   EXPECT_GE(pictures_.size(), 90u);
 }
 
+TEST_F(DatagramsTest, AFlowOfOtherMessagesByTcpDoesNotHideThat) {
+  startStream();
+  live(milliseconds(1300), [this] {
+    receive(makeFrame('t', 0, version2_frames::makeTelemetry(5000, {})));
+    wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0;
+  });
+  EXPECT_NE("", connection_.transport_problem);
+}
+
 TEST_F(DatagramsTest, DatagramsThatStopComingAreNoticedToo) {
   startStream();
   live(std::chrono::seconds(3), [this] { arrive(nextPicture()); });
@@ -343,6 +352,31 @@ TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcp) {
   EXPECT_FALSE(connection_.lets_no_datagram_through);
 }
 
+TEST_F(DatagramsTest, ThenASilentStreamByTcpIsAFaultAsAlways) {
+  startStream();
+  live(std::chrono::seconds(1), [this] {
+    wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0;
+    std::vector<Bytes> picture = nextPicture();
+    picture.pop_back();
+    arrive(picture);
+  });
+  ASSERT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_THROW(live(std::chrono::seconds(1)), Fault);
+}
+
+TEST_F(DatagramsTest, AWholePictureNowAndThenIsEnough) {
+  startStream();
+  live(std::chrono::seconds(5), [this] {
+    std::vector<Bytes> picture = nextPicture();
+    if (picture_ % 4 != 0) {
+      picture.pop_back();
+    }
+    arrive(picture);
+  });
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ(3 * (picture_ / 4), counters_.lost_pictures) << "each is counted, also if it was given up for newer ones";
+}
+
 TEST_F(DatagramsTest, NothingIsDueWhileTheStreamIsOff) {
   wish_.datagram_port = kPort;
   live(std::chrono::seconds(5));
@@ -379,6 +413,8 @@ TEST_F(DatagramsTest, PicturesByTcpThatWereOvertakenAreNotDelivered) {
   receive(byTcp(51, 1005));
   EXPECT_EQ(2u, pictures_.size());
   arrive(nextPicture());
+  EXPECT_EQ(3u, pictures_.size());
+  receive(byTcp(2, 1008));  // the same one
   EXPECT_EQ(3u, pictures_.size());
 }
 
@@ -486,6 +522,31 @@ TEST_F(DatagramsTest, TheAcknowledgementOfAPictureWithParitiesIsRepeated) {
   EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 1}), repliesOf('a').back());
 }
 
+TEST_F(DatagramsTest, ANewPortBeginsToCountAgain) {
+  startStream();
+  live(std::chrono::seconds(1), [this] { arrive(nextPicture()); });
+  wish_.datagram_port = 0;
+  answer();
+  wish_.datagram_port = kPort + 1;
+  answer();
+  const std::size_t before = pictures_.size();
+  replies_.clear();
+  unsigned sequence = 0;
+  arrive(test_support::makeDatagrams(makeJpeg(90), 0, 9000, &sequence));
+  EXPECT_EQ(before + 1, pictures_.size());
+  EXPECT_THAT(replies_, ElementsAre(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
+  EXPECT_EQ(0u, counters_.reordered_datagrams + counters_.duplicate_datagrams + counters_.lost_datagrams);
+}
+
+TEST_F(DatagramsTest, AfterTheReturnToTcpThereIsTimeForAPicture) {
+  startStream();
+  live(std::chrono::seconds(2), [this] { arrive(nextPicture()); });
+  wish_.datagram_port = 0;
+  live(milliseconds(300));
+  receive(byTcp(99, 9000));
+  EXPECT_EQ(picture_ + 1, pictures_.size());
+}
+
 TEST_F(DatagramsTest, DatagramsAfterTheReturnToTcpAreIgnored) {
   startStream();
   arrive(nextPicture());
@@ -567,6 +628,17 @@ TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
   EXPECT_TRUE(eventually([&] { return client().status().transport == PictureTransport::kTcp; }));
 }
 
+TEST_F(DatagramClientTest, WithoutAConnectionNoTransportIsInUse) {
+  client().setPictureTransport(PictureTransport::kUdp);
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion2("F W B");
+  startStream(&peer);
+  EXPECT_TRUE(eventually([&] { return client().status().transport == PictureTransport::kUdp; }));
+  peer.close();
+  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  EXPECT_EQ(PictureTransport::kTcp, client().status().transport);
+}
+
 TEST_F(DatagramClientTest, AServerWithoutTheRequestSendsByTcpAndTheReasonIsTold) {
   client().setPictureTransport(PictureTransport::kUdp);
   client().setStreaming(true);
@@ -603,6 +675,10 @@ TEST_F(DatagramClientTest, WhereNoDatagramEverCameUdpIsTriedAgainOnlyIfAskedFor)
   client().setPictureTransport(PictureTransport::kUdp);  // before the client's thread has seen the other one
   EXPECT_GT(portIn(second.readRequest()), 0);
   EXPECT_TRUE(eventually([&] { return client().status().transport_problem.empty(); }));
+  second.close();
+  ScriptedPeer third = server_.accept();
+  third.agreeToVersion2("F W B");
+  EXPECT_GT(portIn(third.readRequest()), 0) << "the block was for the earlier wish";
 }
 
 }  // namespace

@@ -104,6 +104,17 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
 }
 
+TEST(Version2SessionBeginTest, TheHelloOfAnIntroductionIsNotSentAgain) {
+  const Notifier notifier{RcServerClient::Callbacks()};
+  Counters counters;
+  const Session::TimePoint now = Session::TimePoint() + milliseconds(1000);
+  Connection connection({"robot:54321", milliseconds(500), notifier, counters}, now);
+  Version2Session session(connection, now, true);
+  EXPECT_TRUE(session.nextRequest({true, 85, 4}, now).empty());
+  EXPECT_GT(session.nextDeadline(), now);
+  EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
+}
+
 TEST_F(Version2SessionTest, AHeartbeatIsSentTwiceASecond) {
   const TimePoint begin = now_;
   int heartbeats = 0;

@@ -195,6 +195,30 @@ TEST_F(DatagramsTest, NewPortTakesOverAndCountsFromTheBeginning) {
   EXPECT_EQ(parts[0].header.picture, 0U);
 }
 
+TEST_F(DatagramsTest, PictureThatIsCutByAChangeOfThePortDelaysNoOther) {
+  UdpSocket first;
+  UdpSocket second;
+  robot_.showNoise();
+  streamTo(first);
+  ASSERT_TRUE(machine_->runUntil([&] {
+    clock_.step();
+    return first.next().has_value();
+  })) << "a part of a picture";
+  switchOn(second);
+  takeImage();
+  const std::vector<ReceivedPart> parts = partsAt(second);
+  ASSERT_GE(parts.size(), 3U);
+  EXPECT_EQ(parts.front().header.part, 0U);
+  EXPECT_EQ(joined(parts).size(), parts.front().header.jpeg_size);
+  ASSERT_TRUE(machine_->runUntil([&] {
+    clock_.step();
+    return second.next().has_value();
+  }));
+  answerTo('B', 0, portPayload(0));
+  takeImage();
+  EXPECT_FALSE(picturesByTcp().empty());
+}
+
 TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
   UdpSocket receiver;
   UdpSocket elsewhere("127.0.0.2");
@@ -327,13 +351,16 @@ TEST_F(DatagramsTest, OnlyTheClientReportsLosses) {
 TEST_F(DatagramsTest, OnlyTheClientAcknowledges) {
   UdpSocket receiver;
   UdpSocket stranger;
+  UdpSocket elsewhere("127.0.0.2", receiver.port());
   acknowledges_ = false;
+  robot_.showNoise();  // many parts, so that no picture goes without an acknowledgement
   streamTo(receiver);
   takeImage();
   partsAt(receiver);
   takeImage();
   partsAt(receiver);
   stranger.send(receiver.senderPort(), acknowledgement(1));
+  elsewhere.send(receiver.senderPort(), acknowledgement(1));
   for (const std::vector<uint8_t>& nonsense :
        {std::vector<uint8_t>(), std::vector<uint8_t>(8, 'a'), std::vector<uint8_t>(1400, 'a'), acknowledgement(1000)}) {
     receiver.reply(nonsense);
@@ -343,6 +370,22 @@ TEST_F(DatagramsTest, OnlyTheClientAcknowledges) {
   receiver.reply(acknowledgement(1));
   takeImage();
   EXPECT_FALSE(partsAt(receiver).empty());
+}
+
+TEST_F(DatagramsTest, AcknowledgementThatWasOvertakenTakesNothingBack) {
+  UdpSocket receiver;
+  acknowledges_ = false;
+  robot_.showNoise();
+  streamTo(receiver);
+  takeImage();
+  takeImage();
+  partsAt(receiver);
+  receiver.reply(acknowledgement(1));
+  receiver.reply(acknowledgement(0));
+  for (int i = 0; i < 2; ++i) {
+    takeImage();
+    EXPECT_FALSE(partsAt(receiver).empty());
+  }
 }
 
 TEST_F(DatagramsTest, MalformedRequestIsRefusedAndChangesNothing) {

@@ -138,8 +138,9 @@ class RCServerFixture : public ::testing::Test {
     machine_->runPending();
   }
 
-  std::unique_ptr<TestClient> connect(int receive_buffer = 0) {
-    auto client = std::make_unique<TestClient>(machine_->hostPort(protocol::RCSERVER_PORT), receive_buffer);
+  /// @param from the client's address
+  std::unique_ptr<TestClient> connect(int receive_buffer = 0, const char* from = "127.0.0.1") {
+    auto client = std::make_unique<TestClient>(machine_->hostPort(protocol::RCSERVER_PORT), receive_buffer, from);
     machine_->runPending();
     return client;
   }

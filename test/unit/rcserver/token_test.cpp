@@ -7,6 +7,7 @@
 
 #include "protocol/hello.h"
 #include "protocol/introduction.h"
+#include "rcserver/TokenMaker.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -49,7 +50,7 @@ class TokenTest : public FakeRobotFixture {
 TEST_F(TokenTest, ClientWithItsTokenTakesItsPlaceAtOnceAndIsGreeted) {
   answerTo('W', 85, kStreamOn);
   auto back = comeWith(introduce(token()));
-  EXPECT_TRUE(client_->ended()) << "the old connection";
+  EXPECT_TRUE(client_->wasReset()) << "the old connection: nobody would answer an orderly close";
   const std::vector<uint8_t> reply = back->take(protocol::VALUE_REPLY_SIZE);
   ASSERT_EQ(reply.size(), protocol::VALUE_REPLY_SIZE);
   EXPECT_TRUE(agreesToVersion2(protocol::decodeValueReply(reply.data())));
@@ -83,6 +84,23 @@ TEST_F(TokenTest, TokensOfTwoRobotsDiffer) {
   EXPECT_NE(token(), first);
 }
 
+// Of two robots that are alike in all else, such as two that are switched on together.
+TEST(TokenMakerTest, ThePixelsOfAnImageMakeTheDifference) {
+  std::set<std::string> tokens;
+  for (const bool is_noisy : {false, true}) {
+    FakeRobot robot;
+    if (is_noisy) {
+      robot.showNoise();
+    }
+    TokenMaker maker;
+    void* const image = robot.captureImage(1)->Base();
+    maker.Stir(static_cast<OFbkImageVectorData*>(image));
+    char token[TOKEN_SIZE + 1];
+    maker.Make(token);
+    EXPECT_TRUE(tokens.insert(token).second);
+  }
+}
+
 TEST_F(TokenTest, OthersAreTurnedAwayAtOnceWithoutAnAnswer) {
   const std::string given = token();
   std::string wrong = given;
@@ -107,6 +125,7 @@ TEST_F(TokenTest, TokenOfAnEarlierConnectionIsWorthNothing) {
 
 TEST_F(TokenTest, NewcomerThatIsSilentIsTurnedAwayAfterHalfASecond) {
   token();
+  passFrames(100);
   auto silent = comeWith("");
   passFrames(50);
   EXPECT_FALSE(silent->ended());
@@ -118,6 +137,40 @@ TEST_F(TokenTest, NewcomerThatIsSilentIsTurnedAwayAfterHalfASecond) {
 TEST_F(TokenTest, NewcomerIsTurnedAwayAtOnceIfTheClientHasNoToken) {
   auto second = connect();
   EXPECT_TRUE(isTurnedAway(*second)) << "the client has not been greeted";
+  token();
+  reconnect();
+  auto third = connect();
+  EXPECT_TRUE(isTurnedAway(*third)) << "the token was that of another connection";
+}
+
+TEST_F(TokenTest, NewcomerFromAnotherAddressIsTurnedAwayAtOnce) {
+  token();
+  auto other = connect(0, "127.0.0.2");
+  EXPECT_TRUE(isTurnedAway(*other));
+}
+
+TEST_F(TokenTest, NobodyGetsThePlaceOfAClientThatGoesBecauseTheRobotGoesOff) {
+  token();
+  auto next = comeWith("");
+  robot_.power_status.robotStatus |= orsbBATTERY_CAPACITY_LOW;
+  passFrames(1);
+  EXPECT_TRUE(client_->ended());
+  passFrames(kUntilMeasured);
+  EXPECT_TRUE(isTurnedAway(*next));
+}
+
+TEST_F(TokenTest, ClientDoesNotComeBackToARobotThatGoesOff) {
+  disconnect();
+  connectVersion2(4096);
+  const std::string given = token();
+  auto back = comeWith("");
+  stallBehind("");
+  robot_.power_status.robotStatus |= orsbBATTERY_CAPACITY_LOW;
+  passFrames(1);
+  ASSERT_FALSE(client_->isAtEnd()) << "it has not been told yet";
+  back->send(introduce(given));
+  machine_->runPending();
+  EXPECT_TRUE(isTurnedAway(*back));
 }
 
 TEST_F(TokenTest, NewcomerThatWaitsGetsThePlaceOfAClientThatGoes) {

@@ -24,11 +24,11 @@ class FakeRobot : public Robot {
     return taken;
   }
 
-  void connectIt(int protocol_version = 2) {
+  void connectIt(int protocol_version = 2, const QString& robot = "ERS-7") {
     RobotConnection connection;
     connection.state = RobotConnection::State::kConnected;
     connection.name_space = "/aibo";
-    connection.robot = protocol_version == 2 ? "ERS-7" : "";
+    connection.robot = protocol_version == 2 ? robot : "";
     connection.address = "robot:54321";
     connection.protocol_version = protocol_version;
     connection.text = "connected";

@@ -18,6 +18,7 @@
 #include <QWheelEvent>
 #include <QtTest/QTest>
 
+#include "joints/joint_table.h"
 #include "remote_control/axis_pad.h"
 #include "remote_control/joint_slider.h"
 #include "unit/remote_control/fake_robot.h"
@@ -172,6 +173,22 @@ TEST_F(RemoteControlTest, ThePadWalksWhileItIsHeldAndStopsOnce) {
   EXPECT_EQ(robot_.take(), QStringList()) << "then it is silent";
 }
 
+TEST_F(RemoteControlTest, EachSideOfThePadHasItsDirectionAndTheMiddleIsStill) {
+  robot_.connectIt();
+  auto* pad = find<AxisPad>("drive_pad");
+  const auto press = [&](Qt::MouseButton button, double x, double y) {
+    robot_.take();
+    QTest::mousePress(pad, button, {}, placeOn(pad, x, y));
+    const QStringList wishes = robot_.take();
+    QTest::mouseRelease(pad, button);
+    return wishes;
+  };
+  EXPECT_EQ(press(Qt::LeftButton, 0, -1), QStringList("walk -0.15 0.00 0.00"));
+  EXPECT_EQ(press(Qt::LeftButton, 1, 0), QStringList("walk 0.00 0.00 -1.00"));
+  EXPECT_EQ(press(Qt::RightButton, -1, 0), QStringList("walk 0.00 0.06 0.00"));
+  EXPECT_EQ(press(Qt::LeftButton, 0.05, -0.05), QStringList("walk 0.00 0.00 0.00"));
+}
+
 TEST_F(RemoteControlTest, TheRightButtonStepsToTheSides) {
   robot_.connectIt();
   auto* pad = find<AxisPad>("drive_pad");
@@ -215,11 +232,34 @@ TEST_F(RemoteControlTest, TheHeadsPadPointsWithinTheLimitsAndLeftIsPositive) {
   EXPECT_EQ(robot_.take(), QStringList("head_pan -1.5, head_tilt -0.3"));
 }
 
+TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConnection) {
+  robot_.connectIt();
+  auto* pad = find<AxisPad>("head_pad");
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
+  ASSERT_TRUE(pad->measured());
+  EXPECT_NEAR(pad->measured()->x(), -0.5, 0.05) << "the left is positive for the robot";
+  EXPECT_GT(pad->measured()->y(), 0.7);
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_FALSE(pad->measured());
+}
+
+TEST_F(RemoteControlTest, AnotherKindOfRobotHasItsOwnLimits) {
+  robot_.connectIt(2, "ERS-210");
+  const joints::JointTable table("ERS-210", 1);
+  const joints::JointProperties& tilt = table[*table.findByName("head_tilt")];
+  auto* pad = find<AxisPad>("head_pad");
+  robot_.take();
+  QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, 0, -1));
+  EXPECT_EQ(robot_.take(), QStringList(QString("head_pan 0.0, head_tilt %1").arg(tilt.lowest, 0, 'f', 1)));
+  EXPECT_EQ(find<JointSlider>("head_tilt")->slider()->minimum(), qRound(1000 * tilt.lowest));
+}
+
 TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   robot_.connectIt();
   auto* view = window_.findChild<PictureView*>();
-  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
   robot_.take();
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  EXPECT_EQ(robot_.take(), QStringList()) << "there is none yet";
   Q_EMIT robot_.streamingChanged(true);
   Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
   const double scale = std::min(view->width() / 208.0, view->height() / 160.0);
@@ -228,6 +268,21 @@ TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   EXPECT_EQ(robot_.take(), QStringList("look 0.2 0.2"));
   QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - half - QPoint(3, 0));
   EXPECT_EQ(robot_.take(), QStringList()) << "beside the picture";
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  EXPECT_EQ(robot_.take(), QStringList()) << "a text is shown instead";
+}
+
+TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
+  robot_.connectIt();
+  for (const char* name : {"near", "far", "chest"}) {
+    Q_EMIT robot_.distanceMeasured({name, 0.25, 0.5});
+  }
+  for (const char* page : {"Move", "Camera", "Motions", "Joints", "Lights", "Sensors"}) {
+    open(page);
+    EXPECT_LE(window_.minimumSizeHint().height(), 500) << page << ", in rviz on 1024x600 pixels";
+    EXPECT_LE(window_.minimumSizeHint().width(), 480) << page;
+  }
 }
 
 TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
@@ -251,8 +306,15 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   Q_EMIT robot_.motionsListed({"NOD.MTN", "WAG.MTN"});
   find<QListWidget>("motions")->setCurrentRow(1);
   EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 1"));
+  find<QWidget>("Motions")->findChild<QSpinBox*>()->setValue(3);
+  EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 3"));
   Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
   EXPECT_EQ(textOf("movement"), "Now: motion WAG.MTN");
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_EQ(find<QListWidget>("motions")->count(), 0);
+  EXPECT_EQ(textOf("movement"), "");
+  robot_.connectIt();
+  EXPECT_EQ(robot_.take(), QStringList("list")) << "it may be another robot, or have another stick";
 }
 
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
@@ -267,7 +329,11 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(textOf("connection"), "ERS-7 at robot:54321, connected (version 2)");
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C"));
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
+  EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "");
+  Q_EMIT robot_.batteryMeasured(0.19, 31.4);
+  EXPECT_TRUE(find<QLabel>("battery")->styleSheet().contains("color"));
   robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
+  Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
   EXPECT_EQ(textOf("battery"), "");
   EXPECT_EQ(textOf("link"), "");
 }
@@ -289,8 +355,11 @@ TEST_F(RemoteControlTest, TouchedPlacesLightUp) {
   Q_EMIT robot_.touched({"chin", "back_rear"});
   EXPECT_TRUE(find<QLabel>("chin")->property("touched").toBool());
   EXPECT_FALSE(find<QLabel>("head")->property("touched").toBool());
-  Q_EMIT robot_.touched({});
+  Q_EMIT robot_.touched({"back_rear"});
   EXPECT_FALSE(find<QLabel>("chin")->property("touched").toBool());
+  EXPECT_TRUE(find<QLabel>("back_rear")->property("touched").toBool());
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_FALSE(find<QLabel>("back_rear")->property("touched").toBool());
 }
 
 TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
@@ -300,8 +369,12 @@ TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
   auto* bar = find<QProgressBar>("range_near");
   EXPECT_EQ(bar->format(), "near: 0.25 m");
   EXPECT_EQ(bar->value(), 50);
+  const QColor usual = bar->palette().color(QPalette::Highlight);
+  Q_EMIT robot_.distanceMeasured({"near", 0.15, 0.5});
+  EXPECT_NE(bar->palette().color(QPalette::Highlight), usual) << "it is about to meet something";
   Q_EMIT robot_.distanceMeasured({"near", std::numeric_limits<double>::infinity(), 0.5});
   EXPECT_EQ(bar->value(), 100);
+  EXPECT_EQ(bar->palette().color(QPalette::Highlight), usual);
   Q_EMIT robot_.distanceMeasured({"near", -std::numeric_limits<double>::infinity(), 0.5});
   EXPECT_EQ(bar->value(), 0);
 }
@@ -314,6 +387,8 @@ TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   Q_EMIT robot_.ledsChanged({{"face_3", 0.4}});
   EXPECT_EQ(click("face_3"), QStringList("face_3 0"));
+  Q_EMIT robot_.ledsChanged({{"face_3", 0}});
+  EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
 }
 
 TEST_F(RemoteControlTest, APatternReplacesTheFace) {
@@ -374,6 +449,17 @@ TEST_F(JointSliderTest, CommandsItsJointAndWaitsUntilItHasArrived) {
   slider_.measure(0.99);
   slider_.measure(0.7);
   EXPECT_EQ(slider_.slider()->value(), 700) << "it has been there, and somebody else has moved it";
+}
+
+TEST_F(JointSliderTest, FollowsAJointThatDoesNotArriveAfterSomeTime) {
+  slider_.measure(0.4);
+  slider_.slider()->setValue(1000);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [this] {
+        slider_.measure(0.6);
+        return slider_.slider()->value() == 600;
+      },
+      20000));
 }
 
 TEST_F(JointSliderTest, DoesNotFollowWhileItIsHeld) {
