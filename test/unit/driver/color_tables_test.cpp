@@ -25,7 +25,7 @@ constexpr char kPink[] =
     "- {y: [0, 159], cr: [150, 230], cb: [120, 190]}\n"
     "- {y: [160, 255], cr: [160, 230], cb: [120, 190]}\n";
 
-std::string refusalOf(const std::string& text) {
+std::string tableRefusal(const std::string& text) {
   try {
     parseColorTable(text, "FILE");
   } catch (const ColorTableException& error) {
@@ -55,19 +55,19 @@ TEST(ColorTableFile, IsWrittenAsItIsRead) {
 }
 
 TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
-  EXPECT_THAT(refusalOf("{"), HasSubstr("FILE: it is not YAML"));
-  EXPECT_THAT(refusalOf("name: a\nkey: [secret"), testing::Not(HasSubstr("secret"))) << "it may be anybody's file";
-  EXPECT_THAT(refusalOf(std::string(70000, 'a')), HasSubstr("too long"));
-  EXPECT_THAT(refusalOf(""), HasSubstr("no list of ranges"));
-  EXPECT_THAT(refusalOf("name: a\nranges: []"), HasSubstr("no list of ranges"));
-  EXPECT_THAT(refusalOf("ranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("name"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [3]"), HasSubstr("FILE, range 1"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [0, 1]}]"), HasSubstr("range 1: cb is missing"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [0, 256], cb: [0, 1]}]"), HasSubstr("cr is [0, 256]"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [9, 8], cb: [0, 1]}]"), HasSubstr("cr is [9, 8]"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 7], cr: [a, b], cb: [0, 1]}]"), HasSubstr("two whole numbers"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [0, 8], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
-  EXPECT_THAT(refusalOf("name: a\nranges: [{y: [4, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
+  EXPECT_THAT(tableRefusal("{"), HasSubstr("FILE: it is not YAML"));
+  EXPECT_THAT(tableRefusal("name: a\nkey: [secret"), testing::Not(HasSubstr("secret"))) << "it may be anybody's file";
+  EXPECT_THAT(tableRefusal(std::string(70000, 'a')), HasSubstr("too long"));
+  EXPECT_THAT(tableRefusal(""), HasSubstr("no list of ranges"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: []"), HasSubstr("no list of ranges"));
+  EXPECT_THAT(tableRefusal("ranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("name"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [3]"), HasSubstr("FILE, range 1"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [0, 1]}]"), HasSubstr("range 1: cb is missing"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [0, 256], cb: [0, 1]}]"), HasSubstr("cr is [0, 256]"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [9, 8], cb: [0, 1]}]"), HasSubstr("cr is [9, 8]"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [a, b], cb: [0, 1]}]"), HasSubstr("two whole numbers"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 8], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [4, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
 }
 
 TEST(ColorTableFile, OfThisPackageIsFoundByItsName) {

@@ -18,72 +18,73 @@ using ::testing::IsEmpty;
 using ::testing::Pair;
 using ::testing::SizeIs;
 
-const robot_model::RobotModel& ers7() {
+const robot_model::RobotModel& ledRobot() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
-LedOrders parse(const std::vector<std::string>& names, const std::vector<float>& intensities, std::uint8_t mode = 0) {
+LedOrders ordersOf(const std::vector<std::string>& names, const std::vector<float>& intensities,
+                   std::uint8_t mode = 0) {
   Leds message;
   message.names = names;
   message.intensities = intensities;
   message.mode = mode;
-  return parseLeds(message, ers7());
+  return parseLeds(message, ledRobot());
 }
 
 // Intensities by the names of the LEDs.
 std::map<std::string, int> intensitiesOf(const LedOrders& orders) {
   std::map<std::string, int> intensities;
   for (const LedCommand& command : orders.commands) {
-    intensities[ers7().leds[robot_model::findLedByIdentifier(ers7(), command.id)].name] = command.intensity;
+    intensities[ledRobot().leds[robot_model::findLedByIdentifier(ledRobot(), command.id)].name] = command.intensity;
   }
   return intensities;
 }
 
 TEST(ParseLeds, FindsLedsByName) {
-  const LedOrders orders = parse({"face_3", "wireless"}, {0.5F, 1.0F});
+  const LedOrders orders = ordersOf({"face_3", "wireless"}, {0.5F, 1.0F});
   EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 128), Pair("wireless", 255)));
   EXPECT_THAT(orders.refusals, IsEmpty());
 }
 
 TEST(ParseLeds, FindsGroupsOfLeds) {
-  EXPECT_THAT(parse({"face"}, {1.0F}).commands, SizeIs(14));
-  EXPECT_THAT(parse({"back"}, {1.0F}).commands, SizeIs(6));
-  EXPECT_THAT(parse({"head"}, {1.0F}).commands, SizeIs(6));
-  EXPECT_THAT(parse({"all"}, {0.0F}).commands, SizeIs(26));
+  EXPECT_THAT(ordersOf({"face"}, {1.0F}).commands, SizeIs(14));
+  EXPECT_THAT(ordersOf({"back"}, {1.0F}).commands, SizeIs(6));
+  EXPECT_THAT(ordersOf({"head"}, {1.0F}).commands, SizeIs(6));
+  EXPECT_THAT(ordersOf({"all"}, {0.0F}).commands, SizeIs(26));
 }
 
 TEST(ParseLeds, TakesOneIntensityForAllNames) {
-  EXPECT_THAT(intensitiesOf(parse({"face_1", "face_2"}, {0.0F})), ElementsAre(Pair("face_1", 0), Pair("face_2", 0)));
+  EXPECT_THAT(intensitiesOf(ordersOf({"face_1", "face_2"}, {0.0F})), ElementsAre(Pair("face_1", 0), Pair("face_2", 0)));
 }
 
 TEST(ParseLeds, TakesTheLaterOfTwoForTheSameLed) {
-  const auto intensities = intensitiesOf(parse({"face", "face_1"}, {0.0F, 1.0F}));
+  const auto intensities = intensitiesOf(ordersOf({"face", "face_1"}, {0.0F, 1.0F}));
   EXPECT_THAT(intensities, SizeIs(14));
   EXPECT_EQ(intensities.at("face_1"), 255);
   EXPECT_EQ(intensities.at("face_2"), 0);
 }
 
 TEST(ParseLeds, PassesTheModeOn) {
-  EXPECT_EQ(parse({"face_1"}, {1.0F}).commands.at(0).mode, LedMode::kA);
-  EXPECT_EQ(parse({"face_1"}, {1.0F}, Leds::MODE_B).commands.at(0).mode, LedMode::kB);
+  EXPECT_EQ(ordersOf({"face_1"}, {1.0F}).commands.at(0).mode, LedMode::kA);
+  EXPECT_EQ(ordersOf({"face_1"}, {1.0F}, Leds::MODE_B).commands.at(0).mode, LedMode::kB);
 }
 
 TEST(ParseLeds, LeavesNothingDarkThatIsNotOff) {
-  EXPECT_THAT(intensitiesOf(parse({"face_1"}, {0.001F})), ElementsAre(Pair("face_1", 1)));
+  EXPECT_THAT(intensitiesOf(ordersOf({"face_1"}, {0.001F})), ElementsAre(Pair("face_1", 1)));
 }
 
 TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {
-  const LedOrders orders = parse({"third_eye", "face_1", "face_2", "face_3"}, {1.0F, NAN, 1.5F, 1.0F});
+  const LedOrders orders = ordersOf({"third_eye", "face_1", "face_2", "face_3"}, {1.0F, NAN, 1.5F, 1.0F});
   EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 255)));
   EXPECT_THAT(orders.refusals,
               ElementsAre(HasSubstr("'third_eye'"), HasSubstr("face_1"), HasSubstr("face_2 cannot shine")));
 }
 
 TEST(ParseLeds, RefusesAMessageThatDoesNotFitTogether) {
-  const LedOrders numbers = parse({"face_1", "face_2", "face_3"}, {1.0F, 1.0F});
+  const LedOrders numbers = ordersOf({"face_1", "face_2", "face_3"}, {1.0F, 1.0F});
   EXPECT_THAT(numbers.commands, IsEmpty());
   EXPECT_THAT(numbers.refusals, ElementsAre(HasSubstr("3 names and 2 intensities")));
-  const LedOrders mode = parse({"face_1"}, {1.0F}, 2);
+  const LedOrders mode = ordersOf({"face_1"}, {1.0F}, 2);
   EXPECT_THAT(mode.commands, IsEmpty());
   EXPECT_THAT(mode.refusals, ElementsAre(HasSubstr("no mode 2")));
 }
@@ -98,7 +99,7 @@ class ExpressionCommanderTest : public ::testing::Test {
   }
 
   test_support::FakeClient client_;
-  ExpressionCommander commander_{ers7(), client_};
+  ExpressionCommander commander_{ledRobot(), client_};
 };
 
 TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {

@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr int kHeadPan = 2;
+constexpr int kPan = 2;
 
 // The approach speed is 0.5 rad/s, the speed limit 3.0 rad/s.
 class JointCommanderTest : public ::testing::Test {
@@ -33,7 +33,7 @@ class JointCommanderTest : public ::testing::Test {
     command({{"head_pan", position}});
     Telemetry telemetry;
     telemetry.arrival = std::chrono::steady_clock::now();
-    telemetry.joints = {{kHeadPan, position}};
+    telemetry.joints = {{kPan, position}};
     measured_.update(telemetry);
     command({{"head_pan", position + 0.2}});
     client_.told.clear();

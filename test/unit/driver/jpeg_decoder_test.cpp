@@ -47,7 +47,7 @@ std::vector<std::uint8_t> encode(int width, int height, int flags = 0) {
   return jpeg;
 }
 
-std::string refusal(const std::vector<std::uint8_t>& jpeg) {
+std::string decodingRefusal(const std::vector<std::uint8_t>& jpeg) {
   try {
     decodeJpeg(jpeg.data(), jpeg.size());
   } catch (const DecodeException& error) {
@@ -75,31 +75,31 @@ TEST(DecodeJpeg, RefusesDamagedCompressedDataInsteadOfReturningHalfAPicture) {
   std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
   // The decoder only warns of an end-of-image marker in the middle.
   jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(jpeg.size() - jpeg.size() / 3), jpeg.end() - 2);
-  EXPECT_THAT(refusal(jpeg), HasSubstr("the compressed data is damaged"));
+  EXPECT_THAT(decodingRefusal(jpeg), HasSubstr("the compressed data is damaged"));
 }
 
 TEST(DecodeJpeg, RefusesWhatIsNotAJpeg) {
-  EXPECT_NE(refusal({}), "decoded");
-  EXPECT_NE(refusal(std::vector<std::uint8_t>(5000, 0x55)), "decoded");
+  EXPECT_NE(decodingRefusal({}), "decoded");
+  EXPECT_NE(decodingRefusal(std::vector<std::uint8_t>(5000, 0x55)), "decoded");
 }
 
 TEST(DecodeJpeg, RefusesASizeThatTheCameraCannotHave) {
-  EXPECT_NE(refusal(encode(640, 480)), "decoded");
+  EXPECT_NE(decodingRefusal(encode(640, 480)), "decoded");
 }
 
 TEST(DecodeJpeg, RefusesProgressivePictures) {
-  EXPECT_NE(refusal(encode(kWidth, kHeight, TJFLAG_PROGRESSIVE)), "decoded");
+  EXPECT_NE(decodingRefusal(encode(kWidth, kHeight, TJFLAG_PROGRESSIVE)), "decoded");
 }
 
 TEST(DecodeJpeg, DoesNotDecodeAPictureWithATableOfThePictureBefore) {
   std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
-  ASSERT_EQ(refusal(jpeg), "decoded");
+  ASSERT_EQ(decodingRefusal(jpeg), "decoded");
   constexpr std::array<std::uint8_t, 2> kQuantizationTable = {0xFF, 0xDB};
   constexpr std::uint8_t kApplicationData = 0xEF;  // which decoders skip
   const auto last = std::find_end(jpeg.begin(), jpeg.end(), kQuantizationTable.begin(), kQuantizationTable.end());
   ASSERT_NE(last, jpeg.end());
   *(last + 1) = kApplicationData;
-  EXPECT_THAT(refusal(jpeg), HasSubstr("the compressed data is damaged"));
+  EXPECT_THAT(decodingRefusal(jpeg), HasSubstr("the compressed data is damaged"));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 using Readings = std::vector<std::pair<std::string, double>>;  // by the names of the robot's sensors
 
 constexpr double kGravity = 9.81;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
@@ -86,11 +86,11 @@ TEST_F(RangeFinderTest, HoldsDistanceAndRange) {
 
 TEST_F(RangeFinderTest, IsInfiniteOutOfRange) {
   EXPECT_FLOAT_EQ(rangeAt(0.06), 0.06F);
-  EXPECT_EQ(rangeAt(0.05), -kInfinity);
-  EXPECT_EQ(rangeAt(0.03), -kInfinity);
+  EXPECT_EQ(rangeAt(0.05), -kFloatInfinity);
+  EXPECT_EQ(rangeAt(0.03), -kFloatInfinity);
   EXPECT_FLOAT_EQ(rangeAt(0.49), 0.49F);
-  EXPECT_EQ(rangeAt(0.5), kInfinity);
-  EXPECT_EQ(rangeAt(0.9), kInfinity);
+  EXPECT_EQ(rangeAt(0.5), kFloatInfinity);
+  EXPECT_EQ(rangeAt(0.9), kFloatInfinity);
 }
 
 TEST_F(RangeFinderTest, IsEmptyIfTheSensorWasNotRead) {

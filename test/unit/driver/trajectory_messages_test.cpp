@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
 
-const ros::Time kNow(1800000000, 500000000);
+const ros::Time kArrival(1800000000, 500000000);
 
 std::string refusalOf(const ros::Time& stamp, const ros::Time& now) {
   try {
@@ -27,20 +27,20 @@ std::string refusalOf(const ros::Time& stamp, const ros::Time& now) {
 }
 
 TEST(WaitBeforeStart, IsTheTimeUntilTheStamp) {
-  EXPECT_EQ(waitBeforeStart(ros::Time(), kNow), milliseconds(0));
-  EXPECT_NEAR(static_cast<double>(waitBeforeStart(kNow - ros::Duration(0.9), kNow).count()), -0.9e9, 1e3);
-  EXPECT_NEAR(static_cast<double>(waitBeforeStart(kNow + ros::Duration(2.5), kNow).count()), 2.5e9, 1e3);
+  EXPECT_EQ(waitBeforeStart(ros::Time(), kArrival), milliseconds(0));
+  EXPECT_NEAR(static_cast<double>(waitBeforeStart(kArrival - ros::Duration(0.9), kArrival).count()), -0.9e9, 1e3);
+  EXPECT_NEAR(static_cast<double>(waitBeforeStart(kArrival + ros::Duration(2.5), kArrival).count()), 2.5e9, 1e3);
 }
 
 TEST(WaitBeforeStart, IsRefusedForAnOldStamp) {
-  EXPECT_THAT(refusalOf(kNow - ros::Duration(1.5), kNow), HasSubstr("1.500000 s ago"));
+  EXPECT_THAT(refusalOf(kArrival - ros::Duration(1.5), kArrival), HasSubstr("1.500000 s ago"));
 }
 
 TEST(WaitBeforeStart, IsRefusedForAStampThatCannotBeMeant) {
-  EXPECT_THAT(refusalOf(kNow + ros::Duration(4000), kNow), HasSubstr("4000.000000 s ahead"));
+  EXPECT_THAT(refusalOf(kArrival + ros::Duration(4000), kArrival), HasSubstr("4000.000000 s ahead"));
   ros::Time garbage;
   garbage.sec = garbage.nsec = kHighest;
-  EXPECT_THAT(refusalOf(garbage, kNow), HasSubstr("s ahead"));
+  EXPECT_THAT(refusalOf(garbage, kArrival), HasSubstr("s ahead"));
   EXPECT_THAT(refusalOf(ros::Time(kHighest, 0), ros::Time(5, 0)), HasSubstr("s ahead")) << "under /use_sim_time";
   EXPECT_THAT(refusalOf(ros::Time(1, 0), ros::Time(kHighest, 0)), HasSubstr("s ago"));
 }
