@@ -9,7 +9,9 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <std_msgs/Bool.h>
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <chrono>
 #include <cstdint>
@@ -46,7 +48,7 @@ using std::chrono::steady_clock;
 constexpr char kNamespace[] = "/driver_benchmark";
 constexpr microseconds kCameraPeriod{33445};  // of the ERS-7: 29.9 pictures a second
 constexpr microseconds kFullRate{0};          // a picture is due whenever the one before has been taken
-constexpr seconds kWarmUp{1};
+constexpr seconds kLongestWarmUp{2};
 constexpr seconds kFullRateWindow{1};  // thousands of pictures
 constexpr seconds kSafetyNet{30};
 
@@ -55,15 +57,7 @@ enum class Subscription { kNone, kCompressed, kRaw };
 /// The pictures' sources, and what they have sent.
 struct Sources {
   explicit Sources(microseconds period)
-      : robot(2, period), old_robot(1, period), web_camera(period), is_paced(period != kFullRate) {
-    setRunning(is_paced);
-  }
-
-  /// At the full rate, a server needs a processor of its own even if nobody is connected.
-  void setRunning(bool running) {
-    robot.setStopped(!running);
-    old_robot.setStopped(!running);
-  }
+      : robot(2, period), old_robot(1, period), web_camera(period), is_paced(period != kFullRate) {}
 
   test_support::PictureServer robot;
   test_support::PictureServer old_robot;  // minimal_node knows version 1 alone
@@ -148,9 +142,7 @@ class DriverBenchmark {
     for (int round = 0; round < rounds_; ++round) {
       measureAll(camera_, window_, "");
       measureIdle();
-      full_rate_.setRunning(true);
       measureAll(full_rate_, kFullRateWindow, kAtFullRate);
-      full_rate_.setRunning(false);
     }
     reportCosts();
     reportAges();
@@ -221,7 +213,8 @@ class DriverBenchmark {
     for (const auto& each : nodes) {
       processes.push_back(each.second());
     }
-    std::this_thread::sleep_for(2 * kWarmUp);
+    waitForDriver("the idle node");
+    std::this_thread::sleep_for(kLongestWarmUp);
     for (const auto& process : processes) {
       before.push_back(benchmark_figures::processorSeconds(process->pid()));
     }
@@ -237,8 +230,12 @@ class DriverBenchmark {
                const Subscriber::TimeOf& time_of, seconds window) {
     Subscriber subscriber(subscription, time_of);
     const auto process = start();
-    waitForPictures(subscription, subscriber, name, *process);
-    std::this_thread::sleep_for(kWarmUp);
+    if (subscription == Subscription::kNone) {
+      waitForDriver(name);
+    } else {
+      waitForPictures(subscriber, name, *process);
+    }
+    std::this_thread::sleep_for(std::min(kLongestWarmUp, window));
     subscriber.clear();
     const std::uint64_t sent_before = camera_.robot.lastNumber();
     const auto begin = steady_clock::now();
@@ -256,10 +253,18 @@ class DriverBenchmark {
     cost.worsts.push_back(quantile(subscriber.ages(), 0.99));
   }
 
-  static void waitForPictures(Subscription subscription, const Subscriber& subscriber, const std::string& name,
+  // Its topic `streaming` is latched.
+  static void waitForDriver(const std::string& name) {
+    if (!ros::topic::waitForMessage<std_msgs::Bool>(std::string(kNamespace) + "/streaming",
+                                                    ros::Duration(kSafetyNet.count()))) {
+      throw std::runtime_error(name + " has not started");
+    }
+  }
+
+  static void waitForPictures(const Subscriber& subscriber, const std::string& name,
                               const test_support::Process& process) {
     const auto end = steady_clock::now() + kSafetyNet;
-    while (subscription != Subscription::kNone && subscriber.count() == 0) {
+    while (subscriber.count() == 0) {
       if (steady_clock::now() > end) {
         throw std::runtime_error(name + " publishes no pictures; it printed:\n" + process.output());
       }
@@ -324,7 +329,7 @@ class DriverBenchmark {
 
 int main(int argc, char** argv) {
   int rounds = 3;
-  int window = 3;
+  int window = 2;
   ros::init(argc, argv, "driver_benchmark", ros::init_options::AnonymousName);
   po::options_description description("Options", 120);
   // clang-format off

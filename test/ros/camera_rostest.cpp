@@ -1,5 +1,6 @@
 // What the driver publishes on the camera's topics.
 
+#include <aibo_driver/CameraState.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -295,6 +296,20 @@ TEST(Calibration, OfTwoRobotsIsInTwoFiles) {
   }
   EXPECT_THAT(contentOf(home.path("camera_info/one.yaml").string()), HasSubstr("190"));
   EXPECT_THAT(contentOf(home.path("camera_info/two.yaml").string()), HasSubstr("200"));
+}
+
+TEST(Calibration, MustFitThePicturesThatComeWhetherAnybodyListensOrNot) {
+  SimulatedRobot robot;
+  DriverProcess driver("/unheard", robot.port());
+  TopicListener<aibo_driver::CameraState> pictures("/unheard/camera/state");
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  sensor_msgs::SetCameraInfo call;
+  call.request.camera_info = goodCalibration();
+  call.request.camera_info.width = 320;
+  call.request.camera_info.height = 240;
+  ASSERT_TRUE(ros::service::call("/unheard/camera/set_camera_info", call));
+  EXPECT_FALSE(call.response.success);
+  EXPECT_THAT(call.response.status_message, HasSubstr("the robot sends 208x160"));
 }
 
 TEST(Camera, OnDemandTheRobotStreamsOnlyWhileThereIsASubscriber) {

@@ -88,7 +88,9 @@ void PictureServer::run() {
     for (const Peer& peer : peers_) {
       polled.push_back({peer.socket.get(), static_cast<short>(peer.out.empty() ? POLLIN : POLLIN | POLLOUT), 0});
     }
-    waitFor(std::move(polled), next_picture_);
+    const bool is_anybody_ready =
+        std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.out.empty(); });
+    waitFor(std::move(polled), is_anybody_ready ? next_picture_ : steady_clock::now() + milliseconds(100));
     serveAll();
   }
 }

@@ -41,7 +41,7 @@ class PictureServer {
   };
 
   /// @param version newest version of the protocol that it speaks, 1 or 2
-  /// @param period from one picture to the next
+  /// @param period from one picture to the next; 0 = as fast as the client takes them
   /// @param port 0 = any free one
   PictureServer(int version, std::chrono::microseconds period, int port = 0);
   ~PictureServer();
