@@ -16,8 +16,9 @@ import statistics
 import subprocess
 import sys
 
-# Counters of the Google Benchmarks that are ratios, and their marks.
-RATIOS = {"ratio_to_bare": ("bare TurboJPEG", 1.0)}
+# Counters of the Google Benchmarks that are compared: name, unit, counter and name of the other one, mark of the ratio.
+COMPARED = {"rcserver_us": ("processor time", "us", "bare_us", "bare TurboJPEG", {"at_most": 1.0}),
+            "rcserver_bytes": ("bytes", "", "bare_bytes", "bare TurboJPEG", {})}
 
 
 def figures_of(google_benchmark):
@@ -27,11 +28,14 @@ def figures_of(google_benchmark):
         if run.get("run_type") != "aggregate":
             runs.setdefault(run["run_name"], []).append(run)
     for name, rounds in runs.items():
-        yield {"figure": "time of " + name, "unit": rounds[0]["time_unit"], "rounds": [r["cpu_time"] for r in rounds]}
-        for counter, (rival, mark) in RATIOS.items():
-            if counter in rounds[0]:
-                yield {"figure": "ratio of " + name + " to " + rival, "unit": "",
-                       "rounds": [r[counter] for r in rounds], "at_most": mark}
+        compared = [counter for counter in COMPARED if counter in rounds[0]]
+        if not compared:
+            yield {"figure": "time of " + name, "unit": rounds[0]["time_unit"],
+                   "rounds": [r["cpu_time"] for r in rounds]}
+        for counter in compared:
+            what, unit, other, rival, mark = COMPARED[counter]
+            yield {"figure": what + " of " + name, "unit": unit, "rounds": [r[counter] for r in rounds],
+                   "with": rival, "with_rounds": [r[other] for r in rounds], **mark}
 
 
 def read(path):

@@ -159,11 +159,11 @@ void JpegEncoder::WriteStrips(const CameraImage& image, const DetailBands* detai
 
 void JpegEncoder::FillStrip(const CameraImage& image, size_t top, JSAMPROW y_rows[STRIP_HEIGHT]) {
   JSAMPROW chroma_rows[STRIP_HEIGHT];
-  FindRows(image, image.y, top, y_copies_, y_rows);
-  FindRows(image, image.cb, top, chroma_copies_, chroma_rows);
-  Halve(chroma_rows, RoundUp(image.width), cb_);
-  FindRows(image, image.cr, top, chroma_copies_, chroma_rows);
-  Halve(chroma_rows, RoundUp(image.width), cr_);
+  FindRows(image, image.y, top, MACROBLOCK, y_copies_, y_rows);
+  FindRows(image, image.cb, top, 2, chroma_copies_, chroma_rows);
+  Halve(chroma_rows, image.width, cb_);
+  FindRows(image, image.cr, top, 2, chroma_copies_, chroma_rows);
+  Halve(chroma_rows, image.width, cr_);
 }
 
 // The last row's tag is replaced by the row above in all bands: nothing says which of them it is in.
@@ -189,17 +189,17 @@ void JpegEncoder::FillDoubleStrip(const CameraImage& image, const DetailBands& d
   }
 }
 
-// Points to 16 rows of a plane, in the camera image where libjpeg can read them there. The last row is copied because
-// of the tag, and all rows if 16 does not divide the width, because libjpeg needs whole macroblocks. Below the image,
+// Points to 16 rows of a plane, in the camera image where they can be read there. The last row is copied because of the
+// tag, and all rows if the width is not a multiple of `unit` pixels; a copy fills the last macroblock. Below the image,
 // the last row is repeated.
-void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane, size_t top, Strip copies,
+void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane, size_t top, size_t unit, Strip copies,
                            JSAMPROW rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;
-  const bool has_whole_macroblocks = image.width % MACROBLOCK == 0;
+  const bool has_whole_units = image.width % unit == 0;
   for (size_t row = 0; row < STRIP_HEIGHT; ++row) {
     const size_t source_row = top + row < last ? top + row : last;
     const unsigned char* source = plane + source_row * image.stride;
-    if (source_row < last && has_whole_macroblocks) {
+    if (source_row < last && has_whole_units) {
       rows[row] = const_cast<JSAMPROW>(source);  // libjpeg lacks const, but does not write there
     } else {
       CopyRow(source, source_row == last ? source - image.stride : source, image.width, RoundUp(image.width),
@@ -217,9 +217,12 @@ void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* sour
   Pad(copy, width, padded_width);
 }
 
+// Halves 16 rows, and fills the last macroblock. An odd width has one more pixel, the last one repeated.
 void JpegEncoder::Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, HalfStrip half) {
+  const size_t half_width = (width + 1) / 2;
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {
-    HalveRows(rows[2 * row], rows[2 * row + 1], width / 2, half[row]);
+    HalveRows(rows[2 * row], rows[2 * row + 1], half_width, half[row]);
+    Pad(half[row], half_width, RoundUp(width) / 2);
   }
 }
 

@@ -87,7 +87,7 @@ class JpegEncoder {
   void WriteStrips(const CameraImage& image, const DetailBands* detail);
   void FillStrip(const CameraImage& image, size_t top, JSAMPROW y_rows[STRIP_HEIGHT]);
   void FillDoubleStrip(const CameraImage& image, const DetailBands& detail, size_t top, JSAMPROW y_rows[STRIP_HEIGHT]);
-  static void FindRows(const CameraImage& image, const unsigned char* plane, size_t top, Strip copies,
+  static void FindRows(const CameraImage& image, const unsigned char* plane, size_t top, size_t unit, Strip copies,
                        JSAMPROW rows[STRIP_HEIGHT]);
   static void CopyRow(const unsigned char* source, const unsigned char* source_of_tag, size_t width,
                       size_t padded_width, JSAMPROW copy);

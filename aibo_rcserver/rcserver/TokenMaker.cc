@@ -7,8 +7,9 @@
 
 namespace {
 
-// Every so many pixels one is used: not in all rows the same.
-const int PIXEL_STEP = 97;
+// Every so many bytes one is used: not in all rows the same. These are 200 of an ERS-7's image, half of them of Y, Cr
+// and Cb; two bits of noise in each make more than a token has.
+const int PIXEL_STEP = 997;
 
 // Spreads each bit over all others (the end of MurmurHash3, by Austin Appleby, public domain).
 unsigned Spread(unsigned value) {

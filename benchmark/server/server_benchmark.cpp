@@ -1,6 +1,8 @@
 // Measures what the robot's server costs on this computer, with the simulated ERS-7: while nobody is connected, and for
 // each picture, with photographs, in the rendered room with the robot at rest, and walking with its head moving. Beside
-// it, GStreamer compresses pictures of the same size, with the same quality and at the same rate.
+// it, GStreamer compresses pictures of the same size, with the same quality and at the same rate. Also measures the
+// time from the camera's handing over an image until a client has its picture, in a run of its own, because the server
+// then writes a log.
 //
 //   server_benchmark [--rounds N] [--seconds N]
 #include <poll.h>
@@ -15,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -40,12 +43,13 @@ using benchmark_figures::Rounds;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
+using std::chrono::system_clock;
 
 constexpr seconds kWarmUp{2};
 constexpr seconds kSafetyNet{30};
 constexpr milliseconds kCommandPeriod{100};
 
-/// A client that counts pictures.
+/// A client that counts pictures, and notes when they came.
 class Client {
  public:
   explicit Client(int port) : client_(optionsFor(port), callbacks()) {
@@ -61,6 +65,12 @@ class Client {
   }
 
   std::uint64_t pictures() const { return pictures_; }
+
+  /// In nanoseconds of the system's clock, in order.
+  std::vector<std::int64_t> arrivals() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return arrivals_;
+  }
 
   void walkAndLookAround(double time) {
     client_.steer({0.05, 0, 0.3});
@@ -79,10 +89,17 @@ class Client {
 
   aibo_driver::RcServerClient::Callbacks callbacks() {
     aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_picture = [this](const aibo_driver::PicturePtr&) { ++pictures_; };
+    callbacks.on_picture = [this](const aibo_driver::PicturePtr&) {
+      const auto now = std::chrono::nanoseconds(system_clock::now().time_since_epoch());
+      const std::lock_guard<std::mutex> lock(mutex_);
+      arrivals_.push_back(now.count());
+      ++pictures_;
+    };
     return callbacks;
   }
 
+  std::mutex mutex_;
+  std::vector<std::int64_t> arrivals_;
   std::atomic<std::uint64_t> pictures_{0};
   aibo_driver::RcServerClient client_;
 };
@@ -188,12 +205,15 @@ class ServerBenchmark {
       measureIdle();
       measureStream("photographs", {"--images", folder_.path("photographs").string()}, false);
       measureGStreamer();
+      measureAge();
       measureStream("at rest", {}, false);
       measureStream("walking", {}, true);
     }
     print("processor share of the simulated robot, nobody connected", "%", costs_["idle"], {}, atMost(1));
     print("processor time of the server, photographs", "us a picture", costs_["photographs"],
           {"GStreamer", costs_["GStreamer"]}, atMost(0.5));
+    print("from image to received picture, median", "ms", costs_["age, median"], {}, atMost(0.3));
+    print("from image to received picture, 99 %", "ms", costs_["age, 99 %"]);
     print("processor time of the simulated robot at rest", "us a picture", costs_["at rest"], {}, atMost(4000));
     print("processor time of the simulated robot walking", "us a picture", costs_["walking"], {}, atMost(6000));
   }
@@ -265,6 +285,27 @@ class ServerBenchmark {
     const std::uint64_t before = server.pictures();
     const double processor = processorSecondsIn(server.pid());
     costs_["GStreamer"].push_back(1e6 * processor / static_cast<double>(server.pictures() - before));
+  }
+
+  // The log has the time of each picture's image, in the order in which the only client gets them.
+  void measureAge() {
+    const std::string log = folder_.path("pictures.log").string();
+    const test_support::SimulatedRobot robot({"--images", folder_.path("photographs").string(), "--picture-log", log});
+    Client client(robot.port());
+    std::this_thread::sleep_for(seconds(window_));
+    std::ifstream lines(log);
+    std::vector<double> ages;
+    for (const std::int64_t arrival : client.arrivals()) {
+      std::int64_t taken = 0;
+      std::size_t size = 0;
+      std::uint32_t checksum = 0;
+      if (!(lines >> taken >> size >> checksum)) {
+        throw std::runtime_error("the server's log lacks a picture");
+      }
+      ages.push_back(1e-6 * static_cast<double>(arrival - taken));
+    }
+    costs_["age, median"].push_back(benchmark_figures::quantile(ages, 0.5));
+    costs_["age, 99 %"].push_back(benchmark_figures::quantile(ages, 0.99));
   }
 
   const int rounds_;

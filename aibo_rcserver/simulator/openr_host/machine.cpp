@@ -146,13 +146,13 @@ std::vector<ServiceConnection> Machine::readConnections() const {
 
 void Machine::run() {
   while (!stop_requested_ && isOn()) {
+    const auto shuts_down = [this] { return system_->shutdownRequest() != ShutdownRequest::kNone; };
     int rounds = 0;
-    while (isOn() && rounds < kMostRounds && handleMessages()) {
+    while (rounds < kMostRounds && handleMessages() && !shuts_down()) {
       ++rounds;
     }
-    if (isOn()) {
-      handleSockets(rounds < kMostRounds ? nextEvent() : std::chrono::steady_clock::now());
-    }
+    const bool has_more = rounds == kMostRounds || shuts_down();
+    handleSockets(has_more ? std::chrono::steady_clock::time_point() : nextEvent());
   }
 }
 
@@ -190,7 +190,8 @@ bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseco
 /// @return false if there was nothing at all
 bool Machine::handle(const Deadline& latest) {
   const bool had_messages = handleMessages();
-  return isOn() && (handleSockets(had_messages ? std::chrono::steady_clock::time_point() : latest) || had_messages);
+  const bool had_sockets = handleSockets(had_messages ? std::chrono::steady_clock::time_point() : latest);
+  return had_messages || had_sockets;
 }
 
 /// The frame, and the messages that are queued now.
@@ -200,12 +201,10 @@ bool Machine::handleMessages() {
   const bool began_frame = beginFrame();
   const bool had_messages = system.hasMessages();
   system.handleMessages();
-  const bool has_more = system.hasMessages();
-  obeyShutdownRequest();
-  return began_frame || had_messages || has_more;
+  return began_frame || had_messages || system.hasMessages();
 }
 
-/// Waits for sockets until `latest`.
+/// Waits for sockets until `latest`. Shuts down afterwards if an object has asked for that.
 /// @return false if none was ready
 bool Machine::handleSockets(const Deadline& latest) {
   System& system = running();

@@ -68,16 +68,22 @@ Camera::Image::Image(RCRegion* region)
     : largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
       others(otherBands(region), region->Size() - distance(region->Base(), otherBands(region))) {}
 
-/// With colour detection everything is drawn, because the tag of layer H tells what has been detected.
-void Camera::drawLargestColors(RCRegion* region, const Image& image) {
+/// With colour detection everything is drawn, because the tag of layer H tells what has been detected. A photograph
+/// that is there already needs only its new tag, which announceFbkImage() has written.
+void Camera::drawLargestColors(RCRegion* region, Image& image) {
   if (image.exposure.colors.isOn()) {
     openr_host::FilledOnRead::read(otherBands(region));
-  } else {
-    simulated_ers7::drawLargestColors(region, pictureOf(image), imagesUpTo(image.exposure.frame));
+    return;
   }
+  const YCrCbImage& picture = pictureOf(image);
+  if (image.written != &picture) {
+    simulated_ers7::drawLargestColors(region, picture, imagesUpTo(image.exposure.frame));
+  }
+  image.written = source_.hasConstantPictures() ? &picture : nullptr;
 }
 
-void Camera::draw(RCRegion* region, const Image& image) {
+void Camera::draw(RCRegion* region, Image& image) {
+  image.written = nullptr;
   drawFbkImage(region, pictureOf(image), image.exposure.colors, imagesUpTo(image.exposure.frame));
 }
 

@@ -72,6 +72,9 @@ class PictureSource {
   /// @param image_number selects the noise, which differs from image to image
   /// @return valid until the next call
   virtual const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) = 0;
+
+  /// True if no picture ever changes: what is at its address is what was there before.
+  virtual bool hasConstantPictures() const { return false; }
 };
 
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
@@ -124,10 +127,11 @@ class Camera {
     Exposure exposure;
     openr_host::FilledOnRead largest_colors;
     openr_host::FilledOnRead others;
+    const YCrCbImage* written = nullptr;  ///< the constant picture whose Y, Cr and Cb are in layer H
   };
 
-  void drawLargestColors(RCRegion* region, const Image& image);
-  void draw(RCRegion* region, const Image& image);
+  void drawLargestColors(RCRegion* region, Image& image);
+  void draw(RCRegion* region, Image& image);
   const YCrCbImage& pictureOf(const Image& image);
 
   PictureSource& source_;

@@ -39,6 +39,7 @@ class PhotoShow : public PictureSource {
   void setHead(const HeadAngles& /*angles*/) override {}
   void setBody(const Eigen::Isometry3d& /*in_room*/) override {}
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
+  bool hasConstantPictures() const override { return true; }
 
  private:
   std::vector<YCrCbImage> pictures_;

@@ -64,6 +64,10 @@ class TestPicture : public PictureSource {
     return image_;
   }
 
+  bool hasConstantPictures() const override { return is_constant; }
+  void setFirstPixel(byte y) { image_.y[0] = y; }
+
+  bool is_constant = false;
   int times_drawn = 0;
   double last_head_pan = -1;
   double last_x = -1;
@@ -284,6 +288,21 @@ TEST_F(CameraTest, ARegionThatIsUsedAgainShowsTheNewPicture) {
   ASSERT_EQ(camera_.capture(104), region);
   bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(0, 0);
   EXPECT_EQ(source_.times_drawn, 2);
+}
+
+TEST_F(CameraTest, AConstantPictureIsWrittenToARegionOnce) {
+  source_.is_constant = true;
+  const auto firstPixel = [this](longword frame, OFbkImageLayer first_read) {
+    RCRegion* region = camera_.capture(frame);
+    bandOf(region, first_read, ofbkimageBAND_Y).Pixel(0, 0);
+    const OFbkImage luminance = bandOf(region, ofbkimageLAYER_H, ofbkimageBAND_Y);
+    EXPECT_EQ(luminance.FieldCounter(), imagesUpTo(frame));
+    return luminance.Pixel(0, 0);
+  };
+  EXPECT_EQ(firstPixel(100, ofbkimageLAYER_H), 0);
+  source_.setFirstPixel(7);  // against the promise, to see whether it is written
+  EXPECT_EQ(firstPixel(104, ofbkimageLAYER_H), 0);
+  EXPECT_EQ(firstPixel(108, ofbkimageLAYER_M), 7) << "with everything";
 }
 
 TEST_F(CameraTest, TheInfosContainCameraAndFrame) {
