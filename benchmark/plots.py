@@ -46,7 +46,9 @@ def draw_outage(ways, path):
     axes.set_ylabel("age of the picture, ms")
     axes.set_title(f"Pictures around an outage of {OUTAGE:g} s, emulated 802.11b at 11 Mbit/s")
     axes.legend(loc="upper right")
-    save(figure, axes, path)
+    axes.grid(alpha=0.3)
+    figure.tight_layout()
+    save(figure, path)
 
 
 def scale_figures(path):
@@ -63,26 +65,27 @@ def scale_figures(path):
 
 
 def draw_scale(growth, path):
-    shown = (("processor share of a driver", "% of a processor"), ("memory of a driver", "MB"),
-             ("pictures a second, fewest of a robot", "pictures/s"))
-    figure, all_axes = plt.subplots(1, len(shown), figsize=(12, 4))
-    for axes, (what, unit) in zip(all_axes, shown):
+    shown = (("processor share of a driver", "processor share of a driver, %"), ("memory of a driver", "its memory, MB"),
+             ("pictures a second, fewest of a robot", "pictures a second of a robot, the fewest"))
+    figure, all_axes = plt.subplots(1, len(shown), figsize=(12, 4.5))
+    for axes, (what, label) in zip(all_axes, shown):
+        highest = 0
         for (figure_name, kind), medians in growth.items():
             if figure_name == what:
                 robots = sorted(medians)
                 axes.plot(robots, [medians[number] for number in robots], "o-", label=kind)
-        axes.set_ylim(bottom=0)
+                highest = max(highest, *medians.values())
+        axes.set_ylim(0, 1.1 * highest or 1)
         axes.set_xlabel("robots")
-        axes.set_ylabel(unit)
-        axes.set_title(what)
+        axes.set_title(label, fontsize="medium")
         axes.grid(alpha=0.3)
-    all_axes[0].legend()
-    save(figure, all_axes[-1], path)
+    lines, labels = all_axes[0].get_legend_handles_labels()
+    figure.legend(lines, labels, loc="lower center", ncol=2)
+    figure.tight_layout(rect=(0, 0.12, 1, 1))
+    save(figure, path)
 
 
-def save(figure, axes, path):
-    axes.grid(alpha=0.3)
-    figure.tight_layout()
+def save(figure, path):
     figure.savefig(path, dpi=100)
     plt.close(figure)
 
