@@ -104,6 +104,14 @@ def machine():
             f"({processor()}), {system}, Linux {platform.release()}.")
 
 
+def pictures_beside(path):
+    """Links to the pictures that plots.py has drawn beside this file."""
+    captions = {"outage.png": "Age of pictures around an outage of the radio", "scale.png": "Growth with robots"}
+    folder = os.path.dirname(os.path.abspath(path))
+    return "".join(f"\n![{caption}]({name})\n" for name, caption in captions.items()
+                   if os.path.exists(os.path.join(folder, name)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("figures")
@@ -116,7 +124,8 @@ def main():
         with open(options.results, "w", encoding="utf-8") as results:
             results.write("# Results\n\n`scripts/benchmark` writes this file. A figure is the median of its rounds; a ratio "
                           "compares it\nwith a limit or a rival in the same run. Only ratios say something about "
-                          "another machine.\n\n" + machine() + "\n\n" + table(figures) + "\n")
+                          "another machine.\n\n" + machine() + "\n\n" + table(figures) + "\n" +
+                          pictures_beside(options.results))
     missed = [figure for figure in figures if figure.met is False]
     if missed:
         print(f"\n{len(missed)} of {sum(figure.met is not None for figure in figures)} marks are not met.")

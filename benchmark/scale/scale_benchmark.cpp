@@ -3,7 +3,9 @@
 // nodelets in one process. The robots' cameras show photographs, except for those with the rendered room.
 //
 //   scale_benchmark [--robots N...] [--seconds N]
+//   two_hosts scale_benchmark [--robots N...] [--seconds N]
 //
+// With two_hosts, the robots run on another host than the drivers.
 // Needs a ROS master.
 #include <nodelet/NodeletLoad.h>
 #include <ros/ros.h>
@@ -13,6 +15,7 @@
 #include <boost/program_options.hpp>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <list>
 #include <memory>
 #include <stdexcept>
@@ -51,6 +54,17 @@ std::string nameSpaceOf(int robot) {
   return "/scale_benchmark/robot" + std::to_string(robot);
 }
 
+/// Where the robots run. two_hosts sets this environment.
+struct RobotHost {
+  const char* name_space = std::getenv("AIBO_ROBOT_NAMESPACE");  ///< network namespace; null: this host
+  const char* address = name_space != nullptr ? std::getenv("AIBO_ROBOT_ADDRESS") : "127.0.0.1";
+
+  std::vector<std::string> launcher() const {
+    return name_space != nullptr ? std::vector<std::string>{"ip", "netns", "exec", name_space}
+                                 : std::vector<std::string>();
+  }
+};
+
 /// Counts the pictures of one robot.
 class Counter {
  public:
@@ -75,7 +89,7 @@ class Counter {
 /// Drivers for robots at these ports, each in its namespace.
 class DriverProcesses {
  public:
-  DriverProcesses(Drivers kind, const std::list<test_support::SimulatedRobot>& robots) {
+  DriverProcesses(Drivers kind, const std::list<test_support::SimulatedRobot>& robots, const std::string& address) {
     if (kind == Drivers::kNodelets) {
       processes_.push_back(std::make_unique<test_support::Process>(
           test_support::nodeletHost({"manager", std::string("__name:=manager"), "__ns:=/scale_benchmark"})));
@@ -83,9 +97,10 @@ class DriverProcesses {
     int number = 0;
     for (const test_support::SimulatedRobot& robot : robots) {
       if (kind == Drivers::kNodelets) {
-        load(number, robot.port());
+        load(number, address, robot.port());
       } else {
-        processes_.push_back(std::make_unique<test_support::DriverProcess>(nameSpaceOf(number), robot.port()));
+        processes_.push_back(std::make_unique<test_support::DriverProcess>(
+            nameSpaceOf(number), robot.port(), std::vector<std::string>{"_host:=" + address}));
       }
       ++number;
     }
@@ -94,8 +109,9 @@ class DriverProcesses {
   const std::list<std::unique_ptr<test_support::Process>>& processes() const { return processes_; }
 
  private:
-  static void load(int number, int port) {
+  static void load(int number, const std::string& address, int port) {
     const std::string name = nameSpaceOf(number) + "/aibo_driver";
+    ros::param::set(name + "/host", address);
     ros::param::set(name + "/port", port);
     nodelet::NodeletLoad nodelet;
     nodelet.request.name = name;
@@ -153,17 +169,18 @@ std::vector<std::uint64_t> countsOf(const std::list<Counter>& counters) {
 }
 
 Result measure(int robots, Drivers kind, const std::vector<std::string>& robot_options, seconds window) {
+  const RobotHost host;
   std::list<test_support::SimulatedRobot> servers;
   std::list<Counter> counters;
   for (int i = 0; i < robots; ++i) {
-    servers.emplace_back(robot_options);
+    servers.emplace_back(robot_options, host.launcher());
     counters.emplace_back(i);
   }
   const auto robotProcessor = [](test_support::SimulatedRobot& server) {
     return benchmark_figures::processorSeconds(server.process().pid());
   };
   const auto begin = steady_clock::now();
-  const DriverProcesses drivers(kind, servers);
+  const DriverProcesses drivers(kind, servers, host.address);
   waitForAll(counters);
   Result result;
   result.start_time = std::chrono::duration<double>(steady_clock::now() - begin).count();
@@ -216,18 +233,20 @@ void report(const std::string& kind, int robots, const Result& result, const Res
 void run(const std::vector<int>& numbers, int rendered, seconds window) {
   const test_support::TemporaryFolder photographs;
   writePhotographs(photographs);
-  const std::vector<std::string> with_photographs{"--images", photographs.path().string()};
+  const RobotHost host;
+  const std::vector<std::string> with_photographs{"--images", photographs.path().string(), "--bind", host.address};
+  const std::string where = host.name_space != nullptr ? ", robots on another host" : "";
   for (const Drivers kind : {Drivers::kNodes, Drivers::kNodelets}) {
     const std::string name = kind == Drivers::kNodes ? "nodes" : "nodelets in one process";
     Result one;
     for (const int robots : numbers) {
       const Result result = measure(robots, kind, with_photographs, window);
       one = robots == numbers.front() ? result : one;
-      report(name, robots, result, one);
+      report(name + where, robots, result, one);
     }
   }
   if (rendered > 0) {
-    const Result result = measure(rendered, Drivers::kNodes, {}, window);
+    const Result result = measure(rendered, Drivers::kNodes, {"--bind", host.address}, window);
     print(std::to_string(rendered) + " robots in the rendered room: pictures a second, fewest of a robot", "/s",
           {result.fewest_pictures}, {}, atLeast(29.5));
     print(std::to_string(rendered) + " robots in the rendered room: processor share of a simulated robot", "%",

@@ -204,8 +204,8 @@ po::options_description describe(Options* options) {
     ("rates", po::value(&options->rates)->multitoken()->default_value({11, 5.5, 2, 1}, "11 5.5 2 1"), "Mbit/s")
     ("losses", po::value(&options->losses)->multitoken()->default_value({0, 1, 5, 10}, "0 1 5 10"), "lost packets, in percent")
     ("outages", po::value(&options->outages)->multitoken()->default_value({1, 3, 10}, "1 3 10"), "in seconds, at 11 Mbit/s")
-    ("rounds", po::value(&options->rounds)->default_value(2), "each with other losses")
-    ("seconds", po::value(&options->seconds)->default_value(8), "how long each link is measured in a round")
+    ("rounds", po::value(&options->rounds)->default_value(3), "each with other losses")
+    ("seconds", po::value(&options->seconds)->default_value(5), "how long each link is measured in a round")
     ("parallel", po::value(&options->parallel)->default_value(6), "links at a time")
     ("plot-data", po::value(&options->plot_data), "file for the ages of pictures around the outages");
   // clang-format on

@@ -13,7 +13,8 @@ constexpr std::chrono::seconds kPatience{30};
 }  // namespace
 
 void SimulatedRobot::start(int port) {
-  std::vector<std::string> command{AIBO_RCSERVER, "--port", std::to_string(port), "--console-port", "0"};
+  std::vector<std::string> command = launcher_;
+  command.insert(command.end(), {AIBO_RCSERVER, "--port", std::to_string(port), "--console-port", "0"});
   command.insert(command.end(), options_.begin(), options_.end());
   process_ = std::make_unique<Process>(command);
   const auto ports = process_->waitForOutput("Console on [0-9.]+:([0-9]+)\n.*listening on [0-9.]+:([0-9]+)", kPatience);

@@ -14,7 +14,11 @@ namespace test_support {
 class SimulatedRobot {
  public:
   /// @param options further options of the executable, such as {"--protocol-version", "1"}
-  explicit SimulatedRobot(const std::vector<std::string>& options = {}) : options_(options) { start(0); }
+  /// @param launcher command that starts the executable and becomes its process, such as {"ip", "netns", "exec", "a"}
+  explicit SimulatedRobot(const std::vector<std::string>& options = {}, const std::vector<std::string>& launcher = {})
+      : options_(options), launcher_(launcher) {
+    start(0);
+  }
 
   int port() const { return port_; }
   int consolePort() const { return console_port_; }
@@ -39,6 +43,7 @@ class SimulatedRobot {
   void start(int port);
 
   const std::vector<std::string> options_;
+  const std::vector<std::string> launcher_;
   int port_ = 0;
   int console_port_ = 0;
   std::unique_ptr<Process> process_;

@@ -31,9 +31,9 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
     }
     // After a short outage the robot still serves the old connection, until its client proves by its token that it is
     // the same. After a longer one it has given up the old connection.
-    trials.push_back(outageTrial(milliseconds(1000), seed, milliseconds(500)));
-    trials.push_back(outageTrial(milliseconds(3000), seed, milliseconds(500)));
-    trials.push_back(outageTrial(milliseconds(10000), seed, milliseconds(500)));
+    trials.push_back(outageTrial(milliseconds(1000), seed, milliseconds(400)));
+    trials.push_back(outageTrial(milliseconds(3000), seed, milliseconds(400)));
+    trials.push_back(outageTrial(milliseconds(10000), seed, milliseconds(400)));
   }
   for (const double rate : {5.5e6, 2e6, 1e6}) {
     trials.push_back(lossTrial(rate, 0, first_seed, milliseconds(15000)));

@@ -449,7 +449,7 @@ TEST_F(DatagramsTest, AnyDatagramOfAGroupWithParityMayBeLost) {
     std::vector<Bytes> picture = nextPicture(true);
     picture.erase(picture.begin() + static_cast<std::ptrdiff_t>(std::min(lost, picture.size() - 1)));
     arrive(picture);
-    EXPECT_EQ(delivered().size(), picture_) << lost;
+    ASSERT_EQ(delivered().size(), picture_) << lost;
     EXPECT_EQ(delivered().back(), picture_) << lost;
   }
   EXPECT_EQ(datagrams - 1, counters_.repaired_datagrams) << "a lost parity needs no repair";

@@ -343,6 +343,7 @@ TEST_F(DatagramsTest, OnlyTheClientReportsLosses) {
   takeImage();
   EXPECT_FALSE(hasParity(partsAt(receiver)));
   receiver.reply(lossReport(0));
+  machine_->runPending();
   switchOn(receiver);
   takeImage();
   EXPECT_FALSE(hasParity(partsAt(receiver))) << "each B begins anew";
