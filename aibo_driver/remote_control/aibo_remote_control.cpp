@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   RosRobot robot;
   RemoteControl window(robot);
   window.setWindowTitle("Aibo");
-  window.resize(480, 760);
+  window.resize(480, 780);
   const QString name_space = QString::fromStdString(ros::this_node::getNamespace());
   window.useDriver(name_space == "/" ? QString() : name_space);
   window.show();

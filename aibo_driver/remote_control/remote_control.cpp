@@ -34,9 +34,9 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(connection_bar_);
-  layout->addWidget(picture_, 3);
+  layout->addWidget(picture_, 1);
   layout->addLayout(makeButtons());
-  layout->addWidget(makePages(), 2);
+  layout->addWidget(makePages(), 1);
   layout->addWidget(status_);
   connectSignals();
   keepSpaceBar();

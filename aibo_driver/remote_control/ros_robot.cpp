@@ -22,8 +22,9 @@ namespace aibo_driver::remote_control {
 namespace {
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
-constexpr std::chrono::milliseconds kMeasurementsPeriod{100};
-constexpr std::chrono::seconds kTimeToSpeak{5};  // a driver says something once a second
+constexpr std::chrono::milliseconds kJointsPeriod{100};
+constexpr std::chrono::milliseconds kSensorsPeriod{250};  // figures that change more often cannot be read
+constexpr std::chrono::seconds kTimeToSpeak{5};           // a driver says something once a second
 
 /// Saves a JPEG under a name with the time.
 /// @return its path
@@ -261,10 +262,12 @@ void RosRobot::show(Part part, bool visible) {
     }
   });
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (wishes_.visible.count(Part::kJoints) + wishes_.visible.count(Part::kSensors) == 0) {
+  if (wishes_.visible.count(Part::kJoints) > 0) {
+    measurements_timer_.start(kJointsPeriod);
+  } else if (wishes_.visible.count(Part::kSensors) > 0) {
+    measurements_timer_.start(kSensorsPeriod);
+  } else {
     measurements_timer_.stop();
-  } else if (!measurements_timer_.isActive()) {
-    measurements_timer_.start(kMeasurementsPeriod);
   }
 }
 

@@ -54,6 +54,7 @@ SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(makeScrollArea(content));
   auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(6, 4, 6, 4);
   layout->addWidget(touch);
   layout->addWidget(ranges);
   layout->addStretch(1);
