@@ -60,8 +60,8 @@ class DatagramIntake {
   /// @param extra_interval how much longer than with every image of the camera the next picture may take
   TimePoint deadline(std::chrono::milliseconds extra_interval) const;
 
-  /// Why the pictures had better come by TCP, in words that follow "pictures come by TCP: "; empty if all is well, or if
-  /// they do already. Only while the stream is on.
+  /// Why the pictures had better come by TCP, in words that follow "pictures come by TCP: "; empty if all is well, or
+  /// if they do already. Only while the stream is on.
   std::string problem(TimePoint now, std::chrono::milliseconds extra_interval) const;
 
   /// True if begin() was ever called.

@@ -37,11 +37,7 @@ LightsPage::LightsPage(Robot& robot, QWidget* parent)
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel("Intensity", this));
   row->addWidget(intensity_);
-  auto* content = new QWidget;
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(makeScrollArea(content));
-  auto* layout = new QVBoxLayout(content);
+  auto* layout = new QVBoxLayout(makeScrolledContent());
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addLayout(row);
   layout->addWidget(makeFace());

@@ -4,6 +4,7 @@
 
 #include <QPushButton>
 #include <QScrollArea>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -52,6 +53,15 @@ class Page : public QWidget {
     content->setAutoFillBackground(false);  // the page's background
     area->viewport()->setAutoFillBackground(false);
     return area;
+  }
+
+  /// Makes a widget for all that the page has. It scrolls where it needs more room.
+  QWidget* makeScrolledContent() {
+    auto* content = new QWidget;
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(makeScrollArea(content));
+    return content;
   }
 
   QPushButton* makeButton(Needs needs, const QString& text, const QString& tip, const std::function<void()>& clicked) {

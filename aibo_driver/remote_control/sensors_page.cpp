@@ -49,11 +49,7 @@ SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
   auto* ranges = new QGroupBox("Range finders", this);
   distances_ = new QGridLayout(ranges);
   distances_->setContentsMargins(4, 4, 4, 4);
-  auto* content = new QWidget;
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(makeScrollArea(content));
-  auto* layout = new QVBoxLayout(content);
+  auto* layout = new QVBoxLayout(makeScrolledContent());
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addWidget(touch);
   layout->addWidget(ranges);
