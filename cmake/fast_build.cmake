@@ -9,7 +9,8 @@ endif()
 if(AIBO_FAST_BUILD)
   # Targets can only share a precompiled header if all are position independent in the same way, and if they define the
   # same names: SDL's users define _REENTRANT.
-  add_compile_options(-fPIC)
+  # Functions of a program can still be inlined: nobody replaces one of them.
+  add_compile_options(-fPIC -fno-semantic-interposition)
   add_compile_definitions(_REENTRANT)
 endif()
 
