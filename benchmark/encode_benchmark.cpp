@@ -1,14 +1,23 @@
 // Compares the RCServer's encoder with bare libjpeg-turbo on the same planes: the same halving of chroma, then
-// tjCompressFromYUVPlanes. Both alternate on the same images, so that their ratio does not depend on the load of the
-// machine.
+// tjCompressFromYUVPlanes, or libjpeg's own jpeg_write_raw_data. All take turns on the same images, so that their
+// ratios do not depend on the load of the machine.
 #include <benchmark/benchmark.h>
 #include <time.h>
 #include <turbojpeg.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
+
+// After cstdio, which it needs.
+#include <jpeglib.h>
 
 #include "figures.h"
 #include "picture_encoder/JpegEncoder.h"
@@ -17,6 +26,21 @@
 using test_support::CameraImageFixture;
 
 namespace {
+
+using Plane = std::vector<uint8_t>;
+
+void halve(const unsigned char* plane, const CameraImage& image, Plane& half) {
+  const size_t stride = image.stride;
+  const size_t half_width = image.width / 2;
+  for (size_t row = 0; row < image.height / 2; ++row) {
+    const unsigned char* upper = plane + 2 * row * stride;
+    const unsigned char* lower = upper + stride;
+    for (size_t column = 0; column < half_width; ++column) {
+      const int sum = upper[2 * column] + upper[2 * column + 1] + lower[2 * column] + lower[2 * column + 1];
+      half[row * half_width + column] = static_cast<uint8_t>((sum + 2) / 4);
+    }
+  }
+}
 
 class BareTurboJpeg {
  public:
@@ -28,8 +52,8 @@ class BareTurboJpeg {
         jpeg_(tjBufSize(static_cast<int>(width), static_cast<int>(height), TJSAMP_420)) {}
 
   size_t encode(const CameraImage& image, int quality) {
-    halve(image.cb, image.stride, cb_.data());
-    halve(image.cr, image.stride, cr_.data());
+    halve(image.cb, image, cb_);
+    halve(image.cr, image, cr_);
     const int half_stride = static_cast<int>(width_ / 2);
     const unsigned char* planes[] = {image.y, cb_.data(), cr_.data()};
     const int strides[] = {static_cast<int>(image.stride), half_stride, half_stride};
@@ -43,24 +67,75 @@ class BareTurboJpeg {
   }
 
  private:
-  void halve(const unsigned char* plane, size_t stride, uint8_t* half) const {
-    const size_t half_width = width_ / 2;
-    for (size_t row = 0; row < height_ / 2; ++row) {
-      const unsigned char* upper = plane + 2 * row * stride;
-      const unsigned char* lower = upper + stride;
-      for (size_t column = 0; column < half_width; ++column) {
-        const int sum = upper[2 * column] + upper[2 * column + 1] + lower[2 * column] + lower[2 * column + 1];
-        half[row * half_width + column] = static_cast<uint8_t>((sum + 2) / 4);
-      }
-    }
-  }
-
   const size_t width_;
   const size_t height_;
   std::unique_ptr<void, int (*)(tjhandle)> handle_{tjInitCompress(), tjDestroy};
-  std::vector<uint8_t> cb_;
-  std::vector<uint8_t> cr_;
-  std::vector<uint8_t> jpeg_;
+  Plane cb_;
+  Plane cr_;
+  Plane jpeg_;
+};
+
+// An error of libjpeg ends the program, as its default is.
+class BareLibjpeg {
+ public:
+  BareLibjpeg(size_t width, size_t height)
+      : half_width_(width / 2),
+        cb_(width * height / 4 + kRows),
+        cr_(width * height / 4 + kRows),
+        jpeg_(tjBufSize(static_cast<int>(width), static_cast<int>(height), TJSAMP_420)) {
+    compress_.err = jpeg_std_error(&errors_);
+    jpeg_create_compress(&compress_);
+    compress_.image_width = static_cast<JDIMENSION>(width);
+    compress_.image_height = static_cast<JDIMENSION>(height);
+    compress_.input_components = 3;
+    compress_.in_color_space = JCS_YCbCr;
+    jpeg_set_defaults(&compress_);
+    compress_.raw_data_in = TRUE;
+  }
+
+  ~BareLibjpeg() { jpeg_destroy_compress(&compress_); }
+  BareLibjpeg(const BareLibjpeg&) = delete;
+  BareLibjpeg& operator=(const BareLibjpeg&) = delete;
+
+  size_t encode(const CameraImage& image, int quality) {
+    halve(image.cb, image, cb_);
+    halve(image.cr, image, cr_);
+    unsigned char* jpeg = jpeg_.data();
+    unsigned long size = jpeg_.size();
+    jpeg_mem_dest(&compress_, &jpeg, &size);
+    jpeg_set_quality(&compress_, quality, TRUE);
+    jpeg_start_compress(&compress_, TRUE);
+    while (compress_.next_scanline < compress_.image_height) {
+      writeStrip(image, compress_.next_scanline);
+    }
+    jpeg_finish_compress(&compress_);
+    return size;
+  }
+
+ private:
+  static constexpr size_t kRows = 16;  // of pixels, in a strip of macroblocks
+
+  // Behind the last row, it is repeated. Behind the last column comes what is there: readers cut both off.
+  void writeStrip(const CameraImage& image, size_t top) {
+    std::array<JSAMPROW, kRows> y{};
+    std::array<JSAMPROW, kRows / 2> cb{};
+    std::array<JSAMPROW, kRows / 2> cr{};
+    for (size_t row = 0; row < kRows; ++row) {
+      const size_t at = std::min<size_t>(top + row, compress_.image_height - 1);
+      y[row] = const_cast<JSAMPROW>(image.y + at * image.stride);
+      cb[row / 2] = cb_.data() + at / 2 * half_width_;
+      cr[row / 2] = cr_.data() + at / 2 * half_width_;
+    }
+    std::array<JSAMPARRAY, 3> planes{y.data(), cb.data(), cr.data()};
+    jpeg_write_raw_data(&compress_, planes.data(), kRows);
+  }
+
+  const size_t half_width_;
+  jpeg_compress_struct compress_{};
+  jpeg_error_mgr errors_{};
+  Plane cb_;
+  Plane cr_;
+  Plane jpeg_;
 };
 
 // The processor time and the results of one encoder's calls.
@@ -88,7 +163,7 @@ class Account {
   double bytes_ = 0;
 };
 
-// The first of the two fetches the image into the processor's caches, so they take turns at that.
+// The first one fetches the image into the processor's caches, so they take turns at that.
 void encodePicture(benchmark::State& state) {
   const auto width = static_cast<size_t>(state.range(0));
   const size_t height = width * 160 / 208;
@@ -98,27 +173,28 @@ void encodePicture(benchmark::State& state) {
     scenes.push_back(CameraImageFixture::scene(width, height, seed));
   }
   JpegEncoder encoder;
-  BareTurboJpeg bare_encoder(width, height);
+  BareTurboJpeg turbo_jpeg(width, height);
+  BareLibjpeg libjpeg(width, height);
   std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(width, height));
-  Account rcserver;
-  Account bare;
+  const std::array<std::function<size_t(const CameraImage&)>, 3> encoders{
+      [&](const CameraImage& image) { return encoder.Encode(image, quality, jpeg.data(), jpeg.size()); },
+      [&](const CameraImage& image) { return turbo_jpeg.encode(image, quality); },
+      [&](const CameraImage& image) { return libjpeg.encode(image, quality); }};
+  std::array<Account, 3> accounts;
   size_t next = 0;
   for (auto _ : state) {
     const CameraImage image = scenes[next % scenes.size()].image();
-    const bool rcserver_is_first = next++ / scenes.size() % 2 == 0;
-    const auto encode = [&] { return encoder.Encode(image, quality, jpeg.data(), jpeg.size()); };
-    if (rcserver_is_first) {
-      rcserver.measure(encode);
-    }
-    bare.measure([&] { return bare_encoder.encode(image, quality); });
-    if (!rcserver_is_first) {
-      rcserver.measure(encode);
+    const size_t first = next++ / scenes.size();
+    for (size_t i = 0; i < encoders.size(); ++i) {
+      const size_t turn = (first + i) % encoders.size();
+      accounts[turn].measure([&] { return encoders[turn](image); });
     }
   }
-  state.counters["rcserver_us"] = rcserver.microseconds();
-  state.counters["bare_us"] = bare.microseconds();
-  state.counters["rcserver_bytes"] = rcserver.bytes();
-  state.counters["bare_bytes"] = bare.bytes();
+  const std::array<std::string, 3> names{"rcserver", "turbo_jpeg", "libjpeg"};
+  for (size_t i = 0; i < names.size(); ++i) {
+    state.counters[names[i] + "_us"] = accounts[i].microseconds();
+    state.counters[names[i] + "_bytes"] = accounts[i].bytes();
+  }
 }
 BENCHMARK(encodePicture)->ArgNames({"width", "quality"})->ArgsProduct({{208, 104, 52}, {50, 85, 95}});
 

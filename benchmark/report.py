@@ -16,9 +16,11 @@ import statistics
 import subprocess
 import sys
 
-# Counters of the Google Benchmarks that are compared: name, unit, counter and name of the other one, mark of the ratio.
-COMPARED = {"rcserver_us": ("processor time", "us", "bare_us", "bare TurboJPEG", {"at_most": 1.0}),
-            "rcserver_bytes": ("bytes", "", "bare_bytes", "bare TurboJPEG", {})}
+# Counters of the Google Benchmarks that are compared: counter, name, unit, counter and name of the other one, mark of
+# the ratio.
+COMPARED = (("rcserver_us", "processor time", "us", "turbo_jpeg_us", "bare TurboJPEG", {"at_most": 1.0}),
+            ("rcserver_us", "processor time", "us", "libjpeg_us", "bare libjpeg", {}),
+            ("rcserver_bytes", "bytes", "", "turbo_jpeg_bytes", "bare TurboJPEG", {}))
 
 
 def figures_of(google_benchmark):
@@ -28,12 +30,11 @@ def figures_of(google_benchmark):
         if run.get("run_type") != "aggregate":
             runs.setdefault(run["run_name"], []).append(run)
     for name, rounds in runs.items():
-        compared = [counter for counter in COMPARED if counter in rounds[0]]
+        compared = [comparison for comparison in COMPARED if comparison[0] in rounds[0]]
         if not compared:
             yield {"figure": "time of " + name, "unit": rounds[0]["time_unit"],
                    "rounds": [r["cpu_time"] for r in rounds]}
-        for counter in compared:
-            what, unit, other, rival, mark = COMPARED[counter]
+        for counter, what, unit, other, rival, mark in compared:
             yield {"figure": what + " of " + name, "unit": unit, "rounds": [r[counter] for r in rounds],
                    "with": rival, "with_rounds": [r[other] for r in rounds], **mark}
 
@@ -46,6 +47,10 @@ def read(path):
                 yield from figures_of(entry)
             else:
                 yield entry
+
+
+def readable(value):
+    return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.4g}"
 
 
 class Judged:
@@ -71,10 +76,10 @@ class Judged:
                 self.met = sign * (value - entry[key]) <= noise
 
     def row(self):
-        compared = f"{self.rival}: {self.rival_median:.4g}" if self.rival else ""
+        compared = f"{self.rival}: {readable(self.rival_median)}" if self.rival else ""
         ratio = f"{self.ratio:.2f}" if self.ratio is not None else ""
         met = {None: "", True: "yes", False: "**no**"}[self.met]
-        return f"| {self.name} | {self.median:.4g} {self.unit} | {compared} | {ratio} | {self.mark} | {met} |"
+        return f"| {self.name} | {readable(self.median)} {self.unit} | {compared} | {ratio} | {self.mark} | {met} |"
 
 
 def table(figures):
