@@ -11,6 +11,8 @@ if(AIBO_FAST_BUILD)
   # same names: SDL's users define _REENTRANT.
   # Functions of a program can still be inlined: nobody replaces one of them.
   add_compile_options(-fPIC -fno-semantic-interposition)
+  # GCC forgets that a template in a precompiled header is the system's, and warns of Boost's functions.
+  add_compile_options(-Wno-maybe-uninitialized)
   add_compile_definitions(_REENTRANT)
 endif()
 
