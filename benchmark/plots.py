@@ -53,7 +53,7 @@ def draw_outage(ways, path):
 
 def scale_figures(path):
     """Medians of the figures of `scale`, by what is measured and how the drivers run: {robots: median}."""
-    title = re.compile(r"(\d+) robots, ([^:]+): (.+)")
+    title = re.compile(r"(\d+) robots?, ([^:]+): (.+)")
     growth = collections.defaultdict(dict)
     with open(path, encoding="utf-8") as lines:
         for entry in (json.loads(line) for line in lines if line.startswith('{"figure"')):

@@ -221,7 +221,7 @@ void writePhotographs(const test_support::TemporaryFolder& folder) {
 }
 
 void report(const std::string& kind, int robots, const Result& result, const Result& one) {
-  const std::string title = std::to_string(robots) + " robots, " + kind + ": ";
+  const std::string title = std::to_string(robots) + (robots == 1 ? " robot, " : " robots, ") + kind + ": ";
   const auto mark = robots > 1 ? atMost(1.1) : benchmark_figures::Mark{};
   print(title + "processor share of a driver", "%", {result.driver_share}, {"one robot", {one.driver_share}}, mark);
   print(title + "memory of a driver", "MB", {result.driver_memory}, {"one robot", {one.driver_memory}}, mark);
