@@ -3,7 +3,8 @@
 
     report.py FIGURES [--results FILE] [--check]
 
-FIGURES has a line of JSON for each figure (figures.h), or is what Google Benchmark writes as JSON in one line.
+FIGURES has a line of JSON for each figure (figures.h), or is what Google Benchmark writes as JSON in one line. A line
+{"section": "NAME"} begins a section of the table.
 --results FILE also writes the table to this file, with machine, date and versions.
 --check fails if a figure is worse than its mark by more than the noise of its rounds.
 """
@@ -12,6 +13,7 @@ import datetime
 import json
 import os
 import platform
+import re
 import statistics
 import subprocess
 import sys
@@ -23,19 +25,31 @@ COMPARED = (("rcserver_us", "processor time", "us", "turbo_jpeg_us", "bare Turbo
             ("rcserver_bytes", "bytes", "", "turbo_jpeg_bytes", "bare TurboJPEG", {}))
 
 
+def numbers_in(name):
+    return [int(number) for number in re.findall(r"\d+", name)]
+
+
+def in_words(name):
+    """For example "encode picture, width 104, quality 50" for encodePicture/width:104/quality:50."""
+    name = re.sub("/min_time:[^/]*", "", name)
+    name = re.sub("[A-Z]", lambda letter: " " + letter[0].lower(), name)
+    return name.replace(":", " ").replace("/", ", ")
+
+
 def figures_of(google_benchmark):
     """The figures in a report of Google Benchmark."""
     runs = {}
     for run in google_benchmark["benchmarks"]:
         if run.get("run_type") != "aggregate":
             runs.setdefault(run["run_name"], []).append(run)
-    for name, rounds in runs.items():
+    for name, rounds in sorted(runs.items(), key=lambda run: numbers_in(run[0])):  # they ran in a random order
+        name = in_words(name)
         compared = [comparison for comparison in COMPARED if comparison[0] in rounds[0]]
         if not compared:
-            yield {"figure": "time of " + name, "unit": rounds[0]["time_unit"],
+            yield {"figure": name + ": time", "unit": rounds[0]["time_unit"],
                    "rounds": [r["cpu_time"] for r in rounds]}
         for counter, what, unit, other, rival, mark in compared:
-            yield {"figure": what + " of " + name, "unit": unit, "rounds": [r[counter] for r in rounds],
+            yield {"figure": name + ": " + what, "unit": unit, "rounds": [r[counter] for r in rounds],
                    "with": rival, "with_rounds": [r[other] for r in rounds], **mark}
 
 
@@ -67,24 +81,53 @@ class Judged:
             self.ratio = statistics.median(judged) if judged else None
             if entry.get("mark_is_of_value"):
                 judged = entry["rounds"]
-        value = statistics.median(judged) if judged else None
+        value = self.judged = statistics.median(judged) if judged else None
         noise = (max(judged) - min(judged)) / 2 if judged else 0
-        self.mark, self.met = "", None
+        self.mark = self.verdict = ""
         for key, sign, text in (("at_most", 1, "at most"), ("at_least", -1, "at least")):
             if key in entry and value is not None:
                 self.mark = f"{text} {entry[key]:g}"
-                self.met = sign * (value - entry[key]) <= noise
+                excess = sign * (value - entry[key])
+                self.verdict = "yes" if excess <= 0 else "within its noise" if excess <= noise else "**no**"
+
+    @property
+    def missed(self):
+        return self.verdict == "**no**"
+
+    def explanation(self):
+        beside = f" beside {self.rival}" if self.rival else ""
+        return f"{self.name}{beside}: {readable(self.judged)}, {self.mark}"
 
     def row(self):
         compared = f"{self.rival}: {readable(self.rival_median)}" if self.rival else ""
         ratio = f"{self.ratio:.2f}" if self.ratio is not None else ""
-        met = {None: "", True: "yes", False: "**no**"}[self.met]
-        return f"| {self.name} | {readable(self.median)} {self.unit} | {compared} | {ratio} | {self.mark} | {met} |"
+        return (f"| {self.name} | {readable(self.median)} {self.unit} | {compared} | {ratio} | {self.mark} | "
+                f"{self.verdict} |")
 
 
-def table(figures):
+class Section:
+    """The row that begins a section of the table."""
+
+    verdict, missed = "", False
+
+    def __init__(self, name):
+        self.name = name
+
+    def row(self):
+        return f"| **{self.name}** | | | | | |"
+
+
+def table(rows):
     return "\n".join(["| figure | median | compared with | ratio | mark | met |", "|---|---|---|---|---|---|"]
-                     + [figure.row() for figure in figures])
+                     + [row.row() for row in rows])
+
+
+def summary(rows):
+    """How many marks are met, and which are not."""
+    missed = [row.explanation() for row in rows if row.missed]
+    marks = sum(row.verdict != "" for row in rows)
+    text = f"{marks - len(missed)} of {marks} marks are met."
+    return text + (" Not met:\n\n" + "".join(f"- {line}\n" for line in missed) if missed else "\n")
 
 
 def processor():
@@ -123,18 +166,15 @@ def main():
     parser.add_argument("--results")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
-    figures = [Judged(entry) for entry in read(options.figures)]
-    print(table(figures))
+    rows = [Section(entry["section"]) if "section" in entry else Judged(entry) for entry in read(options.figures)]
+    print(table(rows) + "\n\n" + summary(rows), end="")
     if options.results:
         with open(options.results, "w", encoding="utf-8") as results:
-            results.write("# Results\n\n`scripts/benchmark` writes this file. A figure is the median of its rounds; a ratio "
-                          "compares it\nwith a limit or a rival in the same run. Only ratios say something about "
-                          "another machine.\n\n" + machine() + "\n\n" + table(figures) + "\n" +
+            results.write("# Results\n\n`scripts/benchmark` writes this file. A figure is the median of its rounds. A "
+                          "ratio compares it\nwith a limit or a rival in the same run. Only ratios say something about "
+                          "another machine.\n\n" + machine() + "\n\n" + summary(rows) + "\n" + table(rows) + "\n" +
                           pictures_beside(options.results))
-    missed = [figure for figure in figures if figure.met is False]
-    if missed:
-        print(f"\n{len(missed)} of {sum(figure.met is not None for figure in figures)} marks are not met.")
-    return 1 if options.check and missed else 0
+    return 1 if options.check and any(row.missed for row in rows) else 0
 
 
 if __name__ == "__main__":
