@@ -29,8 +29,8 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
 /// @param chosen by the user; empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
 std::string pictureFolder(const std::string& chosen);
 
-/// Reads a motion. Whoever may ask for an upload may name any file, and the robot's place may be taken by somebody else:
-/// so nothing but motions leaves this computer.
+/// Reads a motion. Whoever may ask for an upload may name any file, and the robot's place may be taken by somebody
+/// else: so nothing but motions leaves this computer.
 /// @throw FileException the file cannot be read, or is not a whole motion; the message says why
 std::vector<std::uint8_t> loadMotion(const std::string& path);
 
