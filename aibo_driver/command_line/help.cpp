@@ -44,7 +44,7 @@ po::options_description commonOptions() {
   po::options_description options("Options of all commands");
   options.add_options()("host", po::value<std::string>()->value_name("NAME"),
                         "the robot's name or address; the default is $AIBO_HOST, or else 127.0.0.1")(
-      "port", po::value<int>()->default_value(54321)->value_name("N"), "its RCServer's port")(
+      "port", po::value<std::string>()->default_value("54321")->value_name("N"), "its RCServer's port")(
       "timeout", po::value<std::string>()->default_value("5")->value_name("S"),
       "longest time to wait for the connection, 0.1 to 60")("json", "results for scripts, as JSON")(
       "help", "explains a command")("version", "shows the version of this program");

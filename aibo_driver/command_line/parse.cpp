@@ -53,7 +53,7 @@ RobotAddress addressIn(const po::variables_map& values) {
     address.host = environment;
     address.host_is_given = true;
   }
-  address.port = values["port"].as<int>();
+  address.port = parseWholeNumber("--port", values["port"].as<std::string>(), 1, 65535);
   const double timeout = parseNumber("--timeout", values["timeout"].as<std::string>(), 0.1, kLongestTimeout);
   address.timeout = std::chrono::duration_cast<std::chrono::milliseconds>(nanosecondsOf(timeout));
   return address;

@@ -84,6 +84,16 @@ double parseNumber(const std::string& what, const std::string& text, double lowe
   return number;
 }
 
+int parseWholeNumber(const std::string& what, const std::string& text, int lowest, int highest) {
+  const std::string allowed = "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+  std::string rest;
+  const double number = readNumber(what, text, allowed, &rest);
+  if (!rest.empty() || number < lowest || number > highest || number != std::floor(number)) {
+    refuse(what, text, allowed);
+  }
+  return static_cast<int>(number);
+}
+
 double degrees(double radian) {
   return radian * 180 / kPi;
 }

@@ -15,10 +15,20 @@
 #include <fstream>
 #include <system_error>
 
+#include "mtn/layout.h"
+#include "mtn/motion.h"
+
 namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Callers of a service may be at another computer than the driver.
+std::string thisComputer() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string("the computer ") + name.data()
+                                                          : "this computer";
+}
 
 [[noreturn]] void failToRead(const std::string& path, const std::string& why) {
   throw FileException("cannot read '" + path + "': " + why);
@@ -62,7 +72,7 @@ void checkTarget(const fs::path& target) {
   std::error_code error;
   if (!fs::is_directory(target.parent_path(), error)) {
     throw FileException("cannot write " + target.string() + ": the folder " + target.parent_path().string() +
-                        " does not exist on the driver's machine or may not be entered; make it first");
+                        " does not exist on " + thisComputer() + " or may not be entered; make it first");
   }
   if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
     throw FileException("cannot write " + target.string() + ": it exists and is not a regular file");
@@ -84,6 +94,15 @@ bool isOfImage(std::uint8_t marker, const std::uint8_t* segment, std::size_t siz
     return std::memcmp(segment + 2, "JFIF", sizeof("JFIF")) == 0;
   }
   return marker != kComment && (marker < kApplication0 || marker > kApplication15);
+}
+
+std::string fileNameOnRobot(const std::string& name, const std::string& ending) {
+  std::string file = name;
+  if (!file.empty() && file.find('.') == std::string::npos) {
+    file += ending;
+  }
+  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
+  return file;
 }
 
 /// A file with a name of its own, which is deleted unless it is renamed.
@@ -149,7 +168,7 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   refuseTilde(path, "read");
   std::error_code error;
   if (!fs::exists(path, error)) {
-    failToRead(path, "there is no such file on the driver's machine, whose working directory is " +
+    failToRead(path, "there is no such file on " + thisComputer() + "; the working directory is " +
                          fs::current_path(error).string());
   }
   // Reading anything else, such as a pipe, could block.
@@ -170,6 +189,15 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
     failToRead(path, "it has more than the " + std::to_string(longest) + " bytes allowed");
   }
   return bytes;
+}
+
+std::vector<std::uint8_t> loadMotion(const std::string& path) {
+  std::vector<std::uint8_t> content = loadFile(path, mtn::MAX_FILE_SIZE);
+  mtn::Motion motion;
+  if (!motion.read(content.data(), content.size())) {
+    throw FileException("'" + path + "' is not a motion file: " + motion.problem());
+  }
+  return content;
 }
 
 std::string pictureFolder(const std::string& chosen) {
@@ -245,13 +273,12 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
   return target.string();
 }
 
-std::string fileNameOnRobot(const std::string& name, const std::string& ending) {
-  std::string file = name;
-  if (!file.empty() && file.find('.') == std::string::npos) {
-    file += ending;
-  }
-  std::transform(file.begin(), file.end(), file.begin(), [](unsigned char c) { return std::toupper(c); });
-  return file;
+std::string motionFileName(const std::string& name) {
+  return fileNameOnRobot(name, ".MTN");
+}
+
+std::string pictureFileName(const std::string& name) {
+  return fileNameOnRobot(name, ".JPG");
 }
 
 }  // namespace aibo_driver::files

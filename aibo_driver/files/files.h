@@ -29,6 +29,11 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
 /// @param chosen by the user; empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
 std::string pictureFolder(const std::string& chosen);
 
+/// Reads a motion. Whoever may ask for an upload may name any file, and the robot's place may be taken by somebody
+/// else: so nothing but motions leaves this computer.
+/// @throw FileException the file cannot be read, or is not a whole motion; the message says why
+std::vector<std::uint8_t> loadMotion(const std::string& path);
+
 /// Writes a picture to a file, without its comments and application data (withoutComments()). On any error it leaves
 /// what was there before; nobody ever sees half a file.
 ///
@@ -47,9 +52,12 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
 /// @throw FileException the bytes before the image data are not segments of a JPEG
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg);
 
-/// The name of a file on the robot's memory stick: for the ending ".MTN", "nod", "NOD.MTN" and "nod.mtn" all mean
-/// NOD.MTN. The empty name stays empty. The client checks whether the robot allows such a name.
-std::string fileNameOnRobot(const std::string& name, const std::string& ending);
+/// The name of a motion's file on the robot's memory stick: "nod", "NOD.MTN" and "nod.mtn" all mean NOD.MTN. The empty
+/// name stays empty. The client checks whether the robot allows such a name.
+std::string motionFileName(const std::string& name);
+
+/// The same for a picture: "aibo0001" means AIBO0001.JPG.
+std::string pictureFileName(const std::string& name);
 
 }  // namespace aibo_driver::files
 

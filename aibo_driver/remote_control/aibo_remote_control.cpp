@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <QApplication>
+#include <QScreen>
 #include <QTimer>
 
 #include "remote_control/remote_control.h"
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
   RosRobot robot;
   RemoteControl window(robot);
   window.setWindowTitle("Aibo");
-  window.resize(480, 780);
+  window.resize(QSize(480, 780).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   const QString name_space = QString::fromStdString(ros::this_node::getNamespace());
   window.useDriver(name_space == "/" ? QString() : name_space);
   window.show();

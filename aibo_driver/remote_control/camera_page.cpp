@@ -1,6 +1,5 @@
 #include "remote_control/camera_page.h"
 
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QPixmap>
 #include <QStandardPaths>
@@ -28,6 +27,7 @@ CameraPage::CameraPage(Robot& robot, QWidget* parent)
   thumbnail_->setFixedSize(kThumbnail + QSize(8, 8));
   allow(thumbnail_, "no picture has been taken yet");
   path_->setObjectName("path");
+  folder_button_->setObjectName("folder");
   path_->setWordWrap(true);
   path_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* grid = new QGridLayout(this);
@@ -68,17 +68,21 @@ void CameraPage::showTaken(const QImage& picture, const QString& path) {
   path_->setText(path);
 }
 
-// The dialog does not hold up the rest of the window.
+// Not modal: STOP has to work meanwhile.
 void CameraPage::chooseFolder() {
-  auto* dialog = new QFileDialog(this, "Folder for pictures", folder_);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+  if (dialog_ != nullptr) {
+    dialog_->raise();
+    return;
+  }
+  dialog_ = new QFileDialog(this, "Folder for pictures", folder_);
+  dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  dialog_->setFileMode(QFileDialog::Directory);
+  dialog_->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog_, &QFileDialog::fileSelected, this, [this](const QString& folder) {
     setFolder(folder);
     Q_EMIT folderChanged();
   });
-  dialog->open();
+  dialog_->show();
 }
 
 // The driver's settings can be changed also while it has no robot.

@@ -2,7 +2,9 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_CAMERA_PAGE_H
 #define AIBO_DRIVER_REMOTE_CONTROL_CAMERA_PAGE_H
 
+#include <QFileDialog>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 
 #include "remote_control/page.h"
@@ -43,6 +45,7 @@ class CameraPage : public Page {
   QPushButton* thumbnail_;
   QLabel* path_;
   QPushButton* folder_button_;
+  QPointer<QFileDialog> dialog_;  ///< where a folder is chosen; null when it is closed
   QWidget* settings_;
 };
 

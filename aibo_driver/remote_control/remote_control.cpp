@@ -1,6 +1,8 @@
 #include "remote_control/remote_control.h"
 
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -112,7 +114,7 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
 }
 
-// A text field would take the space bar for itself.
+// A text field would take the space bar for itself, and so would the list of a choice, which is a window of its own.
 void RemoteControl::keepSpaceBar() {
   for (QLineEdit* edit : findChildren<QLineEdit*>()) {
     edit->installEventFilter(this);
@@ -120,14 +122,22 @@ void RemoteControl::keepSpaceBar() {
   for (QAbstractSpinBox* box : findChildren<QAbstractSpinBox*>()) {
     box->installEventFilter(this);
   }
+  for (QComboBox* choice : findChildren<QComboBox*>()) {
+    choice->view()->installEventFilter(this);
+  }
 }
 
 bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
-    event->ignore();
-    return true;
+  const bool is_key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (!is_key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Space) {
+    return QWidget::eventFilter(watched, event);
   }
-  return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->ignore();  // it is a shortcut
+  } else if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
+    robot_.stop();  // in another window, where the shortcut does not hold
+  }
+  return true;
 }
 
 void RemoteControl::askForWhatIsVisible() {

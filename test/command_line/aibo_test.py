@@ -478,9 +478,9 @@ class WrongUsage(TestCase):
     def test_is_refused_before_anything_is_sent(self):
         for words in ([], ["fly"], ["move"], ["move", "head_pan"], ["move", "head_pan=30"], ["motors", "maybe"],
                       ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["picture", "-q", "0"], ["picture", "-q", "101"],
-                      ["picture", "--resolution", "1x1"], ["watch", "--every", "0"], ["watch", "--seconds", "-1"],
-                      ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
-                      ["play", "nod", "--seconds", "soon"], ["ears", "middle"], ["--json", "fly"]):
+                      ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
+                      ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
+                      ["play", "nod", "--seconds", "soon"], ["play", "nod", "--times", "0"], ["ears", "middle"], ["--json", "fly"]):
             with self.subTest(words):
                 result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(),
                                         check=False)

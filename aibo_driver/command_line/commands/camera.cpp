@@ -25,12 +25,17 @@ constexpr std::chrono::milliseconds kPictureTimeout{5000};
 
 /// Options of both commands. The robot resets its camera when its client goes, so there is no command to set it.
 void addCameraOptions(po::options_description& options) {
-  options.add_options()("quality,q", po::value<int>()->default_value(85)->value_name("N"), "of the JPEG, 1 to 100")(
+  options.add_options()("quality,q", po::value<std::string>()->default_value("85")->value_name("N"),
+                        "of the JPEG, 1 to 100")(
       "resolution", po::value<std::string>()->default_value("208x160")->value_name("WxH"), node::kResolutionNames)(
       "white-balance", po::value<std::string>()->value_name("NAME"), "indoor, outdoor, fluorescent or auto")(
       "gain", po::value<std::string>()->value_name("NAME"), "low, mid or high")(
       "shutter", po::value<std::string>()->value_name("NAME"), "slow, mid or fast")(
       "auto-exposure", "lets the camera choose gain and shutter speed");
+}
+
+int qualityIn(const Arguments& arguments) {
+  return parseWholeNumber("--quality", arguments.get<std::string>("quality"), 1, 100);
 }
 
 Resolution resolutionIn(const Arguments& arguments) {
@@ -77,7 +82,7 @@ std::optional<CameraSettings> cameraSettingsIn(const Arguments& arguments) {
 
 ClientOptions clientOptionsIn(const Arguments& arguments) {
   ClientOptions options;
-  options.jpeg_quality = arguments.get<int>("quality");
+  options.jpeg_quality = qualityIn(arguments);
   return options;
 }
 
@@ -93,7 +98,7 @@ std::string timeInName() {
 
 /// With settings of the camera: the first picture of a stream that has them.
 PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
-  const int quality = arguments.get<int>("quality");
+  const int quality = qualityIn(arguments);
   const Resolution resolution = resolutionIn(arguments);
   const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
   if (!settings) {
@@ -193,7 +198,7 @@ void reportSecond(const Robot& robot, LinkMeter& meter, Output& output) {
 
 ExitStatus watch(const Arguments& arguments, Output& output) {
   const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0, kLongestWatch);
-  const int every = arguments.get<int>("every");
+  const int every = parseWholeNumber("--every", arguments.get<std::string>("every"), 1, 65535);
   const StreamFormat format{resolutionIn(arguments), every};
   const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
   Album album(arguments, output);
@@ -262,7 +267,7 @@ Command watchCommand() {
                           "how long; 0: until Ctrl-C")("save", po::value<std::string>()->value_name("FOLDER"),
                                                        "saves each picture in this folder")(
         "play", "writes the pictures (MJPEG) to the standard output, and the figures to the standard error output")(
-        "every", po::value<int>()->default_value(1)->value_name("N"), "every n-th image of the camera");
+        "every", po::value<std::string>()->default_value("1")->value_name("N"), "every n-th image of the camera");
     addCameraOptions(options);
   };
   command.run = watch;

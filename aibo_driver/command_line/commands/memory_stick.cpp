@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "body/motion_files.h"
 #include "command_line/commands/commands.h"
+#include "command_line/quantities.h"
 #include "files/files.h"
 
 namespace aibo_driver::command_line {
@@ -20,9 +20,10 @@ bool endsWith(const std::string& text, const std::string& end) {
 }
 
 ExitStatus snap(const Arguments& arguments, Output& output) {
+  const int quality = parseWholeNumber("--quality", arguments.get<std::string>("quality"), 1, 100);
   Robot robot(arguments.robot, output);
   robot.connect();
-  const std::string name = robot.client().takePictureOnRobot(arguments.get<int>("quality"), kTimeout);
+  const std::string name = robot.client().takePictureOnRobot(quality, kTimeout);
   output.result(name + " is on the robot's memory stick.", Json::object({{"picture", name}}));
   return kDone;
 }
@@ -35,7 +36,7 @@ ExitStatus pictures(const Arguments& arguments, Output& output) {
 }
 
 ExitStatus fetch(const Arguments& arguments, Output& output) {
-  const std::string name = files::fileNameOnRobot(arguments.words.front(), kPictureEnding);
+  const std::string name = files::pictureFileName(arguments.words.front());
   Robot robot(arguments.robot, output);
   robot.connect();
   const std::vector<std::uint8_t> jpeg = robot.client().fetchPicture(name, kTimeout);
@@ -46,7 +47,7 @@ ExitStatus fetch(const Arguments& arguments, Output& output) {
 }
 
 ExitStatus deleteFile(const Arguments& arguments, Output& output) {
-  const std::string name = body::motionFileName(arguments.words.front());
+  const std::string name = files::motionFileName(arguments.words.front());
   const bool is_picture = endsWith(name, kPictureEnding);
   Robot robot(arguments.robot, output);
   robot.connect();
@@ -70,7 +71,8 @@ Command snapCommand() {
       "(ALLOW_PICTURES). `fetch` gets it.";
   command.examples = {{"snap", "says its name, such as AIBO0001.JPG"}, {"snap -q 95", "at a high quality"}};
   command.add_options = [](po::options_description& options) {
-    options.add_options()("quality,q", po::value<int>()->default_value(85)->value_name("N"), "of the JPEG, 1 to 100");
+    options.add_options()("quality,q", po::value<std::string>()->default_value("85")->value_name("N"),
+                          "of the JPEG, 1 to 100");
   };
   command.run = snap;
   return command;

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "aibo_driver/exceptions.h"
-#include "body/motion_files.h"
 #include "command_line/commands/commands.h"
 #include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
+#include "files/files.h"
 #include "joints/joint_link.h"
 #include "joints/joint_table.h"
 
@@ -52,7 +52,8 @@ bool waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
 }
 
 ExitStatus play(const Arguments& arguments, Output& output) {
-  const std::string name = body::motionFileName(arguments.words.front());
+  const std::string name = files::motionFileName(arguments.words.front());
+  const int times = parseWholeNumber("--times", arguments.get<std::string>("times"), 1, 65535);
   const bool limited = arguments.has("seconds");
   double seconds =
       limited ? parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestPlay) : kLongestPlay;
@@ -64,7 +65,7 @@ ExitStatus play(const Arguments& arguments, Output& output) {
   }
   const joints::JointTable table(robot.model().design, joints::kUsualSpeedLimit);
   joints::JointLink(robot.client(), table.design()).limitSpeeds(table.speedLimits());
-  const std::string changes = robot.client().playMotion(name, arguments.get<int>("times"), kPlayTimeout);
+  const std::string changes = robot.client().playMotion(name, times, kPlayTimeout);
   if (!changes.empty()) {
     output.note(name + " plays differently than in its file: " + changes + ".");
   }
@@ -78,8 +79,8 @@ ExitStatus upload(const Arguments& arguments, Output& output) {
   const std::string& file = arguments.words.front();
   const std::string given =
       arguments.words.size() > 1 ? arguments.words[1] : std::filesystem::path(file).filename().string();
-  const std::string name = body::motionFileName(given);
-  const std::vector<std::uint8_t> content = body::loadMotion(file);
+  const std::string name = files::motionFileName(given);
+  const std::vector<std::uint8_t> content = files::loadMotion(file);
   Robot robot(arguments.robot, output);
   robot.connect();
   robot.client().uploadMotion(name, content, kUploadTimeout);
@@ -111,7 +112,8 @@ Command playCommand() {
   command.examples = {{"play nod", "plays NOD.MTN once"}, {"play wag --times 3", "three times"}};
   command.fewest_words = command.most_words = 1;
   command.add_options = [](po::options_description& options) {
-    options.add_options()("times", po::value<int>()->default_value(1)->value_name("N"), "how often, 1 to 65535")(
+    options.add_options()("times", po::value<std::string>()->default_value("1")->value_name("N"),
+                          "how often, 1 to 65535")(
         "seconds", po::value<std::string>()->value_name("S"),
         "longest time to play; the default is to its end, or 10 if the server does not report ends");
   };

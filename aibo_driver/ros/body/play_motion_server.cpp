@@ -6,7 +6,7 @@
 #include <string>
 
 #include "aibo_driver/exceptions.h"
-#include "body/motion_files.h"
+#include "files/files.h"
 #include "ros/body/robot_services.h"
 #include "ros/joints/motion_state_publisher.h"
 
@@ -27,7 +27,7 @@ void PlayMotionServer::start(const ros::NodeHandle& handle) {
 
 void PlayMotionServer::accept(Server::GoalHandle goal) {
   PlayMotionResult result;
-  const std::string name = body::motionFileName(goal.getGoal()->name);
+  const std::string name = files::motionFileName(goal.getGoal()->name);
   const int repetitions = std::max<int>(1, goal.getGoal()->repetitions);
   try {
     if (name.empty()) {
@@ -47,7 +47,7 @@ void PlayMotionServer::accept(Server::GoalHandle goal) {
 // The robot reports the end of the motion, and with it the goal ends.
 void PlayMotionServer::cancel(const Server::GoalHandle& goal) {
   try {
-    client_.stopMotion(body::motionFileName(goal.getGoal()->name), RobotServices::kMotionTimeout);
+    client_.stopMotion(files::motionFileName(goal.getGoal()->name), RobotServices::kMotionTimeout);
   } catch (const Exception& error) {
     ROS_WARN_STREAM_NAMED("joints", "The motion of a goal that was cancelled was not stopped: " << error.what());
   }

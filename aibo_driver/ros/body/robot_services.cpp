@@ -8,13 +8,13 @@
 #include <string>
 
 #include "aibo_driver/exceptions.h"
-#include "body/motion_files.h"
+#include "files/files.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {
 namespace {
 
-using body::motionFileName;
+using files::motionFileName;
 
 /// While it lives, and until the callbacks that are in a queue when it ends have run, nothing new moves the robot.
 class Interruption {
@@ -54,7 +54,13 @@ std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
   if (request.file.empty() == request.data.empty()) {
     throw InvalidArgumentException(request.file.empty() ? "give a file or data" : "give a file or data, not both");
   }
-  return request.file.empty() ? request.data : body::loadMotion(request.file);
+  return request.file.empty() ? request.data : files::loadMotion(request.file);
+}
+
+void checkName(const std::string& name) {
+  if (name.empty()) {
+    throw InvalidArgumentException("give the name of a motion. list_motions lists them.");
+  }
 }
 
 std::string nameOf(const UploadMotion::Request& request) {
@@ -109,9 +115,7 @@ bool RobotServices::playMotion(PlayMotion::Request& request, PlayMotion::Respons
     });
   }
   return answer(response, "Nothing was played", [&] {
-    if (name.empty()) {
-      throw InvalidArgumentException("give the name of a motion. list_motions lists them.");
-    }
+    checkName(name);
     const int repetitions = std::max<int>(1, request.repetitions);
     std::string changes;
     mover_.play(name, repetitions, kMotionTimeout, &changes);
@@ -139,6 +143,7 @@ bool RobotServices::uploadMotion(UploadMotion::Request& request, UploadMotion::R
 bool RobotServices::deleteMotion(DeleteMotion::Request& request, DeleteMotion::Response& response) {
   return answer(response, "Nothing was deleted", [&] {
     const std::string name = motionFileName(request.name);
+    checkName(name);
     client_.deleteMotion(name, kFileTimeout);
     return name + " was deleted from the robot.";
   });

@@ -26,7 +26,7 @@ namespace aibo_driver::node {
 /// Each call waits for the robot and is answered: if something cannot be done, success is false and message says why.
 /// The call itself never fails.
 ///
-/// A motion may be called by its name alone: see body::motionFileName().
+/// A motion may be called by its name alone: see files::motionFileName().
 class RobotServices {
  public:
   /// How long each kind of call waits for the robot's answer. A memory stick is slow.

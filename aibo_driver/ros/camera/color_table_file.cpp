@@ -9,17 +9,29 @@
 #include <vector>
 
 #include "files/files.h"
+#include "protocol/text.h"
 
 namespace aibo_driver::node {
 namespace {
 
 constexpr int kYPerSegment = 256 / kColorSegments;
-constexpr std::size_t kLongestFile = 65536;
+// Room for 32 ranges and comments. yaml-cpp 0.6 needs as much stack as brackets are nested.
+constexpr std::size_t kLongestFile = 8192;
 
 struct Range {
   int lowest;
   int highest;
 };
+
+/// True if the text can be shown in a message, in a log and on a terminal.
+bool canBeShown(const std::string& text) {
+  return text.size() <= 64 && protocol::isPlainText(text.data(), text.size());
+}
+
+std::string shown(const YAML::Node& node) {
+  const std::string text = node ? YAML::Dump(node) : "missing";
+  return canBeShown(text) ? text : "something else";
+}
 
 /// @param where for messages: "pink.yaml, range 2"
 Range rangeIn(const YAML::Node& range, const std::string& key, const std::string& where) {
@@ -33,7 +45,7 @@ Range rangeIn(const YAML::Node& range, const std::string& key, const std::string
     // it is refused below
   }
   std::ostringstream text;
-  text << where << ": " << key << " is " << (node ? YAML::Dump(node) : "missing")
+  text << where << ": " << key << " is " << shown(node)
        << "; it has to be [lowest, highest], two whole numbers of 0..255.";
   throw ColorTableException(text.str());
 }
@@ -80,8 +92,8 @@ ColorTable parseColorTable(const std::string& text, const std::string& source) {
   ColorTable table;
   const YAML::Node name = file["name"];
   table.name = name && name.IsScalar() ? name.as<std::string>() : "";
-  if (table.name.empty() || table.name.size() > 64) {
-    throw ColorTableException(source + ": it has to have a name of 1 to 64 characters.");
+  if (table.name.empty() || !canBeShown(table.name)) {
+    throw ColorTableException(source + ": it has to have a name of 1 to 64 bytes, without control characters.");
   }
   for (std::size_t i = 0; i < file["ranges"].size(); ++i) {
     addRange(file["ranges"][i], source + ", range " + std::to_string(i + 1), &table);

@@ -11,8 +11,11 @@ void LinkQualityMeter::add(const Picture& picture, double age, int every_nth_ima
   const std::lock_guard<std::mutex> lock(mutex_);
   ++pictures_;
   bytes_ += picture.jpeg.size();
-  age_sum_ += age;
-  longest_age_ = std::max(longest_age_, age);
+  if (picture.frame_number) {
+    ++aged_;
+    age_sum_ += age;
+    longest_age_ = std::max(longest_age_, age);
+  }
   if (const std::uint64_t due = imagesDue(picture, every_nth_image); due > 0) {
     ++counted_;
     due_ += due;
@@ -35,6 +38,7 @@ LinkQuality LinkQualityMeter::read(double seconds, double asked_rate) {
   constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto pictures = static_cast<double>(std::exchange(pictures_, 0));
+  const auto aged = static_cast<double>(std::exchange(aged_, 0));
   const auto counted = static_cast<double>(std::exchange(counted_, 0));
   const auto due = static_cast<double>(std::exchange(due_, 0));
   const double age_sum = std::exchange(age_sum_, 0);
@@ -43,8 +47,8 @@ LinkQuality LinkQualityMeter::read(double seconds, double asked_rate) {
   quality.pictures_per_second = static_cast<float>(pictures / seconds);
   quality.pictures_per_second_asked = static_cast<float>(asked_rate);
   quality.kilobytes_per_second = static_cast<float>(static_cast<double>(std::exchange(bytes_, 0)) / seconds / 1000);
-  quality.age = pictures > 0 ? static_cast<float>(age_sum / pictures) : kUnknown;
-  quality.longest_age = pictures > 0 ? static_cast<float>(longest_age) : kUnknown;
+  quality.age = aged > 0 ? static_cast<float>(age_sum / aged) : kUnknown;
+  quality.longest_age = aged > 0 ? static_cast<float>(longest_age) : kUnknown;
   quality.lost = due > 0 ? static_cast<float>(1 - counted / due) : kUnknown;
   return quality;
 }

@@ -34,6 +34,7 @@ class LinkQualityMeter {
   std::mutex mutex_;
   std::uint64_t pictures_ = 0;
   std::uint64_t bytes_ = 0;
+  std::uint64_t aged_ = 0;  ///< pictures of which it is known when they were taken
   double age_sum_ = 0;
   double longest_age_ = 0;
   std::uint64_t counted_ = 0;  ///< pictures of which it is known how many were due

@@ -17,7 +17,7 @@ std::string nameOf(const std::string& asked) {
   if (asked.empty()) {
     throw InvalidArgumentException("give the name of a picture. list_pictures lists them.");
   }
-  return files::fileNameOnRobot(asked, ".JPG");
+  return files::pictureFileName(asked);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace aibo_driver::node {
 /// delete_picture.
 ///
 /// Each call waits for the robot and is answered: if something cannot be done, success is false and message says why.
-/// The call itself never fails. A picture may be called by its name alone: see files::fileNameOnRobot().
+/// The call itself never fails. A picture may be called by its name alone: see files::pictureFileName().
 class StickPictureServices {
  public:
   /// How long each call waits for the robot. A memory stick is slow.

@@ -8,6 +8,7 @@
 
 #include "hostile/attacks.h"
 #include "support/raw_client.h"
+#include "support/udp_socket.h"
 
 namespace hostile {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using test_support::RawClient;
+using test_support::UdpSocket;
 
 const std::string kVersion2 = {'X', 2};
 
@@ -63,11 +65,12 @@ void sendAgainAndAgain(int port, const std::string& first, bool reads, TimePoint
   }
 }
 
-/// Each connection sends this once, and stays open until the server ends it, or for 20 ms.
-void sendOnceEach(int port, const std::string& bytes, TimePoint end) {
+/// Each connection sends what `some` makes once, and stays open until the server ends it, or for 20 ms.
+template <typename Some>
+void sendOnceEach(int port, TimePoint end, const Some& some) {
   do {
     const auto client = connectTo(port);
-    if (client && client->send(bytes)) {
+    if (client && client->send(some())) {
       client->receive(milliseconds(20));
     }
   } while (steady_clock::now() < end);
@@ -125,6 +128,40 @@ std::string stickPictures() {
   list[1] = 1;
   fetch[1] = 2;
   return header('M', 0) + list + fetch + outside;
+}
+
+// What a client that comes back says first, with a guessed token.
+std::string introduction(Random& random) {
+  std::string token(16, '\0');
+  std::generate(token.begin(), token.end(), [&] { return "0123456789abcdef"[random() % 16]; });
+  return kVersion2 + header('H', 22) + "token=" + token;
+}
+
+// An acknowledgement or a report of a loss, of any picture, or random bytes.
+std::vector<std::uint8_t> anyDatagram(Random& random) {
+  std::string bytes = anyBytes(random, 1400);
+  if (random() % 3 != 0) {
+    bytes = std::string(random() % 2 == 0 ? "a" : "l") + std::string(6, '\0') + static_cast<char>(random());
+  }
+  return {bytes.begin(), bytes.end()};
+}
+
+// Streams by UDP, and answers each datagram with twenty others.
+void floodByDatagrams(int port, Random& random, TimePoint end) {
+  while (steady_clock::now() < end) {
+    UdpSocket socket;
+    const std::string to = {static_cast<char>(socket.port() >> 8U), static_cast<char>(socket.port() & 0xFFU)};
+    const auto client = connectTo(port);
+    bool open = client && client->send(kVersion2 + header('B', 2) + to + header('W', 4) + std::string({1, 0, 0, 1}));
+    while (open && steady_clock::now() < end) {
+      for (int i = 0; i < 20 && (i > 0 || socket.next()); ++i) {
+        socket.reply(anyDatagram(random));
+      }
+      const auto answer = client->receive(milliseconds(1));
+      open = !(answer && answer->empty());
+    }
+    std::this_thread::sleep_for(milliseconds(1));
+  }
 }
 
 // A table of random ranges, many of them the wrong way round, for any channel; then the plane of each image.
@@ -186,11 +223,17 @@ const std::vector<ClientAttack>& clientAttacks() {
        [](const Target& target, Random& random, TimePoint end) {
          sendAgainAndAgain(target.port, kVersion2, random() % 2 == 0, end, [&] { return tableOfNonsense(random); });
        }},
+      {"tokens", "introductions with guessed tokens",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendOnceEach(target.port, end, [&] { return introduction(random); });
+       }},
+      {"datagrams", "a stream by UDP, and wrong answers to its datagrams",
+       [](const Target& target, Random& random, TimePoint end) { floodByDatagrams(target.port, random, end); }},
       {"browser", "a web page's POST that moves the tail",
-       [](const Target& target, Random&, TimePoint end) { sendOnceEach(target.port, post(), end); }},
+       [](const Target& target, Random&, TimePoint end) { sendOnceEach(target.port, end, post); }},
       {"tls", "a browser's hello for TLS",
        [](const Target& target, Random&, TimePoint end) {
-         sendOnceEach(target.port, std::string({0x16, 3, 1, 2, 0, 1, 0, 1, char(0xFC), 3, 3}), end);
+         sendOnceEach(target.port, end, [] { return std::string({0x16, 3, 1, 2, 0, 1, 0, 1, char(0xFC), 3, 3}); });
        }},
       {"connections", "a hundred connections that only wait",
        [](const Target& target, Random&, TimePoint end) { hold(target.port, 100, "", end); }},
@@ -212,7 +255,8 @@ const std::vector<ClientAttack>& clientAttacks() {
        }},
       {"console-browser", "a web page's POST that presses a button",
        [](const Target& target, Random&, TimePoint end) {
-         sendOnceEach(target.console_port, "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\npress pause\r\n", end);
+         sendOnceEach(target.console_port, end,
+                      [] { return std::string("POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\npress pause\r\n"); });
        }},
       {"console-listeners", "twenty listeners at the console",
        [](const Target& target, Random&, TimePoint end) { hold(target.console_port, 20, "", end); }},

@@ -1,10 +1,12 @@
-// The reader of version 2 frames and all decoders of payloads: any bytes in any pieces.
+// The reader of version 2 frames, and all decoders of payloads and of what a client answers to datagrams: any bytes in
+// any pieces.
 #include <algorithm>
 
 #include "fuzz_input.h"
 #include "protocol/color_requests.h"
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
+#include "protocol/picture_datagram.h"
 #include "protocol/stick_pictures.h"
 #include "protocol/walk_requests.h"
 
@@ -126,6 +128,9 @@ void decodeAsEverything(const Bytes& payload) {
   decode(version2::decodeEarPositions, version2::encodeEarPositions, payload);
   decode(version2::decodeColorSettings, version2::encodeColorSettings, payload);
   decode(version2::decodeColorTable, version2::encodeColorTable, payload);
+  decode(version2::decodeDatagramPort, version2::encodeDatagramPort, payload);
+  decode(version2::decodeAcknowledgement, version2::encodeAcknowledgement, payload);
+  decode(version2::decodeLossReport, version2::encodeLossReport, payload);
   decode(version2::decodeVelocity, version2::encodeVelocity, payload);
   decode(version2::decodeMotionUpload, version2::encodeMotionUpload, payload);
   decode(decodeName, encodeName, payload);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -82,6 +83,19 @@ TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
   wish_.streaming = false;
   EXPECT_EQ("W85", command());
   EXPECT_EQ("", command());
+}
+
+TEST_F(Version1SessionTest, WhatOnlyVersion2HasChangesNoByte) {
+  wish_ = {true, 85, 0};
+  wish_.format = {Resolution::kLow, 2};
+  wish_.camera.gain = 3;
+  wish_.transport = PictureTransport::kUdp;
+  wish_.datagram_port = 5000;
+  wish_.colors = {true, 1, true};
+  wish_.color_tables[0] = std::make_shared<ColorTable>();
+  EXPECT_EQ(run(milliseconds(300)), "W85 ");
+  wish_.streaming = false;
+  EXPECT_EQ(run(milliseconds(100)), "W85 ");
 }
 
 TEST_F(Version1SessionTest, RapidTogglesNeverLoseTheParity) {

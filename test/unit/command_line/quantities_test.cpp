@@ -47,6 +47,19 @@ TEST(Number, KeepsToItsRange) {
   EXPECT_THROW(parseNumber("--seconds", "nan", 0, 1), InvalidArgumentException);
 }
 
+TEST(WholeNumber, IsRefusedWithWhatIsAllowed) {
+  EXPECT_EQ(parseWholeNumber("--port", "1", 1, 65535), 1);
+  EXPECT_EQ(parseWholeNumber("--port", "65535", 1, 65535), 65535);
+  for (const char* const text : {"", "x", "0", "65536", "1.5", "9 ", "1e99", "nan"}) {
+    try {
+      parseWholeNumber("--port", text, 1, 65535);
+      ADD_FAILURE() << text;
+    } catch (const InvalidArgumentException& error) {
+      EXPECT_EQ(error.what(), "--port cannot be '" + std::string(text) + "': give a whole number from 1 to 65535");
+    }
+  }
+}
+
 TEST(Assignment, HasANameAndAValue) {
   const std::vector<Assignment> parsed = parseAssignments({"a=1", "b=c=d"}, "a=1");
   ASSERT_EQ(parsed.size(), 2U);

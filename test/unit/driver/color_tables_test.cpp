@@ -57,7 +57,8 @@ TEST(ColorTableFile, IsWrittenAsItIsRead) {
 TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
   EXPECT_THAT(tableRefusal("{"), HasSubstr("FILE: it is not YAML"));
   EXPECT_THAT(tableRefusal("name: a\nkey: [secret"), testing::Not(HasSubstr("secret"))) << "it may be anybody's file";
-  EXPECT_THAT(tableRefusal(std::string(70000, 'a')), HasSubstr("too long"));
+  EXPECT_THAT(tableRefusal(std::string(8193, '[')), HasSubstr("too long"));
+  EXPECT_THAT(tableRefusal(std::string(8192, '[')), HasSubstr("FILE: it is not YAML"));
   EXPECT_THAT(tableRefusal(""), HasSubstr("no list of ranges"));
   EXPECT_THAT(tableRefusal("name: a\nranges: []"), HasSubstr("no list of ranges"));
   EXPECT_THAT(tableRefusal("ranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("name"));
@@ -68,6 +69,18 @@ TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [a, b], cb: [0, 1]}]"), HasSubstr("two whole numbers"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 8], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [4, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
+}
+
+TEST(ColorTableFile, PutsOnlyPlainAndShortTextIntoTopicsAndMessages) {
+  const std::string ranges = "\nranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]";
+  EXPECT_EQ(tableRefusal("name: b\xC3\xA4ll" + ranges), "");
+  for (const std::string& name : {std::string("\"a\\e[2J\""), std::string("\"a\\u202e\""), std::string(65, 'a')}) {
+    EXPECT_THAT(tableRefusal("name: " + name + ranges), HasSubstr("without control characters")) << name;
+  }
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: " + std::string(1000, 'a') + ", cb: [0, 1]}]"),
+              HasSubstr("cr is something else;"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: a\xE2\x80\xAE, cb: [0, 1]}]"),
+              HasSubstr("cr is something else;"));
 }
 
 TEST(ColorTableFile, OfThisPackageIsFoundByItsName) {

@@ -12,6 +12,7 @@ Picture image(std::uint32_t number, std::uint64_t connection = 1) {
   Picture picture;
   picture.jpeg.resize(2000);
   picture.image_count = number;
+  picture.frame_number = 4 * number;
   picture.connection_number = connection;
   return picture;
 }
@@ -68,12 +69,17 @@ TEST_F(LinkQualityTest, APauseBetweenConnectionsIsNotALoss) {
   EXPECT_FLOAT_EQ(meter_.read(1, 30).lost, 0);
 }
 
-TEST_F(LinkQualityTest, WithoutTheCamerasCountTheLossIsUnknown) {
+TEST_F(LinkQualityTest, OfAServerOfVersion1AgeAndLossAreUnknown) {
   Picture picture = image(1);
   picture.image_count.reset();
+  picture.frame_number.reset();
   meter_.add(picture, 0.01, 1);
   meter_.add(picture, 0.01, 1);
-  EXPECT_TRUE(std::isnan(meter_.read(1, 30).lost));
+  const LinkQuality quality = meter_.read(1, 30);
+  EXPECT_FLOAT_EQ(quality.pictures_per_second, 2);
+  EXPECT_TRUE(std::isnan(quality.age));
+  EXPECT_TRUE(std::isnan(quality.longest_age));
+  EXPECT_TRUE(std::isnan(quality.lost));
 }
 
 }  // namespace

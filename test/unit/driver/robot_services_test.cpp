@@ -190,7 +190,7 @@ TEST_F(RobotServicesTest, UploadNoFileThatIsNotAWholeMotion) {
 TEST_F(RobotServicesTest, UploadNothingWithoutExactlyOneSource) {
   EXPECT_EQ(upload("wag", "", {}).message, "Nothing was uploaded: give a file or data");
   EXPECT_EQ(upload("wag", "bow.mtn", {1}).message, "Nothing was uploaded: give a file or data, not both");
-  EXPECT_THAT(upload("wag", "/no/such/file", {}).message, HasSubstr("there is no such file on the driver's machine"));
+  EXPECT_THAT(upload("wag", "/no/such/file", {}).message, HasSubstr("there is no such file on the computer "));
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
@@ -215,6 +215,8 @@ TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
 TEST_F(RobotServicesTest, DeleteAMotionShutDownAndReboot) {
   DeleteMotion::Request request;
   DeleteMotion::Response response;
+  services_.deleteMotion(request, response);
+  EXPECT_EQ(response.message, "Nothing was deleted: give the name of a motion. list_motions lists them.");
   request.name = "nod";
   services_.deleteMotion(request, response);
   EXPECT_EQ(response.message, "NOD.MTN was deleted from the robot.");

@@ -73,7 +73,7 @@ TEST_F(LoadFileTest, ReadsAWholeFileUpToTheLengthAllowed) {
 
 TEST_F(LoadFileTest, SaysWhyItFails) {
   EXPECT_THAT(loadRefusal(write("abc"), 2), HasSubstr("more than the 2 bytes"));
-  EXPECT_THAT(loadRefusal((folder_ / "missing").string()), HasSubstr("no such file on the driver's machine"));
+  EXPECT_THAT(loadRefusal((folder_ / "missing").string()), HasSubstr("no such file on the computer "));
   EXPECT_THAT(loadRefusal("missing"), HasSubstr(fs::current_path().string()));
   EXPECT_THAT(loadRefusal(folder_.string()), HasSubstr("not a regular file"));
   EXPECT_THAT(loadRefusal("/dev/zero"), HasSubstr("not a regular file"));
@@ -301,6 +301,18 @@ TEST(WithoutComments, ADamagedPictureIsRefused) {
         << size;
   }
   EXPECT_THROW(withoutComments({0xFF, 0xD8, 0xFF, 0xFE, 0, 1, 0xFF, 0xDA, 0, 2}), FileException);
+}
+
+TEST(FileNameOnRobot, HasCapitalsAndAnEnding) {
+  EXPECT_EQ(motionFileName("nod"), "NOD.MTN");
+  EXPECT_EQ(motionFileName("Nod.mtn"), "NOD.MTN");
+  EXPECT_EQ(motionFileName(""), "");
+  EXPECT_EQ(pictureFileName("aibo0001"), "AIBO0001.JPG");
+}
+
+TEST(LoadMotion, ReadsAMotionAndNothingElse) {
+  EXPECT_FALSE(loadMotion(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN").empty());
+  EXPECT_THROW(loadMotion(MEMORY_STICK "/OPEN-R/MW/CONF/RCSERVER.CFG"), FileException);
 }
 
 }  // namespace

@@ -189,7 +189,10 @@ TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
   for (const std::string& bytes :
        {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 10), request('V', 0), request('A', 60),
         request('L', 27, 1), request('K', 0, 2), request('K', 3, 1), request('S', 0, 1), request('Q', 0) + "ab",
-        request('R', 0) + "ab", request('Z', 0), request('f', 85)}) {
+        request('R', 0) + "ab", request('f', 85),
+        // of version 2 alone
+        request('B', 0), request('E', 1), request('G', 1), request('H', 0), request('I', 0), request('M', 85),
+        request('N', 0), request('O', 1), request('T', 0), request('Z', 0)}) {
     client->send(bytes);
     const std::optional<Reply> reply = await(*client);
     ASSERT_TRUE(reply) << bytes;

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -145,6 +147,28 @@ TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoWhereASettingIsTyped) {
   robot_.take();
   QTest::keyClick(quality, Qt::Key_Space);
   EXPECT_EQ(robot_.take(), QStringList("stop"));
+}
+
+TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoInTheListOfAChoice) {
+  robot_.connectIt();
+  Q_EMIT robot_.driversFound({"/left", "/right"});
+  auto* choice = find<QComboBox>("driver");
+  choice->showPopup();
+  robot_.take();
+  QTest::keyClick(choice->view(), Qt::Key_Space);
+  EXPECT_EQ(robot_.take(), QStringList("stop"));
+  QTest::keyClick(choice->view(), Qt::Key_Escape);
+  EXPECT_FALSE(choice->view()->isVisible());
+}
+
+TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {
+  open("Camera");
+  click("folder");
+  ASSERT_EQ(window_.findChildren<QFileDialog*>().size(), 1);
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+  click("folder");
+  EXPECT_EQ(window_.findChildren<QFileDialog*>().size(), 1) << "one dialog is enough";
+  EXPECT_EQ(click("stop"), QStringList("stop"));
 }
 
 TEST_F(RemoteControlTest, TheStreamsButtonFollowsTheRobotNotTheClick) {
