@@ -105,7 +105,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       postures_(mover_),
       expression_(model_, client_),
       robot_services_(client_, mover_),
-      motion_action_(client_, mover_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_}),
       report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod), [this](const ros::SteadyTimerEvent&) {
@@ -122,7 +121,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   walk_.subscribe(joint_thread_.handle());
   postures_.advertise(posture_threads_.handle());
   repeatStateOfActionsRarely(handle_);
-  motion_action_.start(joint_thread_.handle());
+  motion_action_ = startPlayMotionServer(joint_thread_.handle(), client_, mover_);
   trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
   robot_services_.advertise(stop_threads_.handle(), joint_thread_.handle(), body_thread_.handle());

@@ -128,7 +128,7 @@ class AiboDriver {
   PostureServices postures_;
   ExpressionCommander expression_;
   RobotServices robot_services_;
-  PlayMotionServer motion_action_;
+  std::unique_ptr<PlayMotionServer> motion_action_;
   std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
   DriverDiagnostics diagnostics_;
   ros::SteadyTimer report_timer_;

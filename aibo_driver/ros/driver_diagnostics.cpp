@@ -2,6 +2,7 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <diagnostic_msgs/DiagnosticStatus.h>
+#include <diagnostic_updater/diagnostic_updater.h>
 
 #include <cstdio>
 #include <utility>
@@ -49,19 +50,21 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
                                      const std::string& name, const Sources& sources)
     : sources_(sources),
       topic_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
-      updater_(handle, private_handle, name) {
-  updater_.setHardwareID(robotAddress(sources_.parameters.client));
-  updater_.add("connection", this, &DriverDiagnostics::reportConnection);
-  updater_.add("stream", this, &DriverDiagnostics::reportStream);
-  updater_.add("joints", this, &DriverDiagnostics::reportJoints);
-  updater_.add("power", this, &DriverDiagnostics::reportPower);
+      updater_(std::make_unique<diagnostic_updater::Updater>(handle, private_handle, name)) {
+  updater_->setHardwareID(robotAddress(sources_.parameters.client));
+  updater_->add("connection", this, &DriverDiagnostics::reportConnection);
+  updater_->add("stream", this, &DriverDiagnostics::reportStream);
+  updater_->add("joints", this, &DriverDiagnostics::reportJoints);
+  updater_->add("power", this, &DriverDiagnostics::reportPower);
 }
+
+DriverDiagnostics::~DriverDiagnostics() = default;
 
 // A listener who comes later gets what happened within the last second, not all that has happened since the start.
 void DriverDiagnostics::publish() {
   period_ = takePeriod();
   if (topic_.getNumSubscribers() > 0) {
-    updater_.force_update();
+    updater_->force_update();
   }
 }
 

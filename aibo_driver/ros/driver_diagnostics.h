@@ -2,11 +2,11 @@
 #ifndef AIBO_DRIVER_ROS_DRIVER_DIAGNOSTICS_H
 #define AIBO_DRIVER_ROS_DRIVER_DIAGNOSTICS_H
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
@@ -18,6 +18,11 @@
 #include "ros/camera/stream_policy.h"
 #include "ros/driver_parameters.h"
 #include "ros/live_settings.h"
+
+namespace diagnostic_updater {
+class DiagnosticStatusWrapper;
+class Updater;
+}  // namespace diagnostic_updater
 
 namespace aibo_driver::node {
 
@@ -42,6 +47,8 @@ class DriverDiagnostics {
   /// @param name of the node or nodelet, with its namespace
   DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name,
                     const Sources& sources);
+
+  ~DriverDiagnostics();
 
   /// To be called once a second of wall time, from one thread at a time.
   void publish();
@@ -72,7 +79,7 @@ class DriverDiagnostics {
   std::uint64_t undecodable_before_ = 0;
   Period period_;  ///< that is reported
   ros::Publisher topic_;
-  diagnostic_updater::Updater updater_;
+  std::unique_ptr<diagnostic_updater::Updater> updater_;  ///< its header takes long to compile
 };
 
 }  // namespace aibo_driver::node

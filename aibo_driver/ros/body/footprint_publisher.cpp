@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "ros/body/stance.h"
+
 namespace aibo_driver::node {
 namespace {
 
@@ -62,7 +64,8 @@ void FootprintPublisher::publish(const Telemetry& telemetry) {
   transform.header.stamp = stamp;
   transform.header.frame_id = parameters_.frame("base_footprint");
   transform.child_frame_id = parameters_.frame("base_link");
-  transform.transform = toTransform(estimateStance(*angles, *acceleration_).body);
+  const Eigen::Vector3d acceleration(acceleration_->x, acceleration_->y, acceleration_->z);
+  transform.transform = toTransform(estimateStance(*angles, acceleration).body);
   tf2_msgs::TFMessage message;
   message.transforms.push_back(transform);
   publisher_.publish(message);
@@ -77,10 +80,16 @@ void FootprintPublisher::updateAcceleration(const Telemetry& telemetry, const ro
   if (!reading) {
     return;
   }
-  const auto& measured = reading->linear_acceleration;
-  const Eigen::Vector3d now(measured.x, measured.y, measured.z);
-  const double passed = std::max(0.0, (stamp - last_acceleration_).toSec());
-  acceleration_ = acceleration_ ? *acceleration_ + -std::expm1(-passed / kSmoothing) * (now - *acceleration_) : now;
+  const auto& now = reading->linear_acceleration;
+  if (acceleration_) {
+    const double passed = std::max(0.0, (stamp - last_acceleration_).toSec());
+    const double share = -std::expm1(-passed / kSmoothing);
+    acceleration_->x += share * (now.x - acceleration_->x);
+    acceleration_->y += share * (now.y - acceleration_->y);
+    acceleration_->z += share * (now.z - acceleration_->z);
+  } else {
+    acceleration_ = now;
+  }
   last_acceleration_ = stamp;
 }
 

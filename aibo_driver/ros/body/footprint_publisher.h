@@ -2,20 +2,21 @@
 #ifndef AIBO_DRIVER_ROS_BODY_FOOTPRINT_PUBLISHER_H
 #define AIBO_DRIVER_ROS_BODY_FOOTPRINT_PUBLISHER_H
 
+#include <geometry_msgs/Vector3.h>
 #include <ros/node_handle.h>
 #include <ros/time.h>
 
-#include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "aibo_driver/telemetry.h"
 #include "joints/joint_table.h"
 #include "joints/measured_joints.h"
+#include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 #include "ros/body/sensor_messages.h"
-#include "ros/body/stance.h"
 #include "ros/driver_parameters.h"
 #include "ros/robot_stamper.h"
 
@@ -37,14 +38,15 @@ class FootprintPublisher {
 
  private:
   void updateAcceleration(const Telemetry& telemetry, const ros::Time& stamp);
-  std::optional<std::array<LegAngles, kLegs>> legs() const;
+  std::optional<std::array<robot_model::LegAngles, robot_model::NUMBER_OF_LEGS>> legs() const;
 
   const DriverParameters& parameters_;
   const joints::MeasuredJoints& measured_joints_;
   RobotStamper& stamper_;
-  std::array<std::array<std::size_t, 3>, kLegs> leg_joints_;  ///< rotator, elevator and knee in the JointTable
+  /// Rotator, elevator and knee of each leg in the JointTable.
+  std::array<std::array<std::size_t, robot_model::JOINTS_OF_A_LEG>, robot_model::NUMBER_OF_LEGS> leg_joints_;
   Accelerometer accelerometer_;
-  std::optional<Eigen::Vector3d> acceleration_;  ///< smoothed
+  std::optional<geometry_msgs::Vector3> acceleration_;  ///< smoothed
   ros::Time last_acceleration_;
   std::uint64_t connection_ = 0;
   ros::Publisher publisher_;

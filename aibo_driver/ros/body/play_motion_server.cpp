@@ -1,9 +1,14 @@
 #include "ros/body/play_motion_server.h"
 
+#include <actionlib/server/action_server.h>
+#include <aibo_driver/PlayMotionAction.h>
 #include <ros/console.h>
+#include <ros/steady_timer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <vector>
 
 #include "aibo_driver/exceptions.h"
 #include "files/files.h"
@@ -11,21 +16,46 @@
 #include "ros/joints/motion_state_publisher.h"
 
 namespace aibo_driver::node {
+namespace {
 
-void PlayMotionServer::start(const ros::NodeHandle& handle) {
-  ros::NodeHandle actions(handle);
-  constexpr bool kOneShot = false;
-  constexpr bool kAutostart = false;
-  timer_ = actions.createSteadyTimer(
-      ros::WallDuration(std::chrono::duration<double>(kFeedbackPeriod).count()),
-      [this](const ros::SteadyTimerEvent&) { report(); }, kOneShot, kAutostart);
-  server_ = std::make_unique<Server>(
-      actions, "play_motion", [this](const Server::GoalHandle& goal) { accept(goal); },
-      [this](const Server::GoalHandle& goal) { cancel(goal); }, kAutostart);
-  server_->start();
-}
+constexpr std::chrono::milliseconds kFeedbackPeriod{100};
 
-void PlayMotionServer::accept(Server::GoalHandle goal) {
+class MotionServer : public PlayMotionServer {
+ public:
+  MotionServer(ros::NodeHandle handle, RcServerClient& client, JointMover& mover) : client_(client), mover_(mover) {
+    constexpr bool kOneShot = false;
+    constexpr bool kAutostart = false;
+    timer_ = handle.createSteadyTimer(
+        ros::WallDuration(std::chrono::duration<double>(kFeedbackPeriod).count()),
+        [this](const ros::SteadyTimerEvent&) { report(); }, kOneShot, kAutostart);
+    server_ = std::make_unique<Server>(
+        handle, "play_motion", [this](const Server::GoalHandle& goal) { accept(goal); },
+        [this](const Server::GoalHandle& goal) { cancel(goal); }, kAutostart);
+    server_->start();
+  }
+
+ private:
+  using Server = actionlib::ActionServer<PlayMotionAction>;
+
+  struct Playing {
+    Server::GoalHandle goal;
+    JointMover::Fate motion;
+    std::chrono::steady_clock::time_point begin;
+  };
+
+  void accept(Server::GoalHandle goal);
+  void cancel(const Server::GoalHandle& goal);
+  void report();
+  static void finish(Server::GoalHandle goal, const joints::MovementFate& fate);
+
+  RcServerClient& client_;
+  JointMover& mover_;
+  std::unique_ptr<Server> server_;
+  std::vector<Playing> playing_;
+  ros::SteadyTimer timer_;
+};
+
+void MotionServer::accept(Server::GoalHandle goal) {
   PlayMotionResult result;
   const std::string name = files::motionFileName(goal.getGoal()->name);
   const int repetitions = std::max<int>(1, goal.getGoal()->repetitions);
@@ -45,7 +75,7 @@ void PlayMotionServer::accept(Server::GoalHandle goal) {
 }
 
 // The robot reports the end of the motion, and with it the goal ends.
-void PlayMotionServer::cancel(const Server::GoalHandle& goal) {
+void MotionServer::cancel(const Server::GoalHandle& goal) {
   try {
     client_.stopMotion(files::motionFileName(goal.getGoal()->name), RobotServices::kMotionTimeout);
   } catch (const Exception& error) {
@@ -53,7 +83,7 @@ void PlayMotionServer::cancel(const Server::GoalHandle& goal) {
   }
 }
 
-void PlayMotionServer::report() {
+void MotionServer::report() {
   for (auto playing = playing_.begin(); playing != playing_.end();) {
     const joints::MovementFate fate = mover_.look(playing->motion);
     if (fate.end) {
@@ -72,7 +102,7 @@ void PlayMotionServer::report() {
   }
 }
 
-void PlayMotionServer::finish(Server::GoalHandle goal, const joints::MovementFate& fate) {
+void MotionServer::finish(Server::GoalHandle goal, const joints::MovementFate& fate) {
   PlayMotionResult result;
   result.success = static_cast<std::uint8_t>(fate.end == joints::MovementEnd::kDone);
   result.end = endConstant(*fate.end);
@@ -85,6 +115,13 @@ void PlayMotionServer::finish(Server::GoalHandle goal, const joints::MovementFat
   } else {
     goal.setAborted(result, result.message);
   }
+}
+
+}  // namespace
+
+std::unique_ptr<PlayMotionServer> startPlayMotionServer(const ros::NodeHandle& handle, RcServerClient& client,
+                                                        JointMover& mover) {
+  return std::make_unique<MotionServer>(handle, client, mover);
 }
 
 }  // namespace aibo_driver::node

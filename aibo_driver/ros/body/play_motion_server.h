@@ -2,14 +2,9 @@
 #ifndef AIBO_DRIVER_ROS_BODY_PLAY_MOTION_SERVER_H
 #define AIBO_DRIVER_ROS_BODY_PLAY_MOTION_SERVER_H
 
-#include <actionlib/server/action_server.h>
-#include <aibo_driver/PlayMotionAction.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 
-#include <chrono>
 #include <memory>
-#include <vector>
 
 #include "aibo_driver/rcserver_client.h"
 #include "ros/joints/joint_mover.h"
@@ -20,36 +15,18 @@ namespace aibo_driver::node {
 /// motion does not begin; else it ends with the motion. Cancelling it stops the motion.
 ///
 /// A server that does not report the ends of motions lets each goal succeed as soon as its motion plays.
+///
+/// An interface, because actionlib's headers take long to compile.
 class PlayMotionServer {
  public:
-  static constexpr std::chrono::milliseconds kFeedbackPeriod{100};
-
-  /// @param client, mover must outlive the server
-  PlayMotionServer(RcServerClient& client, JointMover& mover) : client_(client), mover_(mover) {}
-
-  /// @param handle whose callback queue one thread serves
-  void start(const ros::NodeHandle& handle);
-
- private:
-  using Server = actionlib::ActionServer<PlayMotionAction>;
-
-  struct Playing {
-    Server::GoalHandle goal;
-    JointMover::Fate motion;
-    std::chrono::steady_clock::time_point begin;
-  };
-
-  void accept(Server::GoalHandle goal);
-  void cancel(const Server::GoalHandle& goal);
-  void report();
-  static void finish(Server::GoalHandle goal, const joints::MovementFate& fate);
-
-  RcServerClient& client_;
-  JointMover& mover_;
-  std::unique_ptr<Server> server_;
-  std::vector<Playing> playing_;
-  ros::SteadyTimer timer_;
+  virtual ~PlayMotionServer() = default;
 };
+
+/// Starts the action.
+/// @param handle whose callback queue one thread serves
+/// @param client, mover must outlive the server
+std::unique_ptr<PlayMotionServer> startPlayMotionServer(const ros::NodeHandle& handle, RcServerClient& client,
+                                                        JointMover& mover);
 
 }  // namespace aibo_driver::node
 

@@ -2,13 +2,15 @@
 #ifndef AIBO_DRIVER_ROS_BODY_POWER_STATUS_H
 #define AIBO_DRIVER_ROS_BODY_POWER_STATUS_H
 
-#include <diagnostic_updater/DiagnosticStatusWrapper.h>
-
 #include <mutex>
 #include <optional>
 
 #include "aibo_driver/telemetry.h"
 #include "robot_model/robot_model.h"
+
+namespace diagnostic_updater {
+class DiagnosticStatusWrapper;
+}
 
 namespace aibo_driver::node {
 

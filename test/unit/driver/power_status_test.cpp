@@ -1,6 +1,7 @@
 #include "ros/body/power_status.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
 #include <gmock/gmock.h>
 
 namespace aibo_driver::node {
