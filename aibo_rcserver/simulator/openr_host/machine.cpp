@@ -199,8 +199,7 @@ bool Machine::handle(const Deadline& latest) {
 bool Machine::handleMessages() {
   System& system = running();
   const bool began_frame = beginFrame();
-  const bool had_messages = system.hasMessages();
-  system.handleMessages();
+  const bool had_messages = system.handleMessages();
   return began_frame || had_messages || system.hasMessages();
 }
 
