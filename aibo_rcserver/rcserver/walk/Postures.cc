@@ -58,6 +58,7 @@ Postures::Postures(const Gait& gait) {
     legs_[0][i] = legs_[POSTURE_STAND][i];  // no posture has this number
     legs_[POSTURE_SIT][i] = front ? FRONT_SITS : HIND_SITS;
     legs_[POSTURE_REST][i] = front ? FRONT_RESTS : HIND_RESTS;
+    standing_feet_[i] = findFoot(static_cast<Leg>(i), legs_[POSTURE_STAND][i]);
   }
 }
 
@@ -83,7 +84,7 @@ bool Postures::Stands(const LegAngles* here) const {
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     const Point foot = findFoot(leg, here[i]);
-    const Point standing = findFoot(leg, legs_[POSTURE_STAND][i]);
+    const Point& standing = standing_feet_[i];
     lowest = std::min(lowest, foot.z);
     highest = std::max(highest, foot.z);
     if (fabs(foot.x - standing.x) > STAND_AROUND || fabs(foot.y - standing.y) > STAND_AROUND) {

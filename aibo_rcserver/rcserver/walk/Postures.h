@@ -40,6 +40,7 @@ class Postures {
                  const robot_model::LegAngles* here) const;
 
   robot_model::LegAngles legs_[protocol::version2::POSTURE_REST + 1][robot_model::NUMBER_OF_LEGS];
+  robot_model::Point standing_feet_[robot_model::NUMBER_OF_LEGS];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H

@@ -199,8 +199,7 @@ bool Machine::handle(const Deadline& latest) {
 bool Machine::handleMessages() {
   System& system = running();
   const bool began_frame = beginFrame();
-  const bool had_messages = system.hasMessages();
-  system.handleMessages();
+  const bool had_messages = system.handleMessages();
   return began_frame || had_messages || system.hasMessages();
 }
 
@@ -208,11 +207,11 @@ bool Machine::handleMessages() {
 /// @return false if none was ready
 bool Machine::handleSockets(const Deadline& latest) {
   System& system = running();
-  PollSet poll_set;
-  poll_set.add(wake_.get(), POLLIN, [this] { clearWake(); });
-  system.console().addTo(poll_set);
-  system.ipStack().addTo(poll_set);
-  const bool had_sockets = poll_set.wait(latest);
+  poll_set_.clear();
+  poll_set_.add(wake_.get(), POLLIN, [this] { clearWake(); });
+  system.console().addTo(poll_set_);
+  system.ipStack().addTo(poll_set_);
+  const bool had_sockets = poll_set_.wait(latest);
   obeyShutdownRequest();
   return had_sockets;
 }

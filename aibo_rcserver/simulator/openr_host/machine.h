@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/socket.h"
 #include "simulator/openr_host/object_description.h"
 #include "simulator/openr_host/objects/processor.h"
@@ -139,6 +140,7 @@ class Machine {
   VirtualRobotComm* robot_comm_ = nullptr;
   std::optional<longword> last_frame_;
   FileDescriptor wake_;  ///< readable once stop() has been called
+  PollSet poll_set_;
   std::atomic<bool> stop_requested_{false};
 };
 

@@ -77,10 +77,11 @@ void Joints::passFrame() {
 }
 
 HeadAngles Joints::head() const {
+  // The table begins with the joints of the head.
   HeadAngles angles;
-  angles.neck_tilt = named("neck_tilt").position() / 1e6;
-  angles.head_pan = named("head_pan").position() / 1e6;
-  angles.head_tilt = named("head_tilt").position() / 1e6;
+  angles.neck_tilt = joints_[0].position() / 1e6;
+  angles.head_pan = joints_[1].position() / 1e6;
+  angles.head_tilt = joints_[2].position() / 1e6;
   return angles;
 }
 

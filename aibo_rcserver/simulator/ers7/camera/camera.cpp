@@ -51,8 +51,8 @@ RCRegion* Camera::capture(longword frame, const CameraPose& pose) {
   announceFbkImage(region, frame, imagesUpTo(frame));
   Image& image = images_.at(region);
   image.exposure = {frame, pose, settings_, colors_};
-  image.largest_colors.fillBy([this, region, &image] { drawLargestColors(region, image); });
-  image.others.fillBy([this, region, &image] { draw(region, image); });
+  image.largest_colors.fillBy([this, &image] { drawLargestColors(image); });
+  image.others.fillBy([this, &image] { draw(image); });
   if (drawn_ == &image) {
     drawn_ = nullptr;
   }
@@ -64,27 +64,28 @@ void Camera::reset() {
   colors_.clear();
 }
 
-Camera::Image::Image(RCRegion* region)
-    : largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
+Camera::Image::Image(RCRegion* region_)
+    : region(region_),
+      largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
       others(otherBands(region), region->Size() - distance(region->Base(), otherBands(region))) {}
 
 /// With colour detection everything is drawn, because the tag of layer H tells what has been detected. A photograph
 /// that is there already needs only its new tag, which announceFbkImage() has written.
-void Camera::drawLargestColors(RCRegion* region, Image& image) {
+void Camera::drawLargestColors(Image& image) {
   if (image.exposure.colors.isOn()) {
-    openr_host::FilledOnRead::read(otherBands(region));
+    openr_host::FilledOnRead::read(otherBands(image.region));
     return;
   }
   const YCrCbImage& picture = pictureOf(image);
   if (image.written != &picture) {
-    simulated_ers7::drawLargestColors(region, picture, imagesUpTo(image.exposure.frame));
+    simulated_ers7::drawLargestColors(image.region, picture, imagesUpTo(image.exposure.frame));
   }
   image.written = source_.hasConstantPictures() ? &picture : nullptr;
 }
 
-void Camera::draw(RCRegion* region, Image& image) {
+void Camera::draw(Image& image) {
   image.written = nullptr;
-  drawFbkImage(region, pictureOf(image), image.exposure.colors, imagesUpTo(image.exposure.frame));
+  drawFbkImage(image.region, pictureOf(image), image.exposure.colors, imagesUpTo(image.exposure.frame));
 }
 
 const YCrCbImage& Camera::pictureOf(const Image& image) {

@@ -122,16 +122,17 @@ class Camera {
   /// An image in one of the regions, with the parts that are drawn separately. Objects ask for a band by the address of
   /// its beginning, so the part with Y, Cr and Cb of layer H contains only their beginnings.
   struct Image {
-    explicit Image(RCRegion* region);
+    explicit Image(RCRegion* region_);
 
+    RCRegion* const region;
     Exposure exposure;
     openr_host::FilledOnRead largest_colors;
     openr_host::FilledOnRead others;
     const YCrCbImage* written = nullptr;  ///< the constant picture whose Y, Cr and Cb are in layer H
   };
 
-  void drawLargestColors(RCRegion* region, Image& image);
-  void draw(RCRegion* region, Image& image);
+  void drawLargestColors(Image& image);
+  void draw(Image& image);
   const YCrCbImage& pictureOf(const Image& image);
 
   PictureSource& source_;

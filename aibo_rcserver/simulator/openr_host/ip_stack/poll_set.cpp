@@ -8,6 +8,11 @@
 
 namespace openr_host {
 
+void PollSet::clear() {
+  descriptors_.clear();
+  handlers_.clear();
+}
+
 void PollSet::add(int fd, short events, Handler handler) {
   descriptors_.push_back({fd, events, 0});
   handlers_.push_back(std::move(handler));

@@ -17,6 +17,9 @@ class PollSet {
  public:
   using Handler = std::function<void()>;
 
+  /// Removes all descriptors. The memory stays for the next ones.
+  void clear();
+
   /// @param events POLLIN, POLLOUT or both; errors are always included
   /// @param handler called by wait() if an event has occurred. It may close its own descriptor, but no other.
   void add(int fd, short events, Handler handler);

@@ -139,13 +139,13 @@ void SubjectService::sendKept(Connection& connection) {
       connection.kept.size() < connection.control.min) {
     return;
   }
-  Regions data;
-  for (auto& notification : connection.kept) {
-    data.insert(data.end(), notification.begin(), notification.end());
+  Regions data = std::move(connection.kept.front());
+  for (auto kept = connection.kept.begin() + 1; kept != connection.kept.end(); ++kept) {
+    data.insert(data.end(), kept->begin(), kept->end());
   }
   connection.kept.clear();
   connection.readiness = Readiness::kUnknown;
-  system_.postNotification(id_, connection.observer, data);
+  system_.postNotification(id_, connection.observer, std::move(data));
 }
 
 }  // namespace openr_host

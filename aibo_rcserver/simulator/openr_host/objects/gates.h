@@ -6,25 +6,34 @@
 #include <OPENR/ObjcommEvent.h>
 #include <OPENR/RCRegion.h>
 
+#include <boost/smart_ptr/intrusive_ptr.hpp>
 #include <cstddef>
 #include <deque>
-#include <memory>
 #include <vector>
+
+/// @name For boost::intrusive_ptr
+/// @{
+inline void intrusive_ptr_add_ref(RCRegion* region) {
+  region->AddReference();
+}
+inline void intrusive_ptr_release(RCRegion* region) {
+  region->RemoveReference();
+}
+/// @}
 
 namespace openr_host {
 
 class System;
 
-/// A reference to a region, shared by all copies and removed with the last one.
-using RegionReference = std::shared_ptr<RCRegion>;
+/// A reference to a region; each copy is one more.
+using RegionReference = boost::intrusive_ptr<RCRegion>;
 
 /// The data of a notification.
 using Regions = std::vector<RegionReference>;
 
 /// Adds a reference to the region.
 inline RegionReference reference(RCRegion* region) {
-  region->AddReference();
-  return {region, [](RCRegion* referenced) { referenced->RemoveReference(); }};
+  return RegionReference(region);
 }
 
 /// How a subject treats an observer's notifications: OObserver::SetBufCtrlParam() (Level2 Reference Guide, page 27).

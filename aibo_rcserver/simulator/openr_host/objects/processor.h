@@ -7,9 +7,9 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace openr_host {
 
@@ -46,19 +46,22 @@ class Processor {
   void run(OID object, Time now, Time duration);
 
   /// The end of the object's busy time; in the past if it is not busy.
-  Time busyUntil(OID object) const { return tasks_.at(object).busy_until; }
+  Time busyUntil(OID object) const { return taskOf(object).busy_until; }
 
   /// The time when the next busy object finishes; empty if none is busy.
   std::optional<Time> nextFinish(Time now) const;
 
  private:
   struct Task {
+    OID object;
     int scheduling_class = 0;
     bool waits = false;
     Time busy_until{0};
   };
 
-  std::map<OID, Task> tasks_;
+  const Task& taskOf(OID object) const;
+
+  std::vector<Task> tasks_;  ///< few: looking at each is faster than a tree
 };
 
 }  // namespace openr_host

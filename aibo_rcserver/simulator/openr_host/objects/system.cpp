@@ -178,38 +178,50 @@ void System::runAs(OObject& object, const std::function<void()>& function) {
   function();
 }
 
-void System::postReady(const ObserverID& observer_id, const SubjectID& subject_id, bool ready) {
-  messages_.push_back({subject_id.oid, Entry::kReady, [=](LoadedObject& receiver) {
-                         if (ready) {
-                           subject(subject_id).assertReady(observer_id);
-                         } else {
-                           subject(subject_id).deassertReady(observer_id);
-                         }
-                         const auto index = subject_id.selector;
-                         if (const auto& function = receiver.description.subjects[index].ready) {
-                           function(*receiver.object, OReadyEvent(indexOf(subject_id), observer_id, ready));
-                         }
-                       }});
+void System::postReady(const ObserverID& observer, const SubjectID& subject, bool ready) {
+  messages_.push_back({subject.oid, Entry::kReady, Readying{subject, observer, ready}});
 }
 
-void System::postNotification(const SubjectID& subject_id, const ObserverID& observer_id, const Regions& data) {
-  messages_.push_back({observer_id.oid, Entry::kNotify, [=](LoadedObject& receiver) {
-                         const auto index = observer_id.selector;
-                         if (const auto& function = receiver.description.observers[index].notify) {
-                           std::vector<RCRegion*> regions;
-                           for (const auto& region : data) {
-                             regions.push_back(region.get());
-                           }
-                           function(*receiver.object, ONotifyEvent(indexOf(observer_id), subject_id, regions.data(),
-                                                                   static_cast<int>(regions.size())));
-                         }
-                       }});
+void System::postNotification(const SubjectID& subject, const ObserverID& observer, Regions data) {
+  messages_.push_back({observer.oid, Entry::kNotify, Notification{observer, subject, std::move(data)}});
 }
 
 void System::postAnswer(const Envelope& answer) {
-  messages_.push_back({answer.object(), Entry::kExtra, [=](LoadedObject& receiver) {
-                         receiver.description.extra_entries[answer.entry()](*receiver.object, answer.content());
-                       }});
+  messages_.push_back({answer.object(), Entry::kExtra, answer});
+}
+
+void System::deliver(const Readying& message, LoadedObject& receiver) {
+  if (message.ready) {
+    subject(message.subject).assertReady(message.observer);
+  } else {
+    subject(message.subject).deassertReady(message.observer);
+  }
+  if (const auto& function = receiver.description.subjects[message.subject.selector].ready) {
+    function(*receiver.object, OReadyEvent(indexOf(message.subject), message.observer, message.ready));
+  }
+}
+
+void System::deliver(const Notification& message, LoadedObject& receiver) {
+  const auto& function = receiver.description.observers[message.observer.selector].notify;
+  if (!function) {
+    return;
+  }
+  std::vector<RCRegion*> regions;
+  regions.reserve(message.data.size());
+  for (const auto& region : message.data) {
+    regions.push_back(region.get());
+  }
+  function(*receiver.object,
+           ONotifyEvent(indexOf(message.observer), message.subject, regions.data(), static_cast<int>(regions.size())));
+}
+
+void System::deliver(const Envelope& answer, LoadedObject& receiver) {
+  receiver.description.extra_entries[answer.entry()](*receiver.object, answer.content());
+}
+
+void System::deliver(const PowerChange& change, LoadedObject& receiver) {
+  OPowerStatusMessage message(change.status);
+  receiver.description.extra_entries[change.entry](*receiver.object, &message);
 }
 
 bool System::hasEntry(const OID& object, Selector entry) const {
@@ -226,15 +238,21 @@ bool System::isHeld(const Message& message, Processor::Time now) const {
 }
 
 bool System::hasMessages() const {
+  if (messages_.empty()) {
+    return false;
+  }
   const Processor::Time now = now_();
   return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
     return !isHeld(message, now) && processor_.mayRun(message.receiver, now);
   });
 }
 
-void System::handleMessages() {
+bool System::handleMessages() {
+  if (messages_.empty() && unfinished_.empty()) {
+    return false;
+  }
   const Processor::Time now = now_();
-  std::deque<Message> queued = std::exchange(messages_, {});
+  std::vector<Message> queued = std::exchange(messages_, std::move(spare_));
   for (auto& message : queued) {
     if (!isHeld(message, now)) {
       message.held_by.MakeInvalid();
@@ -244,7 +262,7 @@ void System::handleMessages() {
       std::remove_if(unfinished_.begin(), unfinished_.end(),
                      [&](const Message& message) { return processor_.busyUntil(message.receiver) <= now; }),
       unfinished_.end());
-  std::deque<Message> left;
+  std::vector<Message> left;
   for (auto& message : queued) {
     if (!message.held_by.IsValid() && processor_.mayRun(message.receiver, now)) {
       handle(std::move(message));
@@ -252,7 +270,11 @@ void System::handleMessages() {
       left.push_back(std::move(message));
     }
   }
+  const bool has_handled = left.size() < queued.size();
   messages_.insert(messages_.begin(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
+  queued.clear();
+  spare_ = std::move(queued);
+  return has_handled;
 }
 
 // The messages that the object posts leave it when it has finished. Until then it keeps the data that it received.
@@ -262,7 +284,7 @@ void System::handle(Message message) {
   const auto begin = std::chrono::steady_clock::now();
   {
     const Running running(*this, receiver);
-    message.handle(receiver);
+    std::visit([&](const auto& content) { deliver(content, receiver); }, message.content);
   }
   if (!handler_time_) {
     return;
@@ -293,10 +315,7 @@ void System::watchPower() {
     return;
   }
   for (const OServiceEntry& entry : power_watch_.look(status)) {
-    const auto message = std::make_shared<OPowerStatusMessage>(status);
-    messages_.push_back({entry.GetOID(), Entry::kExtra, [=](LoadedObject& receiver) {
-                           receiver.description.extra_entries[entry.GetSelector()](*receiver.object, message.get());
-                         }});
+    messages_.push_back({entry.GetOID(), Entry::kExtra, PowerChange{entry.GetSelector(), status}});
   }
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "simulator/openr_host/console.h"
@@ -94,7 +95,7 @@ class System {
   /// Queues a message to a subject: an observer is ready, or no longer is.
   void postReady(const ObserverID& observer, const SubjectID& subject, bool ready);
   /// Queues data for an observer.
-  void postNotification(const SubjectID& subject, const ObserverID& observer, const Regions& data);
+  void postNotification(const SubjectID& subject, const ObserverID& observer, Regions data);
   /// Queues an answer of the IPStack for the object that asked.
   void postAnswer(const Envelope& answer);
   /// Whether the object exists and has this `Extra` entry.
@@ -102,7 +103,8 @@ class System {
   /// True if a message can be handled now.
   bool hasMessages() const;
   /// Handles the messages that are queued now, but not those that are added meanwhile, nor those of busy objects.
-  void handleMessages();
+  /// @return false if there was none to handle
+  bool handleMessages();
   /// The time when the next busy object finishes.
   std::optional<Processor::Time> nextFinish() const { return processor_.nextFinish(now_()); }
   /// @}
@@ -124,10 +126,28 @@ class System {
     bool started = false;
   };
 
+  /// @name The contents of messages
+  /// @{
+  struct Readying {
+    SubjectID subject;
+    ObserverID observer;
+    bool ready;
+  };
+  struct Notification {
+    ObserverID observer;
+    SubjectID subject;
+    Regions data;
+  };
+  struct PowerChange {
+    Selector entry;
+    OPowerStatus status;
+  };
+  /// @}
+
   struct Message {
     OID receiver;
     Entry entry;
-    std::function<void(LoadedObject&)> handle;
+    std::variant<Readying, Notification, Envelope, PowerChange> content;
     OID held_by = {};  ///< the object that posted it and has not finished yet
   };
 
@@ -138,6 +158,10 @@ class System {
   /// True while the object that posted the message is busy.
   bool isHeld(const Message& message, Processor::Time now) const;
   void handle(Message message);
+  void deliver(const Readying& message, LoadedObject& receiver);
+  void deliver(const Notification& message, LoadedObject& receiver);
+  void deliver(const Envelope& answer, LoadedObject& receiver);
+  void deliver(const PowerChange& change, LoadedObject& receiver);
   SubjectService& subject(const SubjectID& id);
   ObserverService& observer(const ObserverID& id);
 
@@ -150,7 +174,8 @@ class System {
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;
-  std::deque<Message> messages_;
+  std::vector<Message> messages_;
+  std::vector<Message> spare_;       ///< empty: memory for messages_
   std::vector<Message> unfinished_;  ///< messages that keep their objects busy
   PowerWatch power_watch_;
   Processor processor_;
