@@ -196,7 +196,7 @@ void encodePicture(benchmark::State& state) {
     state.counters[names[i] + "_bytes"] = accounts[i].bytes();
   }
 }
-BENCHMARK(encodePicture)->ArgNames({"width", "quality"})->ArgsProduct({{208, 104, 52}, {50, 85, 95}});
+BENCHMARK(encodePicture)->ArgNames({"width", "quality"})->ArgsProduct({{416, 208, 104, 52}, {50, 85, 95}});
 
 }  // namespace
 

@@ -64,7 +64,7 @@ def read(path):
 
 
 def readable(value):
-    return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.4g}"
+    return f"{value:,.0f}" if abs(value) >= 10000 else f"{value:.0f}" if abs(value) >= 1000 else f"{value:.4g}"
 
 
 class Judged:

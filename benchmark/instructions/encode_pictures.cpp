@@ -1,7 +1,7 @@
 // Encodes pictures of the simulated camera, to count instructions.
 //
 //   encode_pictures QUALITY LAYER ROUNDS    encodes each of eight images ROUNDS times; LAYER 0 is 208x160, 1 is 104x80,
-//                                           3 is 416x320 (double resolution)
+//                                           2 is 52x40, 3 is 416x320 (double resolution)
 #include <OPENR/OFbkImage.h>
 
 #include <cstdio>
