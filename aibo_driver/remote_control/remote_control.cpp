@@ -47,6 +47,11 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   showConnection(unknown);
 }
 
+// QWidget would only hide its parts when the members here, which they tell about it, are gone.
+RemoteControl::~RemoteControl() {
+  hide();
+}
+
 QLayout* RemoteControl::makeButtons() {
   take_button_ = new QPushButton("Take picture", this);
   take_button_->setObjectName("take_picture");

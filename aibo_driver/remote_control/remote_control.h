@@ -22,6 +22,7 @@ class RemoteControl : public QWidget {
  public:
   /// @param robot outlives the window
   explicit RemoteControl(Robot& robot, QWidget* parent = nullptr);
+  ~RemoteControl() override;
 
   /// What is kept from one start to the next. An empty namespace means the first driver that is found.
   void useDriver(const QString& name_space);
