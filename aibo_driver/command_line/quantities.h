@@ -36,6 +36,8 @@ double parseSpeed(const std::string& what, const std::string& text);
 
 /// @return the number, without a unit
 double parseNumber(const std::string& what, const std::string& text, double lowest, double highest);
+
+/// @return the number, from lowest to highest
 int parseWholeNumber(const std::string& what, const std::string& text, int lowest, int highest);
 
 double degrees(double radian);

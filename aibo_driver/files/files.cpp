@@ -168,8 +168,8 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   refuseTilde(path, "read");
   std::error_code error;
   if (!fs::exists(path, error)) {
-    failToRead(path, "there is no such file on " + thisComputer() + "; the working directory is " +
-                         fs::current_path(error).string());
+    failToRead(path, "there is no such file on " + thisComputer() + " (working directory: " +
+                         fs::current_path(error).string() + ")");
   }
   // Reading anything else, such as a pipe, could block.
   if (!fs::is_regular_file(path, error)) {

@@ -47,7 +47,7 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   showConnection(unknown);
 }
 
-// QWidget would only hide its parts when the members here, which they tell about it, are gone.
+// Its parts tell it when they are hidden. ~QWidget would hide them too late: the members are gone by then.
 RemoteControl::~RemoteControl() {
   hide();
 }

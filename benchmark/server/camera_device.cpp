@@ -1,4 +1,4 @@
-// A camera for programs that read a Video4Linux device, where there is none, and no module of the kernel for one:
+// Stands in for a camera where programs read a Video4Linux device. It needs no module of the kernel.
 //
 //   LD_PRELOAD=libcamera_device.so CAMERA_DEVICE=FILE PROGRAM
 //
@@ -144,11 +144,11 @@ class Camera {
     return 0;
   }
 
-  // A picture for which there is no buffer is lost, as with a device.
+  // If no buffer is free, the picture is lost, as with a device.
   int takePicture(v4l2_buffer& buffer) {
     std::uint64_t ticks = 0;
     if (::read(timer_, &ticks, sizeof ticks) != sizeof ticks) {
-      return -1;  // as it says in errno: there is no picture yet
+      return -1;  // there is no picture yet; read() has set errno
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     sequence_ += static_cast<std::uint32_t>(ticks);

@@ -13,7 +13,7 @@ const Processor::Task& Processor::taskOf(OID object) const {
   const auto found =
       std::find_if(tasks_.begin(), tasks_.end(), [&](const Task& task) { return task.object == object; });
   if (found == tasks_.end()) {
-    throw std::out_of_range("there is no such object");
+    throw std::out_of_range("no object with this ID was added to the processor");
   }
   return *found;
 }
