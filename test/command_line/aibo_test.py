@@ -433,6 +433,17 @@ class Unreachable(TestCase):
             report = self.json("doctor", port=port, status=UNREACHABLE)
             self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", True), ("port", False)])
 
+    def test_a_robot_that_does_not_answer(self):
+        with socket.socket() as full:
+            full.bind(("127.0.0.1", 0))
+            full.listen(0)  # Linux keeps one connection more than that, and ignores those that come after it
+            with socket.create_connection(full.getsockname()):
+                report = self.json("--timeout", "0.3", "doctor", port=full.getsockname()[1], status=UNREACHABLE)
+        finding = report["findings"][-1]
+        self.assertIn("did not answer", finding["text"])
+        self.assertIn("is its switch WIRELESS, under the stomach cover, on?", finding["advice"])
+        self.assertIn("pause button", finding["advice"])
+
     def test_a_wrong_name(self):
         self.assertIn("cannot be looked up",
                       self.aibo("--host", "no.such.host.invalid", "joints", port=1, status=UNREACHABLE).errors)

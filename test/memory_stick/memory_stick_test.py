@@ -171,7 +171,7 @@ class TheNetwork(Workshop):
 
     def test_with_dhcp_and_no_encryption(self):
         self.assertEqual(wlan_conf(Wlan("home!")), "HOSTNAME=AIBO\r\nUSE_DHCP=1\r\nESSID=home!\r\nWEPENABLE=0\r\n"
-                                                   "WEPKEY=\r\nAPMODE=1\r\nCHANNEL=3\r\n")
+                                                   "WEPKEY=AIBO2\r\nAPMODE=1\r\nCHANNEL=3\r\n")
 
     def test_without_an_access_point_and_without_a_gateway(self):
         conf = wlan_conf(Wlan("AIBO", ip="10.0.1.100", channel="11"))
