@@ -1,0 +1,1 @@
+#include <OPENR/OSubject.h>
