@@ -11,8 +11,11 @@ import struct
 from array import array
 from typing import NamedTuple
 
-from elftools.common.exceptions import ELFError
-from elftools.elf.elffile import ELFFile
+try:
+    from elftools.common.exceptions import ELFError
+    from elftools.elf.elffile import ELFFile
+except ImportError:  # missing_pyelftools() of stick.sdk says what to do
+    pass
 
 from .problem import Problem
 

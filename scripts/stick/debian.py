@@ -22,7 +22,8 @@ COMPILE = ("-nostdinc -isystem {runtime}/include -isystem {gcc_headers} -isystem
            "-mips1 -mabi=32 -mfp32 -mhard-float -fPIC -mabicalls -mshared -mno-plt -mno-relax-pic-calls -G0 "
            "-fno-asynchronous-unwind-tables -fno-strict-aliasing -fno-stack-protector -fno-toplevel-reorder "
            "-fno-builtin-sin -fno-builtin-cos -U_FORTIFY_SOURCE")
-COMPILE_CXX = COMPILE + " -std=gnu++98 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-use-cxa-atexit"
+COMPILE_CXX = (COMPILE + " -std=gnu++98 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-use-cxa-atexit "
+               "-Wno-reorder -Wno-write-strings -Wno-class-memaccess")  # Sony's headers have such places
 
 # mkbin asks the compiler where the linker, libgcc and the first and last object file are.
 COMPILER = """#!/bin/sh
@@ -39,7 +40,7 @@ exec {python} -B {link} "$@"
 
 
 def prepare(sdk, tools):
-    """Makes the folder `tools`, to be used as OPENRSDK_ROOT. check_for_debian() of stick.sdk has found its parts."""
+    """Makes the folder `tools`, to be used as OPENRSDK_ROOT. build_problems() of stick.sdk has found all parts."""
     shutil.rmtree(str(tools), ignore_errors=True)
     for folder in ("bin", "lib", "OPEN_R/lib", "mipsel-linux/lib/ldscripts"):
         (tools / folder).mkdir(parents=True)
@@ -54,6 +55,11 @@ def prepare(sdk, tools):
     _make_runtime(tools)
 
 
+def version():
+    """The name of the compiler, such as mipsel-linux-gnu-g++ (Debian 12.2.0-14) 12.2.0."""
+    return _run([PREFIX + "g++", "--version"]).splitlines()[0]
+
+
 def libgcc(sdk):
     """libgcc.a of the newest GCC in the SDK. Debian's has instructions that the robot's processor does not know."""
     return max((sdk / "lib/gcc-lib/mipsel-linux").glob("*/libgcc.a"), default=None)
@@ -65,9 +71,9 @@ def _make_programs(sdk, tools):
         _write_program(tools / "bin" / ("mipsel-linux-" + name), COMPILER.format(
             tools=tools, program=PREFIX + name,
             options=options.format(runtime=RUNTIME, gcc_headers=gcc_headers, sdk=sdk)))
-    for name in ("ar", "nm", "readelf"):
-        (tools / "bin" / ("mipsel-linux-" + name)).symlink_to(shutil.which(PREFIX + name))
-    (tools / "bin/mipsel-linux-strip").symlink_to(shutil.which("true"))  # link.py leaves the symbols out
+    # There is nothing to strip, because link.py leaves symbols out; and GNU ld itself refuses undefined ones.
+    for name, program in (("ar", PREFIX + "ar"), ("readelf", PREFIX + "readelf"), ("nm", "true"), ("strip", "true")):
+        (tools / "bin" / ("mipsel-linux-" + name)).symlink_to(shutil.which(program))
     _write_program(tools / "bin/ld", LINKER.format(python="/usr/bin/python3", link=Path(__file__).with_name("link.py")))
 
 

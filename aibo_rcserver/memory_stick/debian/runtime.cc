@@ -25,10 +25,18 @@ void end(const char* why) {
 
 }  // namespace
 
-void* operator new(size_t size) { return allocate(size); }
-void* operator new[](size_t size) { return allocate(size); }
-void operator delete(void* memory) throw() { free(memory); }
-void operator delete[](void* memory) throw() { free(memory); }
+void* operator new(size_t size) {
+  return allocate(size);
+}
+void* operator new[](size_t size) {
+  return allocate(size);
+}
+void operator delete(void* memory) throw() {
+  free(memory);
+}
+void operator delete[](void* memory) throw() {
+  free(memory);
+}
 
 namespace std {
 
@@ -85,10 +93,14 @@ ios_base::Init::~Init() {}
 
 extern "C" {
 
-void __cxa_pure_virtual() { end("a pure virtual function was called"); }
+void __cxa_pure_virtual() {
+  end("a pure virtual function was called");
+}
 
 // The libraries were built with exceptions, but nothing of this program throws one or looks for types at run time.
-void _Unwind_Resume(void*) { end("an exception was thrown"); }
+void _Unwind_Resume(void*) {
+  end("an exception was thrown");
+}
 int __gxx_personality_v0() {
   end("an exception was thrown");
   return 0;
