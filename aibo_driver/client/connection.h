@@ -103,7 +103,6 @@ struct Connection {
   CommandOutbox commands;
   RefusalLog refusals;
   RobotInfo robot;            ///< as the server has introduced itself
-  std::string token;          ///< by which the server knows the client again; never logged
   std::string robot_message;  ///< what the robot last reported without being asked and still holds
   PictureTransport transport = PictureTransport::kTcp;  ///< of the stream's pictures
   std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be

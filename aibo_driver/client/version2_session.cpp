@@ -10,7 +10,6 @@
 #include "client/units.h"
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
-#include "protocol/introduction.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/stick_pictures.h"
@@ -192,19 +191,15 @@ EndedHow endedHow(unsigned how) {
 
 }  // namespace
 
-Version2Session::Version2Session(Connection& connection, TimePoint connected, bool introduced)
+Version2Session::Version2Session(Connection& connection, TimePoint connected)
     : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
+      last_hello_(connected),
       next_hello_(connected),
       datagrams_(connection.context) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
-  if (introduced) {
-    last_number_ = version2::INTRODUCTION_NUMBER;
-    exchanges_[last_number_] = {version2::REQUEST_HELLO, connected, connection_.answerDeadline(connected)};
-    next_hello_ = connected + kHeartbeatPeriod;
-  }
 }
 
 void Version2Session::add(Call call) {
@@ -217,6 +212,14 @@ void Version2Session::add(Call call) {
 }
 
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
+  Bytes frame = chooseRequest(wish, now);
+  if (!frame.empty()) {
+    next_hello_ = std::min(now + kHeartbeatPeriod, last_hello_ + kHelloPeriod);
+  }
+  return frame;
+}
+
+Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
   const PictureIntake& pictures = connection_.pictures;
   Call* const stop = connection_.calls.nextStop();
   if (ready_ && stop != nullptr) {
@@ -254,7 +257,7 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
-  next_hello_ = now + kHeartbeatPeriod;
+  last_hello_ = now;
   return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
 }
 
