@@ -536,7 +536,9 @@ std::vector<Session::Bytes> Version2Session::datagramArrived(const std::uint8_t*
   }
   now_ = now;
   if (const auto whole = datagrams_.arrived(data, size, now)) {
-    if (const auto picture = inspect(whole->jpeg, whole->header, whole->began)) {
+    const auto picture = inspect(whole->jpeg, whole->header, whole->began);
+    if (picture && !isOfTheFuture(whole->header.frame_number)) {
+      datagrams_.goodPicture(whole->number, now);
       deliverFromStream(picture);
     }
   }
@@ -627,7 +629,10 @@ void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   connection_.robot = makeRobotInfo(hello);
-  connection_.token = hello.token;
+  if (!ready_ || timeAhead(hello.frame_number) > TimePoint::duration::zero()) {
+    robot_frame_ = hello.frame_number;
+    robot_frame_time_ = now_;
+  }
   served_.reset();
   for (const std::string& word : connection_.robot.capabilities) {
     if (word.size() == 1) {
@@ -669,6 +674,18 @@ void Version2Session::deliverFromStream(const PicturePtr& picture) {
   } else if (connection_.pictures.deliverFromStream(picture, now_)) {
     newest_frame_ = picture->frame_number;
   }
+}
+
+// A forged frame number would make all pictures after it look overtaken. What comes by TCP is the robot's.
+bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
+  constexpr auto kTolerance = std::chrono::seconds(2);  // the hello may have been on its way for long
+  return timeAhead(frame_number) > kTolerance;
+}
+
+/// How much later than now this frame is, by the hellos.
+Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number) const {
+  constexpr std::chrono::milliseconds kFrame(8);
+  return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (now_ - robot_frame_time_);
 }
 
 // TCP and UDP may overtake each other.

@@ -111,6 +111,8 @@ class Version2Session final : public Session {
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
   std::shared_ptr<Picture> inspect(Bytes jpeg, const protocol::version2::ImageHeader& header, TimePoint began);
   void deliverFromStream(const PicturePtr& picture);
+  bool isOfTheFuture(std::uint32_t frame_number) const;
+  TimePoint::duration timeAhead(std::uint32_t frame_number) const;
   bool isOvertaken(const Picture& picture) const;
   void onDatagramPort(const Payload& payload);
   void giveUpDatagrams(const std::string& why, TimePoint now);
@@ -131,7 +133,10 @@ class Version2Session final : public Session {
   std::map<int, Exchange> exchanges_;  // by request number
 
   bool ready_ = false;
-  std::bitset<256> served_;  // letters of the requests that this server knows
+  std::bitset<256> served_;        // letters of the requests that this server knows
+  std::uint32_t robot_frame_ = 0;  ///< of the last hello's answer
+  TimePoint robot_frame_time_;     ///< when that came
+  TimePoint last_hello_;
   TimePoint next_hello_;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
