@@ -43,10 +43,10 @@
 #include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
-#include "ros/throttled_warnings.h"
 #include "ros/walk/odometry_publisher.h"
 #include "ros/walk/posture_services.h"
 #include "ros/walk/walk_commander.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -99,7 +99,7 @@ class AiboDriver {
   joints::JointTable joint_table_;
   joints::MeasuredJoints measured_joints_;
   PowerStatus power_;
-  ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   StreamMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;

@@ -16,7 +16,7 @@
 
 #include "joints/joint_table.h"
 #include "ros/joints/joint_mover.h"
-#include "ros/throttled_warnings.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -55,7 +55,7 @@ class JointCommander {
 
   const joints::JointTable& table_;
   JointMover& mover_;
-  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   sensor_msgs::JointState collected_;
   std::string collected_source_;
   std::uint64_t collected_epoch_ = 0;

@@ -23,7 +23,7 @@
 #include "joints/joint_table.h"
 #include "joints/measured_joints.h"
 #include "ros/driver_parameters.h"
-#include "ros/throttled_warnings.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -192,7 +192,7 @@ class JointMover {
   joints::JointLink link_;
   joints::JointCommandFilter filter_;
   joints::JointPlan plan_;
-  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   mutable std::condition_variable ended_;  ///< one of the motions
   std::vector<Motion> motions_;
   std::uint64_t motions_connection_ = 0;  ///< over which a motion was played that may still be playing

@@ -11,8 +11,8 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "ros/joints/joint_mover.h"
-#include "ros/throttled_warnings.h"
 #include "ros/walk/walk_settings.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -44,7 +44,7 @@ class WalkCommander {
   const WalkSettings& settings_;
   RcServerClient& client_;
   JointMover& mover_;
-  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("walk", text); }};
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("walk", text); }};
   ros::SteadyTimer timer_;
   ros::Subscriber subscriber_;
 };
