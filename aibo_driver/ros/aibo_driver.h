@@ -11,8 +11,8 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
@@ -96,8 +96,8 @@ class AiboDriver {
   // What the client's callbacks need.
   robot_time::RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;
-  joints::JointTable joint_table_;
-  joints::MeasuredJoints measured_joints_;
+  movement::JointTable joint_table_;
+  movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
   ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   StreamMeter meter_;

@@ -46,7 +46,7 @@ class MotionServer : public PlayMotionServer {
   void accept(Server::GoalHandle goal);
   void cancel(const Server::GoalHandle& goal);
   void report();
-  static void finish(Server::GoalHandle goal, const joints::MovementFate& fate);
+  static void finish(Server::GoalHandle goal, const movement::MovementFate& fate);
 
   RcServerClient& client_;
   JointMover& mover_;
@@ -85,7 +85,7 @@ void MotionServer::cancel(const Server::GoalHandle& goal) {
 
 void MotionServer::report() {
   for (auto playing = playing_.begin(); playing != playing_.end();) {
-    const joints::MovementFate fate = mover_.look(playing->motion);
+    const movement::MovementFate fate = mover_.look(playing->motion);
     if (fate.end) {
       finish(playing->goal, fate);
       playing = playing_.erase(playing);
@@ -102,15 +102,15 @@ void MotionServer::report() {
   }
 }
 
-void MotionServer::finish(Server::GoalHandle goal, const joints::MovementFate& fate) {
+void MotionServer::finish(Server::GoalHandle goal, const movement::MovementFate& fate) {
   PlayMotionResult result;
-  result.success = static_cast<std::uint8_t>(fate.end == joints::MovementEnd::kDone);
+  result.success = static_cast<std::uint8_t>(fate.end == movement::MovementEnd::kDone);
   result.end = endConstant(*fate.end);
-  result.message = fate.end == joints::MovementEnd::kDone ? "It was played to its end." : fate.reason;
+  result.message = fate.end == movement::MovementEnd::kDone ? "It was played to its end." : fate.reason;
   const bool was_cancelled = goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING;
-  if (fate.end == joints::MovementEnd::kDone || fate.end == joints::MovementEnd::kUnknown) {
+  if (fate.end == movement::MovementEnd::kDone || fate.end == movement::MovementEnd::kUnknown) {
     goal.setSucceeded(result, result.message);
-  } else if (was_cancelled || fate.end == joints::MovementEnd::kReplaced) {
+  } else if (was_cancelled || fate.end == movement::MovementEnd::kReplaced) {
     goal.setCanceled(result, result.message);
   } else {
     goal.setAborted(result, result.message);

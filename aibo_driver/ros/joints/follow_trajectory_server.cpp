@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "aibo_driver/exceptions.h"
-#include "joints/joint_plan.h"
+#include "movement/joint_plan.h"
 #include "ros/joints/trajectory_messages.h"
 
 namespace aibo_driver::node {
@@ -25,7 +25,7 @@ using control_msgs::FollowJointTrajectoryAction;
 using control_msgs::FollowJointTrajectoryFeedback;
 using control_msgs::FollowJointTrajectoryGoal;
 using control_msgs::FollowJointTrajectoryResult;
-using joints::MovementEnd;
+using movement::MovementEnd;
 using std::chrono::steady_clock;
 using Server = actionlib::ActionServer<FollowJointTrajectoryAction>;
 using Result = FollowJointTrajectoryResult;
@@ -86,8 +86,8 @@ std::string violation(const Tolerances& tolerances, const FollowJointTrajectoryF
 
 class ActionServer : public FollowTrajectoryServer {
  public:
-  ActionServer(const ros::NodeHandle& handle, const joints::JointTable& table, const joints::MeasuredJoints& measured,
-               JointMover& mover)
+  ActionServer(const ros::NodeHandle& handle, const movement::JointTable& table,
+               const movement::MeasuredJoints& measured, JointMover& mover)
       : table_(table), measured_(measured), mover_(mover) {
     ros::NodeHandle actions(handle);
     constexpr bool kOneShot = false;
@@ -120,8 +120,8 @@ class ActionServer : public FollowTrajectoryServer {
   void checkJoints(const trajectory_msgs::JointTrajectory& trajectory) const;
   FollowJointTrajectoryFeedback stateOf(const Following& following) const;
 
-  const joints::JointTable& table_;
-  const joints::MeasuredJoints& measured_;
+  const movement::JointTable& table_;
+  const movement::MeasuredJoints& measured_;
   JointMover& mover_;
   std::unique_ptr<Server> server_;
   std::vector<Following> following_;
@@ -203,7 +203,7 @@ void ActionServer::watch() {
 }
 
 bool ActionServer::isOver(Following* following) {
-  const joints::MovementFate fate = mover_.look(following->trajectory);
+  const movement::MovementFate fate = mover_.look(following->trajectory);
   if (fate.end == MovementEnd::kDone) {
     return hasArrived(following);
   }
@@ -258,16 +258,16 @@ FollowJointTrajectoryFeedback ActionServer::stateOf(const Following& following) 
   const trajectory_msgs::JointTrajectory& trajectory = following.goal.getGoal()->trajectory;
   for (std::size_t i = 0; i < trajectory.joint_names.size(); ++i) {
     const std::size_t joint = *table_.findByName(trajectory.joint_names[i]);
-    const std::optional<joints::MeasuredJoint> measured = measured_.find(joint);
+    const std::optional<movement::MeasuredJoint> measured = measured_.find(joint);
     if (!measured) {
       continue;
     }
-    std::optional<joints::Trajectory::Start> wanted;
+    std::optional<movement::Trajectory::Start> wanted;
     if (following.arrived) {
-      wanted = joints::Trajectory::Start{joint, trajectory.points.back().positions[i], 0};
+      wanted = movement::Trajectory::Start{joint, trajectory.points.back().positions[i], 0};
     } else {
       const auto all = mover_.wantedBy(following.trajectory, measured->arrival);
-      wanted = i < all.size() ? std::optional<joints::Trajectory::Start>(all[i]) : std::nullopt;
+      wanted = i < all.size() ? std::optional<movement::Trajectory::Start>(all[i]) : std::nullopt;
     }
     if (wanted) {
       state.joint_names.push_back(trajectory.joint_names[i]);
@@ -286,8 +286,8 @@ FollowJointTrajectoryFeedback ActionServer::stateOf(const Following& following) 
 }  // namespace
 
 std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle& handle,
-                                                                    const joints::JointTable& table,
-                                                                    const joints::MeasuredJoints& measured,
+                                                                    const movement::JointTable& table,
+                                                                    const movement::MeasuredJoints& measured,
                                                                     JointMover& mover) {
   return std::make_unique<ActionServer>(handle, table, measured, mover);
 }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
-#include "joints/joint_plan.h"
+#include "movement/joint_plan.h"
 #include "ros/joints/trajectory_messages.h"
 
 namespace aibo_driver::node {
@@ -39,10 +39,10 @@ void JointCommander::subscribe(const ros::NodeHandle& handle) {
       timer_.stop();
     }
   };
-  timer_ = topics.createSteadyTimer(ros::WallDuration(Seconds(joints::JointPlan::kPeriod).count()), move_on, !kOneShot,
-                                    kAutostart);
+  timer_ = topics.createSteadyTimer(ros::WallDuration(Seconds(movement::JointPlan::kPeriod).count()), move_on,
+                                    !kOneShot, kAutostart);
   using Position = std_msgs::Float64;
-  for (const joints::JointProperties& joint : table_.joints()) {
+  for (const movement::JointProperties& joint : table_.joints()) {
     subscribers_.push_back(
         subscribeTo<Position>(joint.name + "_position_controller/command", 1, &topics,
                               [this, name = joint.name](const ros::MessageEvent<Position const>& event) {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 #include "ros/joints/joint_mover.h"
 #include "ros/throttled_warnings.h"
 
@@ -33,7 +33,7 @@ class JointCommander {
   static constexpr std::chrono::milliseconds kCollectingTime{4};
 
   /// @param table, mover must outlive the commander
-  JointCommander(const joints::JointTable& table, JointMover& mover) : table_(table), mover_(mover) {}
+  JointCommander(const movement::JointTable& table, JointMover& mover) : table_(table), mover_(mover) {}
 
   JointCommander(const JointCommander&) = delete;
   JointCommander& operator=(const JointCommander&) = delete;
@@ -53,7 +53,7 @@ class JointCommander {
   void receivePosition(const std::string& joint, double position, const std::string& source);
   void sendCollected();
 
-  const joints::JointTable& table_;
+  const movement::JointTable& table_;
   JointMover& mover_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   sensor_msgs::JointState collected_;

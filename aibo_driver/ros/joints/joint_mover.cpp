@@ -8,7 +8,7 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
+using movement::MovementEnd;
 using Lock = std::lock_guard<std::mutex>;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
@@ -33,13 +33,13 @@ MovementEnd movementEnd(EndedHow how) {
   return MovementEnd::kUnknown;
 }
 
-std::string nameOf(const joints::Movement& movement) {
+std::string nameOf(const movement::Movement& movement) {
   switch (movement.kind) {
-    case joints::Movement::Kind::kMotion:
+    case movement::Movement::Kind::kMotion:
       return "The motion " + movement.name;
-    case joints::Movement::Kind::kPosture:
+    case movement::Movement::Kind::kPosture:
       return "The posture " + movement.name;
-    case joints::Movement::Kind::kWalk:
+    case movement::Movement::Kind::kWalk:
       return "The walk";
     default:
       break;
@@ -48,16 +48,16 @@ std::string nameOf(const joints::Movement& movement) {
   for (const std::string& joint : movement.joints) {
     names += (names.empty() ? " of " : ", ") + joint;
   }
-  return (movement.kind == joints::Movement::Kind::kTrajectory ? "The trajectory" : "The command") + names;
+  return (movement.kind == movement::Movement::Kind::kTrajectory ? "The trajectory" : "The command") + names;
 }
 
-bool isMotionEnd(const joints::Movement& movement, const MotionEnd& end) {
+bool isMotionEnd(const movement::Movement& movement, const MotionEnd& end) {
   switch (movement.kind) {
-    case joints::Movement::Kind::kMotion:
+    case movement::Movement::Kind::kMotion:
       return end.kind == EndedKind::kMotion && movement.name == end.name;
-    case joints::Movement::Kind::kPosture:
+    case movement::Movement::Kind::kPosture:
       return end.kind == EndedKind::kPosture && movement.name == end.name;
-    case joints::Movement::Kind::kWalk:
+    case movement::Movement::Kind::kWalk:
       return end.kind == EndedKind::kWalk;
     default:
       return false;
@@ -78,8 +78,9 @@ std::string nameOf(Posture posture) {
 
 }  // namespace
 
-JointMover::JointMover(const joints::JointTable& table, const joints::MeasuredJoints& measured, RcServerClient& client,
-                       const DriverParameters& parameters, std::function<bool()> telemetry_wanted)
+JointMover::JointMover(const movement::JointTable& table, const movement::MeasuredJoints& measured,
+                       RcServerClient& client, const DriverParameters& parameters,
+                       std::function<bool()> telemetry_wanted)
     : table_(table),
       client_(client),
       telemetry_wanted_(std::move(telemetry_wanted)),
@@ -101,7 +102,7 @@ void JointMover::command(const std::vector<std::string>& names, const std::vecto
       return;
     }
     checkConnection();
-    joints::JointOrders orders;
+    movement::JointOrders orders;
     const SteadyTime now = steady_clock::now();
     for (const std::string& refusal : filter_.filter(names, positions, velocities, now, &orders)) {
       warnings_.warn(refusal);
@@ -120,7 +121,7 @@ void JointMover::command(const std::vector<std::string>& names, const std::vecto
   begun();
 }
 
-JointMover::Fate JointMover::start(const joints::TrajectoryRequest& request, std::chrono::nanoseconds wait,
+JointMover::Fate JointMover::start(const movement::TrajectoryRequest& request, std::chrono::nanoseconds wait,
                                    const std::string& source) {
   Fate fate;
   {
@@ -157,19 +158,19 @@ bool JointMover::goOn() {
   return busy;
 }
 
-joints::MovementFate JointMover::look(const Fate& movement) const {
+movement::MovementFate JointMover::look(const Fate& movement) const {
   const Lock lock(mutex_);
   return *movement;
 }
 
-std::vector<joints::Trajectory::Start> JointMover::wantedBy(const Fate& trajectory, SteadyTime time) const {
+std::vector<movement::Trajectory::Start> JointMover::wantedBy(const Fate& trajectory, SteadyTime time) const {
   const Lock lock(mutex_);
   return plan_.wantedBy(*trajectory, time);
 }
 
 void JointMover::cancel(const Fate& trajectory, const std::string& reason) {
   std::vector<int> joints;
-  joints::JointOrders orders;
+  movement::JointOrders orders;
   {
     const Lock lock(mutex_);
     joints = plan_.jointsOf(*trajectory);
@@ -184,7 +185,7 @@ void JointMover::cancel(const Fate& trajectory, const std::string& reason) {
 }
 
 void JointMover::hold(const std::string& reason) {
-  joints::JointOrders orders;
+  movement::JointOrders orders;
   {
     const Lock lock(mutex_);
     ++stops_;
@@ -198,7 +199,7 @@ void JointMover::hold(const std::string& reason) {
 
 // A server that cannot hold gets the places where the joints should be. It is told to end its motions if one was
 // played.
-void JointMover::holdRobot(const std::vector<int>& joints, const joints::JointOrders& orders, bool motions_too) {
+void JointMover::holdRobot(const std::vector<int>& joints, const movement::JointOrders& orders, bool motions_too) {
   try {
     client_.hold(joints, kHoldTimeout);
     return;
@@ -219,7 +220,7 @@ void JointMover::holdRobot(const std::vector<int>& joints, const joints::JointOr
 JointMover::Fate JointMover::play(const std::string& name, int repetitions, milliseconds timeout,
                                   std::string* changes) {
   Begin motion;
-  motion.movement.kind = joints::Movement::Kind::kMotion;
+  motion.movement.kind = movement::Movement::Kind::kMotion;
   motion.movement.name = name;
   motion.prepare = [this] {
     plan_.endTrajectories(MovementEnd::kReplaced, "play_motion was called");
@@ -238,7 +239,7 @@ JointMover::Fate JointMover::play(const std::string& name, int repetitions, mill
 
 JointMover::Fate JointMover::takePosture(Posture posture, milliseconds timeout) {
   Begin change;
-  change.movement.kind = joints::Movement::Kind::kPosture;
+  change.movement.kind = movement::Movement::Kind::kPosture;
   change.movement.name = nameOf(posture);
   change.prepare = [&] { freeLegs("the posture " + change.movement.name + " was asked for"); };
   change.ask = [&] { client_.takePosture(posture, timeout); };
@@ -247,7 +248,7 @@ JointMover::Fate JointMover::takePosture(Posture posture, milliseconds timeout) 
 }
 
 JointMover::Fate JointMover::begin(const Begin& begin) {
-  const Motion motion{begin.movement, std::make_shared<joints::MovementFate>()};
+  const Motion motion{begin.movement, std::make_shared<movement::MovementFate>()};
   const std::uint64_t before = epoch();
   {
     const Lock lock(mutex_);
@@ -281,7 +282,7 @@ JointMover::Fate JointMover::begin(const Begin& begin) {
   return motion.fate;
 }
 
-joints::MovementFate JointMover::waitForEnd(const Fate& movement, milliseconds timeout) const {
+movement::MovementFate JointMover::waitForEnd(const Fate& movement, milliseconds timeout) const {
   std::unique_lock<std::mutex> lock(mutex_);
   ended_.wait_for(lock, timeout, [&movement] { return movement->end.has_value(); });
   return *movement;
@@ -346,7 +347,7 @@ void JointMover::sendVelocity(const WalkVelocity& velocity) {
 
 // Also true of one that has been told to, and has not answered yet.
 bool JointMover::walks() const {
-  const auto is_walk = [](const Motion& each) { return each.movement.kind == joints::Movement::Kind::kWalk; };
+  const auto is_walk = [](const Motion& each) { return each.movement.kind == movement::Movement::Kind::kWalk; };
   const bool is_told_to = walk_connection_ == link_.connection() && !velocity_.isZero();
   return is_told_to || std::any_of(motions_.begin(), motions_.end(), is_walk);
 }
@@ -354,12 +355,12 @@ bool JointMover::walks() const {
 void JointMover::steered(const WalkVelocity& in_force) {
   {
     const Lock lock(mutex_);
-    const auto is_walk = [](const Motion& each) { return each.movement.kind == joints::Movement::Kind::kWalk; };
+    const auto is_walk = [](const Motion& each) { return each.movement.kind == movement::Movement::Kind::kWalk; };
     if (in_force.isZero() || std::any_of(motions_.begin(), motions_.end(), is_walk)) {
       return;
     }
-    Motion walk{{}, std::make_shared<joints::MovementFate>()};
-    walk.movement.kind = joints::Movement::Kind::kWalk;
+    Motion walk{{}, std::make_shared<movement::MovementFate>()};
+    walk.movement.kind = movement::Movement::Kind::kWalk;
     walk.movement.source = walker_;
     motions_.push_back(walk);
   }
@@ -397,15 +398,15 @@ void JointMover::motionEnded(const MotionEnd& end) {
     if (motion == motions_.end()) {
       return;
     }
-    const joints::Movement::Kind kind = motion->movement.kind;
+    const movement::Movement::Kind kind = motion->movement.kind;
     const bool ran_out =
-        kind == joints::Movement::Kind::kWalk && end.how == EndedHow::kDone && !walk_stop_reason_.empty();
-    const std::shared_ptr<joints::MovementFate> fate = motion->fate;
-    if (kind == joints::Movement::Kind::kWalk) {
+        kind == movement::Movement::Kind::kWalk && end.how == EndedHow::kDone && !walk_stop_reason_.empty();
+    const std::shared_ptr<movement::MovementFate> fate = motion->fate;
+    if (kind == movement::Movement::Kind::kWalk) {
       velocity_ = WalkVelocity();
     }
     endMotion(fate, ran_out ? MovementEnd::kStopped : movementEnd(end.how), ran_out ? walk_stop_reason_ : end.reason);
-    if (kind != joints::Movement::Kind::kMotion) {
+    if (kind != movement::Movement::Kind::kMotion) {
       filter_.startApproach();  // the legs may be anywhere, and after "rest" in somebody's hands
     }
   }
@@ -463,9 +464,9 @@ void JointMover::checkTelemetry() const {
   }
 }
 
-void JointMover::send(const std::vector<joints::JointStep>& steps) {
+void JointMover::send(const std::vector<movement::JointStep>& steps) {
   try {
-    for (const joints::JointStep& step : steps) {
+    for (const movement::JointStep& step : steps) {
       link_.send(step.orders, step.duration);
     }
   } catch (const StoppedException&) {
@@ -477,19 +478,19 @@ void JointMover::send(const std::vector<joints::JointStep>& steps) {
 
 void JointMover::endMotions(MovementEnd how, const std::string& reason) {
   while (!motions_.empty()) {
-    const std::shared_ptr<joints::MovementFate> fate = motions_.back().fate;
+    const std::shared_ptr<movement::MovementFate> fate = motions_.back().fate;
     endMotion(fate, how, reason);
   }
 }
 
-void JointMover::endMotion(const std::shared_ptr<joints::MovementFate>& fate, MovementEnd how,
+void JointMover::endMotion(const std::shared_ptr<movement::MovementFate>& fate, MovementEnd how,
                            const std::string& reason) {
   const auto motion =
       std::find_if(motions_.begin(), motions_.end(), [&fate](const Motion& each) { return each.fate == fate; });
   if (motion != motions_.end()) {
     fate->end = how;
     fate->reason = reason;
-    last_ = joints::EndedMovement{motion->movement, how, reason};
+    last_ = movement::EndedMovement{motion->movement, how, reason};
     motions_.erase(motion);
     ended_.notify_all();
     logEnd(*last_);
@@ -497,15 +498,15 @@ void JointMover::endMotion(const std::shared_ptr<joints::MovementFate>& fate, Mo
 }
 
 void JointMover::noteEnds() {
-  for (joints::EndedMovement& ended : plan_.takeEnded()) {
+  for (movement::EndedMovement& ended : plan_.takeEnded()) {
     logEnd(ended);
     last_ = std::move(ended);
   }
 }
 
 // Commands come often and replace each other, as is meant.
-void JointMover::logEnd(const joints::EndedMovement& ended) {
-  const bool is_command = ended.movement.kind == joints::Movement::Kind::kCommand;
+void JointMover::logEnd(const movement::EndedMovement& ended) {
+  const bool is_command = ended.movement.kind == movement::Movement::Kind::kCommand;
   if (is_command || ended.how == MovementEnd::kDone || ended.how == MovementEnd::kUnknown) {
     ROS_DEBUG_STREAM_NAMED("joints", nameOf(ended.movement) << " has ended. " << ended.reason);
   } else {

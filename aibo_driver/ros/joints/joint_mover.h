@@ -17,11 +17,11 @@
 
 #include "aibo_driver/motion_end.h"
 #include "aibo_driver/rcserver_client.h"
-#include "joints/joint_command_filter.h"
-#include "joints/joint_link.h"
-#include "joints/joint_plan.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_command_filter.h"
+#include "movement/joint_link.h"
+#include "movement/joint_plan.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 #include "ros/driver_parameters.h"
 #include "ros/throttled_warnings.h"
 
@@ -37,7 +37,7 @@ namespace aibo_driver::node {
 class JointMover {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
-  using Fate = std::shared_ptr<const joints::MovementFate>;
+  using Fate = std::shared_ptr<const movement::MovementFate>;
 
   /// How long it waits for the robot to hold.
   static constexpr std::chrono::milliseconds kHoldTimeout{2000};
@@ -47,8 +47,8 @@ class JointMover {
   static constexpr std::chrono::milliseconds kFreshVersion1{2000};
 
   struct State {
-    std::vector<joints::Movement> movements;    ///< now
-    std::optional<joints::EndedMovement> last;  ///< the last one that ended
+    std::vector<movement::Movement> movements;    ///< now
+    std::optional<movement::EndedMovement> last;  ///< the last one that ended
   };
 
   /// What it tells others, on the thread of the call that caused it, and without a lock.
@@ -59,7 +59,7 @@ class JointMover {
 
   /// @param table, measured, client must outlive the mover
   /// @param telemetry_wanted false if the robot is not asked to report its joints
-  JointMover(const joints::JointTable& table, const joints::MeasuredJoints& measured, RcServerClient& client,
+  JointMover(const movement::JointTable& table, const movement::MeasuredJoints& measured, RcServerClient& client,
              const DriverParameters& parameters, std::function<bool()> telemetry_wanted);
 
   JointMover(const JointMover&) = delete;
@@ -82,18 +82,18 @@ class JointMover {
   /// @param wait until it begins; below 0 if it should have begun before
   /// @return what becomes of it, for look()
   /// @throw InvalidArgumentException it is refused; the message says why
-  Fate start(const joints::TrajectoryRequest& request, std::chrono::nanoseconds wait, const std::string& source);
+  Fate start(const movement::TrajectoryRequest& request, std::chrono::nanoseconds wait, const std::string& source);
 
   /// Moves everything on. To be called every JointPlan::kPeriod from Listener::on_begin on.
   /// @return false if there is nothing to move on any more
   bool goOn();
 
   /// What has become of a movement so far.
-  joints::MovementFate look(const Fate& movement) const;
+  movement::MovementFate look(const Fate& movement) const;
 
   /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints; empty
   /// before its beginning and after its end.
-  std::vector<joints::Trajectory::Start> wantedBy(const Fate& trajectory, SteadyTime time) const;
+  std::vector<movement::Trajectory::Start> wantedBy(const Fate& trajectory, SteadyTime time) const;
 
   /// Ends a trajectory, and holds its joints.
   /// @throw as hold()
@@ -118,7 +118,7 @@ class JointMover {
 
   /// Waits until a movement has ended, at most for this time.
   /// @return what has become of it so far
-  joints::MovementFate waitForEnd(const Fate& movement, std::chrono::milliseconds timeout) const;
+  movement::MovementFate waitForEnd(const Fate& movement, std::chrono::milliseconds timeout) const;
 
   /// Lets the robot walk: see RcServerClient::steer(). Ends the trajectories that move legs. A velocity of 0 is sent
   /// only to a robot that walks: one that sits goes on sitting. What is not sent is logged.
@@ -153,13 +153,13 @@ class JointMover {
  private:
   /// What the robot does by itself, until it says that it has ended: a motion, a posture, a walk.
   struct Motion {
-    joints::Movement movement;
-    std::shared_ptr<joints::MovementFate> fate;
+    movement::Movement movement;
+    std::shared_ptr<movement::MovementFate> fate;
   };
 
   /// How the robot is asked for such a thing.
   struct Begin {
-    joints::Movement movement;
+    movement::Movement movement;
     std::function<void()> prepare;  ///< ends what it replaces; called with the lock
     std::function<void()> ask;      ///< waits for the robot
     std::function<void()> undo;     ///< everything was stopped meanwhile
@@ -174,24 +174,25 @@ class JointMover {
   void freeLegs(const std::string& reason);
   void sendVelocity(const WalkVelocity& velocity);
   bool walks() const;
-  void send(const std::vector<joints::JointStep>& steps);
-  void holdRobot(const std::vector<int>& joints, const joints::JointOrders& orders, bool motions_too);
-  void endMotions(joints::MovementEnd how, const std::string& reason);
-  void endMotion(const std::shared_ptr<joints::MovementFate>& fate, joints::MovementEnd how, const std::string& reason);
+  void send(const std::vector<movement::JointStep>& steps);
+  void holdRobot(const std::vector<int>& joints, const movement::JointOrders& orders, bool motions_too);
+  void endMotions(movement::MovementEnd how, const std::string& reason);
+  void endMotion(const std::shared_ptr<movement::MovementFate>& fate, movement::MovementEnd how,
+                 const std::string& reason);
   void noteEnds();
-  void logEnd(const joints::EndedMovement& ended);
+  void logEnd(const movement::EndedMovement& ended);
   void changed() const;
   void begun() const;
 
-  const joints::JointTable& table_;
+  const movement::JointTable& table_;
   RcServerClient& client_;
   const std::function<bool()> telemetry_wanted_;
   Listener listener_;
 
   mutable std::mutex mutex_;  ///< of everything below; never held while waiting for the robot
-  joints::JointLink link_;
-  joints::JointCommandFilter filter_;
-  joints::JointPlan plan_;
+  movement::JointLink link_;
+  movement::JointCommandFilter filter_;
+  movement::JointPlan plan_;
   ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   mutable std::condition_variable ended_;  ///< one of the motions
   std::vector<Motion> motions_;
@@ -200,7 +201,7 @@ class JointMover {
   std::uint64_t walk_connection_ = 0;
   std::string walker_;            ///< who asked for it
   std::string walk_stop_reason_;  ///< why it was stopped here, if nobody asked for that
-  std::optional<joints::EndedMovement> last_;
+  std::optional<movement::EndedMovement> last_;
   std::uint64_t connection_ = 0;  ///< over which everything that moves was begun
   std::uint32_t stops_ = 0;
   int blocks_ = 0;

@@ -9,22 +9,22 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
+using movement::MovementEnd;
 
 // The end of a trajectory is computed anew each time, from two clocks.
 constexpr double kSameEnd = 0.05;  // s
 
-std::uint8_t kindConstant(joints::Movement::Kind kind) {
+std::uint8_t kindConstant(movement::Movement::Kind kind) {
   switch (kind) {
-    case joints::Movement::Kind::kCommand:
+    case movement::Movement::Kind::kCommand:
       return Movement::COMMAND;
-    case joints::Movement::Kind::kTrajectory:
+    case movement::Movement::Kind::kTrajectory:
       return Movement::TRAJECTORY;
-    case joints::Movement::Kind::kWalk:
+    case movement::Movement::Kind::kWalk:
       return Movement::WALK;
-    case joints::Movement::Kind::kPosture:
+    case movement::Movement::Kind::kPosture:
       return Movement::POSTURE;
-    case joints::Movement::Kind::kMotion:
+    case movement::Movement::Kind::kMotion:
       break;
   }
   return Movement::MOTION;
@@ -68,7 +68,7 @@ std::string describe(const MotionState& state) {
          (state.last_reason.empty() ? ", done" : ": " + state.last_reason);
 }
 
-Movement toMessage(const joints::Movement& movement, JointMover::SteadyTime steady_now, const ros::Time& now) {
+Movement toMessage(const movement::Movement& movement, JointMover::SteadyTime steady_now, const ros::Time& now) {
   Movement message;
   message.kind = kindConstant(movement.kind);
   message.name = movement.name;
@@ -121,7 +121,7 @@ std::uint8_t endConstant(MovementEnd how) {
 MotionState toMessage(const JointMover::State& state, JointMover::SteadyTime steady_now, const ros::Time& now) {
   MotionState message;
   message.header.stamp = now;
-  for (const joints::Movement& movement : state.movements) {
+  for (const movement::Movement& movement : state.movements) {
     message.movements.push_back(toMessage(movement, steady_now, now));
   }
   if (state.last) {

@@ -13,7 +13,7 @@
 namespace aibo_driver::node {
 
 /// The constant of MotionState.
-std::uint8_t endConstant(joints::MovementEnd how);
+std::uint8_t endConstant(movement::MovementEnd how);
 
 /// As a message.
 /// @param steady_now, now the same time by two clocks; the second one is that of the stamps

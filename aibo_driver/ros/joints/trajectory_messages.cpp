@@ -30,8 +30,8 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
   return std::chrono::nanoseconds(std::llround(wait * 1e9));
 }
 
-joints::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
-  joints::TrajectoryRequest request;
+movement::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
+  movement::TrajectoryRequest request;
   request.joints = message.joint_names;
   for (const trajectory_msgs::JointTrajectoryPoint& point : message.points) {
     request.points.push_back({point.time_from_start.toSec(), point.positions, point.velocities});

@@ -38,12 +38,12 @@ bool PostureServices::take(Posture posture, std_srvs::Trigger::Response& respons
   const Words words = wordsFor(posture);
   return answer(response, words.failure, [&] {
     const JointMover::Fate fate = mover_.takePosture(posture, kBeginTimeout);
-    const joints::MovementFate end = mover_.waitForEnd(fate, kEndTimeout);
+    const movement::MovementFate end = mover_.waitForEnd(fate, kEndTimeout);
     if (!end.end) {
       throw TimeoutException("it began, but has not said within " + std::to_string(kEndTimeout.count() / 1000) +
                              " s that it has finished. motion_state says what it does.");
     }
-    if (end.end != joints::MovementEnd::kDone) {
+    if (end.end != movement::MovementEnd::kDone) {
       throw CommandException(end.reason + ".");
     }
     return words.success;

@@ -42,8 +42,8 @@ class JointCommanderTest : public ::testing::Test {
   JointCommanderTest() { ros::Time::init(); }
 
   test_support::FakeClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
   JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
   JointCommander commander_{table_, mover_};
 };

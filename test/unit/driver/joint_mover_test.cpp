@@ -14,8 +14,8 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::Movement;
-using joints::MovementEnd;
+using movement::Movement;
+using movement::MovementEnd;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
@@ -81,8 +81,8 @@ class JointMoverTest : public ::testing::Test {
   MovementEnd lastEnd() { return mover_.state().last ? mover_.state().last->how : MovementEnd::kUnknown; }
 
   PlayingClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
   bool telemetry_ = true;
   JointMover mover_{table_, measured_, client_, DriverParameters(), [this] { return telemetry_; }};
 };

@@ -5,11 +5,11 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
+using movement::MovementEnd;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using Kind = joints::Movement::Kind;
+using Kind = movement::Movement::Kind;
 
 const ros::Time kNow(1800000000, 0);
 const JointMover::SteadyTime kSteadyNow{std::chrono::seconds(50)};
@@ -47,13 +47,13 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
 TEST(MotionStateMessage, SaysHowTheLastMovementEnded) {
   JointMover::State state;
   state.last =
-      joints::EndedMovement{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kReplaced, "mouth was commanded"};
+      movement::EndedMovement{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kReplaced, "mouth was commanded"};
   MotionState message = messageOf(state);
   EXPECT_EQ(message.last.name, "NOD.MTN");
   EXPECT_EQ(message.last_end, MotionState::REPLACED);
   EXPECT_EQ(message.last_reason, "mouth was commanded");
   EXPECT_EQ(message.text, "nothing moves the robot; last ended: motion NOD.MTN: mouth was commanded");
-  state.last = joints::EndedMovement{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kDone, ""};
+  state.last = movement::EndedMovement{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kDone, ""};
   EXPECT_EQ(messageOf(state).text, "nothing moves the robot; last ended: motion NOD.MTN, done");
 }
 

@@ -54,8 +54,8 @@ class RobotServicesTest : public ::testing::Test {
   const std::string& lastTold() const { return client_.told.back(); }
 
   test_support::FakeClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
   JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
   RobotServices services_{client_, mover_};
 };

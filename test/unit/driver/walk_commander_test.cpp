@@ -15,14 +15,14 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
+using movement::MovementEnd;
 using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
-using Kind = joints::Movement::Kind;
+using Kind = movement::Movement::Kind;
 
 // A robot that carries out postures when the test says so.
 class PostureClient : public test_support::FakeClient {
@@ -77,7 +77,7 @@ class WalkCommanderTest : public ::testing::Test {
 
   std::vector<Kind> kindsMoving() {
     std::vector<Kind> kinds;
-    for (const joints::Movement& movement : mover_.state().movements) {
+    for (const movement::Movement& movement : mover_.state().movements) {
       kinds.push_back(movement.kind);
     }
     return kinds;
@@ -94,8 +94,8 @@ class WalkCommanderTest : public ::testing::Test {
   }
 
   PostureClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
   WalkSettings settings_;
   JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
   WalkCommander commander_{settings_, client_, mover_};

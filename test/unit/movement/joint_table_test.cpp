@@ -1,10 +1,10 @@
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 
 #include <gmock/gmock.h>
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 TEST(JointTable, ListsTheServosOfTheErs7InRadians) {
@@ -51,4 +51,4 @@ TEST(JointTable, HasOtherRobotsByTheirDesign) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

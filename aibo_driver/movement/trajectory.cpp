@@ -1,4 +1,4 @@
-#include "joints/trajectory.h"
+#include "movement/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using Point = TrajectoryRequest::Point;
@@ -314,4 +314,4 @@ TrajectoryClock::SteadyTime::duration TrajectoryClock::excess(SteadyTime now) co
   return gap > kLongestGap ? gap - period_ : SteadyTime::duration(0);
 }
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

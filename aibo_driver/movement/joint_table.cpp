@@ -1,4 +1,4 @@
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 double radian(int microradian) {
@@ -86,4 +86,4 @@ std::optional<std::size_t> JointTable::findById(int id) const {
   return findIndex(joints_, [id](const JointProperties& joint) { return joint.id == id; });
 }
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

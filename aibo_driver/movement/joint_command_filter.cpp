@@ -1,9 +1,9 @@
-#include "joints/joint_command_filter.h"
+#include "movement/joint_command_filter.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 // Added to the time of an approach: the command has to reach the robot, and the joint speeds up and brakes.
@@ -109,4 +109,4 @@ bool JointCommandFilter::isNear(std::size_t index, double target) const {
   return measured && std::abs(target - measured->position) < kNear;
 }
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

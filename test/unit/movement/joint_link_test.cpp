@@ -1,4 +1,4 @@
-#include "joints/joint_link.h"
+#include "movement/joint_link.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "aibo_driver/exceptions.h"
 #include "support/fake_client.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::milliseconds;
@@ -82,4 +82,4 @@ TEST_F(JointLinkTest, ThrowsIfTheRobotCannotBeReached) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

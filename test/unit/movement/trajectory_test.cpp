@@ -1,4 +1,4 @@
-#include "joints/trajectory.h"
+#include "movement/trajectory.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using ::testing::AllOf;
@@ -164,4 +164,4 @@ TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

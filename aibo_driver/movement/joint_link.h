@@ -1,6 +1,6 @@
 /// @file joint_link.h
-#ifndef AIBO_DRIVER_JOINTS_JOINT_LINK_H
-#define AIBO_DRIVER_JOINTS_JOINT_LINK_H
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_LINK_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_LINK_H
 
 #include <chrono>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "aibo_driver/joints.h"
 #include "aibo_driver/rcserver_client.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 /// To be called before a command is sent: the numbers in it mean other joints and LEDs to a robot of another design.
 /// A version 1 server does not say which design its robot is, so everything passes. From any thread.
@@ -46,8 +46,8 @@ class JointLink {
   void send(const JointOrders& orders, std::chrono::milliseconds duration);
 
   /// For what is prepared now and sent later.
-  /// @throw as joints::requireDesign()
-  void requireDesign() const { joints::requireDesign(client_, design_); }
+  /// @throw as movement::requireDesign()
+  void requireDesign() const { movement::requireDesign(client_, design_); }
 
   /// Limits how fast joints may move, whoever moves them. Limits that the robot already has are not sent again.
   /// @param limits each joint once
@@ -65,6 +65,6 @@ class JointLink {
   std::map<int, double> speeds_;  ///< rad/s, in force over that connection, by id
 };
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
 
-#endif  // AIBO_DRIVER_JOINTS_JOINT_LINK_H
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_LINK_H

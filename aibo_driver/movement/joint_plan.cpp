@@ -1,4 +1,4 @@
-#include "joints/joint_plan.h"
+#include "movement/joint_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::milliseconds;
@@ -469,4 +469,4 @@ Movement JointPlan::describeCommands(SteadyTime now) const {
   return movement;
 }
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

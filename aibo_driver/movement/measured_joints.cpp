@@ -1,6 +1,6 @@
-#include "joints/measured_joints.h"
+#include "movement/measured_joints.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 MeasuredJoints::MeasuredJoints(const JointTable& table) : table_(table), entries_(table.size()) {}
 
@@ -34,4 +34,4 @@ std::optional<MeasuredJoint> MeasuredJoints::find(std::size_t index) const {
   return entries_[index] ? std::optional<MeasuredJoint>(entries_[index]->joint) : std::nullopt;
 }
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

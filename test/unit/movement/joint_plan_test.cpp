@@ -1,4 +1,4 @@
-#include "joints/joint_plan.h"
+#include "movement/joint_plan.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::duration;
@@ -296,4 +296,4 @@ TEST_F(JointPlanTest, ResumesAfterAHoldUp) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

@@ -1,6 +1,6 @@
 /// @file joint_command_filter.h
-#ifndef AIBO_DRIVER_JOINTS_JOINT_COMMAND_FILTER_H
-#define AIBO_DRIVER_JOINTS_JOINT_COMMAND_FILTER_H
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_COMMAND_FILTER_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_COMMAND_FILTER_H
 
 #include <chrono>
 #include <cstddef>
@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "joints/joint_link.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_link.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 /// The approach speed unless the user sets another one, in rad/s.
 constexpr double kUsualApproachSpeed = 0.5;
@@ -67,6 +67,6 @@ class JointCommandFilter {
   std::vector<std::optional<Approach>> approaches_;  ///< by index
 };
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
 
-#endif  // AIBO_DRIVER_JOINTS_JOINT_COMMAND_FILTER_H
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_COMMAND_FILTER_H

@@ -1,6 +1,6 @@
 /// @file measured_joints.h
-#ifndef AIBO_DRIVER_JOINTS_MEASURED_JOINTS_H
-#define AIBO_DRIVER_JOINTS_MEASURED_JOINTS_H
+#ifndef AIBO_DRIVER_MOVEMENT_MEASURED_JOINTS_H
+#define AIBO_DRIVER_MOVEMENT_MEASURED_JOINTS_H
 
 #include <chrono>
 #include <cstddef>
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "aibo_driver/telemetry.h"
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 /// Where a joint was last measured.
 struct MeasuredJoint {
@@ -51,6 +51,6 @@ class MeasuredJoints {
   std::vector<std::optional<Entry>> entries_;  ///< by index
 };
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
 
-#endif  // AIBO_DRIVER_JOINTS_MEASURED_JOINTS_H
+#endif  // AIBO_DRIVER_MOVEMENT_MEASURED_JOINTS_H

@@ -1,8 +1,8 @@
-#include "joints/trajectory.h"
+#include "movement/trajectory.h"
 
 #include <gtest/gtest.h>
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::milliseconds;
@@ -36,4 +36,4 @@ TEST_F(TrajectoryClockTest, BeginsLaterIfItIsNotAttendedThen) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

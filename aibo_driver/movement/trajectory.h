@@ -1,15 +1,15 @@
 /// @file trajectory.h
-#ifndef AIBO_DRIVER_JOINTS_TRAJECTORY_H
-#define AIBO_DRIVER_JOINTS_TRAJECTORY_H
+#ifndef AIBO_DRIVER_MOVEMENT_TRAJECTORY_H
+#define AIBO_DRIVER_MOVEMENT_TRAJECTORY_H
 
 #include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 /// What a user asks for, unchecked, as in trajectory_msgs/JointTrajectory.
 struct TrajectoryRequest {
@@ -130,6 +130,6 @@ class TrajectoryClock {
   std::chrono::milliseconds period_;
 };
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
 
-#endif  // AIBO_DRIVER_JOINTS_TRAJECTORY_H
+#endif  // AIBO_DRIVER_MOVEMENT_TRAJECTORY_H

@@ -1,8 +1,8 @@
-#include "joints/joint_link.h"
+#include "movement/joint_link.h"
 
 #include "aibo_driver/exceptions.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 void requireDesign(const RcServerClient& client, const std::string& design) {
   const std::string said = client.status().robot.design;
@@ -49,4 +49,4 @@ void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {
   }
 }
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

@@ -1,10 +1,10 @@
-#include "joints/measured_joints.h"
+#include "movement/measured_joints.h"
 
 #include <gmock/gmock.h>
 
 #include <thread>
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::milliseconds;
@@ -89,4 +89,4 @@ TEST_F(MeasuredJointsTest, LeaveOutJointsThatAreNotInTheTable) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement

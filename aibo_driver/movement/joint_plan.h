@@ -1,6 +1,6 @@
 /// @file joint_plan.h
-#ifndef AIBO_DRIVER_JOINTS_JOINT_PLAN_H
-#define AIBO_DRIVER_JOINTS_JOINT_PLAN_H
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_PLAN_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_PLAN_H
 
 #include <chrono>
 #include <cstddef>
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "joints/joint_link.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
-#include "joints/trajectory.h"
+#include "movement/joint_link.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "movement/trajectory.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 /// How a movement has ended.
 enum class MovementEnd {
@@ -200,6 +200,6 @@ class JointPlan {
   std::vector<EndedMovement> ended_;
 };
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
 
-#endif  // AIBO_DRIVER_JOINTS_JOINT_PLAN_H
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_PLAN_H

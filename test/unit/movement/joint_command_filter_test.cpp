@@ -1,4 +1,4 @@
-#include "joints/joint_command_filter.h"
+#include "movement/joint_command_filter.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::milliseconds;
@@ -217,4 +217,4 @@ TEST_F(JointCommandFilterTest, ApproachesAtTheVelocityGivenIfThatIsLower) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
