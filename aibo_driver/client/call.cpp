@@ -159,6 +159,23 @@ bool Call::takesOverJoints() const {
          (letter == version2::REQUEST_PLAY && number > 0);
 }
 
+bool Call::endsWalk() const {
+  if (letter == version2::REQUEST_HOLD) {
+    return joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg);
+  }
+  return letter == version2::REQUEST_POSTURE || stopsRobot();
+}
+
+void Call::dropFrom(CommandOutbox* commands) const {
+  const std::string reason = "the robot was told to " + describe(*this) + " before it was sent";
+  if (stopsRobot() || takesOverJoints()) {
+    commands->stopJoints(joints, reason);
+  }
+  if (endsWalk()) {
+    commands->stopWalk(reason);
+  }
+}
+
 std::string describe(const Call& call) {
   switch (call.letter) {
     case version2::REQUEST_PICTURE:
@@ -261,7 +278,7 @@ Call* PendingCalls::nextStop() {
 
 Call* PendingCalls::nextForRobot() {
   const bool is_at_work = std::any_of(calls_.begin(), calls_.end(), [](const Call& call) {
-    return call.request_number != 0 && call.needsMemoryStick();
+    return call.request_number != 0 && !call.is_late && call.needsMemoryStick();
   });
   return nextUnsent(
       [is_at_work](const Call& call) { return !call.isForPicture() && !(is_at_work && call.needsMemoryStick()); });
@@ -278,16 +295,23 @@ template <typename Condition, typename MakeAnswer>
 void PendingCalls::endIf(const Condition& condition, const MakeAnswer& make_answer) {
   calls_.remove_if([&](Call& call) {
     const bool ends = condition(call);
-    if (ends) {
-      call.promise.set_value(make_answer(call));
+    if (ends && !call.is_late) {
+      Answer answer = make_answer(call);
+      answer.was_sent = call.request_number != 0;
+      call.promise.set_value(std::move(answer));
     }
     return ends;
   });
 }
 
-void PendingCalls::answer(int request_number, Answer answer) {
+std::optional<LateAnswer> PendingCalls::answer(int request_number, Answer answer) {
+  std::optional<LateAnswer> late;
+  if (const Call* const call = find(request_number); call != nullptr && call->is_late) {
+    late = {call->order, answer.outcome == CallOutcome::kDone, answer.problem, answer.changes};
+  }
   endIf([request_number](const Call& call) { return call.request_number == request_number; },
         [&answer](const Call&) { return std::move(answer); });
+  return late;
 }
 
 void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
@@ -307,19 +331,53 @@ void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
 PendingCalls::TimePoint PendingCalls::nextDeadline() const {
   TimePoint earliest = TimePoint::max();
   for (const Call& call : calls_) {
-    earliest = std::min(earliest, call.deadline);
+    earliest = call.is_late ? earliest : std::min(earliest, call.deadline);
   }
   return earliest;
 }
 
 void PendingCalls::expire(TimePoint now, const std::string& remark) {
-  endIf([now](const Call& call) { return call.deadline <= now; },
-        [&remark](const Call& call) {
-          const std::string missing = call.isForPicture() ? "picture" : "answer";
-          return makeFailure(CallOutcome::kTimeout, "no " + missing + " within " +
-                                                        std::to_string(call.timeout.count()) + " ms" +
-                                                        (call.isForPicture() ? remark : "."));
+  const auto is_over = [now](const Call& call) { return call.deadline <= now && !call.is_late; };
+  const auto make_answer = [&remark](const Call& call) {
+    const std::string time = " within " + std::to_string(call.timeout.count()) + " ms";
+    if (call.isForPicture()) {
+      return makeFailure(CallOutcome::kTimeout, "no picture" + time + remark);
+    }
+    return makeFailure(CallOutcome::kTimeout,
+                       call.request_number != 0
+                           ? "no answer" + time + ". The robot may or may not " + describe(call) + "."
+                           : "the request could not be sent" + time + ".");
+  };
+  for (Call& call : calls_) {
+    if (is_over(call) && call.request_number != 0 && call.order != 0) {
+      Answer answer = make_answer(call);
+      answer.was_sent = true;
+      call.promise.set_value(std::move(answer));
+      call.is_late = true;
+    }
+  }
+  endIf(is_over, make_answer);
+  const auto is_late = [](const Call& call) { return call.is_late; };
+  if (std::count_if(calls_.begin(), calls_.end(), is_late) > kMostLate) {
+    calls_.erase(std::find_if(calls_.begin(), calls_.end(), is_late));
+  }
+}
+
+void PendingCalls::dropTooOld(TimePoint now, const std::string& address) {
+  endIf([now](const Call& call) { return call.request_number == 0 && call.not_after <= now; },
+        [&address](const Call& call) {
+          return makeFailure(
+              CallOutcome::kRefused,
+              "The order to " + describe(call) + " is too old: it could not be sent to " + address + " in time.");
         });
+}
+
+PendingCalls::TimePoint PendingCalls::nextTooOld() const {
+  TimePoint earliest = TimePoint::max();
+  for (const Call& call : calls_) {
+    earliest = call.request_number == 0 ? std::min(earliest, call.not_after) : earliest;
+  }
+  return earliest;
 }
 
 void PendingCalls::failCancelledBy(const Call& stop, const std::string& address) {

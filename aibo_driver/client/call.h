@@ -18,7 +18,9 @@
 #include <vector>
 
 #include "aibo_driver/exceptions.h"
+#include "aibo_driver/orders.h"
 #include "aibo_driver/picture.h"
+#include "client/command_outbox.h"
 
 namespace aibo_driver {
 
@@ -29,6 +31,7 @@ enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
 struct Answer {
   CallOutcome outcome = CallOutcome::kDone;
   std::string problem;                 ///< empty if done
+  bool was_sent = false;               ///< the request had been sent when the call ended
   FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call failed
 
   PicturePtr picture;              ///< answers `F`
@@ -55,10 +58,13 @@ struct Call {
   Bytes content;                         ///< of the motion to upload
   std::vector<int> joints;               ///< `I`: identifiers; none = everything that moves
 
-  std::chrono::milliseconds timeout{0};  ///< what the caller allowed, for messages
-  TimePoint deadline;                    ///< when the caller stops waiting
-  TimePoint since;                       ///< a picture of the stream answers only if it began later
-  int request_number = 0;                ///< of the request once it was sent; 0 = not sent
+  std::chrono::milliseconds timeout{0};    ///< what the caller allowed, for messages
+  TimePoint deadline;                      ///< when the caller stops waiting
+  TimePoint not_after = TimePoint::max();  ///< when it becomes too old to be sent
+  std::uint64_t order = 0;                 ///< OrderTerms::number
+  bool is_late = false;                    ///< the caller has stopped waiting, and is told of the answer
+  TimePoint since;                         ///< a picture of the stream answers only if it began later
+  int request_number = 0;                  ///< of the request once it was sent; 0 = not sent
   std::promise<Answer> promise;
 
   bool isForPicture() const;
@@ -81,6 +87,12 @@ struct Call {
   /// True if from then on it decides the positions of joints, as a motion, a posture and the motors' switch do.
   /// Commands that the joints were given before it are dropped.
   bool takesOverJoints() const;
+
+  /// True if a walk that was asked for before it must not begin any more.
+  bool endsWalk() const;
+
+  /// Drops the commands that came before it and must not be sent any more.
+  void dropFrom(CommandOutbox* commands) const;
 };
 
 /// What is asked for, in words that follow "refused to ".
@@ -125,7 +137,8 @@ class PendingCalls {
   const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
 
   /// Ends the call whose request was sent with this number, if there is one.
-  void answer(int request_number, Answer answer);
+  /// @return the answer for a caller who has stopped waiting for it; none if there is no such caller
+  std::optional<LateAnswer> answer(int request_number, Answer answer);
 
   /// Answers the unsent calls for a picture that were made before this picture of the stream began.
   void answerFromStream(const PicturePtr& picture, int quality);
@@ -133,9 +146,17 @@ class PendingCalls {
   /// The deadline that passes first; TimePoint::max() if nobody waits.
   TimePoint nextDeadline() const;
 
-  /// Ends the calls whose deadline has passed.
+  /// Ends the calls whose deadline has passed. Those that have been sent, and whose caller has given them a number, are
+  /// kept for a late answer.
   /// @param remark added to the problem of those for a picture
   void expire(TimePoint now, const std::string& remark);
+
+  /// Ends the unsent calls that are too old.
+  /// @param address of the robot, for the message
+  void dropTooOld(TimePoint now, const std::string& address);
+
+  /// When dropTooOld() has something to end next; TimePoint::max() if nothing waits.
+  TimePoint nextTooOld() const;
 
   /// Ends the calls that a stop cancels.
   /// @param address of the robot, for the message
@@ -161,6 +182,9 @@ class PendingCalls {
   /// Ends the calls that the condition holds for.
   template <typename Condition, typename MakeAnswer>
   void endIf(const Condition& condition, const MakeAnswer& make_answer);
+
+  /// So many late calls are kept; a robot answers them sooner or later.
+  static constexpr long kMostLate = 64;
 
   std::list<Call> calls_;
   TimePoint transfer_end_;

@@ -1,11 +1,16 @@
 #include "client/command_outbox.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
+#include "robot_model/legs.h"
+
 namespace aibo_driver {
 namespace {
+
+using TimePoint = JointCommands::TimePoint;
 
 bool names(const std::vector<JointTarget>& targets, int id) {
   return std::any_of(targets.begin(), targets.end(), [id](const JointTarget& target) { return target.id == id; });
@@ -16,51 +21,67 @@ bool shareAJoint(const JointCommand& a, const JointCommand& b) {
                      [&b](const JointTarget& target) { return names(b.targets, target.id); });
 }
 
-/// @return false if there was nothing to remove
+/// Takes targets from a command.
+/// @return the command with those that were taken
 template <typename Condition>
-bool removeCommands(std::deque<JointCommand>* commands, const Condition& condition) {
-  const auto end = std::remove_if(commands->begin(), commands->end(), condition);
-  const bool found = end != commands->end();
-  commands->erase(end, commands->end());
-  return found;
-}
-
-/// Removes targets from the commands, and the commands that have none left.
-template <typename Condition>
-void removeTargets(std::deque<JointCommand>* commands, const Condition& condition) {
-  for (JointCommand& command : *commands) {
-    command.targets.erase(std::remove_if(command.targets.begin(), command.targets.end(), condition),
-                          command.targets.end());
-  }
-  const auto is_empty = [](const JointCommand& command) { return command.targets.empty(); };
-  removeCommands(commands, is_empty);
+JointCommand takeTargets(JointCommand* command, const Condition& condition) {
+  JointCommand taken = {command->duration, {}, command->terms};
+  const auto end = std::stable_partition(command->targets.begin(), command->targets.end(),
+                                         [&condition](const JointTarget& target) { return !condition(target.id); });
+  taken.targets.assign(end, command->targets.end());
+  command->targets.erase(end, command->targets.end());
+  return taken;
 }
 
 }  // namespace
+
+bool isOfLeg(int joint) {
+  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+    for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+      if (robot_model::legJointIdentifier(static_cast<robot_model::Leg>(leg), number) == joint) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 
 void JointCommands::add(JointCommand command) {
   const auto place = std::find_if(commands_.begin(), commands_.end(),
                                   [&command](const JointCommand& older) { return shareAJoint(older, command); });
   const auto before = place - commands_.begin();  // no older command before this place names any of the joints
-  removeTargets(&commands_, [&command](const JointTarget& target) { return names(command.targets, target.id); });
+  takeJoints([&command](int id) { return names(command.targets, id); });
   commands_.insert(commands_.begin() + before, std::move(command));
 }
 
-void JointCommands::append(JointCommands newer, TimePoint now) {
-  for (JointCommand& command : newer.commands_) {
-    command.since = now;
-    add(std::move(command));
+std::vector<JointCommand> JointCommands::takeTooOld(TimePoint now) {
+  const auto end = std::stable_partition(commands_.begin(), commands_.end(),
+                                         [now](const JointCommand& command) { return command.terms.not_after > now; });
+  std::vector<JointCommand> taken(std::make_move_iterator(end), std::make_move_iterator(commands_.end()));
+  commands_.erase(end, commands_.end());
+  return taken;
+}
+
+TimePoint JointCommands::nextTooOld() const {
+  TimePoint next = TimePoint::max();
+  for (const JointCommand& command : commands_) {
+    next = std::min(next, command.terms.not_after);
   }
+  return next;
 }
 
-bool JointCommands::dropOlderThan(TimePoint time) {
-  return removeCommands(&commands_, [time](const JointCommand& command) { return command.since < time; });
-}
-
-void JointCommands::drop(const std::vector<int>& ids) {
-  removeTargets(&commands_, [&ids](const JointTarget& target) {
-    return ids.empty() || std::find(ids.begin(), ids.end(), target.id) != ids.end();
-  });
+std::vector<JointCommand> JointCommands::takeJoints(const std::function<bool(int id)>& condition) {
+  std::vector<JointCommand> taken;
+  for (JointCommand& command : commands_) {
+    JointCommand part = takeTargets(&command, condition);
+    if (!part.targets.empty()) {
+      taken.push_back(std::move(part));
+    }
+  }
+  commands_.erase(std::remove_if(commands_.begin(), commands_.end(),
+                                 [](const JointCommand& command) { return command.targets.empty(); }),
+                  commands_.end());
+  return taken;
 }
 
 JointCommand JointCommands::takeCommand() {
@@ -69,27 +90,81 @@ JointCommand JointCommands::takeCommand() {
   return command;
 }
 
-JointTarget JointCommands::takeTargetAfter(int id) {
-  std::map<int, JointTarget> targets;
-  for (const JointCommand& command : commands_) {
+JointCommand JointCommands::takeTargetAfter(int id, TimePoint now) {
+  std::map<int, JointCommand*> commanded;
+  for (JointCommand& command : commands_) {
     for (const JointTarget& target : command.targets) {
-      targets[target.id] = target;
+      commanded[target.id] = &command;
     }
   }
-  const auto next = targets.upper_bound(id);
-  const JointTarget taken = next == targets.end() ? targets.begin()->second : next->second;
-  removeTargets(&commands_, [&taken](const JointTarget& target) { return target.id == taken.id; });
-  return taken;
+  const auto next = commanded.upper_bound(id);
+  const auto& [joint, command] = next == commanded.end() ? *commanded.begin() : *next;
+  command->terms.not_after = now + kLongestOrderWait;
+  return takeJoints([joint = joint](int each) { return each == joint; }).front();
 }
 
-void CommandOutbox::append(CommandOutbox newer, JointCommands::TimePoint now) {
+void CommandOutbox::append(CommandOutbox newer) {
   speed_limits.add(newer.speed_limits.items());
-  joints.append(std::move(newer.joints), now);
+  dropped.insert(dropped.end(), newer.dropped.begin(), newer.dropped.end());
+  while (!newer.joints.empty()) {
+    command(newer.joints.takeCommand());
+  }
   if (newer.steering) {
-    steering = SteeringCommand{newer.steering->velocity, now};
+    steer(*newer.steering);
   }
   leds.add(newer.leds.items());
   ears.add(newer.ears.items());
+}
+
+void CommandOutbox::command(JointCommand newer) {
+  const bool takes_legs = std::any_of(newer.targets.begin(), newer.targets.end(),
+                                      [](const JointTarget& target) { return isOfLeg(target.id); });
+  if (takes_legs) {
+    dropSteering(RefusalCause::kReplaced, "the legs were commanded before it was sent");
+  }
+  joints.add(std::move(newer));
+}
+
+void CommandOutbox::steer(const SteeringCommand& newer) {
+  if (!newer.velocity.isZero()) {
+    drop(joints.takeJoints(isOfLeg), RefusalCause::kReplaced, "the robot was told to walk before it was sent");
+  }
+  steering = newer;
+}
+
+void CommandOutbox::stopJoints(const std::vector<int>& ids, const std::string& reason) {
+  const auto is_meant = [&ids](int id) { return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  drop(joints.takeJoints(is_meant), RefusalCause::kStopped, reason);
+}
+
+void CommandOutbox::dropTooOld(TimePoint now, const std::string& address) {
+  const std::string reason = "too old: it could not be sent to " + address + " in time";
+  drop(joints.takeTooOld(now), RefusalCause::kTooOld, reason);
+  if (steering && steering->terms.not_after <= now) {
+    dropSteering(RefusalCause::kTooOld, reason);
+  }
+}
+
+TimePoint CommandOutbox::nextTooOld() const {
+  return std::min(joints.nextTooOld(), steering ? steering->terms.not_after : TimePoint::max());
+}
+
+void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause cause, const std::string& reason) {
+  for (const JointCommand& command : commands) {
+    Refusal refusal = {RefusedRequest::kJoints, cause, {}, reason, command.terms.number};
+    for (const JointTarget& target : command.targets) {
+      refusal.ids.push_back(target.id);
+    }
+    dropped.push_back(std::move(refusal));
+  }
+}
+
+// A velocity of 0 is no loss: whatever takes the legs ends the walk, too.
+void CommandOutbox::dropSteering(RefusalCause cause, const std::string& reason) {
+  const std::optional<SteeringCommand> gone = std::exchange(steering, std::nullopt);
+  if (gone && !gone->velocity.isZero()) {
+    dropped.push_back({RefusedRequest::kWalk, cause, {}, reason, gone->terms.number});
+  }
 }
 
 }  // namespace aibo_driver

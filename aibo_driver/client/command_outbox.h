@@ -8,11 +8,14 @@
 #include <chrono>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "aibo_driver/joints.h"
 #include "aibo_driver/leds.h"
+#include "aibo_driver/orders.h"
 #include "aibo_driver/walk.h"
 
 namespace aibo_driver {
@@ -21,8 +24,11 @@ namespace aibo_driver {
 struct JointCommand {
   std::chrono::milliseconds duration{0};
   std::vector<JointTarget> targets;
-  std::chrono::steady_clock::time_point since{};  ///< when it began to wait, see JointCommands::append()
+  OrderTerms terms{};
 };
+
+/// True if this is a joint of a leg. A walk takes them all.
+bool isOfLeg(int joint);
 
 /// What an ear is to do.
 struct EarCommand {
@@ -74,25 +80,24 @@ class JointCommands {
 
   void add(JointCommand command);
 
-  /// Adds newer commands, which begin to wait now.
-  void append(JointCommands newer, TimePoint now);
+  /// Takes the commands whose time has passed.
+  std::vector<JointCommand> takeTooOld(TimePoint now);
 
-  /// Drops the commands that began to wait before this time.
-  /// @return false if there were none
-  bool dropOlderThan(TimePoint time);
+  /// When the next command's time passes; TimePoint::max() if there is none.
+  TimePoint nextTooOld() const;
 
-  /// Drops what these joints were commanded.
-  /// @param ids none = all joints
-  void drop(const std::vector<int>& ids);
+  /// Takes what the joints were commanded that the condition holds for.
+  std::vector<JointCommand> takeJoints(const std::function<bool(int id)>& condition);
 
   bool empty() const { return commands_.empty(); }
-  void clear() { commands_.clear(); }
 
   /// Takes the oldest command. There has to be one.
   JointCommand takeCommand();
 
-  /// Takes the target of one joint: the joint with the next higher id, or else with the lowest. There has to be one.
-  JointTarget takeTargetAfter(int id);
+  /// Takes a command with one of its targets: that of the joint with the next higher id, or else with the lowest. There
+  /// has to be one. What remains of the command may wait for kLongestOrderWait from now on, so that it is carried out
+  /// as a whole.
+  JointCommand takeTargetAfter(int id, TimePoint now);
 
  private:
   std::deque<JointCommand> commands_;  // none without targets
@@ -101,7 +106,7 @@ class JointCommands {
 /// The newest velocity to walk with.
 struct SteeringCommand {
   WalkVelocity velocity;
-  std::chrono::steady_clock::time_point since{};  ///< when it began to wait, see CommandOutbox::append()
+  OrderTerms terms{};
 };
 
 /// All commands that wait.
@@ -111,11 +116,37 @@ struct CommandOutbox {
   std::optional<SteeringCommand> steering;
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
+  std::vector<Refusal> dropped;  ///< that nobody has been told of yet
 
   bool empty() const { return speed_limits.empty() && joints.empty() && !steering && leds.empty() && ears.empty(); }
 
-  /// Adds newer commands, which begin to wait now.
-  void append(CommandOutbox newer, JointCommands::TimePoint now);
+  /// Adds newer commands.
+  void append(CommandOutbox newer);
+
+  /// Adds a command to joints. If it moves a leg, a walk that waits is dropped.
+  void command(JointCommand newer);
+
+  /// Adds a velocity. Unless it is 0, commands to the legs that wait are dropped.
+  void steer(const SteeringCommand& newer);
+
+  /// Drops what these joints were commanded.
+  /// @param ids none = all joints
+  /// @param reason in words, without a full stop
+  void stopJoints(const std::vector<int>& ids, const std::string& reason);
+
+  /// Drops the velocity to walk with.
+  void stopWalk(const std::string& reason) { dropSteering(RefusalCause::kStopped, reason); }
+
+  /// Drops what has waited for too long.
+  /// @param address of the robot, for the reason
+  void dropTooOld(JointCommands::TimePoint now, const std::string& address);
+
+  /// When dropTooOld() has something to drop next; TimePoint::max() if nothing waits.
+  JointCommands::TimePoint nextTooOld() const;
+
+ private:
+  void drop(const std::vector<JointCommand>& commands, RefusalCause cause, const std::string& reason);
+  void dropSteering(RefusalCause cause, const std::string& reason);
 };
 
 }  // namespace aibo_driver

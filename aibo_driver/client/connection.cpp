@@ -1,6 +1,6 @@
 #include "client/connection.h"
 
-#include <algorithm>
+#include <string>
 #include <utility>
 
 namespace aibo_driver {
@@ -8,9 +8,6 @@ namespace {
 
 // However short the time allowed for pictures is, an answer may have to wait behind one.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
-
-// Commands to the joints are meant for now. By then the user has seen that nothing moves.
-constexpr std::chrono::milliseconds kLongestJointWait{500};
 
 }  // namespace
 
@@ -21,35 +18,46 @@ void RefusalLog::refused(char letter, const std::string& problem) {
   }
 }
 
-void Connection::dropStaleJointCommands(TimePoint now) {
-  const TimePoint stale = now - kLongestJointWait;
-  if (std::exchange(last_joint_turn_, now) < stale && commands.joints.dropOlderThan(stale)) {
-    context.notifier.log(LogLevel::kWarn, "Joint commands that had to wait for " + context.address + " for more than " +
-                                              std::to_string(kLongestJointWait.count()) + " ms are dropped.");
+void RefusalLog::refused(char letter, const std::string& problem, const Refusal& refusal) {
+  if (context_.notifier.refused(refusal)) {
+    ++context_.counters.refusals;
+  } else {
+    refused(letter, problem + ": " + refusal.reason);
   }
 }
 
-void Connection::dropStaleSteering(TimePoint now) {
-  if (commands.steering && commands.steering->since < now - kLongestJointWait) {
-    commands.steering.reset();
-    context.notifier.log(LogLevel::kWarn, "A velocity to walk with that had to wait for " + context.address +
-                                              " for more than " + std::to_string(kLongestJointWait.count()) +
-                                              " ms is dropped.");
+void Connection::dropTooOld(TimePoint now) {
+  commands.dropTooOld(now, context.address);
+  calls.dropTooOld(now, context.address);
+  reportDropped();
+}
+
+void Connection::reportDropped() {
+  for (const Refusal& refusal : std::exchange(commands.dropped, {})) {
+    if (!context.notifier.refused(refusal)) {
+      const char* const order =
+          refusal.request == RefusedRequest::kWalk ? "A velocity to walk with" : "A joint command";
+      context.notifier.log(LogLevel::kWarn, std::string(order) + " was dropped: " + refusal.reason + ".");
+    }
   }
 }
 
-void Connection::stopComes(const Call& call) {
-  if (call.stopsRobot()) {
-    commands.joints.drop(call.joints);
-    commands.steering.reset();
+void Connection::add(Call call) {
+  call.dropFrom(&commands);
+  reportDropped();
+  if (call.stopsRobot() || call.stopsMotions()) {
+    calls.failCancelledBy(call, context.address);
   }
-  calls.failCancelledBy(call, context.address);
+  calls.add(std::move(call));
+}
+
+void Connection::answer(int request_number, Answer answer) {
+  if (const std::optional<LateAnswer> late = calls.answer(request_number, std::move(answer))) {
+    context.notifier.lateAnswer(*late);
+  }
 }
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
-  if (call.takesOverJoints()) {
-    commands.joints.clear();
-  }
   calls.transferBegins(size + call.largestAnswer(), now);
 }
 
@@ -59,7 +67,7 @@ void Connection::refuse(const Call& call, const std::string& why, TimePoint now)
     calls.transferEnds(now);
   }
   const std::string problem = context.address + " refused to " + describe(call) + ": " + why + ".";
-  calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
+  answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
 }
 
 std::string Connection::lackOfRequest() const {

@@ -3,11 +3,13 @@
 #ifndef AIBO_DRIVER_CLIENT_CONNECTION_H
 #define AIBO_DRIVER_CLIENT_CONNECTION_H
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
 
+#include "aibo_driver/motors_and_posture.h"
 #include "aibo_driver/robot_info.h"
 #include "client/call.h"
 #include "client/color_intake.h"
@@ -19,7 +21,8 @@
 
 namespace aibo_driver {
 
-/// Counts requests that the robot refused although no call waits for them, and logs each refusal once.
+/// Tells of requests that the robot refused although no call waits for them: the client's user, or the log, once for
+/// each problem.
 class RefusalLog {
  public:
   explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
@@ -27,6 +30,10 @@ class RefusalLog {
   /// @param letter of the request
   /// @param problem what was refused and why, in words that follow "refused "
   void refused(char letter, const std::string& problem);
+
+  /// The same for an order, whose user can be told.
+  /// @param problem as above, without the reason, which follows
+  void refused(char letter, const std::string& problem, const Refusal& refusal);
 
   /// The robot accepted such a request: its next refusal is logged again.
   void accepted(char letter) { last_problems_.erase(letter); }
@@ -48,26 +55,30 @@ struct Connection {
         pictures(context, established),
         measurements(context),
         colors(context),
-        refusals(context),
-        last_joint_turn_(established) {}
+        refusals(context) {}
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// To be called whenever commands to the joints could be sent, before they are. If that was not possible for long,
-  /// because the robot was busy or the link stood still, it drops the commands from before: they are out of date.
-  void dropStaleJointCommands(TimePoint now);
+  /// Drops orders that have waited for too long. To be called before one is sent, and at nextTooOld() at the latest.
+  void dropTooOld(TimePoint now);
 
-  /// Drops the velocity to walk with if it had to wait for long: it is out of date. To be called before it is sent.
-  void dropStaleSteering(TimePoint now);
+  /// When an order becomes too old.
+  TimePoint nextTooOld() const { return std::min(commands.nextTooOld(), calls.nextTooOld()); }
+
+  /// Tells of the orders that were dropped.
+  void reportDropped();
 
   /// True if this call has to wait until the speed limits have been sent: they hold for the motion that it begins.
   bool mustWaitForSpeedLimits(const Call& call) const {
     return call.takesOverJoints() && !commands.speed_limits.empty();
   }
 
-  /// To be called when a call comes that stops the robot or motions: what came before it and has not been sent must not
-  /// move the robot after it.
-  void stopComes(const Call& call);
+  /// Adds a call. What came before it and has not been sent must not move the robot after it, if it stops the robot or
+  /// takes over joints.
+  void add(Call call);
+
+  /// Ends the call whose request was sent with this number, if there is one.
+  void answer(int request_number, Answer answer);
 
   /// To be called when a call's request, of this many bytes, is sent.
   void callSent(const Call& call, std::size_t size, TimePoint now);
@@ -102,9 +113,10 @@ struct Connection {
   PendingCalls calls;
   CommandOutbox commands;
   RefusalLog refusals;
-  RobotInfo robot;            ///< as the server has introduced itself
-  std::string token;          ///< by which the server knows the client again; never logged
-  std::string robot_message;  ///< what the robot last reported without being asked and still holds
+  RobotInfo robot;                      ///< as the server has introduced itself
+  std::string token;                    ///< by which the server knows the client again; never logged
+  std::string robot_message;            ///< what the robot last reported without being asked and still holds
+  MotorsAndPosture motors_and_posture;  ///< as the robot last said
   PictureTransport transport = PictureTransport::kTcp;  ///< of the stream's pictures
   std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be
   bool lets_no_datagram_through = false;                ///< that is the problem
@@ -115,7 +127,6 @@ struct Connection {
   bool warned_of_format_ = false;
   bool warned_of_camera_ = false;
   bool warned_of_colors_ = false;
-  TimePoint last_joint_turn_;  // when commands to the joints could be sent
 };
 
 }  // namespace aibo_driver

@@ -204,7 +204,8 @@ void ConnectionLoop::takeNews(TimePoint now) {
     call.since = now;
     session_->add(std::move(call));
   }
-  connection_->commands.append(std::move(commands), now);
+  connection_->commands.append(std::move(commands));
+  connection_->reportDropped();
 }
 
 /// The port for pictures by UDP; 0 if they are to come by TCP.
@@ -246,6 +247,7 @@ void ConnectionLoop::listen() {
     connection_->pictures.foundEmpty(now);
   }
   session_->checkDeadlines(now);
+  updateMotorsAndPosture(connection_->motors_and_posture);
   reportSession();
 }
 
@@ -336,6 +338,7 @@ void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reaso
   transport_->close();
   connected_ = TimePoint::max();
   updateStreaming(false);
+  updateMotorsAndPosture({});
   updateStatus([&](ConnectionStatus& status) {
     status.state = ConnectionState::kDisconnected;
     status.protocol_version = 0;
@@ -376,6 +379,16 @@ void ConnectionLoop::updateStreaming(bool streaming) {
     }
   }
   notifier_.streaming(streaming);
+}
+
+void ConnectionLoop::updateMotorsAndPosture(const MotorsAndPosture& state) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state == std::exchange(shared_.motors_and_posture, state)) {
+      return;
+    }
+  }
+  notifier_.motorsAndPosture(state);
 }
 
 }  // namespace aibo_driver

@@ -36,6 +36,7 @@ class ConnectionLoop {
     bool streaming = false;  ///< a stream has been requested over the present connection
     Wish wish;
     ConnectionStatus status;
+    MotorsAndPosture motors_and_posture;
     std::vector<Call> calls;  ///< that the client's thread has not taken over yet
     CommandOutbox commands;   ///< the same
     std::thread::id thread;   ///< the client's
@@ -97,6 +98,7 @@ class ConnectionLoop {
   bool wasTurnedAway(const Fault& fault) const;
   void endConnection(CallOutcome outcome, const std::string& reason, const std::string& advice, FaultKind kind);
   void updateStreaming(bool streaming);
+  void updateMotorsAndPosture(const MotorsAndPosture& state);
   template <typename Change>
   void updateStatus(const Change& change);
   /// True from the end of a successful attempt to connect to the end of the connection.

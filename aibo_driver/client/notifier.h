@@ -42,6 +42,20 @@ class Notifier {
 
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
 
+  /// @return false if nobody wants to know
+  bool refused(const Refusal& refusal) const noexcept {
+    call(callbacks_.on_refused, "on_refused", refusal);
+    return callbacks_.on_refused != nullptr;
+  }
+
+  void lateAnswer(const LateAnswer& answer) const noexcept {
+    call(callbacks_.on_late_answer, "on_late_answer", answer);
+  }
+
+  void motorsAndPosture(const MotorsAndPosture& state) const noexcept {
+    call(callbacks_.on_motors_and_posture, "on_motors_and_posture", state);
+  }
+
   void colors(const DetectedColors& colors) const noexcept { call(callbacks_.on_colors, "on_colors", colors); }
 
   void log(LogLevel level, const std::string& message) const noexcept {

@@ -30,11 +30,11 @@ void throwUnlessDone(const Answer& answer) {
     case CallOutcome::kDone:
       break;
     case CallOutcome::kTimeout:
-      throw TimeoutException(answer.problem, answer.fault);
+      throw TimeoutException(answer.problem, answer.fault, answer.was_sent);
     case CallOutcome::kRefused:
       throw CommandException(answer.problem);
     case CallOutcome::kConnectionLost:
-      throw NetworkException(answer.problem, answer.fault);
+      throw NetworkException(answer.problem, answer.fault, answer.was_sent);
     case CallOutcome::kStopped:
       throw StoppedException(answer.problem);
   }
@@ -52,11 +52,8 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
     if (std::this_thread::get_id() == shared.thread) {
       throw Exception(caller + " cannot be called from a callback: it would wait for itself");
     }
-    if (call.stopsRobot() && shared.status.protocol_version > 1) {
-      shared.commands.joints.drop(call.joints);  // later commands wait until the robot has been told to stop
-    }
-    if (call.stopsRobot() || call.letter == version2::REQUEST_POSTURE) {
-      shared.commands.steering.reset();
+    if (shared.status.protocol_version > 1 || isKnownToVersion1(call)) {
+      call.dropFrom(&shared.commands);  // later commands wait until the robot has been told
     }
     shared.calls.push_back(std::move(call));
   });
@@ -70,6 +67,13 @@ Call makeCall(char letter, int number = 0, const std::string& name = "") {
   call.letter = letter;
   call.number = number;
   call.name = name;
+  return call;
+}
+
+/// The call is an order to move.
+Call withTerms(Call call, const OrderTerms& terms) {
+  call.not_after = terms.not_after;
+  call.order = terms.number;
   return call;
 }
 
@@ -213,10 +217,11 @@ PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* s
   return answer.picture;
 }
 
-void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration) {
+void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,
+                                   const OrderTerms& terms) {
   checkJointTargets(targets, duration);
   command(loop_.get(), version2::REQUEST_JOINTS, "joints", [&](CommandOutbox& outbox) {
-    outbox.joints.add({duration, targets});
+    outbox.command({duration, targets, terms});
   });
 }
 
@@ -241,21 +246,21 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) 
   ask(loop_.get(), std::move(call), timeout, "hold()");
 }
 
-void RcServerClient::steer(const WalkVelocity& velocity) {
+void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
   checkWalkVelocity(velocity);
   loop_->change([&](Shared& shared) {
     loop_->requireConnection(shared);
     requireRequest(loop_->address(), shared.status, version2::REQUEST_STEER, kToWalk);
-    shared.commands.steering = SteeringCommand{velocity};
+    shared.commands.steer({velocity, terms});
   });
 }
 
-void RcServerClient::takePosture(Posture posture, milliseconds timeout) {
+void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
   loop_->read([this](const Shared& shared) {
     loop_->requireConnection(shared);
     requireRequest(loop_->address(), shared.status, version2::REQUEST_POSTURE, kToTakePostures);
   });
-  Call call = makeCall(version2::REQUEST_POSTURE);
+  Call call = withTerms(makeCall(version2::REQUEST_POSTURE), terms);
   call.id = toProtocol(posture);
   ask(loop_.get(), std::move(call), timeout, "takePosture()");
 }
@@ -271,9 +276,10 @@ void RcServerClient::commandEars(bool left, bool right) {
   });
 }
 
-std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout) {
+std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout,
+                                       const OrderTerms& terms) {
   checkRange("repetitions", repetitions, 1, 65535);
-  Call call = makeCall(version2::REQUEST_PLAY, repetitions, checkedMotionName(name));
+  Call call = withTerms(makeCall(version2::REQUEST_PLAY, repetitions, checkedMotionName(name)), terms);
   call.id = version2::TELL_CHANGES | motion_bits_;
   return ask(loop_.get(), std::move(call), timeout, "playMotion()").changes;
 }
@@ -336,6 +342,10 @@ void RcServerClient::rebootRobot(milliseconds timeout) {
 void RcServerClient::setTelemetryPeriod(int frames) {
   checkRange("telemetry period", frames, 0, 65535, " frames");
   loop_->change([frames](Shared& shared) { shared.wish.telemetry_period = frames; });
+}
+
+MotorsAndPosture RcServerClient::motorsAndPosture() const {
+  return loop_->read([](const Shared& shared) { return shared.motors_and_posture; });
 }
 
 ConnectionStatus RcServerClient::status() const {

@@ -58,6 +58,25 @@ std::string describeError(int code) {
   return "error code " + std::to_string(code);
 }
 
+// What this project's server means by it (docs/protocol.md).
+constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint move freely?";
+
+std::optional<RefusedRequest> refusedRequest(char letter) {
+  switch (letter) {
+    case protocol::REQUEST_JOINT:
+      return RefusedRequest::kJoints;
+    case protocol::REQUEST_MAX_VELOCITY:
+      return RefusedRequest::kSpeedLimits;
+    case protocol::REQUEST_LED:
+    case protocol::REQUEST_FACE_LEDS:
+      return RefusedRequest::kLeds;
+    case protocol::REQUEST_EARS:
+      return RefusedRequest::kEars;
+    default:
+      return std::nullopt;
+  }
+}
+
 short toCentidegrees(double radian) {
   return protocol::centidegreesFromMicroradians(toMicro(radian));
 }
@@ -100,7 +119,7 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
 
 void Version1Session::add(Call call) {
   if (isKnownToVersion1(call)) {
-    connection_.calls.add(std::move(call));
+    connection_.add(std::move(call));
     return;
   }
   call.promise.set_value(makeFailure(CallOutcome::kRefused,
@@ -114,10 +133,10 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
   connection_.warnOfMissingSettings(wish.format != StreamFormat(), wish.camera != CameraSettings());
   connection_.warnOfMissingColors(wish.colors.on);
+  connection_.dropTooOld(now);
   if (isAnswerOwed()) {
     return {};
   }
-  connection_.dropStaleJointCommands(now);
   if (wish.streaming != connection_.pictures.streaming()) {
     connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
@@ -175,9 +194,11 @@ Session::Bytes Version1Session::nextCommand(TimePoint now) {
 }
 
 Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
-  const JointTarget target = connection_.commands.joints.takeTargetAfter(last_target_);
-  last_target_ = target.id;
-  return setValue(protocol::REQUEST_JOINT, target.id, toCentidegrees(target.position), now);
+  const JointCommand command = connection_.commands.joints.takeTargetAfter(last_target_, now);
+  last_target_ = command.targets.front().id;
+  Bytes bytes = setValue(protocol::REQUEST_JOINT, last_target_, toCentidegrees(command.targets.front().position), now);
+  value_owed_->order = command.terms.number;
+  return bytes;
 }
 
 Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
@@ -244,7 +265,7 @@ void Version1Session::onPicture() {
     pictures.deliver(picture);
     Answer answer;
     answer.picture = picture;
-    connection_.calls.answer(kOwed, std::move(answer));
+    connection_.answer(kOwed, std::move(answer));
   } else if (pictures.deliverFromStream(picture, now_)) {
     connection_.calls.answerFromStream(picture, pictures.streamQuality());
   }
@@ -286,7 +307,16 @@ void Version1Session::onValueRefused(int code) {
     habits_.unanswered_polls.erase(request.letter);
     poll_.drop({request.letter, request.id});
   }
-  connection_.refusals.refused(request.letter, describe(request.letter, request.id) + ": " + describeError(code));
+  const std::string what = describe(request.letter, request.id);
+  const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
+  if (!request.set || !kind) {
+    connection_.refusals.refused(request.letter, what + ": " + describeError(code));
+    return;
+  }
+  const std::string reason =
+      *kind == RefusedRequest::kJoints ? describeError(code) + kWhyJointsAreRefused : describeError(code);
+  connection_.refusals.refused(request.letter, what,
+                               {*kind, RefusalCause::kRobot, {request.id}, reason, request.order});
 }
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {
@@ -304,7 +334,7 @@ void Version1Session::onAnswer(const protocol::ValueReply& reply) {
 void Version1Session::onCallAnswered() {
   settled_ = true;
   connection_.calls.transferEnds(now_);
-  connection_.calls.answer(kOwed, {});
+  connection_.answer(kOwed, {});
 }
 
 void Version1Session::onValue(const protocol::ValueReply& reply) {
@@ -365,6 +395,7 @@ Session::TimePoint Version1Session::valueDeadline() const {
 }
 
 void Version1Session::checkDeadlines(TimePoint now) {
+  connection_.dropTooOld(now);
   if (now >= silenceLimit()) {
     throw Fault::silent(connection_.context.address, connection_.context.read_timeout);
   }
@@ -405,7 +436,8 @@ void Version1Session::failUnanswered() {
 
 Session::TimePoint Version1Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
-  TimePoint next = std::min({connection_.calls.nextDeadline(), silenceLimit(), valueDeadline(), pictures.nextLook()});
+  TimePoint next = std::min({connection_.calls.nextDeadline(), connection_.nextTooOld(), silenceLimit(),
+                             valueDeadline(), pictures.nextLook()});
   const bool free = !isAnswerOwed();
   if (!pictures.streaming() && connection_.calls.nextForPicture() != nullptr && free && parser_.betweenReplies()) {
     next = std::min(next, pictures.drainedAt());

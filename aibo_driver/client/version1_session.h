@@ -56,6 +56,7 @@ class Version1Session final : public Session {
     int id = 0;
     bool set = false;  ///< else it reads
     TimePoint sent;
+    std::uint64_t order = 0;  ///< OrderTerms::number
   };
 
   // The call that has been sent and not been answered, of any kind or for a picture; null if there is none:

@@ -16,6 +16,7 @@
 #include "protocol/stick_pictures.h"
 #include "protocol/text.h"
 #include "protocol/walk_requests.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_driver {
 
@@ -51,6 +52,15 @@ std::optional<CameraSettings> settingsIn(const version2::CameraSettings& values)
 // The numbers of Resolution are those of the layers.
 version2::Layer layerOf(Resolution resolution) {
   return static_cast<version2::Layer>(resolution);
+}
+
+template <typename Item>
+std::vector<int> idsOf(const std::vector<Item>& items) {
+  std::vector<int> ids;
+  for (const Item& item : items) {
+    ids.push_back(item.id);
+  }
+  return ids;
 }
 
 template <typename Element, typename Predicate>
@@ -208,15 +218,11 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected, bo
 }
 
 void Version2Session::add(Call call) {
-  if (call.stopsRobot() || call.stopsMotions()) {
-    connection_.stopComes(call);
-  } else if (call.letter == version2::REQUEST_POSTURE) {
-    connection_.commands.steering.reset();
-  }
-  connection_.calls.add(std::move(call));
+  connection_.add(std::move(call));
 }
 
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
+  connection_.dropTooOld(now);
   const PictureIntake& pictures = connection_.pictures;
   Call* const stop = connection_.calls.nextStop();
   if (ready_ && stop != nullptr) {
@@ -244,6 +250,9 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (Call* const call = connection_.calls.nextForRobot()) {
     return connection_.mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(call, now);
   }
+  if (serves(version2::REQUEST_MOTORS) && !std::exchange(has_asked_for_motors_, true)) {
+    return requestMotorState(now);
+  }
   if (wish.telemetry_period != telemetry_period_) {
     return requestTelemetry(wish, now);
   }
@@ -256,6 +265,11 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
 Session::Bytes Version2Session::requestHello(TimePoint now) {
   next_hello_ = now + kHeartbeatPeriod;
   return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
+}
+
+// From then on, the robot tells of its motors and its posture. The reply has no more than the first push.
+Session::Bytes Version2Session::requestMotorState(TimePoint now) {
+  return request(version2::REQUEST_MOTORS, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
 }
 
 StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
@@ -384,17 +398,13 @@ bool Version2Session::mayCommandJoints() const {
 
 Session::Bytes Version2Session::nextCommand(TimePoint now) {
   const CommandOutbox& commands = connection_.commands;
-  if (commands.speed_limits.empty() && outstanding(version2::REQUEST_STEER) == 0) {
-    connection_.dropStaleSteering(now);
-    if (commands.steering) {
-      return requestSteering(now);
-    }
+  if (commands.steering && commands.speed_limits.empty() && outstanding(version2::REQUEST_STEER) == 0) {
+    return requestSteering(now);
   }
   if (mayCommandJoints()) {
     if (!commands.speed_limits.empty()) {
       return requestSpeedLimits(now);
     }
-    connection_.dropStaleJointCommands(now);
     if (!commands.joints.empty()) {
       return requestTargets(now);
     }
@@ -409,12 +419,14 @@ Session::Bytes Version2Session::nextCommand(TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
+  const std::vector<JointSpeedLimit> wanted = connection_.commands.speed_limits.take(version2::MAX_JOINTS);
   version2::SpeedLimits limits = {};
-  for (const JointSpeedLimit& limit : connection_.commands.speed_limits.take(version2::MAX_JOINTS)) {
+  for (const JointSpeedLimit& limit : wanted) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
-  return request(version2::REQUEST_SPEED_LIMITS, 0, now, version2::MAX_SPEED_LIMITS_SIZE,
-                 [&](unsigned char* out) { return version2::encodeSpeedLimits(limits, out); });
+  return request(
+      version2::REQUEST_SPEED_LIMITS, 0, now, version2::MAX_SPEED_LIMITS_SIZE,
+      [&](unsigned char* out) { return version2::encodeSpeedLimits(limits, out); }, idsOf(wanted));
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
@@ -424,43 +436,51 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
   for (const JointTarget& target : command.targets) {
     targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
   }
-  return request(version2::REQUEST_JOINTS, 0, now, version2::MAX_JOINT_TARGETS_SIZE,
-                 [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); });
+  return request(
+      version2::REQUEST_JOINTS, 0, now, version2::MAX_JOINT_TARGETS_SIZE,
+      [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); }, idsOf(command.targets),
+      command.terms.number);
 }
 
 Session::Bytes Version2Session::requestSteering(TimePoint now) {
-  const WalkVelocity wanted = std::exchange(connection_.commands.steering, std::nullopt)->velocity;
+  const SteeringCommand command = *std::exchange(connection_.commands.steering, std::nullopt);
+  const WalkVelocity& wanted = command.velocity;
   const version2::Velocity velocity = {toMilli(wanted.forward), toMilli(wanted.left), toMilli(wanted.turn)};
-  return request(version2::REQUEST_STEER, 0, now, version2::VELOCITY_SIZE,
-                 [&](unsigned char* out) { return version2::encodeVelocity(velocity, out); });
+  return request(
+      version2::REQUEST_STEER, 0, now, version2::VELOCITY_SIZE,
+      [&](unsigned char* out) { return version2::encodeVelocity(velocity, out); }, {}, command.terms.number);
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
+  const std::vector<LedCommand> wanted = connection_.commands.leds.take(version2::MAX_LEDS);
   version2::LedValues values = {};
-  for (const LedCommand& led : connection_.commands.leds.take(version2::MAX_LEDS)) {
+  for (const LedCommand& led : wanted) {
     values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
                                    led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
   }
-  return request(version2::REQUEST_LEDS, 0, now, version2::MAX_LED_VALUES_SIZE,
-                 [&](unsigned char* out) { return version2::encodeLedValues(values, out); });
+  return request(
+      version2::REQUEST_LEDS, 0, now, version2::MAX_LED_VALUES_SIZE,
+      [&](unsigned char* out) { return version2::encodeLedValues(values, out); }, idsOf(wanted));
 }
 
 // Both ears are always commanded together.
 Session::Bytes Version2Session::requestEars(TimePoint now) {
+  const std::vector<EarCommand> wanted = connection_.commands.ears.take(2);
   version2::EarPositions positions = {};
-  for (const EarCommand& ear : connection_.commands.ears.take(2)) {
+  for (const EarCommand& ear : wanted) {
     (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
-  return request(version2::REQUEST_EARS, 0, now, version2::EAR_POSITIONS_SIZE,
-                 [&](unsigned char* out) { return version2::encodeEarPositions(positions, out); });
+  return request(
+      version2::REQUEST_EARS, 0, now, version2::EAR_POSITIONS_SIZE,
+      [&](unsigned char* out) { return version2::encodeEarPositions(positions, out); }, idsOf(wanted));
 }
 
 /// A request whose answer is due soon.
 template <typename Encode>
 Session::Bytes Version2Session::request(char kind, int id, TimePoint now, std::size_t largest_payload,
-                                        const Encode& encode) {
+                                        const Encode& encode, std::vector<int> ids, std::uint64_t order) {
   Bytes frame = makeFrame(kind, id, largest_payload, encode);
-  exchanges_[last_number_] = {kind, now, connection_.answerDeadline(now)};
+  exchanges_[last_number_] = {kind, now, connection_.answerDeadline(now), std::move(ids), order};
   return frame;
 }
 
@@ -573,6 +593,8 @@ void Version2Session::onPush(char kind, const Payload& payload) {
       return onEnded(payload);
     case version2::ERROR_MESSAGE:
       return onReport(payload);
+    case version2::MOTORS_AND_POSTURE_PUSH:
+      return onMotorsAndPosture(payload);
     default:
       return;
   }
@@ -586,7 +608,7 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   if (version2::isError(kind, payload.size)) {
     const std::string problem = describeError(payload.data, payload.size);
     const Call* const call = connection_.calls.find(number);
-    call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(*request_kind, problem);
+    call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(exchanges_.at(number), problem);
   } else if (kind == version2::replyKind(*request_kind)) {
     onAnswer(*request_kind, number, payload);
   } else {
@@ -691,7 +713,7 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
   }
   Answer answer;
   answer.picture = picture;
-  connection_.calls.answer(number, std::move(answer));
+  connection_.answer(number, std::move(answer));
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {
@@ -801,7 +823,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
     onStickPictures(call.id, payload, &answer);
   }
   connection_.calls.transferEnds(now_);
-  connection_.calls.answer(call.request_number, std::move(answer));
+  connection_.answer(call.request_number, std::move(answer));
 }
 
 void Version2Session::onStickPictures(int request, const Payload& payload, Answer* answer) {
@@ -815,9 +837,12 @@ void Version2Session::onStickPictures(int request, const Payload& payload, Answe
   }
 }
 
-void Version2Session::onRefusal(char request_kind, const std::string& problem) {
+void Version2Session::onRefusal(const Exchange& request, const std::string& problem) {
   RefusalLog& refusals = connection_.refusals;
-  switch (request_kind) {
+  const auto refused = [&](const char* what, RefusedRequest kind) {
+    refusals.refused(request.kind, what, {kind, RefusalCause::kRobot, request.ids, problem, request.order});
+  };
+  switch (request.kind) {
     case version2::REQUEST_HELLO:
       throw ProtocolException("it refused to say hello: " + problem);
     case version2::REQUEST_STREAM:
@@ -828,24 +853,26 @@ void Version2Session::onRefusal(char request_kind, const std::string& problem) {
       }
       throw ProtocolException("it refused to stream pictures: " + problem);
     case version2::REQUEST_JOINTS:
-      return refusals.refused(request_kind, "to move joints: " + problem);
+      return refused("to move joints", RefusedRequest::kJoints);
     case version2::REQUEST_SPEED_LIMITS:
-      return refusals.refused(request_kind, "to limit the speed of joints: " + problem);
+      return refused("to limit the speed of joints", RefusedRequest::kSpeedLimits);
     case version2::REQUEST_STEER:
-      return refusals.refused(request_kind, "to walk: " + problem);
+      return refused("to walk", RefusedRequest::kWalk);
     case version2::REQUEST_TELEMETRY:
-      return refusals.refused(request_kind, "to send telemetry: " + problem);
+      return refusals.refused(request.kind, "to send telemetry: " + problem);
     case version2::REQUEST_LEDS:
-      return refusals.refused(request_kind, "to set LEDs: " + problem);
+      return refused("to set LEDs", RefusedRequest::kLeds);
     case version2::REQUEST_CAMERA:
-      return refusals.refused(request_kind, "to set its camera: " + problem);
+      return refusals.refused(request.kind, "to set its camera: " + problem);
     case version2::REQUEST_DATAGRAMS:
       ++connection_.context.counters.refusals;
       return giveUpDatagrams("it refused to: " + problem, now_);
     case version2::REQUEST_COLORS:
-      return refusals.refused(request_kind, "to detect colours: " + problem);
+      return refusals.refused(request.kind, "to detect colours: " + problem);
+    case version2::REQUEST_MOTORS:
+      return refusals.refused(request.kind, "to tell of its motors: " + problem);
     default:
-      return refusals.refused(request_kind, "to move the ears: " + problem);
+      return refused("to move the ears", RefusedRequest::kEars);
   }
 }
 
@@ -868,6 +895,9 @@ void Version2Session::onReport(const Payload& payload) {
   expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
   const Report report = {describeError(payload.data, payload.size), message.code == version2::CODE_JOINT_FAULT,
                          message.code == version2::CODE_REFUSED};
+  if (report.joint_fault) {
+    onJointFault(beginningOf(message.text, message.text_size));
+  }
   removeIf(&reports_, [&report](const Report& each) { return each.text == report.text; });
   reports_.push_back(report);
   if (reports_.size() > kMostReports) {
@@ -875,6 +905,26 @@ void Version2Session::onReport(const Payload& payload) {
   }
   connection_.robot_message = report.text;
   connection_.context.warn("reports: " + report.text);
+}
+
+// The robot holds the joints that it names.
+void Version2Session::onJointFault(const std::string& text) {
+  const robot_model::RobotModel* const robot = robot_model::findRobotModel(connection_.robot.design.c_str());
+  Refusal refusal = {RefusedRequest::kJoints, RefusalCause::kJointFault, {}, text};
+  for (int i = 0; robot != nullptr && i < robot->number_of_joints; ++i) {
+    if (hasWord(text, robot->joints[i].name)) {
+      refusal.ids.push_back(robot->joints[i].identifier);
+    }
+  }
+  connection_.context.notifier.refused(refusal);
+}
+
+void Version2Session::onMotorsAndPosture(const Payload& payload) {
+  version2::MotorsAndPosture state;
+  expectGood(version2::decodeMotorsAndPosture(payload.data, payload.size, &state), "state of motors and posture");
+  const bool is_known = state.posture <= version2::POSTURE_NOW_CARRIED;
+  connection_.motors_and_posture = {state.motors_on ? MotorState::kOn : MotorState::kOff,
+                                    is_known ? static_cast<PostureNow>(state.posture) : PostureNow::kUnknown};
 }
 
 // Its fault, and motions that were stopped because of it, are over.
@@ -914,6 +964,7 @@ void Version2Session::checkDeadlines(TimePoint now) {
                               std::chrono::round<std::chrono::milliseconds>(request.deadline - request.sent));
     }
   }
+  connection_.dropTooOld(now);
   connection_.calls.expire(now, connection_.pictures.damageRemark());
 }
 
@@ -926,7 +977,8 @@ Session::TimePoint Version2Session::pictureDeadline() const {
 Session::TimePoint Version2Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
   const TimePoint silence = pictures.streaming() ? pictureDeadline() : TimePoint::max();
-  return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), next_hello_, pictures.nextLook()});
+  return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), connection_.nextTooOld(), next_hello_,
+                   pictures.nextLook()});
 }
 
 }  // namespace aibo_driver

@@ -49,6 +49,8 @@ class Version2Session final : public Session {
     char kind;
     TimePoint sent;
     TimePoint deadline;
+    std::vector<int> ids = {};  ///< of the joints, LEDs or ears that it is for
+    std::uint64_t order = 0;    ///< OrderTerms::number
   };
 
   /// What the robot said without being asked.
@@ -65,6 +67,7 @@ class Version2Session final : public Session {
   };
 
   Bytes requestHello(TimePoint now);
+  Bytes requestMotorState(TimePoint now);
   StreamFormat possibleFormat(const Wish& wish) const;
   Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
@@ -81,7 +84,8 @@ class Version2Session final : public Session {
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
   template <typename Encode>
-  Bytes request(char kind, int id, TimePoint now, std::size_t largest_payload, const Encode& encode);
+  Bytes request(char kind, int id, TimePoint now, std::size_t largest_payload, const Encode& encode,
+                std::vector<int> ids = {}, std::uint64_t order = 0);
   template <typename Encode>
   Bytes makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode);
   int nextNumber();
@@ -101,9 +105,11 @@ class Version2Session final : public Session {
   void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
   static void onStickPictures(int request, const Payload& payload, Answer* answer);
-  void onRefusal(char request_kind, const std::string& problem);
+  void onRefusal(const Exchange& request, const std::string& problem);
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
+  void onJointFault(const std::string& text);
+  void onMotorsAndPosture(const Payload& payload);
   void jointFollowsAgain(const std::string& joint);
   void bodyMovesAgain();
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
@@ -131,6 +137,7 @@ class Version2Session final : public Session {
   bool ready_ = false;
   std::bitset<256> served_;  // letters of the requests that this server knows
   TimePoint next_hello_;
+  bool has_asked_for_motors_ = false;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
   ColorTables color_tables_;                                               // as last requested

@@ -274,6 +274,28 @@ const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on
   return NULL;
 }
 
+size_t encodeMotorsAndPosture(const MotorsAndPosture& state, unsigned char* out) {
+  out[0] = state.motors_on ? 1 : 0;
+  out[1] = state.posture;
+  encodeBigEndian16(0, out + 2);
+  return MOTORS_AND_POSTURE_SIZE;
+}
+
+const char* decodeMotorsAndPosture(const unsigned char* payload, size_t size, MotorsAndPosture* state) {
+  if (size != MOTORS_AND_POSTURE_SIZE) {
+    return WRONG_SIZE;
+  }
+  if (payload[0] > 1) {
+    return "the motors are neither off (0) nor on (1)";
+  }
+  if (decodeBigEndian16(payload + 2) != 0) {
+    return RESERVED_NOT_ZERO;
+  }
+  state->motors_on = payload[0] == 1;
+  state->posture = payload[1];
+  return NULL;
+}
+
 size_t encodeJointIds(const JointIds& joints, unsigned char* out) {
   memcpy(out, joints.ids, joints.count);
   return joints.count;

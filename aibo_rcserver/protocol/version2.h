@@ -84,8 +84,9 @@ const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing fo
 const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
 const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; otherwise the reply to `T`, a period
 const char END_PUSH = 'i';        ///< something that the robot did has ended
-const char ERROR_MESSAGE = 'e';   ///< a request was refused; with request_number 0: a joint's fault, a power event,
-                                  ///< or why the server closes the connection
+const char MOTORS_AND_POSTURE_PUSH = 'o';  ///< if request_number is 0; otherwise the reply to `O`, the motors alone
+const char ERROR_MESSAGE = 'e';  ///< a request was refused; with request_number 0: a joint's fault, a power event,
+                                 ///< or why the server closes the connection
 
 /// The kind of the reply to a request that is not refused: the small letter.
 char replyKind(char request_kind);
@@ -189,6 +190,28 @@ const char* decodeTelemetry(const unsigned char* payload, size_t size, Telemetry
 const size_t MOTOR_STATE_SIZE = 1;
 size_t encodeMotorState(bool on, unsigned char* out);
 const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on);
+
+/// How the robot is. A receiver must accept values that it does not know.
+enum PostureNow {
+  POSTURE_NOW_UNKNOWN = 0,  ///< none of the others
+  POSTURE_NOW_STANDING = 1,
+  POSTURE_NOW_SITTING = 2,
+  POSTURE_NOW_LYING = 3,
+  POSTURE_NOW_WALKING = 4,
+  POSTURE_NOW_FALLEN = 5,  ///< on its side or its back
+  POSTURE_NOW_CARRIED = 6
+};
+
+/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. It is pushed to a client that has
+/// sent `O`, then and at each change.
+struct MotorsAndPosture {
+  bool motors_on;
+  unsigned char posture;  ///< a PostureNow
+};
+
+const size_t MOTORS_AND_POSTURE_SIZE = 4;
+size_t encodeMotorsAndPosture(const MotorsAndPosture& state, unsigned char* out);
+const char* decodeMotorsAndPosture(const unsigned char* payload, size_t size, MotorsAndPosture* state);
 
 /// What `I` holds: its id.
 enum HoldScope {

@@ -25,6 +25,7 @@ class FakeClient : public aibo_driver::RcServerClient {
   std::string problem;                        ///< unless empty, every request throws a NetworkException with this text
   std::uint64_t connections = 1;              ///< made so far
   aibo_driver::ConnectionStatus present;      ///< for status()
+  aibo_driver::MotorsAndPosture state;        ///< for motorsAndPosture()
   bool can_hold = true;                       ///< false: hold() is refused, as by version 1
   bool motors_work = true;                    ///< false: the motors stay as they are not wanted
   std::vector<std::string> motions;           ///< on the robot's memory stick
@@ -62,7 +63,8 @@ class FakeClient : public aibo_driver::RcServerClient {
     *quality_of_stream = stream_quality;
     return picture;
   }
-  void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, Milliseconds duration) override {
+  void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, Milliseconds duration,
+                     const aibo_driver::OrderTerms&) override {
     std::string text = "J";
     for (const aibo_driver::JointTarget& target : targets) {
       text += " " + std::to_string(target.id) + ":" + number(target.position);
@@ -88,10 +90,10 @@ class FakeClient : public aibo_driver::RcServerClient {
     }
     tell(text);
   }
-  void steer(const aibo_driver::WalkVelocity& velocity) override {
+  void steer(const aibo_driver::WalkVelocity& velocity, const aibo_driver::OrderTerms&) override {
     tell("steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
   }
-  void takePosture(aibo_driver::Posture posture, Milliseconds) override {
+  void takePosture(aibo_driver::Posture posture, Milliseconds, const aibo_driver::OrderTerms&) override {
     constexpr const char* kNames[] = {"stand", "sit", "rest"};
     tell(kNames[static_cast<int>(posture)]);
   }
@@ -102,7 +104,8 @@ class FakeClient : public aibo_driver::RcServerClient {
   void commandEars(bool left, bool right) override {
     tell(std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
   }
-  std::string playMotion(const std::string& name, int repetitions, Milliseconds) override {
+  std::string playMotion(const std::string& name, int repetitions, Milliseconds,
+                         const aibo_driver::OrderTerms&) override {
     tell("play " + name + " " + std::to_string(repetitions));
     return motion_changes;
   }
@@ -130,6 +133,7 @@ class FakeClient : public aibo_driver::RcServerClient {
   void deletePicture(const std::string& name, Milliseconds) override { tell("delete " + name); }
   void shutDownRobot(Milliseconds) override { tell("shut down"); }
   void rebootRobot(Milliseconds) override { tell("reboot"); }
+  aibo_driver::MotorsAndPosture motorsAndPosture() const override { return state; }
   aibo_driver::ConnectionStatus status() const override { return present; }
   aibo_driver::ClientStatistics statistics() const override {
     aibo_driver::ClientStatistics statistics;

@@ -36,7 +36,7 @@ class ScriptedPeer {
   version2_frames::Frame readRequest();
 
   /// Agrees to version 2 of the protocol, and says hello.
-  void agreeToVersion2(const std::string& capabilities = "F W J V T O");
+  void agreeToVersion2(const std::string& capabilities = "F W J V T");
 
   /// Waits for this many bytes.
   Bytes read(std::size_t size);

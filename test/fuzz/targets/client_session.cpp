@@ -171,6 +171,8 @@ class Client {
     call.timeout = milliseconds(8 * input_.takeByte());
     call.since = now_;
     call.deadline = now_ + call.timeout;
+    call.not_after = now_ + kLongestOrderWait;
+    call.order = input_.takeByte();
     answers_.push_back(call.promise.get_future());
     session_->add(std::move(call));
   }
@@ -182,7 +184,7 @@ class Client {
     CommandOutbox& commands = connection_.commands;
     switch (kind % 5) {
       case 0:
-        commands.joints.add({milliseconds(8 * kind), {{id, value}}, now_});
+        commands.command({milliseconds(8 * kind), {{id, value}}, {now_ + kLongestOrderWait, 1}});
         break;
       case 1:
         commands.speed_limits.add({{id, std::abs(value) + 0.01}});
@@ -191,7 +193,7 @@ class Client {
         commands.leds.add({{id, static_cast<int>(kind), LedMode::kB}});
         break;
       case 3:
-        commands.steering = SteeringCommand{{value, -value, value}, now_};
+        commands.steer({{value, -value, value}, {now_ + kLongestOrderWait, 2}});
         break;
       default:
         commands.ears.add({{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});

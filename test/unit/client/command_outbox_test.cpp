@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace aibo_driver;
 using std::chrono::milliseconds;
@@ -61,45 +63,92 @@ TEST(JointCommandsTest, OneByOneEachJointHasItsTurnHoweverFastCommandsCome) {
   int last = 0;
   for (int i = 0; i < 6; ++i) {
     commands.add({milliseconds(0), {{1, 0.1 * i}, {2, 0.1 * i}, {3, 0.1 * i}}});
-    const JointTarget target = commands.takeTargetAfter(last);
+    const JointTarget target = commands.takeTargetAfter(last, {}).targets.front();
     last = target.id;
     taken += describe(target);
   }
   EXPECT_EQ("1:0 2:1 3:2 1:3 2:4 3:5 ", taken);
 }
 
-TEST(JointCommandsTest, NewerCommandsAreAppended) {
-  JointCommands commands;
-  commands.add({milliseconds(100), {{1, 0.1}}});
-  JointCommands newer;
-  newer.add({milliseconds(200), {{1, 0.2}}});
-  commands.append(newer, JointCommands::TimePoint());
-  EXPECT_THAT(takeAll(commands), testing::ElementsAre("1:2 in 200"));
+JointCommands::TimePoint at(int time) {
+  return JointCommands::TimePoint(milliseconds(time));
 }
 
-TEST(JointCommandsTest, OldCommandsCanBeDroppedAndNewerOnesStay) {
-  const auto at = [](int time) { return JointCommands::TimePoint(milliseconds(time)); };
-  JointCommands old;
-  old.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
-  JointCommands newer;
-  newer.add({milliseconds(200), {{2, 0.3}}});
+TEST(JointCommandsTest, WhatRemainsOfACommandThatHasBegunMayWaitAgain) {
   JointCommands commands;
-  commands.append(old, at(1000));
-  commands.append(newer, at(2000));
-  EXPECT_FALSE(commands.dropOlderThan(at(1000)));
-  EXPECT_TRUE(commands.dropOlderThan(at(1500)));
-  EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:3 in 200"));
+  commands.add({milliseconds(0), {{1, 0.1}, {2, 0.2}}, {at(1000), 7}});
+  commands.add({milliseconds(0), {{3, 0.3}}, {at(1000), 8}});
+  EXPECT_EQ(7u, commands.takeTargetAfter(0, at(999)).terms.number);
+  const std::vector<JointCommand> too_old = commands.takeTooOld(at(1000));
+  ASSERT_EQ(1u, too_old.size());
+  EXPECT_EQ(8u, too_old[0].terms.number);
+  EXPECT_EQ(at(1499), commands.nextTooOld());
+  EXPECT_EQ(2, commands.takeTargetAfter(0, at(1498)).targets.front().id);
+  EXPECT_EQ(JointCommands::TimePoint::max(), commands.nextTooOld());
 }
 
-TEST(JointCommandsTest, CommandsToSomeJointsOrToAllCanBeDropped) {
-  JointCommands commands;
-  commands.add({milliseconds(100), {{1, 0.1}, {2, 0.2}}});
-  commands.add({milliseconds(200), {{3, 0.3}}});
-  commands.add({milliseconds(300), {{4, 0.4}}});
-  commands.drop({1, 3, 9});
-  EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:2 in 100", "4:4 in 300"));
-  commands.drop({});
-  EXPECT_TRUE(commands.empty());
+/// The orders that were dropped: request, cause, order, joints.
+std::string takeDropped(CommandOutbox* outbox) {
+  std::string text;
+  for (const Refusal& refusal : std::exchange(outbox->dropped, {})) {
+    text += refusal.request == RefusedRequest::kWalk ? "S" : "J";
+    text += std::to_string(static_cast<int>(refusal.cause)) + "#" + std::to_string(refusal.order);
+    for (const int id : refusal.ids) {
+      text += " " + std::to_string(id);
+    }
+    text += ";";
+  }
+  return text;
+}
+
+constexpr int kTooOld = static_cast<int>(RefusalCause::kTooOld);
+constexpr int kStopped = static_cast<int>(RefusalCause::kStopped);
+constexpr int kReplaced = static_cast<int>(RefusalCause::kReplaced);
+constexpr int kLegJoint = 11;
+constexpr WalkVelocity kForward = {0.1, 0, 0};
+
+TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
+  CommandOutbox outbox;
+  outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
+  outbox.command({milliseconds(100), {{2, 0.3}}, {at(2000), 2}});
+  outbox.steer({kForward, {at(1500), 3}});
+  EXPECT_EQ(at(1000), outbox.nextTooOld());
+  outbox.dropTooOld(at(999), "robot");
+  EXPECT_EQ("", takeDropped(&outbox));
+  outbox.dropTooOld(at(1000), "robot");
+  EXPECT_EQ("too old: it could not be sent to robot in time", outbox.dropped.at(0).reason);
+  EXPECT_EQ("J" + std::to_string(kTooOld) + "#1 1;", takeDropped(&outbox));
+  outbox.dropTooOld(at(1999), "robot");
+  EXPECT_EQ("S" + std::to_string(kTooOld) + "#3;", takeDropped(&outbox));
+  EXPECT_EQ(at(2000), outbox.nextTooOld());
+}
+
+TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
+  CommandOutbox outbox;
+  outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
+  outbox.command({milliseconds(200), {{3, 0.3}}, {at(1000), 2}});
+  outbox.stopJoints({1, 3, 9}, "a stop");
+  EXPECT_EQ("J" + std::to_string(kStopped) + "#1 1;J" + std::to_string(kStopped) + "#2 3;", takeDropped(&outbox));
+  EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("2:2 in 100"));
+  outbox.stopJoints({}, "a stop");
+  EXPECT_TRUE(outbox.joints.empty());
+}
+
+TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
+  CommandOutbox outbox;
+  outbox.command({milliseconds(100), {{1, 0.1}, {kLegJoint, 0.2}}, {at(1000), 1}});
+  outbox.steer({kForward, {at(1000), 2}});
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 11;", takeDropped(&outbox));
+  EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("1:1 in 100"));
+  outbox.command({milliseconds(100), {{2, 0.1}}, {at(1000), 3}});
+  EXPECT_TRUE(outbox.steering) << "the head is free";
+  CommandOutbox newer;
+  newer.command({milliseconds(100), {{kLegJoint, 0.3}}, {at(1000), 4}});
+  outbox.append(newer);
+  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2;", takeDropped(&outbox));
+  EXPECT_FALSE(outbox.steering);
+  outbox.steer({{}, {at(1000), 5}});
+  EXPECT_EQ("", takeDropped(&outbox)) << "not to walk leaves the legs as they are";
 }
 
 std::string takeAll(LatestById<LedCommand> leds) {

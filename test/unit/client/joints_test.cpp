@@ -213,7 +213,7 @@ TEST_F(JointsTest, JointsAreHeld) {
 
 TEST_F(JointsTest, AServerThatCannotHoldIsNotAsked) {
   {
-    ScriptedPeer peer = connectVersion2("F W J V T O L K");
+    ScriptedPeer peer = connectVersion2("F W J V T L K");
     EXPECT_THAT(complaintOf<CommandException>([&] { client().hold({}, seconds(20)); }),
                 HasSubstr("(a test 1.0) has no request to hold joints; send the joints to where they were commanded"));
   }

@@ -15,7 +15,7 @@ class NewestClientFixture : public ClientFixture {
     return options;
   }
 
-  ScriptedPeer connectVersion2(const std::string& capabilities = "F W J V T O L K I U D P N Q R") {
+  ScriptedPeer connectVersion2(const std::string& capabilities = "F W J V T L K I U D P N Q R") {
     client().start();
     ScriptedPeer peer = server_.accept();
     peer.agreeToVersion2(capabilities);

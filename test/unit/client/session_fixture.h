@@ -17,6 +17,9 @@
 /// The robot's end of a session, in stepped time: no sockets, no waiting.
 class SessionFixture : public testing::Test {
  protected:
+  /// @param is_told_of_refusals else they are logged
+  explicit SessionFixture(bool is_told_of_refusals = false) : notifier_(record(is_told_of_refusals)) {}
+
   using TimePoint = aibo_driver::Session::TimePoint;
   using Bytes = test_pictures::Bytes;
   using milliseconds = std::chrono::milliseconds;
@@ -78,9 +81,10 @@ class SessionFixture : public testing::Test {
     return add(std::move(call), milliseconds(2000));
   }
 
-  void steer(const aibo_driver::WalkVelocity& velocity) {
-    connection_.commands.steering = aibo_driver::SteeringCommand{velocity, now_};
-  }
+  /// Orders are numbered from 1 on.
+  aibo_driver::OrderTerms terms() { return {now_ + aibo_driver::kLongestOrderWait, ++last_order_}; }
+
+  void steer(const aibo_driver::WalkVelocity& velocity) { connection_.commands.steer({velocity, terms()}); }
 
   std::future<aibo_driver::Answer> add(aibo_driver::Call call, milliseconds timeout) {
     call.timeout = timeout;
@@ -92,7 +96,7 @@ class SessionFixture : public testing::Test {
   }
 
   void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
-    connection_.commands.joints.add({duration, targets, now_});
+    connection_.commands.command({duration, targets, terms()});
   }
 
   void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) {
@@ -125,9 +129,12 @@ class SessionFixture : public testing::Test {
   std::string leds_;  ///< as accepted: "7=255A "
   std::vector<aibo_driver::WalkVelocity> steered_;
   std::vector<aibo_driver::MotionEnd> ended_;
+  std::vector<aibo_driver::LateAnswer> late_answers_;
+  std::vector<aibo_driver::Refusal> refusals_;
   std::vector<aibo_driver::DetectedColors> colors_;
   std::vector<std::string> log_;
-  aibo_driver::Notifier notifier_{record()};
+  std::uint64_t last_order_ = 0;
+  aibo_driver::Notifier notifier_;
   aibo_driver::Counters counters_;
   aibo_driver::Wish wish_{false, 85, 0};
   TimePoint now_ = TimePoint() + milliseconds(100000);
@@ -139,7 +146,7 @@ class SessionFixture : public testing::Test {
     session().checkDeadlines(now_);
   }
 
-  aibo_driver::RcServerClient::Callbacks record() {
+  aibo_driver::RcServerClient::Callbacks record(bool is_told_of_refusals) {
     aibo_driver::RcServerClient::Callbacks callbacks;
     callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) { pictures_.push_back(picture); };
     callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
@@ -154,6 +161,10 @@ class SessionFixture : public testing::Test {
     };
     callbacks.on_steered = [this](const aibo_driver::WalkVelocity& in_force) { steered_.push_back(in_force); };
     callbacks.on_colors = [this](const aibo_driver::DetectedColors& colors) { colors_.push_back(colors); };
+    if (is_told_of_refusals) {
+      callbacks.on_refused = [this](const aibo_driver::Refusal& refusal) { refusals_.push_back(refusal); };
+    }
+    callbacks.on_late_answer = [this](const aibo_driver::LateAnswer& answer) { late_answers_.push_back(answer); };
     callbacks.on_ended = [this](const aibo_driver::MotionEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { log_.push_back(line); };
     return callbacks;

@@ -14,7 +14,7 @@ using version2_frames::makeFrame;
 
 namespace {
 
-const std::string kWalks = "F W J V T O I L K S E";
+const std::string kWalks = "F W J V T I L K S E";
 
 /// Walking and postures.
 class WalkTest : public NewestClientFixture {};
@@ -50,7 +50,7 @@ TEST_F(WalkTest, SteeringIsNotRepeatedAfterAReconnect) {
 
 TEST_F(WalkTest, AServerThatCannotWalkIsNotAsked) {
   {
-    ScriptedPeer peer = connectVersion2("F W J V T O L K");
+    ScriptedPeer peer = connectVersion2("F W J V T L K");
     EXPECT_THAT(complaintOf<CommandException>([&] {
                   client().steer({0.1, 0, 0});
                 }),

@@ -33,8 +33,9 @@ class PlayingClient : public test_support::FakeClient {
  public:
   std::function<void()> while_playing;
 
-  std::string playMotion(const std::string& name, int repetitions, Milliseconds timeout) override {
-    std::string changes = FakeClient::playMotion(name, repetitions, timeout);
+  std::string playMotion(const std::string& name, int repetitions, Milliseconds timeout,
+                         const OrderTerms& terms) override {
+    std::string changes = FakeClient::playMotion(name, repetitions, timeout, terms);
     if (while_playing) {
       while_playing();
     }
@@ -186,7 +187,7 @@ TEST_F(JointMoverTest, IsStoppedFromAnotherThreadWithoutSendingMore) {
   class CountingClient : public test_support::FakeClient {
    public:
     std::function<void()> on_joints;
-    void commandJoints(const std::vector<JointTarget>&, Milliseconds) override { on_joints(); }
+    void commandJoints(const std::vector<JointTarget>&, Milliseconds, const OrderTerms&) override { on_joints(); }
     void setJointSpeedLimits(const std::vector<JointSpeedLimit>&) override {}
     void hold(const std::vector<int>&, Milliseconds) override {}
   } client;

@@ -29,8 +29,8 @@ class PostureClient : public test_support::FakeClient {
  public:
   std::function<void()> when_begun;
 
-  void takePosture(Posture posture, Milliseconds timeout) override {
-    FakeClient::takePosture(posture, timeout);
+  void takePosture(Posture posture, Milliseconds timeout, const OrderTerms& terms) override {
+    FakeClient::takePosture(posture, timeout, terms);
     if (when_begun) {
       when_begun();
     }

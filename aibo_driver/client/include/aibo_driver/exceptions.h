@@ -37,14 +37,20 @@ class InvalidArgumentException : public Exception {
 /// The robot cannot be reached, or the connection broke.
 class NetworkException : public Exception {
  public:
-  explicit NetworkException(const std::string& message, FaultKind kind = FaultKind::kNone)
-      : Exception(message), kind_(kind) {}
+  /// @param was_sent see wasSent()
+  explicit NetworkException(const std::string& message, FaultKind kind = FaultKind::kNone, bool was_sent = false)
+      : Exception(message), kind_(kind), was_sent_(was_sent) {}
 
   /// Why there is no connection: the same reason that the message gives in words.
   FaultKind kind() const noexcept { return kind_; }
 
+  /// True if the request had been sent when the call ended: the robot may or may not carry it out. False: it has not
+  /// been sent and never will be.
+  bool wasSent() const noexcept { return was_sent_; }
+
  private:
   FaultKind kind_;
+  bool was_sent_;
 };
 
 /// There was no answer in the time allowed. kind() is FaultKind::kNone if the time of this call has passed, and
@@ -54,7 +60,8 @@ class TimeoutException : public NetworkException {
   using NetworkException::NetworkException;
 };
 
-/// The robot answered, and refused.
+/// The robot answered, and refused; or the client did not send the request, because it had become too old or a stop
+/// came before it. In any case, the robot does not carry it out.
 class CommandException : public Exception {
  public:
   using Exception::Exception;

@@ -18,6 +18,8 @@
 #include "aibo_driver/leds.h"
 #include "aibo_driver/log.h"
 #include "aibo_driver/motion_end.h"
+#include "aibo_driver/motors_and_posture.h"
+#include "aibo_driver/orders.h"
 #include "aibo_driver/picture.h"
 #include "aibo_driver/robot_info.h"
 #include "aibo_driver/telemetry.h"
@@ -134,7 +136,18 @@ class RcServerClient {
   /// motion. A motion, walk or posture that has not ended when the connection breaks is stopped by the robot, without a
   /// report. Same rules.
   using EndedCallback = std::function<void(const MotionEnd& end)>;
-
+  /// Called on the client's thread each time a request that nobody waits for was refused or dropped, and when a joint
+  /// does not follow its commands. If it is not set, the refusal is logged. A request that a newer one of the same kind
+  /// has replaced before it was sent is no refusal, and when a connection ends, what was not sent is dropped without
+  /// one. Same rules.
+  using RefusedCallback = std::function<void(const Refusal& refusal)>;
+  /// Called on the client's thread when the robot answers a call with an OrderTerms::number other than 0, after that
+  /// call has ended with a TimeoutException. It does not come if the connection ends first, which it does with such a
+  /// call in version 1. Same rules.
+  using LateAnswerCallback = std::function<void(const LateAnswer& answer)>;
+  /// Called on the client's thread each time a version 2 server says that the motors or the posture have changed, soon
+  /// after the connection is made, and with everything unknown when a connection ends. Same rules.
+  using MotorsAndPostureCallback = std::function<void(const MotorsAndPosture& state)>;
   /// Called on the client's thread with what the robot's camera has detected in an image. Of several that arrived
   /// together, only the newest counts. What comes more than twice as often as it was asked for is dropped, and so are
   /// regions that contradict themselves. Same rules.
@@ -150,6 +163,9 @@ class RcServerClient {
     LedsAcceptedCallback on_leds_accepted;
     SteeredCallback on_steered;
     EndedCallback on_ended;
+    RefusedCallback on_refused;
+    LateAnswerCallback on_late_answer;
+    MotorsAndPostureCallback on_motors_and_posture;
     ColorsCallback on_colors;
     LogSink log;
   };
@@ -256,15 +272,17 @@ class RcServerClient {
                                  std::optional<Resolution> resolution = std::nullopt);
 
   /// Sends joints to positions, all in one request. Returns without waiting for the answer, which goes to
-  /// on_joints_accepted, or to the log if the robot refuses.
+  /// on_joints_accepted, or to on_refused if the robot refuses.
   ///
   /// A command is carried out once or not at all: without a connection it is refused, and commands that have not been
   /// sent when a connection breaks are dropped. If commands come faster than the robot answers, each joint goes to its
-  /// latest target, and older ones that have not been sent are dropped. So are commands that had to wait for more than
-  /// 500 ms because the robot was busy or the link stood still.
+  /// latest target, and older ones that have not been sent are dropped. So are commands that had to wait for longer
+  /// than their terms allow, because the robot was busy or the link stood still, and commands to the legs when steer()
+  /// is called after them: on_refused tells.
   ///
   /// A version 1 server gets one joint after the other, each after the answer to the one before, and no duration, which
-  /// such a server does not know: the joints move as fast as their speed limits allow.
+  /// such a server does not know: the joints move as fast as their speed limits allow. The terms say until when the
+  /// first one may be sent; each further one may wait for kLongestOrderWait.
   ///
   /// @param targets 1..32 joints, each once
   /// @param duration 0..65535 ms until all joints arrive; 0 = each as fast as its limits allow
@@ -272,7 +290,8 @@ class RcServerClient {
   /// @throw NetworkException not connected; the message says why and what to check, and kind() names the reason
   /// @throw CommandException the server has no joints to command
   /// @throw StoppedException stop() was called
-  virtual void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration);
+  virtual void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration,
+                             const OrderTerms& terms = {});
 
   /// Sets how fast joints may move. The limits are sent before later commands to the joints, under the same rules;
   /// after a reconnect they are not sent again.
@@ -306,37 +325,39 @@ class RcServerClient {
   /// @throw Exception called from a callback
   virtual void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
-  /// Lets the robot walk with a velocity. Returns without waiting for the answer, which goes to on_steered, or to the
-  /// log if the robot refuses.
+  /// Lets the robot walk with a velocity. Returns without waiting for the answer, which goes to on_steered, or to
+  /// on_refused if the robot refuses.
   ///
   /// The robot stops walking and stands 500 ms after it was steered last, so call this again and again. A velocity of 0
   /// stops it at once, in an orderly way. A robot that does not stand yet first stands up.
   ///
-  /// The newest velocity counts: an older one that has not been sent is dropped. So is one that had to wait for more
-  /// than 500 ms, and one that is followed by hold(), takePosture() or motors off before it is sent. Without a
-  /// connection it is refused, and nothing is repeated after a reconnect.
+  /// The newest velocity counts: an older one that has not been sent is dropped. So is one that had to wait for longer
+  /// than its terms allow, and one that is followed by hold(), takePosture(), motors off or a command to the legs
+  /// before it is sent: on_refused tells. Without a connection it is refused, and nothing is repeated after a
+  /// reconnect.
   ///
   /// @param velocity at most 32.767 m/s and rad/s; the robot keeps to its limits (RobotInfo::walk_limits)
   /// @throw InvalidArgumentException velocity out of range or not a number
   /// @throw NetworkException not connected; the message says why and what to check, and kind() names the reason
   /// @throw CommandException the server speaks version 1 or lacks the capability `S`
   /// @throw StoppedException stop() was called
-  virtual void steer(const WalkVelocity& velocity);
+  virtual void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
 
   /// Lets the robot take a posture. It ends a walk and the motions that move legs. Returns when the robot has begun; a
   /// MotionEnd with the posture's name says when and how it has ended: "stand", "sit" or "rest". A call that has not
-  /// been sent when hold() is called ends with a CommandException.
+  /// been sent when hold() is called, or when its terms end, ends with a CommandException.
   /// @param timeout longest time to wait, 1 ms..1 h
   /// @throw InvalidArgumentException timeout out of range
-  /// @throw NetworkException no connection, or it broke while waiting: the robot may or may not have obeyed
-  /// @throw TimeoutException connected, but no answer came in time
+  /// @throw NetworkException no connection, or it broke while waiting; wasSent() says whether the robot may have obeyed
+  /// @throw TimeoutException connected, but no answer came in time. If wasSent(), the robot may still obey:
+  ///   on_late_answer tells
   /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `E`
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
-  virtual void takePosture(Posture posture, std::chrono::milliseconds timeout);
+  virtual void takePosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Sets LEDs. Returns without waiting, under the same rules as commandJoints(): if commands come faster than the
-  /// robot answers, each LED gets its latest one. The answer goes to on_leds_accepted, or to the log if the robot
+  /// robot answers, each LED gets its latest one. The answer goes to on_leds_accepted, or to on_refused if the robot
   /// refuses.
   ///
   /// A version 1 server gets one LED after the other, and the intensity alone: its only request with a mode sets all
@@ -363,8 +384,8 @@ class RcServerClient {
   /// does not answer in time, the client reconnects, since nothing would say which request the server's next answer
   /// belongs to. All of them
   /// @throw InvalidArgumentException an argument is out of range, or `name` is not the name of a motion
-  /// @throw NetworkException no connection, or it broke while waiting: the robot may or may not have obeyed
-  /// @throw TimeoutException connected, but no answer came in time
+  /// @throw NetworkException no connection, or it broke while waiting; wasSent() says whether the robot may have obeyed
+  /// @throw TimeoutException connected, but no answer came in time. If wasSent(), the robot may still obey
   /// @throw CommandException the robot refused, or its server has no such request; the message says why, and what to do
   /// @throw StoppedException stop() was called
   /// @throw Exception called from a callback
@@ -372,10 +393,13 @@ class RcServerClient {
   /// @param name of the file, such as NOD.MTN: 8 characters at most, then .MTN, in capitals or not
   /// @param repetitions 1..65535
   /// @param timeout longest time to wait, 1 ms..1 h
+  /// @param terms a call that could not be sent in time, such as while the memory stick was at work for another one,
+  ///   ends with a CommandException
   /// @return what the robot plays differently than the file says, in one line: positions that it clips, by how much the
   ///   motion is longer because it is too fast for the joints' speed limits, joints left out; empty if nothing, and
   ///   with a server that does not tell (version 1, or older than this)
-  virtual std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout);
+  virtual std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
+                                 const OrderTerms& terms = {});
 
   /// Stops a motion. Its joints hold their positions. With a version 2 server, calls to play it that have not been sent
   /// end with a CommandException.
@@ -441,6 +465,9 @@ class RcServerClient {
   /// @param frames 0..65535; 0 = no telemetry; 4 (32 ms) is as often as the robot measures
   /// @throw InvalidArgumentException frames out of range
   virtual void setTelemetryPeriod(int frames);
+
+  /// What the robot last said of its motors and its posture; unknown without a connection.
+  virtual MotorsAndPosture motorsAndPosture() const;
 
   /// A snapshot of the connection's state.
   virtual ConnectionStatus status() const;
