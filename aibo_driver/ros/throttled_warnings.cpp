@@ -27,14 +27,17 @@ std::string withoutNumbers(const std::string& text) {
 void ThrottledWarnings::warn(const std::string& text) {
   const auto now = std::chrono::steady_clock::now();
   const std::string kind = withoutNumbers(text);
-  const auto found = last_.find(kind);
-  if (found != last_.end() && now - found->second < kRepetitionPeriod) {
-    return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = last_.find(kind);
+    if (found != last_.end() && now - found->second < kRepetitionPeriod) {
+      return;
+    }
+    if (last_.size() >= kMostRemembered) {
+      last_.clear();
+    }
+    last_[kind] = now;
   }
-  if (last_.size() >= kMostRemembered) {
-    last_.clear();
-  }
-  last_[kind] = now;
   log_(text);
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace aibo_driver::node {
 
 /// Logs each different warning only once in a while: a program that repeats its mistake many times a second neither
 /// floods the log nor hides other warnings. Two warnings that differ only in numbers are the same; numbers within names
-/// count. From one thread at a time.
+/// count. From any thread.
 class ThrottledWarnings {
  public:
   /// @param log logs a warning
@@ -22,6 +23,7 @@ class ThrottledWarnings {
 
  private:
   const std::function<void(const std::string&)> log_;
+  std::mutex mutex_;
   std::map<std::string, std::chrono::steady_clock::time_point> last_;  ///< when each was logged; texts without numbers
 };
 
