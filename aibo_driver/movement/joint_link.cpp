@@ -12,7 +12,7 @@ void requireDesign(const RcServerClient& client, const std::string& design) {
   }
 }
 
-void JointLink::send(const JointOrders& orders, std::chrono::milliseconds duration) {
+void JointLink::send(const JointOrders& orders, std::chrono::milliseconds duration, const OrderTerms& terms) {
   if (orders.empty()) {
     return;
   }
@@ -23,7 +23,7 @@ void JointLink::send(const JointOrders& orders, std::chrono::milliseconds durati
     targets.push_back({id, order.position});
   }
   limitSpeeds(limits);
-  client_.commandJoints(targets, duration);
+  client_.commandJoints(targets, duration, terms);
 }
 
 void JointLink::limitSpeeds(const std::vector<JointSpeedLimit>& limits) {

@@ -41,9 +41,9 @@ class JointLink {
   explicit JointLink(RcServerClient& client, std::string design = "") : client_(client), design_(std::move(design)) {}
 
   /// Sends nothing if there are no orders.
-  /// @param duration as for RcServerClient::commandJoints()
+  /// @param duration, terms as for RcServerClient::commandJoints()
   /// @throw as requireDesign() and RcServerClient::commandJoints()
-  void send(const JointOrders& orders, std::chrono::milliseconds duration);
+  void send(const JointOrders& orders, std::chrono::milliseconds duration, const OrderTerms& terms = {});
 
   /// For what is prepared now and sent later.
   /// @throw as movement::requireDesign()

@@ -24,12 +24,24 @@ double seconds(steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) {
-    list += (list.empty() ? "" : ", ") + name;
+constexpr const char* kNewer = "a newer trajectory moves its joints";
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f", value);
+  return text;
+}
+
+// How far a joint is from where it was sent, in words that follow its name; empty if it is there.
+std::string describeDistance(const MeasuredJoint& measured, double target, const Tolerance& tolerance) {
+  const double way = std::abs(measured.position - target);
+  if (!(way <= tolerance.position)) {
+    return " is " + number(way) + " rad from where it was sent";
   }
-  return list;
+  if (tolerance.speed && !(std::abs(measured.velocity) <= *tolerance.speed)) {
+    return " still moves with " + number(measured.velocity) + " rad/s";
+  }
+  return "";
 }
 
 void removeJoint(std::size_t place, TrajectoryRequest* request) {
@@ -70,35 +82,35 @@ std::vector<std::string> JointPlan::Job::names() const {
   return names;
 }
 
-void JointPlan::command(const JointOrders& orders, const std::string& source, SteadyTime now) {
+void JointPlan::command(MovementId id, const JointOrders& orders, SteadyTime now) {
   for (std::optional<Command>& command : commands_) {
-    if (!commanding_ && command && !isRecent(*command, now)) {
+    if (command && !command->is_open && !isRecent(*command, now)) {
       command.reset();
     }
   }
-  for (const auto& [id, order] : orders) {
-    const std::optional<std::size_t> joint = table_.findById(id);
+  for (const auto& [joint_id, order] : orders) {
+    const std::optional<std::size_t> joint = table_.findById(joint_id);
     if (!joint) {
       continue;
     }
     const std::optional<Trajectory::Start> planned = stateOf(*joint, now, 0);
     const std::optional<MeasuredJoint> measured = measured_.find(*joint);
     const double from = planned ? planned->position : measured ? measured->position : order.position;
-    endThoseThatMove(*joint);
-    commands_[*joint] = Command{from, order.position, order.speed, now};
-    commanding_ = true;
-    commander_ = source;
+    endTrajectoriesThatMove(*joint);
+    if (commands_[*joint] && commands_[*joint]->id != id) {
+      replaceCommand(*joint, table_[*joint].name + " was commanded to go elsewhere");
+    }
+    commands_[*joint] = Command{id, true, from, order.position, order.speed, now};
   }
 }
 
-std::shared_ptr<const MovementFate> JointPlan::add(const TrajectoryRequest& request, const std::string& source,
-                                                   SteadyTime start, SteadyTime now, milliseconds oldest,
-                                                   double* stretch) {
-  Job job{request, source, start, oldest, std::make_shared<MovementFate>(), std::nullopt};
-  *stretch = plan(job, now).stretch();  // also refuses now what could only be refused later
+double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
+                      SteadyTime now, milliseconds oldest) {
+  Job job{id, request, arrival, start, oldest, std::nullopt};
+  const double stretch = plan(job, now).stretch();  // also refuses now what could only be refused later
   takeFromWaiting(job);
-  jobs_.push_back(job);
-  return job.fate;
+  jobs_.push_back(std::move(job));
+  return stretch;
 }
 
 std::vector<JointStep> JointPlan::advance(SteadyTime now) {
@@ -116,17 +128,13 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
       steps.push_back(std::move(step));
     }
   }
-  removeEnded();
-  const auto is_under_way = [&](const std::optional<Command>& command) { return command && isUnderWay(*command, now); };
-  if (commanding_ && std::none_of(commands_.begin(), commands_.end(), is_under_way)) {
-    endCommands(MovementEnd::kDone, "");
-  }
+  endThoseThatArrived(now);
   return steps;
 }
 
-JointOrders JointPlan::holdingOrders(SteadyTime now, const MovementFate* only) const {
+JointOrders JointPlan::holdingOrders(SteadyTime now, std::optional<MovementId> only) const {
   JointOrders orders;
-  for (std::size_t joint = 0; joint < commands_.size() && only == nullptr; ++joint) {
+  for (std::size_t joint = 0; joint < commands_.size() && !only; ++joint) {
     const std::optional<Command>& command = commands_[joint];
     if (command && isRecent(*command, now)) {
       orders[table_[joint].id] = {command->positionAt(seconds(now - command->begin)), command->speed};
@@ -134,7 +142,7 @@ JointOrders JointPlan::holdingOrders(SteadyTime now, const MovementFate* only) c
   }
   for (std::size_t i = 0; i < jobs_.size(); ++i) {
     const Job& job = jobs_[i];
-    if (!job.run || job.run->sent.empty() || (only != nullptr && job.fate.get() != only)) {
+    if (!job.run || job.run->sent.empty() || (only && job.id != *only)) {
       continue;
     }
     for (const std::string& joint : job.names()) {
@@ -146,44 +154,66 @@ JointOrders JointPlan::holdingOrders(SteadyTime now, const MovementFate* only) c
   return orders;
 }
 
-void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
-  for (const Job& job : jobs_) {
-    noteEnd(job, how, reason);
-  }
-  removeEnded();
-}
-
-void JointPlan::endTrajectoriesOf(const std::vector<std::string>& joints, MovementEnd how, const std::string& reason) {
-  for (const Job& job : jobs_) {
-    if (std::any_of(joints.begin(), joints.end(), [&job](const std::string& joint) { return job.placeOf(joint); })) {
-      noteEnd(job, how, reason);
+void JointPlan::end(MovementId id, MovementEnd how, const std::string& reason) {
+  for (Job& job : jobs_) {
+    if (job.id == id) {
+      noteEnd(&job, how, reason);
     }
   }
   removeEnded();
+  endCommand(id, how, reason);
 }
 
 void JointPlan::endAll(MovementEnd how, const std::string& reason) {
   endTrajectories(how, reason);
-  if (commanding_) {
-    endCommands(how, reason);
+  for (const std::optional<Command>& command : commands_) {
+    if (command) {
+      endCommand(command->id, how, reason);
+    }
   }
   commands_.assign(table_.size(), std::nullopt);
 }
 
-void JointPlan::end(const MovementFate& trajectory, MovementEnd how, const std::string& reason) {
-  for (const Job& job : jobs_) {
-    if (job.fate.get() == &trajectory) {
-      noteEnd(job, how, reason);
+void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
+  for (Job& job : jobs_) {
+    noteEnd(&job, how, reason);
+  }
+  removeEnded();
+}
+
+void JointPlan::endThoseThatMove(const std::vector<std::string>& joints, MovementEnd how, const std::string& reason) {
+  for (const std::string& joint : joints) {
+    for (Job& job : jobs_) {
+      if (job.placeOf(joint)) {
+        noteEnd(&job, how, reason);
+      }
+    }
+    const std::optional<Command>& command = commands_[*table_.findByName(joint)];
+    if (command) {
+      endCommand(command->id, how, reason);
     }
   }
   removeEnded();
 }
 
-std::vector<int> JointPlan::jointsOf(const MovementFate& trajectory) const {
+std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
+  if (const Job* const job = find(id)) {
+    return job->names();
+  }
+  std::vector<std::string> joints;
+  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
+    if (commands_[joint] && commands_[joint]->id == id && commands_[joint]->is_open) {
+      joints.push_back(table_[joint].name);
+    }
+  }
+  return joints;
+}
+
+std::vector<int> JointPlan::identifiersOf(MovementId trajectory) const {
   std::vector<int> ids;
   for (std::size_t i = 0; i < jobs_.size(); ++i) {
     for (const std::string& joint : jobs_[i].names()) {
-      if (jobs_[i].run && jobs_[i].fate.get() == &trajectory && !isSentByNewer(i, joint)) {
+      if (jobs_[i].run && jobs_[i].id == trajectory && !isSentByNewer(i, joint)) {
         ids.push_back(table_[*table_.findByName(joint)].id);
       }
     }
@@ -191,43 +221,47 @@ std::vector<int> JointPlan::jointsOf(const MovementFate& trajectory) const {
   return ids;
 }
 
-std::vector<Trajectory::Start> JointPlan::wantedBy(const MovementFate& trajectory, SteadyTime now) const {
+std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory, SteadyTime now) const {
+  const Job* const job = find(trajectory);
+  if (job == nullptr || !job->run) {
+    return std::nullopt;
+  }
+  const std::chrono::duration<double> left(job->run->trajectory.duration() - job->run->clock.at(now));
+  return now + std::chrono::duration_cast<steady_clock::duration>(left);
+}
+
+std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, SteadyTime now) const {
   std::vector<Trajectory::Start> states;
-  for (const Job& job : jobs_) {
-    if (job.fate.get() != &trajectory || !job.run || job.run->clock.at(now) < 0) {
-      continue;
-    }
-    const double time = job.run->clock.at(now);
-    const std::vector<double> positions = job.run->trajectory.sample(time);
-    const std::vector<double> velocities = job.run->trajectory.velocities(time);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      states.push_back({job.run->trajectory.joints()[i], positions[i], velocities[i]});
-    }
+  const Job* const job = find(trajectory);
+  if (job == nullptr || !job->run || job->run->over || job->run->clock.at(now) < 0) {
+    return states;
+  }
+  const Trajectory& way = job->run->trajectory;
+  const double time = job->run->clock.at(now);
+  const std::vector<double> positions = way.sample(time);
+  const std::vector<double> velocities = way.velocities(time);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    states.push_back({way.joints()[i], positions[i], velocities[i]});
   }
   return states;
 }
 
-std::vector<Movement> JointPlan::movements(SteadyTime now) const {
-  std::vector<Movement> movements;
-  if (commanding_) {
-    movements.push_back(describeCommands(now));
-  }
-  for (const Job& job : jobs_) {
-    if (job.run) {
-      movements.push_back(describe(job, now));
-    }
-  }
-  return movements;
+bool JointPlan::empty() const {
+  return jobs_.empty() && std::none_of(commands_.begin(), commands_.end(), [](const std::optional<Command>& command) {
+           return command && command->is_open;
+         });
 }
 
-std::vector<EndedMovement> JointPlan::takeEnded() {
-  return std::exchange(ended_, {});
+const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
+  const auto job = std::find_if(jobs_.begin(), jobs_.end(), [=](const Job& each) { return each.id == trajectory; });
+  return job == jobs_.end() ? nullptr : &*job;
 }
 
 // Where a joint should be some time from now, if anything moves it then.
 std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTime now, double ahead) const {
   for (auto job = jobs_.rbegin(); job != jobs_.rend(); ++job) {
-    const std::optional<std::size_t> place = job->run ? job->placeOf(table_[joint].name) : std::nullopt;
+    const bool moves_now = job->run && !job->run->over;
+    const std::optional<std::size_t> place = moves_now ? job->placeOf(table_[joint].name) : std::nullopt;
     const double time = place ? job->run->clock.at(now) + ahead : -1;
     if (time >= 0) {
       return Trajectory::Start{joint, job->run->trajectory.sample(time)[*place],
@@ -279,7 +313,7 @@ void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
                     "was last measured %.1f s ago, and a trajectory needs to know where it is: "
                     "allowed is %.1f s. Does joint_states still come?",
                     seconds(now - measured->arrival), seconds(job.oldest));
-      throw InvalidArgumentException("Trajectory refused: " + name + " " + text);
+      throw InvalidArgumentException(name + " " + text);
     }
   }
 }
@@ -290,40 +324,33 @@ void JointPlan::takeFromWaiting(const Job& newer) {
     if (job.run || job.start < newer.start) {
       continue;
     }
-    Job taken = job;
     for (std::size_t i = job.request.joints.size(); i-- > 0;) {
       if (newer.placeOf(job.request.joints[i])) {
         removeJoint(i, &job.request);
-      } else {
-        removeJoint(i, &taken.request);
       }
     }
-    if (!taken.request.joints.empty()) {
-      noteTaken(taken, job);
+    if (job.request.joints.empty()) {
+      noteEnd(&job, MovementEnd::kReplaced, kNewer);
     }
   }
   removeEnded();
 }
 
-// A newer trajectory has taken joints of another one.
-void JointPlan::noteTaken(const Job& taken, const Job& rest) {
-  const std::string left = listOf(rest.names());
-  if (left.empty()) {
-    noteEnd(taken, MovementEnd::kReplaced, "a newer trajectory moves its joints");
-  } else {
-    rest.fate->partly_replaced = true;
-    ended_.push_back({describe(taken, taken.start), MovementEnd::kReplaced,
-                      "a newer trajectory moves them, while it goes on for " + left});
-  }
-}
-
-void JointPlan::endThoseThatMove(std::size_t joint) {
-  for (const Job& job : jobs_) {
+void JointPlan::endTrajectoriesThatMove(std::size_t joint) {
+  for (Job& job : jobs_) {
     if (job.placeOf(table_[joint].name)) {
-      noteEnd(job, MovementEnd::kReplaced, table_[joint].name + " was commanded to go elsewhere");
+      noteEnd(&job, MovementEnd::kReplaced, table_[joint].name + " was commanded to go elsewhere");
     }
   }
   removeEnded();
+}
+
+// The movement that the joint was commanded by goes on for its other joints, if there are any.
+void JointPlan::replaceCommand(std::size_t joint, const std::string& reason) {
+  const std::optional<Command> older = std::exchange(commands_[joint], std::nullopt);
+  if (older && older->is_open && jointsOf(older->id).empty()) {
+    ended_.push_back({older->id, MovementEnd::kReplaced, reason, {}});
+  }
 }
 
 // As early as their first positions have to be sent.
@@ -337,10 +364,11 @@ void JointPlan::beginDue(SteadyTime now) {
                     TrajectoryClock(std::max(job.start, now), kPeriod),
                     std::vector<bool>(job.request.joints.size(), true),
                     {},
-                    false};
+                    false,
+                    std::nullopt};
       jobs_.push_back(std::move(job));
     } catch (const InvalidArgumentException& error) {
-      noteEnd(job, MovementEnd::kRefused, error.what());
+      noteEnd(&job, MovementEnd::kRefused, error.what());
     }
   }
 }
@@ -356,39 +384,19 @@ void JointPlan::handOver(SteadyTime now) {
         takeJoints(jobs_[newer], &jobs_[older]);
       }
     }
-    takeCommands(jobs_[newer], now);
+    for (const std::string& joint : jobs_[newer].names()) {
+      replaceCommand(*table_.findByName(joint), "a trajectory moves " + joint);
+    }
   }
   removeEnded();
 }
 
 void JointPlan::takeJoints(const Job& newer, Job* older) {
-  const std::vector<std::string> before = older->names();
-  const auto is_taken = [&newer](const std::string& joint) { return newer.placeOf(joint).has_value(); };
-  if (std::none_of(before.begin(), before.end(), is_taken)) {
-    return;
-  }
-  Job taken = *older;
   for (std::size_t i = 0; i < older->request.joints.size(); ++i) {
-    taken.run->moves[i] = older->moves(i) && is_taken(older->request.joints[i]);
-    older->run->moves[i] = older->moves(i) && !taken.run->moves[i];
+    older->run->moves[i] = older->moves(i) && !newer.placeOf(older->request.joints[i]);
   }
-  noteTaken(taken, *older);
-}
-
-void JointPlan::takeCommands(const Job& newer, SteadyTime now) {
-  bool took_one = false;
-  bool is_one_left = false;
-  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
-    const bool under_way = commands_[joint] && isUnderWay(*commands_[joint], now);
-    const bool taken = newer.placeOf(table_[joint].name).has_value();
-    took_one = took_one || (taken && under_way);
-    is_one_left = is_one_left || (!taken && under_way);
-  }
-  if (commanding_ && took_one && !is_one_left) {
-    endCommands(MovementEnd::kReplaced, "a trajectory moves its joints");
-  }
-  for (const std::string& joint : newer.names()) {
-    commands_[*table_.findByName(joint)].reset();
+  if (older->names().empty()) {
+    noteEnd(older, MovementEnd::kReplaced, kNewer);
   }
 }
 
@@ -405,8 +413,8 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   Run& run = *job.run;
   const double left = run.trajectory.duration() - run.clock.at(now);
   if (run.end_sent) {
-    if (left <= 0) {
-      noteEnd(job, MovementEnd::kDone, "");
+    if (left <= 0 && !run.over) {
+      run.over = now;
     }
     return {};
   }
@@ -414,6 +422,7 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   run.end_sent = left <= ahead;
   run.sent = run.trajectory.sample(run.clock.at(now) + ahead);
   JointStep step;
+  step.movement = job.id;
   step.duration = milliseconds(std::lround(1000 * ahead));
   for (const std::string& joint : job.names()) {
     if (!isSentByNewer(index, joint)) {
@@ -428,45 +437,91 @@ JointOrder JointPlan::orderFor(const std::string& joint, double position) const 
   return {std::clamp(position, table_[index].lowest, table_[index].highest), table_.speedLimit(index)};
 }
 
-void JointPlan::removeEnded() {
-  jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), [](const Job& job) { return job.fate->end.has_value(); }),
-              jobs_.end());
-}
-
-void JointPlan::noteEnd(const Job& job, MovementEnd how, const std::string& reason) {
-  if (!job.fate->end) {
-    job.fate->end = how;
-    job.fate->reason = reason;
-    ended_.push_back({describe(job, job.start), how, reason});
-  }
-}
-
-void JointPlan::endCommands(MovementEnd how, const std::string& reason) {
-  ended_.push_back({describeCommands({}), how, reason});
-  commanding_ = false;
-}
-
-Movement JointPlan::describe(const Job& job, SteadyTime now) const {
-  Movement movement;
-  movement.kind = Movement::Kind::kTrajectory;
-  movement.source = job.source;
-  movement.joints = job.names();
-  if (job.run) {
-    const std::chrono::duration<double> left(job.run->trajectory.duration() - job.run->clock.at(now));
-    movement.end = now + std::chrono::duration_cast<steady_clock::duration>(left);
-  }
-  return movement;
-}
-
-Movement JointPlan::describeCommands(SteadyTime now) const {
-  Movement movement;
-  movement.source = commander_;
-  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
-    if (commands_[joint] && isUnderWay(*commands_[joint], now)) {
-      movement.joints.push_back(table_[joint].name);
+void JointPlan::endThoseThatArrived(SteadyTime now) {
+  std::vector<std::optional<End>> verdicts;
+  for (const Job& job : jobs_) {
+    if (job.run && job.run->over) {
+      verdicts.push_back(judge(job.id, aimsOf(job), job.arrival.grace, now));
     }
   }
-  return movement;
+  std::map<MovementId, std::vector<Aim>> commanded;
+  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
+    const std::optional<Command>& command = commands_[joint];
+    if (command && command->is_open) {
+      const std::chrono::duration<double> way(command->duration() + kSettling);
+      const SteadyTime due = command->begin + std::chrono::duration_cast<steady_clock::duration>(way);
+      commanded[command->id].push_back({joint, command->target, due, {}});
+    }
+  }
+  for (const auto& [id, aims] : commanded) {
+    verdicts.push_back(judge(id, aims, Arrival().grace, now));
+  }
+  for (const std::optional<End>& verdict : verdicts) {
+    if (verdict) {
+      end(verdict->id, verdict->how, verdict->reason);
+    }
+  }
+}
+
+std::vector<JointPlan::Aim> JointPlan::aimsOf(const Job& job) const {
+  std::vector<Aim> aims;
+  const std::vector<double> end = job.run->trajectory.sample(job.run->trajectory.duration());
+  for (const std::string& joint : job.names()) {
+    const auto found = job.arrival.tolerances.find(joint);
+    aims.push_back({*table_.findByName(joint), end[*job.placeOf(joint)], *job.run->over,
+                    found == job.arrival.tolerances.end() ? Tolerance() : found->second});
+  }
+  return aims;
+}
+
+// How a movement ends, if its joints have arrived, or should have.
+std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<Aim>& aims, milliseconds grace,
+                                               SteadyTime now) const {
+  std::vector<std::string> away;
+  std::vector<std::string> unmeasured;
+  SteadyTime last_due;
+  for (const Aim& aim : aims) {
+    last_due = std::max(last_due, aim.due);
+    const std::optional<MeasuredJoint> measured = measured_.find(aim.joint);
+    const bool is_fresh = measured && measured->arrival >= aim.due;
+    const std::string problem = is_fresh ? describeDistance(*measured, aim.target, aim.tolerance) : "";
+    if (!is_fresh) {
+      unmeasured.push_back(table_[aim.joint].name);
+    } else if (!problem.empty()) {
+      away.push_back(table_[aim.joint].name + problem);
+    }
+  }
+  if (away.empty() && unmeasured.empty()) {
+    return End{id, MovementEnd::kDone, "", {}};
+  }
+  if (now < last_due + grace) {
+    return std::nullopt;
+  }
+  return away.empty() ? End{id, MovementEnd::kUnknown, "nothing has measured " + listOf(unmeasured) + " since", {}}
+                      : End{id, MovementEnd::kNotReached, listOf(away), {}};
+}
+
+void JointPlan::removeEnded() {
+  jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), [](const Job& job) { return job.has_ended; }), jobs_.end());
+}
+
+void JointPlan::noteEnd(Job* job, MovementEnd how, const std::string& reason) {
+  if (!std::exchange(job->has_ended, true)) {
+    ended_.push_back({job->id, how, reason, job->names()});
+  }
+}
+
+void JointPlan::endCommand(MovementId id, MovementEnd how, const std::string& reason) {
+  std::vector<std::string> joints;
+  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
+    std::optional<Command>& command = commands_[joint];
+    if (command && command->id == id && std::exchange(command->is_open, false)) {
+      joints.push_back(table_[joint].name);
+    }
+  }
+  if (!joints.empty()) {
+    ended_.push_back({id, how, reason, std::move(joints)});
+  }
 }
 
 }  // namespace aibo_driver::movement

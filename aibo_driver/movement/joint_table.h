@@ -1,6 +1,6 @@
 /// @file joint_table.h
-#ifndef AIBO_DRIVER_JOINTS_JOINT_TABLE_H
-#define AIBO_DRIVER_JOINTS_JOINT_TABLE_H
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_TABLE_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_TABLE_H
 
 #include <atomic>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 #include "aibo_driver/joints.h"
 
-namespace aibo_driver::joints {
+namespace aibo_driver::movement {
 
 /// The speed limit of joints unless the user sets another one, in rad/s.
 constexpr double kUsualSpeedLimit = 3.0;
@@ -64,6 +64,6 @@ class JointTable {
   std::atomic<double> speed_scale_{1.0};
 };
 
-}  // namespace aibo_driver::joints
+}  // namespace aibo_driver::movement
 
-#endif  // AIBO_DRIVER_JOINTS_JOINT_TABLE_H
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_TABLE_H

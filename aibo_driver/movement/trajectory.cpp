@@ -23,7 +23,7 @@ constexpr double kSpeedTolerance = 1.001;  // for rounding errors
 constexpr double kStartTolerance = 0.1;  // rad
 
 [[noreturn]] void refuse(const std::string& reason) {
-  throw InvalidArgumentException("Trajectory refused: " + reason + ".");
+  throw InvalidArgumentException(reason + ".");
 }
 
 std::string number(double value) {

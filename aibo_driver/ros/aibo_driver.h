@@ -13,6 +13,7 @@
 #include "aibo_driver/rcserver_client.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
+#include "movement/mover.h"
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
@@ -39,7 +40,6 @@
 #include "ros/driver_parameters.h"
 #include "ros/joints/follow_trajectory_server.h"
 #include "ros/joints/joint_commander.h"
-#include "ros/joints/joint_mover.h"
 #include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/robot_stamper.h"
@@ -78,6 +78,9 @@ class AiboDriver {
 
   void publishTelemetry(const Telemetry& telemetry);
   void updateConnection(const ConnectionStatus& status);
+  void refused(const Refusal& refusal);
+  movement::Mover::Listener makeListener();
+  void logEnd(const movement::EndedMovement& ended);
 
   /// Null if its time is not to be used.
   robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
@@ -87,8 +90,10 @@ class AiboDriver {
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
 
-  CallbackThreads stop_threads_;     ///< stop and motors: wait for nothing else
-  CallbackThreads joint_thread_;     ///< everything that moves joints, in order
+  ReceiptClock receipts_;
+  CallbackThreads stop_threads_;     ///< stop, release and motors: wait for nothing else
+  CallbackThreads joint_thread_;     ///< commands to joints, trajectories and cmd_vel, in order
+  CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
   CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
   CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
@@ -121,7 +126,8 @@ class AiboDriver {
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;
   ColorTableService color_tables_;
-  JointMover mover_;
+  ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  movement::Mover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
   WalkCommander walk_;

@@ -8,7 +8,7 @@
 
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/mover.h"
 
 namespace aibo_driver::node {
 
@@ -26,7 +26,7 @@ class FollowTrajectoryServer {
 std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle& handle,
                                                                     const movement::JointTable& table,
                                                                     const movement::MeasuredJoints& measured,
-                                                                    JointMover& mover);
+                                                                    movement::Mover& mover);
 
 }  // namespace aibo_driver::node
 

@@ -5,7 +5,7 @@
 namespace aibo_driver::node {
 
 std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle&, const movement::JointTable&,
-                                                                    const movement::MeasuredJoints&, JointMover&) {
+                                                                    const movement::MeasuredJoints&, movement::Mover&) {
   return nullptr;
 }
 
