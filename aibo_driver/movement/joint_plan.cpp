@@ -24,6 +24,9 @@ double seconds(steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
+// A version 1 server reports each joint about once a second, and less often while it is busy.
+constexpr milliseconds kLongestSilence{5000};
+
 constexpr const char* kNewer = "a newer trajectory moves its joints";
 
 std::string number(double value) {
@@ -181,17 +184,14 @@ void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
   removeEnded();
 }
 
-void JointPlan::endThoseThatMove(const std::vector<std::string>& joints, MovementEnd how, const std::string& reason) {
+void JointPlan::replace(const std::vector<std::string>& joints, const std::string& reason) {
   for (const std::string& joint : joints) {
     for (Job& job : jobs_) {
       if (job.placeOf(joint)) {
-        noteEnd(&job, how, reason);
+        noteEnd(&job, MovementEnd::kReplaced, reason);
       }
     }
-    const std::optional<Command>& command = commands_[*table_.findByName(joint)];
-    if (command) {
-      endCommand(command->id, how, reason);
-    }
+    replaceCommand(*table_.findByName(joint), reason);
   }
   removeEnded();
 }
@@ -494,7 +494,7 @@ std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<
   if (away.empty() && unmeasured.empty()) {
     return End{id, MovementEnd::kDone, "", {}};
   }
-  if (now < last_due + grace) {
+  if (now < last_due + (away.empty() ? std::max(grace, kLongestSilence) : grace)) {
     return std::nullopt;
   }
   return away.empty() ? End{id, MovementEnd::kUnknown, "nothing has measured " + listOf(unmeasured) + " since", {}}

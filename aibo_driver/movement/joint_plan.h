@@ -52,7 +52,7 @@ struct JointStep {
 /// replaced in part, what is left goes on.
 ///
 /// A movement is done when all its joints are measured where they were sent, after the time that this takes. If one has
-/// not arrived after some grace, it is not reached; and how it ended is unknown if a joint was not measured any more.
+/// not arrived after some grace, it is not reached; and how it ended is unknown if a joint is not measured any more.
 ///
 /// Every kPeriod the robot has to be told where the joints should be kLookahead later, to arrive by then. So the robot
 /// always knows what comes next, and a message that is late by less than that does not make it falter. If the caller is
@@ -109,8 +109,9 @@ class JointPlan {
   /// Ends all trajectories, and leaves commands as they are.
   void endTrajectories(MovementEnd how, const std::string& reason);
 
-  /// Ends what moves one of these joints, or will.
-  void endThoseThatMove(const std::vector<std::string>& joints, MovementEnd how, const std::string& reason);
+  /// Something else moves these joints: ends the trajectories that move one of them, or will. Of commands, what is left
+  /// goes on.
+  void replace(const std::vector<std::string>& joints, const std::string& reason);
 
   /// The joints that a movement moves, or will move when it begins; none if it has ended.
   std::vector<std::string> jointsOf(MovementId id) const;

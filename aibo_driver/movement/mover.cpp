@@ -198,6 +198,7 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
     }
     overruleWalk(movement);
     Begun result = begin(std::move(movement));
+    went_on_ = now;
     if (stretch > 1) {
       result.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
     }
@@ -548,7 +549,11 @@ void Mover::refused(const Refusal& refusal) {
       return;  // it ends with the halt
     }
     const MovementEnd how = refusal.cause == RefusalCause::kReplaced ? MovementEnd::kReplaced : MovementEnd::kRefused;
-    if (refusal.request == RefusedRequest::kJoints) {
+    if (refusal.cause == RefusalCause::kJointFault) {
+      for (const MovementId id : commandersOf(refusal)) {
+        find(id)->trouble = refusal.reason;  // its other joints go on
+      }
+    } else if (refusal.request == RefusedRequest::kJoints) {
       for (const MovementId id : commandersOf(refusal)) {
         end(id, how, refusal.reason);
       }
@@ -606,10 +611,14 @@ void Mover::disconnected() {
 bool Mover::goOn() {
   return change([this] {
     checkConnection();
-    if (halts_ == 0) {
-      sendSteps(plan_.advance(clock_()));
-      takeEndsOfPlan();
+    const SteadyTime now = clock_();
+    if (now - std::exchange(went_on_, now) > OrderGate::kLongestWait) {
+      plan_.endTrajectories(MovementEnd::kRefused, "the driver was held up");
     }
+    if (halts_ == 0) {
+      sendSteps(plan_.advance(now));
+    }
+    takeEndsOfPlan();
     return !plan_.empty();
   });
 }
@@ -626,7 +635,7 @@ std::vector<std::string> Mover::jointsOf(MovementId id) const {
 
 Mover::State Mover::state() const {
   const Lock lock(mutex_);
-  State state{{}, {ended_.begin(), ended_.end()}, robot_, gate_.stoppedBy()};
+  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy()};
   const SteadyTime now = clock_();
   for (const Record& record : records_) {
     state.movements.push_back(record.movement);
@@ -675,6 +684,7 @@ bool Mover::isRepeated(const EndedMovement& refused) {
 }
 
 void Mover::note(const EndedMovement& ended) {
+  ++ends_;
   ended_.push_back(ended);
   if (ended_.size() > kEndsRemembered) {
     ended_.pop_front();
@@ -704,7 +714,8 @@ void Mover::takeEndsOfPlan() {
     if (record != nullptr && !end.joints.empty()) {
       record->movement.joints = std::move(end.joints);
     }
-    close(end.id, end.how, end.reason);
+    const bool has_trouble = record != nullptr && !record->trouble.empty() && end.how == MovementEnd::kNotReached;
+    close(end.id, end.how, has_trouble ? std::string(record->trouble) : end.reason);
   }
 }
 
@@ -815,7 +826,7 @@ void Mover::overruleWalk(const Movement& movement) {
 // needs what they can do.
 void Mover::freeLegs(const std::string& reason) {
   link_.requireDesign();
-  plan_.endThoseThatMove(table_.namesOfLegs(), MovementEnd::kReplaced, reason);
+  plan_.replace(table_.namesOfLegs(), reason);
   takeEndsOfPlan();
   if (client_.status().robot.hasCapability("S")) {
     link_.limitSpeeds(table_.ownSpeedsOfLegs());

@@ -48,7 +48,7 @@ class Mover {
   /// The same with a version 1 server, which reports one joint after the other, each about once a second.
   static constexpr std::chrono::milliseconds kFreshVersion1{2000};
   /// So many ends are remembered.
-  static constexpr std::size_t kEndsRemembered = 8;
+  static constexpr std::size_t kEndsRemembered = 64;
 
   /// What has become of an order.
   struct Begun {
@@ -67,6 +67,7 @@ class Mover {
   struct State {
     std::vector<Movement> movements;        ///< now
     std::vector<EndedMovement> ended;       ///< the latest, the newest last
+    std::size_t ends = 0;                   ///< how many have ended so far
     MotorsAndPosture robot;                 ///< what it says of itself
     std::optional<std::string> stopped_by;  ///< the node that has stopped it, if it is stopped
   };
@@ -195,6 +196,7 @@ class Mover {
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
     bool has_begun = false;  ///< of a walk: the robot has said so
+    std::string trouble;     ///< a joint that does not follow, in words; empty if there is none
   };
 
   /// What the listener has not been told yet.
@@ -257,6 +259,8 @@ class Mover {
   std::list<Record> records_;
   MovementId last_id_ = 0;
   std::deque<EndedMovement> ended_;
+  std::size_t ends_ = 0;
+  SteadyTime went_on_;  ///< goOn() was called, or a trajectory has begun
   std::vector<Refused> refused_;
   News news_;
   MotorsAndPosture robot_;

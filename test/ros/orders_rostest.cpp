@@ -123,13 +123,13 @@ class OrderUser : public JointUser {
     return longest;
   }
 
-  // How the first movement of this kind has ended since states.clear().
-  EndedMovement waitForEnd(std::uint8_t kind) {
+  // The first movement of this kind that has ended, since states.clear(), unless it was stopped.
+  EndedMovement waitForEnd(std::uint8_t kind, bool or_stopped = false) {
     EndedMovement end;
     end.how = 99;
     states.waitFor([&](const MotionState& state) {
       for (const EndedMovement& each : state.ended) {
-        if (each.movement.kind == kind) {
+        if (each.movement.kind == kind && (or_stopped || each.how != EndedMovement::STOPPED)) {
           end = each;
           return true;
         }
@@ -327,7 +327,7 @@ TEST(Orders, AMotionIsStoppedByZeroRepetitions) {
   ASSERT_TRUE(user.play("nod", 100).success);
   const auto answer = user.play("nod", 0);
   EXPECT_TRUE(answer.success) << answer.message;
-  EXPECT_EQ(user.waitForEnd(Movement::MOTION).how, EndedMovement::STOPPED);
+  EXPECT_EQ(user.waitForEnd(Movement::MOTION, true).how, EndedMovement::STOPPED);
 }
 
 TEST(Orders, WithoutMotorsAreRefusedAndSaidTo) {

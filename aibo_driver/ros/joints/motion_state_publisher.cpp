@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace aibo_driver::node {
 namespace {
@@ -88,11 +89,12 @@ MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime 
   for (const movement::Movement& movement : state.movements) {
     message.movements.push_back(toMessage(movement, steady_now, now));
   }
-  for (const movement::EndedMovement& each : state.ended) {
+  const auto most = static_cast<std::ptrdiff_t>(std::min(state.ended.size(), kEndsInMessage));
+  for (auto each = state.ended.end() - most; each != state.ended.end(); ++each) {
     EndedMovement ended;
-    ended.movement = toMessage(each.movement, steady_now, now);
-    ended.how = endConstant(each.how);
-    ended.reason = each.reason;
+    ended.movement = toMessage(each->movement, steady_now, now);
+    ended.how = endConstant(each->how);
+    ended.reason = each->reason;
     message.ended.push_back(ended);
   }
   if (!message.ended.empty()) {
@@ -128,7 +130,16 @@ MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const 
 void MotionStatePublisher::publish() {
   const std::lock_guard<std::mutex> lock(mutex_);  // the newest state is published last
   const movement::Mover::State state = mover_.state();
-  const MotionState present = toMessage(state, std::chrono::steady_clock::now(), ros::Time::now());
+  const ros::Time now = ros::Time::now();
+  const auto steady_now = std::chrono::steady_clock::now();
+  // Each message adds as many ends as fit; the last one has the newest.
+  const std::size_t fresh = std::min(state.ends - std::exchange(ends_, state.ends), state.ended.size());
+  for (std::size_t left = fresh; left > kEndsInMessage; left -= kEndsInMessage) {
+    movement::Mover::State earlier = state;
+    earlier.ended.resize(state.ended.size() - (left - kEndsInMessage));
+    publisher_.publish(toMessage(earlier, steady_now, now));
+  }
+  const MotionState present = toMessage(state, steady_now, now);
   if (!areSame(present, last_)) {
     last_ = present;
     publisher_.publish(present);
@@ -136,7 +147,7 @@ void MotionStatePublisher::publish() {
   RobotState robot = toMessage(state);
   robot.header = last_robot_.header;
   if (robot != last_robot_) {
-    robot.header.stamp = present.header.stamp;
+    robot.header.stamp = now;
     last_robot_ = robot;
     robot_publisher_.publish(robot);
   }

@@ -194,11 +194,37 @@ TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
   EXPECT_EQ(reasonOf(commanded), "the motors are off");
   EXPECT_EQ(other.ended(), nullptr);
   const auto followed = follow("head_pan", 0.5, 1.0);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
-  EXPECT_EQ(reasonOf(followed), "head_pan is jammed");
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", 0});
+  EXPECT_EQ(reasonOf(followed), "the motors are off");
   told();
   mover_.goOn();
   EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
+  const auto commanded = command("head_pan", 0.5);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
+  EXPECT_EQ(commanded.ended(), nullptr) << "it may become free";
+  pass(milliseconds(3200), 0.0);
+  EXPECT_EQ(endOf(commanded), MovementEnd::kNotReached);
+  EXPECT_EQ(reasonOf(commanded), "head_pan is jammed");
+}
+
+TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
+  const auto followed = follow("head_pan", 1.0, 2.0);
+  pass(milliseconds(200), 0.1);
+  now_ += milliseconds(600);
+  measure(0.1);
+  told();
+  mover_.goOn();
+  EXPECT_EQ(endOf(followed), MovementEnd::kRefused);
+  EXPECT_EQ(reasonOf(followed), "the driver was held up");
+  EXPECT_THAT(told(), IsEmpty());
+  now_ += std::chrono::hours(1);
+  measure(0.1);
+  const auto later = follow("head_pan", 1.0, 2.0);
+  mover_.goOn();
+  EXPECT_EQ(later.ended(), nullptr);
 }
 
 TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
@@ -252,11 +278,12 @@ TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
 }
 
 TEST_F(MoverTest, RemembersTheLatestEnds) {
-  for (int i = 0; i < 12; ++i) {
-    follow("third_leg", i, 1.0);
+  for (std::size_t i = 0; i < 2 * Mover::kEndsRemembered; ++i) {
+    follow("third_leg", 0, 1.0);
   }
-  EXPECT_THAT(ends_, SizeIs(12));
+  EXPECT_THAT(ends_, SizeIs(2 * Mover::kEndsRemembered));
   EXPECT_THAT(mover_.state().ended, SizeIs(Mover::kEndsRemembered));
+  EXPECT_EQ(mover_.state().ends, 2 * Mover::kEndsRemembered);
 }
 
 // ---- Stop and release
@@ -514,10 +541,11 @@ TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
 
 TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
   const auto leg = command("left_front_rotator", 0.5);
-  const auto head = command("head_pan", 0.5);
+  const auto both = mover_.command(order(), {"head_pan", "left_front_knee"}, {0.5, 0.5}, {});
   mover_.takePosture(order("/panel"), Posture::kSit);
   EXPECT_EQ(reasonOf(leg), "/panel called sit");
-  EXPECT_EQ(head.ended(), nullptr);
+  EXPECT_EQ(both.ended(), nullptr);
+  EXPECT_THAT(mover_.jointsOf(both.id), ElementsAre("head_pan"));
 }
 
 TEST_F(MoverTest, EndsEverythingWithTheConnection) {
