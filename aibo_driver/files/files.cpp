@@ -180,8 +180,8 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   checkPath(path, "read");
   std::error_code error;
   if (!fs::exists(path, error)) {
-    failToRead(path, "there is no such file on " + thisComputer() + " (working directory: " +
-                         fs::current_path(error).string() + ")");
+    failToRead(path, "there is no such file on " + thisComputer() +
+                         " (working directory: " + fs::current_path(error).string() + ")");
   }
   if (!fs::is_regular_file(path, error)) {
     failToRead(path, kNotRegular);

@@ -9,11 +9,11 @@ constexpr const char* kPan = "head_pan";
 constexpr const char* kTilt = "head_tilt";
 
 /// -1 at the lowest position, 1 at the highest.
-double toPad(double position, const joints::JointProperties& joint) {
+double toPad(double position, const movement::JointProperties& joint) {
   return 2 * (position - joint.lowest) / (joint.highest - joint.lowest) - 1;
 }
 
-double fromPad(double place, const joints::JointProperties& joint) {
+double fromPad(double place, const movement::JointProperties& joint) {
   return joint.lowest + (place + 1) / 2 * (joint.highest - joint.lowest);
 }
 
@@ -31,7 +31,7 @@ HeadPad::HeadPad(QWidget* parent) : AxisPad(parent) {
 
 void HeadPad::setDesign(const QString& design) {
   try {
-    const joints::JointTable table(design.toStdString(), kAnySpeed);
+    const movement::JointTable table(design.toStdString(), kAnySpeed);
     const auto pan = table.findByName(kPan);
     const auto tilt = table.findByName(kTilt);
     if (pan && tilt) {

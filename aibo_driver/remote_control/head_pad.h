@@ -2,7 +2,7 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_HEAD_PAD_H
 #define AIBO_DRIVER_REMOTE_CONTROL_HEAD_PAD_H
 
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 #include "remote_control/axis_pad.h"
 #include "remote_control/robot.h"
 
@@ -25,8 +25,8 @@ class HeadPad : public AxisPad {
   void pointed(const aibo_driver::remote_control::JointPositions& positions);
 
  private:
-  joints::JointProperties pan_;
-  joints::JointProperties tilt_;
+  movement::JointProperties pan_;
+  movement::JointProperties tilt_;
 };
 
 }  // namespace aibo_driver::remote_control

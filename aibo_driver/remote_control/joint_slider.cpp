@@ -52,7 +52,7 @@ void MarkedSlider::wheelEvent(QWheelEvent* event) {
   event->ignore();
 }
 
-JointSlider::JointSlider(const joints::JointProperties& joint, const QString& label, QWidget* parent)
+JointSlider::JointSlider(const movement::JointProperties& joint, const QString& label, QWidget* parent)
     : QWidget(parent),
       joint_(QString::fromStdString(joint.name)),
       slider_(new MarkedSlider(this)),

@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 
 namespace aibo_driver::remote_control {
 
@@ -37,7 +37,7 @@ class JointSlider : public QWidget {
 
  public:
   /// @param label for people
-  JointSlider(const joints::JointProperties& joint, const QString& label, QWidget* parent = nullptr);
+  JointSlider(const movement::JointProperties& joint, const QString& label, QWidget* parent = nullptr);
 
   const QString& joint() const { return joint_; }
 

@@ -52,7 +52,7 @@ void JointsPage::makeSliders(const QString& design) {
   grid->setContentsMargins(2, 2, 2, 2);
   std::map<QString, QVBoxLayout*> groups;
   try {
-    const joints::JointTable table(design.toStdString(), kAnySpeed);
+    const movement::JointTable table(design.toStdString(), kAnySpeed);
     for (const char* title : {"Head", "Tail", "Left front", "Right front", "Left hind", "Right hind"}) {
       auto* group = new QGroupBox(title, inside);
       auto* rows = new QVBoxLayout(group);
@@ -62,7 +62,7 @@ void JointsPage::makeSliders(const QString& design) {
       groups[title] = rows;
       grid->addWidget(group, number / 2, number % 2);
     }
-    for (const joints::JointProperties& joint : table.joints()) {
+    for (const movement::JointProperties& joint : table.joints()) {
       const Place place = placeOf(QString::fromStdString(joint.name));
       auto* slider = new JointSlider(joint, place.label, inside);
       groups[place.group]->addWidget(slider);

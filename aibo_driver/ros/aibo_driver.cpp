@@ -76,11 +76,12 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       only_driver_(handle_),
       parameters_(readDriverParameters(handle_, private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
-      stop_threads_(handle_, kStopThreads),
-      joint_thread_(handle_),
-      body_thread_(handle_),
-      posture_threads_(handle_, kPostureThreads),
-      picture_threads_(handle_, kPictureThreads),
+      stop_threads_(handle_, receipts_, kStopThreads),
+      joint_thread_(handle_, receipts_),
+      motion_thread_(handle_, receipts_),
+      body_thread_(handle_, receipts_),
+      posture_threads_(handle_, receipts_, kPostureThreads),
+      picture_threads_(handle_, receipts_, kPictureThreads),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
       joint_table_(parameters_.robot, parameters_.joint_speed_limit),
       measured_joints_(joint_table_),
@@ -105,15 +106,17 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       stick_pictures_(parameters_, client_),
       color_tables_(model_, client_,
                     [this](int channel, const ColorTablePtr& table) { colors_.setTable(channel, table); }),
-      mover_(joint_table_, measured_joints_, client_, parameters_, [this] { return settings_.telemetryPeriod() > 0; }),
+      mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed, parameters_.slow_down,
+             [this] { return settings_.telemetryPeriod() > 0; }),
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
       walk_(parameters_.walk, client_, mover_),
       postures_(mover_),
       expression_(model_, client_),
       robot_services_(client_, mover_),
-      diagnostics_(handle_, private_handle, name,
-                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_}),
+      diagnostics_(
+          handle_, private_handle, name,
+          {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_, mover_}),
       report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod), [this](const ros::SteadyTimerEvent&) {
         link_quality_.publish();
         diagnostics_.publish();
@@ -122,16 +125,16 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
   warnOfUnknown(parameters_, private_handle.getNamespace());
-  mover_.setListener({[this] { motion_state_.publish(); }, [this] { joints_.moveOn(); }});
+  mover_.setListener(makeListener());
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
   walk_.subscribe(joint_thread_.handle());
   postures_.advertise(posture_threads_.handle());
   repeatStateOfActionsRarely(handle_);
-  motion_action_ = startPlayMotionServer(joint_thread_.handle(), client_, mover_);
+  motion_action_ = startPlayMotionServer(motion_thread_.handle(), mover_);
   trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
-  robot_services_.advertise(stop_threads_.handle(), joint_thread_.handle(), body_thread_.handle());
+  robot_services_.advertise(stop_threads_.handle(), motion_thread_.handle(), body_thread_.handle());
   stream_services_.advertise(handle_, picture_threads_.handle());
   stick_pictures_.advertise(body_thread_.handle());
   color_tables_.loadAtStart(parameters_.color_tables);
@@ -140,8 +143,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();
+  receipts_.start();
   stop_threads_.start();
   joint_thread_.start();
+  motion_thread_.start();
   body_thread_.start();
   posture_threads_.start();
   picture_threads_.start();
@@ -155,6 +160,7 @@ AiboDriver::~AiboDriver() {
   client_.stop();
   stop_threads_.stop();
   joint_thread_.stop();
+  motion_thread_.stop();
   body_thread_.stop();
   posture_threads_.stop();
   picture_threads_.stop();
@@ -171,10 +177,47 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_steered = [this](const WalkVelocity& in_force) { mover_.steered(in_force); };
   callbacks.on_ended = [this](const MotionEnd& end) {
     odometry_.motionEnded(end);
-    mover_.motionEnded(end);
+    mover_.ended(end);
   };
+  callbacks.on_refused = [this](const Refusal& refusal) { refused(refusal); };
+  callbacks.on_late_answer = [this](const LateAnswer& answer) { mover_.answeredLate(answer); };
+  callbacks.on_motors_and_posture = [this](const MotorsAndPosture& state) { mover_.robotChanged(state); };
   callbacks.log = logForClient;
   return callbacks;
+}
+
+// The end of each movement is logged, too.
+void AiboDriver::refused(const Refusal& refusal) {
+  mover_.refused(refusal);
+  if (refusal.request != RefusedRequest::kJoints && refusal.request != RefusedRequest::kWalk) {
+    movement_warnings_.warn("The robot did not do what it was told: " + refusal.reason + ".");
+  }
+}
+
+movement::Mover::Listener AiboDriver::makeListener() {
+  movement::Mover::Listener listener;
+  listener.on_change = [this] { motion_state_.publish(); };
+  listener.on_begin = [this] { joints_.moveOn(); };
+  listener.on_ended = [this](const movement::EndedMovement& ended) { logEnd(ended); };
+  listener.on_warning = [this](const std::string& text) { movement_warnings_.warn(text); };
+  return listener;
+}
+
+// Commands come often, and replace and stop each other, as is meant.
+void AiboDriver::logEnd(const movement::EndedMovement& ended) {
+  using movement::MovementEnd;
+  using Kind = movement::Movement::Kind;
+  const bool is_command = ended.movement.kind == Kind::kCommand || ended.movement.kind == Kind::kLookAt;
+  const bool is_meant = ended.how == MovementEnd::kReplaced || ended.how == MovementEnd::kStopped;
+  const bool is_as_ever = ended.how == MovementEnd::kUnknown && ended.movement.kind == Kind::kMotion;
+  const std::string name = movement::describe(ended.movement);
+  if (ended.how == MovementEnd::kRefused) {
+    movement_warnings_.warn(name + " is refused: " + ended.reason + ".");
+  } else if (ended.how == MovementEnd::kDone || is_as_ever || (is_command && is_meant)) {
+    ROS_DEBUG_STREAM_NAMED("joints", name << " has ended. " << ended.reason);
+  } else {
+    movement_warnings_.warn(name + " ends early: " + ended.reason + ".");
+  }
 }
 
 std::optional<int> AiboDriver::askedEveryNthImage() const {
@@ -212,7 +255,10 @@ void AiboDriver::updateConnection(const ConnectionStatus& status) {
     measured_joints_.clear();
     mover_.disconnected();
     power_.clear();
-  } else if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
+    return;
+  }
+  mover_.connected();
+  if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     // The status changes as often as the robot likes.
     design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
                           parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");

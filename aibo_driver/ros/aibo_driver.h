@@ -11,8 +11,9 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "movement/mover.h"
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/expression_commander.h"
@@ -39,7 +40,6 @@
 #include "ros/driver_parameters.h"
 #include "ros/joints/follow_trajectory_server.h"
 #include "ros/joints/joint_commander.h"
-#include "ros/joints/joint_mover.h"
 #include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
 #include "ros/only_driver.h"
@@ -80,6 +80,9 @@ class AiboDriver {
 
   void publishTelemetry(const Telemetry& telemetry);
   void updateConnection(const ConnectionStatus& status);
+  void refused(const Refusal& refusal);
+  movement::Mover::Listener makeListener();
+  void logEnd(const movement::EndedMovement& ended);
 
   /// Null if its time is not to be used.
   robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
@@ -90,8 +93,10 @@ class AiboDriver {
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
 
-  CallbackThreads stop_threads_;     ///< stop and motors: wait for nothing else
-  CallbackThreads joint_thread_;     ///< everything that moves joints, in order
+  ReceiptClock receipts_;
+  CallbackThreads stop_threads_;     ///< stop, release and motors: wait for nothing else
+  CallbackThreads joint_thread_;     ///< commands to joints, trajectories and cmd_vel, in order
+  CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
   CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
   CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
@@ -99,8 +104,8 @@ class AiboDriver {
   // What the client's callbacks need.
   robot_time::RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;
-  joints::JointTable joint_table_;
-  joints::MeasuredJoints measured_joints_;
+  movement::JointTable joint_table_;
+  movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
   text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   StreamMeter meter_;
@@ -124,7 +129,8 @@ class AiboDriver {
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;
   ColorTableService color_tables_;
-  JointMover mover_;
+  text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  movement::Mover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
   WalkCommander walk_;

@@ -206,6 +206,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   } else {
     status.summary(DiagnosticStatus::WARN, "the robot sends no joint positions: does its RCServer support joints?");
   }
+  reportWhatCannotMove(status);
   status.add("measurements per second", oneDecimal(period_.measurement_rate));
   status.add("measurements received", client.telemetry);
   status.add("measurements dropped for newer ones", client.dropped_telemetry);
@@ -215,6 +216,18 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);
   status.add("said by the robot", connection.robot_message);
+}
+
+void DriverDiagnostics::reportWhatCannotMove(DiagnosticStatusWrapper& status) const {
+  const movement::Mover::State state = sources_.mover.state();
+  if (state.stopped_by) {
+    status.mergeSummary(DiagnosticStatus::WARN, "stopped by " + *state.stopped_by +
+                                                    ": nothing moves the robot until "
+                                                    "release is called");
+  }
+  if (state.robot.motors == MotorState::kOff) {
+    status.mergeSummary(DiagnosticStatus::WARN, "the motors are off: call motors, stand or sit to switch them on");
+  }
 }
 
 void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {

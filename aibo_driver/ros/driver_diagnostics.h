@@ -10,6 +10,7 @@
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
+#include "movement/mover.h"
 #include "robot_time/robot_clock.h"
 #include "ros/body/power_status.h"
 #include "ros/camera/raw_image_publisher.h"
@@ -42,6 +43,7 @@ class DriverDiagnostics {
     const LiveSettings& settings;
     robot_time::RobotClock& robot_clock;
     const PowerStatus& power;
+    const movement::Mover& mover;
   };
 
   /// @param name of the node or nodelet, with its namespace
@@ -71,6 +73,7 @@ class DriverDiagnostics {
   void reportTransport(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void summarizeStream(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void reportJoints(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportWhatCannotMove(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void reportPower(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   Sources sources_;

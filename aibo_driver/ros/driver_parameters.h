@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
-#include "joints/joint_command_filter.h"
-#include "joints/joint_table.h"
+#include "movement/joint_command_filter.h"
+#include "movement/joint_table.h"
 #include "ros/walk/walk_settings.h"
 
 namespace aibo_driver::node {
@@ -40,9 +40,9 @@ struct DriverParameters {
 
   std::string robot = "ERS-7";    ///< or "ERS-210"
   double telemetry_rate = 31.25;  ///< 0..31.25 messages a second, joint_states and sensors; 0: none
-  double joint_speed_limit = joints::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
-  double speed_scale = 1.0;                             ///< 0.1..1, of the speed limits
-  double approach_speed = joints::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
+  double joint_speed_limit = movement::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
+  double speed_scale = 1.0;                               ///< 0.1..1, of the speed limits
+  double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
   bool slow_down = false;  ///< slow down a trajectory that is too fast, instead of refusing it
 
   WalkSettings walk;

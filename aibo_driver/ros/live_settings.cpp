@@ -13,7 +13,7 @@
 namespace aibo_driver::node {
 
 LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client, StreamAdapter& adapter,
-                           joints::JointTable& joint_table)
+                           movement::JointTable& joint_table)
     : client_(client),
       adapter_(adapter),
       joint_table_(joint_table),

@@ -9,7 +9,7 @@
 #include <atomic>
 
 #include "aibo_driver/rcserver_client.h"
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 #include "ros/camera/stream_adapter.h"
 #include "text/throttled_warnings.h"
 
@@ -23,7 +23,7 @@ class LiveSettings {
   /// Applies the settings at once, and again from private_handle's callback queue whenever they change.
   /// @param client, adapter, joint_table must outlive the object
   LiveSettings(const ros::NodeHandle& private_handle, RcServerClient& client, StreamAdapter& adapter,
-               joints::JointTable& joint_table);
+               movement::JointTable& joint_table);
 
   /// The period of joint_states and the sensors, in OPEN-R frames; 0: none. From any thread.
   int telemetryPeriod() const { return telemetry_period_; }
@@ -34,7 +34,7 @@ class LiveSettings {
 
   RcServerClient& client_;
   StreamAdapter& adapter_;
-  joints::JointTable& joint_table_;
+  movement::JointTable& joint_table_;
   std::atomic<int> telemetry_period_{0};
   text::ThrottledWarnings warnings_;
   text::ThrottledWarnings in_force_log_;

@@ -119,6 +119,7 @@ class LookAt {
     const double error = robot_model::findHeadAngles(place, &angles);
     sensor_msgs::JointState command;
     command.header.stamp = ros::Time::now();
+    command.header.frame_id = "look_at";  // so that motion_state can tell it from other commands
     command.name = {"neck_tilt", "head_pan", "head_tilt"};
     command.position = {angles.neck_tilt, angles.head_pan, angles.head_tilt};
     joints_.publish(command);

@@ -1,7 +1,7 @@
 // The actions play_motion and follow_joint_trajectory.
 
 #include <actionlib/client/action_client.h>
-#include <aibo_driver/MotionState.h>
+#include <aibo_driver/EndedMovement.h>
 #include <aibo_driver/PlayMotionAction.h>
 #include <control_msgs/FollowJointTrajectoryAction.h>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@
 
 namespace {
 
-using aibo_driver::MotionState;
+using aibo_driver::EndedMovement;
 using aibo_driver::PlayMotionAction;
 using control_msgs::FollowJointTrajectoryAction;
 using control_msgs::FollowJointTrajectoryGoal;
@@ -157,7 +157,7 @@ TEST(PlayMotionGoal, EndsWithTheMotion) {
   EXPECT_LT(feedback->time, ros::Duration(30));
   EXPECT_EQ(goal.waitForEnd(), State::SUCCEEDED);
   EXPECT_TRUE(goal.result()->success);
-  EXPECT_EQ(goal.result()->end, MotionState::DONE);
+  EXPECT_EQ(goal.result()->end, EndedMovement::DONE);
 }
 
 // Each repetition wakes several of the driver's threads.
@@ -180,7 +180,7 @@ TEST(PlayMotionGoal, ThatIsCancelledStopsTheMotion) {
   ASSERT_TRUE(goal.waitForFeedback());
   goal.cancel();
   EXPECT_EQ(goal.waitForEnd(), State::PREEMPTED);
-  EXPECT_EQ(goal.result()->end, MotionState::STOPPED);
+  EXPECT_EQ(goal.result()->end, EndedMovement::STOPPED);
 }
 
 TEST(PlayMotionGoal, SaysWhyTheMotionEndedEarly) {
@@ -189,7 +189,7 @@ TEST(PlayMotionGoal, SaysWhyTheMotionEndedEarly) {
   ASSERT_TRUE(goal.waitForFeedback());
   user.publish("joint_command", command({{"neck_tilt", -0.1}}));
   EXPECT_EQ(goal.waitForEnd(), State::PREEMPTED);
-  EXPECT_EQ(goal.result()->end, MotionState::REPLACED);
+  EXPECT_EQ(goal.result()->end, EndedMovement::REPLACED);
   EXPECT_THAT(goal.result()->message, HasSubstr("neck_tilt"));
 }
 
@@ -199,7 +199,7 @@ TEST(PlayMotionGoal, ThatIsStoppedIsAborted) {
   ASSERT_TRUE(goal.waitForFeedback());
   EXPECT_TRUE(user.call<std_srvs::Trigger>("stop").success);
   EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
-  EXPECT_EQ(goal.result()->end, MotionState::STOPPED);
+  EXPECT_EQ(goal.result()->end, EndedMovement::STOPPED);
 }
 
 TEST(PlayMotionGoal, OfAMotionThatIsNotThereIsRejected) {
@@ -215,7 +215,7 @@ TEST(PlayMotionGoal, OfAVersion1ServerSucceedsWhenItHasBegun) {
   PlayUser user("/play_1", {"--protocol-version", "1"});
   PlayGoal goal(user.client, PlayUser::nod(100));
   EXPECT_EQ(goal.waitForEnd(), State::SUCCEEDED);
-  EXPECT_EQ(goal.result()->end, MotionState::UNKNOWN);
+  EXPECT_EQ(goal.result()->end, EndedMovement::UNKNOWN);
 }
 
 TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
@@ -319,7 +319,7 @@ TEST(FollowGoal, IsAbortedByStop) {
   ASSERT_TRUE(goal.waitForFeedback());
   EXPECT_TRUE(user.call<std_srvs::Trigger>("stop").success);
   EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
-  EXPECT_THAT(goal.result()->error_string, HasSubstr("stop was called"));
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("called stop"));
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ TEST(JointCommand, WithoutARobotIsDroppedAndNotSentLater) {
   user.robot.kill();
   ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
   user.publish("joint_command", command({{"head_pan", 0.5}}));
-  user.waitForWarning("A joint command was dropped");
+  user.waitForWarning("command of head_pan is refused");
   user.robot.restart();
   user.joints.messages().clear();
   ASSERT_FALSE(user.joints.messages().waitForCount(10).empty());

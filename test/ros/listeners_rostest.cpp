@@ -32,6 +32,7 @@
 namespace {
 
 using aibo_driver::Connection;
+using aibo_driver::EndedMovement;
 using aibo_driver::MotionState;
 using aibo_driver::Movement;
 using test_support::DriverProcess;
@@ -107,7 +108,7 @@ TEST_P(ListenersTest, AreNotNeededForATrajectory) {
   trajectory.points[0].positions = {0.3};
   trajectory.points[0].time_from_start = ros::Duration(0.5);
   const auto is_done = [](const MotionState& state) {
-    return state.last.kind == Movement::TRAJECTORY && state.last_end == MotionState::DONE;
+    return lastEnd(state).movement.kind == Movement::TRAJECTORY && lastEnd(state).how == EndedMovement::DONE;
   };
   bool is_there = false;
   for (int i = 0; i < 30 && !is_there; ++i) {  // again, until the robot has reported its joints

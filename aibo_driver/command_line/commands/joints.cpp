@@ -10,10 +10,10 @@
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
-#include "joints/joint_command_filter.h"
-#include "joints/joint_link.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_command_filter.h"
+#include "movement/joint_link.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -54,10 +54,10 @@ Move parseMove(const Arguments& arguments) {
     move.names.push_back(joint.name);
     move.positions.push_back(parseAngle(joint.name, joint.value));
   }
-  move.speed = joints::kUsualApproachSpeed;
+  move.speed = movement::kUsualApproachSpeed;
   if (arguments.has("speed")) {
     move.speed = parseAngularSpeed("--speed", arguments.get<std::string>("speed"));
-    if (!(move.speed >= kLowestSpeed && move.speed <= joints::kUsualSpeedLimit)) {
+    if (!(move.speed >= kLowestSpeed && move.speed <= movement::kUsualSpeedLimit)) {
       throw InvalidArgumentException("--speed can be 0.6deg/s to 171deg/s (3 rad/s)");
     }
   }
@@ -74,7 +74,7 @@ class Mover {
       : robot_(robot),
         output_(output),
         move_(move),
-        table_(robot.model().design, joints::kUsualSpeedLimit),
+        table_(robot.model().design, movement::kUsualSpeedLimit),
         measured_(table_),
         filter_(table_, measured_, move.speed),
         link_(robot.client(), table_.design()) {}
@@ -83,7 +83,7 @@ class Mover {
   ExitStatus run() {
     requireJoints();
     measure();
-    const joints::JointOrders orders = order();
+    const movement::JointOrders orders = order();
     robot_.beginRequest();
     link_.send(orders, std::chrono::milliseconds(std::lround(1000 * move_.duration)));
     try {
@@ -123,8 +123,8 @@ class Mover {
     measured_.update(telemetry);
   }
 
-  joints::JointOrders order() {
-    joints::JointOrders orders;
+  movement::JointOrders order() {
+    movement::JointOrders orders;
     for (const std::string& refusal : filter_.filter(move_.names, move_.positions, {}, steady_clock::now(), &orders)) {
       throw InvalidArgumentException(refusal);
     }
@@ -135,7 +135,7 @@ class Mover {
     return orders;
   }
 
-  void waitUntilAccepted(const joints::JointOrders& orders) {
+  void waitUntilAccepted(const movement::JointOrders& orders) {
     const auto accepted = [&orders](const Received& received) {
       return std::all_of(orders.begin(), orders.end(),
                          [&](const auto& order) { return received.accepted_joints.count(order.first) > 0; });
@@ -150,7 +150,7 @@ class Mover {
 
   /// Waits until the joints are where they were sent, or, a moment after the time for that, near it: under load, a
   /// servo stays a little beside its target.
-  void waitUntilArrived(const joints::JointOrders& orders) {
+  void waitUntilArrived(const movement::JointOrders& orders) {
     double longest = move_.duration;
     for (const auto& [id, order] : orders) {
       longest = std::max(longest, std::abs(target(id) - position(id)) / order.speed);
@@ -170,7 +170,7 @@ class Mover {
     throw FailedException("not all joints have arrived: " + whatIsLate(orders));
   }
 
-  std::string whatIsLate(const joints::JointOrders& orders) const {
+  std::string whatIsLate(const movement::JointOrders& orders) const {
     std::string late;
     for (const auto& order : orders) {
       const int id = order.first;
@@ -184,9 +184,9 @@ class Mover {
   }
 
   /// A server that cannot hold gets the places where the joints are.
-  void hold(const joints::JointOrders& orders) {
+  void hold(const movement::JointOrders& orders) {
     std::vector<int> ids;
-    joints::JointOrders here;
+    movement::JointOrders here;
     for (const auto& [id, order] : orders) {
       ids.push_back(id);
       here[id] = {position(id), order.speed};
@@ -228,10 +228,10 @@ class Mover {
   Robot& robot_;
   Output& output_;
   const Move& move_;
-  const joints::JointTable table_;
-  joints::MeasuredJoints measured_;
-  joints::JointCommandFilter filter_;
-  joints::JointLink link_;
+  const movement::JointTable table_;
+  movement::MeasuredJoints measured_;
+  movement::JointCommandFilter filter_;
+  movement::JointLink link_;
 };
 
 ExitStatus moveJoints(const Arguments& arguments, Output& output) {
@@ -244,7 +244,7 @@ ExitStatus moveJoints(const Arguments& arguments, Output& output) {
 ExitStatus showJoints(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
-  const joints::JointTable table(robot.model().design, joints::kUsualSpeedLimit);
+  const movement::JointTable table(robot.model().design, movement::kUsualSpeedLimit);
   robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
   robot.waitUntil([&](const Received& received) { return received.joints.size() >= table.size(); },
                   Robot::kMeasureTimeout);
@@ -256,7 +256,7 @@ ExitStatus showJoints(const Arguments& arguments, Output& output) {
   std::snprintf(line, sizeof line, "%-20s %9s   %s", "", "degrees", "limits");
   std::string words = line;
   std::vector<Json> documents;
-  for (const joints::JointProperties& joint : table.joints()) {
+  for (const movement::JointProperties& joint : table.joints()) {
     const auto found = measured.find(joint.id);
     if (found == measured.end()) {
       continue;
@@ -298,8 +298,8 @@ Command moveCommand() {
                       {"move tail_pan=-0.5rad mouth=-20deg --duration 2", "both arrive after 2 s"}};
   command.fewest_words = 1;
   command.most_words = 32;
-  const joints::JointTable table("ERS-7", joints::kUsualSpeedLimit);
-  for (const joints::JointProperties& joint : table.joints()) {
+  const movement::JointTable table("ERS-7", movement::kUsualSpeedLimit);
+  for (const movement::JointProperties& joint : table.joints()) {
     command.completions.push_back(joint.name + "=");
   }
   command.add_options = [](po::options_description& options) {

@@ -10,8 +10,8 @@
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "files/files.h"
-#include "joints/joint_link.h"
-#include "joints/joint_table.h"
+#include "movement/joint_link.h"
+#include "movement/joint_table.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -63,8 +63,8 @@ ExitStatus play(const Arguments& arguments, Output& output) {
     seconds = kBlindPlay;
     output.note("This server does not say when a motion ends, so it is stopped after 10 s (--seconds).");
   }
-  const joints::JointTable table(robot.model().design, joints::kUsualSpeedLimit);
-  joints::JointLink(robot.client(), table.design()).limitSpeeds(table.speedLimits());
+  const movement::JointTable table(robot.model().design, movement::kUsualSpeedLimit);
+  movement::JointLink(robot.client(), table.design()).limitSpeeds(table.speedLimits());
   const std::string changes = robot.client().playMotion(name, times, kPlayTimeout);
   if (!changes.empty()) {
     output.note(name + " plays differently than in its file: " + changes + ".");

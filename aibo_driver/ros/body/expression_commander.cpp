@@ -7,7 +7,7 @@
 
 #include "aibo_driver/exceptions.h"
 #include "body/led_names.h"
-#include "joints/joint_link.h"
+#include "movement/joint_link.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -89,7 +89,7 @@ void ExpressionCommander::receiveEars(const Ears& message) {
 
 void ExpressionCommander::send(const std::string& what, const std::function<void()>& command) {
   try {
-    joints::requireDesign(client_, model_.design);
+    movement::requireDesign(client_, model_.design);
     command();
   } catch (const StoppedException&) {
     // The driver is ending.

@@ -35,8 +35,8 @@ geometry_msgs::Transform toTransform(const Eigen::Isometry3d& pose) {
 }  // namespace
 
 FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                                       const robot_model::RobotModel& model, const joints::JointTable& joint_table,
-                                       const joints::MeasuredJoints& measured_joints, RobotStamper& stamper)
+                                       const robot_model::RobotModel& model, const movement::JointTable& joint_table,
+                                       const movement::MeasuredJoints& measured_joints, RobotStamper& stamper)
     : parameters_(parameters),
       measured_joints_(measured_joints),
       stamper_(stamper),

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "aibo_driver/telemetry.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 #include "ros/body/sensor_messages.h"
@@ -29,8 +29,8 @@ class FootprintPublisher {
   /// All arguments but the handle must outlive the object.
   /// @param model of an ERS-7; the legs of other robots are not known
   FootprintPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                     const robot_model::RobotModel& model, const joints::JointTable& joint_table,
-                     const joints::MeasuredJoints& measured_joints, RobotStamper& stamper);
+                     const robot_model::RobotModel& model, const movement::JointTable& joint_table,
+                     const movement::MeasuredJoints& measured_joints, RobotStamper& stamper);
 
   /// To be called when `measured_joints` has been updated. Publishes once all legs and the acceleration have been
   /// measured, whenever there is a new measurement of a joint. From one thread at a time.
@@ -41,7 +41,7 @@ class FootprintPublisher {
   std::optional<std::array<robot_model::LegAngles, robot_model::NUMBER_OF_LEGS>> legs() const;
 
   const DriverParameters& parameters_;
-  const joints::MeasuredJoints& measured_joints_;
+  const movement::MeasuredJoints& measured_joints_;
   RobotStamper& stamper_;
   /// Rotator, elevator and knee of each leg in the JointTable.
   std::array<std::array<std::size_t, robot_model::JOINTS_OF_A_LEG>, robot_model::NUMBER_OF_LEGS> leg_joints_;

@@ -1,6 +1,7 @@
 #include "ros/body/play_motion_server.h"
 
 #include <actionlib/server/action_server.h>
+#include <aibo_driver/EndedMovement.h>
 #include <aibo_driver/PlayMotionAction.h>
 #include <ros/console.h>
 #include <ros/steady_timer.h>
@@ -12,8 +13,8 @@
 
 #include "aibo_driver/exceptions.h"
 #include "files/files.h"
-#include "ros/body/robot_services.h"
 #include "ros/joints/motion_state_publisher.h"
+#include "ros/orders.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::chrono::milliseconds kFeedbackPeriod{100};
 
 class MotionServer : public PlayMotionServer {
  public:
-  MotionServer(ros::NodeHandle handle, RcServerClient& client, JointMover& mover) : client_(client), mover_(mover) {
+  MotionServer(ros::NodeHandle handle, movement::Mover& mover) : mover_(mover) {
     constexpr bool kOneShot = false;
     constexpr bool kAutostart = false;
     timer_ = handle.createSteadyTimer(
@@ -39,17 +40,16 @@ class MotionServer : public PlayMotionServer {
 
   struct Playing {
     Server::GoalHandle goal;
-    JointMover::Fate motion;
+    movement::Mover::Begun motion;
     std::chrono::steady_clock::time_point begin;
   };
 
   void accept(Server::GoalHandle goal);
   void cancel(const Server::GoalHandle& goal);
   void report();
-  static void finish(Server::GoalHandle goal, const joints::MovementFate& fate);
+  static void finish(Server::GoalHandle goal, const movement::EndedMovement& end);
 
-  RcServerClient& client_;
-  JointMover& mover_;
+  movement::Mover& mover_;
   std::unique_ptr<Server> server_;
   std::vector<Playing> playing_;
   ros::SteadyTimer timer_;
@@ -63,12 +63,16 @@ void MotionServer::accept(Server::GoalHandle goal) {
     if (name.empty()) {
       throw InvalidArgumentException("give the name of a motion. list_motions lists them.");
     }
-    const auto motion = mover_.play(name, repetitions, RobotServices::kMotionTimeout);
-    goal.setAccepted(name + " plays");
+    const movement::Mover::Begun motion = mover_.play(orderOfGoal(goal.getGoalID().id), name, repetitions);
+    const movement::EndedMovement* const end = motion.ended();
+    if (end != nullptr && end->how == movement::MovementEnd::kRefused) {
+      throw CommandException(end->reason + ".");
+    }
+    goal.setAccepted(name + (motion.is_uncertain ? " may or may not play: " + motion.remark : " plays"));
     playing_.push_back({goal, motion, std::chrono::steady_clock::now()});
     timer_.start();
   } catch (const Exception& error) {
-    result.end = MotionState::REFUSED;
+    result.end = EndedMovement::REFUSED;
     result.message = std::string("Nothing was played: ") + error.what();
     goal.setRejected(result, result.message);
   }
@@ -77,7 +81,7 @@ void MotionServer::accept(Server::GoalHandle goal) {
 // The robot reports the end of the motion, and with it the goal ends.
 void MotionServer::cancel(const Server::GoalHandle& goal) {
   try {
-    client_.stopMotion(files::motionFileName(goal.getGoal()->name), RobotServices::kMotionTimeout);
+    mover_.stopMotion(orderOfGoal(goal.getGoalID().id), files::motionFileName(goal.getGoal()->name));
   } catch (const Exception& error) {
     ROS_WARN_STREAM_NAMED("joints", "The motion of a goal that was cancelled was not stopped: " << error.what());
   }
@@ -85,9 +89,8 @@ void MotionServer::cancel(const Server::GoalHandle& goal) {
 
 void MotionServer::report() {
   for (auto playing = playing_.begin(); playing != playing_.end();) {
-    const joints::MovementFate fate = mover_.look(playing->motion);
-    if (fate.end) {
-      finish(playing->goal, fate);
+    if (const movement::EndedMovement* const end = playing->motion.ended()) {
+      finish(playing->goal, *end);
       playing = playing_.erase(playing);
     } else {
       PlayMotionFeedback feedback;
@@ -102,15 +105,16 @@ void MotionServer::report() {
   }
 }
 
-void MotionServer::finish(Server::GoalHandle goal, const joints::MovementFate& fate) {
+void MotionServer::finish(Server::GoalHandle goal, const movement::EndedMovement& end) {
+  using movement::MovementEnd;
   PlayMotionResult result;
-  result.success = static_cast<std::uint8_t>(fate.end == joints::MovementEnd::kDone);
-  result.end = endConstant(*fate.end);
-  result.message = fate.end == joints::MovementEnd::kDone ? "It was played to its end." : fate.reason;
+  result.success = static_cast<std::uint8_t>(end.how == MovementEnd::kDone);
+  result.end = endConstant(end.how);
+  result.message = end.how == MovementEnd::kDone ? "It was played to its end." : end.reason;
   const bool was_cancelled = goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING;
-  if (fate.end == joints::MovementEnd::kDone || fate.end == joints::MovementEnd::kUnknown) {
+  if (end.how == MovementEnd::kDone || end.how == MovementEnd::kUnknown) {
     goal.setSucceeded(result, result.message);
-  } else if (was_cancelled || fate.end == joints::MovementEnd::kReplaced) {
+  } else if (was_cancelled || end.how == MovementEnd::kReplaced) {
     goal.setCanceled(result, result.message);
   } else {
     goal.setAborted(result, result.message);
@@ -119,9 +123,8 @@ void MotionServer::finish(Server::GoalHandle goal, const joints::MovementFate& f
 
 }  // namespace
 
-std::unique_ptr<PlayMotionServer> startPlayMotionServer(const ros::NodeHandle& handle, RcServerClient& client,
-                                                        JointMover& mover) {
-  return std::make_unique<MotionServer>(handle, client, mover);
+std::unique_ptr<PlayMotionServer> startPlayMotionServer(const ros::NodeHandle& handle, movement::Mover& mover) {
+  return std::make_unique<MotionServer>(handle, mover);
 }
 
 }  // namespace aibo_driver::node

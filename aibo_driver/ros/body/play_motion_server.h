@@ -6,8 +6,7 @@
 
 #include <memory>
 
-#include "aibo_driver/rcserver_client.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/mover.h"
 
 namespace aibo_driver::node {
 
@@ -24,9 +23,8 @@ class PlayMotionServer {
 
 /// Starts the action.
 /// @param handle whose callback queue one thread serves
-/// @param client, mover must outlive the server
-std::unique_ptr<PlayMotionServer> startPlayMotionServer(const ros::NodeHandle& handle, RcServerClient& client,
-                                                        JointMover& mover);
+/// @param mover must outlive the server
+std::unique_ptr<PlayMotionServer> startPlayMotionServer(const ros::NodeHandle& handle, movement::Mover& mover);
 
 }  // namespace aibo_driver::node
 

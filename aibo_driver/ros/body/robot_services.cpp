@@ -1,7 +1,5 @@
 #include "ros/body/robot_services.h"
 
-#include <boost/make_shared.hpp>
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -9,46 +7,13 @@
 
 #include "aibo_driver/exceptions.h"
 #include "files/files.h"
+#include "ros/orders.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {
 namespace {
 
 using files::motionFileName;
-
-/// While it lives, and until the callbacks that are in a queue when it ends have run, nothing new moves the robot.
-class Interruption {
- public:
-  /// @param queue may be null: no callback is older
-  Interruption(JointMover& mover, ros::CallbackQueueInterface* queue) : mover_(mover), queue_(queue) { mover_.block(); }
-
-  ~Interruption() {
-    if (queue_ == nullptr) {
-      mover_.unblock();
-    } else {
-      queue_->addCallback(boost::make_shared<End>(mover_));
-    }
-  }
-
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
-
- private:
-  class End : public ros::CallbackInterface {
-   public:
-    explicit End(JointMover& mover) : mover_(mover) {}
-    CallResult call() override {
-      mover_.unblock();
-      return Success;
-    }
-
-   private:
-    JointMover& mover_;
-  };
-
-  JointMover& mover_;
-  ros::CallbackQueueInterface* const queue_;
-};
 
 std::vector<std::uint8_t> contentOf(const UploadMotion::Request& request) {
   if (request.file.empty() == request.data.empty()) {
@@ -69,14 +34,25 @@ std::string nameOf(const UploadMotion::Request& request) {
 
 }  // namespace
 
-void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& joint_handle,
+void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& motion_handle,
                               const ros::NodeHandle& handle) {
-  joint_queue_ = joint_handle.getCallbackQueue();
+  using movement::Order;
   ros::NodeHandle stop_services(stop_handle);
-  servers_.push_back(stop_services.advertiseService("stop", &RobotServices::stop, this));
-  servers_.push_back(stop_services.advertiseService("motors", &RobotServices::setMotors, this));
-  ros::NodeHandle joint_services(joint_handle);
-  servers_.push_back(joint_services.advertiseService("play_motion", &RobotServices::playMotion, this));
+  servers_.push_back(advertiseOrder<std_srvs::Trigger>(
+      stop_services, "stop",
+      [this](const Order& order, const auto&, auto& response) { return stop(order, response); }));
+  servers_.push_back(advertiseOrder<std_srvs::Trigger>(
+      stop_services, "release",
+      [this](const Order& order, const auto&, auto& response) { return release(order, response); }));
+  servers_.push_back(advertiseOrder<std_srvs::SetBool>(stop_services, "motors",
+                                                       [this](const Order& order, const auto& request, auto& response) {
+                                                         return setMotors(order, request.data != 0, response);
+                                                       }));
+  ros::NodeHandle motion_services(motion_handle);
+  servers_.push_back(advertiseOrder<PlayMotion>(motion_services, "play_motion",
+                                                [this](const Order& order, const auto& request, auto& response) {
+                                                  return playMotion(order, request, response);
+                                                }));
   ros::NodeHandle services(handle);
   servers_.push_back(services.advertiseService("list_motions", &RobotServices::listMotions, this));
   servers_.push_back(services.advertiseService("upload_motion", &RobotServices::uploadMotion, this));
@@ -85,43 +61,56 @@ void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::Nod
   servers_.push_back(services.advertiseService("reboot", &RobotServices::reboot, this));
 }
 
-bool RobotServices::stop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  return answer(response, "The robot could not be told to stop", [&] {
-    const Interruption interruption(mover_, joint_queue_);
-    mover_.hold("stop was called");
-    return "The robot holds: nothing moves it any more.";
+bool RobotServices::stop(const movement::Order& order, std_srvs::Trigger::Response& response) {
+  return answer(response, "No order moves the robot any more, but it could not be told to stop", [&] {
+    mover_.stop(order);
+    return "The robot holds, and nothing moves it until release is called.";
   });
 }
 
-bool RobotServices::setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+bool RobotServices::release(const movement::Order& order, std_srvs::Trigger::Response& response) {
+  return answer(response, "The robot stays stopped", [&] {
+    mover_.release(order);
+    return "The robot may be moved again.";
+  });
+}
+
+bool RobotServices::setMotors(const movement::Order& order, bool on, std_srvs::SetBool::Response& response) {
   return answer(response, "The motors were not switched", [&] {
-    const bool wanted = request.data != 0;
-    const Interruption interruption(mover_, joint_queue_);
-    mover_.prepareForMotors();
-    const bool on = client_.setMotors(wanted, kMotionTimeout);
-    if (on != wanted) {
-      throw CommandException(std::string("the robot says that they are still ") + (on ? "on." : "off."));
+    const bool is_on = mover_.setMotors(order, on);
+    if (is_on != on) {
+      throw CommandException(std::string("the robot says that they are still ") + (is_on ? "on." : "off."));
     }
-    return on ? "The motors are on." : "The motors are off: the joints can be moved by hand.";
+    return is_on ? "The motors are on." : "The motors are off: the joints can be moved by hand.";
   });
 }
 
-bool RobotServices::playMotion(PlayMotion::Request& request, PlayMotion::Response& response) {
+bool RobotServices::playMotion(const movement::Order& order, const PlayMotion::Request& request,
+                               PlayMotion::Response& response) {
   const std::string name = motionFileName(request.name);
-  if (request.stop) {
+  if (request.stop || request.repetitions == 0) {
     return answer(response, "Nothing was stopped", [&] {
-      client_.stopMotion(name, kMotionTimeout);
+      mover_.stopMotion(order, name);
       return (name.empty() ? "All motions" : name) + " stopped: the joints hold where they are.";
     });
   }
-  return answer(response, "Nothing was played", [&] {
+  std::string failure = "Nothing was played";
+  answer(response, failure, [&] {
     checkName(name);
-    const int repetitions = std::max<int>(1, request.repetitions);
-    std::string changes;
-    mover_.play(name, repetitions, kMotionTimeout, &changes);
-    return name + " has begun and plays " + (repetitions == 1 ? "once" : std::to_string(repetitions) + " times") +
-           (changes.empty() ? "." : ": " + changes + ".");
+    const movement::Mover::Begun begun = mover_.play(order, name, request.repetitions);
+    const movement::EndedMovement* const end = begun.ended();
+    if (end != nullptr && end->how != movement::MovementEnd::kDone && end->how != movement::MovementEnd::kUnknown) {
+      throw CommandException(end->reason + ".");
+    }
+    if (begun.is_uncertain) {
+      failure = name + " may or may not play";
+      throw TimeoutException(begun.remark + ". motion_state says when it is known.");
+    }
+    return name + " has begun and plays " +
+           (request.repetitions == 1 ? "once" : std::to_string(request.repetitions) + " times") +
+           (begun.remark.empty() ? "." : ": " + begun.remark + ".");
   });
+  return true;
 }
 
 bool RobotServices::listMotions(ListMotions::Request&, ListMotions::Response& response) {

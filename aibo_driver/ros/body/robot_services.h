@@ -6,7 +6,6 @@
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/UploadMotion.h>
-#include <ros/callback_queue_interface.h>
 #include <ros/node_handle.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -16,12 +15,12 @@
 #include <vector>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/mover.h"
 
 namespace aibo_driver::node {
 
-/// The services that the robot carries out: stop, motors, play_motion, list_motions, upload_motion, delete_motion,
-/// shut_down and reboot.
+/// The services that the robot carries out: stop, release, motors, play_motion, list_motions, upload_motion,
+/// delete_motion, shut_down and reboot.
 ///
 /// Each call waits for the robot and is answered: if something cannot be done, success is false and message says why.
 /// The call itself never fails.
@@ -29,27 +28,26 @@ namespace aibo_driver::node {
 /// A motion may be called by its name alone: see files::motionFileName().
 class RobotServices {
  public:
-  /// How long each kind of call waits for the robot's answer. A memory stick is slow.
-  static constexpr std::chrono::milliseconds kMotionTimeout{2000};
+  /// How long each kind of call waits for the robot's answer; those that move it, for Mover::kTimeout. A memory stick
+  /// is slow.
   static constexpr std::chrono::milliseconds kFileTimeout{5000};
   static constexpr std::chrono::milliseconds kUploadTimeout{15000};
   static constexpr std::chrono::milliseconds kPowerTimeout{5000};
 
   /// @param client, mover must outlive the services
-  RobotServices(RcServerClient& client, JointMover& mover) : client_(client), mover_(mover) {}
+  RobotServices(RcServerClient& client, movement::Mover& mover) : client_(client), mover_(mover) {}
 
-  /// @param stop_handle for stop and motors, which wait for nothing else. What the joint handle's callback queue
-  ///   contains when they are called is older, and is refused
-  /// @param joint_handle for play_motion: the handle of the joint commander, so that neither of them overtakes the
-  /// other
+  /// @param stop_handle for stop, release and motors, which wait for nothing else
+  /// @param motion_handle for play_motion
   /// @param handle for the others
-  void advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& joint_handle,
+  void advertise(const ros::NodeHandle& stop_handle, const ros::NodeHandle& motion_handle,
                  const ros::NodeHandle& handle);
 
   // The services. All of them return true, as roscpp wants.
-  bool stop(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-  bool setMotors(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
-  bool playMotion(PlayMotion::Request& request, PlayMotion::Response& response);
+  bool stop(const movement::Order& order, std_srvs::Trigger::Response& response);
+  bool release(const movement::Order& order, std_srvs::Trigger::Response& response);
+  bool setMotors(const movement::Order& order, bool on, std_srvs::SetBool::Response& response);
+  bool playMotion(const movement::Order& order, const PlayMotion::Request& request, PlayMotion::Response& response);
   bool listMotions(ListMotions::Request& request, ListMotions::Response& response);
   bool uploadMotion(UploadMotion::Request& request, UploadMotion::Response& response);
   bool deleteMotion(DeleteMotion::Request& request, DeleteMotion::Response& response);
@@ -58,8 +56,7 @@ class RobotServices {
 
  private:
   RcServerClient& client_;
-  JointMover& mover_;
-  ros::CallbackQueueInterface* joint_queue_ = nullptr;
+  movement::Mover& mover_;
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "aibo_driver/telemetry.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_driver::node {
@@ -38,7 +38,7 @@ class JointStates {
   static constexpr bool kRemembers = false;
 
   /// @param table, measured must outlive the object
-  JointStates(const joints::JointTable& table, const joints::MeasuredJoints& measured)
+  JointStates(const movement::JointTable& table, const movement::MeasuredJoints& measured)
       : table_(table), measured_(measured) {}
 
   /// @param telemetry with which the measured joints have been updated
@@ -46,8 +46,8 @@ class JointStates {
   std::optional<Message> read(const Telemetry& telemetry) const;
 
  private:
-  const joints::JointTable& table_;
-  const joints::MeasuredJoints& measured_;
+  const movement::JointTable& table_;
+  const movement::MeasuredJoints& measured_;
 };
 
 /// What an infrared range finder measures. Out of its range, the range is -inf if something is too near to be measured,

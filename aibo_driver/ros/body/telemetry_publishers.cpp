@@ -16,8 +16,8 @@ constexpr const char* kBaseFrame = "base_link";
 }  // namespace
 
 TelemetryPublishers::TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                                         const robot_model::RobotModel& model, const joints::JointTable& joint_table,
-                                         const joints::MeasuredJoints& measured_joints, RobotStamper& stamper)
+                                         const robot_model::RobotModel& model, const movement::JointTable& joint_table,
+                                         const movement::MeasuredJoints& measured_joints, RobotStamper& stamper)
     : handle_(handle), parameters_(parameters), stamper_(stamper) {
   add("joint_states", "", JointStates(joint_table, measured_joints));
   const std::string range_prefix = "range_";

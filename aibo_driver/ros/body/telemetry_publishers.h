@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "aibo_driver/telemetry.h"
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
 #include "robot_model/robot_model.h"
 #include "ros/driver_parameters.h"
 #include "ros/robot_stamper.h"
@@ -24,8 +24,8 @@ class TelemetryPublishers {
  public:
   /// All arguments but the handle must outlive the object.
   TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                      const robot_model::RobotModel& model, const joints::JointTable& joint_table,
-                      const joints::MeasuredJoints& measured_joints, RobotStamper& stamper);
+                      const robot_model::RobotModel& model, const movement::JointTable& joint_table,
+                      const movement::MeasuredJoints& measured_joints, RobotStamper& stamper);
 
   /// To be called when `measured_joints` has been updated. Never blocks. From one thread at a time.
   void publish(const Telemetry& telemetry);

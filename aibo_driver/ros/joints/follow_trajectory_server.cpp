@@ -9,14 +9,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "aibo_driver/exceptions.h"
-#include "joints/joint_plan.h"
+#include "movement/joint_plan.h"
 #include "ros/joints/trajectory_messages.h"
+#include "ros/orders.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -25,26 +27,18 @@ using control_msgs::FollowJointTrajectoryAction;
 using control_msgs::FollowJointTrajectoryFeedback;
 using control_msgs::FollowJointTrajectoryGoal;
 using control_msgs::FollowJointTrajectoryResult;
-using joints::MovementEnd;
-using std::chrono::steady_clock;
+using movement::MovementEnd;
 using Server = actionlib::ActionServer<FollowJointTrajectoryAction>;
 using Result = FollowJointTrajectoryResult;
 using Tolerances = std::map<std::string, control_msgs::JointTolerance>;
 
 constexpr std::chrono::milliseconds kFeedbackPeriod{50};
 
-// How long joints may take to settle within the tolerances if the goal does not say.
-constexpr double kSettling = 0.3;  // s
-
 /// A goal that cannot be accepted.
 struct GoalRefusal {
   std::int32_t code;
   std::string reason;
 };
-
-double secondsSince(steady_clock::time_point begin) {
-  return std::chrono::duration<double>(steady_clock::now() - begin).count();
-}
 
 Tolerances tolerancesOf(const std::vector<control_msgs::JointTolerance>& list,
                         const trajectory_msgs::JointTrajectory& trajectory) {
@@ -57,6 +51,25 @@ Tolerances tolerancesOf(const std::vector<control_msgs::JointTolerance>& list,
     tolerances[tolerance.name] = tolerance;
   }
   return tolerances;
+}
+
+// A tolerance of 0 is the usual one, and one below 0 is none.
+movement::Arrival arrivalOf(const FollowJointTrajectoryGoal& goal) {
+  movement::Arrival arrival;
+  for (const auto& [joint, given] : tolerancesOf(goal.goal_tolerance, goal.trajectory)) {
+    movement::Tolerance& tolerance = arrival.tolerances[joint];
+    if (given.position != 0) {
+      tolerance.position = given.position > 0 ? given.position : std::numeric_limits<double>::infinity();
+    }
+    if (given.velocity > 0) {
+      tolerance.speed = given.velocity;
+    }
+  }
+  const double grace = goal.goal_time_tolerance.toSec();
+  if (grace > 0) {
+    arrival.grace = std::chrono::milliseconds(std::llround(1000 * grace));
+  }
+  return arrival;
 }
 
 bool isBeyond(double error, double tolerance) {
@@ -86,8 +99,8 @@ std::string violation(const Tolerances& tolerances, const FollowJointTrajectoryF
 
 class ActionServer : public FollowTrajectoryServer {
  public:
-  ActionServer(const ros::NodeHandle& handle, const joints::JointTable& table, const joints::MeasuredJoints& measured,
-               JointMover& mover)
+  ActionServer(const ros::NodeHandle& handle, const movement::JointTable& table,
+               const movement::MeasuredJoints& measured, movement::Mover& mover)
       : table_(table), measured_(measured), mover_(mover) {
     ros::NodeHandle actions(handle);
     constexpr bool kOneShot = false;
@@ -104,11 +117,8 @@ class ActionServer : public FollowTrajectoryServer {
  private:
   struct Following {
     Server::GoalHandle goal;
-    JointMover::Fate trajectory;
+    movement::Mover::Begun movement;
     Tolerances path;
-    Tolerances end;
-    double time_to_settle = kSettling;                // s
-    std::optional<steady_clock::time_point> arrived;  // when it was over
   };
 
   void accept(Server::GoalHandle goal);
@@ -116,13 +126,13 @@ class ActionServer : public FollowTrajectoryServer {
   void cancel(Server::GoalHandle goal);
   void watch();
   bool isOver(Following* following);
-  bool hasArrived(Following* following);
+  static void finish(Server::GoalHandle goal, const movement::EndedMovement& end);
   void checkJoints(const trajectory_msgs::JointTrajectory& trajectory) const;
   FollowJointTrajectoryFeedback stateOf(const Following& following) const;
 
-  const joints::JointTable& table_;
-  const joints::MeasuredJoints& measured_;
-  JointMover& mover_;
+  const movement::JointTable& table_;
+  const movement::MeasuredJoints& measured_;
+  movement::Mover& mover_;
   std::unique_ptr<Server> server_;
   std::vector<Following> following_;
   ros::SteadyTimer timer_;
@@ -154,17 +164,18 @@ void ActionServer::begin(const Server::GoalHandle& goal) {
   const FollowJointTrajectoryGoal& request = *goal.getGoal();
   checkJoints(request.trajectory);
   following.path = tolerancesOf(request.path_tolerance, request.trajectory);
-  following.end = tolerancesOf(request.goal_tolerance, request.trajectory);
-  if (!request.goal_time_tolerance.isZero()) {
-    following.time_to_settle = request.goal_time_tolerance.toSec();
-  }
+  const movement::Arrival arrival = arrivalOf(request);
   std::chrono::nanoseconds wait{0};
   try {
     wait = waitBeforeStart(request.trajectory.header.stamp, ros::Time::now());
   } catch (const InvalidArgumentException& error) {
     throw GoalRefusal{Result::OLD_HEADER_TIMESTAMP, error.what()};
   }
-  following.trajectory = mover_.start(toRequest(request.trajectory), wait, goal.getGoalID().id);
+  following.movement = mover_.follow(orderOfGoal(goal.getGoalID().id), toRequest(request.trajectory), wait, arrival);
+  const movement::EndedMovement* const end = following.movement.ended();
+  if (end != nullptr && end->how == MovementEnd::kRefused) {
+    throw GoalRefusal{Result::INVALID_GOAL, end->reason};
+  }
   following.goal.setAccepted();
   following_.push_back(following);
   timer_.start();
@@ -186,7 +197,7 @@ void ActionServer::cancel(Server::GoalHandle goal) {
   }
   const std::string reason = "the goal was cancelled";
   try {
-    mover_.cancel(found->trajectory, reason);
+    mover_.cancel(found->movement.id, reason);
   } catch (const Exception& error) {
     ROS_WARN_STREAM_NAMED("joints", "The joints of a goal that was cancelled were not held: " << error.what());
   }
@@ -203,17 +214,14 @@ void ActionServer::watch() {
 }
 
 bool ActionServer::isOver(Following* following) {
-  const joints::MovementFate fate = mover_.look(following->trajectory);
-  if (fate.end == MovementEnd::kDone) {
-    return hasArrived(following);
-  }
-  if (fate.end == MovementEnd::kReplaced || fate.partly_replaced) {
-    const std::string reason = fate.end ? fate.reason : "a newer trajectory moves some of its joints";
-    following->goal.setCanceled(resultOf(Result::SUCCESSFUL, reason), reason);
+  const std::size_t joints = mover_.jointsOf(following->movement.id).size();
+  if (const movement::EndedMovement* const end = following->movement.ended()) {
+    finish(following->goal, *end);
     return true;
   }
-  if (fate.end) {
-    following->goal.setAborted(resultOf(Result::INVALID_GOAL, fate.reason), fate.reason);
+  if (joints < following->goal.getGoal()->trajectory.joint_names.size()) {
+    const std::string reason = "a newer trajectory moves some of its joints";
+    following->goal.setCanceled(resultOf(Result::SUCCESSFUL, reason), reason);
     return true;
   }
   const FollowJointTrajectoryFeedback state = stateOf(*following);
@@ -226,7 +234,7 @@ bool ActionServer::isOver(Following* following) {
     return false;
   }
   try {
-    mover_.cancel(following->trajectory, problem);
+    mover_.cancel(following->movement.id, problem);
   } catch (const Exception& error) {
     ROS_WARN_STREAM_NAMED("joints", "The joints of a goal that failed were not held: " << error.what());
   }
@@ -234,49 +242,38 @@ bool ActionServer::isOver(Following* following) {
   return true;
 }
 
-// Until its joints have settled.
-bool ActionServer::hasArrived(Following* following) {
-  if (!following->arrived) {
-    following->arrived = steady_clock::now();
+void ActionServer::finish(Server::GoalHandle goal, const movement::EndedMovement& end) {
+  if (end.how == MovementEnd::kDone) {
+    goal.setSucceeded(resultOf(Result::SUCCESSFUL, ""));
+  } else if (end.how == MovementEnd::kReplaced) {
+    goal.setCanceled(resultOf(Result::SUCCESSFUL, end.reason), end.reason);
+  } else {
+    const bool was_followed = end.how == MovementEnd::kNotReached || end.how == MovementEnd::kUnknown;
+    const std::int32_t code = was_followed ? Result::GOAL_TOLERANCE_VIOLATED : Result::INVALID_GOAL;
+    goal.setAborted(resultOf(code, end.reason), end.reason);
   }
-  const std::string problem = violation(following->end, stateOf(*following));
-  if (problem.empty()) {
-    following->goal.setSucceeded(resultOf(Result::SUCCESSFUL, ""));
-    return true;
-  }
-  if (secondsSince(*following->arrived) > following->time_to_settle) {
-    following->goal.setAborted(resultOf(Result::GOAL_TOLERANCE_VIOLATED, problem), problem);
-    return true;
-  }
-  return false;
 }
 
-// Where the joints should be and are. Before the beginning it is empty; after the end, the last point counts. Measured
-// positions are compared with where the joints should have been then.
+// Where the joints should be and are; empty before the beginning and after the end. Measured positions are compared
+// with where the joints should have been then.
 FollowJointTrajectoryFeedback ActionServer::stateOf(const Following& following) const {
   FollowJointTrajectoryFeedback state;
   const trajectory_msgs::JointTrajectory& trajectory = following.goal.getGoal()->trajectory;
   for (std::size_t i = 0; i < trajectory.joint_names.size(); ++i) {
     const std::size_t joint = *table_.findByName(trajectory.joint_names[i]);
-    const std::optional<joints::MeasuredJoint> measured = measured_.find(joint);
+    const std::optional<movement::MeasuredJoint> measured = measured_.find(joint);
     if (!measured) {
       continue;
     }
-    std::optional<joints::Trajectory::Start> wanted;
-    if (following.arrived) {
-      wanted = joints::Trajectory::Start{joint, trajectory.points.back().positions[i], 0};
-    } else {
-      const auto all = mover_.wantedBy(following.trajectory, measured->arrival);
-      wanted = i < all.size() ? std::optional<joints::Trajectory::Start>(all[i]) : std::nullopt;
-    }
-    if (wanted) {
+    const auto wanted = mover_.wantedBy(following.movement.id, measured->arrival);
+    if (i < wanted.size()) {
       state.joint_names.push_back(trajectory.joint_names[i]);
-      state.desired.positions.push_back(wanted->position);
-      state.desired.velocities.push_back(wanted->velocity);
+      state.desired.positions.push_back(wanted[i].position);
+      state.desired.velocities.push_back(wanted[i].velocity);
       state.actual.positions.push_back(measured->position);
       state.actual.velocities.push_back(measured->velocity);
-      state.error.positions.push_back(wanted->position - measured->position);
-      state.error.velocities.push_back(wanted->velocity - measured->velocity);
+      state.error.positions.push_back(wanted[i].position - measured->position);
+      state.error.velocities.push_back(wanted[i].velocity - measured->velocity);
     }
   }
   state.header.stamp = ros::Time::now();
@@ -286,9 +283,9 @@ FollowJointTrajectoryFeedback ActionServer::stateOf(const Following& following) 
 }  // namespace
 
 std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle& handle,
-                                                                    const joints::JointTable& table,
-                                                                    const joints::MeasuredJoints& measured,
-                                                                    JointMover& mover) {
+                                                                    const movement::JointTable& table,
+                                                                    const movement::MeasuredJoints& measured,
+                                                                    movement::Mover& mover) {
   return std::make_unique<ActionServer>(handle, table, measured, mover);
 }
 

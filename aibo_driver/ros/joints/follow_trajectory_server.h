@@ -6,9 +6,9 @@
 
 #include <memory>
 
-#include "joints/joint_table.h"
-#include "joints/measured_joints.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "movement/mover.h"
 
 namespace aibo_driver::node {
 
@@ -24,9 +24,9 @@ class FollowTrajectoryServer {
 /// @param table, measured, mover must outlive the server
 /// @return null if the driver was built without control_msgs
 std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle& handle,
-                                                                    const joints::JointTable& table,
-                                                                    const joints::MeasuredJoints& measured,
-                                                                    JointMover& mover);
+                                                                    const movement::JointTable& table,
+                                                                    const movement::MeasuredJoints& measured,
+                                                                    movement::Mover& mover);
 
 }  // namespace aibo_driver::node
 

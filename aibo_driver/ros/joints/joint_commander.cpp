@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "aibo_driver/exceptions.h"
-#include "joints/joint_plan.h"
+#include "movement/joint_plan.h"
 #include "ros/joints/trajectory_messages.h"
+#include "ros/orders.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -39,66 +40,72 @@ void JointCommander::subscribe(const ros::NodeHandle& handle) {
       timer_.stop();
     }
   };
-  timer_ = topics.createSteadyTimer(ros::WallDuration(Seconds(joints::JointPlan::kPeriod).count()), move_on, !kOneShot,
-                                    kAutostart);
+  timer_ = topics.createSteadyTimer(ros::WallDuration(Seconds(movement::JointPlan::kPeriod).count()), move_on,
+                                    !kOneShot, kAutostart);
   using Position = std_msgs::Float64;
-  for (const joints::JointProperties& joint : table_.joints()) {
+  for (const movement::JointProperties& joint : table_.joints()) {
     subscribers_.push_back(
         subscribeTo<Position>(joint.name + "_position_controller/command", 1, &topics,
                               [this, name = joint.name](const ros::MessageEvent<Position const>& event) {
-                                receivePosition(name, event.getMessage()->data, event.getPublisherName());
+                                receivePosition(name, event.getMessage()->data, orderOf(event));
                               }));
   }
   using sensor_msgs::JointState;
-  subscribers_.push_back(subscribeTo<JointState>("joint_command", kCommandQueueSize, &topics,
-                                                 [this](const ros::MessageEvent<JointState const>& event) {
-                                                   receive(*event.getMessage(), event.getPublisherName());
-                                                 }));
+  subscribers_.push_back(subscribeTo<JointState>(
+      "joint_command", kCommandQueueSize, &topics,
+      [this](const ros::MessageEvent<JointState const>& event) { receive(*event.getMessage(), orderOf(event)); }));
   using trajectory_msgs::JointTrajectory;
-  subscribers_.push_back(subscribeTo<JointTrajectory>("joint_trajectory", kTrajectoryQueueSize, &topics,
-                                                      [this](const ros::MessageEvent<JointTrajectory const>& event) {
-                                                        receive(*event.getMessage(), event.getPublisherName());
-                                                      }));
+  subscribers_.push_back(subscribeTo<JointTrajectory>(
+      "joint_trajectory", kTrajectoryQueueSize, &topics,
+      [this](const ros::MessageEvent<JointTrajectory const>& event) { receive(*event.getMessage(), orderOf(event)); }));
 }
 
-void JointCommander::receive(const sensor_msgs::JointState& message, const std::string& source) {
+void JointCommander::receive(const sensor_msgs::JointState& message, const movement::Order& order) {
   sendCollected();  // they came before
-  mover_.command(message.name, message.position, message.velocity, source, mover_.epoch());
+  using Kind = movement::Movement::Kind;
+  mover_.command(order, message.name, message.position, message.velocity,
+                 message.header.frame_id == kLookAt ? Kind::kLookAt : Kind::kCommand);
 }
 
-void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, const std::string& source) {
-  try {
-    if (message.points.empty()) {
-      mover_.hold("a trajectory without points came from " + source);
-    } else {
-      mover_.start(toRequest(message), waitBeforeStart(message.header.stamp, ros::Time::now()), source);
+void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, const movement::Order& order) {
+  if (message.points.empty()) {
+    try {
+      mover_.hold(order, order.source + " sent an empty trajectory");
+    } catch (const Exception& error) {
+      warnings_.warn(std::string("The joints were not held: ") + error.what());
     }
+    return;
+  }
+  std::chrono::nanoseconds wait{0};
+  try {
+    wait = waitBeforeStart(message.header.stamp, ros::Time::now());
   } catch (const InvalidArgumentException& error) {
-    warnings_.warn(error.what());
-  } catch (const StoppedException&) {
-    return;  // the driver is ending
-  } catch (const Exception& error) {
-    warnings_.warn(std::string("Trajectory dropped: ") + error.what());
+    mover_.refuse(order, movement::Movement::Kind::kTrajectory, message.joint_names, error.what());
+    return;
+  }
+  const movement::Mover::Begun begun = mover_.follow(order, toRequest(message), wait);
+  if (!begun.remark.empty()) {
+    ROS_INFO_STREAM_NAMED("joints", "The trajectory is " << begun.remark << ".");
   }
 }
 
-void JointCommander::receivePosition(const std::string& joint, double position, const std::string& source) {
-  const std::uint64_t epoch = mover_.epoch();
-  if (collected_.name.empty() || epoch != collected_epoch_) {
-    collected_ = {};
-    collected_epoch_ = epoch;
+void JointCommander::receivePosition(const std::string& joint, double position, const movement::Order& order) {
+  if (order.source != collected_order_.source) {
+    sendCollected();
+  }
+  if (collected_.name.empty()) {
+    collected_order_ = order;
     collecting_.stop();  // a timer that has run out starts again only after this
     collecting_.start();
   }
   collected_.name.push_back(joint);
   collected_.position.push_back(position);
-  collected_source_ = source;
 }
 
 void JointCommander::sendCollected() {
   if (!collected_.name.empty()) {
     const sensor_msgs::JointState message = std::exchange(collected_, {});
-    mover_.command(message.name, message.position, {}, collected_source_, collected_epoch_);
+    mover_.command(collected_order_, message.name, message.position, {});
   }
 }
 

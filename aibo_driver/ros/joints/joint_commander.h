@@ -3,19 +3,17 @@
 #define AIBO_DRIVER_ROS_JOINTS_JOINT_COMMANDER_H
 
 #include <ros/console.h>
-#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/JointState.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <chrono>
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "joints/joint_table.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/joint_table.h"
+#include "movement/mover.h"
 #include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
@@ -23,7 +21,7 @@ namespace aibo_driver::node {
 /// The topics that command joints: joint_command, JOINT_position_controller/command and joint_trajectory.
 ///
 /// A message of joint_command goes to the robot at once and as a whole. A position_controller topic belongs to one
-/// joint: what these topics bring within kCollectingTime is sent together. A trajectory without points holds
+/// joint: what a node sends to these topics within kCollectingTime is sent together. A trajectory without points holds
 /// everything.
 ///
 /// From one thread at a time.
@@ -32,8 +30,11 @@ class JointCommander {
   /// How long commands to single joints are collected: half of the 8 ms in which the robot takes new positions.
   static constexpr std::chrono::milliseconds kCollectingTime{4};
 
+  /// header.frame_id of a message of joint_command that the node look_at sends; that of others does not matter.
+  static constexpr const char* kLookAt = "look_at";
+
   /// @param table, mover must outlive the commander
-  JointCommander(const joints::JointTable& table, JointMover& mover) : table_(table), mover_(mover) {}
+  JointCommander(const movement::JointTable& table, movement::Mover& mover) : table_(table), mover_(mover) {}
 
   JointCommander(const JointCommander&) = delete;
   JointCommander& operator=(const JointCommander&) = delete;
@@ -44,21 +45,18 @@ class JointCommander {
   /// To be called when something begins to move, on the thread of the callback queue: moves it on from now on.
   void moveOn() { timer_.start(); }
 
-  /// What was not sent is logged.
-  /// @param source the node that sent the message
-  void receive(const sensor_msgs::JointState& message, const std::string& source);
-  void receive(const trajectory_msgs::JointTrajectory& message, const std::string& source);
+  void receive(const sensor_msgs::JointState& message, const movement::Order& order);
+  void receive(const trajectory_msgs::JointTrajectory& message, const movement::Order& order);
 
  private:
-  void receivePosition(const std::string& joint, double position, const std::string& source);
+  void receivePosition(const std::string& joint, double position, const movement::Order& order);
   void sendCollected();
 
-  const joints::JointTable& table_;
-  JointMover& mover_;
+  const movement::JointTable& table_;
+  movement::Mover& mover_;
   text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   sensor_msgs::JointState collected_;
-  std::string collected_source_;
-  std::uint64_t collected_epoch_ = 0;
+  movement::Order collected_order_;
   ros::SteadyTimer collecting_;
   ros::SteadyTimer timer_;
   std::vector<ros::Subscriber> subscribers_;

@@ -5,30 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
-
 // The end of a trajectory is computed anew each time, from two clocks.
 constexpr double kSameEnd = 0.05;  // s
-
-std::uint8_t kindConstant(joints::Movement::Kind kind) {
-  switch (kind) {
-    case joints::Movement::Kind::kCommand:
-      return Movement::COMMAND;
-    case joints::Movement::Kind::kTrajectory:
-      return Movement::TRAJECTORY;
-    case joints::Movement::Kind::kWalk:
-      return Movement::WALK;
-    case joints::Movement::Kind::kPosture:
-      return Movement::POSTURE;
-    case joints::Movement::Kind::kMotion:
-      break;
-  }
-  return Movement::MOTION;
-}
 
 std::string kindOf(const Movement& movement) {
   switch (movement.kind) {
@@ -40,19 +23,15 @@ std::string kindOf(const Movement& movement) {
       return "walk";
     case Movement::POSTURE:
       return "posture " + movement.name;
+    case Movement::LOOK_AT:
+      return "look_at";
     default:
       return "motion " + movement.name;
   }
 }
 
 std::string describe(const Movement& movement) {
-  std::string text = kindOf(movement);
-  const char* separator = " of ";
-  for (const std::string& joint : movement.joints) {
-    text += separator + joint;
-    separator = ", ";
-  }
-  return text;
+  return kindOf(movement) + (movement.joints.empty() ? "" : " of " + movement::listOf(movement.joints));
 }
 
 std::string describe(const MotionState& state) {
@@ -61,21 +40,24 @@ std::string describe(const MotionState& state) {
     text += (text.empty() ? "moved by " : " and ") + describe(movement);
   }
   text = text.empty() ? "nothing moves the robot" : text;
-  if (state.last.kind == Movement::NONE) {
+  if (state.ended.empty()) {
     return text;
   }
-  return text + "; last ended: " + describe(state.last) +
-         (state.last_reason.empty() ? ", done" : ": " + state.last_reason);
+  const EndedMovement& last = state.ended.back();
+  return text + "; last ended: " + describe(last.movement) +
+         (last.how == EndedMovement::DONE ? ", done" : ": " + last.reason);
 }
 
-Movement toMessage(const joints::Movement& movement, JointMover::SteadyTime steady_now, const ros::Time& now) {
+Movement toMessage(const movement::Movement& movement, movement::SteadyTime steady_now, const ros::Time& now) {
   Movement message;
-  message.kind = kindConstant(movement.kind);
+  message.kind = static_cast<std::uint8_t>(movement.kind);
   message.name = movement.name;
   message.source = movement.source;
   message.joints = movement.joints;
   if (movement.end) {
-    message.end = now + ros::Duration(std::max(0.0, std::chrono::duration<double>(*movement.end - steady_now).count()));
+    const double left = std::max(0.0, std::chrono::duration<double>(*movement.end - steady_now).count());
+    const double end = now.toSec() + left;
+    message.end = end < ros::TIME_MAX.toSec() ? ros::Time(end) : ros::TIME_MAX;  // a sum that is too large would throw
   }
   return message;
 }
@@ -87,66 +69,87 @@ bool areSame(const Movement& a, const Movement& b) {
 }
 
 bool areSame(const MotionState& a, const MotionState& b) {
-  if (a.movements.size() != b.movements.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < a.movements.size(); ++i) {
-    if (!areSame(a.movements[i], b.movements[i])) {
-      return false;
-    }
-  }
-  return areSame(a.last, b.last) && a.last_end == b.last_end && a.last_reason == b.last_reason;
+  const auto same_movement = [](const Movement& x, const Movement& y) { return areSame(x, y); };
+  const auto same_end = [](const EndedMovement& x, const EndedMovement& y) {
+    return areSame(x.movement, y.movement) && x.how == y.how && x.reason == y.reason;
+  };
+  return std::equal(a.movements.begin(), a.movements.end(), b.movements.begin(), b.movements.end(), same_movement) &&
+         std::equal(a.ended.begin(), a.ended.end(), b.ended.begin(), b.ended.end(), same_end);
 }
 
 }  // namespace
 
-std::uint8_t endConstant(MovementEnd how) {
-  switch (how) {
-    case MovementEnd::kDone:
-      return MotionState::DONE;
-    case MovementEnd::kReplaced:
-      return MotionState::REPLACED;
-    case MovementEnd::kStopped:
-      return MotionState::STOPPED;
-    case MovementEnd::kRefused:
-      return MotionState::REFUSED;
-    case MovementEnd::kFell:
-      return MotionState::FELL;
-    case MovementEnd::kUnknown:
-      break;
-  }
-  return MotionState::UNKNOWN;
+std::uint8_t endConstant(movement::MovementEnd how) {
+  return static_cast<std::uint8_t>(how);
 }
 
-MotionState toMessage(const JointMover::State& state, JointMover::SteadyTime steady_now, const ros::Time& now) {
+MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now) {
   MotionState message;
   message.header.stamp = now;
-  for (const joints::Movement& movement : state.movements) {
+  for (const movement::Movement& movement : state.movements) {
     message.movements.push_back(toMessage(movement, steady_now, now));
   }
-  if (state.last) {
-    message.last = toMessage(state.last->movement, steady_now, now);
-    message.last.end = ros::Time();
-    message.last_end = endConstant(state.last->how);
-    message.last_reason = state.last->reason;
+  const auto most = static_cast<std::ptrdiff_t>(std::min(state.ended.size(), kEndsInMessage));
+  for (auto each = state.ended.end() - most; each != state.ended.end(); ++each) {
+    EndedMovement ended;
+    ended.movement = toMessage(each->movement, steady_now, now);
+    ended.how = endConstant(each->how);
+    ended.reason = each->reason;
+    message.ended.push_back(ended);
+  }
+  if (!message.ended.empty()) {
+    message.last = message.ended.back().movement;
+    message.last_end = message.ended.back().how;
+    message.last_reason = message.ended.back().reason;
   }
   message.text = describe(message);
   return message;
 }
 
-MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const JointMover& mover) : mover_(mover) {
+RobotState toMessage(const movement::Mover::State& state) {
+  RobotState message;
+  message.motors = static_cast<std::uint8_t>(state.robot.motors);
+  message.posture = static_cast<std::uint8_t>(state.robot.posture);
+  message.stopped = static_cast<std::uint8_t>(state.stopped_by.has_value());
+  message.stopped_by = state.stopped_by.value_or("");
+  return message;
+}
+
+MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover)
+    : mover_(mover) {
   constexpr bool kLatched = true;
-  publisher_ = ros::NodeHandle(handle).advertise<MotionState>("motion_state", 10, kLatched);
+  ros::NodeHandle topics(handle);
+  publisher_ = topics.advertise<MotionState>("motion_state", 10, kLatched);
+  robot_publisher_ = topics.advertise<RobotState>("robot_state", 10, kLatched);
   last_ = toMessage(mover_.state(), std::chrono::steady_clock::now(), ros::Time::now());
+  last_robot_.header.stamp = last_.header.stamp;
   publisher_.publish(last_);
+  robot_publisher_.publish(last_robot_);
 }
 
 void MotionStatePublisher::publish() {
   const std::lock_guard<std::mutex> lock(mutex_);  // the newest state is published last
-  const MotionState present = toMessage(mover_.state(), std::chrono::steady_clock::now(), ros::Time::now());
+  const movement::Mover::State state = mover_.state();
+  const ros::Time now = ros::Time::now();
+  const auto steady_now = std::chrono::steady_clock::now();
+  // Each message adds as many ends as fit; the last one has the newest.
+  const std::size_t fresh = std::min(state.ends - std::exchange(ends_, state.ends), state.ended.size());
+  for (std::size_t left = fresh; left > kEndsInMessage; left -= kEndsInMessage) {
+    movement::Mover::State earlier = state;
+    earlier.ended.resize(state.ended.size() - (left - kEndsInMessage));
+    publisher_.publish(toMessage(earlier, steady_now, now));
+  }
+  const MotionState present = toMessage(state, steady_now, now);
   if (!areSame(present, last_)) {
     last_ = present;
     publisher_.publish(present);
+  }
+  RobotState robot = toMessage(state);
+  robot.header = last_robot_.header;
+  if (robot != last_robot_) {
+    robot.header.stamp = now;
+    last_robot_ = robot;
+    robot_publisher_.publish(robot);
   }
 }
 

@@ -4,8 +4,8 @@
 
 namespace aibo_driver::node {
 
-std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle&, const joints::JointTable&,
-                                                                    const joints::MeasuredJoints&, JointMover&) {
+std::unique_ptr<FollowTrajectoryServer> startFollowTrajectoryServer(const ros::NodeHandle&, const movement::JointTable&,
+                                                                    const movement::MeasuredJoints&, movement::Mover&) {
   return nullptr;
 }
 

@@ -23,15 +23,15 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
   // In seconds, because subtracting two ros::Time more than 68 years apart throws.
   const double wait = stamp.toSec() - now.toSec();
   if (wait < -kLongestPast || wait > kLongestWait) {
-    throw InvalidArgumentException("Trajectory refused: header.stamp, when it should begin, is " +
-                                   std::to_string(std::abs(wait)) + (wait < 0 ? " s ago" : " s ahead") +
+    throw InvalidArgumentException("header.stamp, when it should begin, is " + std::to_string(std::abs(wait)) +
+                                   (wait < 0 ? " s ago" : " s ahead") +
                                    "; allowed is from 1 s ago to an hour ahead, or 0, which means at once.");
   }
   return std::chrono::nanoseconds(std::llround(wait * 1e9));
 }
 
-joints::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
-  joints::TrajectoryRequest request;
+movement::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message) {
+  movement::TrajectoryRequest request;
   request.joints = message.joint_names;
   for (const trajectory_msgs::JointTrajectoryPoint& point : message.points) {
     request.points.push_back({point.time_from_start.toSec(), point.positions, point.velocities});

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "joints/trajectory.h"
+#include "movement/trajectory.h"
 
 namespace aibo_driver::node {
 
@@ -19,7 +19,7 @@ namespace aibo_driver::node {
 std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time& now);
 
 /// The same trajectory without its stamp, unchecked. From any thread.
-joints::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message);
+movement::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message);
 
 }  // namespace aibo_driver::node
 

@@ -1,8 +1,10 @@
 #include "ros/walk/posture_services.h"
 
+#include <future>
 #include <string>
 
 #include "aibo_driver/exceptions.h"
+#include "ros/orders.h"
 #include "ros/service_answer.h"
 
 namespace aibo_driver::node {
@@ -29,37 +31,32 @@ Words wordsFor(Posture posture) {
 
 void PostureServices::advertise(const ros::NodeHandle& handle) {
   ros::NodeHandle services(handle);
-  servers_.push_back(services.advertiseService("stand", &PostureServices::stand, this));
-  servers_.push_back(services.advertiseService("sit", &PostureServices::sit, this));
-  servers_.push_back(services.advertiseService("rest", &PostureServices::rest, this));
+  const auto advertise = [&](const std::string& name, Posture posture) {
+    servers_.push_back(advertiseOrder<std_srvs::Trigger>(
+        services, name, [this, posture](const movement::Order& order, const auto&, auto& response) {
+          return take(posture, order, response);
+        }));
+  };
+  advertise("stand", Posture::kStand);
+  advertise("sit", Posture::kSit);
+  advertise("rest", Posture::kRest);
 }
 
-bool PostureServices::take(Posture posture, std_srvs::Trigger::Response& response) {
+bool PostureServices::take(Posture posture, const movement::Order& order, std_srvs::Trigger::Response& response) {
   const Words words = wordsFor(posture);
   return answer(response, words.failure, [&] {
-    const JointMover::Fate fate = mover_.takePosture(posture, kBeginTimeout);
-    const joints::MovementFate end = mover_.waitForEnd(fate, kEndTimeout);
-    if (!end.end) {
-      throw TimeoutException("it began, but has not said within " + std::to_string(kEndTimeout.count() / 1000) +
+    const movement::Mover::Begun begun = mover_.takePosture(order, posture);
+    if (begun.end.wait_for(kEndTimeout) == std::future_status::timeout) {
+      throw TimeoutException((begun.remark.empty() ? "it began" : begun.remark) + ", but has not said within " +
+                             std::to_string(kEndTimeout.count() / 1000) +
                              " s that it has finished. motion_state says what it does.");
     }
-    if (end.end != joints::MovementEnd::kDone) {
+    const movement::EndedMovement& end = begun.end.get();
+    if (end.how != movement::MovementEnd::kDone) {
       throw CommandException(end.reason + ".");
     }
     return words.success;
   });
-}
-
-bool PostureServices::stand(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  return take(Posture::kStand, response);
-}
-
-bool PostureServices::sit(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  return take(Posture::kSit, response);
-}
-
-bool PostureServices::rest(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  return take(Posture::kRest, response);
 }
 
 }  // namespace aibo_driver::node

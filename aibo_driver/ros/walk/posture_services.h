@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "aibo_driver/walk.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/mover.h"
 
 namespace aibo_driver::node {
 
@@ -17,13 +17,11 @@ namespace aibo_driver::node {
 /// false and message says why. A newer posture ends an older one.
 class PostureServices {
  public:
-  /// How long the robot may take to begin.
-  static constexpr std::chrono::milliseconds kBeginTimeout{2000};
   /// How long it may take from one posture to another: several times what it needs.
   static constexpr std::chrono::milliseconds kEndTimeout{30000};
 
   /// @param mover must outlive the services
-  explicit PostureServices(JointMover& mover) : mover_(mover) {}
+  explicit PostureServices(movement::Mover& mover) : mover_(mover) {}
 
   PostureServices(const PostureServices&) = delete;
   PostureServices& operator=(const PostureServices&) = delete;
@@ -33,14 +31,10 @@ class PostureServices {
 
   /// Takes a posture, and waits for its end.
   /// @return true, as roscpp wants
-  bool take(Posture posture, std_srvs::Trigger::Response& response);
+  bool take(Posture posture, const movement::Order& order, std_srvs::Trigger::Response& response);
 
  private:
-  bool stand(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-  bool sit(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-  bool rest(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-
-  JointMover& mover_;
+  movement::Mover& mover_;
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ros/orders.h"
+
 namespace aibo_driver::node {
 namespace {
 
@@ -26,23 +28,20 @@ void WalkCommander::subscribe(const ros::NodeHandle& handle) {
       ros::WallDuration(Seconds(settings_.timeout).count()), [this](const ros::SteadyTimerEvent&) { runOut(); },
       kOneShot, kAutostart);
   const boost::function<void(const ros::MessageEvent<Twist const>&)> receive =
-      [this](const ros::MessageEvent<Twist const>& event) {
-        this->receive(*event.getMessage(), event.getPublisherName());
-      };
+      [this](const ros::MessageEvent<Twist const>& event) { this->receive(*event.getMessage(), orderOf(event)); };
   constexpr std::uint32_t kNewest = 1;
   subscriber_ =
       topics.subscribe<Twist>("cmd_vel", kNewest, receive, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
-void WalkCommander::receive(const Twist& message, const std::string& source) {
+void WalkCommander::receive(const Twist& message, const movement::Order& order) {
   if (!isFinite(message.linear) || !isFinite(message.angular)) {
-    warnings_.warn(
-        "A cmd_vel of " + source +
-        " was dropped: it has a value that is not a number or infinite. Without a good one the robot stops.");
+    mover_.refuse(order, movement::Movement::Kind::kWalk, {},
+                  "it has a value that is not a number or infinite. Without a good one the robot stops.");
     return;
   }
   const WalkVelocity wanted{message.linear.x, message.linear.y, message.angular.z};
-  mover_.steer(velocityToSend(wanted, settings_, client_.status().robot.walk_limits), source, mover_.epoch());
+  mover_.steer(order, velocityToSend(wanted, settings_, client_.status().robot.walk_limits));
   timer_.stop();  // a timer that has run out starts again only after this
   if (!wanted.isZero()) {
     timer_.start();

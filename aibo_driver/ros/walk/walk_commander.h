@@ -3,14 +3,13 @@
 #define AIBO_DRIVER_ROS_WALK_WALK_COMMANDER_H
 
 #include <geometry_msgs/Twist.h>
-#include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
 #include <string>
 
 #include "aibo_driver/rcserver_client.h"
-#include "ros/joints/joint_mover.h"
+#include "movement/mover.h"
 #include "ros/walk/walk_settings.h"
 #include "text/throttled_warnings.h"
 
@@ -23,19 +22,16 @@ namespace aibo_driver::node {
 class WalkCommander {
  public:
   /// All arguments must outlive the commander.
-  WalkCommander(const WalkSettings& settings, RcServerClient& client, JointMover& mover)
+  WalkCommander(const WalkSettings& settings, RcServerClient& client, movement::Mover& mover)
       : settings_(settings), client_(client), mover_(mover) {}
 
   WalkCommander(const WalkCommander&) = delete;
   WalkCommander& operator=(const WalkCommander&) = delete;
 
-  /// @param handle the joint commander's, so that neither of them overtakes the other, and what was sent before a stop
-  ///   moves nothing after it
+  /// @param handle the joint commander's, so that neither of them overtakes the other
   void subscribe(const ros::NodeHandle& handle);
 
-  /// What is not sent is logged.
-  /// @param source the node that sent the message
-  void receive(const geometry_msgs::Twist& message, const std::string& source);
+  void receive(const geometry_msgs::Twist& message, const movement::Order& order);
 
   /// Nothing has come for WalkSettings::timeout.
   void runOut();
@@ -43,8 +39,7 @@ class WalkCommander {
  private:
   const WalkSettings& settings_;
   RcServerClient& client_;
-  JointMover& mover_;
-  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("walk", text); }};
+  movement::Mover& mover_;
   ros::SteadyTimer timer_;
   ros::Subscriber subscriber_;
 };

@@ -25,8 +25,10 @@ class JointCommanderTest : public ::testing::Test {
       message.name.push_back(name);
       message.position.push_back(position);
     }
-    commander_.receive(message, "test");
+    commander_.receive(message, order());
   }
+
+  static movement::Order order() { return {"/user", std::chrono::steady_clock::now()}; }
 
   // Ends the approach of the head's pan.
   void arriveAt(double position) {
@@ -42,9 +44,9 @@ class JointCommanderTest : public ::testing::Test {
   JointCommanderTest() { ros::Time::init(); }
 
   test_support::FakeClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
-  JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
+  movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
   JointCommander commander_{table_, mover_};
 };
 
@@ -82,15 +84,35 @@ TEST_F(JointCommanderTest, ApproachesAgainOverANewConnection) {
 }
 
 TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
-  commander_.receive(trajectory_msgs::JointTrajectory(), "/test");
+  commander_.receive(trajectory_msgs::JointTrajectory(), order());
   EXPECT_THAT(client_.told, ElementsAre("hold"));
 }
 
 TEST_F(JointCommanderTest, ARefusedTrajectoryIsNotSent) {
   trajectory_msgs::JointTrajectory message;
   message.points.resize(1);
-  commander_.receive(message, "/test");
+  commander_.receive(message, order());
   EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
+  trajectory_msgs::JointTrajectory message;
+  message.header.stamp = ros::Time::now() - ros::Duration(10);
+  message.joint_names = {"head_pan"};
+  message.points.resize(1);
+  commander_.receive(message, order());
+  ASSERT_EQ(mover_.state().ended.size(), 1u);
+  EXPECT_EQ(mover_.state().ended[0].how, movement::MovementEnd::kRefused);
+  EXPECT_THAT(mover_.state().ended[0].reason, ::testing::HasSubstr("header.stamp"));
+}
+
+TEST_F(JointCommanderTest, KnowsACommandOfLookAt) {
+  sensor_msgs::JointState message;
+  message.header.frame_id = JointCommander::kLookAt;
+  message.name = {"head_pan"};
+  message.position = {0.5};
+  commander_.receive(message, order());
+  EXPECT_EQ(mover_.state().movements.at(0).kind, movement::Movement::Kind::kLookAt);
 }
 
 TEST_F(JointCommanderTest, SendsNothingToARobotOfAnotherDesign) {

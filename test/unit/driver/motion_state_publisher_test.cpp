@@ -5,29 +5,29 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
+using movement::MovementEnd;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using Kind = joints::Movement::Kind;
+using Kind = movement::Movement::Kind;
 
 const ros::Time kNow(1800000000, 0);
-const JointMover::SteadyTime kSteadyNow{std::chrono::seconds(50)};
+const movement::SteadyTime kSteadyNow{std::chrono::seconds(50)};
 
-MotionState messageOf(const JointMover::State& state) {
+MotionState messageOf(const movement::Mover::State& state) {
   return toMessage(state, kSteadyNow, kNow);
 }
 
 TEST(MotionStateMessage, SaysThatNothingMoves) {
   const MotionState message = messageOf({});
   EXPECT_THAT(message.movements, IsEmpty());
-  EXPECT_EQ(message.last.kind, Movement::NONE);
+  EXPECT_THAT(message.ended, IsEmpty());
   EXPECT_EQ(message.text, "nothing moves the robot");
   EXPECT_EQ(message.header.stamp, kNow);
 }
 
 TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
-  JointMover::State state;
+  movement::Mover::State state;
   state.movements = {
       {Kind::kCommand, "", "/sliders", {"mouth"}, {}},
       {Kind::kTrajectory, "", "/planner", {"head_pan", "neck_tilt"}, kSteadyNow + std::chrono::seconds(2)},
@@ -44,17 +44,66 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_EQ(message.text, "moved by command of mouth and trajectory of head_pan, neck_tilt and motion NOD.MTN");
 }
 
-TEST(MotionStateMessage, SaysHowTheLastMovementEnded) {
-  JointMover::State state;
-  state.last =
-      joints::EndedMovement{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kReplaced, "mouth was commanded"};
-  MotionState message = messageOf(state);
-  EXPECT_EQ(message.last.name, "NOD.MTN");
-  EXPECT_EQ(message.last_end, MotionState::REPLACED);
-  EXPECT_EQ(message.last_reason, "mouth was commanded");
-  EXPECT_EQ(message.text, "nothing moves the robot; last ended: motion NOD.MTN: mouth was commanded");
-  state.last = joints::EndedMovement{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kDone, ""};
+TEST(MotionStateMessage, CanBeMadeAtTheEndOfTime) {
+  movement::Mover::State state;
+  state.movements = {{Kind::kTrajectory, "", "/planner", {"head_pan"}, kSteadyNow + std::chrono::seconds(2)}};
+  EXPECT_EQ(toMessage(state, kSteadyNow, ros::TIME_MAX).movements.at(0).end, ros::TIME_MAX);
+}
+
+TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
+  movement::Mover::State state;
+  state.ended = {{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kDone, ""}};
   EXPECT_EQ(messageOf(state).text, "nothing moves the robot; last ended: motion NOD.MTN, done");
+  state.ended.push_back(
+      {{Kind::kLookAt, "", "/look_at", {"head_pan"}, {}}, MovementEnd::kNotReached, "head_pan is 0.50 rad off"});
+  const MotionState message = messageOf(state);
+  ASSERT_THAT(message.ended, SizeIs(2));
+  EXPECT_EQ(message.ended[0].movement.name, "NOD.MTN");
+  EXPECT_EQ(message.ended[0].how, EndedMovement::DONE);
+  EXPECT_EQ(message.ended[1].movement.kind, Movement::LOOK_AT);
+  EXPECT_EQ(message.ended[1].how, EndedMovement::NOT_REACHED);
+  EXPECT_EQ(message.ended[1].reason, "head_pan is 0.50 rad off");
+  EXPECT_EQ(message.text, "nothing moves the robot; last ended: look_at of head_pan: head_pan is 0.50 rad off");
+}
+
+// The numbers are the same on both sides.
+TEST(MotionStateMessage, HasTheNumbersOfTheMessages) {
+  using movement::MovementEnd;
+  EXPECT_EQ(endConstant(MovementEnd::kDone), EndedMovement::DONE);
+  EXPECT_EQ(endConstant(MovementEnd::kReplaced), EndedMovement::REPLACED);
+  EXPECT_EQ(endConstant(MovementEnd::kStopped), EndedMovement::STOPPED);
+  EXPECT_EQ(endConstant(MovementEnd::kRefused), EndedMovement::REFUSED);
+  EXPECT_EQ(endConstant(MovementEnd::kFell), EndedMovement::FELL);
+  EXPECT_EQ(endConstant(MovementEnd::kUnknown), EndedMovement::UNKNOWN);
+  EXPECT_EQ(endConstant(MovementEnd::kNotReached), EndedMovement::NOT_REACHED);
+  EXPECT_EQ(endConstant(MovementEnd::kLost), EndedMovement::LOST);
+  EXPECT_EQ(static_cast<int>(Kind::kCommand), +Movement::COMMAND);
+  EXPECT_EQ(static_cast<int>(Kind::kTrajectory), +Movement::TRAJECTORY);
+  EXPECT_EQ(static_cast<int>(Kind::kMotion), +Movement::MOTION);
+  EXPECT_EQ(static_cast<int>(Kind::kWalk), +Movement::WALK);
+  EXPECT_EQ(static_cast<int>(Kind::kPosture), +Movement::POSTURE);
+  EXPECT_EQ(static_cast<int>(Kind::kLookAt), +Movement::LOOK_AT);
+  EXPECT_EQ(static_cast<int>(MotorState::kOff), +RobotState::OFF);
+  EXPECT_EQ(static_cast<int>(MotorState::kOn), +RobotState::ON);
+  EXPECT_EQ(static_cast<int>(PostureNow::kStanding), +RobotState::STANDING);
+  EXPECT_EQ(static_cast<int>(PostureNow::kSitting), +RobotState::SITTING);
+  EXPECT_EQ(static_cast<int>(PostureNow::kLying), +RobotState::LYING);
+  EXPECT_EQ(static_cast<int>(PostureNow::kWalking), +RobotState::WALKING);
+  EXPECT_EQ(static_cast<int>(PostureNow::kFallen), +RobotState::FALLEN);
+  EXPECT_EQ(static_cast<int>(PostureNow::kCarried), +RobotState::CARRIED);
+}
+
+TEST(RobotStateMessage, SaysWhatTheRobotCanDo) {
+  movement::Mover::State state;
+  EXPECT_EQ(toMessage(state).motors, RobotState::UNKNOWN);
+  EXPECT_FALSE(toMessage(state).stopped);
+  state.robot = {MotorState::kOff, PostureNow::kLying};
+  state.stopped_by = "/panel";
+  const RobotState message = toMessage(state);
+  EXPECT_EQ(message.motors, RobotState::OFF);
+  EXPECT_EQ(message.posture, RobotState::LYING);
+  EXPECT_TRUE(message.stopped);
+  EXPECT_EQ(message.stopped_by, "/panel");
 }
 
 }  // namespace

@@ -23,21 +23,21 @@ const std::string kMotion = std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P/NOD.M
 
 class RobotServicesTest : public ::testing::Test {
  protected:
+  static movement::Order order() { return {"/user", std::chrono::steady_clock::now()}; }
+
   std_srvs::SetBool::Response setMotors(bool on) {
-    std_srvs::SetBool::Request request;
     std_srvs::SetBool::Response response;
-    request.data = static_cast<std::uint8_t>(on);
-    EXPECT_TRUE(services_.setMotors(request, response));
+    EXPECT_TRUE(services_.setMotors(order(), on, response));
     return response;
   }
 
-  PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 0, bool stop = false) {
+  PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 1, bool stop = false) {
     PlayMotion::Request request;
     PlayMotion::Response response;
     request.name = name;
     request.repetitions = repetitions;
     request.stop = static_cast<std::uint8_t>(stop);
-    EXPECT_TRUE(services_.playMotion(request, response));
+    EXPECT_TRUE(services_.playMotion(order(), request, response));
     return response;
   }
 
@@ -54,31 +54,32 @@ class RobotServicesTest : public ::testing::Test {
   const std::string& lastTold() const { return client_.told.back(); }
 
   test_support::FakeClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
-  JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
+  movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
   RobotServices services_{client_, mover_};
 };
 
-TEST_F(RobotServicesTest, Stop) {
-  std_srvs::Trigger::Request request;
+TEST_F(RobotServicesTest, StopUntilRelease) {
   std_srvs::Trigger::Response response;
-  EXPECT_TRUE(services_.stop(request, response));
+  EXPECT_TRUE(services_.stop(order(), response));
   EXPECT_TRUE(response.success);
+  EXPECT_EQ(response.message, "The robot holds, and nothing moves it until release is called.");
   EXPECT_THAT(client_.told, ElementsAre("hold"));
-  client_.problem = "there is no robot";
-  response = {};
-  EXPECT_TRUE(services_.stop(request, response));
-  EXPECT_FALSE(response.success);
-  EXPECT_EQ(response.message, "The robot could not be told to stop: there is no robot");
+  EXPECT_EQ(play("nod").message, "Nothing was played: stopped by /user; call release.");
+  EXPECT_EQ(setMotors(true).message, "The motors were not switched: stopped by /user; call release.");
+  EXPECT_TRUE(services_.release(order(), response));
+  EXPECT_EQ(response.message, "The robot may be moved again.");
+  EXPECT_TRUE(setMotors(true).success);
+  EXPECT_TRUE(play("nod").success);
 }
 
-TEST_F(RobotServicesTest, AcceptWhatIsAskedForAfterAStop) {
-  std_srvs::Trigger::Request request;
+TEST_F(RobotServicesTest, StopWithoutARobot) {
+  client_.problem = "there is no robot";
   std_srvs::Trigger::Response response;
-  services_.stop(request, response);
-  setMotors(true);
-  EXPECT_TRUE(play("nod").success);
+  EXPECT_TRUE(services_.stop(order(), response));
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "No order moves the robot any more, but it could not be told to stop: there is no robot");
 }
 
 TEST_F(RobotServicesTest, SwitchTheMotors) {
@@ -111,7 +112,7 @@ TEST_F(RobotServicesTest, FindTheSameFileForAllWaysToWriteItsName) {
 }
 
 TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
-  EXPECT_EQ(play("nod", 0).message, "NOD.MTN has begun and plays once.");
+  EXPECT_EQ(play("nod", 1).message, "NOD.MTN has begun and plays once.");
   EXPECT_EQ(play("nod", 3).message, "NOD.MTN has begun and plays 3 times.");
   EXPECT_EQ(lastTold(), "play NOD.MTN 3");
 }
@@ -130,8 +131,10 @@ TEST_F(RobotServicesTest, LetAMotionMoveAllJointsAsFastAsTheirLimitsAllow) {
 }
 
 TEST_F(RobotServicesTest, StopOneMotionOrAll) {
-  EXPECT_EQ(play("nod", 0, true).message, "NOD.MTN stopped: the joints hold where they are.");
+  EXPECT_EQ(play("nod", 0).message, "NOD.MTN stopped: the joints hold where they are.");
   EXPECT_EQ(lastTold(), "stop NOD.MTN");
+  EXPECT_EQ(play("wag", 1, true).message, "WAG.MTN stopped: the joints hold where they are.");
+  EXPECT_EQ(lastTold(), "stop WAG.MTN");
   EXPECT_EQ(play("", 0, true).message, "All motions stopped: the joints hold where they are.");
   EXPECT_EQ(lastTold(), "stop ");
 }
@@ -202,7 +205,7 @@ TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
   EXPECT_TRUE(services_.deleteMotion(request, response));
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "Nothing was deleted: there is no robot");
-  EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot");
+  EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot.");
   EXPECT_EQ(play("nod", 0, true).message, "Nothing was stopped: there is no robot");
   std_srvs::Trigger::Request trigger;
   std_srvs::Trigger::Response answer;

@@ -37,8 +37,8 @@ Telemetry telemetryWith(const Readings& readings) {
 }
 
 TEST(JointStatesTest, NamesTheJointsThatWereMeasured) {
-  const joints::JointTable table("ERS-7", 3.0);
-  joints::MeasuredJoints measured(table);
+  const movement::JointTable table("ERS-7", 3.0);
+  movement::MeasuredJoints measured(table);
   JointStates states(table, measured);
   constexpr int kHeadPan = 2;
   Telemetry telemetry;
@@ -54,8 +54,8 @@ TEST(JointStatesTest, NamesTheJointsThatWereMeasured) {
 }
 
 TEST(JointStatesTest, HaveTheDutyAsEffortIfItIsKnownOfAllJoints) {
-  const joints::JointTable table("ERS-7", 3.0);
-  joints::MeasuredJoints measured(table);
+  const movement::JointTable table("ERS-7", 3.0);
+  movement::MeasuredJoints measured(table);
   JointStates states(table, measured);
   Telemetry telemetry;
   telemetry.joints = {{1, 0.5, 0.25}, {2, 0.1, -1}};

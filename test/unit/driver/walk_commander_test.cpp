@@ -15,14 +15,14 @@
 namespace aibo_driver::node {
 namespace {
 
-using joints::MovementEnd;
+using movement::MovementEnd;
 using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
-using Kind = joints::Movement::Kind;
+using Kind = movement::Movement::Kind;
 
 // A robot that carries out postures when the test says so.
 class PostureClient : public test_support::FakeClient {
@@ -48,12 +48,16 @@ class WalkCommanderTest : public ::testing::Test {
     measured_.update(telemetry);
   }
 
+  static movement::Order order(const std::string& source) { return {source, std::chrono::steady_clock::now()}; }
+
+  movement::EndedMovement last() { return mover_.state().ended.back(); }
+
   void command(double forward, double left = 0, double turn = 0) {
     geometry_msgs::Twist twist;
     twist.linear.x = forward;
     twist.linear.y = left;
     twist.angular.z = turn;
-    commander_.receive(twist, "/teleop");
+    commander_.receive(twist, order("/teleop"));
   }
 
   // What the robot was told about walking since the last call.
@@ -77,7 +81,7 @@ class WalkCommanderTest : public ::testing::Test {
 
   std::vector<Kind> kindsMoving() {
     std::vector<Kind> kinds;
-    for (const joints::Movement& movement : mover_.state().movements) {
+    for (const movement::Movement& movement : mover_.state().movements) {
       kinds.push_back(movement.kind);
     }
     return kinds;
@@ -85,19 +89,15 @@ class WalkCommanderTest : public ::testing::Test {
 
   std_srvs::Trigger::Response take(Posture posture) {
     std_srvs::Trigger::Response response;
-    EXPECT_TRUE(postures_.take(posture, response));
+    EXPECT_TRUE(postures_.take(posture, order("/panel"), response));
     return response;
   }
 
-  JointMover::Fate startTrajectory(const std::string& joint) {
-    return mover_.start({{joint}, {{1.0, {0.1}, {}}}}, milliseconds(0), "test");
-  }
-
   PostureClient client_;
-  joints::JointTable table_{"ERS-7", 3.0};
-  joints::MeasuredJoints measured_{table_};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
   WalkSettings settings_;
-  JointMover mover_{table_, measured_, client_, DriverParameters(), [] { return true; }};
+  movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
   WalkCommander commander_{settings_, client_, mover_};
   PostureServices postures_{mover_};
 };
@@ -124,7 +124,7 @@ TEST_F(WalkCommanderTest, RefusesWhatIsNotANumber) {
     command(0, 0, -value);
     geometry_msgs::Twist twist;
     twist.linear.z = value;
-    commander_.receive(twist, "/teleop");
+    commander_.receive(twist, order("/teleop"));
   }
   EXPECT_THAT(client_.told, IsEmpty());
 }
@@ -145,54 +145,20 @@ TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
   commander_.runOut();
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
   mover_.steered({});
-  mover_.motionEnded({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  ASSERT_TRUE(mover_.state().last);
-  EXPECT_EQ(mover_.state().last->how, MovementEnd::kStopped);
-  EXPECT_EQ(mover_.state().last->reason, "no cmd_vel came for 0.5 s");
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(last().how, MovementEnd::kStopped);
+  EXPECT_EQ(last().reason, "no cmd_vel came for 0.5 s");
   walk(0.1);
   command(0);
-  mover_.motionEnded({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(mover_.state().last->how, MovementEnd::kDone) << "that is over";
-}
-
-TEST_F(WalkCommanderTest, IsAMovementFromTheRobotsAnswerToItsReport) {
-  command(0.1);
-  EXPECT_THAT(kindsMoving(), IsEmpty()) << "it may refuse";
-  mover_.steered({0.1, 0, 0});
-  mover_.steered({0.1, 0, 0});
-  EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kWalk));
-  EXPECT_EQ(mover_.state().movements[0].source, "/teleop");
-  mover_.motionEnded({EndedKind::kWalk, EndedHow::kFell, "walk", "it lies on its side"});
-  EXPECT_THAT(kindsMoving(), IsEmpty());
-  EXPECT_EQ(mover_.state().last->how, MovementEnd::kFell);
-  EXPECT_EQ(mover_.state().last->reason, "it lies on its side");
-}
-
-TEST_F(WalkCommanderTest, TakesTheLegsFromTrajectoriesAndLeavesThemTheHead) {
-  const JointMover::Fate head = startTrajectory("head_pan");
-  const JointMover::Fate leg = startTrajectory("left_front_rotator");
-  command(0.1);
-  EXPECT_FALSE(mover_.look(head).end);
-  EXPECT_EQ(mover_.look(leg).end, MovementEnd::kReplaced);
-  EXPECT_EQ(mover_.look(leg).reason, "the robot walks");
-}
-
-TEST_F(WalkCommanderTest, DropsWhatCameBeforeAStop) {
-  walk(0.1);
-  mover_.block();
-  command(0.1);
-  mover_.hold("stop was called");
-  EXPECT_THAT(toldToWalk(), ElementsAre("hold"));
-  mover_.unblock();
-  command(0.1);
-  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.10 0.00 0.00"));
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(last().how, MovementEnd::kDone) << "that is over";
 }
 
 TEST_F(WalkCommanderTest, EndsWithTheConnectionAndDoesNotGoOnOverTheNext) {
   walk(0.1);
   mover_.disconnected();
   EXPECT_THAT(kindsMoving(), IsEmpty());
-  EXPECT_EQ(mover_.state().last->how, MovementEnd::kStopped);
+  EXPECT_EQ(last().how, MovementEnd::kLost);
   ++client_.connections;
   commander_.runOut();
   command(0);
@@ -210,7 +176,7 @@ TEST_F(WalkCommanderTest, KeepsNothingWithoutAConnection) {
 TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
   client_.when_begun = [this] {
     EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kPosture));
-    mover_.motionEnded({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
+    mover_.ended({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
   };
   const auto response = take(Posture::kSit);
   EXPECT_TRUE(response.success);
@@ -221,7 +187,7 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
 
 TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
   client_.when_begun = [this] {
-    mover_.motionEnded({EndedKind::kPosture, EndedHow::kReplaced, "stand", "left_front_knee was commanded"});
+    mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "stand", "left_front_knee was commanded"});
   };
   auto response = take(Posture::kStand);
   EXPECT_FALSE(response.success);
@@ -233,27 +199,27 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
   client_.problem = "there is no robot";
   response = take(Posture::kSit);
   EXPECT_FALSE(response.success);
-  EXPECT_EQ(response.message, "The robot does not sit: there is no robot");
+  EXPECT_EQ(response.message, "The robot does not sit: there is no robot.");
   EXPECT_THAT(kindsMoving(), IsEmpty());
 }
 
 TEST_F(WalkCommanderTest, HoldsAPostureThatBeginsAfterAStop) {
-  client_.when_begun = [this] { mover_.hold("stop was called"); };
+  client_.when_begun = [this] { mover_.stop(order("/panel")); };
   const auto response = take(Posture::kStand);
   EXPECT_FALSE(response.success);
-  EXPECT_THAT(response.message, HasSubstr("everything was stopped while the robot was asked"));
+  EXPECT_THAT(response.message, HasSubstr("/panel called stop"));
   EXPECT_THAT(toldToWalk(), ElementsAre("stand", "hold", "hold"));
 }
 
 TEST_F(WalkCommanderTest, ReplacesAPostureByANewerOne) {
   std_srvs::Trigger::Response first;
-  std::thread older([&] { postures_.take(Posture::kSit, first); });
+  std::thread older([&] { postures_.take(Posture::kSit, order("/panel"), first); });
   while (kindsMoving().empty()) {
     std::this_thread::yield();
   }
   client_.when_begun = [this] {
-    mover_.motionEnded({EndedKind::kPosture, EndedHow::kReplaced, "sit", "the posture stand was asked for"});
-    mover_.motionEnded({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
+    mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "sit", "the posture stand was asked for"});
+    mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
   };
   EXPECT_TRUE(take(Posture::kStand).success);
   older.join();
@@ -263,12 +229,12 @@ TEST_F(WalkCommanderTest, ReplacesAPostureByANewerOne) {
 
 TEST_F(WalkCommanderTest, IsSaidInTheMotionState) {
   walk(0.1);
-  const JointMover::State state = mover_.state();
+  const movement::Mover::State state = mover_.state();
   MotionState message = toMessage(state, {}, ros::Time(1));
   ASSERT_THAT(message.movements, SizeIs(1));
   EXPECT_EQ(message.movements[0].kind, Movement::WALK);
   EXPECT_EQ(message.text, "moved by walk");
-  JointMover::State posture;
+  movement::Mover::State posture;
   posture.movements = {{Kind::kPosture, "sit", "", {}, {}}};
   message = toMessage(posture, {}, ros::Time(1));
   EXPECT_EQ(message.movements[0].kind, Movement::POSTURE);

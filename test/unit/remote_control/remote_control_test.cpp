@@ -22,7 +22,7 @@
 #include <QWheelEvent>
 #include <QtTest/QTest>
 
-#include "joints/joint_table.h"
+#include "movement/joint_table.h"
 #include "remote_control/axis_pad.h"
 #include "remote_control/joint_slider.h"
 #include "unit/remote_control/fake_robot.h"
@@ -306,8 +306,8 @@ TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConne
 
 TEST_F(RemoteControlTest, AnotherKindOfRobotHasItsOwnLimits) {
   robot_.connectIt(2, "ERS-210");
-  const joints::JointTable table("ERS-210", 1);
-  const joints::JointProperties& tilt = table[*table.findByName("head_tilt")];
+  const movement::JointTable table("ERS-210", 1);
+  const movement::JointProperties& tilt = table[*table.findByName("head_tilt")];
   auto* pad = find<AxisPad>("head_pad");
   robot_.take();
   QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, 0, -1));

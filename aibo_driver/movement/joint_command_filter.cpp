@@ -1,0 +1,112 @@
+#include "movement/joint_command_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aibo_driver::movement {
+namespace {
+
+// Added to the time of an approach: the command has to reach the robot, and the joint speeds up and brakes.
+constexpr std::chrono::milliseconds kMargin{500};
+
+// A joint this near to its target has followed it, and will not jump to the next one.
+constexpr double kNear = 0.1;  // rad
+
+// On the wire a speed is a small whole number, so there is a lowest one.
+constexpr double kLowestSpeed = 0.001;  // rad/s
+
+std::chrono::nanoseconds timeFor(double way, double speed) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(way / speed));
+}
+
+std::string describeMismatch(std::size_t names, std::size_t positions, std::size_t velocities) {
+  if (names == 0) {
+    return "A joint command names no joint.";
+  }
+  if (positions != names) {
+    return "A joint command must have as many positions as names.";
+  }
+  if (velocities != 0 && velocities != names) {
+    return "A joint command must have as many velocities as names, or none.";
+  }
+  return {};
+}
+
+}  // namespace
+
+JointCommandFilter::JointCommandFilter(const JointTable& table, const MeasuredJoints& measured, double approach_speed)
+    : table_(table), measured_(measured), approach_speed_(approach_speed), approaches_(table.size()) {}
+
+std::vector<std::string> JointCommandFilter::filter(const std::vector<std::string>& names,
+                                                    const std::vector<double>& positions,
+                                                    const std::vector<double>& velocities, SteadyTime now,
+                                                    JointOrders* orders) {
+  const std::string mismatch = describeMismatch(names.size(), positions.size(), velocities.size());
+  if (!mismatch.empty()) {
+    return {mismatch};
+  }
+  std::vector<std::string> refusals;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double velocity = velocities.empty() ? 0 : velocities[i];
+    const std::optional<std::size_t> index = table_.findByName(names[i]);
+    if (!index) {
+      refusals.push_back("The " + table_.design() + " has no joint '" + names[i] + "'.");
+    } else if (!std::isfinite(positions[i])) {
+      refusals.push_back("The position commanded for " + names[i] + " is not a finite number.");
+    } else if (!std::isfinite(velocity)) {
+      refusals.push_back("The velocity commanded for " + names[i] + " is not a finite number.");
+    } else {
+      (*orders)[table_[*index].id] = orderFor(*index, positions[i], velocity, now);
+    }
+  }
+  return refusals;
+}
+
+void JointCommandFilter::startApproach() {
+  approaches_.assign(table_.size(), std::nullopt);
+}
+
+JointOrder JointCommandFilter::orderFor(std::size_t index, double position, double velocity, SteadyTime now) {
+  const JointProperties& joint = table_[index];
+  const double target = std::clamp(position, joint.lowest, joint.highest);
+  double speed = table_.speedLimit(index);
+  if (velocity != 0) {
+    speed = std::clamp(std::abs(velocity), kLowestSpeed, speed);
+  }
+  const double slow = std::min(speed, approach_speed_);
+  return {target, approaches(index, target, slow, now) ? slow : speed};
+}
+
+bool JointCommandFilter::approaches(std::size_t index, double target, double speed, SteadyTime now) {
+  std::optional<Approach>& approach = approaches_[index];
+  if (!approach) {
+    const double longest_way = table_[index].highest - table_[index].lowest;
+    approach = Approach{target, now + timeFor(distance(index, target), speed) + kMargin,
+                        now + timeFor(longest_way, speed) + kMargin};
+    return true;
+  }
+  if (now < approach->end && target != approach->target && isNear(index, approach->target)) {
+    approach->end = now;
+  }
+  if (now >= approach->end) {
+    return false;
+  }
+  approach->end = std::min(approach->latest_end, approach->end + timeFor(std::abs(target - approach->target), speed));
+  approach->target = target;
+  return true;
+}
+
+double JointCommandFilter::distance(std::size_t index, double target) const {
+  const std::optional<MeasuredJoint> measured = measured_.find(index);
+  if (measured) {
+    return std::abs(target - measured->position);
+  }
+  return std::max(target - table_[index].lowest, table_[index].highest - target);
+}
+
+bool JointCommandFilter::isNear(std::size_t index, double target) const {
+  const std::optional<MeasuredJoint> measured = measured_.find(index);
+  return measured && std::abs(target - measured->position) < kNear;
+}
+
+}  // namespace aibo_driver::movement

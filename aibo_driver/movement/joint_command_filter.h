@@ -1,0 +1,72 @@
+/// @file joint_command_filter.h
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_COMMAND_FILTER_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_COMMAND_FILTER_H
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "movement/joint_link.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+
+namespace aibo_driver::movement {
+
+/// The approach speed unless the user sets another one, in rad/s.
+constexpr double kUsualApproachSpeed = 0.5;
+
+/// The guard rails between users and joints.
+///
+/// - A command whose arrays do not fit together is refused. A joint that the robot does not have, or whose position or
+///   velocity is not a finite number, is left out, and the others move. If a joint is named twice, the last position
+///   counts.
+/// - Positions are clamped to the joint's limits. Limits that depend on other joints are left to the robot.
+/// - No joint moves faster than its speed limit, or than the velocity given.
+/// - Approach: the first command to a joint may come from a program that does not know the robot's posture, such as
+///   joint_state_publisher_gui, which begins by commanding every joint to 0 or to its middle. So the joint moves there
+///   at the approach speed. The approach ends after the time that this way takes, or when a new target comes while the
+///   joint is measured near the old one; from then on only the speed limit holds. A target that changes meanwhile makes
+///   the approach longer, but not longer than the joint's longest way takes.
+class JointCommandFilter {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  /// @param table, measured must outlive the filter
+  /// @param approach_speed rad/s
+  JointCommandFilter(const JointTable& table, const MeasuredJoints& measured, double approach_speed);
+
+  /// Filters one command, whose arrays are those of sensor_msgs/JointState.
+  /// @param positions rad, one for each name
+  /// @param velocities rad/s, one for each name, or empty; the sign does not matter, and 0 means that none is given
+  /// @param[in,out] orders gets an order for each joint that may move, in place of an earlier order to that joint
+  /// @return what was left out and why, a sentence each, without numbers that vary
+  std::vector<std::string> filter(const std::vector<std::string>& names, const std::vector<double>& positions,
+                                  const std::vector<double>& velocities, SteadyTime now, JointOrders* orders);
+
+  /// From now on the posture may be any, as after a new connection: all joints are approached again.
+  void startApproach();
+
+ private:
+  /// A joint's way to the first target that it was given.
+  struct Approach {
+    double target = 0;
+    SteadyTime end;
+    SteadyTime latest_end;
+  };
+
+  JointOrder orderFor(std::size_t index, double position, double velocity, SteadyTime now);
+  bool approaches(std::size_t index, double target, double speed, SteadyTime now);
+  double distance(std::size_t index, double target) const;
+  bool isNear(std::size_t index, double target) const;
+
+  const JointTable& table_;
+  const MeasuredJoints& measured_;
+  const double approach_speed_;
+  std::vector<std::optional<Approach>> approaches_;  ///< by index
+};
+
+}  // namespace aibo_driver::movement
+
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_COMMAND_FILTER_H

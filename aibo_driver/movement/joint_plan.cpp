@@ -1,0 +1,527 @@
+#include "movement/joint_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+// Until a joint that should have arrived really has: the command has to reach the robot, and the joint brakes.
+constexpr double kSettling = 0.1;  // s
+
+// A command that was sent this long ago may still wait for the link.
+constexpr double kLongestQueue = 1.0;  // s
+
+double seconds(steady_clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+// A version 1 server reports each joint about once a second, and less often while it is busy.
+constexpr milliseconds kLongestSilence{5000};
+
+constexpr const char* kNewer = "a newer trajectory moves its joints";
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f", value);
+  return text;
+}
+
+// How far a joint is from where it was sent, in words that follow its name; empty if it is there.
+std::string describeDistance(const MeasuredJoint& measured, double target, const Tolerance& tolerance) {
+  const double way = std::abs(measured.position - target);
+  if (!(way <= tolerance.position)) {
+    return " is " + number(way) + " rad from where it was sent";
+  }
+  if (tolerance.speed && !(std::abs(measured.velocity) <= *tolerance.speed)) {
+    return " still moves with " + number(measured.velocity) + " rad/s";
+  }
+  return "";
+}
+
+void removeJoint(std::size_t place, TrajectoryRequest* request) {
+  const auto offset = static_cast<std::ptrdiff_t>(place);
+  request->joints.erase(request->joints.begin() + offset);
+  for (TrajectoryRequest::Point& point : request->points) {
+    point.positions.erase(point.positions.begin() + offset);
+    if (!point.velocities.empty()) {
+      point.velocities.erase(point.velocities.begin() + offset);
+    }
+  }
+}
+
+}  // namespace
+
+double JointPlan::Command::duration() const {
+  return std::abs(target - from) / speed;
+}
+
+double JointPlan::Command::positionAt(double time) const {
+  const double way = std::clamp(time, 0.0, duration()) * speed;
+  return target > from ? from + way : from - way;
+}
+
+std::optional<std::size_t> JointPlan::Job::placeOf(const std::string& joint) const {
+  const auto found = std::find(request.joints.begin(), request.joints.end(), joint);
+  const auto place = static_cast<std::size_t>(found - request.joints.begin());
+  return found != request.joints.end() && moves(place) ? std::optional<std::size_t>(place) : std::nullopt;
+}
+
+std::vector<std::string> JointPlan::Job::names() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < request.joints.size(); ++i) {
+    if (moves(i)) {
+      names.push_back(request.joints[i]);
+    }
+  }
+  return names;
+}
+
+void JointPlan::command(MovementId id, const JointOrders& orders, SteadyTime now) {
+  for (std::optional<Command>& command : commands_) {
+    if (command && !command->is_open && !isRecent(*command, now)) {
+      command.reset();
+    }
+  }
+  for (const auto& [joint_id, order] : orders) {
+    const std::optional<std::size_t> joint = table_.findById(joint_id);
+    if (!joint) {
+      continue;
+    }
+    const std::optional<Trajectory::Start> planned = stateOf(*joint, now, 0);
+    const std::optional<MeasuredJoint> measured = measured_.find(*joint);
+    const double from = planned ? planned->position : measured ? measured->position : order.position;
+    endTrajectoriesThatMove(*joint);
+    if (commands_[*joint] && commands_[*joint]->id != id) {
+      replaceCommand(*joint, table_[*joint].name + " was commanded to go elsewhere");
+    }
+    commands_[*joint] = Command{id, true, from, order.position, order.speed, now};
+  }
+}
+
+double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
+                      SteadyTime now, milliseconds oldest) {
+  Job job{id, request, arrival, start, oldest, std::nullopt};
+  const double stretch = plan(job, now).stretch();  // also refuses now what could only be refused later
+  takeFromWaiting(job);
+  jobs_.push_back(std::move(job));
+  return stretch;
+}
+
+std::vector<JointStep> JointPlan::advance(SteadyTime now) {
+  for (Job& job : jobs_) {
+    if (job.run) {
+      job.run->clock.attend(now);
+    }
+  }
+  beginDue(now);
+  handOver(now);
+  std::vector<JointStep> steps;
+  for (std::size_t i = 0; i < jobs_.size(); ++i) {
+    JointStep step = next(i, now);
+    if (!step.orders.empty()) {
+      steps.push_back(std::move(step));
+    }
+  }
+  endThoseThatArrived(now);
+  return steps;
+}
+
+JointOrders JointPlan::holdingOrders(SteadyTime now, std::optional<MovementId> only) const {
+  JointOrders orders;
+  for (std::size_t joint = 0; joint < commands_.size() && !only; ++joint) {
+    const std::optional<Command>& command = commands_[joint];
+    if (command && isRecent(*command, now)) {
+      orders[table_[joint].id] = {command->positionAt(seconds(now - command->begin)), command->speed};
+    }
+  }
+  for (std::size_t i = 0; i < jobs_.size(); ++i) {
+    const Job& job = jobs_[i];
+    if (!job.run || job.run->sent.empty() || (only && job.id != *only)) {
+      continue;
+    }
+    for (const std::string& joint : job.names()) {
+      if (!isSentByNewer(i, joint)) {
+        orders[table_[*table_.findByName(joint)].id] = orderFor(joint, job.run->sent[*job.placeOf(joint)]);
+      }
+    }
+  }
+  return orders;
+}
+
+void JointPlan::end(MovementId id, MovementEnd how, const std::string& reason) {
+  for (Job& job : jobs_) {
+    if (job.id == id) {
+      noteEnd(&job, how, reason);
+    }
+  }
+  removeEnded();
+  endCommand(id, how, reason);
+}
+
+void JointPlan::endAll(MovementEnd how, const std::string& reason) {
+  endTrajectories(how, reason);
+  for (const std::optional<Command>& command : commands_) {
+    if (command) {
+      endCommand(command->id, how, reason);
+    }
+  }
+  commands_.assign(table_.size(), std::nullopt);
+}
+
+void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
+  for (Job& job : jobs_) {
+    noteEnd(&job, how, reason);
+  }
+  removeEnded();
+}
+
+void JointPlan::replace(const std::vector<std::string>& joints, const std::string& reason) {
+  for (const std::string& joint : joints) {
+    for (Job& job : jobs_) {
+      if (job.placeOf(joint)) {
+        noteEnd(&job, MovementEnd::kReplaced, reason);
+      }
+    }
+    replaceCommand(*table_.findByName(joint), reason);
+  }
+  removeEnded();
+}
+
+std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
+  if (const Job* const job = find(id)) {
+    return job->names();
+  }
+  std::vector<std::string> joints;
+  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
+    if (commands_[joint] && commands_[joint]->id == id && commands_[joint]->is_open) {
+      joints.push_back(table_[joint].name);
+    }
+  }
+  return joints;
+}
+
+std::vector<int> JointPlan::identifiersOf(MovementId trajectory) const {
+  std::vector<int> ids;
+  for (std::size_t i = 0; i < jobs_.size(); ++i) {
+    for (const std::string& joint : jobs_[i].names()) {
+      if (jobs_[i].run && jobs_[i].id == trajectory && !isSentByNewer(i, joint)) {
+        ids.push_back(table_[*table_.findByName(joint)].id);
+      }
+    }
+  }
+  return ids;
+}
+
+std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory, SteadyTime now) const {
+  const Job* const job = find(trajectory);
+  if (job == nullptr || !job->run) {
+    return std::nullopt;
+  }
+  const std::chrono::duration<double> left(job->run->trajectory.duration() - job->run->clock.at(now));
+  return now + std::chrono::duration_cast<steady_clock::duration>(left);
+}
+
+std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, SteadyTime now) const {
+  std::vector<Trajectory::Start> states;
+  const Job* const job = find(trajectory);
+  if (job == nullptr || !job->run || job->run->over || job->run->clock.at(now) < 0) {
+    return states;
+  }
+  const Trajectory& way = job->run->trajectory;
+  const double time = job->run->clock.at(now);
+  const std::vector<double> positions = way.sample(time);
+  const std::vector<double> velocities = way.velocities(time);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    states.push_back({way.joints()[i], positions[i], velocities[i]});
+  }
+  return states;
+}
+
+bool JointPlan::empty() const {
+  return jobs_.empty() && std::none_of(commands_.begin(), commands_.end(), [](const std::optional<Command>& command) {
+           return command && command->is_open;
+         });
+}
+
+const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
+  const auto job = std::find_if(jobs_.begin(), jobs_.end(), [=](const Job& each) { return each.id == trajectory; });
+  return job == jobs_.end() ? nullptr : &*job;
+}
+
+// Where a joint should be some time from now, if anything moves it then.
+std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTime now, double ahead) const {
+  for (auto job = jobs_.rbegin(); job != jobs_.rend(); ++job) {
+    const bool moves_now = job->run && !job->run->over;
+    const std::optional<std::size_t> place = moves_now ? job->placeOf(table_[joint].name) : std::nullopt;
+    const double time = place ? job->run->clock.at(now) + ahead : -1;
+    if (time >= 0) {
+      return Trajectory::Start{joint, job->run->trajectory.sample(time)[*place],
+                               job->run->trajectory.velocities(time)[*place]};
+    }
+  }
+  const std::optional<Command>& command = commands_[joint];
+  if (!command || !isUnderWay(*command, now)) {
+    return std::nullopt;
+  }
+  const double time = seconds(now - command->begin) + ahead;
+  const bool arrived = time >= command->duration();
+  const double velocity = command->target > command->from ? command->speed : -command->speed;
+  return Trajectory::Start{joint, command->positionAt(time), arrived ? 0 : velocity};
+}
+
+bool JointPlan::isUnderWay(const Command& command, SteadyTime now) {
+  return seconds(now - command.begin) < command.duration() + kSettling;
+}
+
+bool JointPlan::isRecent(const Command& command, SteadyTime now) {
+  return seconds(now - command.begin) < command.duration() + kLongestQueue;
+}
+
+Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
+  checkFresh(job, now);
+  const double ahead = seconds(job.start - now);
+  std::vector<Trajectory::Start> start;
+  for (const std::string& name : job.request.joints) {
+    const std::optional<std::size_t> joint = table_.findByName(name);
+    const std::optional<Trajectory::Start> planned = joint ? stateOf(*joint, now, std::max(0.0, ahead)) : std::nullopt;
+    const std::optional<MeasuredJoint> measured = joint ? measured_.find(*joint) : std::nullopt;
+    if (planned) {
+      start.push_back(*planned);
+    } else if (measured) {
+      start.push_back({*joint, measured->position, 0});
+    }
+  }
+  return Trajectory(dropPassedPoints(job.request, -ahead), table_, start, slow_down_);
+}
+
+void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
+  for (const std::string& name : job.request.joints) {
+    const std::optional<std::size_t> joint = table_.findByName(name);
+    const std::optional<MeasuredJoint> measured = joint ? measured_.find(*joint) : std::nullopt;
+    if (measured && now - measured->arrival > job.oldest) {
+      char text[160];
+      std::snprintf(text, sizeof(text),
+                    "was last measured %.1f s ago, and a trajectory needs to know where it is: "
+                    "allowed is %.1f s. Does joint_states still come?",
+                    seconds(now - measured->arrival), seconds(job.oldest));
+      throw InvalidArgumentException(name + " " + text);
+    }
+  }
+}
+
+// Of trajectories that would begin later, a newer one takes its joints.
+void JointPlan::takeFromWaiting(const Job& newer) {
+  for (Job& job : jobs_) {
+    if (job.run || job.start < newer.start) {
+      continue;
+    }
+    for (std::size_t i = job.request.joints.size(); i-- > 0;) {
+      if (newer.placeOf(job.request.joints[i])) {
+        removeJoint(i, &job.request);
+      }
+    }
+    if (job.request.joints.empty()) {
+      noteEnd(&job, MovementEnd::kReplaced, kNewer);
+    }
+  }
+  removeEnded();
+}
+
+void JointPlan::endTrajectoriesThatMove(std::size_t joint) {
+  for (Job& job : jobs_) {
+    if (job.placeOf(table_[joint].name)) {
+      noteEnd(&job, MovementEnd::kReplaced, table_[joint].name + " was commanded to go elsewhere");
+    }
+  }
+  removeEnded();
+}
+
+// The movement that the joint was commanded by goes on for its other joints, if there are any.
+void JointPlan::replaceCommand(std::size_t joint, const std::string& reason) {
+  const std::optional<Command> older = std::exchange(commands_[joint], std::nullopt);
+  if (older && older->is_open && jointsOf(older->id).empty()) {
+    ended_.push_back({older->id, MovementEnd::kReplaced, reason, {}});
+  }
+}
+
+// As early as their first positions have to be sent.
+void JointPlan::beginDue(SteadyTime now) {
+  const auto is_due = [now](const Job& job) { return !job.run && job.start <= now + kLookahead; };
+  for (auto due = jobs_.begin(); (due = std::find_if(jobs_.begin(), jobs_.end(), is_due)) != jobs_.end();) {
+    Job job = std::move(*due);
+    jobs_.erase(due);
+    try {
+      job.run = Run{plan(job, now),
+                    TrajectoryClock(std::max(job.start, now), kPeriod),
+                    std::vector<bool>(job.request.joints.size(), true),
+                    {},
+                    false,
+                    std::nullopt};
+      jobs_.push_back(std::move(job));
+    } catch (const InvalidArgumentException& error) {
+      noteEnd(&job, MovementEnd::kRefused, error.what());
+    }
+  }
+}
+
+// Those that have begun take their joints from older ones.
+void JointPlan::handOver(SteadyTime now) {
+  for (std::size_t newer = 0; newer < jobs_.size(); ++newer) {
+    if (!jobs_[newer].run || jobs_[newer].run->clock.at(now) < 0) {
+      continue;
+    }
+    for (std::size_t older = 0; older < newer; ++older) {
+      if (jobs_[older].run) {
+        takeJoints(jobs_[newer], &jobs_[older]);
+      }
+    }
+    for (const std::string& joint : jobs_[newer].names()) {
+      replaceCommand(*table_.findByName(joint), "a trajectory moves " + joint);
+    }
+  }
+  removeEnded();
+}
+
+void JointPlan::takeJoints(const Job& newer, Job* older) {
+  for (std::size_t i = 0; i < older->request.joints.size(); ++i) {
+    older->run->moves[i] = older->moves(i) && !newer.placeOf(older->request.joints[i]);
+  }
+  if (older->names().empty()) {
+    noteEnd(older, MovementEnd::kReplaced, kNewer);
+  }
+}
+
+bool JointPlan::isSentByNewer(std::size_t index, const std::string& joint) const {
+  return std::any_of(jobs_.begin() + static_cast<std::ptrdiff_t>(index) + 1, jobs_.end(),
+                     [&joint](const Job& job) { return job.run && job.placeOf(joint); });
+}
+
+JointStep JointPlan::next(std::size_t index, SteadyTime now) {
+  Job& job = jobs_[index];
+  if (!job.run) {
+    return {};
+  }
+  Run& run = *job.run;
+  const double left = run.trajectory.duration() - run.clock.at(now);
+  if (run.end_sent) {
+    if (left <= 0 && !run.over) {
+      run.over = now;
+    }
+    return {};
+  }
+  const double ahead = std::clamp(left, 0.0, seconds(kLookahead));
+  run.end_sent = left <= ahead;
+  run.sent = run.trajectory.sample(run.clock.at(now) + ahead);
+  JointStep step;
+  step.movement = job.id;
+  step.duration = milliseconds(std::lround(1000 * ahead));
+  for (const std::string& joint : job.names()) {
+    if (!isSentByNewer(index, joint)) {
+      step.orders[table_[*table_.findByName(joint)].id] = orderFor(joint, run.sent[*job.placeOf(joint)]);
+    }
+  }
+  return step;
+}
+
+JointOrder JointPlan::orderFor(const std::string& joint, double position) const {
+  const std::size_t index = *table_.findByName(joint);
+  return {std::clamp(position, table_[index].lowest, table_[index].highest), table_.speedLimit(index)};
+}
+
+void JointPlan::endThoseThatArrived(SteadyTime now) {
+  std::vector<std::optional<End>> verdicts;
+  for (const Job& job : jobs_) {
+    if (job.run && job.run->over) {
+      verdicts.push_back(judge(job.id, aimsOf(job), job.arrival.grace, now));
+    }
+  }
+  std::map<MovementId, std::vector<Aim>> commanded;
+  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
+    const std::optional<Command>& command = commands_[joint];
+    if (command && command->is_open) {
+      const std::chrono::duration<double> way(command->duration() + kSettling);
+      const SteadyTime due = command->begin + std::chrono::duration_cast<steady_clock::duration>(way);
+      commanded[command->id].push_back({joint, command->target, due, {}});
+    }
+  }
+  for (const auto& [id, aims] : commanded) {
+    verdicts.push_back(judge(id, aims, Arrival().grace, now));
+  }
+  for (const std::optional<End>& verdict : verdicts) {
+    if (verdict) {
+      end(verdict->id, verdict->how, verdict->reason);
+    }
+  }
+}
+
+std::vector<JointPlan::Aim> JointPlan::aimsOf(const Job& job) const {
+  std::vector<Aim> aims;
+  const std::vector<double> end = job.run->trajectory.sample(job.run->trajectory.duration());
+  for (const std::string& joint : job.names()) {
+    const auto found = job.arrival.tolerances.find(joint);
+    aims.push_back({*table_.findByName(joint), end[*job.placeOf(joint)], *job.run->over,
+                    found == job.arrival.tolerances.end() ? Tolerance() : found->second});
+  }
+  return aims;
+}
+
+// How a movement ends, if its joints have arrived, or should have.
+std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<Aim>& aims, milliseconds grace,
+                                               SteadyTime now) const {
+  std::vector<std::string> away;
+  std::vector<std::string> unmeasured;
+  SteadyTime last_due;
+  for (const Aim& aim : aims) {
+    last_due = std::max(last_due, aim.due);
+    const std::optional<MeasuredJoint> measured = measured_.find(aim.joint);
+    const bool is_fresh = measured && measured->arrival >= aim.due;
+    const std::string problem = is_fresh ? describeDistance(*measured, aim.target, aim.tolerance) : "";
+    if (!is_fresh) {
+      unmeasured.push_back(table_[aim.joint].name);
+    } else if (!problem.empty()) {
+      away.push_back(table_[aim.joint].name + problem);
+    }
+  }
+  if (away.empty() && unmeasured.empty()) {
+    return End{id, MovementEnd::kDone, "", {}};
+  }
+  if (now < last_due + (away.empty() ? std::max(grace, kLongestSilence) : grace)) {
+    return std::nullopt;
+  }
+  return away.empty() ? End{id, MovementEnd::kUnknown, "nothing has measured " + listOf(unmeasured) + " since", {}}
+                      : End{id, MovementEnd::kNotReached, listOf(away), {}};
+}
+
+void JointPlan::removeEnded() {
+  jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), [](const Job& job) { return job.has_ended; }), jobs_.end());
+}
+
+void JointPlan::noteEnd(Job* job, MovementEnd how, const std::string& reason) {
+  if (!std::exchange(job->has_ended, true)) {
+    ended_.push_back({job->id, how, reason, job->names()});
+  }
+}
+
+void JointPlan::endCommand(MovementId id, MovementEnd how, const std::string& reason) {
+  std::vector<std::string> joints;
+  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
+    std::optional<Command>& command = commands_[joint];
+    if (command && command->id == id && std::exchange(command->is_open, false)) {
+      joints.push_back(table_[joint].name);
+    }
+  }
+  if (!joints.empty()) {
+    ended_.push_back({id, how, reason, std::move(joints)});
+  }
+}
+
+}  // namespace aibo_driver::movement

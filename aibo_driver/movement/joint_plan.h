@@ -1,0 +1,213 @@
+/// @file joint_plan.h
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_PLAN_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_PLAN_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "movement/joint_link.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "movement/movement.h"
+#include "movement/trajectory.h"
+
+namespace aibo_driver::movement {
+
+/// The number of a movement: each has its own.
+using MovementId = std::uint64_t;
+
+/// How near a joint has to be where it was sent, to have arrived.
+struct Tolerance {
+  double position = 0.05;         ///< rad
+  std::optional<double> speed{};  ///< rad/s; none: any
+};
+
+/// When the joints of a trajectory have arrived.
+struct Arrival {
+  std::map<std::string, Tolerance> tolerances;  ///< of the joints that have another one than the usual
+  std::chrono::milliseconds grace{2000};        ///< that they may be late
+};
+
+/// Orders that go to the robot together.
+struct JointStep {
+  MovementId movement = 0;
+  JointOrders orders;
+  std::chrono::milliseconds duration{0};
+};
+
+/// What is planned for the joints: commands that are on their way and trajectories, and with them the place where each
+/// joint should be at a time.
+///
+/// Trajectories replace each other as in ros_control's joint_trajectory_controller with partial goals: a new one takes
+/// over its joints at its start time, from the position and velocity that are planned for that time. Joints that it
+/// does not name go on as before. Until its start time, everything goes on as before.
+///
+/// A command ends the trajectories that name one of its joints. Of other commands and of trajectories that were
+/// replaced in part, what is left goes on.
+///
+/// A movement is done when all its joints are measured where they were sent, after the time that this takes. If one has
+/// not arrived after some grace, it is not reached; and how it ended is unknown if a joint is not measured any more.
+///
+/// Every kPeriod the robot has to be told where the joints should be kLookahead later, to arrive by then. So the robot
+/// always knows what comes next, and a message that is late by less than that does not make it falter. If the caller is
+/// held up for longer than TrajectoryClock::kLongestGap, trajectories resume where they were.
+///
+/// It sends nothing and reads no clock. From one thread at a time.
+class JointPlan {
+ public:
+  static constexpr std::chrono::milliseconds kPeriod{32};
+  static constexpr std::chrono::milliseconds kLookahead{96};
+
+  /// How a movement of the plan has ended.
+  struct End {
+    MovementId id = 0;
+    MovementEnd how = MovementEnd::kDone;
+    std::string reason;               ///< as EndedMovement::reason
+    std::vector<std::string> joints;  ///< that it moved last; empty if they were all taken from it
+  };
+
+  /// @param table, measured must outlive the plan
+  /// @param slow_down as for Trajectory
+  JointPlan(const JointTable& table, const MeasuredJoints& measured, bool slow_down)
+      : table_(table), measured_(measured), slow_down_(slow_down), commands_(table.size()) {}
+
+  /// Notes orders that are sent now.
+  /// @param id of a movement; if it goes on already, its joints get new targets
+  void command(MovementId id, const JointOrders& orders, SteadyTime now);
+
+  /// Plans a trajectory.
+  /// @param start when it begins; if this is over, the points that are over are left out
+  /// @param oldest how long ago its joints may have been measured
+  /// @return as Trajectory::stretch()
+  /// @throw InvalidArgumentException it is refused; the message says why
+  double add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start, SteadyTime now,
+             std::chrono::milliseconds oldest);
+
+  /// Moves everything on. To be called every kPeriod, and after add().
+  /// @return what has to be sent now
+  std::vector<JointStep> advance(SteadyTime now);
+
+  /// The place of each joint that may be moving, as orders that make it stay there without turning back, for a robot
+  /// that cannot be told to hold. On its way to a command's target, that is where it should be by now; in a trajectory,
+  /// where it was last sent.
+  /// @param only joints of this trajectory; none: all
+  JointOrders holdingOrders(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;
+
+  /// Ends a movement, if it has not ended yet.
+  /// @param reason in words that follow a colon
+  void end(MovementId id, MovementEnd how, const std::string& reason);
+
+  /// Ends everything.
+  void endAll(MovementEnd how, const std::string& reason);
+
+  /// Ends all trajectories, and leaves commands as they are.
+  void endTrajectories(MovementEnd how, const std::string& reason);
+
+  /// Something else moves these joints: ends the trajectories that move one of them, or will. Of commands, what is left
+  /// goes on.
+  void replace(const std::vector<std::string>& joints, const std::string& reason);
+
+  /// The joints that a movement moves, or will move when it begins; none if it has ended.
+  std::vector<std::string> jointsOf(MovementId id) const;
+
+  /// The identifiers of those that a trajectory moves; none before its beginning.
+  std::vector<int> identifiersOf(MovementId trajectory) const;
+
+  /// When a trajectory will be over; nothing before its beginning.
+  std::optional<SteadyTime> endOf(MovementId trajectory, SteadyTime now) const;
+
+  /// Where a trajectory wants its joints to be, in its own order of joints.
+  /// @return empty before its beginning and after its end
+  std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime now) const;
+
+  /// True if nothing moves or waits for its time to move.
+  bool empty() const;
+
+  /// What has ended since the last call, in order.
+  std::vector<End> takeEnded() { return std::exchange(ended_, {}); }
+
+ private:
+  struct Command {
+    MovementId id = 0;
+    bool is_open = true;  // its end has not been noted
+    double from = 0;      // rad
+    double target = 0;    // rad
+    double speed = 0;     // rad/s
+    SteadyTime begin;
+
+    double duration() const;
+    double positionAt(double time) const;
+  };
+
+  /// A trajectory that has taken over its joints.
+  struct Run {
+    Trajectory trajectory;
+    TrajectoryClock clock;
+    std::vector<bool> moves;   // by place in the request: false once something newer moves this joint
+    std::vector<double> sent;  // where they were last sent, in rad; empty at first
+    bool end_sent = false;
+    std::optional<SteadyTime> over;  // since then its joints should be where they were sent
+  };
+
+  struct Job {
+    MovementId id = 0;
+    TrajectoryRequest request;
+    Arrival arrival;
+    SteadyTime start;
+    std::chrono::milliseconds oldest{0};
+    std::optional<Run> run;  // none while it waits for its time
+    bool has_ended = false;
+
+    bool moves(std::size_t place) const { return !run || run->moves[place]; }
+    std::optional<std::size_t> placeOf(const std::string& joint) const;
+    std::vector<std::string> names() const;
+  };
+
+  /// Where a joint should be from a time on.
+  struct Aim {
+    std::size_t joint = 0;
+    double target = 0;  // rad
+    SteadyTime due;
+    Tolerance tolerance;
+  };
+
+  std::optional<Trajectory::Start> stateOf(std::size_t joint, SteadyTime now, double ahead) const;
+  static bool isUnderWay(const Command& command, SteadyTime now);
+  static bool isRecent(const Command& command, SteadyTime now);
+  const Job* find(MovementId trajectory) const;
+  Trajectory plan(const Job& job, SteadyTime now) const;
+  void checkFresh(const Job& job, SteadyTime now) const;
+  void takeFromWaiting(const Job& newer);
+  void endTrajectoriesThatMove(std::size_t joint);
+  void replaceCommand(std::size_t joint, const std::string& reason);
+  void beginDue(SteadyTime now);
+  void handOver(SteadyTime now);
+  void takeJoints(const Job& newer, Job* older);
+  bool isSentByNewer(std::size_t index, const std::string& joint) const;
+  JointStep next(std::size_t index, SteadyTime now);
+  JointOrder orderFor(const std::string& joint, double position) const;
+  void endThoseThatArrived(SteadyTime now);
+  std::optional<End> judge(MovementId id, const std::vector<Aim>& aims, std::chrono::milliseconds grace,
+                           SteadyTime now) const;
+  std::vector<Aim> aimsOf(const Job& job) const;
+  void removeEnded();
+  void noteEnd(Job* job, MovementEnd how, const std::string& reason);
+  void endCommand(MovementId id, MovementEnd how, const std::string& reason);
+
+  const JointTable& table_;
+  const MeasuredJoints& measured_;
+  const bool slow_down_;
+  std::vector<std::optional<Command>> commands_;  // by index; the last one of each joint
+  std::vector<Job> jobs_;                         // those that took over later come later
+  std::vector<End> ended_;
+};
+
+}  // namespace aibo_driver::movement
+
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_PLAN_H

@@ -1,0 +1,89 @@
+#include "movement/joint_table.h"
+
+#include <algorithm>
+
+#include "aibo_driver/exceptions.h"
+#include "robot_model/legs.h"
+#include "robot_model/robot_model.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+double radian(int microradian) {
+  return microradian / 1e6;
+}
+
+template <typename Predicate>
+std::optional<std::size_t> findIndex(const std::vector<JointProperties>& joints, Predicate predicate) {
+  const auto found = std::find_if(joints.begin(), joints.end(), predicate);
+  if (found == joints.end()) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(found - joints.begin());
+}
+
+/// All robots give the joints of their legs the same identifiers.
+bool isOfLeg(int id) {
+  for (const auto leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
+                         robot_model::RIGHT_HIND_LEG}) {
+    for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+      if (robot_model::legJointIdentifier(leg, number) == id) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+JointTable::JointTable(const std::string& design, double speed_limit) : design_(design) {
+  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
+  if (model == nullptr) {
+    throw InvalidArgumentException("There is no table of a robot named '" + design + "'.");
+  }
+  for (int i = 0; i < model->number_of_joints; ++i) {
+    const robot_model::Joint& joint = model->joints[i];
+    joints_.push_back({joint.name, joint.identifier, radian(joint.lowest), radian(joint.highest),
+                       std::min(speed_limit, radian(joint.highest_speed)), radian(joint.highest_speed),
+                       isOfLeg(joint.identifier)});
+  }
+}
+
+std::vector<JointSpeedLimit> JointTable::speedLimits() const {
+  std::vector<JointSpeedLimit> limits;
+  for (std::size_t i = 0; i < size(); ++i) {
+    limits.push_back({joints_[i].id, speedLimit(i)});
+  }
+  return limits;
+}
+
+std::vector<std::string> JointTable::namesOfLegs() const {
+  std::vector<std::string> names;
+  for (const JointProperties& joint : joints_) {
+    if (joint.is_of_leg) {
+      names.push_back(joint.name);
+    }
+  }
+  return names;
+}
+
+std::vector<JointSpeedLimit> JointTable::ownSpeedsOfLegs() const {
+  std::vector<JointSpeedLimit> limits;
+  for (const JointProperties& joint : joints_) {
+    if (joint.is_of_leg) {
+      limits.push_back({joint.id, joint.own_speed});
+    }
+  }
+  return limits;
+}
+
+std::optional<std::size_t> JointTable::findByName(const std::string& name) const {
+  return findIndex(joints_, [&name](const JointProperties& joint) { return joint.name == name; });
+}
+
+std::optional<std::size_t> JointTable::findById(int id) const {
+  return findIndex(joints_, [id](const JointProperties& joint) { return joint.id == id; });
+}
+
+}  // namespace aibo_driver::movement

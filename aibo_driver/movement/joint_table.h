@@ -1,0 +1,69 @@
+/// @file joint_table.h
+#ifndef AIBO_DRIVER_MOVEMENT_JOINT_TABLE_H
+#define AIBO_DRIVER_MOVEMENT_JOINT_TABLE_H
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/joints.h"
+
+namespace aibo_driver::movement {
+
+/// The speed limit of joints unless the user sets another one, in rad/s.
+constexpr double kUsualSpeedLimit = 3.0;
+
+/// The properties of a joint.
+struct JointProperties {
+  std::string name;
+  int id = 0;                ///< RCServer identifier
+  double lowest = 0;         ///< rad
+  double highest = 0;        ///< rad
+  double highest_speed = 0;  ///< rad/s; JointTable::speedLimit() has the limit in force
+  double own_speed = 0;      ///< rad/s, which it can do by itself
+  bool is_of_leg = false;
+};
+
+/// The joints of a robot, as aibo_rcserver/robot_model lists them.
+class JointTable {
+ public:
+  /// @param design the robot's name in OPEN-R: "ERS-7" or "ERS-210"
+  /// @param speed_limit rad/s, for every joint; a joint that is slower by itself keeps its own highest speed
+  /// @throw InvalidArgumentException there is no table of this design
+  JointTable(const std::string& design, double speed_limit);
+
+  const std::string& design() const { return design_; }
+  const std::vector<JointProperties>& joints() const { return joints_; }
+  std::size_t size() const { return joints_.size(); }
+  const JointProperties& operator[](std::size_t index) const { return joints_[index]; }
+
+  /// The speed limit in force, in rad/s. From any thread.
+  double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
+
+  /// The speed limits of all joints. From any thread.
+  std::vector<JointSpeedLimit> speedLimits() const;
+
+  /// The joints of the legs.
+  std::vector<std::string> namesOfLegs() const;
+
+  /// How fast the joints of the legs can move by themselves, whatever the speed limits are.
+  std::vector<JointSpeedLimit> ownSpeedsOfLegs() const;
+
+  /// Scales the speed limits of all joints. From any thread.
+  /// @param scale above 0, at most 1; initially 1
+  void setSpeedScale(double scale) { speed_scale_ = scale; }
+
+  std::optional<std::size_t> findByName(const std::string& name) const;
+  std::optional<std::size_t> findById(int id) const;
+
+ private:
+  std::string design_;
+  std::vector<JointProperties> joints_;
+  std::atomic<double> speed_scale_{1.0};
+};
+
+}  // namespace aibo_driver::movement
+
+#endif  // AIBO_DRIVER_MOVEMENT_JOINT_TABLE_H

@@ -1,0 +1,40 @@
+#include "movement/movement.h"
+
+#include "text/plain_text.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+// Of a sentence about a joint that was left out.
+constexpr std::size_t kLongest = 200;  // bytes
+
+}  // namespace
+
+std::string listOf(const std::vector<std::string>& names, const std::string& separator) {
+  text::FirstThree first(kLongest);
+  for (const std::string& name : names) {
+    first.add(name);
+  }
+  return first.text(separator);
+}
+
+std::string describe(const Movement& movement) {
+  const std::string of_joints = movement.joints.empty() ? "" : " of " + listOf(movement.joints);
+  switch (movement.kind) {
+    case Movement::Kind::kMotion:
+      return "The motion " + movement.name;
+    case Movement::Kind::kPosture:
+      return "The posture " + movement.name;
+    case Movement::Kind::kWalk:
+      return "The walk";
+    case Movement::Kind::kLookAt:
+      return "The look_at";
+    case Movement::Kind::kTrajectory:
+      return "The trajectory" + of_joints;
+    case Movement::Kind::kCommand:
+      break;
+  }
+  return "The command" + of_joints;
+}
+
+}  // namespace aibo_driver::movement

@@ -1,0 +1,848 @@
+#include "movement/mover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+using Lock = std::lock_guard<std::mutex>;
+using Kind = Movement::Kind;
+using std::chrono::milliseconds;
+
+// Orders that are repeated with shorter breaks are one to their user.
+constexpr milliseconds kRepeatedWithin{500};
+
+constexpr const char* kConnectionLost = "the connection to the robot was lost; it will not be resumed";
+
+MovementEnd movementEnd(EndedHow how) {
+  switch (how) {
+    case EndedHow::kDone:
+      return MovementEnd::kDone;
+    case EndedHow::kReplaced:
+      return MovementEnd::kReplaced;
+    case EndedHow::kStopped:
+      return MovementEnd::kStopped;
+    case EndedHow::kRefused:
+      return MovementEnd::kRefused;
+    case EndedHow::kFell:
+      return MovementEnd::kFell;
+    case EndedHow::kUnknown:
+      break;
+  }
+  return MovementEnd::kUnknown;
+}
+
+bool isEndOf(const Movement& movement, const MotionEnd& end) {
+  switch (movement.kind) {
+    case Kind::kMotion:
+      return end.kind == EndedKind::kMotion && movement.name == end.name;
+    case Kind::kPosture:
+      return end.kind == EndedKind::kPosture && movement.name == end.name;
+    case Kind::kWalk:
+      return end.kind == EndedKind::kWalk;
+    default:
+      return false;
+  }
+}
+
+std::string nameOf(Posture posture) {
+  switch (posture) {
+    case Posture::kStand:
+      return "stand";
+    case Posture::kSit:
+      return "sit";
+    case Posture::kRest:
+      break;
+  }
+  return "rest";
+}
+
+bool areSame(const EndedMovement& a, const EndedMovement& b) {
+  return a.movement.kind == b.movement.kind && a.movement.source == b.movement.source &&
+         a.movement.joints == b.movement.joints && a.reason == b.reason;
+}
+
+std::vector<std::string> namesOf(const JointOrders& orders, const JointTable& table) {
+  std::vector<std::string> names;
+  for (const JointProperties& joint : table.joints()) {
+    if (orders.count(joint.id) > 0) {
+      names.push_back(joint.name);
+    }
+  }
+  return names;
+}
+
+// A sentence as a reason that follows a colon.
+std::string reasonOf(std::string sentence) {
+  if (!sentence.empty() && sentence.back() == '.') {
+    sentence.pop_back();
+  }
+  return sentence;
+}
+
+std::string reasonOf(const std::exception& error) {
+  return reasonOf(std::string(error.what()));
+}
+
+}  // namespace
+
+Mover::Mover(const JointTable& table, const MeasuredJoints& measured, RcServerClient& client, double approach_speed,
+             bool slow_down, std::function<bool()> telemetry_wanted, Clock clock)
+    : table_(table),
+      client_(client),
+      telemetry_wanted_(std::move(telemetry_wanted)),
+      clock_(std::move(clock)),
+      link_(client, table.design()),
+      filter_(table, measured, approach_speed),
+      plan_(table, measured, slow_down) {}
+
+// Does something with the lock, and then tells the listener without it.
+template <typename Work>
+auto Mover::change(const Work& work) {
+  const auto locked = [&] {
+    const Lock lock(mutex_);
+    return work();
+  };
+  if constexpr (std::is_void_v<decltype(work())>) {
+    locked();
+    tell();
+  } else {
+    auto result = locked();
+    tell();
+    return result;
+  }
+}
+
+void Mover::tell() {
+  News news;
+  {
+    const Lock lock(mutex_);
+    std::swap(news, news_);
+  }
+  for (const EndedMovement& ended : news.ended) {
+    if (listener_.on_ended) {
+      listener_.on_ended(ended);
+    }
+  }
+  for (const std::string& warning : news.warnings) {
+    if (listener_.on_warning) {
+      listener_.on_warning(warning);
+    }
+  }
+  if (listener_.on_change) {
+    listener_.on_change();
+  }
+}
+
+Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& names,
+                            const std::vector<double>& positions, const std::vector<double>& velocities, Kind kind) {
+  Begun begun = change([&] {
+    checkConnection();
+    const SteadyTime now = clock_();
+    Movement movement{kind, "", order.source, known(names), std::nullopt};
+    const std::string reason = gate_.refusal(order, now);
+    if (!reason.empty()) {
+      return refuse(std::move(movement), reason);
+    }
+    JointOrders orders;
+    const std::string left_out = listOf(filter_.filter(names, positions, velocities, now, &orders), " ");
+    if (orders.empty()) {
+      return refuse(std::move(movement), reasonOf(left_out));
+    }
+    movement.joints = namesOf(orders, table_);
+    Record* const same = findCommand(movement);
+    const MovementId id = same != nullptr ? same->id : last_id_ + 1;
+    try {
+      link_.send(orders, milliseconds(0), termsOf(order, id));
+    } catch (const Exception& error) {
+      filter_.startApproach();
+      return refuse(std::move(movement), reasonOf(error));
+    }
+    if (!left_out.empty()) {
+      news_.warnings.push_back(left_out);
+    }
+    overruleWalk(movement);
+    plan_.command(id, orders, now);
+    takeEndsOfPlan();
+    return same != nullptr ? Begun{id, same->end, false, ""} : begin(std::move(movement));
+  });
+  if (listener_.on_begin) {
+    listener_.on_begin();
+  }
+  return begun;
+}
+
+Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
+                           const Arrival& arrival) {
+  Begun begun = change([&] {
+    checkConnection();
+    const SteadyTime now = clock_();
+    Movement movement{Kind::kTrajectory, "", order.source, known(request.joints), std::nullopt};
+    const std::string reason = gate_.refusal(order, now);
+    if (!reason.empty()) {
+      return refuse(std::move(movement), reason);
+    }
+    double stretch = 1;
+    try {
+      checkTelemetry();
+      link_.requireDesign();
+      const milliseconds oldest = client_.status().protocol_version == 1 ? kFreshVersion1 : kFresh;
+      stretch = plan_.add(last_id_ + 1, request, arrival, now + wait, now, oldest);
+    } catch (const Exception& error) {
+      return refuse(std::move(movement), reasonOf(error));
+    }
+    overruleWalk(movement);
+    Begun result = begin(std::move(movement));
+    went_on_ = now;
+    if (stretch > 1) {
+      result.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
+    }
+    sendSteps(plan_.advance(now));
+    takeEndsOfPlan();
+    return result;
+  });
+  if (listener_.on_begin) {
+    listener_.on_begin();
+  }
+  return begun;
+}
+
+Mover::Begun Mover::play(const Order& order, const std::string& name, int repetitions) {
+  const Begun begun = change([&] {
+    checkConnection();
+    Movement movement{Kind::kMotion, name, order.source, {}, std::nullopt};
+    const std::string reason = gate_.refusal(order, clock_());
+    if (!reason.empty()) {
+      return refuse(std::move(movement), reason);
+    }
+    plan_.endTrajectories(MovementEnd::kReplaced, order.source + " plays " + name);
+    takeEndsOfPlan();
+    try {
+      link_.limitSpeeds(table_.speedLimits());  // the robot would keep to lower limits of earlier commands
+    } catch (const Exception& error) {
+      return refuse(std::move(movement), reasonOf(error));
+    }
+    motions_connection_ = link_.connection();
+    return begin(std::move(movement));  // now, because its end may be reported before the robot's answer
+  });
+  return askRobot(
+      begun, [&] { return client_.playMotion(name, repetitions, kTimeout, termsOf(order, begun.id)); },
+      [&] { client_.stopMotion(name, kTimeout); });
+}
+
+Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
+  const Begun begun = change([&] {
+    checkConnection();
+    Movement movement{Kind::kPosture, nameOf(posture), order.source, {}, std::nullopt};
+    const std::string reason = gate_.refusal(order, clock_(), posture == Posture::kRest);
+    if (!reason.empty()) {
+      return refuse(std::move(movement), reason);
+    }
+    const std::string cause = order.source + " called " + movement.name;
+    try {
+      freeLegs(cause);
+    } catch (const Exception& error) {
+      return refuse(std::move(movement), reasonOf(error));
+    }
+    gate_.overrule(order.received, cause);
+    streams_.overrule(cause);
+    return begin(std::move(movement));
+  });
+  const auto ask = [&] {
+    client_.takePosture(posture, kTimeout, termsOf(order, begun.id));
+    return std::string();
+  };
+  return askRobot(begun, ask, [&] { client_.hold({}, kTimeout); });
+}
+
+Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std::string>& names,
+                           const std::string& reason) {
+  return change([&] { return refuse({kind, "", order.source, known(names), std::nullopt}, reasonOf(reason)); });
+}
+
+// Waits for the robot's answer to a request that begins something. If everything was stopped meanwhile, so is this.
+template <typename Ask, typename Undo>
+Mover::Begun Mover::askRobot(Begun begun, const Ask& ask, const Undo& undo) {
+  if (begun.ended() != nullptr) {
+    return begun;
+  }
+  const auto end_as = [&](MovementEnd how, const std::string& reason) {
+    change([&] { end(begun.id, how, reason); });
+    return begun;
+  };
+  try {
+    begun.remark = ask();
+  } catch (const TimeoutException& error) {
+    if (!error.wasSent()) {
+      return end_as(MovementEnd::kRefused, reasonOf(error));
+    }
+    begun.is_uncertain = true;
+    begun.remark = reasonOf(error);
+    return begun;
+  } catch (const NetworkException& error) {
+    return end_as(error.wasSent() ? MovementEnd::kLost : MovementEnd::kRefused, reasonOf(error));
+  } catch (const Exception& error) {
+    return end_as(MovementEnd::kRefused, reasonOf(error));
+  }
+  const EndedMovement* const ended = begun.ended();
+  if (ended != nullptr && ended->how == MovementEnd::kStopped) {
+    try {
+      undo();
+    } catch (const Exception& error) {
+      change([&] { news_.warnings.push_back(describe(ended->movement) + " may go on: " + error.what()); });
+    }
+  } else if (!client_.status().robot.hasCapability("I")) {
+    return end_as(MovementEnd::kUnknown, "this robot does not say when a motion ends");
+  }
+  return begun;
+}
+
+void Mover::steer(const Order& order, const WalkVelocity& velocity) {
+  change([&] {
+    checkConnection();
+    std::string overruled_by = streams_.receive(order, velocity.isZero());
+    if (velocity.isZero()) {
+      letGo("");
+      return;
+    }
+    std::string reason = gate_.refusal(order, clock_());
+    if (gate_.stoppedBy()) {
+      streams_.overrule(order.source, "the robot was stopped");
+    }
+    if (reason.empty() && !overruled_by.empty()) {
+      reason = overruled_by + "; let go first: send a velocity of 0, or none for 0.5 s";
+    }
+    Movement movement{Kind::kWalk, "", order.source, {}, std::nullopt};
+    if (reason.empty()) {
+      walk(order, velocity, std::move(movement));
+    } else {
+      refuse(std::move(movement), reason);
+    }
+  });
+}
+
+void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement movement) {
+  Record* record = findWalk();
+  if (record != nullptr && record->movement.source != order.source &&
+      !streams_.goesOn(record->movement.source, clock_())) {
+    end(record->id, MovementEnd::kReplaced, order.source + " steers now");
+    record = nullptr;
+  }
+  try {
+    freeLegs(order.source + " lets the robot walk");
+    client_.steer(velocity, termsOf(order, record != nullptr ? record->id : last_id_ + 1));
+  } catch (const Exception& error) {
+    if (record == nullptr) {
+      refuse(std::move(movement), reasonOf(error));
+    }
+    return;
+  }
+  is_told_to_walk_ = true;
+  walk_stop_reason_.clear();
+  if (record == nullptr) {
+    begin(std::move(movement));
+  }
+}
+
+void Mover::stopWalking(const std::string& reason) {
+  change([&] { letGo(reason); });
+}
+
+void Mover::letGo(const std::string& reason) {
+  const Record* const record = findWalk();
+  if (record == nullptr || (!is_told_to_walk_ && !reason.empty())) {
+    return;
+  }
+  try {
+    client_.steer({}, {clock_() + OrderGate::kLongestWait, record->id});
+    is_told_to_walk_ = false;
+    walk_stop_reason_ = reason;
+  } catch (const Exception&) {
+    return;  // without a connection it stops by itself
+  }
+}
+
+void Mover::stop(const Order& by) {
+  {
+    const Lock lock(mutex_);
+    gate_.stop(by.source);
+  }
+  hold(by, by.source + " called stop");
+}
+
+void Mover::release(const Order& by) {
+  const bool is_stopping = change([&] {
+    if (halts_ > 0) {
+      return true;
+    }
+    gate_.release();
+    gate_.overrule(by.received, by.source + " called release");
+    streams_.overrule("the robot was stopped");
+    return false;
+  });
+  if (is_stopping) {
+    throw CommandException("the robot is still being told to stop. Call release again.");
+  }
+}
+
+void Mover::hold(const Order& by, const std::string& reason) {
+  halt(overruleAll(by, reason), reason, [this] { tellToHold({}, std::nullopt, true); });
+}
+
+void Mover::cancel(MovementId trajectory, const std::string& reason) {
+  const std::vector<int> joints = change([&] {
+    std::vector<int> moving = plan_.identifiersOf(trajectory);
+    if (moving.empty()) {
+      end(trajectory, MovementEnd::kStopped, reason);
+    }
+    return moving;
+  });
+  if (!joints.empty()) {
+    halt({trajectory}, reason, [&] { tellToHold(joints, trajectory, false); });
+  }
+}
+
+void Mover::stopMotion(const Order& by, const std::string& name) {
+  client_.stopMotion(name, kTimeout);
+  change([&] {
+    for (const MovementId id : idsOf([&](const Movement& movement) {
+           return movement.kind == Kind::kMotion && (name.empty() || movement.name == name);
+         })) {
+      end(id, MovementEnd::kStopped, by.source + " stopped it");
+    }
+  });
+}
+
+bool Mover::setMotors(const Order& order, bool on) {
+  const std::string cause = order.source + " switched the motors " + (on ? "on" : "off");
+  bool is_on = false;
+  const auto ask = [&] { is_on = client_.setMotors(on, kTimeout); };
+  if (on) {
+    const std::string reason = change([&] {
+      std::string refusal = gate_.refusal(order, clock_());
+      if (refusal.empty()) {
+        gate_.overrule(order.received, cause);
+      }
+      return refusal;
+    });
+    if (!reason.empty()) {
+      throw CommandException(reason + ".");
+    }
+    ask();
+  } else {
+    halt(overruleAll(order, cause), cause, ask);
+  }
+  change([&] {
+    filter_.startApproach();
+    robot_.motors = is_on ? MotorState::kOn : MotorState::kOff;
+  });
+  return is_on;
+}
+
+// Nothing that was asked for before counts any more.
+// @return what moves the robot
+std::vector<MovementId> Mover::overruleAll(const Order& by, const std::string& reason) {
+  return change([&] {
+    gate_.overrule(by.received, reason);
+    streams_.overrule(reason);
+    return idsOf([](const Movement&) { return true; });
+  });
+}
+
+// Tells the robot to end movements. Meanwhile nothing is moved on.
+template <typename Tell>
+void Mover::halt(const std::vector<MovementId>& movements, const std::string& reason, const Tell& tell_robot) {
+  change([&] {
+    ++halts_;
+    halt_reason_ = reason;
+  });
+  const auto end_as = [&](MovementEnd how, const std::string& why) {
+    change([&] {
+      --halts_;
+      is_told_to_walk_ = false;
+      for (const MovementId id : movements) {
+        end(id, how, why);
+      }
+    });
+  };
+  try {
+    tell_robot();
+  } catch (const TimeoutException& error) {
+    end_as(MovementEnd::kUnknown, reason + ", but the robot has not answered: " + reasonOf(error));
+    throw;
+  } catch (const NetworkException& error) {
+    end_as(MovementEnd::kLost, reasonOf(error));
+    throw;
+  } catch (const Exception& error) {
+    end_as(MovementEnd::kUnknown, reason + ", but " + reasonOf(error));
+    throw;
+  }
+  end_as(MovementEnd::kStopped, reason);
+}
+
+// A server that cannot hold gets the places where the joints should be. It is told to end its motions if one was
+// played.
+void Mover::tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too) {
+  try {
+    client_.hold(joints, kTimeout);
+    return;
+  } catch (const CommandException&) {
+    const Lock lock(mutex_);
+    link_.send(plan_.holdingOrders(clock_(), only), milliseconds(0));
+    motions_too = motions_too && motions_connection_ == link_.connection();
+  }
+  if (motions_too) {
+    client_.stopMotion("", kTimeout);
+  }
+}
+
+void Mover::steered(const WalkVelocity& in_force) {
+  change([&] {
+    Record* const record = findWalk();
+    if (record == nullptr) {
+      return;
+    }
+    record->has_begun = record->has_begun || !in_force.isZero();
+    if (!record->has_begun && !is_told_to_walk_) {
+      end(record->id, MovementEnd::kStopped, "it was let go before the robot walked");
+    }
+  });
+}
+
+void Mover::ended(const MotionEnd& end) {
+  change([&] {
+    const auto found = std::find_if(records_.begin(), records_.end(),
+                                    [&end](const Record& record) { return isEndOf(record.movement, end); });
+    if (found == records_.end()) {
+      return;
+    }
+    MovementEnd how = movementEnd(end.how);
+    std::string reason = end.reason;
+    if (how == MovementEnd::kStopped && halts_ > 0) {
+      reason = halt_reason_;
+    }
+    const Kind kind = found->movement.kind;
+    if (kind == Kind::kWalk) {
+      if (how == MovementEnd::kDone && !walk_stop_reason_.empty()) {
+        how = MovementEnd::kStopped;
+        reason = walk_stop_reason_;
+      } else if (how == MovementEnd::kReplaced || how == MovementEnd::kFell || how == MovementEnd::kRefused) {
+        streams_.overrule(reason);
+      }
+      is_told_to_walk_ = false;
+    }
+    if (kind != Kind::kMotion) {
+      filter_.startApproach();  // the legs may be anywhere, and after "rest" in somebody's hands
+    }
+    this->end(found->id, how, reason);
+  });
+}
+
+void Mover::refused(const Refusal& refusal) {
+  change([&] {
+    if (refusal.cause == RefusalCause::kStopped && halts_ > 0) {
+      return;  // it ends with the halt
+    }
+    const MovementEnd how = refusal.cause == RefusalCause::kReplaced ? MovementEnd::kReplaced : MovementEnd::kRefused;
+    if (refusal.cause == RefusalCause::kJointFault) {
+      for (const MovementId id : commandersOf(refusal)) {
+        find(id)->trouble = refusal.reason;  // its other joints go on
+      }
+    } else if (refusal.request == RefusedRequest::kJoints) {
+      for (const MovementId id : commandersOf(refusal)) {
+        end(id, how, refusal.reason);
+      }
+      filter_.startApproach();
+    } else if (refusal.request == RefusedRequest::kWalk) {
+      const Record* const record = findWalk();
+      if (record != nullptr && !record->has_begun) {
+        end(record->id, how, refusal.reason);
+      }
+      if (refusal.cause != RefusalCause::kTooOld) {
+        streams_.overrule(refusal.reason);
+      }
+    }
+  });
+}
+
+void Mover::answeredLate(const LateAnswer& answer) {
+  change([&] {
+    if (!answer.accepted) {
+      end(answer.order, MovementEnd::kRefused, reasonOf(answer.reason));
+    } else if (!client_.status().robot.hasCapability("I")) {
+      end(answer.order, MovementEnd::kUnknown, "this robot does not say when a motion ends");
+    }
+  });
+}
+
+void Mover::robotChanged(const MotorsAndPosture& state) {
+  change([&] {
+    const MotorsAndPosture before = std::exchange(robot_, state);
+    if (before.motors == MotorState::kOn && state.motors == MotorState::kOff && halts_ == 0) {
+      plan_.endAll(MovementEnd::kStopped, "the motors are off");
+      takeEndsOfPlan();
+      streams_.overrule("the motors are off");
+      filter_.startApproach();
+    }
+    if (state.posture == PostureNow::kFallen) {
+      streams_.overrule("the robot has fallen");
+    } else if (state.posture == PostureNow::kCarried) {
+      streams_.overrule("the robot was lifted");
+    }
+  });
+}
+
+void Mover::connected() {
+  change([this] { checkConnection(); });
+}
+
+void Mover::disconnected() {
+  change([this] {
+    endAll(MovementEnd::kLost, kConnectionLost);
+    robot_ = {};
+  });
+}
+
+bool Mover::goOn() {
+  return change([this] {
+    checkConnection();
+    const SteadyTime now = clock_();
+    if (now - std::exchange(went_on_, now) > OrderGate::kLongestWait) {
+      plan_.endTrajectories(MovementEnd::kRefused, "the driver was held up");
+    }
+    if (halts_ == 0) {
+      sendSteps(plan_.advance(now));
+    }
+    takeEndsOfPlan();
+    return !plan_.empty();
+  });
+}
+
+std::vector<Trajectory::Start> Mover::wantedBy(MovementId trajectory, SteadyTime time) const {
+  const Lock lock(mutex_);
+  return plan_.wantedBy(trajectory, time);
+}
+
+std::vector<std::string> Mover::jointsOf(MovementId id) const {
+  const Lock lock(mutex_);
+  return plan_.jointsOf(id);
+}
+
+Mover::State Mover::state() const {
+  const Lock lock(mutex_);
+  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy()};
+  const SteadyTime now = clock_();
+  for (const Record& record : records_) {
+    state.movements.push_back(record.movement);
+    const std::vector<std::string> joints = plan_.jointsOf(record.id);
+    if (!joints.empty()) {
+      state.movements.back().joints = joints;
+      state.movements.back().end = plan_.endOf(record.id, now);
+    }
+  }
+  return state;
+}
+
+Mover::Begun Mover::begin(Movement movement) {
+  Record& record = records_.emplace_back();
+  record.id = ++last_id_;
+  record.movement = std::move(movement);
+  record.end = record.promise.get_future().share();
+  return {record.id, record.end, false, ""};
+}
+
+Mover::Begun Mover::refuse(Movement movement, const std::string& reason) {
+  const EndedMovement refused{std::move(movement), MovementEnd::kRefused, reason};
+  if (!isRepeated(refused)) {
+    note(refused);
+  }
+  std::promise<EndedMovement> promise;
+  promise.set_value(refused);
+  return {++last_id_, promise.get_future().share(), false, ""};
+}
+
+bool Mover::isRepeated(const EndedMovement& refused) {
+  const SteadyTime now = clock_();
+  const auto is_over = [now](const Refused& each) { return now - each.last >= kRepeatedWithin; };
+  refused_.erase(std::remove_if(refused_.begin(), refused_.end(), is_over), refused_.end());
+  const auto found = std::find_if(refused_.begin(), refused_.end(),
+                                  [&](const Refused& each) { return areSame(each.movement, refused); });
+  if (found != refused_.end()) {
+    found->last = now;
+    return true;
+  }
+  const Kind kind = refused.movement.kind;
+  if (kind == Kind::kCommand || kind == Kind::kLookAt || kind == Kind::kWalk) {
+    refused_.push_back({refused, now});
+  }
+  return false;
+}
+
+void Mover::note(const EndedMovement& ended) {
+  ++ends_;
+  ended_.push_back(ended);
+  if (ended_.size() > kEndsRemembered) {
+    ended_.pop_front();
+  }
+  news_.ended.push_back(ended);
+}
+
+// Does nothing if it has ended.
+void Mover::end(MovementId id, MovementEnd how, const std::string& reason) {
+  plan_.end(id, how, reason);
+  takeEndsOfPlan();
+  close(id, how, reason);
+}
+
+void Mover::endAll(MovementEnd how, const std::string& reason) {
+  plan_.endAll(how, reason);
+  takeEndsOfPlan();
+  for (const MovementId id : idsOf([](const Movement&) { return true; })) {
+    close(id, how, reason);
+  }
+  is_told_to_walk_ = false;
+}
+
+void Mover::takeEndsOfPlan() {
+  for (JointPlan::End& end : plan_.takeEnded()) {
+    Record* const record = find(end.id);
+    if (record != nullptr && !end.joints.empty()) {
+      record->movement.joints = std::move(end.joints);
+    }
+    const bool has_trouble = record != nullptr && !record->trouble.empty() && end.how == MovementEnd::kNotReached;
+    close(end.id, end.how, has_trouble ? std::string(record->trouble) : end.reason);
+  }
+}
+
+void Mover::close(MovementId id, MovementEnd how, const std::string& reason) {
+  const auto record =
+      std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id == id; });
+  if (record != records_.end()) {
+    const EndedMovement ended{record->movement, how, reason};
+    record->promise.set_value(ended);
+    records_.erase(record);
+    note(ended);
+  }
+}
+
+template <typename Condition>
+std::vector<MovementId> Mover::idsOf(const Condition& condition) const {
+  std::vector<MovementId> ids;
+  for (const Record& record : records_) {
+    if (condition(record.movement)) {
+      ids.push_back(record.id);
+    }
+  }
+  return ids;
+}
+
+// Which movements a refusal to move joints is about.
+std::vector<MovementId> Mover::commandersOf(const Refusal& refusal) const {
+  std::vector<MovementId> ids;
+  for (const Record& record : records_) {
+    const std::vector<std::string> joints = plan_.jointsOf(record.id);
+    const bool is_named = refusal.order == record.id;
+    const bool has_one = std::any_of(refusal.ids.begin(), refusal.ids.end(), [&](int id) {
+      const std::optional<std::size_t> joint = table_.findById(id);
+      return joint && std::find(joints.begin(), joints.end(), table_[*joint].name) != joints.end();
+    });
+    if (is_named || (refusal.order == 0 && has_one)) {
+      ids.push_back(record.id);
+    }
+  }
+  return ids;
+}
+
+Mover::Record* Mover::find(MovementId id) {
+  const auto found = std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id == id; });
+  return found == records_.end() ? nullptr : &*found;
+}
+
+Mover::Record* Mover::findWalk() {
+  const auto found = std::find_if(records_.begin(), records_.end(),
+                                  [](const Record& each) { return each.movement.kind == Kind::kWalk; });
+  return found == records_.end() ? nullptr : &*found;
+}
+
+// The same movement goes on if a node commands the same joints again.
+Mover::Record* Mover::findCommand(const Movement& movement) {
+  const auto found = std::find_if(records_.begin(), records_.end(), [&](const Record& each) {
+    return each.movement.kind == movement.kind && each.movement.source == movement.source &&
+           plan_.jointsOf(each.id) == movement.joints;
+  });
+  return found == records_.end() ? nullptr : &*found;
+}
+
+// The robot's joints among these names, in its order.
+std::vector<std::string> Mover::known(const std::vector<std::string>& names) const {
+  std::vector<std::string> joints;
+  for (const JointProperties& joint : table_.joints()) {
+    if (std::find(names.begin(), names.end(), joint.name) != names.end()) {
+      joints.push_back(joint.name);
+    }
+  }
+  return joints;
+}
+
+OrderTerms Mover::termsOf(const Order& order, MovementId id) {
+  return {order.received + OrderGate::kLongestWait, id};
+}
+
+// With a new connection the posture may be any, and the robot has stopped what moved before.
+void Mover::checkConnection() {
+  const std::uint64_t present = link_.connection();
+  if (connection_ != present) {
+    connection_ = present;
+    filter_.startApproach();
+    endAll(MovementEnd::kLost, kConnectionLost);
+    gate_.overrule(clock_(), "the robot was connected");
+  }
+}
+
+void Mover::checkTelemetry() const {
+  if (!telemetry_wanted_()) {
+    throw InvalidArgumentException(
+        "telemetry_rate is 0, so it is not known where the joints are. Set it above 0: rosrun dynamic_reconfigure "
+        "dynparam set NODE telemetry_rate 31.25");
+  }
+}
+
+// Who moves a leg takes it from who walks.
+void Mover::overruleWalk(const Movement& movement) {
+  for (const std::string& joint : table_.namesOfLegs()) {
+    if (std::find(movement.joints.begin(), movement.joints.end(), joint) != movement.joints.end()) {
+      streams_.overrule(movement.source + " moves " + joint);
+      return;
+    }
+  }
+}
+
+// What moves the head alone goes on. The robot would keep the legs to lower speed limits of earlier commands; a walk
+// needs what they can do.
+void Mover::freeLegs(const std::string& reason) {
+  link_.requireDesign();
+  plan_.replace(table_.namesOfLegs(), reason);
+  takeEndsOfPlan();
+  if (client_.status().robot.hasCapability("S")) {
+    link_.limitSpeeds(table_.ownSpeedsOfLegs());
+  }
+}
+
+void Mover::sendSteps(const std::vector<JointStep>& steps) {
+  for (const JointStep& step : steps) {
+    try {
+      link_.send(step.orders, step.duration, {clock_() + OrderGate::kLongestWait, step.movement});
+    } catch (const NetworkException& error) {
+      end(step.movement, MovementEnd::kLost, reasonOf(error));
+    } catch (const Exception& error) {
+      end(step.movement, MovementEnd::kRefused, reasonOf(error));
+    }
+  }
+}
+
+}  // namespace aibo_driver::movement

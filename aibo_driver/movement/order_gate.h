@@ -1,0 +1,48 @@
+/// @file order_gate.h
+#ifndef AIBO_DRIVER_MOVEMENT_ORDER_GATE_H
+#define AIBO_DRIVER_MOVEMENT_ORDER_GATE_H
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "movement/movement.h"
+
+namespace aibo_driver::movement {
+
+/// Which orders may act.
+///
+/// An order is refused if the robot is stopped, if the order has waited for too long, or if it is older than something
+/// that overrules it. So what waited in a queue, for whatever reason, moves nothing.
+///
+/// From one thread at a time.
+class OrderGate {
+ public:
+  /// How old an order may be when it acts. The robot itself waits as long for the next velocity of a walk.
+  static constexpr std::chrono::milliseconds kLongestWait{500};
+
+  /// Refuses all orders until release().
+  /// @param node that stops the robot
+  void stop(const std::string& node) { stopped_by_ = node; }
+  void release() { stopped_by_.reset(); }
+
+  /// Empty unless the robot is stopped.
+  const std::optional<std::string>& stoppedBy() const { return stopped_by_; }
+
+  /// Refuses the orders that were received before this time.
+  /// @param what overrules them, in words that follow "it came before"
+  void overrule(SteadyTime received, const std::string& what);
+
+  /// Why an order must not act now, in words that follow a colon; empty if it may.
+  /// @param may_act_while_stopped it brings the robot to rest
+  std::string refusal(const Order& order, SteadyTime now, bool may_act_while_stopped = false) const;
+
+ private:
+  std::optional<std::string> stopped_by_;
+  SteadyTime not_before_;
+  std::string overruled_by_;
+};
+
+}  // namespace aibo_driver::movement
+
+#endif  // AIBO_DRIVER_MOVEMENT_ORDER_GATE_H

@@ -1,0 +1,317 @@
+#include "movement/trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+using Point = TrajectoryRequest::Point;
+
+// Programs round a limit of 88 degrees to 1.536; the robot clamps such a position.
+constexpr double kPositionTolerance = 0.001;  // rad
+
+constexpr double kSpeedTolerance = 1.001;  // for rounding errors
+
+// Planners begin a trajectory where the joints are. What they measured differs a little from what is measured now:
+// encoders waver, and a leg that carries the robot gives way.
+constexpr double kStartTolerance = 0.1;  // rad
+
+[[noreturn]] void refuse(const std::string& reason) {
+  throw InvalidArgumentException(reason + ".");
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3f", value);
+  return text;
+}
+
+bool allFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age) {
+  if (age <= 0 || request.points.empty()) {
+    return request;
+  }
+  std::vector<Point> left;
+  for (Point& point : request.points) {
+    // A time that is not a number stays, for the trajectory's check.
+    if (!(point.time_from_start <= age)) {
+      point.time_from_start -= age;
+      left.push_back(std::move(point));
+    }
+  }
+  if (left.empty()) {
+    refuse("its last point was " + number(age - request.points.back().time_from_start) +
+           " s ago. Is the clock of the machine that sent it right?");
+  }
+  request.points = std::move(left);
+  return request;
+}
+
+Trajectory::Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
+                       bool slow_down) {
+  findJoints(request, table);
+  checkPoints(request, table);
+  const Point from = startingPoint(table, start);
+  std::vector<Point> points = request.points;
+  if (points.front().time_from_start == 0) {
+    double wait = 0;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const JointProperties& joint = table[joints_[i]];
+      const double way = std::abs(points.front().positions[i] - from.positions[i]);
+      if (way > kStartTolerance) {
+        if (!slow_down) {
+          refuse("at time 0, " + joint.name + " would have to be at " + number(points.front().positions[i]) +
+                 " rad, but it is at " + number(from.positions[i]) +
+                 " rad: give the first point a later time_from_start, or set the parameter slow_down");
+        }
+        wait = std::max(wait, way / table.speedLimit(joints_[i]));
+      }
+    }
+    if (wait > 0) {
+      for (Point& point : points) {
+        point.time_from_start += wait;
+      }
+    } else {
+      points.erase(points.begin());
+    }
+  }
+  addSegments(from, points);
+  checkPositions(table);
+  keepSpeeds(table, slow_down);
+}
+
+double Trajectory::duration() const {
+  return segments_.back().begin + segments_.back().length;
+}
+
+const Trajectory::Segment& Trajectory::segmentAt(double time) const {
+  const auto after = std::upper_bound(segments_.begin(), segments_.end(), time,
+                                      [](double t, const Segment& segment) { return t < segment.begin; });
+  return after == segments_.begin() ? segments_.front() : *std::prev(after);
+}
+
+std::vector<double> Trajectory::sample(double time) const {
+  const Segment& segment = segmentAt(time);
+  const double t = std::clamp(time - segment.begin, 0.0, segment.length);
+  std::vector<double> positions;
+  for (const Cubic& cubic : segment.joints) {
+    positions.push_back(cubic.at(t));
+  }
+  return positions;
+}
+
+std::vector<double> Trajectory::velocities(double time) const {
+  const Segment& segment = segmentAt(time);
+  const double t = std::clamp(time - segment.begin, 0.0, segment.length);
+  std::vector<double> velocities;
+  for (const Cubic& cubic : segment.joints) {
+    velocities.push_back(time < duration() ? cubic.velocityAt(t) : 0);
+  }
+  return velocities;
+}
+
+void Trajectory::findJoints(const TrajectoryRequest& request, const JointTable& table) {
+  for (const std::string& name : request.joints) {
+    const std::optional<std::size_t> index = table.findByName(name);
+    if (!index) {
+      refuse("the " + table.design() + " has no joint '" + name + "'");
+    }
+    if (std::find(joints_.begin(), joints_.end(), *index) != joints_.end()) {
+      refuse(name + " is named twice");
+    }
+    joints_.push_back(*index);
+  }
+  if (joints_.empty() || request.points.empty()) {
+    refuse("it has points without joints, or joints without points");
+  }
+}
+
+void Trajectory::checkPoints(const TrajectoryRequest& request, const JointTable& table) const {
+  double last_time = -1;
+  for (std::size_t i = 0; i < request.points.size(); ++i) {
+    const Point& point = request.points[i];
+    const std::string where = "point " + std::to_string(i);
+    if (point.positions.size() != joints_.size()) {
+      refuse(where + " has " + std::to_string(point.positions.size()) + " positions for " +
+             std::to_string(joints_.size()) + " joints");
+    }
+    if (!point.velocities.empty() && point.velocities.size() != joints_.size()) {
+      refuse(where + " has " + std::to_string(point.velocities.size()) + " velocities for " +
+             std::to_string(joints_.size()) + " joints; give all or none");
+    }
+    if (!allFinite(point.positions) || !allFinite(point.velocities) || !std::isfinite(point.time_from_start)) {
+      refuse(where + " has a number that is not finite");
+    }
+    if (point.time_from_start < 0 || point.time_from_start <= last_time) {
+      refuse("the time_from_start of " + where + ", " + number(point.time_from_start) +
+             " s, is not later than the one before");
+    }
+    last_time = point.time_from_start;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const JointProperties& joint = table[joints_[j]];
+      if (point.positions[j] < joint.lowest - kPositionTolerance ||
+          point.positions[j] > joint.highest + kPositionTolerance) {
+        refuse(where + " has " + joint.name + " at " + number(point.positions[j]) + " rad; it can go from " +
+               number(joint.lowest) + " to " + number(joint.highest) + " rad");
+      }
+    }
+  }
+}
+
+Point Trajectory::startingPoint(const JointTable& table, const std::vector<Start>& start) const {
+  Point from;
+  for (const std::size_t joint : joints_) {
+    const auto found =
+        std::find_if(start.begin(), start.end(), [joint](const Start& candidate) { return candidate.joint == joint; });
+    if (found == start.end()) {
+      refuse("the position of " + table[joint].name + " has not been measured yet");
+    }
+    from.positions.push_back(found->position);
+    from.velocities.push_back(found->velocity);
+  }
+  return from;
+}
+
+void Trajectory::addSegments(const Point& from, const std::vector<Point>& points) {
+  Point last = from;
+  for (const Point& point : points) {
+    Segment segment;
+    segment.begin = last.time_from_start;
+    segment.length = point.time_from_start - last.time_from_start;
+    const double length = segment.length;
+    const bool curved = !last.velocities.empty() && !point.velocities.empty();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const double slope = (point.positions[i] - last.positions[i]) / length;
+      const bool moves_already = segments_.empty() && last.velocities[i] != 0;
+      if (curved || moves_already) {
+        const double v0 = last.velocities[i];
+        const double v1 = curved ? point.velocities[i] : slope;
+        segment.joints.push_back(
+            {{last.positions[i], v0, (3 * slope - 2 * v0 - v1) / length, (v0 + v1 - 2 * slope) / (length * length)}});
+      } else {
+        segment.joints.push_back({{last.positions[i], slope, 0, 0}});
+      }
+    }
+    segments_.push_back(segment);
+    last = point;
+  }
+  if (segments_.empty()) {  // the request is to stay
+    Segment stay;
+    for (const double position : from.positions) {
+      stay.joints.push_back({{position, 0, 0, 0}});
+    }
+    segments_.push_back(stay);
+  }
+}
+
+void Trajectory::checkPositions(const JointTable& table) const {
+  for (const Segment& segment : segments_) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const JointProperties& joint = table[joints_[i]];
+      for (const double time : segment.joints[i].turningPoints(segment.length)) {
+        const double position = segment.joints[i].at(time);
+        // A joint that was bent beyond its limits by hand may come back.
+        const double begin = segment.joints[i].at(0);
+        if (position < std::min(joint.lowest, begin) - kPositionTolerance ||
+            position > std::max(joint.highest, begin) + kPositionTolerance) {
+          refuse("between two points, at " + number(segment.begin + time) + " s, the velocities carry " + joint.name +
+                 " to " + number(position) + " rad; it can go from " + number(joint.lowest) + " to " +
+                 number(joint.highest) + " rad");
+        }
+      }
+    }
+  }
+}
+
+void Trajectory::keepSpeeds(const JointTable& table, bool slow_down) {
+  double factor = 1;
+  for (const Segment& segment : segments_) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const double limit = table.speedLimit(joints_[i]);
+      const double speed = segment.joints[i].highestSpeed(segment.length);
+      if (speed > limit * kSpeedTolerance && !slow_down) {
+        refuse("from " + number(segment.begin) + " to " + number(segment.begin + segment.length) + " s, " +
+               table[joints_[i]].name + " would have to move with " + number(speed) + " rad/s; its limit is " +
+               number(limit) + " rad/s: give it more time, or set the parameter slow_down");
+      }
+      factor = std::max(factor, speed / limit);
+    }
+  }
+  if (factor > kSpeedTolerance) {
+    slowDown(factor);
+  }
+}
+
+void Trajectory::slowDown(double factor) {
+  stretch_ = factor;
+  for (Segment& segment : segments_) {
+    segment.begin *= factor;
+    segment.length *= factor;
+    for (Cubic& cubic : segment.joints) {
+      cubic.c[1] /= factor;
+      cubic.c[2] /= factor * factor;
+      cubic.c[3] /= factor * factor * factor;
+    }
+  }
+}
+
+double Trajectory::Cubic::at(double t) const {
+  return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+}
+
+double Trajectory::Cubic::velocityAt(double t) const {
+  return c[1] + t * (2 * c[2] + t * 3 * c[3]);
+}
+
+double Trajectory::Cubic::highestSpeed(double length) const {
+  double highest = std::max(std::abs(velocityAt(0)), std::abs(velocityAt(length)));
+  if (c[3] != 0) {
+    const double vertex = -c[2] / (3 * c[3]);
+    if (vertex > 0 && vertex < length) {
+      highest = std::max(highest, std::abs(velocityAt(vertex)));
+    }
+  }
+  return highest;
+}
+
+// Where the velocity, c[1] + 2 c[2] t + 3 c[3] t^2, is 0.
+std::vector<double> Trajectory::Cubic::turningPoints(double length) const {
+  std::vector<double> times;
+  if (c[3] != 0) {
+    const double root = std::sqrt(std::max(0.0, c[2] * c[2] - 3 * c[3] * c[1]));
+    times = {(-c[2] - root) / (3 * c[3]), (-c[2] + root) / (3 * c[3])};
+  } else if (c[2] != 0) {
+    times = {-c[1] / (2 * c[2])};
+  }
+  times.erase(std::remove_if(times.begin(), times.end(), [length](double t) { return !(t > 0 && t < length); }),
+              times.end());
+  return times;
+}
+
+double TrajectoryClock::at(SteadyTime now) const {
+  return std::chrono::duration<double>(now - start_ - excess(now)).count();
+}
+
+double TrajectoryClock::attend(SteadyTime now) {
+  start_ += excess(now);
+  attended_ = std::max(now, start_);
+  return at(now);
+}
+
+TrajectoryClock::SteadyTime::duration TrajectoryClock::excess(SteadyTime now) const {
+  const SteadyTime::duration gap = now - attended_;
+  return gap > kLongestGap ? gap - period_ : SteadyTime::duration(0);
+}
+
+}  // namespace aibo_driver::movement

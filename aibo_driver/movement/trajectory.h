@@ -1,0 +1,135 @@
+/// @file trajectory.h
+#ifndef AIBO_DRIVER_MOVEMENT_TRAJECTORY_H
+#define AIBO_DRIVER_MOVEMENT_TRAJECTORY_H
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "movement/joint_table.h"
+
+namespace aibo_driver::movement {
+
+/// What a user asks for, unchecked, as in trajectory_msgs/JointTrajectory.
+struct TrajectoryRequest {
+  struct Point {
+    double time_from_start = 0;      ///< s
+    std::vector<double> positions;   ///< rad, one for each joint
+    std::vector<double> velocities;  ///< rad/s, one for each joint, or empty
+  };
+
+  std::vector<std::string> joints;
+  std::vector<Point> points;
+};
+
+/// Leaves out the points that are over when a trajectory begins late.
+/// @param age how long ago it should have begun, in seconds; not below 0
+/// @return what is left, in time from now
+/// @throw InvalidArgumentException nothing is left
+TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age);
+
+/// A motion of some joints, from where they are now through given points, that keeps their limits.
+///
+/// Between two points with velocities it is a cubic polynomial that has these velocities at both points; otherwise it
+/// is a straight line. A joint that is moving when the trajectory begins keeps its velocity: it goes on a cubic to the
+/// first point, and if that has no velocities, arrives with the average velocity of this way.
+class Trajectory {
+ public:
+  /// Where a joint is when the trajectory begins.
+  struct Start {
+    std::size_t joint = 0;  ///< index in the table
+    double position = 0;    ///< rad
+    double velocity = 0;    ///< rad/s
+  };
+
+  /// @param start of each joint of the request; others are ignored
+  /// @param slow_down stretch the time until all speed limits are kept, instead of refusing. If the first point has
+  /// time
+  ///   0 and is not where the joints are, they then move there as fast as the limits allow, and the rest is delayed
+  /// @throw InvalidArgumentException a joint is unknown, is named twice, or has no start; a point's arrays have the
+  ///   wrong length; a number is not finite; times do not increase; a position or speed limit is exceeded, at a point
+  ///   or between two. The message names the joint and the limit.
+  Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
+             bool slow_down);
+
+  /// In seconds.
+  double duration() const;
+
+  /// How many times slower it is than asked for; 1 means as asked for.
+  double stretch() const { return stretch_; }
+
+  /// Indices in the table.
+  const std::vector<std::size_t>& joints() const { return joints_; }
+
+  /// Where the joints should be.
+  /// @param time in seconds; a time before the beginning means the beginning, one after the end means the end
+  /// @return one position for each joint, in radians, in the order of joints()
+  std::vector<double> sample(double time) const;
+
+  /// How fast the joints should move; 0 after the end.
+  /// @param time, return as for sample(), in rad/s
+  std::vector<double> velocities(double time) const;
+
+ private:
+  /// c[0] + c[1] t + c[2] t^2 + c[3] t^3
+  struct Cubic {
+    double c[4];
+
+    double at(double t) const;
+    double velocityAt(double t) const;
+    double highestSpeed(double length) const;
+    std::vector<double> turningPoints(double length) const;
+  };
+
+  struct Segment {
+    double begin = 0;  ///< s
+    double length = 0;
+    std::vector<Cubic> joints;
+  };
+
+  const Segment& segmentAt(double time) const;
+  void findJoints(const TrajectoryRequest& request, const JointTable& table);
+  void checkPoints(const TrajectoryRequest& request, const JointTable& table) const;
+  TrajectoryRequest::Point startingPoint(const JointTable& table, const std::vector<Start>& start) const;
+  void addSegments(const TrajectoryRequest::Point& from, const std::vector<TrajectoryRequest::Point>& points);
+  void checkPositions(const JointTable& table) const;
+  void keepSpeeds(const JointTable& table, bool slow_down);
+  void slowDown(double factor);
+
+  std::vector<std::size_t> joints_;
+  std::vector<Segment> segments_;  ///< at least one
+  double stretch_ = 1;
+};
+
+/// How far a trajectory has got. If the driver is held up for long, the clock stops: the joints have stopped meanwhile,
+/// and would have to jump to catch up.
+class TrajectoryClock {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  /// After a longer gap between two calls of attend(), the trajectory resumes where it was.
+  static constexpr std::chrono::milliseconds kLongestGap{200};
+
+  /// @param start when it begins
+  /// @param period between calls of attend(), well below kLongestGap
+  TrajectoryClock(SteadyTime start, std::chrono::milliseconds period)
+      : start_(start), attended_(start), period_(period) {}
+
+  /// Seconds since the beginning; below 0 before it.
+  double at(SteadyTime now) const;
+
+  /// The same, to be called whenever the joints are moved on.
+  double attend(SteadyTime now);
+
+ private:
+  SteadyTime::duration excess(SteadyTime now) const;
+
+  SteadyTime start_;
+  SteadyTime attended_;  ///< the last call of attend(), or the beginning
+  std::chrono::milliseconds period_;
+};
+
+}  // namespace aibo_driver::movement
+
+#endif  // AIBO_DRIVER_MOVEMENT_TRAJECTORY_H

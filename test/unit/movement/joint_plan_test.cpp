@@ -1,0 +1,358 @@
+#include "movement/joint_plan.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::duration_cast;
+using std::chrono::milliseconds;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr int kPan = 2;
+constexpr int kMouth = 4;
+constexpr double kLookahead = 0.096;
+
+// Time is counted from 100 s on, because a measurement that was never made is from 0.
+class JointPlanTest : public ::testing::Test {
+ protected:
+  JointPlanTest() { measure(0); }
+
+  static SteadyTime at(double seconds) {
+    return SteadyTime() + duration_cast<SteadyTime::duration>(duration<double>(100 + seconds));
+  }
+
+  void measure(double time, double pan = 0, double mouth = -0.5) {
+    Telemetry telemetry;
+    telemetry.arrival = at(time);
+    telemetry.joints = {{kPan, pan}, {kMouth, mouth}};
+    measured_.update(telemetry);
+  }
+
+  static TrajectoryRequest pan(const std::vector<TrajectoryRequest::Point>& points) { return {{"head_pan"}, points}; }
+  static TrajectoryRequest both(double pan, double mouth, double time) {
+    return {{"head_pan", "mouth"}, {{time, {pan, mouth}, {}}}};
+  }
+
+  MovementId add(const TrajectoryRequest& request, double start, double now, const Arrival& arrival = {}) {
+    plan_.add(++last_id_, request, arrival, at(start), at(now), milliseconds(300));
+    advance(now);
+    return last_id_;
+  }
+
+  MovementId command(const JointOrders& orders, double now) {
+    plan_.command(++last_id_, orders, at(now));
+    return last_id_;
+  }
+
+  // How a movement has ended; nothing while it goes on.
+  std::optional<MovementEnd> endOf(MovementId id) {
+    for (const JointPlan::End& end : plan_.takeEnded()) {
+      EXPECT_TRUE(ends_.emplace(end.id, end).second) << "a movement ends once";
+    }
+    const auto found = ends_.find(id);
+    return found == ends_.end() ? std::nullopt : std::optional<MovementEnd>(found->second.how);
+  }
+
+  std::string reasonOf(MovementId id) { return endOf(id) ? ends_.at(id).reason : "it goes on"; }
+
+  std::string refusal(const TrajectoryRequest& request, double start, double now) {
+    try {
+      add(request, start, now);
+    } catch (const InvalidArgumentException& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  void advance(double now) {
+    std::map<int, double> sent;
+    for (const JointStep& step : plan_.advance(at(now))) {
+      for (const auto& [id, order] : step.orders) {
+        EXPECT_TRUE(sent.emplace(id, order.position).second) << "joint " << id << " is sent to two places";
+        sent_[id] = order.position;
+      }
+    }
+  }
+
+  // As the driver does, from one time to another, with measurements.
+  void run(double from, double to) {
+    for (double now = from; now <= to + 1e-9; now += 0.032) {
+      measure(now);
+      advance(now);
+    }
+  }
+
+  // The same with joints that are where they were sent.
+  void follow(double from, double to) {
+    for (double now = from; now <= to + 1e-9; now += 0.032) {
+      measure(now, sent_.count(kPan) > 0 ? sent_[kPan] : 0, sent_.count(kMouth) > 0 ? sent_[kMouth] : -0.5);
+      advance(now);
+    }
+  }
+
+  double wanted(MovementId id, double now) { return plan_.wantedBy(id, at(now)).at(0).position; }
+  double velocity(MovementId id, double now) { return plan_.wantedBy(id, at(now)).at(0).velocity; }
+
+  JointTable table_{"ERS-7", 3.0};
+  MeasuredJoints measured_{table_};
+  JointPlan plan_{table_, measured_, false};
+  std::map<int, double> sent_;  // where each joint was sent last
+  std::map<MovementId, JointPlan::End> ends_;
+  MovementId last_id_ = 0;
+};
+
+TEST_F(JointPlanTest, ANewTrajectoryTakesOverWithThePlannedPositionAndVelocity) {
+  const auto first = add(pan({{2, {1}, {}}}), 0, 0);
+  run(0, 1);
+  EXPECT_NEAR(velocity(first, 1), 0.5, 1e-9);
+  const auto second = add(pan({{1, {-0.2}, {0}}}), 1, 1);
+  EXPECT_EQ(endOf(first), MovementEnd::kReplaced);
+  EXPECT_NEAR(wanted(second, 1), 0.5, 1e-6) << "not where it was measured, which is 0";
+  EXPECT_NEAR(velocity(second, 1), 0.5, 1e-6);
+  EXPECT_NEAR(wanted(second, 1.05), 0.5 + 0.05 * 0.5, 0.01) << "it goes on before it turns";
+}
+
+TEST_F(JointPlanTest, TakesOverWithAVelocityAlsoWithoutVelocitiesInTheRequest) {
+  add(pan({{2, {1}, {}}}), 0, 0);
+  run(0, 1);
+  const auto same = add(pan({{1, {1}, {}}}), 1, 1);
+  EXPECT_NEAR(wanted(same, 1.1), 0.55, 1e-6) << "the rest of the same line";
+  const auto back = add(pan({{1, {0}, {}}}), 1, 1);
+  EXPECT_NEAR(velocity(back, 1), 0.5, 1e-6);
+}
+
+TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
+  const auto old = add(pan({{4, {1}, {}}}), 0, 0);
+  const auto later = add(pan({{1, {0}, {0}}}), 2, 0);
+  run(0, 1.984);
+  EXPECT_FALSE(endOf(old));
+  EXPECT_NEAR(wanted(old, 1.984), 1.984 / 4, 1e-6);
+  EXPECT_LE(sent_[kPan], 0.5 + 0.25 * kLookahead) << "what is sent ahead is the new one's already";
+  run(2.016, 2.016);
+  EXPECT_EQ(endOf(old), MovementEnd::kReplaced);
+  EXPECT_NEAR(wanted(later, 2.016), 0.5 + 0.016 * 0.25, 1e-3);
+  EXPECT_NEAR(velocity(later, 2.016), 0.25 - 4 * 0.016, 1e-3) << "a cubic that turns";
+}
+
+TEST_F(JointPlanTest, WhatIsSentShortlyBeforeANewStartIsTheNewOnes) {
+  add(pan({{1, {1}, {}}}), 0, 0);
+  add(pan({{1, {0}, {0}}}), 0.5, 0);
+  double highest = 0;
+  for (double now = 0; now < 1; now += 0.032) {
+    run(now, now);
+    highest = std::max(highest, sent_[kPan]);
+  }
+  EXPECT_LT(highest, 0.5 + 0.08) << "a cubic from 0.5 rad at 1 rad/s back to 0 goes on to 0.574";
+}
+
+TEST_F(JointPlanTest, PassedPointsAreLeftOut) {
+  const auto late = add(pan({{0.3, {0.4}, {}}, {0.6, {0.2}, {}}, {1.0, {-0.3}, {}}}), -0.5, 0);
+  run(0, 0.096);
+  EXPECT_NEAR(wanted(late, 0.05), 0.1, 1e-6) << "half of the way to the second point";
+  run(0.128, 0.48);
+  EXPECT_NEAR(sent_[kPan], -0.3, 1e-6);
+  EXPECT_THAT(refusal(pan({{0.3, {0.4}, {}}}), -0.02, 0.48), HasSubstr("its last point was 0.200 s ago"));
+}
+
+TEST_F(JointPlanTest, DisjointTrajectoriesRunSideBySide) {
+  const auto head = add(pan({{1, {0.5}, {}}}), 0, 0);
+  const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0, 0);
+  follow(0, 1.1);
+  EXPECT_EQ(endOf(head), MovementEnd::kDone);
+  EXPECT_EQ(endOf(mouth), MovementEnd::kDone);
+  EXPECT_NEAR(sent_[kPan], 0.5, 1e-9);
+  EXPECT_NEAR(sent_[kMouth], -0.2, 1e-9);
+  EXPECT_TRUE(plan_.empty());
+}
+
+TEST_F(JointPlanTest, ATrajectoryTakesOnlyTheJointsThatItNames) {
+  const auto old = add(both(0.5, -0.2, 1), 0, 0);
+  run(0, 0.192);
+  const auto head = add(pan({{0.5, {-0.2}, {}}}), 0.192, 0.192);
+  EXPECT_FALSE(endOf(old));
+  EXPECT_THAT(plan_.jointsOf(old), ElementsAre("mouth"));
+  follow(0.224, 1.1);
+  EXPECT_EQ(endOf(old), MovementEnd::kDone);
+  EXPECT_THAT(ends_.at(old).joints, ElementsAre("mouth"));
+  EXPECT_NEAR(sent_[kPan], -0.2, 1e-9);
+  EXPECT_NEAR(sent_[kMouth], -0.2, 1e-9);
+  EXPECT_EQ(endOf(head), MovementEnd::kDone);
+}
+
+TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
+  const auto later = add(both(0.5, -0.2, 1), 5, 0);
+  const auto sooner = add(pan({{1, {-0.2}, {}}}), 1, 0);
+  EXPECT_FALSE(endOf(later));
+  EXPECT_THAT(plan_.jointsOf(later), ElementsAre("mouth"));
+  const auto at_once = add(both(0, -0.4, 1), 0, 0);
+  EXPECT_EQ(endOf(later), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(sooner), MovementEnd::kReplaced);
+  EXPECT_FALSE(endOf(at_once));
+}
+
+TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
+  const auto running = add(both(0.5, -0.2, 1), 0, 0);
+  const auto waiting = add(pan({{1, {0}, {}}}), 5, 0);
+  const auto other = add({{"mouth"}, {{1, {-0.2}, {}}}}, 6, 0);
+  command({{kPan, {0.2, 1.0}}}, 0.1);
+  EXPECT_EQ(endOf(running), MovementEnd::kReplaced);
+  EXPECT_EQ(reasonOf(running), "head_pan was commanded to go elsewhere");
+  EXPECT_EQ(endOf(waiting), MovementEnd::kReplaced);
+  EXPECT_FALSE(endOf(other));
+}
+
+TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
+  const auto commanded = command({{kPan, {1.0, 0.5}}}, 0);
+  const auto fate = add(pan({{1, {1}, {0}}}), 0.2, 0.2);
+  EXPECT_NEAR(wanted(fate, 0.2), 0.1, 1e-6);
+  EXPECT_NEAR(velocity(fate, 0.2), 0.5, 1e-6);
+  EXPECT_EQ(endOf(commanded), MovementEnd::kReplaced);
+  EXPECT_EQ(reasonOf(commanded), "a trajectory moves head_pan");
+}
+
+TEST_F(JointPlanTest, ATrajectoryBeginsAtRestWhereACommandHasArrived) {
+  command({{kPan, {0.1, 1.0}}}, 0);
+  const auto fate = add(pan({{1, {1}, {0}}}), 0.15, 0.15);
+  EXPECT_NEAR(wanted(fate, 0.15), 0.1, 1e-6) << "not yet measured there";
+  EXPECT_NEAR(velocity(fate, 0.15), 0, 1e-6);
+}
+
+TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
+  EXPECT_EQ(refusal(pan({{1, {0.5}, {}}}), 0.25, 0.25), "accepted");
+  EXPECT_THAT(refusal(pan({{1, {0.5}, {}}}), 0.75, 0.75),
+              AllOf(HasSubstr("head_pan was last measured 0.8 s ago"), HasSubstr("allowed is 0.3 s")));
+}
+
+TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {
+  const auto fate = add(pan({{1, {0.5}, {}}}), 2, 0);
+  advance(1.95);
+  EXPECT_EQ(endOf(fate), MovementEnd::kRefused);
+  EXPECT_THAT(reasonOf(fate), HasSubstr("was last measured"));
+  EXPECT_THAT(sent_, IsEmpty());
+}
+
+TEST_F(JointPlanTest, HoldsACommandedJointOnItsWay) {
+  measure(0, 0.9);
+  command({{kPan, {0.1, 0.5}}}, 0);
+  measure(0.5, 0.88);
+  EXPECT_NEAR(plan_.holdingOrders(at(0.5)).at(kPan).position, 0.65, 1e-6);
+  EXPECT_NEAR(plan_.holdingOrders(at(0.5)).at(kPan).speed, 0.5, 1e-9);
+  EXPECT_NEAR(plan_.holdingOrders(at(2)).at(kPan).position, 0.1, 1e-6) << "it may still wait for the link";
+  EXPECT_THAT(plan_.holdingOrders(at(4)), IsEmpty());
+}
+
+TEST_F(JointPlanTest, ANewCommandBeginsWhereTheOldOneIs) {
+  command({{kPan, {1.0, 1.0}}}, 0);
+  command({{kPan, {0.0, 1.0}}}, 0.5);
+  EXPECT_NEAR(plan_.holdingOrders(at(0.7)).at(kPan).position, 0.3, 1e-6);
+}
+
+TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
+  const auto head = add(pan({{1, {1}, {}}}), 0, 0);
+  const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0, 0);
+  run(0, 0.32);
+  const JointOrders orders = plan_.holdingOrders(at(0.34));
+  EXPECT_NEAR(orders.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
+  EXPECT_THAT(orders, SizeIs(2));
+  EXPECT_THAT(plan_.holdingOrders(at(0.34), mouth), SizeIs(1));
+  EXPECT_THAT(plan_.identifiersOf(head), ElementsAre(kPan));
+}
+
+TEST_F(JointPlanTest, EndsAll) {
+  const auto running = add(pan({{1, {1}, {}}}), 0, 0);
+  const auto waiting = add(pan({{1, {1}, {}}}), 5, 0);
+  const auto commanded = command({{kMouth, {-0.1, 0.1}}}, 0);
+  plan_.endAll(MovementEnd::kStopped, "stop was called");
+  EXPECT_EQ(endOf(running), MovementEnd::kStopped);
+  EXPECT_EQ(endOf(waiting), MovementEnd::kStopped);
+  EXPECT_EQ(endOf(commanded), MovementEnd::kStopped);
+  EXPECT_TRUE(plan_.empty());
+  EXPECT_THAT(plan_.advance(at(0.1)), IsEmpty());
+  EXPECT_THAT(plan_.holdingOrders(at(0.1)), IsEmpty());
+}
+
+TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
+  const auto mouth = command({{kMouth, {-0.1, 0.4}}}, 0);
+  sent_[kMouth] = -0.1;
+  const auto head = add(pan({{2, {1}, {}}}), 0, 0);
+  EXPECT_THAT(plan_.jointsOf(mouth), ElementsAre("mouth"));
+  EXPECT_NEAR(duration<double>(*plan_.endOf(head, at(0.1)) - at(0)).count(), 2, 1e-6);
+  follow(0, 1.05);
+  EXPECT_FALSE(endOf(mouth)) << "its way takes 1 s, and a moment to brake";
+  follow(1.08, 1.2);
+  EXPECT_EQ(endOf(mouth), MovementEnd::kDone);
+  EXPECT_THAT(plan_.jointsOf(mouth), IsEmpty());
+  EXPECT_FALSE(plan_.empty());
+  follow(1.232, 2.1);
+  EXPECT_EQ(endOf(head), MovementEnd::kDone);
+  EXPECT_TRUE(plan_.empty());
+}
+
+TEST_F(JointPlanTest, SaysWhichJointHasNotArrivedAndByHowMuch) {
+  const auto commanded = command({{kMouth, {-0.1, 1.0}}}, 0);
+  const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0);
+  run(0, 2.4);
+  EXPECT_FALSE(endOf(commanded)) << "it may be late";
+  run(2.432, 3.1);
+  EXPECT_EQ(endOf(commanded), MovementEnd::kNotReached);
+  EXPECT_EQ(reasonOf(commanded), "mouth is 0.40 rad from where it was sent");
+  EXPECT_EQ(endOf(followed), MovementEnd::kNotReached);
+  EXPECT_EQ(reasonOf(followed), "head_pan is 0.50 rad from where it was sent");
+}
+
+TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
+  const auto commanded = command({{kPan, {0.01, 1.0}}}, 0);
+  for (double now = 0; now < 6.5; now += 0.032) {
+    advance(now);
+  }
+  EXPECT_EQ(endOf(commanded), MovementEnd::kUnknown) << "it is near its target since before the command";
+  EXPECT_EQ(reasonOf(commanded), "nothing has measured head_pan since");
+}
+
+TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
+  Arrival strict;
+  strict.tolerances["head_pan"].position = 0.001;
+  strict.grace = milliseconds(200);
+  const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0, strict);
+  follow(0, 0.992);
+  for (double now = 1.024; now < 1.3; now += 0.032) {
+    measure(now, 0.502);
+    advance(now);
+  }
+  EXPECT_EQ(endOf(followed), MovementEnd::kNotReached);
+}
+
+TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {
+  const auto both_joints = command({{kPan, {0.5, 1.0}}, {kMouth, {-0.1, 1.0}}}, 0);
+  const auto pan_only = command({{kPan, {0.2, 1.0}}}, 0.1);
+  EXPECT_FALSE(endOf(both_joints));
+  EXPECT_THAT(plan_.jointsOf(both_joints), ElementsAre("mouth"));
+  command({{kMouth, {-0.2, 1.0}}}, 0.2);
+  EXPECT_EQ(endOf(both_joints), MovementEnd::kReplaced);
+  EXPECT_FALSE(endOf(pan_only));
+}
+
+TEST_F(JointPlanTest, ResumesAfterAHoldUp) {
+  const auto fate = add(pan({{2, {1}, {}}}), 0, 0);
+  run(0, 0.512);
+  measure(1.5);
+  advance(1.5);
+  EXPECT_NEAR(wanted(fate, 1.5), 0.512 / 2 + 0.016, 0.002);
+}
+
+}  // namespace
+}  // namespace aibo_driver::movement

@@ -1,0 +1,54 @@
+#include "movement/joint_table.h"
+
+#include <gmock/gmock.h>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+TEST(JointTable, ListsTheServosOfTheErs7InRadians) {
+  const JointTable table("ERS-7", 100);
+  ASSERT_EQ(table.size(), 18u);
+  const auto pan = table.findByName("head_pan");
+  ASSERT_TRUE(pan);
+  EXPECT_EQ(table[*pan].id, 2);
+  EXPECT_NEAR(table[*pan].lowest, -1.535890, 1e-6);  // -88 degrees
+  EXPECT_NEAR(table[*pan].highest, 1.535890, 1e-6);
+  EXPECT_NEAR(table.speedLimit(*pan), 10.05746, 1e-5);
+  EXPECT_EQ(table.findById(2), pan);
+}
+
+TEST(JointTable, TakesTheLowerOfTwoSpeedLimits) {
+  const JointTable table("ERS-7", 4);
+  EXPECT_DOUBLE_EQ(table.speedLimit(*table.findByName("head_pan")), 4);
+  EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 3.185226, 1e-6);
+}
+
+TEST(JointTable, ScalesTheSpeedLimitsOfAllJoints) {
+  JointTable table("ERS-7", 4);
+  table.setSpeedScale(0.5);
+  EXPECT_DOUBLE_EQ(table.speedLimit(*table.findByName("head_pan")), 2);
+  EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 0.5 * 3.185226, 1e-6);
+}
+
+TEST(JointTable, ListsTheSpeedLimitsInForce) {
+  JointTable table("ERS-7", 4);
+  table.setSpeedScale(0.5);
+  const std::vector<JointSpeedLimit> limits = table.speedLimits();
+  ASSERT_EQ(limits.size(), table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    EXPECT_EQ(limits[i].id, table[i].id);
+    EXPECT_DOUBLE_EQ(limits[i].speed, table.speedLimit(i));
+  }
+}
+
+TEST(JointTable, HasOtherRobotsByTheirDesign) {
+  EXPECT_TRUE(JointTable("ERS-210", 1).findByName("head_roll"));
+  EXPECT_FALSE(JointTable("ERS-7", 1).findByName("head_roll"));
+  EXPECT_FALSE(JointTable("ERS-7", 1).findById(99));
+  EXPECT_THROW(JointTable("ERS-8", 1), InvalidArgumentException);
+}
+
+}  // namespace
+}  // namespace aibo_driver::movement

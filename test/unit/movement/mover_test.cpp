@@ -1,0 +1,716 @@
+#include "movement/mover.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "aibo_driver/exceptions.h"
+#include "support/fake_client.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using Kind = Movement::Kind;
+
+constexpr int kHeadPan = 2;
+constexpr int kLeftFrontRotator = 11;
+
+// Lets a test do something while the robot is asked for something, and makes it not answer.
+class SlowClient : public test_support::FakeClient {
+ public:
+  std::function<void()> meanwhile;
+
+  std::string playMotion(const std::string& name, int repetitions, Milliseconds timeout,
+                         const OrderTerms& terms) override {
+    std::string changes = FakeClient::playMotion(name, repetitions, timeout, terms);
+    wait();
+    return changes;
+  }
+
+  void takePosture(Posture posture, Milliseconds timeout, const OrderTerms& terms) override {
+    FakeClient::takePosture(posture, timeout, terms);
+    wait();
+  }
+
+  bool setMotors(bool on, Milliseconds timeout) override {
+    const bool is_on = FakeClient::setMotors(on, timeout);
+    wait();
+    return is_on;
+  }
+
+  void hold(const std::vector<int>& joints, Milliseconds timeout) override {
+    FakeClient::hold(joints, timeout);
+    wait();
+  }
+
+ private:
+  void wait() {
+    if (meanwhile) {
+      std::exchange(meanwhile, nullptr)();
+    }
+  }
+};
+
+[[noreturn]] void doNotAnswer() {
+  throw TimeoutException("no answer within 2000 ms.", FaultKind::kNone, true);
+}
+
+// The speed limit is 3.0 rad/s, the approach speed 0.5 rad/s. The time stands still unless the test lets it pass.
+class MoverTest : public ::testing::Test {
+ protected:
+  MoverTest() {
+    client_.present.robot.capabilities = {"I", "S", "E", "O"};
+    measure(0.0);
+    mover_.setListener({{},
+                        {},
+                        [this](const EndedMovement& ended) { ends_.push_back(ended); },
+                        [this](const std::string& text) { warnings_.push_back(text); }});
+  }
+
+  void measure(double pan, double rotator = 0) {
+    Telemetry telemetry;
+    telemetry.arrival = now_;
+    telemetry.joints = {{kHeadPan, pan}, {1, 0.0}, {kLeftFrontRotator, rotator}};
+    measured_.update(telemetry);
+  }
+
+  // As the driver does.
+  void pass(milliseconds time, double pan) {
+    const SteadyTime end = now_ + time;
+    while (now_ < end) {
+      now_ += JointPlan::kPeriod;
+      measure(pan);
+      mover_.goOn();
+    }
+  }
+
+  void useVersion1() {
+    client_.can_hold = false;
+    client_.present.protocol_version = 1;
+    client_.present.robot.capabilities.clear();
+  }
+
+  Order order(const std::string& source = "/user") const { return {source, now_}; }
+
+  Mover::Begun command(const std::string& joint, double position, const std::string& source = "/user") {
+    return mover_.command(order(source), {joint}, {position}, {});
+  }
+
+  Mover::Begun follow(const std::string& joint, double position, double time) {
+    return mover_.follow(order(), {{joint}, {{time, {position}, {}}}}, milliseconds(0));
+  }
+
+  void steer(double forward, const std::string& source = "/teleop") { mover_.steer(order(source), {forward, 0, 0}); }
+
+  // Ten times a second, for a second.
+  void steerOn(double forward) {
+    for (int i = 0; i < 10; ++i) {
+      now_ += milliseconds(100);
+      steer(forward);
+    }
+  }
+
+  // The robot walks.
+  void walk() {
+    steer(0.1);
+    mover_.steered({0.1, 0, 0});
+    client_.told.clear();
+  }
+
+  // What the robot was told to do, without speed limits.
+  std::vector<std::string> told() {
+    std::vector<std::string> told;
+    for (const std::string& each : std::exchange(client_.told, {})) {
+      if (each.rfind("V ", 0) != 0) {
+        told.push_back(each);
+      }
+    }
+    return told;
+  }
+
+  static std::string reasonOf(const Mover::Begun& begun) {
+    return begun.ended() != nullptr ? begun.ended()->reason : "it goes on";
+  }
+  static MovementEnd endOf(const Mover::Begun& begun) {
+    EXPECT_NE(begun.ended(), nullptr);
+    return begun.ended() != nullptr ? begun.ended()->how : MovementEnd::kUnknown;
+  }
+
+  template <typename Error>
+  static std::string problem(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  SlowClient client_;
+  SteadyTime now_{std::chrono::seconds(1000)};
+  JointTable table_{"ERS-7", 3.0};
+  MeasuredJoints measured_{table_};
+  bool telemetry_ = true;
+  Mover mover_{table_, measured_, client_, 0.5, false, [this] { return telemetry_; }, [this] { return now_; }};
+  std::vector<EndedMovement> ends_;
+  std::vector<std::string> warnings_;
+};
+
+// ---- Ends
+
+TEST_F(MoverTest, ACommandIsDoneWhenItsJointIsMeasuredThere) {
+  const auto begun = command("head_pan", 0.5);
+  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
+  ASSERT_THAT(mover_.state().movements, SizeIs(1));
+  EXPECT_EQ(mover_.state().movements[0].source, "/user");
+  pass(milliseconds(1200), 0.47);
+  EXPECT_EQ(endOf(begun), MovementEnd::kDone);
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+  EXPECT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(mover_.state().ended.back().movement.joints, std::vector<std::string>{"head_pan"});
+}
+
+TEST_F(MoverTest, ACommandWhoseJointDoesNotMoveIsNotReached) {
+  const auto begun = command("head_pan", 0.5);
+  pass(milliseconds(3200), 0.0);
+  EXPECT_EQ(endOf(begun), MovementEnd::kNotReached);
+  EXPECT_EQ(reasonOf(begun), "head_pan is 0.50 rad from where it was sent");
+}
+
+TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
+  const auto commanded = command("head_pan", 0.5);
+  const auto other = command("head_tilt", 0.1);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", commanded.id});
+  EXPECT_EQ(endOf(commanded), MovementEnd::kRefused);
+  EXPECT_EQ(reasonOf(commanded), "the motors are off");
+  EXPECT_EQ(other.ended(), nullptr);
+  const auto followed = follow("head_pan", 0.5, 1.0);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", 0});
+  EXPECT_EQ(reasonOf(followed), "the motors are off");
+  told();
+  mover_.goOn();
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
+  const auto commanded = command("head_pan", 0.5);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
+  EXPECT_EQ(commanded.ended(), nullptr) << "it may become free";
+  pass(milliseconds(3200), 0.0);
+  EXPECT_EQ(endOf(commanded), MovementEnd::kNotReached);
+  EXPECT_EQ(reasonOf(commanded), "head_pan is jammed");
+}
+
+TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
+  const auto followed = follow("head_pan", 1.0, 2.0);
+  pass(milliseconds(200), 0.1);
+  now_ += milliseconds(600);
+  measure(0.1);
+  told();
+  mover_.goOn();
+  EXPECT_EQ(endOf(followed), MovementEnd::kRefused);
+  EXPECT_EQ(reasonOf(followed), "the driver was held up");
+  EXPECT_THAT(told(), IsEmpty());
+  now_ += std::chrono::hours(1);
+  measure(0.1);
+  const auto later = follow("head_pan", 1.0, 2.0);
+  mover_.goOn();
+  EXPECT_EQ(later.ended(), nullptr);
+}
+
+TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
+  const auto first = command("head_pan", 0.5);
+  const auto second = command("head_pan", 0.4);
+  EXPECT_EQ(first.id, second.id);
+  const auto other = command("head_pan", 0.3, "/other");
+  EXPECT_EQ(endOf(first), MovementEnd::kReplaced);
+  EXPECT_EQ(reasonOf(first), "head_pan was commanded to go elsewhere");
+  EXPECT_EQ(other.ended(), nullptr);
+  ASSERT_THAT(mover_.state().movements, SizeIs(1));
+  EXPECT_EQ(mover_.state().movements[0].source, "/other");
+  EXPECT_THAT(ends_, SizeIs(1));
+}
+
+TEST_F(MoverTest, CommandsOfSeveralNodesAreSeveralMovements) {
+  command("head_pan", 0.5, "/a");
+  command("head_tilt", 0.1, "/b");
+  const auto movements = mover_.state().movements;
+  ASSERT_THAT(movements, SizeIs(2));
+  EXPECT_EQ(movements[0].source, "/a");
+  EXPECT_EQ(movements[1].source, "/b");
+}
+
+TEST_F(MoverTest, ACommandEndsATrajectoryAndSaysSo) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  command("head_pan", 0.3);
+  EXPECT_EQ(reasonOf(followed), "head_pan was commanded to go elsewhere");
+  EXPECT_EQ(endOf(followed), MovementEnd::kReplaced);
+}
+
+TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
+  mover_.command(order(), {"head_pan", "a", "b", "c", "d"}, {0.1, 0, 0, 0, 0}, {});
+  EXPECT_THAT(warnings_, ElementsAre("The ERS-7 has no joint 'a'. The ERS-7 has no joint 'b'. The ERS-7 has no joint "
+                                     "'c'. and 1 more"));
+  const auto nothing = mover_.command(order(), {"a"}, {0.1}, {});
+  EXPECT_EQ(reasonOf(nothing), "The ERS-7 has no joint 'a'");
+  EXPECT_EQ(endOf(nothing), MovementEnd::kRefused);
+}
+
+TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
+  client_.problem = "there is no robot";
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(reasonOf(command("head_pan", 0.1 * i)), "there is no robot");
+    now_ += milliseconds(100);
+  }
+  EXPECT_THAT(ends_, SizeIs(1));
+  now_ += milliseconds(500);
+  command("head_pan", 0);
+  EXPECT_THAT(ends_, SizeIs(2));
+}
+
+TEST_F(MoverTest, RemembersTheLatestEnds) {
+  for (std::size_t i = 0; i < 2 * Mover::kEndsRemembered; ++i) {
+    follow("third_leg", 0, 1.0);
+  }
+  EXPECT_THAT(ends_, SizeIs(2 * Mover::kEndsRemembered));
+  EXPECT_THAT(mover_.state().ended, SizeIs(Mover::kEndsRemembered));
+  EXPECT_EQ(mover_.state().ends, 2 * Mover::kEndsRemembered);
+}
+
+// ---- Stop and release
+
+TEST_F(MoverTest, NothingMovesTheRobotBetweenStopAndRelease) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  told();
+  mover_.stop(order("/panel"));
+  EXPECT_THAT(told(), ElementsAre("hold"));
+  EXPECT_EQ(endOf(followed), MovementEnd::kStopped);
+  EXPECT_EQ(reasonOf(followed), "/panel called stop");
+  EXPECT_EQ(mover_.state().stopped_by, "/panel");
+  for (const auto& begun : {command("head_pan", 0.5), follow("head_pan", 0.5, 1.0), mover_.play(order(), "NOD.MTN", 1),
+                            mover_.takePosture(order(), Posture::kStand)}) {
+    EXPECT_EQ(endOf(begun), MovementEnd::kRefused);
+    EXPECT_EQ(reasonOf(begun), "stopped by /panel; call release");
+  }
+  steer(0.1);
+  EXPECT_EQ(ends_.back().reason, "stopped by /panel; call release");
+  EXPECT_THAT(problem<CommandException>([this] { mover_.setMotors(order(), true); }), HasSubstr("call release"));
+  mover_.goOn();
+  EXPECT_THAT(told(), IsEmpty());
+  mover_.setMotors(order(), false);
+  mover_.takePosture(order(), Posture::kRest);
+  EXPECT_THAT(told(), ElementsAre("motors off", "rest"));
+  mover_.release(order());
+  EXPECT_FALSE(mover_.state().stopped_by);
+  command("head_pan", 0.5);
+  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
+  mover_.stop(order("/panel"));
+  EXPECT_EQ(reasonOf(command("head_pan", 0.2)), "stopped by /panel; call release") << "a second time";
+}
+
+TEST_F(MoverTest, WhatWaitedWhileStoppedDoesNotMoveTheRobotAfterTheRelease) {
+  mover_.stop(order("/panel"));
+  const Order waiting = order();
+  now_ += milliseconds(100);
+  mover_.release(order("/panel"));
+  EXPECT_EQ(reasonOf(mover_.command(waiting, {"head_pan"}, {0.5}, {})), "it came before /panel called release");
+}
+
+TEST_F(MoverTest, AStopEndsNothingBeforeTheRobotHolds) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  told();
+  client_.meanwhile = [&] {
+    EXPECT_EQ(followed.ended(), nullptr);
+    now_ += milliseconds(100);
+    EXPECT_TRUE(mover_.goOn());
+    EXPECT_THAT(problem<CommandException>([this] { mover_.release(order()); }), HasSubstr("still being told"));
+  };
+  mover_.stop(order("/panel"));
+  EXPECT_THAT(told(), ElementsAre("hold")) << "and no step of the trajectory";
+  EXPECT_EQ(endOf(followed), MovementEnd::kStopped);
+}
+
+TEST_F(MoverTest, AStopThatTheRobotDoesNotAnswerRefusesOrdersAllTheSame) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  client_.meanwhile = doNotAnswer;
+  EXPECT_THAT(problem<TimeoutException>([this] { mover_.stop(order("/panel")); }), HasSubstr("no answer"));
+  EXPECT_EQ(endOf(followed), MovementEnd::kUnknown);
+  EXPECT_EQ(reasonOf(command("head_pan", 0.5)), "stopped by /panel; call release");
+  client_.problem = "there is no robot";
+  EXPECT_EQ(problem<NetworkException>([this] { mover_.stop(order()); }), "there is no robot");
+}
+
+TEST_F(MoverTest, AMotionThatBeginsDuringAStopIsStopped) {
+  client_.meanwhile = [this] { mover_.stop(order("/panel")); };
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  EXPECT_EQ(reasonOf(played), "/panel called stop");
+  EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
+  mover_.release(order());
+  client_.meanwhile = [this] { mover_.stop(order("/panel")); };
+  EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kSit)), MovementEnd::kStopped);
+  EXPECT_EQ(client_.told.back(), "hold");
+}
+
+TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  client_.meanwhile = [this] {
+    mover_.ended({EndedKind::kMotion, EndedHow::kStopped, "NOD.MTN", "the client holds it"});
+    mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "a stop came before it was sent", 0});
+  };
+  const auto commanded = command("head_pan", 0.4);
+  mover_.stop(order("/panel"));
+  EXPECT_EQ(reasonOf(played), "/panel called stop");
+  EXPECT_EQ(reasonOf(commanded), "/panel called stop");
+}
+
+TEST_F(MoverTest, HoldsWithoutStopping) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  mover_.hold(order(), "/user sent an empty trajectory");
+  EXPECT_EQ(reasonOf(followed), "/user sent an empty trajectory");
+  told();
+  command("head_pan", 0.5);
+  EXPECT_THAT(told(), SizeIs(1));
+}
+
+TEST_F(MoverTest, HoldsATrajectoryOfAVersion1ServerWhereItWasSent) {
+  useVersion1();
+  follow("head_pan", 1.0, 1.0);
+  told();
+  measure(-0.3);  // it lags behind
+  mover_.stop(order());
+  EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 0"));
+}
+
+TEST_F(MoverTest, HoldsACommandOfAVersion1ServerOnItsWay) {
+  useVersion1();
+  measure(0.5);
+  command("head_pan", -1.0);
+  told();
+  mover_.stop(order());
+  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0")) << "not at its target, and at its speed";
+}
+
+TEST_F(MoverTest, StopsMotionsOfAVersion1ServerIfOneWasPlayed) {
+  useVersion1();
+  mover_.stop(order());
+  EXPECT_THAT(told(), IsEmpty());
+  mover_.release(order());
+  mover_.play(order(), "NOD.MTN", 1);
+  told();
+  mover_.stop(order());
+  EXPECT_THAT(told(), ElementsAre("stop "));
+  ++client_.connections;
+  mover_.stop(order());
+  EXPECT_THAT(told(), IsEmpty()) << "the robot has stopped it when the connection ended";
+}
+
+TEST_F(MoverTest, CancelsOneTrajectoryOnly) {
+  const auto pan = follow("head_pan", 1.0, 1.0);
+  const auto neck = follow("neck_tilt", -0.5, 1.0);
+  told();
+  mover_.cancel(pan.id, "the goal was cancelled");
+  EXPECT_THAT(told(), ElementsAre("hold 2"));
+  EXPECT_EQ(reasonOf(pan), "the goal was cancelled");
+  EXPECT_EQ(neck.ended(), nullptr);
+  mover_.cancel(pan.id, "the goal was cancelled");
+  EXPECT_THAT(told(), IsEmpty()) << "it is over";
+}
+
+// ---- Age
+
+TEST_F(MoverTest, OldOrdersDoNotMoveTheRobot) {
+  command("head_tilt", 0);
+  told();
+  const Order old = order();
+  now_ += milliseconds(600);
+  measure(0);
+  const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
+  for (const auto& begun : {mover_.command(old, {"head_pan"}, {0.5}, {}), mover_.follow(old, way, milliseconds(0)),
+                            mover_.play(old, "NOD.MTN", 1), mover_.takePosture(old, Posture::kSit)}) {
+    EXPECT_EQ(endOf(begun), MovementEnd::kRefused);
+    EXPECT_THAT(reasonOf(begun), StartsWith("too old"));
+  }
+  mover_.steer(old, {0.1, 0, 0});
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverTest, WhatCameBeforeAPostureOrAStopOrTheMotorsDoesNotAct) {
+  command("head_tilt", 0);
+  const Order old = order();
+  now_ += milliseconds(10);
+  mover_.takePosture(order("/panel"), Posture::kRest);
+  EXPECT_EQ(reasonOf(mover_.command(old, {"head_pan"}, {0.5}, {})), "it came before /panel called rest");
+  EXPECT_EQ(command("head_pan", 0.1).ended(), nullptr) << "what comes later does";
+  const Order before_off = order();
+  now_ += milliseconds(10);
+  mover_.setMotors(order("/panel"), false);
+  EXPECT_EQ(reasonOf(mover_.command(before_off, {"head_pan"}, {0.5}, {})),
+            "it came before /panel switched the motors off");
+  now_ += milliseconds(10);
+  mover_.setMotors(order("/panel"), true);
+  EXPECT_EQ(mover_.takePosture(order(), Posture::kStand).ended(), nullptr) << "at once";
+}
+
+TEST_F(MoverTest, WhatCameBeforeTheConnectionDoesNotAct) {
+  const Order old = order();
+  now_ += milliseconds(10);
+  ++client_.connections;
+  mover_.connected();
+  EXPECT_EQ(reasonOf(mover_.command(old, {"head_pan"}, {0.5}, {})), "it came before the robot was connected");
+}
+
+// ---- The robot's own movements
+
+TEST_F(MoverTest, PlaysAMotionWithTheSpeedLimitsOfAllJointsAndEndsTrajectories) {
+  command("head_pan", 0.1);
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  client_.told.clear();
+  mover_.play(order(), "NOD.MTN", 2);
+  EXPECT_EQ(client_.told.back(), "play NOD.MTN 2");
+  client_.told.pop_back();
+  EXPECT_THAT(client_.told, SizeIs(table_.size() - 1)) << "that of the trajectory's joint is in force";
+  EXPECT_THAT(client_.told, Each(StartsWith("V ")));
+  EXPECT_EQ(reasonOf(followed), "/user plays NOD.MTN");
+}
+
+TEST_F(MoverTest, AMotionPlaysUntilTheRobotReportsItsEnd) {
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  ASSERT_THAT(mover_.state().movements, SizeIs(1));
+  EXPECT_EQ(mover_.state().movements[0].name, "NOD.MTN");
+  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "WAG.MTN", ""});
+  mover_.ended({EndedKind::kJam, EndedHow::kDone, "NOD.MTN", ""});
+  EXPECT_EQ(played.ended(), nullptr);
+  mover_.ended({EndedKind::kMotion, EndedHow::kReplaced, "NOD.MTN", "head_tilt was commanded"});
+  EXPECT_EQ(endOf(played), MovementEnd::kReplaced);
+  EXPECT_EQ(reasonOf(played), "head_tilt was commanded");
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+TEST_F(MoverTest, AMotionMayEndBeforeTheCallReturns) {
+  client_.meanwhile = [this] { mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""}); };
+  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), MovementEnd::kDone);
+}
+
+TEST_F(MoverTest, AMotionThatMayOrMayNotPlayStaysUntilTheRobotSays) {
+  client_.meanwhile = doNotAnswer;
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  EXPECT_TRUE(played.is_uncertain);
+  EXPECT_EQ(played.remark, "no answer within 2000 ms");
+  EXPECT_THAT(mover_.state().movements, SizeIs(1));
+  mover_.answeredLate({played.id, true, "", ""});
+  EXPECT_EQ(played.ended(), nullptr) << "it plays";
+  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
+  EXPECT_EQ(endOf(played), MovementEnd::kDone);
+  client_.meanwhile = doNotAnswer;
+  const auto refused = mover_.play(order(), "NOD.MTN", 1);
+  mover_.answeredLate({refused.id, false, "There is no such motion.", ""});
+  EXPECT_EQ(endOf(refused), MovementEnd::kRefused);
+  EXPECT_EQ(reasonOf(refused), "There is no such motion");
+}
+
+TEST_F(MoverTest, AMotionThatWasNotSentIsRefused) {
+  client_.meanwhile = [] { throw TimeoutException("no answer within 2000 ms."); };
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  EXPECT_EQ(endOf(played), MovementEnd::kRefused);
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+TEST_F(MoverTest, StopsAMotionAlone) {
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  const auto other = mover_.play(order(), "WAG.MTN", 1);
+  mover_.stopMotion(order("/panel"), "NOD.MTN");
+  EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
+  EXPECT_EQ(reasonOf(played), "/panel stopped it");
+  EXPECT_EQ(other.ended(), nullptr);
+}
+
+TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
+  useVersion1();
+  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), MovementEnd::kUnknown);
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
+  const auto leg = command("left_front_rotator", 0.5);
+  const auto both = mover_.command(order(), {"head_pan", "left_front_knee"}, {0.5, 0.5}, {});
+  mover_.takePosture(order("/panel"), Posture::kSit);
+  EXPECT_EQ(reasonOf(leg), "/panel called sit");
+  EXPECT_EQ(both.ended(), nullptr);
+  EXPECT_THAT(mover_.jointsOf(both.id), ElementsAre("head_pan"));
+}
+
+TEST_F(MoverTest, EndsEverythingWithTheConnection) {
+  const auto played = mover_.play(order(), "NOD.MTN", 1);
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
+  mover_.disconnected();
+  EXPECT_EQ(endOf(played), MovementEnd::kLost);
+  EXPECT_EQ(endOf(followed), MovementEnd::kLost);
+  EXPECT_EQ(mover_.state().robot, MotorsAndPosture());
+  const auto next = follow("head_pan", 1.0, 1.0);
+  ++client_.connections;
+  told();
+  EXPECT_FALSE(mover_.goOn());
+  EXPECT_THAT(told(), IsEmpty());
+  EXPECT_EQ(endOf(next), MovementEnd::kLost);
+}
+
+TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
+  const auto commanded = command("head_pan", 0.5);
+  mover_.setMotors(order("/panel"), false);
+  EXPECT_EQ(endOf(commanded), MovementEnd::kStopped);
+  EXPECT_EQ(reasonOf(commanded), "/panel switched the motors off");
+  EXPECT_EQ(mover_.state().robot.motors, MotorState::kOff);
+  mover_.setMotors(order(), true);
+  const auto again = command("head_pan", 0.5);
+  mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
+  EXPECT_EQ(reasonOf(again), "the motors are off") << "the battery, for instance";
+}
+
+TEST_F(MoverTest, ApproachesAgainAfterTheMotorsWereSwitched) {
+  command("head_pan", 0.0);
+  command("head_pan", 0.2);  // the joint is measured at 0: the approach is over
+  command("head_pan", 0.3);
+  EXPECT_EQ(client_.told.back(), "J 2:0.30 in 0");
+  client_.told.clear();
+  mover_.setMotors(order(), true);
+  command("head_pan", 1.0);
+  EXPECT_THAT(client_.told, ElementsAre("motors on", "V 2:0.50", "J 2:1.00 in 0"));
+}
+
+// ---- Trajectories
+
+TEST_F(MoverTest, SendsWhereTheJointsOfATrajectoryShouldBeSoon) {
+  follow("head_pan", 1.0, 1.0);
+  EXPECT_THAT(client_.told, ElementsAre("V 2:3.00", "J 2:0.10 in 96"));
+  EXPECT_TRUE(mover_.goOn());
+}
+
+TEST_F(MoverTest, RefusesTrajectoriesOfOldMeasurements) {
+  now_ += milliseconds(500);
+  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("head_pan was last measured 0.5 s ago"));
+  useVersion1();
+  EXPECT_EQ(follow("head_pan", 1.0, 1.0).ended(), nullptr) << "it reports one joint after the other";
+  now_ += milliseconds(2000);
+  EXPECT_THAT(reasonOf(follow("head_tilt", 0.1, 2.0)), HasSubstr("has not been measured"));
+}
+
+TEST_F(MoverTest, RefusesTrajectoriesAtOnceWithoutTelemetry) {
+  telemetry_ = false;
+  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("telemetry_rate is 0"));
+}
+
+TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
+  client_.present.robot.design = "ERS-210";
+  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("it is an ERS-210"));
+  EXPECT_THAT(reasonOf(command("head_pan", 1.0)), HasSubstr("it is an ERS-210"));
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+// ---- Walking
+
+TEST_F(MoverTest, AStreamOfVelocitiesThatWasStoppedMovesTheRobotOnlyAfterItsNodeHasLetGo) {
+  walk();
+  mover_.stop(order("/panel"));
+  told();
+  steerOn(0.1);
+  mover_.release(order("/panel"));
+  steerOn(0.1);
+  EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
+  EXPECT_EQ(ends_.back().reason, "the robot was stopped; let go first: send a velocity of 0, or none for 0.5 s");
+  EXPECT_THAT(ends_, SizeIs(3)) << "the walk was stopped, and the stream was refused for two reasons";
+  steer(0);
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+}
+
+TEST_F(MoverTest, AStreamThatBeginsWhileStoppedHasToLetGo) {
+  mover_.stop(order("/panel"));
+  told();
+  steerOn(0.1);
+  mover_.release(order("/panel"));
+  steerOn(0.1);
+  EXPECT_THAT(told(), IsEmpty());
+  now_ += milliseconds(500);
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+}
+
+TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
+  const std::vector<std::function<void()>> overrules{
+      [this] { mover_.takePosture(order(), Posture::kSit); },
+      [this] { mover_.setMotors(order(), false); },
+      [this] { command("left_front_rotator", 0.1); },
+      [this] { follow("left_front_rotator", 0.1, 1.0); },
+      [this] {
+        mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
+      },
+      [this] {
+        mover_.robotChanged({MotorState::kOn, PostureNow::kCarried});
+      },
+      [this] {
+        mover_.robotChanged({MotorState::kOn, PostureNow::kFallen});
+      },
+      [this] {
+        mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
+      }};
+  for (std::size_t i = 0; i < overrules.size(); ++i) {
+    walk();
+    overrules[i]();
+    measure(0);
+    told();
+    steerOn(0.1);
+    EXPECT_THAT(told(), IsEmpty()) << i;
+    mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", ""});
+    now_ += milliseconds(500);
+    measure(0);
+  }
+}
+
+TEST_F(MoverTest, AWalkBeginsWhenItIsAskedForAndEndsAsTheRobotSays) {
+  steer(0.1);
+  ASSERT_THAT(mover_.state().movements, SizeIs(1));
+  EXPECT_EQ(mover_.state().movements[0].kind, Kind::kWalk);
+  EXPECT_EQ(mover_.state().movements[0].source, "/teleop");
+  mover_.steered({0.1, 0, 0});
+  steer(0);
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+  EXPECT_EQ(ends_.back().how, MovementEnd::kDone);
+}
+
+TEST_F(MoverTest, AWalkThatTheRobotRefusesHasNotBegun) {
+  steer(0.1);
+  mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
+  EXPECT_EQ(ends_.back().how, MovementEnd::kRefused);
+  EXPECT_EQ(ends_.back().reason, "the motors are off");
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+TEST_F(MoverTest, AWalkThatIsLetGoBeforeItBeginsEndsToo) {
+  steer(0.1);
+  steer(0);
+  mover_.steered({});
+  EXPECT_EQ(ends_.back().how, MovementEnd::kStopped);
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+TEST_F(MoverTest, AnotherNodeThatSteersOnHasAWalkOfItsOwn) {
+  walk();
+  now_ += milliseconds(600);
+  steer(0.1, "/navigation");
+  EXPECT_EQ(ends_.back().reason, "/navigation steers now");
+  EXPECT_EQ(mover_.state().movements[0].source, "/navigation");
+}
+
+}  // namespace
+}  // namespace aibo_driver::movement

@@ -1,0 +1,167 @@
+#include "movement/trajectory.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "aibo_driver/exceptions.h"
+
+namespace aibo_driver::movement {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr double kSpeedLimit = 3.0;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+class TrajectoryTest : public ::testing::Test {
+ protected:
+  Trajectory plan(const TrajectoryRequest& request, bool slow_down = false) {
+    return Trajectory(request, table_, {{pan_, present_pan_}, {mouth_, -0.5}}, slow_down);
+  }
+
+  std::string refusal(const TrajectoryRequest& request, bool slow_down = false) {
+    try {
+      plan(request, slow_down);
+    } catch (const InvalidArgumentException& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  static TrajectoryRequest pan(const std::vector<TrajectoryRequest::Point>& points) { return {{"head_pan"}, points}; }
+
+  // The highest speed of the first joint, sampled densely.
+  static double highestSpeed(const Trajectory& trajectory) {
+    constexpr double kStep = 0.0005;
+    double highest = 0;
+    for (double t = 0; t < trajectory.duration(); t += kStep) {
+      highest = std::max(highest, std::abs(trajectory.sample(t + kStep)[0] - trajectory.sample(t)[0]) / kStep);
+    }
+    return highest;
+  }
+
+  JointTable table_{"ERS-7", kSpeedLimit};
+  const std::size_t pan_ = *table_.findByName("head_pan");
+  const std::size_t mouth_ = *table_.findByName("mouth");
+  double present_pan_ = 0;
+};
+
+TEST_F(TrajectoryTest, BeginsWhereTheJointsAreAndGoesStraightFromPointToPoint) {
+  present_pan_ = 0.2;
+  const Trajectory trajectory = plan(pan({{1, {0.4}, {}}, {3, {-0.4}, {}}}));
+  EXPECT_DOUBLE_EQ(trajectory.duration(), 3);
+  EXPECT_DOUBLE_EQ(trajectory.stretch(), 1);
+  EXPECT_DOUBLE_EQ(trajectory.sample(0)[0], 0.2);
+  EXPECT_DOUBLE_EQ(trajectory.sample(0.5)[0], 0.3);
+  EXPECT_DOUBLE_EQ(trajectory.sample(1)[0], 0.4);
+  EXPECT_NEAR(trajectory.sample(2)[0], 0.0, 1e-12);
+  EXPECT_DOUBLE_EQ(trajectory.sample(3)[0], -0.4);
+}
+
+TEST_F(TrajectoryTest, StandsBeforeItsBeginningAndAfterItsEnd) {
+  const Trajectory trajectory = plan(pan({{1, {0.4}, {}}}));
+  EXPECT_DOUBLE_EQ(trajectory.sample(-5)[0], 0);
+  EXPECT_DOUBLE_EQ(trajectory.sample(100)[0], 0.4);
+}
+
+TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
+  const Trajectory trajectory = plan(pan({{1, {0.5}, {0.8}}, {2, {1.0}, {0}}}));
+  const double step = 1e-5;
+  EXPECT_NEAR(trajectory.sample(1)[0], 0.5, 1e-12);
+  EXPECT_NEAR((trajectory.sample(1 + step)[0] - trajectory.sample(1)[0]) / step, 0.8, 1e-3);
+  EXPECT_NEAR((trajectory.sample(1)[0] - trajectory.sample(1 - step)[0]) / step, 0.8, 1e-3);
+  EXPECT_NEAR((trajectory.sample(step)[0] - trajectory.sample(0)[0]) / step, 0.0, 1e-3) << "it begins at rest";
+  EXPECT_NEAR((trajectory.sample(2)[0] - trajectory.sample(2 - step)[0]) / step, 0.0, 1e-3);
+}
+
+TEST_F(TrajectoryTest, MovesAllItsJoints) {
+  const Trajectory trajectory = plan({{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}});
+  EXPECT_THAT(trajectory.joints(), ::testing::ElementsAre(mouth_, pan_));
+  EXPECT_NEAR(trajectory.sample(0.5)[0], -0.6, 1e-12);
+  EXPECT_NEAR(trajectory.sample(0.5)[1], 0.2, 1e-12);
+}
+
+TEST_F(TrajectoryTest, RefusesUnknownAndRepeatedNames) {
+  EXPECT_THAT(refusal({{"left_ear"}, {{1, {0}, {}}}}), HasSubstr("no joint 'left_ear'"));
+  EXPECT_THAT(refusal({{"head_pan", "head_pan"}, {{1, {0, 0}, {}}}}), HasSubstr("head_pan is named twice"));
+  EXPECT_THAT(refusal({{}, {{1, {}, {}}}}), HasSubstr("points without joints"));
+}
+
+TEST_F(TrajectoryTest, RefusesArraysOfTheWrongLength) {
+  EXPECT_THAT(refusal(pan({{1, {}, {}}})), HasSubstr("point 0 has 0 positions for 1 joints"));
+  EXPECT_THAT(refusal(pan({{1, {0}, {}}, {2, {0}, {0, 0}}})), HasSubstr("point 1 has 2 velocities"));
+}
+
+TEST_F(TrajectoryTest, RefusesNumbersThatAreNotFinite) {
+  EXPECT_THAT(refusal(pan({{1, {kNan}, {}}})), HasSubstr("not finite"));
+  EXPECT_THAT(refusal(pan({{1, {0}, {kNan}}})), HasSubstr("not finite"));
+  EXPECT_THAT(refusal(pan({{kNan, {0}, {}}})), HasSubstr("not finite"));
+}
+
+TEST_F(TrajectoryTest, RefusesTimesThatDoNotIncrease) {
+  EXPECT_THAT(refusal(pan({{1, {0}, {}}, {1, {0.1}, {}}})), HasSubstr("time_from_start of point 1"));
+  EXPECT_THAT(refusal(pan({{-1, {0}, {}}})), HasSubstr("time_from_start of point 0"));
+}
+
+TEST_F(TrajectoryTest, RefusesAJointWhosePositionIsNotKnown) {
+  EXPECT_THAT(refusal({{"tail_pan"}, {{1, {0}, {}}}}), HasSubstr("position of tail_pan has not been measured"));
+}
+
+TEST_F(TrajectoryTest, RefusesPositionsBeyondTheLimitsEvenSlowedDown) {
+  EXPECT_THAT(refusal(pan({{5, {1.6}, {}}}), true), AllOf(HasSubstr("head_pan"), HasSubstr("-1.536 to 1.536 rad")));
+}
+
+TEST_F(TrajectoryTest, RefusesVelocitiesThatCarryAJointBeyondItsLimitsBetweenTwoPoints) {
+  EXPECT_THAT(refusal(pan({{1, {1.5}, {1}}, {2, {1.5}, {-1}}})),
+              AllOf(HasSubstr("between two points"), HasSubstr("head_pan")));
+}
+
+TEST_F(TrajectoryTest, LetsAJointThatIsBeyondItsLimitsComeBack) {
+  present_pan_ = 1.6;
+  EXPECT_NEAR(plan(pan({{1, {0}, {0}}})).sample(0)[0], 1.6, 1e-12);
+}
+
+TEST_F(TrajectoryTest, RefusesSpeedsBeyondTheLimitAndNamesBoth) {
+  EXPECT_THAT(refusal(pan({{0.2, {1}, {}}})),
+              AllOf(HasSubstr("head_pan"), HasSubstr("5.000 rad/s"), HasSubstr("3.000 rad/s"), HasSubstr("slow_down")));
+  EXPECT_THAT(refusal(pan({{0.4, {1}, {0}}})), HasSubstr("3.75")) << "the middle of a cubic is its fastest";
+  EXPECT_EQ(refusal(pan({{1.0 / 3, {1}, {}}})), "accepted") << "exactly the limit";
+}
+
+TEST_F(TrajectoryTest, KeepsScaledSpeeds) {
+  table_.setSpeedScale(0.5);
+  EXPECT_THAT(refusal(pan({{1.0 / 3, {1}, {}}})), HasSubstr("its limit is 1.500 rad/s"));
+  EXPECT_NEAR(plan(pan({{1.0 / 3, {1}, {}}}), true).stretch(), 2, 1e-9);
+}
+
+TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
+  const Trajectory straight = plan(pan({{0.2, {1}, {}}, {1.2, {0}, {}}}), true);
+  EXPECT_NEAR(straight.stretch(), 5.0 / 3, 1e-9);
+  EXPECT_NEAR(straight.duration(), 2, 1e-9);
+  EXPECT_NEAR(highestSpeed(straight), kSpeedLimit, 0.01);
+  const Trajectory curved = plan(pan({{0.2, {0.5}, {4}}, {0.4, {1}, {0}}}), true);
+  EXPECT_NEAR(highestSpeed(curved), kSpeedLimit, 0.01);
+  EXPECT_NEAR(curved.sample(curved.duration())[0], 1, 1e-9);
+}
+
+TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
+  present_pan_ = 0.05;
+  const Trajectory trajectory = plan(pan({{0, {0}, {}}, {1, {1}, {}}}));
+  EXPECT_DOUBLE_EQ(trajectory.sample(0)[0], 0.05);
+  EXPECT_DOUBLE_EQ(trajectory.sample(1)[0], 1);
+  EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).duration(), 0);
+}
+
+TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
+  EXPECT_THAT(refusal(pan({{0, {1}, {}}, {1, {0}, {}}})), AllOf(HasSubstr("head_pan"), HasSubstr("time_from_start")));
+  const Trajectory slow = plan(pan({{0, {1.5}, {}}, {1, {0}, {}}}), true);
+  EXPECT_DOUBLE_EQ(slow.sample(0)[0], 0);
+  EXPECT_NEAR(slow.duration(), 1.5, 1e-9);
+  EXPECT_LE(highestSpeed(slow), kSpeedLimit * 1.01);
+}
+
+}  // namespace
+}  // namespace aibo_driver::movement
