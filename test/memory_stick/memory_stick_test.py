@@ -247,7 +247,7 @@ class AnIncompleteSdk(Workshop):
         (self.libjpeg / "jpeglib.h").unlink()
         self.stick = self.folder / "not_mounted" / "stick"
         said = self.make_stick("--essid", "my home").stderr
-        for name in ("mipsel-linux-nm", "libOPENR.a", "gensnap", "sources of libjpeg", "Is the stick mounted?", "my home"):
+        for name in ("mipsel-linux-nm", "libOPENR.a", "gensnap", "sources of libjpeg", "the stick mounted?", "my home"):
             self.assertIn(name, said)
 
     def test_whose_tools_do_not_run_here(self):
@@ -582,10 +582,6 @@ class DebiansCompiler(Workshop):
     @unittest.skipIf(shutil.which(debian.PREFIX + "g++") is None, "needs scripts/install_dependencies stick")
     def test_links_a_program_whose_every_address_is_adapted(self):
         """A small program goes through all steps of mkbin, with a table of the kind that gensnap makes."""
-        for archive in [*sorted((self.sdk / "OPEN_R/lib").glob("*.a")), *(self.sdk / "mipsel-linux/lib" / name for name in debian.NEWLIB),
-                        self.sdk / "lib/gcc-lib/mipsel-linux/3.3.6/libgcc.a"]:
-            archive.parent.mkdir(parents=True, exist_ok=True)
-            archive.write_bytes(b"")
         tools = self.folder / "tools"
         with unittest.mock.patch.object(debian, "_convert"), unittest.mock.patch.object(debian, "_make_runtime"):
             debian.prepare(self.sdk, tools)
@@ -604,7 +600,10 @@ class DebiansCompiler(Workshop):
                 default: return all[index]->get();
               }
             }""")
-        run = lambda *command: subprocess.run([str(word) for word in command], check=True, cwd=str(self.folder))  # noqa: E731
+
+        def run(*command):
+            subprocess.run([str(word) for word in command], check=True, cwd=str(self.folder))
+
         run(tools / "bin/mipsel-linux-g++", "-O2", "-c", "-o", "small.o", source)
         for output, assembler in (("crtbegin.o", "begin.S"), ("crtend.o", "end.S")):
             run(tools / "bin/mipsel-linux-gcc", "-c", "-o", tools / "lib" / output, debian.RUNTIME / assembler)
