@@ -376,8 +376,7 @@ class Verification(Workshop):
         self.expect_problem(program, None, "OBJECT.CFG names /MS/OPEN-R/MW/OBJS/RCSERVER.BIN", "take the line out")
         self.expect_problem(program, elf, "not packed by gzip", "Build it again")
         self.expect_problem(program, gzip.compress(elf)[:-100], "is not whole", "Build it again")
-        self.expect_problem(program, gzip.compress(elf.replace(bytes.fromhex("03000000"), bytes(4))),
-                            "describes no OPEN-R object", "Build it again")
+        self.expect_problem(program, gzip.compress(elf.replace(b"mCOOP", b"other")), "describes no OPEN-R object", "Build it again")
         self.expect_problem(program, gzip.compress(elf[:99_000]), "has 99000 bytes unpacked", "linked with OPEN-R's")
         self.expect_problem(program, gzip.compress(elf + bytes(4_000_000)), "bytes unpacked", "stripped")
 
@@ -580,8 +579,9 @@ class DebiansCompiler(Workshop):
         self.expect_failure(said, "Debian's cross compiler is not on this computer", "install_dependencies stick")
 
     @unittest.skipIf(shutil.which(debian.PREFIX + "g++") is None, "needs scripts/install_dependencies stick")
-    def test_links_a_program_whose_every_address_is_adapted(self):
-        """A small program goes through all steps of mkbin, with a table of the kind that gensnap makes."""
+    def test_links_a_program_that_works_wherever_it_lies(self):
+        """A small program goes through all steps of mkbin, with a table of the kind that gensnap makes. Where QEMU is,
+        it is placed as the robot does it, and run."""
         tools = self.folder / "tools"
         with unittest.mock.patch.object(debian, "_convert"), unittest.mock.patch.object(debian, "_make_runtime"):
             debian.prepare(self.sdk, tools)
@@ -589,15 +589,18 @@ class DebiansCompiler(Workshop):
         source.write_text("""
             struct Base { virtual int get() const = 0; };
             struct Two : Base { virtual int get() const; Two(); int number; };
-            Two::Two() : number(2) {}
+            int constructed;
+            Two::Two() : number(2) { ++constructed; }
             int Two::get() const { return number; }
             extern "C" void __cxa_pure_virtual() {}
+            extern void (*_ctors_end[])();
             Two two;
             const Base* const all[] = {&two, 0};
-            extern "C" int PrologueEntry(int index) {
+            extern "C" int PrologueEntry(int index) {  // like OPEN-R's InitGlobals(), it runs the constructors
+              for (int i = -2; index == 1 && _ctors_end[i] != (void (*)())-1; --i) _ctors_end[i]();
               switch (index) {
-                case 1: return 7; case 2: return two.get(); case 3: return 9; case 4: return 27; case 5: return 3;
-                default: return all[index]->get();
+                case 1: return 70 + constructed; case 2: return two.get(); case 3: return 9; case 4: return 27;
+                case 5: return 3; default: return all[index - 6]->get();
               }
             }""")
 
@@ -608,17 +611,34 @@ class DebiansCompiler(Workshop):
         for output, assembler in (("crtbegin.o", "begin.S"), ("crtend.o", "end.S")):
             run(tools / "bin/mipsel-linux-gcc", "-c", "-o", tools / "lib" / output, debian.RUNTIME / assembler)
         script = tools / "mipsel-linux/lib/ldscripts/elf32ltsmip.xbn"
-        objects = ["-T", script, "-e", "PrologueEntry", tools / "lib/crtbegin.o", "small.o", tools / "lib/crtend.o"]
+        (self.folder / "defsym").write_text("_ctors_end = ADDR(.ctors) + SIZEOF(.ctors);")
+        objects = ["-T", script, "-T", "defsym", "-e", "PrologueEntry", tools / "lib/crtbegin.o", "small.o",
+                   tools / "lib/crtend.o"]
         run(tools / "bin/ld", "-o", "small.nosnap.elf", *objects)
         run(tools / "bin/ld", "-r", "-o", "small.rel.elf", *objects)
         linked, relocations = ((self.folder / f"small.{name}.elf").read_bytes() for name in ("nosnap", "rel"))
         program, places = self.sections_and_addresses(linked, relocations)
-        (self.folder / "small.snap.elf").write_bytes(fake.tables(program, places, entry=program[1][3]))
+        entry = binary.ELFFile(binary.io.BytesIO(linked)).header["e_entry"]
+        (self.folder / "small.snap.elf").write_bytes(fake.tables(program, places, entry=entry))
         run(tools / "bin/ld", "-T", "ldscript-merge", "-o", "small.bin", "small.nosnap.elf", "small.snap.elf")
         finished = binary.Program((self.folder / "small.bin").read_bytes(), linked, relocations)
         self.assertEqual(list(finished.problems()), [])
         self.assertGreaterEqual(finished.summary.functions_with_gp, 2)
         self.assertGreaterEqual(finished.summary.relocated_words, 6)  # the vtable, all[], the constructor, .got
+        if shutil.which("qemu-mipsel"):
+            self.run_placed(entry - fake.BASE)
+
+    def run_placed(self, entry):
+        place = self.folder / "place"
+        subprocess.run([debian.PREFIX + "gcc", "-static", "-o", str(place), str(Path(__file__).with_name("place.c"))],
+                       check=True)
+        program = binary.ELFFile(binary.io.BytesIO((self.folder / "small.bin").read_bytes()))
+        segment, table = program.get_segment(1), program.get_section_by_name(".RelDataEntry")
+        for address in (0x20000000, 0x30405000):
+            numbers = (segment["p_filesz"], segment["p_memsz"], table["sh_offset"], table["sh_size"], entry, address)
+            done = subprocess.run(["qemu-mipsel", str(place), str(self.folder / "small.bin"),
+                                   *map("{:x}".format, numbers)], stdout=subprocess.PIPE, universal_newlines=True, timeout=60, check=False)
+            self.assertEqual(done.stdout.split(), ["71", "2", "9", "27", "3", "2"], done)
 
     @staticmethod
     def sections_and_addresses(linked, relocations):
