@@ -376,7 +376,8 @@ class Verification(Workshop):
         self.expect_problem(program, None, "OBJECT.CFG names /MS/OPEN-R/MW/OBJS/RCSERVER.BIN", "take the line out")
         self.expect_problem(program, elf, "not packed by gzip", "Build it again")
         self.expect_problem(program, gzip.compress(elf)[:-100], "is not whole", "Build it again")
-        self.expect_problem(program, gzip.compress(elf.replace(b"mCOOP", b"other")), "describes no OPEN-R object", "Build it again")
+        self.expect_problem(program, gzip.compress(elf.replace(b"mCOOP", b"other")), "describes no OPEN-R object",
+                            "Build it again")
         self.expect_problem(program, gzip.compress(elf[:99_000]), "has 99000 bytes unpacked", "linked with OPEN-R's")
         self.expect_problem(program, gzip.compress(elf + bytes(4_000_000)), "bytes unpacked", "stripped")
 
@@ -577,6 +578,15 @@ class DebiansCompiler(Workshop):
         self.expect_failure(said, "lacks the C library, GNU's newlib: mipsel-linux/lib/libc-.a", "newlib 1.10 to 1.15")
         self.expect_failure(said, "lacks libgcc.a", "instructions that the robot's processor does not know")
         self.expect_failure(said, "Debian's cross compiler is not on this computer", "install_dependencies stick")
+
+    def test_gets_headers_and_a_runtime_that_work(self):
+        program = self.folder / "runtime_test"
+        subprocess.run(["g++", "-std=gnu++98", "-Wall", "-Werror", "-nostdinc++", f"-I{debian.RUNTIME}/include",
+                        "-fno-exceptions", "-fno-rtti", "-nodefaultlibs", "-o", str(program),
+                        str(Path(__file__).with_name("runtime_test.cc")), str(debian.RUNTIME / "runtime.cc"), "-lc",
+                        "-lgcc"], check=True)
+        done = subprocess.run([str(program)], stdout=subprocess.PIPE, universal_newlines=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, "text -5 7\n"))
 
     @unittest.skipIf(shutil.which(debian.PREFIX + "g++") is None, "needs scripts/install_dependencies stick")
     def test_links_a_program_that_works_wherever_it_lies(self):

@@ -10,7 +10,9 @@
 #include <sys/cachectl.h>
 #include <sys/mman.h>
 
-static uint32_t number(const char* digits) { return strtoul(digits, NULL, 16); }
+static uint32_t number(const char* digits) {
+  return strtoul(digits, NULL, 16);
+}
 
 int main(int count, char** arguments) {
   static uint8_t file[4 << 20];
