@@ -247,7 +247,7 @@ class Program:
             elif other["sh_addr"] - section["sh_addr"] != LINKED_AT or other["sh_size"] != section["sh_size"]:
                 yield (f"{section.name} is at {section['sh_addr']:#x}, {other['sh_addr'] - section['sh_addr']:#x} and "
                        f"not {LINKED_AT:#x} below its place in the linked program")
-            elif section["sh_type"] != "SHT_NOBITS" and section.data() != other.data():
+            elif section["sh_type"] == "SHT_PROGBITS" and section.data() != other.data():
                 yield f"{section.name} has other contents than in the linked program"
 
     def _kinds_of_relocations(self):

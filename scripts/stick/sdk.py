@@ -10,9 +10,9 @@ from . import debian
 from .problem import Problem, raise_any
 
 WHAT_IT_IS = (
-    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: the archive OPEN_R_SDK-1.1.5-r5.tar.gz has",
-    "the headers and libraries of OPEN-R, and the robot's system. Sony has withdrawn it; owners keep copies. It belongs",
-    "together with GNU's newlib and libgcc for it, and GNU's compiler of that time or Debian's: see docs/on_robot.md.",
+    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: OPEN_R_SDK-1.1.5-r5.tar.gz has the headers",
+    "and libraries of OPEN-R, and the robot's system. Sony has withdrawn it; owners keep copies. It needs GNU's newlib",
+    "and libgcc beside it, and GNU's compiler of that time or Debian's of today: docs/on_robot.md says which.",
     "This project may not distribute any of it. When you have it, use --sdk /usr/local/OPEN_R_SDK, or wherever it is.",
 )
 
@@ -71,7 +71,7 @@ def choose_compiler(sdk, wanted):
 
 
 def build_problems(sdk, model, compiler):
-    """Yields a Problem for everything that is missing for building with this compiler, and for a stick of that model."""
+    """Yields a Problem for everything that building with this compiler and a stick of that model lack."""
     if not (sdk / "OPEN_R").is_dir():
         yield no_sdk(sdk)
         return
@@ -115,7 +115,7 @@ def files_named_in(configuration):
 
 
 def faulty_system_files(open_r):
-    """What is wrong with Sony's files, in a list: those that the robot boots from, and those that its .CFG files name."""
+    """What is wrong with Sony's files, in a list: those the robot boots from, and those that its .CFG files name."""
     named = [name for configuration in sorted((open_r / "SYSTEM" / "CONF").glob("*.CFG"))
              for name in files_named_in(configuration) if name.endswith(".BIN")]
     sizes = {**SYSTEM_FILES, **{name: SYSTEM_OBJECT for name in named}}

@@ -31,7 +31,7 @@ def path_problems(*paths):
 
 
 def build(sdk, libjpeg, build_dir, compiler):
-    """Builds all programs from scratch, since old ones may be from another SDK, and checks them. Returns their files."""
+    """Builds all programs from scratch, since old ones may be of another SDK, and checks them. Returns their files."""
     print(f"Building in {build_dir} with {'the compiler of the SDK' if compiler == 'sdk' else debian.version()}",
           flush=True)
     tools = sdk
