@@ -17,8 +17,6 @@ try:
 except ImportError:  # missing_pyelftools() of stick.sdk says what to do
     pass
 
-from .problem import Problem
-
 LINKED_AT = 0x400000  # GNU ld's address for programs, which their words still have
 TABLES_AT = 0xf0000000
 GP_OFFSET = 0x7ff0    # of the register gp from the beginning of .got (MIPS ABI)

@@ -6,6 +6,7 @@ tools with the options that OPEN-R needs, and this project's runtime in the plac
 """
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -74,7 +75,7 @@ def _make_programs(sdk, tools):
     # There is nothing to strip, because link.py leaves symbols out; and GNU ld itself refuses undefined ones.
     for name, program in (("ar", PREFIX + "ar"), ("readelf", PREFIX + "readelf"), ("nm", "true"), ("strip", "true")):
         (tools / "bin" / ("mipsel-linux-" + name)).symlink_to(shutil.which(program))
-    _write_program(tools / "bin/ld", LINKER.format(python="/usr/bin/python3", link=Path(__file__).with_name("link.py")))
+    _write_program(tools / "bin/ld", LINKER.format(python=sys.executable, link=Path(__file__).with_name("link.py")))
 
 
 def _write_program(path, text):

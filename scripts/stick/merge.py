@@ -18,8 +18,8 @@ SHDR = "<10I"
 NOBITS = 8
 ALLOC = 2
 
-# The loader has never seen other flags than these: position-dependent code that can call position-independent code, by
-# the o32 ABI, for MIPS I, whose assembler reordered nothing.
+# The flags of the programs among Sony's samples: MIPS I, the ABI o32, noreorder, and code that finds its data by gp
+# (CPIC). GNU ld 2.15 would leave the flag PIC, too, which GCC 12 sets in its object files.
 FLAGS = 0x1005
 
 TABLES = (".ObletDependencyDescr", ".ObletDependencyDescrList", ".RelEntry", ".RelDataEntry")

@@ -10,8 +10,8 @@ from . import debian
 from .problem import Problem, raise_any
 
 WHAT_IT_IS = (
-    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: OPEN_R_SDK-1.1.5-r5.tar.gz has the headers",
-    "and libraries of OPEN-R, and the robot's system. Sony has withdrawn it; owners keep copies. It needs GNU's newlib",
+    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: OPEN_R_SDK-1.1.5-r5.tar.gz has OPEN-R's",
+    "headers and libraries, and the robot's system. Sony has withdrawn it; owners keep copies. It needs GNU's newlib",
     "and libgcc beside it, and GNU's compiler of that time or Debian's of today: docs/on_robot.md says which.",
     "This project may not distribute any of it. When you have it, use --sdk /usr/local/OPEN_R_SDK, or wherever it is.",
 )

@@ -690,7 +690,8 @@ class TheSourcesWithSonysHeaders(Workshop):
 
     def test_without_headers_say_so(self):
         shutil.rmtree(str(self.sdk / "mipsel-linux"))
-        self.expect_failure(self.check(), "lacks the C library's headers: mipsel-linux/include/string.h", "toolchain")
+        self.expect_failure(self.check(), "lacks the C library's headers: mipsel-linux/include/string.h",
+                            "build newlib")
 
 
 class TheListOfSources(unittest.TestCase):
