@@ -57,7 +57,6 @@ class FileJobsTest : public FakeRobotFixture {
       passFrames(4);
       has_moved = has_moved || robot_.joint(joint).position != before;
     }
-    live();
     return has_moved;
   }
 
@@ -151,6 +150,7 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
   for (const auto& [order, reason] : orders) {
     SCOPED_TRACE(reason);
     file_keeper_.slowDown();
+    live();
     send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)) + frame('P', 0, 2, playPayload("NOD.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
     send(order);
@@ -212,6 +212,7 @@ TEST_F(FileJobsTest, AWaitingMotionYieldsToCommandsSinceItWasRequested) {
 TEST_F(FileJobsTest, MotionStoppedWhileItsFileIsReadIsNotPlayed) {
   for (const std::string& name : {std::string("WAG.MTN"), std::string()}) {
     file_keeper_.slowDown();
+    live();
     send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
     send(frame('P', 0, 2, playPayload(name, 0)));
@@ -225,6 +226,7 @@ TEST_F(FileJobsTest, MotionStoppedWhileItsFileIsReadIsNotPlayed) {
 TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWentOffWhileItsFileWasRead) {
   for (const bool are_on_again : {false, true}) {
     file_keeper_.slowDown();
+    live();
     send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
     send(frame('O', 0, 2, std::string(1, '\0')) + (are_on_again ? frame('O', 0, 3, "\1") : ""));

@@ -286,11 +286,16 @@ class FakeRobotFixture : public RCServerFixture {
   /// What the robot tells of its motors and its posture is skipped.
   std::optional<Frame> nextFrame() {
     std::optional<Frame> next;
-    const auto is_told = [&next] {
-      return next->header.kind != protocol::version2::MOTORS_AND_POSTURE_PUSH || next->header.request_number != 0;
+    const auto is_skipped = [&next] {
+      return next && next->header.kind == protocol::version2::MOTORS_AND_POSTURE_PUSH &&
+             next->header.request_number == 0;
     };
-    EXPECT_TRUE(machine_->runUntil(
-        [&] { return ((next = client_->nextFrame()).has_value() && is_told()) || client_->ended(); }));
+    EXPECT_TRUE(machine_->runUntil([&] {
+      do {
+        next = client_->nextFrame();
+      } while (is_skipped());
+      return next.has_value() || client_->ended();
+    }));
     machine_->runPending();
     return next;
   }

@@ -117,6 +117,7 @@ TEST(JointMotion, StopsFasterIfItsAccelerationIsLowAndThenKeepsToItAgain) {
   ASSERT_EQ(motion.Step(), 35);
   motion.Stop(10);
   EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
+  advance(motion);
   motion.Aim(motion.Position() + 3);
   EXPECT_THAT(stepsOf(motion), ElementsAre(1, 1, 1));
 }

@@ -199,9 +199,8 @@ class Inspector {
     noteLimits();
     for (const int i : allJoints()) {
       int& acceleration = accelerations_[static_cast<size_t>(i)];
-      const int higher =
-          robot_model::defaultAcceleration(ers7().joints[i]) * (following ? MotionPlanner::FOLLOWING : 1);
-      acceleration = following || stopping ? std::max(acceleration, higher) : acceleration;
+      const int higher = robot_model::defaultAcceleration(ers7().joints[i]) * MotionPlanner::FOLLOWING;
+      acceleration = following ? std::max(acceleration, higher) : acceleration;
     }
     planner_.NextFrame();
     const std::vector<int> before = posture_;
@@ -212,7 +211,8 @@ class Inspector {
       const int step = posture_[index] - before[index];
       checkPosition(i);
       checkSpeed(i, step);
-      EXPECT_LE(std::abs(step - steps_[index]), framesLimit(accelerations_[index]));
+      const int of_stop = stopping ? robot_model::defaultAcceleration(ers7().joints[i]) : 0;
+      EXPECT_LE(std::abs(step - steps_[index]), framesLimit(std::max(accelerations_[index], of_stop)));
       EXPECT_EQ(planner_.Speed(i), step * kFramesPerSecond);
       steps_[index] = step;
     }
