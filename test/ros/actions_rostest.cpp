@@ -326,7 +326,7 @@ TEST(FollowGoal, WithoutMotorsFails) {
   FollowUser user("/follow_limp");
   EXPECT_TRUE(user.setMotors(false).success);
   FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 0.8}}, 1.0));
-  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_THAT(goal.waitForEnd(), ::testing::AnyOf(State::ABORTED, State::REJECTED)) << "the robot may be quick";
   EXPECT_THAT(goal.result()->error_string, HasSubstr("motors are off"));
 }
 

@@ -6,6 +6,8 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <std_msgs/Float64.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <algorithm>
 #include <string>
@@ -142,6 +144,29 @@ TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
   const DiagnosticStatus free = wait_for(DiagnosticStatus::OK);
   EXPECT_THAT(free.message, HasSubstr("measurements/s"));
   EXPECT_EQ(DiagnosticsListener::value(free, "said by the robot"), "");
+}
+
+TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {
+  DiagnosticsListener diagnostics;
+  const SimulatedRobot robot;
+  const DriverProcess driver("/warned", robot.port());
+  const auto wait_for = [&diagnostics](int level, const std::string& text) {
+    return diagnostics
+        .waitFor("warned/aibo_driver: joints",
+                 [=](const DiagnosticStatus& each) {
+                   return each.level == level && each.message.find(text) != std::string::npos;
+                 })
+        .message;
+  };
+  wait_for(DiagnosticStatus::OK, "measurements/s");
+  std_srvs::Trigger stop;
+  ASSERT_TRUE(ros::service::call("/warned/stop", stop));
+  EXPECT_THAT(wait_for(DiagnosticStatus::WARN, "stopped by"), HasSubstr(ros::this_node::getName()));
+  std_srvs::Trigger release;
+  ASSERT_TRUE(ros::service::call("/warned/release", release));
+  std_srvs::SetBool off;
+  ASSERT_TRUE(ros::service::call("/warned/motors", off));
+  EXPECT_NE(wait_for(DiagnosticStatus::WARN, "motors are off"), "");
 }
 
 TEST(PowerDiagnostics, ForgetTheChargeOfARobotWhenAnotherOneThatReportsNoneTakesItsPlace) {
