@@ -6,6 +6,8 @@
 #include <QVariant>
 #include <QWidget>
 
+#include "remote_control/robot.h"
+
 namespace aibo_driver::remote_control {
 
 /// Enables a widget, or disables it and says why in its tooltip. Its own tooltip comes back when it is enabled.
@@ -19,11 +21,17 @@ inline void allow(QWidget* widget, const QString& why_not) {
   widget->setToolTip(why_not.isEmpty() ? widget->property(kOwnToolTip).toString() : "Not now: " + why_not);
 }
 
-/// Why a server of version 1 cannot do what the driver offers; empty if this one is another, or is not known.
-inline QString whyNotVersion1(int protocol_version) {
-  return protocol_version == 1 ? QString("the robot's RCServer is of version 1, which does not support this")
-                               : QString();
-}
+/// What a part of the window needs from the robot.
+enum class Needs {
+  kConnection,
+  kVersion2,    ///< and a server of version 2
+  kNotStopped,  ///< and that it is not stopped: it moves the robot, and switches the motors on
+  kMotors,      ///< and that the motors are on, with any server
+  kFeet         ///< and that it stands on its feet
+};
+
+/// Why the robot cannot do something now; empty if it can, or if nobody knows.
+QString whyNot(Needs needs, const RobotConnection& connection, const RobotCondition& condition);
 
 }  // namespace aibo_driver::remote_control
 

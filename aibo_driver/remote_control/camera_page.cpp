@@ -87,9 +87,7 @@ void CameraPage::chooseFolder() {
 
 // The driver's settings can be changed also while it has no robot.
 void CameraPage::connectionChanged(const RobotConnection& connection) {
-  const bool has_driver =
-      connection.state != RobotConnection::State::kNoDriver && connection.state != RobotConnection::State::kNoMaster;
-  allow(settings_, has_driver ? QString() : connection.text);
+  allow(settings_, connection.hasDriver() ? QString() : connection.text);
 }
 
 }  // namespace aibo_driver::remote_control

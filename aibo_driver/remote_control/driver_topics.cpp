@@ -6,9 +6,11 @@
 #include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
+#include <ros/this_node.h>
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Range.h>
 #include <std_msgs/Bool.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "remote_control/ended_movements.h"
 #include "remote_control/settings_messages.h"
 #include "ros/camera/jpeg_decoder.h"
 
@@ -29,6 +32,8 @@ constexpr std::chrono::seconds kHeardFor{3};  // the driver says something once 
 // Joints of a robot of version 1 come one by one, and a short touch is not to be missed.
 constexpr std::uint32_t kAllOfThem = 64;
 constexpr std::uint32_t kTheNewest = 1;
+
+constexpr int kLongestName = 200;  // characters
 
 QImage imageOf(const node::BgrImage& picture) {
   QImage image(picture.width, picture.height, QImage::Format_RGB32);
@@ -59,6 +64,36 @@ QStringList touchedPlaces(const Touch& touch) {
     }
   }
   return touched;
+}
+
+RobotCondition::Posture toPosture(std::uint8_t posture) {
+  switch (posture) {
+    case RobotState::STANDING:
+      return RobotCondition::Posture::kStanding;
+    case RobotState::SITTING:
+      return RobotCondition::Posture::kSitting;
+    case RobotState::LYING:
+      return RobotCondition::Posture::kLying;
+    case RobotState::WALKING:
+      return RobotCondition::Posture::kWalking;
+    case RobotState::FALLEN:
+      return RobotCondition::Posture::kFallen;
+    case RobotState::CARRIED:
+      return RobotCondition::Posture::kCarried;
+    default:
+      return RobotCondition::Posture::kNotKnown;
+  }
+}
+
+RobotCondition toCondition(const RobotState& state) {
+  RobotCondition condition;
+  condition.motors = state.motors == RobotState::ON    ? RobotCondition::Motors::kOn
+                     : state.motors == RobotState::OFF ? RobotCondition::Motors::kOff
+                                                       : RobotCondition::Motors::kNotKnown;
+  condition.posture = toPosture(state.posture);
+  condition.is_stopped = state.stopped != 0;
+  condition.stopped_by = QString::fromStdString(state.stopped_by).left(kLongestName);
+  return condition;
 }
 
 }  // namespace
@@ -125,7 +160,22 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
                                    [](const Movement& movement) { return movement.kind == Movement::MOTION; });
     const QString text = QString::fromStdString(message.text);
     post_([text, plays](Robot& robot) { Q_EMIT robot.movementChanged(text, plays); });
+    complain(message.ended);
   });
+  subscribe<RobotState>("robot_state", [this](const RobotState& message) {
+    post_([condition = toCondition(message)](Robot& robot) { Q_EMIT robot.conditionChanged(condition); });
+  });
+}
+
+// What was over before this window listened is no news.
+void DriverTopics::complain(const std::vector<EndedMovement>& ended) {
+  const auto before = std::exchange(ended_, ended);
+  for (const EndedMovement& each : endedBetween(before.value_or(ended), ended)) {
+    const QString complaint = complaintAbout(each);
+    if (each.movement.source == ros::this_node::getName() && !complaint.isEmpty()) {
+      post_([complaint](Robot& robot) { Q_EMIT robot.answered(false, complaint); });
+    }
+  }
 }
 
 void DriverTopics::subscribeAnswers() {

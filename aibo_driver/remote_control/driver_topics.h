@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_REMOTE_CONTROL_DRIVER_TOPICS_H
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/EndedMovement.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -76,6 +77,7 @@ class DriverTopics {
                    const std::function<void(const Message&)>& receive);
   void subscribeStates(const std::function<void()>& connection_changed);
   void subscribeAnswers();
+  void complain(const std::vector<EndedMovement>& ended);
   void showPictures(bool visible);
   void showSensors(bool visible);
   void drop(const std::vector<std::string>& topics);
@@ -105,7 +107,8 @@ class DriverTopics {
   };
   const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
   std::atomic<bool> asked_to_look_{false};
-  JointPositions positions_;  ///< all that were measured
+  std::optional<std::vector<EndedMovement>> ended_;  ///< as the newest motion_state has them
+  JointPositions positions_;                         ///< all that were measured
   bool positions_are_new_ = false;
   std::string settings_owner_;
   std::map<std::string, ros::Subscriber> subscribers_;  // last: their callbacks use all of the above

@@ -27,9 +27,10 @@ Place placeOf(const QString& joint) {
 
 }  // namespace
 
-JointsPage::JointsPage(QWidget* parent) : Page(parent) {
+JointsPage::JointsPage(QWidget* parent) : Page(parent), box_(need(Needs::kMotors, makeScrollArea(new QWidget))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(box_);
   makeSliders("ERS-7");
 }
 
@@ -37,17 +38,14 @@ void JointsPage::connectionChanged(const RobotConnection& connection) {
   if (connection.isConnected() && !connection.robot.isEmpty() && connection.robot != design_) {
     makeSliders(connection.robot);
   }
-  allow(box_, connection.isConnected() ? QString() : connection.text);
 }
 
 void JointsPage::makeSliders(const QString& design) {
   design_ = design;
   sliders_.clear();
-  delete layout()->takeAt(0);
-  delete box_;
   auto* inside = new QWidget;
-  box_ = makeScrollArea(inside);
-  layout()->addWidget(box_);
+  box_->setWidget(inside);               // instead of the one before
+  inside->setAutoFillBackground(false);  // the page's background
   auto* grid = new QGridLayout(inside);
   grid->setContentsMargins(2, 2, 2, 2);
   std::map<QString, QVBoxLayout*> groups;

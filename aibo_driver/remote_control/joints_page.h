@@ -28,7 +28,7 @@ class JointsPage : public Page {
   void makeSliders(const QString& design);
 
   QString design_;
-  QWidget* box_ = nullptr;  ///< with the sliders
+  QScrollArea* const box_;  ///< with the sliders
   std::map<QString, JointSlider*> sliders_;
 };
 

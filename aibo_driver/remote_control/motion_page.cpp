@@ -25,7 +25,7 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
   grid->addWidget(need(Needs::kVersion2, list_), 0, 0, 5, 1);
   grid->addWidget(need(Needs::kConnection, name_), 0, 1);
   grid->addWidget(need(Needs::kConnection, repetitions_), 1, 1);
-  grid->addWidget(makeButton(Needs::kConnection, "Play", "Plays the motion", [this] { play(); }), 2, 1);
+  grid->addWidget(makeButton(Needs::kMotors, "Play", "Plays the motion", [this] { play(); }), 2, 1);
   grid->addWidget(makeButton(Needs::kConnection, "Stop motions", "Ends all motions; the joints hold where they are",
                              [this] { robot_.stopMotions(); }),
                   3, 1);

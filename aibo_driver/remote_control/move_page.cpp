@@ -8,8 +8,8 @@ namespace aibo_driver::remote_control {
 
 MovePage::MovePage(Robot& robot, QWidget* parent)
     : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)) {
-  need(Needs::kVersion2, drive_pad_);
-  need(Needs::kConnection, head_pad_);
+  need(Needs::kFeet, drive_pad_);
+  need(Needs::kMotors, head_pad_);
   auto* grid = new QGridLayout(this);
   grid->addWidget(new QLabel("Walk: while the mouse is held", this), 0, 0, Qt::AlignHCenter);
   grid->addWidget(new QLabel("Head", this), 0, 1, Qt::AlignHCenter);
@@ -18,14 +18,14 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   grid->setContentsMargins(6, 4, 6, 4);
   grid->setRowStretch(1, 1);
   auto* buttons = new QHBoxLayout;
-  const auto add_posture = [&](const QString& text, const QString& tip) {
+  const auto add_posture = [&](Needs needs, const QString& text, const QString& tip) {
     buttons->addWidget(
-        makeButton(Needs::kVersion2, text, tip, [&robot, posture = text.toLower()] { robot.takePosture(posture); }));
+        makeButton(needs, text, tip, [&robot, posture = text.toLower()] { robot.takePosture(posture); }));
   };
-  add_posture("Stand", "Stands up");
-  add_posture("Sit", "Sits down");
-  add_posture("Rest", "Lies down, and switches the motors off");
-  buttons->addWidget(makeButton(Needs::kVersion2, "Motors on", "The joints hold their positions and can be moved",
+  add_posture(Needs::kNotStopped, "Stand", "Stands up");
+  add_posture(Needs::kNotStopped, "Sit", "Sits down");
+  add_posture(Needs::kVersion2, "Rest", "Lies down, and switches the motors off");
+  buttons->addWidget(makeButton(Needs::kNotStopped, "Motors on", "The joints hold their positions and can be moved",
                                 [&robot] { robot.setMotors(true); }));
   buttons->addWidget(makeButton(Needs::kVersion2, "Motors off",
                                 "The joints can be moved by hand. A robot that stands falls!",

@@ -14,7 +14,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// A part of the window that is used while the robot is connected.
+/// A part of the window, whose widgets can be used while the robot can do what they are for.
 class Page : public QWidget {
   Q_OBJECT
 
@@ -24,22 +24,18 @@ class Page : public QWidget {
   Q_SIGNAL void visibilityChanged();
 
   /// Enables its widgets, or disables them and says why.
-  void setConnection(const RobotConnection& connection) {
-    const QString not_connected = connection.isConnected() ? QString() : connection.text;
+  void setState(const RobotConnection& connection, const RobotCondition& condition) {
     for (const Control& control : controls_) {
-      const QString not_supported = control.needs_version_2 ? whyNotVersion1(connection.protocol_version) : QString();
-      allow(control.widget, not_connected.isEmpty() ? not_supported : not_connected);
+      allow(control.widget, whyNot(control.needs, connection, condition));
     }
     connectionChanged(connection);
   }
 
  protected:
-  enum class Needs { kConnection, kVersion2 };
-
-  /// A widget that can be used only while the robot is connected.
+  /// A widget that can be used only while the robot can do this.
   template <typename Widget>
   Widget* need(Needs needs, Widget* widget) {
-    controls_.push_back({widget, needs == Needs::kVersion2});
+    controls_.push_back({widget, needs});
     allow(widget, "nothing is known of the robot yet");
     return widget;
   }
@@ -85,7 +81,7 @@ class Page : public QWidget {
 
   struct Control {
     QWidget* widget;
-    bool needs_version_2;
+    Needs needs;
   };
   std::vector<Control> controls_;
 };

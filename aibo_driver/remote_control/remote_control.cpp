@@ -20,6 +20,46 @@
 #include "remote_control/sensors_page.h"
 
 namespace aibo_driver::remote_control {
+namespace {
+
+// A frightened hand clicks more than once, and must not release what it has just stopped.
+constexpr qint64 kNoReleaseFor = 1000;  // ms
+
+QString nameOf(RobotCondition::Posture posture) {
+  switch (posture) {
+    case RobotCondition::Posture::kStanding:
+      return "stands";
+    case RobotCondition::Posture::kSitting:
+      return "sits";
+    case RobotCondition::Posture::kLying:
+      return "lies";
+    case RobotCondition::Posture::kWalking:
+      return "walks";
+    case RobotCondition::Posture::kFallen:
+      return "has fallen";
+    case RobotCondition::Posture::kCarried:
+      return "is carried";
+    case RobotCondition::Posture::kNotKnown:
+      break;
+  }
+  return "";
+}
+
+QString describe(const RobotCondition& condition) {
+  if (condition.is_stopped) {
+    return "stopped by " + condition.stopped_by;
+  }
+  QStringList parts;
+  if (const QString posture = nameOf(condition.posture); !posture.isEmpty()) {
+    parts.append(posture);
+  }
+  if (condition.motors != RobotCondition::Motors::kNotKnown) {
+    parts.append(condition.motors == RobotCondition::Motors::kOn ? "motors on" : "motors off");
+  }
+  return parts.join(", ");
+}
+
+}  // namespace
 
 RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
     : QWidget(parent),
@@ -58,14 +98,20 @@ QLayout* RemoteControl::makeButtons() {
   take_button_->setToolTip("Takes a fresh picture and saves it in the folder of the page Camera");
   stream_button_ = new QPushButton(this);
   stream_button_->setObjectName("stream");
-  stop_button_ = new QPushButton("STOP", this);
+  stop_button_ = new QPushButton(this);
   stop_button_->setObjectName("stop");
-  stop_button_->setToolTip("Holds everything that moves, at once. Or press the space bar.");
-  stop_button_->setStyleSheet("background: #c62828; color: white; font-weight: bold; padding: 6px 18px");
+  stop_button_->setFixedWidth(fontMetrics().horizontalAdvance("Release") + 60);  // whatever it says
+  showStopButton();
+  condition_text_ = new QLabel(this);
+  condition_text_->setObjectName("condition");
+  condition_text_->setWordWrap(true);
+  condition_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  condition_text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // names of nodes may be long,
+  condition_text_->setFixedHeight(2 * fontMetrics().lineSpacing());          // and must not move the buttons
   auto* row = new QHBoxLayout;
   row->addWidget(take_button_);
   row->addWidget(stream_button_);
-  row->addStretch(1);
+  row->addWidget(condition_text_, 1);
   row->addWidget(stop_button_);
   return row;
 }
@@ -93,10 +139,10 @@ void RemoteControl::connectSignals() {
   space->setAutoRepeat(false);
   connect(space, &QShortcut::activated, this, [this] { robot_.stop(); });
   connect(space, &QShortcut::activatedAmbiguously, this, [this] { robot_.stop(); });
-  connect(stop_button_, &QPushButton::clicked, this, [this] { robot_.stop(); });
+  connect(stop_button_, &QPushButton::clicked, this, &RemoteControl::pressStopButton);
   connect(take_button_, &QPushButton::clicked, camera_page_, &CameraPage::takePicture);
   connect(stream_button_, &QPushButton::clicked, this, [this] { robot_.setStreaming(!streaming_); });
-  connect(picture_, &PictureView::clicked, &robot_, &Robot::lookAt);
+  connect(picture_, &PictureView::clicked, this, &RemoteControl::lookAt);
   connect(picture_, &PictureView::visibilityChanged, this, &RemoteControl::askForWhatIsVisible);
   connect(camera_page_, &CameraPage::folderChanged, this, &RemoteControl::changed);
   connect(camera_page_, &CameraPage::opened, this,
@@ -114,6 +160,7 @@ void RemoteControl::connectSignals() {
     }
   });
   connect(&robot_, &Robot::connectionChanged, this, &RemoteControl::showConnection);
+  connect(&robot_, &Robot::conditionChanged, this, &RemoteControl::showCondition);
   connect(&robot_, &Robot::streamingChanged, this, &RemoteControl::showStreaming);
   connect(&robot_, &Robot::pictureArrived, picture_, &PictureView::showPicture);
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
@@ -160,13 +207,58 @@ void RemoteControl::useDriver(const QString& name_space) {
 void RemoteControl::showConnection(const RobotConnection& connection) {
   connection_ = connection;
   connection_bar_->showConnection(connection);
-  const QString why_not = connection.isConnected() ? QString() : connection.text;
-  allow(take_button_, why_not);
-  allow(stream_button_, why_not);
-  for (Page* page : pages_) {
-    page->setConnection(connection);
+  for (QPushButton* button : {take_button_, stream_button_}) {
+    allow(button, whyNot(Needs::kConnection, connection, condition_));
   }
+  showCondition(condition_);
   showWhyNoPicture();
+}
+
+void RemoteControl::showCondition(const RobotCondition& condition) {
+  condition_ = condition;
+  const QString text = connection_.hasDriver() ? describe(condition) : QString();
+  condition_text_->setText(text);
+  condition_text_->setToolTip(text);
+  for (Page* page : pages_) {
+    page->setState(connection_, condition);
+  }
+  showStopButton();
+}
+
+// What a driver said before it fell silent may not hold any more, and then somebody may want to stop.
+bool RemoteControl::isStopped() const {
+  return condition_.is_stopped && connection_.hasDriver();
+}
+
+void RemoteControl::showStopButton() {
+  const bool releases = isStopped();
+  if (releases && !stopped_since_.isValid()) {
+    stopped_since_.start();
+  } else if (!releases) {
+    stopped_since_.invalidate();
+  }
+  stop_button_->setText(releases ? "Release" : "STOP");
+  stop_button_->setToolTip(releases
+                               ? "Lets the robot move again. Nothing starts by itself."
+                               : "Holds everything that moves, at once and until Release. Or press the space bar.");
+  stop_button_->setStyleSheet(QString("background: %1; color: white; font-weight: bold; padding: 6px 18px")
+                                  .arg(releases ? "#1565c0" : "#c62828"));
+}
+
+void RemoteControl::pressStopButton() {
+  if (isStopped() && stopped_since_.hasExpired(kNoReleaseFor)) {
+    robot_.release();
+  } else {
+    robot_.stop();
+  }
+}
+
+void RemoteControl::lookAt(const QPointF& place) {
+  if (const QString why_not = whyNot(Needs::kMotors, connection_, condition_); why_not.isEmpty()) {
+    robot_.lookAt(place);
+  } else {
+    showAnswer(false, "look there: not now: " + why_not);
+  }
 }
 
 void RemoteControl::showStreaming(bool on) {

@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_REMOTE_CONTROL_H
 #define AIBO_DRIVER_REMOTE_CONTROL_REMOTE_CONTROL_H
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
@@ -41,6 +42,11 @@ class RemoteControl : public QWidget {
   QWidget* makePages();
   void connectSignals();
   void showConnection(const RobotConnection& connection);
+  void showCondition(const RobotCondition& condition);
+  void showStopButton();
+  void pressStopButton();
+  bool isStopped() const;
+  void lookAt(const QPointF& place);
   void showStreaming(bool on);
   void askForWhatIsVisible();
   void showWhyNoPicture();
@@ -49,6 +55,8 @@ class RemoteControl : public QWidget {
   Robot& robot_;
   QString driver_;  ///< as chosen
   RobotConnection connection_;
+  RobotCondition condition_;
+  QElapsedTimer stopped_since_;  ///< runs while the button releases
   bool streaming_ = false;
 
   ConnectionBar* connection_bar_;
@@ -56,6 +64,7 @@ class RemoteControl : public QWidget {
   CameraPage* camera_page_;
   QPushButton* take_button_ = nullptr;
   QPushButton* stream_button_ = nullptr;
+  QLabel* condition_text_ = nullptr;
   QPushButton* stop_button_ = nullptr;
   QLabel* status_;
   std::vector<Page*> pages_;

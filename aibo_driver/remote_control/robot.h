@@ -37,7 +37,19 @@ struct RobotConnection {
   int protocol_version = 0;  ///< 0 while not connected
   QString text;              ///< all of it in one line, for people
 
+  bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver; }
   bool isConnected() const { return state == State::kConnected; }
+};
+
+/// What the robot can do now, as far as the driver says.
+struct RobotCondition {
+  enum class Motors { kNotKnown, kOff, kOn };
+  enum class Posture { kNotKnown, kStanding, kSitting, kLying, kWalking, kFallen, kCarried };
+
+  Motors motors = Motors::kNotKnown;
+  Posture posture = Posture::kNotKnown;
+  bool is_stopped = false;  ///< nothing moves it until it is released
+  QString stopped_by;       ///< the node that called stop
 };
 
 /// How well pictures come; NaN where unknown.
@@ -91,8 +103,11 @@ class Robot : public QObject {
   /// Whether somebody looks at a part; at first at none.
   virtual void show(Part part, bool visible) = 0;
 
-  /// Holds everything that moves, at once. Waits for no other call.
+  /// Holds everything that moves, at once and until release(). Waits for no other call.
   virtual void stop() = 0;
+
+  /// Lets the robot move again after a stop.
+  virtual void release() = 0;
 
   /// @param folder on this machine in which the picture is saved
   virtual void takePicture(const QString& folder) = 0;
@@ -129,6 +144,7 @@ class Robot : public QObject {
  Q_SIGNALS:
   void driversFound(const QStringList& name_spaces);
   void connectionChanged(const aibo_driver::remote_control::RobotConnection& connection);
+  void conditionChanged(const aibo_driver::remote_control::RobotCondition& condition);
   void linkMeasured(const aibo_driver::remote_control::LinkFigures& figures);
 
   /// @param charge 0..1
@@ -155,7 +171,7 @@ class Robot : public QObject {
   void distanceMeasured(const aibo_driver::remote_control::Distance& distance);
   void ledsChanged(const aibo_driver::remote_control::LedIntensities& intensities);
 
-  /// A call has ended, or was refused.
+  /// A call has ended, or was refused, or something that this window moves did not arrive.
   /// @param text what was asked and what came of it
   void answered(bool success, const QString& text);
 };

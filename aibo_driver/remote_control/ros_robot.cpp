@@ -139,6 +139,7 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
     old = std::exchange(topics_, nullptr);
   }
   old.reset();  // waits for its callbacks
+  post([](Robot& robot) { Q_EMIT robot.conditionChanged({}); });
   // What is still on its way from the old driver is not to be taken for the new one's.
   const auto is_current = std::make_shared<std::atomic<bool>>(true);
   ros::NodeHandle handle(callbacks_.handle(), name_space);
@@ -279,6 +280,10 @@ void RosRobot::takeMeasurements() {
 
 void RosRobot::stop() {
   call<std_srvs::Trigger>("stop", "stop", {});
+}
+
+void RosRobot::release() {
+  call<std_srvs::Trigger>("release", "release", {});
 }
 
 void RosRobot::takePicture(const QString& folder) {

@@ -37,6 +37,7 @@ class RosRobot : public Robot {
   void useDriver(const QString& name_space) override;
   void show(Part part, bool visible) override;
   void stop() override;
+  void release() override;
   void takePicture(const QString& folder) override;
   void setStreaming(bool on) override;
   void setMotors(bool on) override;

@@ -67,6 +67,7 @@ void logForClient(LogLevel level, const std::string& message) {
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
     : handle_(inDriverNamespace(handle, "aibo")),
+      only_driver_(handle_),
       parameters_(readDriverParameters(handle_, private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
       stop_threads_(handle_, receipts_, kStopThreads),

@@ -42,6 +42,7 @@
 #include "ros/joints/joint_commander.h"
 #include "ros/joints/motion_state_publisher.h"
 #include "ros/live_settings.h"
+#include "ros/only_driver.h"
 #include "ros/robot_stamper.h"
 #include "ros/throttled_warnings.h"
 #include "ros/walk/odometry_publisher.h"
@@ -61,6 +62,7 @@ class AiboDriver {
   /// @param private_handle the namespace of the parameters
   /// @param name of the node or nodelet, with its namespace, for the diagnostics
   /// @throw InvalidArgumentException a parameter is wrong; the message names it and what is allowed
+  /// @throw std::runtime_error another driver has this namespace; the message names its node
   AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
 
   /// Ends within a second.
@@ -87,6 +89,7 @@ class AiboDriver {
 
   // Each member uses only those before it. ROS may call back as soon as a topic or service is advertised.
   ros::NodeHandle handle_;
+  const OnlyDriver only_driver_;
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
 

@@ -2,153 +2,163 @@
 
 #include <ros/connection_manager.h>
 #include <ros/console.h>
-#include <ros/init.h>
-#include <ros/master.h>
 #include <ros/network.h>
+#include <ros/service_manager.h>
+#include <ros/service_publication.h>
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
-#include <xmlrpcpp/XmlRpcClient.h>
-#include <xmlrpcpp/XmlRpcDispatch.h>
 #include <xmlrpcpp/XmlRpcException.h>
-#include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
 #include <chrono>
-#include <optional>
-#include <vector>
+#include <iterator>
+#include <set>
+
+#include "ros/xmlrpc_peer.h"
 
 namespace aibo_driver::node {
 namespace {
 
-using XmlRpc::XmlRpcDispatch;
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kQuestionPeriod{5};
-constexpr std::chrono::seconds kAnswerTimeout{2};
-constexpr double kSlice = 0.05;  // s: how often a call that waits looks whether the watch ends
-constexpr int kSuccess = 1;      // the status of an answer, http://wiki.ros.org/ROS/Master_API
 
-struct NoAnswer {};
+using Names = std::set<std::string>;
 
-/// Somebody who answers XML-RPC: the master, or this process.
-class Peer {
- public:
-  Peer(const std::string& host, std::uint32_t port, const std::shared_future<void>& ended)
-      : host_(host), port_(static_cast<int>(port)), ended_(ended) {}
-
-  /// Calls a method. Unlike ros::master::execute() it does not wait for ever.
-  /// @return empty if the call was refused
-  /// @throw NoAnswer none came in time, or the watch ends
-  std::optional<XmlRpcValue> call(const char* method, const std::vector<XmlRpcValue>& arguments) const {
-    XmlRpcValue request;
-    request[0] = ros::this_node::getName();
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      request[static_cast<int>(i) + 1] = arguments[i];
-    }
-    XmlRpc::XmlRpcClient client(host_.c_str(), port_, "/");
-    if (isEnding() || !client.executeNonBlock(method, request)) {
-      throw NoAnswer();
-    }
-    XmlRpcDispatch dispatch;
-    dispatch.addSource(&client, XmlRpcDispatch::WritableEvent | XmlRpcDispatch::Exception);
-    const auto end = std::chrono::steady_clock::now() + kAnswerTimeout;
-    while (!dispatch._sources.empty() && !isEnding() && std::chrono::steady_clock::now() < end) {
-      dispatch.work(kSlice);
-    }
-    XmlRpcValue answer;  // a call that failed counts as done, but its answer is not valid
-    if (!client.executeCheckDone(answer) || client.isFault() || !answer.valid()) {
-      throw NoAnswer();
-    }
-    return answer[0] == XmlRpcValue(kSuccess) ? std::optional<XmlRpcValue>(answer[2]) : std::nullopt;
-  }
-
- private:
-  // While roscpp shuts down, it unregisters everything, so nothing may be registered again.
-  bool isEnding() const {
-    return ended_.wait_for(std::chrono::seconds(0)) == std::future_status::ready || ros::isShuttingDown();
-  }
-
-  const std::string host_;
-  const int port_;
-  const std::shared_future<void> ended_;
-};
-
-/// What a new master has to be told about this process.
+/// What the master knows of this process, and what it has to be told.
 class Registration {
  public:
   Registration(const std::string& parameters_name, const std::shared_future<void>& ended)
       : parameters_name_(parameters_name),
-        sign_(ros::this_node::getName() + "/get_loggers"),
+        own_name_(ros::this_node::getName()),
         own_uri_(ros::XMLRPCManager::instance()->getServerURI()),
         service_uri_("rosrpc://" + ros::network::getHost() + ":" +
                      std::to_string(ros::ConnectionManager::instance()->getTCPPort())),
-        master_(ros::master::getHost(), ros::master::getPort(), ended),
+        master_(XmlRpcPeer::master(ended)),
         self_("127.0.0.1", ros::XMLRPCManager::instance()->getServerPort(), ended) {}
 
-  /// Asks the master once whether it knows this process, and registers it if not.
+  /// Asks the master once what it knows of this process, and registers the rest.
   void check() {
-    if (master_.call("lookupService", {sign_})) {
-      remember();
+    auto state = master_.call("getSystemState", {});
+    if (!state) {
       return;
     }
-    ROS_WARN_NAMED("master", "The ROS master does not know this node any more: it was restarted. Registering again.");
-    registerAll();
+    // The master's answer comes first: what is advertised meanwhile is registered once more, which does no harm.
+    const Names known_publications = ownNamesIn((*state)[0]);
+    const Names known_subscriptions = ownNamesIn((*state)[1]);
+    const Names known_services = ownNamesIn((*state)[2]);
+    services_.insert(known_services.begin(), known_services.end());  // roscpp cannot list them
+    const Missing missing{without(known_publications, topicsOf(ros::this_node::getAdvertisedTopics)),
+                          without(known_subscriptions, topicsOf(ros::this_node::getSubscribedTopics)),
+                          without(known_services, advertisedServices())};
+    if (missing.count() == 0) {
+      rememberParameters();
+      return;
+    }
+    if (known_services.empty()) {
+      ROS_WARN_NAMED("master", "The ROS master does not know this node any more: it was restarted. Registering again.");
+    } else {
+      ROS_WARN_STREAM_NAMED("master", "The ROS master has lost "
+                                          << missing.count() << " topics and services of this node, such as "
+                                          << missing.example() << ". Did another node with the same names run? "
+                                          << "Registering again.");
+    }
+    registerAgain(missing);
     ROS_INFO_NAMED("master", "The ROS master knows this node again.");
   }
 
  private:
-  // roscpp cannot list the services of this process, but the master can.
-  void remember() {
-    if (const auto parameters = master_.call("getParam", {parameters_name_})) {
-      parameters_ = *parameters;
+  /// What this process has and the master does not know.
+  struct Missing {
+    Names publications;
+    Names subscriptions;
+    Names services;
+
+    std::size_t count() const { return publications.size() + subscriptions.size() + services.size(); }
+    const std::string& example() const {
+      return *(services.empty() ? publications.empty() ? subscriptions : publications : services).begin();
     }
-    if (!services_.empty()) {
-      return;
-    }
-    auto state = master_.call("getSystemState", {});
-    for (int i = 0; state && i < (*state)[2].size(); ++i) {
-      XmlRpcValue& service = (*state)[2][i];  // its name, and the nodes that provide it
-      for (int j = 0; j < service[1].size(); ++j) {
-        if (service[1][j] == XmlRpcValue(ros::this_node::getName()) && service[0] != XmlRpcValue(sign_)) {
-          services_.push_back(service[0]);
+  };
+
+  static Names without(const Names& known, const Names& own) {
+    Names missing;
+    std::set_difference(own.begin(), own.end(), known.begin(), known.end(), std::inserter(missing, missing.end()));
+    return missing;
+  }
+
+  static Names topicsOf(void (*list)(ros::V_string&)) {
+    ros::V_string topics;
+    list(topics);
+    return {topics.begin(), topics.end()};
+  }
+
+  /// Of all that the master ever knew, because a nodelet may have been unloaded.
+  Names advertisedServices() const {
+    Names advertised;
+    std::copy_if(services_.begin(), services_.end(), std::inserter(advertised, advertised.end()),
+                 [](const std::string& service) {
+                   return ros::ServiceManager::instance()->lookupServicePublication(service) != nullptr;
+                 });
+    return advertised;
+  }
+
+  /// @param entries each a name and the nodes that have it
+  Names ownNamesIn(XmlRpcValue& entries) const {
+    Names names;
+    for (int i = 0; i < entries.size(); ++i) {
+      XmlRpcValue& nodes = entries[i][1];
+      for (int j = 0; j < nodes.size(); ++j) {
+        if (nodes[j] == XmlRpcValue(own_name_)) {
+          names.insert(entries[i][0]);
         }
       }
     }
+    return names;
   }
 
-  void registerAll() {
+  void rememberParameters() {
+    if (const auto parameters = master_.call("getParam", {parameters_name_})) {
+      parameters_ = *parameters;
+    }
+  }
+
+  // If the master goes away meanwhile, the next check finds what is missing then.
+  void registerAgain(const Missing& missing) {
     if (parameters_.valid() && !master_.call("getParam", {parameters_name_})) {
       master_.call("setParam", {parameters_name_, parameters_});
     }
     auto publications = self_.call("getPublications", {});
     for (int i = 0; publications && i < publications->size(); ++i) {
       XmlRpcValue& topic = (*publications)[i];  // name and type
-      master_.call("registerPublisher", {topic[0], topic[1], own_uri_});
+      if (missing.publications.count(topic[0]) > 0) {
+        master_.call("registerPublisher", {topic[0], topic[1], own_uri_});
+      }
     }
     auto subscriptions = self_.call("getSubscriptions", {});
     for (int i = 0; subscriptions && i < subscriptions->size(); ++i) {
       XmlRpcValue& topic = (*subscriptions)[i];
+      if (missing.subscriptions.count(topic[0]) == 0) {
+        continue;
+      }
       const auto publishers = master_.call("registerSubscriber", {topic[0], topic[1], own_uri_});
       // An empty list would drop those who publish to this process now.
       if (publishers && publishers->size() > 0) {
         self_.call("publisherUpdate", {topic[0], *publishers});
       }
     }
-    // The sign comes last: if the master goes away before, everything is registered again.
-    std::vector<std::string> services = services_;
-    services.push_back(sign_);
-    for (const std::string& service : services) {
+    for (const std::string& service : missing.services) {
       master_.call("registerService", {service, service_uri_, own_uri_});
     }
   }
 
   const std::string parameters_name_;
-  const std::string sign_;  ///< a service that every node has: a master that knows it knows all the others, too
+  const std::string own_name_;
   const std::string own_uri_;
   const std::string service_uri_;
-  const Peer master_;
-  const Peer self_;
-  XmlRpcValue parameters_;             ///< as the master last had them
-  std::vector<std::string> services_;  ///< what this process advertised when the watch began, except the sign
+  const XmlRpcPeer master_;
+  const XmlRpcPeer self_;
+  XmlRpcValue parameters_;  ///< as the master last had them
+  Names services_;          ///< that the master ever knew
 };
 
 }  // namespace

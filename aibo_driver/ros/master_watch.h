@@ -8,12 +8,12 @@
 
 namespace aibo_driver::node {
 
-/// Registers this process again when the ROS master was restarted.
+/// Registers what the ROS master has forgotten of this process.
 ///
-/// roscpp registers topics and services only once. A restarted roscore knows none of them: existing subscribers go on,
-/// but new ones do not find the driver. So every few seconds the master is asked whether it knows this process. If not,
-/// topics, services and parameters are registered again. Neither the robot nor the subscribers notice. While the master
-/// does not answer, nothing is done.
+/// roscpp registers topics and services only once. A restarted roscore knows none of them, and a node that had the same
+/// names takes them with it when it ends: existing subscribers go on, but new ones do not find the driver. So every few
+/// seconds the master is asked what it knows of this process. What is missing of topics, services and parameters is
+/// registered again. Neither the robot nor the subscribers notice. While the master does not answer, nothing is done.
 class MasterWatch {
  public:
   /// Begins to watch, in a thread of its own. By now all services of this process must be advertised.

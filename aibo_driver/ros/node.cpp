@@ -61,7 +61,8 @@ void endOnInterrupt() {
 }  // namespace
 
 ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace) {
-  if (handle.getNamespace() != "/") {
+  const std::string& name_space = handle.getNamespace();  // of a nodelet in the root namespace it is empty
+  if (!name_space.empty() && name_space != "/") {
     return handle;
   }
   ROS_INFO_STREAM("Started in the root namespace: topics and services are under /" << default_namespace << ".");

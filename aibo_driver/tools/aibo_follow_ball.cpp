@@ -1,34 +1,59 @@
 // Lets the robot walk after a pink ball, like the one that came with it, and around it. It steers by the colours that
-// the robot's camera detects: where the ball is in the picture gives its direction, how large it is its distance.
+// the robot's camera detects: where the ball is in the picture gives its direction, how large it is its distance. When
+// somebody stops it, lets it take a posture or lifts it, the node needs leave to go on (leave_to_move.h).
 
+#include <aibo_driver/MotionState.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "ros/node.h"
 #include "tools/ball/ball_finder.h"
+#include "tools/leave_to_move.h"
 
 namespace {
 
+using aibo_driver::Movement;
+using aibo_driver::RobotState;
 using aibo_driver::ball::Ball;
 
 constexpr double kClose = 0.45;  // m; then it walks around the ball
 
 class FollowBall {
  public:
-  explicit FollowBall(ros::NodeHandle handle) {
+  FollowBall(ros::NodeHandle handle, const ros::NodeHandle& parameters) : leave_(handle, parameters, whyItCannotWalk) {
     publisher_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+    motion_ = handle.subscribe("motion_state", 1, &FollowBall::receiveMotion, this);
     mask_ = handle.subscribe("color_mask", 1, &FollowBall::receive, this);
   }
 
  private:
+  static std::string whyItCannotWalk(const RobotState& state) {
+    return state.motors == RobotState::OFF        ? "the motors are off"
+           : state.posture == RobotState::FALLEN  ? "the robot has fallen"
+           : state.posture == RobotState::CARRIED ? "the robot is carried"
+                                                  : "";
+  }
+
+  void receiveMotion(const aibo_driver::MotionState::ConstPtr& state) {
+    const auto posture = std::find_if(state->movements.begin(), state->movements.end(),
+                                      [](const Movement& movement) { return movement.kind == Movement::POSTURE; });
+    takes_posture_ = posture != state->movements.end();
+    if (takes_posture_) {
+      leave_.overrule(posture->source + " has called " + posture->name);
+    }
+  }
+
   // Without images there are no commands, so the driver stops the robot.
   void receive(const sensor_msgs::Image::ConstPtr& mask) {
-    const std::optional<Ball> ball = aibo_driver::ball::findBall(*mask);
-    publisher_.publish(ball ? towards(*ball) : searching());
+    if (!takes_posture_ && leave_.has()) {
+      const std::optional<Ball> ball = aibo_driver::ball::findBall(*mask);
+      publisher_.publish(ball ? towards(*ball) : searching());
+    }
   }
 
   geometry_msgs::Twist towards(const Ball& ball) {
@@ -46,8 +71,11 @@ class FollowBall {
     return twist;
   }
 
+  aibo_driver::tools::LeaveToMove leave_;
   ros::Publisher publisher_;
+  ros::Subscriber motion_;
   ros::Subscriber mask_;
+  bool takes_posture_ = false;
   int last_seen_on_ = 1;  // -1: on the right
 };
 
@@ -55,6 +83,6 @@ class FollowBall {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_follow_ball");
-  const FollowBall follow_ball(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"));
+  const FollowBall follow_ball(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"), ros::NodeHandle("~"));
   ros::spin();
 }

@@ -1,5 +1,6 @@
 // Lets the robot look to the left, to the right and ahead, again and again. Each glance is one joint_trajectory. While
-// anything else moves the robot, it waits. Walking is no reason to: that takes the legs alone.
+// anything else moves the robot, it waits. Walking is no reason to: that takes the legs alone. After a stop it needs
+// leave to go on (leave_to_move.h).
 
 #include <aibo_driver/MotionState.h>
 #include <ros/ros.h>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "ros/node.h"
+#include "tools/leave_to_move.h"
 
 namespace {
 
@@ -28,7 +30,7 @@ const std::vector<Glance> kGlances{{2.5, 0.7, 0.1}, {3.5, -0.7, 0.3}, {2.5, 0.0,
 
 class LookAround {
  public:
-  explicit LookAround(ros::NodeHandle handle) {
+  LookAround(ros::NodeHandle handle, const ros::NodeHandle& parameters) : leave_(handle, parameters) {
     publisher_ = handle.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 1);
     joints_ = handle.subscribe("joint_states", 1, &LookAround::receiveJoints, this);
     motion_ = handle.subscribe("motion_state", 1, &LookAround::receiveMotion, this);
@@ -48,7 +50,8 @@ class LookAround {
   // Measured joints show that there is a robot that can look around.
   void receiveJoints(const sensor_msgs::JointState::ConstPtr&) {
     const ros::SteadyTime now = ros::SteadyTime::now();
-    if (is_free_ && now >= next_glance_) {
+    const bool is_limp = leave_.state().motors == aibo_driver::RobotState::OFF;
+    if (is_free_ && !is_limp && now >= next_glance_ && leave_.has()) {
       const Glance& glance = kGlances[glance_++ % kGlances.size()];
       publisher_.publish(wayTo(glance));
       next_glance_ = now + ros::WallDuration(glance.way + kRest);
@@ -65,6 +68,7 @@ class LookAround {
     return trajectory;
   }
 
+  aibo_driver::tools::LeaveToMove leave_;
   ros::Publisher publisher_;
   ros::Subscriber joints_;
   ros::Subscriber motion_;
@@ -77,6 +81,6 @@ class LookAround {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_look_around");
-  const LookAround look_around(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"));
+  const LookAround look_around(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"), ros::NodeHandle("~"));
   ros::spin();
 }

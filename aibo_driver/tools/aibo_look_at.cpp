@@ -2,6 +2,7 @@
 // is a node of its own, because listening to tf takes more processor time than most of the driver's work.
 
 #include <aibo_driver/LookAtResult.h>
+#include <aibo_driver/RobotState.h>
 #include <geometry_msgs/PointStamped.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
@@ -24,6 +25,7 @@
 namespace {
 
 using aibo_driver::LookAtResult;
+using aibo_driver::RobotState;
 using geometry_msgs::PointStamped;
 
 // From this error on, a point is not in the middle of the picture: a third of a pixel.
@@ -79,6 +81,7 @@ class LookAt {
     joints_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
     floor_ = handle.advertise<visualization_msgs::Marker>("look_at_floor", 1, kLatched);
     floor_.publish(makeFloor(frame_prefix_ + "base_footprint"));
+    states_ = handle.subscribe("robot_state", 1, &LookAt::receiveState, this);
     points_ = handle.subscribe("look_at", 1, &LookAt::receive, this);
   }
 
@@ -98,7 +101,16 @@ class LookAt {
     result_.publish(result);
   }
 
+  void receiveState(const RobotState::ConstPtr& state) {
+    why_not_ = state->stopped != 0                ? state->stopped_by + " has stopped the robot; call release"
+               : state->motors == RobotState::OFF ? "the motors are off; call stand, or motors"
+                                                  : "";
+  }
+
   void lookAt(const robot_model::Point& place, LookAtResult* result) {
+    if (!why_not_.empty()) {
+      throw std::runtime_error("The head does not turn: " + why_not_ + ".");
+    }
     if (!waitFor([this] { return joints_.getNumSubscribers() > 0; })) {
       throw std::runtime_error("The head does not turn: nobody listens on " + joints_.getTopic() +
                                ". Does the driver run in this namespace?");
@@ -166,6 +178,8 @@ class LookAt {
   ros::Publisher result_;
   ros::Publisher joints_;
   ros::Publisher floor_;
+  std::string why_not_;  ///< why the head cannot turn now; empty if it can
+  ros::Subscriber states_;
   ros::Subscriber points_;
 };
 

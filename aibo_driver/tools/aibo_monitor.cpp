@@ -1,4 +1,5 @@
-// Prints the rate and the latency of the pictures once a second, as a subscriber gets them.
+// Prints the rate and the latency of the pictures once a second, as a subscriber gets them, and whether somebody has
+// stopped the robot.
 //
 // To be started in the driver's namespace; the root namespace means /aibo.
 // Parameters:
@@ -10,6 +11,7 @@
 //                           first byte of a picture reached the driver.
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/RobotState.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
@@ -48,6 +50,7 @@ class Monitor {
     pictures_ = node_.subscribe("camera/image_raw/compressed", 100, &Monitor::onPicture, this,
                                 ros::TransportHints().tcpNoDelay());
     connection_ = node_.subscribe("connection", 1, &Monitor::onConnection, this);
+    states_ = node_.subscribe("robot_state", 1, &Monitor::onRobotState, this);
     timer_ = node_.createSteadyTimer(ros::WallDuration(1.0), &Monitor::onTimer, this);
   }
 
@@ -65,6 +68,10 @@ class Monitor {
   }
 
   void onConnection(const Connection& connection) { connection_text_ = connection.text; }
+
+  void onRobotState(const RobotState& state) {
+    stop_text_ = state.stopped != 0 ? "   stopped by " + state.stopped_by + ", until release" : "";
+  }
 
   void onTimer(const ros::SteadyTimerEvent&) {
     const auto now = steady_clock::now();
@@ -107,12 +114,12 @@ class Monitor {
     const node::StreamMeter::Reading reading = meter_.read();
     const std::string driver_load = driverLoad(elapsed);
     if (reading.pictures == 0) {
-      std::printf("no pictures: %s\n", connection_text_.c_str());
+      std::printf("no pictures: %s%s\n", connection_text_.c_str(), stop_text_.c_str());
     } else {
-      std::printf("%5.1f pictures/s %6.1f KB/s   %s to topic: %s   driver: %s of one processor\n",
+      std::printf("%5.1f pictures/s %6.1f KB/s   %s to topic: %s   driver: %s of one processor%s\n",
                   reading.picturesPerSecond(), reading.kilobytesPerSecond(),
                   picture_log_ ? "camera image" : "robot's first byte",
-                  latency_known ? latencyText(reading).c_str() : "unknown", driver_load.c_str());
+                  latency_known ? latencyText(reading).c_str() : "unknown", driver_load.c_str(), stop_text_.c_str());
     }
     if (std::fflush(stdout) != 0) {
       ros::shutdown();  // nobody reads the output any more
@@ -161,6 +168,7 @@ class Monitor {
   std::unique_ptr<PictureLogReader> picture_log_;
   ros::Subscriber pictures_;
   ros::Subscriber connection_;
+  ros::Subscriber states_;
   ros::SteadyTimer timer_;
 
   const steady_clock::time_point start_ = steady_clock::now();
@@ -169,6 +177,8 @@ class Monitor {
   std::vector<Arrival> arrivals_;
   node::StreamMeter meter_;
   std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
+
+  std::string stop_text_;  ///< empty while the robot may move
 
   std::string publisher_;
   std::string driver_name_;

@@ -3,6 +3,7 @@
 // if they stop, the robot stops 0.5 s later.
 
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/RobotState.h>
 #include <aibo_driver/TakePicture.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -12,20 +13,22 @@
 
 #include <chrono>
 #include <ctime>
-#include <future>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "ros/node.h"
 #include "tools/teleop/head_steering.h"
 #include "tools/teleop/joy_steering.h"
+#include "tools/teleop/service_caller.h"
 
 namespace {
 
 using aibo_driver::PlayMotion;
+using aibo_driver::RobotState;
 using aibo_driver::TakePicture;
 using std_srvs::Trigger;
 using teleop::HeadPosition;
@@ -76,6 +79,7 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
   mapping.pan_axis = readPlace(parameters, "pan_axis", mapping.pan_axis);
   mapping.tilt_axis = readPlace(parameters, "tilt_axis", mapping.tilt_axis);
   mapping.stop_button = readPlace(parameters, "stop_button", mapping.stop_button);
+  mapping.release_button = readPlace(parameters, "release_button", mapping.release_button);
   mapping.picture_button = readPlace(parameters, "picture_button", mapping.picture_button);
   mapping.motions = readButtons(parameters, "motions");
   mapping.postures = readButtons(parameters, "postures");
@@ -102,35 +106,6 @@ std::string pictureName() {
   return name;
 }
 
-// Calls one service at a time, in a thread of its own, so that steering goes on, and a stop waits for nothing.
-class Caller {
- public:
-  explicit Caller(const ros::NodeHandle& handle) : handle_(handle) {}
-
-  template <typename Service>
-  void call(const std::string& name, const typename Service::Request& request) {
-    if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ROS_WARN_STREAM("The call of " << name << " is left out: the one before it has not ended yet.");
-      return;
-    }
-    call_ = std::async(std::launch::async, [service = handle_.resolveName(name), request] {
-      typename Service::Response response;
-      typename Service::Request copy = request;
-      if (!ros::service::call(service, copy, response)) {
-        ROS_WARN_STREAM("The service " << service << " cannot be called: does the driver run?");
-      } else if (response.success) {
-        ROS_INFO_STREAM(service << ": " << response.message);
-      } else {
-        ROS_WARN_STREAM(service << ": " << response.message);
-      }
-    });
-  }
-
- private:
-  const ros::NodeHandle handle_;
-  std::future<void> call_;
-};
-
 class JoyTeleop {
  public:
   JoyTeleop(ros::NodeHandle handle, const ros::NodeHandle& parameters)
@@ -138,6 +113,7 @@ class JoyTeleop {
     velocities_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     head_positions_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
     joints_ = handle.subscribe("joint_states", 1, &JoyTeleop::receiveJoints, this);
+    states_ = handle.subscribe("robot_state", 1, &JoyTeleop::receiveState, this);
     joystick_ = handle.subscribe("/joy", 1, &JoyTeleop::receive, this);
   }
 
@@ -160,7 +136,25 @@ class JoyTeleop {
     obey(orders);
   }
 
+  void receiveState(const RobotState::ConstPtr& state) {
+    const std::string stopped_by = state->stopped != 0 ? state->stopped_by : "";
+    if (stopped_by == std::exchange(stopped_by_, stopped_by)) {
+      return;
+    }
+    if (stopped_by.empty()) {
+      ROS_INFO("The robot may move again. Let go of the dead-man button once.");
+    } else {
+      ROS_WARN_STREAM(stopped_by << " has stopped the robot. It moves again after the service release"
+                                 << (mapping_.release_button == teleop::kNoPlace
+                                         ? "."
+                                         : ", or the release button together with the dead-man button."));
+    }
+  }
+
   void obey(const JoyOrders& orders) {
+    if (orders.release && !stopped_by_.empty()) {
+      stop_.call<Trigger>("release", {});
+    }
     if (orders.take_picture) {
       TakePicture::Request request;
       request.save_to = pictureName();
@@ -214,12 +208,14 @@ class JoyTeleop {
   teleop::HeadSteering head_;
   std::optional<double> pan_;
   std::optional<double> tilt_;
-  Caller stop_;
-  Caller pictures_;
-  Caller movements_;
+  std::string stopped_by_;  ///< empty while the robot may move
+  teleop::ServiceCaller stop_;
+  teleop::ServiceCaller pictures_;
+  teleop::ServiceCaller movements_;
   ros::Publisher velocities_;
   ros::Publisher head_positions_;
   ros::Subscriber joints_;
+  ros::Subscriber states_;
   ros::Subscriber joystick_;
 };
 

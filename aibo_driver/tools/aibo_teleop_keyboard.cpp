@@ -1,7 +1,9 @@
 // Lets the robot walk as keys are pressed in a terminal.
 
+#include <aibo_driver/RobotState.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
+#include <std_srvs/Trigger.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,9 +15,12 @@
 #include <cstdlib>
 #include <exception>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "ros/node.h"
 #include "tools/teleop/key_steering.h"
+#include "tools/teleop/service_caller.h"
 #include "tools/teleop/terminal.h"
 
 namespace {
@@ -56,17 +61,55 @@ void printSpeeds(const teleop::Speeds& speeds) {
   std::fflush(stdout);
 }
 
+/// Tells the user when somebody has stopped the robot, and releases it by a key.
+class StopNotice {
+ public:
+  explicit StopNotice(ros::NodeHandle handle) : release_(handle) {
+    states_ = handle.subscribe("robot_state", 1, &StopNotice::receive, this);
+  }
+
+  /// @return false if the key is another one, or there is nothing to release
+  bool press(char key) {
+    if (key != kRelease || stopped_by_.empty()) {
+      return false;
+    }
+    release_.call<std_srvs::Trigger>("release", {});
+    return true;
+  }
+
+ private:
+  static constexpr char kRelease = 'R';
+
+  void receive(const aibo_driver::RobotState::ConstPtr& state) {
+    const std::string stopped_by = state->stopped != 0 ? state->stopped_by : "";
+    if (stopped_by == std::exchange(stopped_by_, stopped_by)) {
+      return;
+    }
+    if (stopped_by.empty()) {
+      std::printf("The robot may move again.\n");
+    } else {
+      std::printf("%s has stopped the robot. %c (capital) lets it move again.\n", stopped_by.c_str(), kRelease);
+    }
+    std::fflush(stdout);
+  }
+
+  std::string stopped_by_;  ///< empty while the robot may move
+  teleop::ServiceCaller release_;
+  ros::Subscriber states_;
+};
+
 /// @throw std::runtime_error the terminal cannot be used
-void steer(KeySteering* keys, const ros::Publisher& publisher) {
+void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_notice) {
   teleop::Terminal terminal(STDIN_FILENO);
   std::printf("\n%s\n", KeySteering::help());
   printSpeeds(keys->speeds());
   bool walks = false;
   steady_clock::time_point next;
   while (!is_ending && ros::ok()) {
+    ros::spinOnce();
     const auto wait = std::max(milliseconds(0), std::chrono::ceil<milliseconds>(next - steady_clock::now()));
     if (const std::optional<char> key = terminal.readKey(std::min(wait, kPeriod))) {
-      if (keys->press(*key, steady_clock::now())) {
+      if (!stop_notice->press(*key) && keys->press(*key, steady_clock::now())) {
         printSpeeds(keys->speeds());
       }
     } else if (steady_clock::now() < next) {
@@ -104,8 +147,9 @@ int main(int argc, char** argv) {
   const auto hold = milliseconds(std::lround(1000 * parameters.param("key_timeout", kHold)));
   const ros::Publisher publisher = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   KeySteering keys(speeds, hold);
+  StopNotice stop_notice(handle);
   try {
-    steer(&keys, publisher);
+    steer(&keys, publisher, &stop_notice);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return EXIT_FAILURE;

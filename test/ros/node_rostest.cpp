@@ -4,13 +4,16 @@
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
 #include <ros/ros.h>
+#include <ros/this_node.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <signal.h>
 #include <trajectory_msgs/JointTrajectory.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "support/proxy/recording_proxy.h"
@@ -120,6 +123,71 @@ TEST(Node, TwoDriversServeTwoRobots) {
   EXPECT_NE(left_published.back()->data, right_published.back()->data);
 }
 
+// How many nodes publish a topic, as the master sees it.
+int publishersOf(const std::string& topic) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue state;
+  request[0] = ros::this_node::getName();
+  EXPECT_TRUE(ros::master::execute("getSystemState", request, response, state, false));
+  for (int i = 0; i < state[0].size(); ++i) {
+    if (state[0][i][0] == XmlRpc::XmlRpcValue(topic)) {
+      return state[0][i][1].size();
+    }
+  }
+  return 0;
+}
+
+TEST(Node, ASecondDriverInANamespaceRefusesToStartAndTheFirstKeepsItsNames) {
+  SimulatedRobot robot;
+  DriverProcess first("/one", robot.port());
+  ASSERT_TRUE(ros::service::waitForService("/one/set_streaming", ros::Duration(kSafetyNet.count())));
+  DriverProcess second("/one", robot.port(), {"__name:=second"});
+  EXPECT_EQ(second.waitForExit(kSafetyNet), 1);
+  second.waitForOutput("a driver in the namespace /one already: the node /one/aibo_driver", kSafetyNet);
+  Process nodelet(nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__ns:=/one", "__name:=third"}));
+  nodelet.waitForOutput("a driver in the namespace /one already: the node /one/aibo_driver", kSafetyNet);
+  EXPECT_TRUE(ros::service::exists("/one/stop", false));
+  EXPECT_EQ(publishersOf("/one/connection"), 1);
+
+  first.kill();  // the master still knows it
+  DriverProcess next("/one", robot.port(), {"__name:=second"});
+  CompressedListener pictures("/one/camera/image_raw/compressed");
+  EXPECT_FALSE(pictures.waitForCount(1).empty()) << next.output();
+}
+
+// As a node does that had the same names and has ended.
+TEST(Node, RegistersAServiceAndATopicAgainThatWereTakenFromIt) {
+  const auto tell_master = [](const char* method, const std::string& name, const std::string& uri) {
+    XmlRpc::XmlRpcValue request;
+    XmlRpc::XmlRpcValue response;
+    XmlRpc::XmlRpcValue answer;
+    request[0] = std::string("/taken/aibo_driver");
+    request[1] = name;
+    request[2] = uri;
+    EXPECT_TRUE(ros::master::execute(method, request, response, answer, false));
+    EXPECT_EQ(static_cast<int>(answer), 1) << name << " was not registered";
+  };
+  const auto ask_master = [](const char* method, const std::string& name) {
+    XmlRpc::XmlRpcValue request;
+    XmlRpc::XmlRpcValue response;
+    XmlRpc::XmlRpcValue answer;
+    request[0] = ros::this_node::getName();
+    request[1] = name;
+    EXPECT_TRUE(ros::master::execute(method, request, response, answer, false));
+    return static_cast<std::string>(answer);
+  };
+  SimulatedRobot robot;
+  DriverProcess driver("/taken", robot.port());
+  ASSERT_TRUE(ros::service::waitForService("/taken/stop", ros::Duration(kSafetyNet.count())));
+  tell_master("unregisterPublisher", "/taken/connection", ask_master("lookupNode", "/taken/aibo_driver"));
+  driver.waitForOutput("has lost 1 topics and services of this node, such as /taken/connection", kSafetyNet);
+  tell_master("unregisterService", "/taken/stop", ask_master("lookupService", "/taken/stop"));
+  driver.waitForOutput("has lost 1 topics and services of this node, such as /taken/stop", kSafetyNet);
+  EXPECT_TRUE(ros::service::waitForService("/taken/stop", ros::Duration(kSafetyNet.count())));
+  EXPECT_EQ(publishersOf("/taken/connection"), 1);
+}
+
 Process startNodelet(const std::string& type, const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"standalone", type};
   all.insert(all.end(), arguments.begin(), arguments.end());
@@ -134,6 +202,22 @@ TEST(Nodelet, PublishesThePictures) {
       startNodelet("aibo_driver/AiboDriverNodelet", {"__ns:=/nodelet", "_port:=" + std::to_string(robot.port())});
   EXPECT_FALSE(pictures.waitForCount(1).empty()) << nodelet.output();
   EXPECT_FALSE(images.waitForCount(1).empty()) << nodelet.output();
+}
+
+TEST(Nodelet, StartedInTheRootNamespaceIsFoundUnderAibo) {
+  SimulatedRobot robot;
+  CompressedListener pictures("/aibo/camera/image_raw/compressed");
+  {
+    const Process alone =
+        startNodelet("aibo_driver/AiboDriverNodelet", {"__ns:=/", "_port:=" + std::to_string(robot.port())});
+    EXPECT_FALSE(pictures.waitForCount(1).empty()) << alone.output();
+  }
+  pictures.clear();
+  const Process manager(nodeletHost({"manager", "__ns:=/", "__name:=root_manager"}));
+  const Process loaded(nodeletHost({"load", "aibo_driver/AiboDriverNodelet", "root_manager", "__ns:=/",
+                                    "__name:=aibo_driver", "_port:=" + std::to_string(robot.port())}));
+  EXPECT_FALSE(pictures.waitForCount(1).empty()) << manager.output() << loaded.output();
+  EXPECT_TRUE(ros::service::exists("/aibo/take_picture", false));
 }
 
 TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {

@@ -15,8 +15,10 @@ bool isPressed(const std::vector<int>& buttons, int button) {
 
 JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<int>& buttons) {
   JoyOrders orders;
-  orders.stop = isPressed(buttons, mapping_.stop_button) && !isPressed(buttons_, mapping_.stop_button);
-  is_halted_ = is_halted_ || orders.stop;
+  orders.stop = isNew(buttons, mapping_.stop_button);
+  orders.release =
+      isNew(buttons, mapping_.release_button) && isPressed(buttons, mapping_.dead_man_button) && !orders.stop;
+  is_halted_ = is_halted_ || orders.stop || orders.release;
   const bool is_pressed = isDeadManPressed(axes, buttons);
   readSticks(is_pressed, axes, &orders);
   readButtons(is_pressed, buttons, &orders);
@@ -48,19 +50,20 @@ void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, Jo
 }
 
 void JoySteering::readButtons(bool is_pressed, const std::vector<int>& buttons, JoyOrders* orders) {
-  const auto is_new = [this, &buttons](int button) {
-    return isPressed(buttons, button) && !isPressed(buttons_, button);
-  };
-  orders->take_picture = is_new(mapping_.picture_button);
+  orders->take_picture = isNew(buttons, mapping_.picture_button);
   if (!is_pressed) {
     return;
   }
   for (const auto& [name, button] : mapping_.motions) {
-    orders->motion = is_new(button) ? name : orders->motion;
+    orders->motion = isNew(buttons, button) ? name : orders->motion;
   }
   for (const auto& [name, button] : mapping_.postures) {
-    orders->posture = is_new(button) ? name : orders->posture;
+    orders->posture = isNew(buttons, button) ? name : orders->posture;
   }
+}
+
+bool JoySteering::isNew(const std::vector<int>& buttons, int button) const {
+  return isPressed(buttons, button) && !isPressed(buttons_, button);
 }
 
 int JoySteering::lastAxis() const {
@@ -69,7 +72,8 @@ int JoySteering::lastAxis() const {
 }
 
 int JoySteering::lastButton() const {
-  int last = std::max({mapping_.dead_man_button, mapping_.stop_button, mapping_.picture_button});
+  int last =
+      std::max({mapping_.dead_man_button, mapping_.stop_button, mapping_.release_button, mapping_.picture_button});
   for (const auto* buttons : {&mapping_.motions, &mapping_.postures}) {
     for (const auto& button : *buttons) {
       last = std::max(last, button.second);

@@ -26,7 +26,8 @@ struct JoyMapping {
   int pan_axis = 3;                     ///< turns the head; positive is to the left
   int tilt_axis = 4;                    ///< positive is up
   int stop_button = 1;                  ///< works without the dead-man button
-  int picture_button = 0;               ///< the same
+  int release_button = kNoPlace;        ///< lets the robot move again after a stop; with the dead-man button
+  int picture_button = 0;               ///< works without the dead-man button
   std::map<std::string, int> motions;   ///< buttons, by the name of the motion
   std::map<std::string, int> postures;  ///< buttons, by the name of the service: stand, sit, rest
   Speeds speeds{0.15, 0.06, 1.0};       ///< at full deflection
@@ -39,6 +40,7 @@ struct JoyOrders {
   std::optional<aibo_driver::WalkVelocity> walk;  ///< none: the joystick does not steer, others may
   std::optional<HeadVelocity> head;               ///< none: the same
   bool stop = false;
+  bool release = false;
   bool take_picture = false;
   std::string motion;   ///< its name, or empty
   std::string posture;  ///< its name, or empty
@@ -46,8 +48,8 @@ struct JoyOrders {
 
 /// Turns the state of a joystick into orders.
 ///
-/// Robot safety: nothing moves unless the dead-man button is pressed. After a stop it has to be let go and pressed
-/// again, so that a stick that is still deflected does not make the robot walk on.
+/// Robot safety: nothing moves unless the dead-man button is pressed. After a stop or a release it has to be let go and
+/// pressed again, so that a stick that is still deflected does not make the robot walk on.
 class JoySteering {
  public:
   explicit JoySteering(const JoyMapping& mapping) : mapping_(mapping) {}
@@ -63,6 +65,7 @@ class JoySteering {
   bool isDeadManPressed(const std::vector<float>& axes, const std::vector<int>& buttons);
   void readSticks(bool is_pressed, const std::vector<float>& axes, JoyOrders* orders);
   void readButtons(bool is_pressed, const std::vector<int>& buttons, JoyOrders* orders);
+  bool isNew(const std::vector<int>& buttons, int button) const;
   double deflection(const std::vector<float>& axes, int axis) const;
   int lastAxis() const;
   int lastButton() const;
@@ -70,7 +73,7 @@ class JoySteering {
   const JoyMapping mapping_;
   std::vector<int> buttons_;  ///< as read last
   bool steers_ = false;
-  bool is_halted_ = false;  ///< by a stop, until the dead-man button is let go
+  bool is_halted_ = false;  ///< by a stop or a release, until the dead-man button is let go
 };
 
 }  // namespace teleop

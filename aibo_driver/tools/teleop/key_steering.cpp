@@ -15,7 +15,8 @@ const char* KeySteering::help() {
          "   m   ,   .     backward, with m and . in a curve\n"
          "J and L walk sideways; U O M > walk diagonally (capitals).\n"
          "q / z: all speeds up or down by 10 %    w / x: of walking    e / c: of turning\n"
-         "The space bar and every other key stop. Ctrl-C ends.\n";
+         "The space bar and every other key stop. Ctrl-C ends.\n"
+         "R (capital) lets the robot move again after the service stop.\n";
 }
 
 bool KeySteering::press(char key, TimePoint now) {

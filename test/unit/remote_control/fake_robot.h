@@ -52,6 +52,7 @@ class FakeRobot : public Robot {
     }
   }
   void stop() override { wishes.append("stop"); }
+  void release() override { wishes.append("release"); }
   void takePicture(const QString& folder) override { wishes.append("picture " + folder); }
   void setStreaming(bool on) override { wishes.append(on ? "stream on" : "stream off"); }
   void setMotors(bool on) override { wishes.append(on ? "motors on" : "motors off"); }

@@ -125,6 +125,64 @@ TEST_F(RemoteControlTest, WhatVersion1CannotDoIsDisabledAndSaysSo) {
   EXPECT_EQ(robot_.take(), QStringList()) << "it cannot list its motions";
 }
 
+TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASecondClickInFright) {
+  robot_.connectIt();
+  EXPECT_EQ(click("stop"), QStringList("stop"));
+  RobotCondition condition;
+  condition.is_stopped = true;
+  condition.stopped_by = "/gamepad";
+  Q_EMIT robot_.conditionChanged(condition);
+  EXPECT_EQ(find<QPushButton>("stop")->text(), "Release");
+  EXPECT_EQ(click("stop"), QStringList("stop"));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return click("stop") == QStringList("release"); }));
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_EQ(robot_.take(), QStringList("stop")) << "the space bar never releases";
+
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_EQ(find<QPushButton>("stop")->text(), "Release") << "a stop outlives the connection";
+  robot_.disconnectIt(State::kNoDriver, "the driver does not answer");
+  EXPECT_EQ(find<QPushButton>("stop")->text(), "STOP") << "nobody knows";
+  robot_.connectIt();
+  EXPECT_EQ(find<QPushButton>("stop")->text(), "Release");
+  Q_EMIT robot_.conditionChanged({});
+  EXPECT_EQ(find<QPushButton>("stop")->text(), "STOP");
+  EXPECT_EQ(click("stop"), QStringList("stop"));
+}
+
+TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
+  robot_.connectIt();
+  const auto expect_disabled = [this](const RobotCondition& condition, const QStringList& disabled,
+                                      const QString& why) {
+    Q_EMIT robot_.conditionChanged(condition);
+    for (const char* name : {"Stand", "Rest", "Motors on", "Motors off", "drive_pad", "head_pad", "Play"}) {
+      EXPECT_EQ(find<QWidget>(name)->isEnabled(), !disabled.contains(name)) << name << ": " << why.toStdString();
+      EXPECT_EQ(find<QWidget>(name)->toolTip() == "Not now: " + why, disabled.contains(name)) << name;
+    }
+    EXPECT_EQ(find<JointSlider>("head_pan")->parentWidget()->isEnabled(), !disabled.contains("head_pad"));
+  };
+  RobotCondition condition;
+  condition.motors = RobotCondition::Motors::kOn;
+  expect_disabled(condition, {}, "");
+  condition.posture = RobotCondition::Posture::kCarried;
+  expect_disabled(condition, {"drive_pad"}, "the robot is carried; put it on its feet");
+  condition.motors = RobotCondition::Motors::kOff;
+  condition.posture = RobotCondition::Posture::kLying;
+  expect_disabled(condition, {"drive_pad", "head_pad", "Play"}, "the motors are off; click Stand, or Motors on");
+  condition.is_stopped = true;
+  condition.stopped_by = "/gamepad";
+  expect_disabled(condition, {"Stand", "Motors on", "drive_pad", "head_pad", "Play"},
+                  "/gamepad has stopped the robot; click Release");
+  EXPECT_EQ(textOf("condition"), "stopped by /gamepad");
+
+  auto* view = window_.findChild<PictureView*>();
+  Q_EMIT robot_.streamingChanged(true);
+  Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
+  robot_.take();
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  EXPECT_EQ(robot_.take(), QStringList());
+  EXPECT_TRUE(textOf("status").endsWith("look there: not now: /gamepad has stopped the robot; click Release"));
+}
+
 TEST_F(RemoteControlTest, TheSpaceBarStopsWhereverTheFocusIs) {
   robot_.connectIt();
   open("Motions");

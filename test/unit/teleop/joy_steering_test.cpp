@@ -89,6 +89,25 @@ TEST_F(JoySteeringTest, StopsAtOnceAndDoesNotGoOnBeforeTheDeadManButtonWasLetGo)
   EXPECT_FALSE(press({4}).walk->isZero());
 }
 
+TEST(JoySteeringOfRelease, NeedsTheDeadManButtonAndThenThatItIsLetGo) {
+  JoyMapping with_release = mapping();
+  with_release.release_button = 5;
+  JoySteering joy(with_release);
+  const auto press = [&joy](int dead_man, int release) {
+    return joy.read({0, 1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, dead_man, release, 0, 0});
+  };
+  EXPECT_FALSE(press(0, 1).release);
+  EXPECT_FALSE(press(1, 1).release) << "it was pressed before";
+  press(1, 0);
+  const JoyOrders released = press(1, 1);
+  EXPECT_TRUE(released.release);
+  EXPECT_TRUE(released.walk->isZero()) << "the stick is deflected";
+  EXPECT_FALSE(press(1, 1).release) << "once";
+  EXPECT_FALSE(press(1, 0).walk);
+  press(0, 0);
+  EXPECT_FALSE(press(1, 0).walk->isZero());
+}
+
 TEST_F(JoySteeringTest, GivesEachOrderOnceAndThoseThatMoveOnlyWithTheDeadManButton) {
   EXPECT_TRUE(press({0, 2}).take_picture);
   EXPECT_FALSE(press({0, 2}).take_picture);

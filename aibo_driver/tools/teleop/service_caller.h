@@ -1,0 +1,48 @@
+/// @file service_caller.h
+#ifndef AIBO_DRIVER_TOOLS_TELEOP_SERVICE_CALLER_H
+#define AIBO_DRIVER_TOOLS_TELEOP_SERVICE_CALLER_H
+
+#include <ros/console.h>
+#include <ros/node_handle.h>
+#include <ros/service.h>
+
+#include <chrono>
+#include <future>
+#include <string>
+
+namespace teleop {
+
+/// Calls one service at a time, in a thread of its own, so that steering goes on, and a stop waits for nothing. The
+/// answers go to the log.
+class ServiceCaller {
+ public:
+  explicit ServiceCaller(const ros::NodeHandle& handle) : handle_(handle) {}
+
+  /// Does nothing but warn if the call before has not ended yet. From one thread.
+  template <typename Service>
+  void call(const std::string& name, const typename Service::Request& request) {
+    if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+      ROS_WARN_STREAM("The call of " << name << " is left out: the one before it has not ended yet.");
+      return;
+    }
+    call_ = std::async(std::launch::async, [service = handle_.resolveName(name), request] {
+      typename Service::Response response;
+      typename Service::Request copy = request;
+      if (!ros::service::call(service, copy, response)) {
+        ROS_WARN_STREAM("The service " << service << " cannot be called: does the driver run?");
+      } else if (response.success) {
+        ROS_INFO_STREAM(service << ": " << response.message);
+      } else {
+        ROS_WARN_STREAM(service << ": " << response.message);
+      }
+    });
+  }
+
+ private:
+  const ros::NodeHandle handle_;
+  std::future<void> call_;
+};
+
+}  // namespace teleop
+
+#endif  // AIBO_DRIVER_TOOLS_TELEOP_SERVICE_CALLER_H

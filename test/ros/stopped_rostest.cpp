@@ -1,0 +1,278 @@
+// The programs that steer, or that move the robot by themselves, while somebody has stopped it. The driver is a fake.
+
+#include <aibo_driver/LookAtResult.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
+#include <geometry_msgs/PointStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/Joy.h>
+#include <std_srvs/Trigger.h>
+#include <trajectory_msgs/JointTrajectory.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/process.h"
+#include "support/ros/topic_listener.h"
+
+namespace {
+
+using aibo_driver::LookAtResult;
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
+using aibo_driver::RobotState;
+using geometry_msgs::Twist;
+using std_srvs::Trigger;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+using trajectory_msgs::JointTrajectory;
+
+/// What these programs see of a driver.
+class FakeDriver {
+ public:
+  explicit FakeDriver(const std::string& name_space) : handle_(name_space) {
+    constexpr bool kLatched = true;
+    state_ = handle_.advertise<RobotState>("robot_state", 1, kLatched);
+    motion_ = handle_.advertise<MotionState>("motion_state", 1, kLatched);
+    joints_ = handle_.advertise<sensor_msgs::JointState>("joint_states", 1);
+    mask_ = handle_.advertise<sensor_msgs::Image>("color_mask", 1);
+    release_ = handle_.advertiseService<Trigger::Request, Trigger::Response>(
+        "release", [this](Trigger::Request&, Trigger::Response& response) {
+          response.success = 1;
+          release();
+          return true;
+        });
+    motion_.publish(MotionState());
+    release();
+    constexpr double kPeriod = 0.05;  // s
+    timer_ = handle_.createTimer(ros::Duration(kPeriod), [this](const ros::TimerEvent&) {
+      sensor_msgs::Image black;
+      black.width = 104;
+      black.height = 80;
+      black.step = 3 * black.width;
+      black.encoding = "rgb8";
+      black.data.resize(black.step * black.height);
+      mask_.publish(black);
+      joints_.publish(sensor_msgs::JointState());
+    });
+  }
+
+  void stop(const std::string& node) {
+    state_now_.stopped = 1;
+    state_now_.stopped_by = node;
+    state_.publish(state_now_);
+  }
+
+  void release() {
+    state_now_.stopped = 0;
+    state_now_.stopped_by.clear();
+    state_.publish(state_now_);
+  }
+
+  void tell(std::uint8_t motors, std::uint8_t posture) {
+    state_now_.motors = motors;
+    state_now_.posture = posture;
+    state_.publish(state_now_);
+  }
+
+  void takePosture(bool takes) {
+    MotionState state;
+    if (takes) {
+      Movement posture;
+      posture.kind = Movement::POSTURE;
+      posture.name = "sit";
+      posture.source = "/somebody";
+      state.movements.push_back(posture);
+    }
+    motion_.publish(state);
+  }
+
+ private:
+  ros::NodeHandle handle_;
+  RobotState state_now_;
+  ros::Publisher state_;
+  ros::Publisher motion_;
+  ros::Publisher joints_;
+  ros::Publisher mask_;
+  ros::ServiceServer release_;
+  ros::Timer timer_;
+};
+
+bool callGoOn(const std::string& node, std::string* message) {
+  Trigger service;
+  EXPECT_TRUE(ros::service::call(node + "/go_on", service));
+  *message = service.response.message;
+  return service.response.success != 0;
+}
+
+TEST(LookAround, WaitsWhileTheRobotIsStoppedAndGoesOnWhenItIsToldTo) {
+  FakeDriver driver("/looks");
+  TopicListener<JointTrajectory> glances("/looks/joint_trajectory");
+  Process node({AIBO_LOOK_AROUND, "__ns:=/looks"});
+  ASSERT_FALSE(glances.waitForCount(1).empty());
+  driver.stop("/user");
+  node.waitForOutput("/user has stopped the robot.*/looks/aibo_look_around/go_on", kSafetyNet);
+  std::string message;
+  EXPECT_FALSE(callGoOn("/looks/aibo_look_around", &message));
+  EXPECT_THAT(message, HasSubstr("/user has stopped the robot"));
+  driver.release();
+  EXPECT_EQ(glances.waitForCount(2, std::chrono::seconds(5)).size(), 1u) << "a glance comes every 4 s";
+  EXPECT_TRUE(callGoOn("/looks/aibo_look_around", &message)) << message;
+  EXPECT_GE(glances.waitForCount(2).size(), 2u);
+}
+
+class BallFollower : public ::testing::Test {
+ protected:
+  void start(const std::vector<std::string>& parameters = {}) {
+    std::vector<std::string> command{AIBO_FOLLOW_BALL, "__ns:=/follows"};
+    command.insert(command.end(), parameters.begin(), parameters.end());
+    node_ = std::make_unique<Process>(command);
+    ASSERT_FALSE(steps_.waitForCount(1).empty());
+  }
+
+  bool isSilent() {
+    steps_.clear();
+    return steps_.waitForCount(1, std::chrono::milliseconds(1500)).empty();
+  }
+
+  bool walks() {
+    steps_.clear();
+    return !steps_.waitForCount(1).empty();
+  }
+
+  FakeDriver driver_{"/follows"};
+  TopicListener<Twist> steps_{"/follows/cmd_vel"};
+  std::unique_ptr<Process> node_;
+};
+
+TEST_F(BallFollower, NeedsLeaveToGoOnAfterAStop) {
+  start();
+  driver_.stop("/user");
+  node_->waitForOutput("/user has stopped the robot", kSafetyNet);
+  EXPECT_TRUE(isSilent());
+  driver_.release();
+  EXPECT_TRUE(isSilent());
+  std::string message;
+  EXPECT_TRUE(callGoOn("/follows/aibo_follow_ball", &message)) << message;
+  EXPECT_TRUE(walks());
+}
+
+TEST_F(BallFollower, NeedsLeaveToGoOnWhenItWasOverruledInAnotherWay) {
+  start();
+  const auto expect_to_need_leave = [this](const std::string& why, const std::function<void(bool)>& overrule) {
+    overrule(true);
+    node_->waitForOutput(why, kSafetyNet);
+    EXPECT_TRUE(isSilent()) << why;
+    overrule(false);
+    EXPECT_TRUE(isSilent()) << why;
+    std::string message;
+    EXPECT_TRUE(callGoOn("/follows/aibo_follow_ball", &message)) << message;
+    EXPECT_TRUE(walks()) << why;
+  };
+  expect_to_need_leave("waits: the motors are off", [this](bool is_over) {
+    driver_.tell(is_over ? RobotState::OFF : RobotState::ON, RobotState::STANDING);
+  });
+  expect_to_need_leave("waits: the robot is carried", [this](bool is_over) {
+    driver_.tell(RobotState::ON, is_over ? RobotState::CARRIED : RobotState::STANDING);
+  });
+  expect_to_need_leave("waits: /somebody has called sit", [this](bool is_over) { driver_.takePosture(is_over); });
+}
+
+TEST_F(BallFollower, GoesOnByItselfIfItsUserHasSaidSo) {
+  start({"_go_on_after_stop:=true"});
+  driver_.stop("/user");
+  while (!isSilent()) {
+  }
+  driver_.release();
+  EXPECT_TRUE(walks());
+}
+
+TEST(BallFollowerAtItsStart, WaitsForAStoppedRobotAndForLeave) {
+  FakeDriver driver("/begins");
+  driver.stop("/user");
+  TopicListener<Twist> steps("/begins/cmd_vel");
+  Process node({AIBO_FOLLOW_BALL, "__ns:=/begins"});
+  node.waitForOutput("/user has stopped the robot", kSafetyNet);
+  driver.release();
+  EXPECT_TRUE(steps.waitForCount(1, std::chrono::milliseconds(1500)).empty());
+  std::string message;
+  EXPECT_TRUE(callGoOn("/begins/aibo_follow_ball", &message));
+  EXPECT_FALSE(steps.waitForCount(1).empty());
+}
+
+TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
+  FakeDriver driver("/stares");
+  driver.stop("/user");
+  TopicListener<LookAtResult> results("/stares/look_at_result");
+  ros::Publisher points = ros::NodeHandle("/stares").advertise<geometry_msgs::PointStamped>("look_at", 1, true);
+  geometry_msgs::PointStamped point;
+  point.header.frame_id = "base_link";
+  points.publish(point);
+  const Process node({AIBO_LOOK_AT, "__ns:=/stares"});
+  const auto says = [&results](const std::string& text) {
+    return results.waitFor([&text](const LookAtResult& result) {
+      return !result.success && !result.moves && result.message.find(text) != std::string::npos;
+    }) != nullptr;
+  };
+  EXPECT_TRUE(says("/user has stopped the robot; call release"));
+  driver.release();
+  driver.tell(RobotState::OFF, RobotState::LYING);
+  EXPECT_TRUE(results.waitFor([&](const LookAtResult& result) {
+    points.publish(point);
+    return result.message.find("the motors are off") != std::string::npos;
+  }));
+}
+
+TEST(Monitor, SaysWhoHasStoppedTheRobot) {
+  FakeDriver driver("/watched");
+  driver.stop("/user");
+  Process monitor({AIBO_MONITOR, "__ns:=/watched"});
+  monitor.waitForOutput("stopped by /user, until release", kSafetyNet);
+}
+
+TEST(Gamepad, SaysWhoHasStoppedTheRobotAndReleasesIt) {
+  FakeDriver driver("/pad");
+  driver.stop("/user");
+  Process teleop({AIBO_TELEOP_JOY, "__ns:=/pad", "/joy:=/pad/joy", "_release_button:=5"});
+  teleop.waitForOutput("/user has stopped the robot.*together with the dead-man button", kSafetyNet);
+  ros::Publisher joystick = ros::NodeHandle("/pad").advertise<sensor_msgs::Joy>("joy", 10, true);
+  sensor_msgs::Joy joy;
+  joy.axes.resize(7);
+  joy.buttons = {0, 0, 0, 0, 1, 0};
+  joystick.publish(joy);
+  joy.buttons = {0, 0, 0, 0, 1, 1};
+  while (joystick.getNumSubscribers() == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  joystick.publish(joy);
+  teleop.waitForOutput("The robot may move again", kSafetyNet);
+}
+
+TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {
+  FakeDriver driver("/board");
+  driver.stop("/user");
+  int keys = -1;
+  int terminal = -1;
+  char name[64] = {};
+  if (::openpty(&keys, &terminal, name, nullptr, nullptr) != 0) {
+    GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
+  }
+  Process teleop({"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/board < " + name});
+  teleop.waitForOutput("/user has stopped the robot. R .capital. lets it move again", kSafetyNet);
+  EXPECT_EQ(::write(keys, "R", 1), 1);
+  teleop.waitForOutput("The robot may move again", kSafetyNet);
+  ::close(keys);
+  ::close(terminal);
+}
+
+}  // namespace

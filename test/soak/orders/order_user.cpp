@@ -1,0 +1,308 @@
+#include "order_user.h"
+
+#include <aibo_driver/PlayMotion.h>
+#include <geometry_msgs/PointStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
+#include <std_msgs/UInt32.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <random>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "robot_model/robot_model.h"
+#include "support/ros/joint_messages.h"
+
+namespace soak {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int kUsers = 5;
+constexpr unsigned kNoRound = std::numeric_limits<unsigned>::max();  // odd
+constexpr double kMicro = 1e-6;
+
+double now() {
+  return ros::WallTime::now().toSec();
+}
+
+class User {
+ public:
+  User(const std::string& name_space, unsigned number, unsigned seed)
+      : handle_(name_space), number_(static_cast<int>(number)), random_(seed), name_(ros::this_node::getName()) {
+    log_ = handle_.advertise<std_msgs::String>(kUserLog, 10000);
+    commands_ = handle_.advertise<sensor_msgs::JointState>("joint_command", 100);
+    trajectories_ = handle_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 100);
+    velocities_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 100);
+    points_ = handle_.advertise<geometry_msgs::PointStamped>("look_at", 10);
+    model_ = robot_model::findRobotModel("ERS-7");
+    for (int i = 0; i < model_->number_of_joints; ++i) {
+      const std::string joint = model_->joints[i].name;
+      controllers_[joint] = handle_.advertise<std_msgs::Float64>(joint + "_position_controller/command", 10);
+    }
+    rounds_ = handle_.subscribe<std_msgs::UInt32>(
+        kUserRuns, 10, [this](const std_msgs::UInt32::ConstPtr& round) { round_ = round->data; });
+  }
+
+  void run() {
+    while (log_.getNumSubscribers() == 0 && ros::ok()) {
+      pause(5, 20);
+    }
+    unsigned told = kNoRound;
+    while (ros::ok()) {
+      const unsigned round = round_;
+      if (round % 2 == 0) {
+        giveAnyOrder();
+        pause(50, 1200);
+      } else if (round != told) {
+        told = round;
+        log(quietIn(round, name_));
+      } else {
+        pause(5, 20);
+      }
+    }
+  }
+
+ private:
+  int uniform(int lowest, int highest) { return std::uniform_int_distribution<int>(lowest, highest)(random_); }
+  void pause(int shortest, int longest) { std::this_thread::sleep_for(milliseconds(uniform(shortest, longest))); }
+  bool mayGoOn() const { return round_ % 2 == 0 && ros::ok(); }
+
+  void log(const std::string& line) {
+    std_msgs::String message;
+    message.data = line;
+    log_.publish(message);
+  }
+
+  void giveAnyOrder() {
+    const int what = uniform(0, 99);
+    if (what < 34) {
+      commandJoints();
+    } else if (what < 40) {
+      commandOneJoint();
+    } else if (what < 54) {
+      followTrajectory();
+    } else if (what < 68) {
+      walk();
+    } else if (what < 76) {
+      play(uniform(0, 1) == 0 ? "nod" : "wag");
+    } else if (what < 79) {
+      play("");
+    } else if (what < 87) {
+      call<std_srvs::Trigger>(
+          std::vector<const char*>{"stand", "sit", "rest"}[static_cast<std::size_t>(uniform(0, 2))]);
+    } else if (what < 91) {
+      switchMotors();
+    } else if (what < 95) {
+      stopForAWhile();
+    } else {
+      lookSomewhere();
+    }
+  }
+
+  // Head, tail and mouth more often than legs, so that the robot also walks.
+  const robot_model::Joint& anyJoint() {
+    const bool is_leg = uniform(0, 4) == 0;
+    for (;;) {
+      const robot_model::Joint& joint = model_->joints[uniform(0, model_->number_of_joints - 1)];
+      const std::string name = joint.name;
+      if (is_leg == (name.rfind("left_", 0) == 0 || name.rfind("right_", 0) == 0)) {
+        return joint;
+      }
+    }
+  }
+
+  // Each user has every fifth microradian for itself.
+  double anyTarget(const robot_model::Joint& joint) {
+    int target = 0;
+    do {
+      target = uniform(joint.lowest / kUsers + 1, joint.highest / kUsers - 1) * kUsers;
+      target += target >= 0 ? number_ : -number_;
+    } while (!used_.insert({joint.identifier, target}).second);
+    return kMicro * target;
+  }
+
+  Targets anyTargets() {
+    Targets targets;
+    for (int i = uniform(1, 3); i > 0; --i) {
+      const robot_model::Joint& joint = anyJoint();
+      targets[joint.name] = anyTarget(joint);
+    }
+    return targets;
+  }
+
+  void commandJoints() {
+    const Order order{name_, "command", now(), 0, anyTargets()};
+    commands_.publish(test_support::command(order.targets));
+    log(toText(order));
+  }
+
+  void commandOneJoint() {
+    const robot_model::Joint& joint = anyJoint();
+    const Order order{name_, "command", now(), 0, {{joint.name, anyTarget(joint)}}};
+    std_msgs::Float64 message;
+    message.data = order.targets.begin()->second;
+    controllers_[joint.name].publish(message);
+    log(toText(order));
+  }
+
+  void followTrajectory() {
+    const double duration = 0.1 * uniform(5, 40);
+    const Order order{name_, "trajectory", now(), duration, anyTargets()};
+    trajectories_.publish(test_support::trajectory(order.targets, duration));
+    log(toText(order));
+  }
+
+  // Ends by a zero or by silence.
+  void walk() {
+    geometry_msgs::Twist twist;
+    twist.linear.x = 0.01 * uniform(-8, 12);
+    twist.angular.z = 0.1 * uniform(-5, 5);
+    for (int i = uniform(1, 25); i > 0 && mayGoOn(); --i) {
+      velocities_.publish(twist);
+      pause(100, 100);
+    }
+    if (uniform(0, 1) == 0) {
+      velocities_.publish(geometry_msgs::Twist());
+    }
+  }
+
+  template <typename Service>
+  bool call(const std::string& name, Service service = Service()) {
+    Call each{name_, name, now()};
+    const bool answered = ros::service::call(handle_.resolveName(name), service);
+    each.end = now();
+    each.success = answered && service.response.success;
+    each.message = answered ? service.response.message : "the call itself failed";
+    log(toText(each));
+    return each.success;
+  }
+
+  // Without a name all motions end.
+  void play(const std::string& motion) {
+    aibo_driver::PlayMotion service;
+    service.request.name = motion;
+    service.request.repetitions = 1;
+    service.request.stop = static_cast<std::uint8_t>(motion.empty());
+    call("play_motion", service);
+  }
+
+  void switchMotors() {
+    std_srvs::SetBool motors;
+    motors.request.data = 0;
+    call("motors", motors);
+    pause(100, 1500);
+    if (uniform(0, 1) == 0) {
+      motors.request.data = 1;
+      call("motors", motors);
+    } else {
+      call<std_srvs::Trigger>("stand");
+    }
+  }
+
+  void stopForAWhile() {
+    call<std_srvs::Trigger>("stop");
+    pause(500, 3000);
+    if (uniform(0, 5) == 0) {
+      call<std_srvs::Trigger>("rest");
+    }
+    call<std_srvs::Trigger>("release");
+  }
+
+  void lookSomewhere() {
+    geometry_msgs::PointStamped point;
+    point.header.frame_id = "base_link";
+    point.point.x = 1;
+    point.point.y = 0.1 * uniform(-9, 9);
+    point.point.z = 0.1 * uniform(-2, 3);
+    points_.publish(point);
+  }
+
+  ros::NodeHandle handle_;
+  const int number_;
+  std::mt19937 random_;
+  const std::string name_;
+  const robot_model::RobotModel* model_;
+  std::set<std::pair<int, int>> used_;  ///< ids of joints and targets
+  std::atomic<unsigned> round_{kNoRound};
+  ros::Publisher log_;
+  ros::Publisher commands_;
+  ros::Publisher trajectories_;
+  ros::Publisher velocities_;
+  ros::Publisher points_;
+  std::map<std::string, ros::Publisher> controllers_;
+  ros::Subscriber rounds_;
+};
+
+}  // namespace
+
+std::string toText(const Order& order) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "order " << order.user << ' ' << order.kind << ' ' << order.time << ' ' << order.duration;
+  for (const auto& [joint, target] : order.targets) {
+    text << ' ' << joint << ' ' << target;
+  }
+  return text.str();
+}
+
+std::string toText(const Call& call) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "call " << call.user << ' ' << call.service << ' ' << call.begin << ' ' << call.end << ' ' << call.success
+       << ' ' << call.message;
+  return text.str();
+}
+
+std::string quietIn(unsigned round, const std::string& user) {
+  return "quiet " + user + " " + std::to_string(round);
+}
+
+UserLine parseUserLine(const std::string& text) {
+  std::istringstream words(text);
+  std::string what;
+  std::string user;
+  words >> what >> user;
+  UserLine line;
+  if (what == "order") {
+    Order order;
+    order.user = user;
+    words >> order.kind >> order.time >> order.duration;
+    std::string joint;
+    for (double target = 0; words >> joint >> target;) {
+      order.targets[joint] = target;
+    }
+    line.order = order;
+  } else if (what == "call") {
+    Call call;
+    call.user = user;
+    words >> call.service >> call.begin >> call.end >> call.success;
+    std::getline(words >> std::ws, call.message);
+    line.call = call;
+  } else if (what == "quiet") {
+    unsigned round = 0;
+    words >> round;
+    line.quiet_in = round;
+  } else {
+    throw std::runtime_error("a user has written: " + text);
+  }
+  return line;
+}
+
+void runUser(const std::string& name_space, unsigned number, unsigned seed) {
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  User(name_space, number, seed).run();
+}
+
+}  // namespace soak
