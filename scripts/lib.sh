@@ -47,6 +47,18 @@ print_help() {
   sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"
 }
 
+# packages_of GROUP...: the packages in scripts/packages.txt, for this release.
+packages_of() {
+  local release
+  release=$(. /etc/os-release && echo "${VERSION_CODENAME:-$ID}")
+  awk -v groups=" $* " -v release=",$release," '
+    /^[a-z]/ && index(groups, " " $1 " ") {
+      split($2, part, "@")
+      is_except = sub(/^!/, "", part[2])
+      if (part[2] == "" || (index("," part[2] ",", release) > 0) != is_except) print part[1]
+    }' "$project_dir/scripts/packages.txt"
+}
+
 # setup.bash files do not work with `set -u`.
 source_setup() {
   set +u

@@ -114,7 +114,6 @@ struct Connection {
   CommandOutbox commands;
   RefusalLog refusals;
   RobotInfo robot;                      ///< as the server has introduced itself
-  std::string token;                    ///< by which the server knows the client again; never logged
   std::string robot_message;            ///< what the robot last reported without being asked and still holds
   MotorsAndPosture motors_and_posture;  ///< as the robot last said
   PictureTransport transport = PictureTransport::kTcp;  ///< of the stream's pictures

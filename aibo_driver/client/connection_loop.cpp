@@ -137,13 +137,9 @@ void ConnectionLoop::beginSession() {
     return;
   }
   const VersionNegotiation negotiation = negotiate();
-  if (negotiation.result() != VersionNegotiation::Result::kVersion2 && !token_.empty()) {
-    token_.clear();  // it is another server now, which has taken the hello for something else
-    throw Fault::closed(address_);
-  }
   switch (negotiation.result()) {
     case VersionNegotiation::Result::kVersion2:
-      session_ = std::make_unique<Version2Session>(*connection_, connected_, !token_.empty());
+      session_ = std::make_unique<Version2Session>(*connection_, connected_);
       break;
     case VersionNegotiation::Result::kVersion1:
       beginVersion1(Version1Session::VersionAnswer::kRefused);
@@ -156,7 +152,7 @@ void ConnectionLoop::beginSession() {
 }
 
 VersionNegotiation ConnectionLoop::negotiate() {
-  send(VersionNegotiation::request(token_));
+  send(VersionNegotiation::request());
   VersionNegotiation negotiation(steady_clock::now());
   while (negotiation.result() == VersionNegotiation::Result::kOpen) {
     const bool readable = transport_->wait(negotiation.deadline());
@@ -289,7 +285,6 @@ void ConnectionLoop::reportSession() {
 }
 
 void ConnectionLoop::onReady() {
-  token_ = connection_->token;
   updateStatus([this](ConnectionStatus& status) {
     status.state = ConnectionState::kConnected;
     status.protocol_version = session_->protocolVersion();

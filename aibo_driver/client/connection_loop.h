@@ -123,9 +123,8 @@ class ConnectionLoop {
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // there once the version of the protocol is clear
   ServerHabits habits_;
-  std::string token_;               // that the server gave over the last connection, to be known again; empty if none
-  unsigned transport_changes_ = 0;  // of the user's that have been obeyed
-  std::string datagrams_blocked_;   // why no datagram has ever come; empty if any has, or none was due
+  unsigned transport_changes_ = 0;          // of the user's that have been obeyed
+  std::string datagrams_blocked_;           // why no datagram has ever come; empty if any has, or none was due
   TimePoint connected_ = TimePoint::max();  // since when; max if not
   bool heard_ = false;                      // the server has sent something
   TimePoint attempt_began_;                 // the present or last attempt to connect

@@ -19,14 +19,22 @@ void DatagramIntake::begin(TimePoint now) {
 }
 
 void DatagramIntake::expectFrom(TimePoint now) {
-  last_datagram_ = now;
-  tcp_worked_.reset();
+  datagram_ = good_picture_ = {now, std::nullopt};
 }
 
 void DatagramIntake::heardByTcp(TimePoint now) {
-  if (!tcp_worked_ && now >= last_datagram_ + kMissing) {
-    tcp_worked_ = now;
+  datagram_.heardByTcp(now);
+  good_picture_.heardByTcp(now);
+}
+
+void DatagramIntake::Expectation::heardByTcp(TimePoint now) {
+  if (!tcp_worked && now >= last + kMissing) {
+    tcp_worked = now;
   }
+}
+
+DatagramIntake::TimePoint DatagramIntake::Expectation::deadline(std::chrono::milliseconds patience) const {
+  return tcp_worked ? std::max(last + patience, *tcp_worked + kGrace) : TimePoint::max();
 }
 
 std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t* data, std::size_t size,
@@ -46,15 +54,32 @@ std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t
   }
   context_.counters.lost_datagrams += window_.lost() - lost;
   count(verdict);
-  something_came_ = true;
-  expectFrom(now);
-  if (shows_loss) {
+  const bool is_believed = verdict != SequenceWindow::Verdict::kUnbelieved;
+  if (is_believed) {
+    something_came_ = true;
+    datagram_ = {now, std::nullopt};
+  }
+  if (shows_loss && is_believed) {
     loss_to_report_ = datagram.picture;
   }
+  const bool is_far_ahead = assembly_.isFarAhead(datagram.picture);
   std::optional<PictureAssembly::Whole> whole;
   addPart(datagram, data, now, &whole);
-  acknowledge(datagram);
+  if (!is_far_ahead) {
+    acknowledge(datagram);
+  }
   return whole;
+}
+
+void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
+  const std::uint64_t lost = assembly_.lost();
+  assembly_.settle(number);
+  context_.counters.lost_pictures += assembly_.lost() - lost;
+  good_picture_ = {now, std::nullopt};
+  if (number > newest_) {  // it was far ahead
+    newest_ = acknowledged_ = number;
+    to_acknowledge_ = static_cast<std::uint32_t>(number);
+  }
 }
 
 /// @param[out] whole the picture, if this completes it
@@ -105,13 +130,14 @@ void DatagramIntake::refuse(const std::string& problem) {
 }
 
 DatagramIntake::TimePoint DatagramIntake::deadline(std::chrono::milliseconds extra_interval) const {
-  if (on_ && assembly_.givenUpInARow() >= kMostGivenUp) {
-    return last_datagram_;
-  }
-  if (!on_ || !tcp_worked_) {
+  if (!on_) {
     return TimePoint::max();
   }
-  return std::max(last_datagram_ + kSilence + extra_interval, *tcp_worked_ + kGrace);
+  if (assembly_.givenUpInARow() >= kMostGivenUp) {
+    return datagram_.last;
+  }
+  return std::min(datagram_.deadline(kSilence + extra_interval),
+                  good_picture_.deadline(patienceWithBadOnes(extra_interval)));
 }
 
 std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds extra_interval) const {
@@ -121,6 +147,10 @@ std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds ext
   }
   if (now < deadline(extra_interval)) {
     return "";
+  }
+  if (now < datagram_.deadline(kSilence + extra_interval)) {
+    return "datagrams come, but no good picture; so many of them are lost, or somebody sends others in the robot's "
+           "name";
   }
   return "no datagram has come for 1 s, while TCP works; a firewall, a NAT or a tunnel between robot and computer does "
          "not let UDP through";

@@ -21,7 +21,8 @@ class DatagramIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// If no datagram has come for this long although TCP works, something on the way swallows them.
+  /// If no datagram has come for this long although TCP works, something on the way swallows them. If no good picture
+  /// has, and kMostGivenUp could have come, either so many get lost, or somebody forges datagrams.
   static constexpr std::chrono::milliseconds kSilence{1000};
   /// While the radio is out, TCP is silent, too. So TCP has to have worked when datagrams were missing for this long
   /// ...
@@ -46,8 +47,11 @@ class DatagramIntake {
   void heardByTcp(TimePoint now);
 
   /// A datagram has come from the robot's address.
-  /// @return the picture that it completes
+  /// @return the picture that it completes; goodPicture() is to be called if its JPEG is good
   std::optional<PictureAssembly::Whole> arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
+
+  /// The JPEG of this whole picture is good.
+  void goodPicture(std::int64_t number, TimePoint now);
 
   /// The picture to acknowledge, once: the robot waits for it before it sends more. None if there is nothing new.
   std::optional<std::uint32_t> takeAcknowledgement() { return std::exchange(to_acknowledge_, std::nullopt); }
@@ -71,6 +75,18 @@ class DatagramIntake {
   bool nothingCame() const { return !something_came_; }
 
  private:
+  /// Something that has to come now and then.
+  struct Expectation {
+    TimePoint last;                       // or since when it is due
+    std::optional<TimePoint> tcp_worked;  // when something first came by TCP after kMissing
+
+    void heardByTcp(TimePoint now);
+    TimePoint deadline(std::chrono::milliseconds patience) const;
+  };
+
+  static std::chrono::milliseconds patienceWithBadOnes(std::chrono::milliseconds extra_interval) {
+    return kSilence + kMostGivenUp * extra_interval;
+  }
   void count(SequenceWindow::Verdict verdict);
   void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
                std::optional<PictureAssembly::Whole>* whole);
@@ -82,8 +98,8 @@ class DatagramIntake {
   bool used_ = false;
   bool something_came_ = false;
   bool warned_ = false;
-  TimePoint last_datagram_;              // or since when one is due
-  std::optional<TimePoint> tcp_worked_;  // when something first came by TCP after kMissing
+  Expectation datagram_;
+  Expectation good_picture_;
   std::optional<std::uint32_t> to_acknowledge_;
   std::optional<std::uint32_t> loss_to_report_;
   std::int64_t newest_ = -1;        // of which a part has come

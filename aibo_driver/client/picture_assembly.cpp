@@ -19,13 +19,19 @@ PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& da
   }
   repair(*picture, datagram.part / version2::PARTS_PER_PARITY);
   if (picture->missing == 0) {
-    *whole = Whole{picture->header, std::move(picture->jpeg), picture->began};
-    lost_ += static_cast<std::uint64_t>(datagram.picture - last_settled_ - 1);
-    last_settled_ = datagram.picture;
-    incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(last_settled_));
-    given_up_in_a_row_ = 0;
+    *whole = Whole{datagram.picture, picture->header, std::move(picture->jpeg), picture->began};
+    incomplete_.erase(datagram.picture);
+    far_ahead_.erase(datagram.picture);
   }
   return Result::kTaken;
+}
+
+void PictureAssembly::settle(std::int64_t number) {
+  lost_ += static_cast<std::uint64_t>(number - last_settled_ - 1);
+  last_settled_ = number;
+  incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(number));
+  far_ahead_.clear();
+  given_up_in_a_row_ = 0;
 }
 
 /// @return false if the picture has this part or parity already
@@ -80,28 +86,34 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
   if (number <= last_settled_) {
     return nullptr;
   }
-  const auto found = incomplete_.find(number);
-  if (found != incomplete_.end()) {
+  std::map<std::int64_t, Incomplete>& place = isFarAhead(number) ? far_ahead_ : incomplete_;
+  const auto found = place.find(number);
+  if (found != place.end()) {
     return &found->second;
   }
+  far_ahead_.clear();
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  incomplete_[number] = {datagram.image,
-                         std::vector<std::uint8_t>(datagram.jpeg_size),
-                         std::vector<bool>(parts),
-                         std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
-                         parts,
-                         now};
+  place[number] = {datagram.image,
+                   std::vector<std::uint8_t>(datagram.jpeg_size),
+                   std::vector<bool>(parts),
+                   std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
+                   parts,
+                   now};
   if (incomplete_.size() > kMostIncomplete) {
     giveUpOldest();
   }
-  return number <= last_settled_ ? nullptr : &incomplete_[number];
+  return &place[number];
 }
 
+// The one that has waited longest. That is the one with the lowest number, unless a number is forged.
 void PictureAssembly::giveUpOldest() {
-  const std::int64_t number = incomplete_.begin()->first;
-  incomplete_.erase(incomplete_.begin());
-  lost_ += static_cast<std::uint64_t>(number - last_settled_);
-  last_settled_ = number;
+  const auto began_earlier = [](const auto& a, const auto& b) { return a.second.began < b.second.began; };
+  const auto oldest = std::min_element(incomplete_.begin(), incomplete_.end(), began_earlier);
+  if (oldest == incomplete_.begin()) {
+    lost_ += static_cast<std::uint64_t>(oldest->first - last_settled_);
+    last_settled_ = oldest->first;
+  }
+  incomplete_.erase(oldest);
   ++given_up_in_a_row_;
 }
 

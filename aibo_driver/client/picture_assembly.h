@@ -14,8 +14,11 @@
 namespace aibo_driver {
 
 /// Puts the parts of pictures together. Few pictures are incomplete at a time, so that what a robot sends cannot fill
-/// the memory: a newer picture takes the place of the oldest, and a whole one of all that are older. A part that is
+/// the memory: a newer picture takes the place of the oldest, and a good one of all that are older. A part that is
 /// lost is made from the parity of its group, if that has come.
+///
+/// Datagrams can be forged. So only a good picture makes those before it too late, and one whose number is far ahead
+/// has a place of its own until it is good.
 class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -23,8 +26,13 @@ class PictureAssembly {
   /// Parts of two pictures can be on their way at the same time if a network changes their order.
   static constexpr std::size_t kMostIncomplete = 2;
 
+  /// A picture is far ahead if it is more than this after the last one that was settled: 2 s. Few are sent while
+  /// nothing comes back.
+  static constexpr std::int64_t kFarAhead = 64;
+
   /// A whole picture.
   struct Whole {
+    std::int64_t number;
     protocol::version2::ImageHeader header;
     std::vector<std::uint8_t> jpeg;
     TimePoint began;  ///< when its first datagram came
@@ -42,13 +50,18 @@ class PictureAssembly {
   Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now,
              std::optional<Whole>* whole);
 
+  /// A whole picture is good: it and those before it are settled.
+  void settle(std::int64_t number);
+
+  bool isFarAhead(std::int64_t number) const { return number > last_settled_ + kFarAhead; }
+
   /// Pictures that were sent and have not become whole, also those of which nothing came.
   std::uint64_t lost() const { return lost_; }
 
   /// Parts that were made from parities.
   std::uint64_t repaired() const { return repaired_; }
 
-  /// How many pictures in a row were begun and given up since the last whole one.
+  /// How many pictures in a row were begun and given up since the last good one.
   int givenUpInARow() const { return given_up_in_a_row_; }
 
  private:
@@ -68,7 +81,8 @@ class PictureAssembly {
   void giveUpOldest();
 
   std::map<std::int64_t, Incomplete> incomplete_;  // by the picture's number
-  std::int64_t last_settled_ = -1;                 // this picture and those before it are whole or given up
+  std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
+  std::int64_t last_settled_ = -1;                 // this picture and those before it are good or given up
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;

@@ -4,6 +4,7 @@
 
 #include <bitset>
 #include <cstdint>
+#include <utility>
 
 namespace aibo_driver {
 
@@ -16,7 +17,9 @@ class SequenceWindow {
   /// minutes ahead.
   static constexpr std::int64_t kFarthest = 65536;
 
-  enum class Verdict { kNext, kReordered, kDuplicate, kImpossible };
+  /// A jump by more than kSize is believed when a second datagram, not far behind the first, says the same: anybody who
+  /// can send in the robot's name could make all that follow look late otherwise.
+  enum class Verdict { kNext, kReordered, kDuplicate, kUnbelieved, kImpossible };
 
   /// A datagram has come.
   /// @param sequence its number; the first one that was sent has 0
@@ -25,8 +28,11 @@ class SequenceWindow {
     if (ahead > kFarthest) {
       return Verdict::kImpossible;
     }
+    if (ahead > kSize && !isConfirmed(sequence)) {
+      return Verdict::kUnbelieved;
+    }
     if (ahead > 0) {
-      moveOn(ahead);
+      moveOn(sequence - highest_);
       return Verdict::kNext;
     }
     if (-ahead >= kSize) {
@@ -47,6 +53,16 @@ class SequenceWindow {
   std::uint64_t lost() const { return lost_; }
 
  private:
+  // The first one of a jump counts as come.
+  bool isConfirmed(std::int64_t sequence) {
+    const std::int64_t first = std::exchange(jump_, sequence);
+    if (first <= highest_ || sequence <= first || sequence > first + kSize) {
+      return false;
+    }
+    moveOn(first - highest_);
+    return true;
+  }
+
   // Those that leave the window without having been seen are lost.
   void moveOn(std::int64_t ahead) {
     if (ahead >= kSize) {
@@ -62,6 +78,7 @@ class SequenceWindow {
   }
 
   std::int64_t highest_ = -1;
+  std::int64_t jump_ = -1;                                // the last one that was not believed
   std::bitset<kSize> seen_ = std::bitset<kSize>().set();  // bit i: highest_ - i; those before the first are not missed
   std::uint64_t lost_ = 0;
 };

@@ -10,7 +10,6 @@
 #include "client/units.h"
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
-#include "protocol/introduction.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/stick_pictures.h"
@@ -202,19 +201,15 @@ EndedHow endedHow(unsigned how) {
 
 }  // namespace
 
-Version2Session::Version2Session(Connection& connection, TimePoint connected, bool introduced)
+Version2Session::Version2Session(Connection& connection, TimePoint connected)
     : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
+      last_hello_(connected),
       next_hello_(connected),
       datagrams_(connection.context) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
-  if (introduced) {
-    last_number_ = version2::INTRODUCTION_NUMBER;
-    exchanges_[last_number_] = {version2::REQUEST_HELLO, connected, connection_.answerDeadline(connected)};
-    next_hello_ = connected + kHeartbeatPeriod;
-  }
 }
 
 void Version2Session::add(Call call) {
@@ -222,6 +217,14 @@ void Version2Session::add(Call call) {
 }
 
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
+  Bytes frame = chooseRequest(wish, now);
+  if (!frame.empty()) {
+    next_hello_ = std::min(now + kHeartbeatPeriod, last_hello_ + kHelloPeriod);
+  }
+  return frame;
+}
+
+Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
   connection_.dropTooOld(now);
   const PictureIntake& pictures = connection_.pictures;
   Call* const stop = connection_.calls.nextStop();
@@ -263,7 +266,7 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
-  next_hello_ = now + kHeartbeatPeriod;
+  last_hello_ = now;
   return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
 }
 
@@ -553,7 +556,9 @@ std::vector<Session::Bytes> Version2Session::datagramArrived(const std::uint8_t*
   }
   now_ = now;
   if (const auto whole = datagrams_.arrived(data, size, now)) {
-    if (const auto picture = inspect(whole->jpeg, whole->header, whole->began)) {
+    const auto picture = inspect(whole->jpeg, whole->header, whole->began);
+    if (picture && !isOfTheFuture(whole->header.frame_number)) {
+      datagrams_.goodPicture(whole->number, now);
       deliverFromStream(picture);
     }
   }
@@ -646,7 +651,10 @@ void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   connection_.robot = makeRobotInfo(hello);
-  connection_.token = hello.token;
+  if (!ready_ || timeAhead(hello.frame_number) > TimePoint::duration::zero()) {
+    robot_frame_ = hello.frame_number;
+    robot_frame_time_ = now_;
+  }
   served_.reset();
   for (const std::string& word : connection_.robot.capabilities) {
     if (word.size() == 1) {
@@ -688,6 +696,18 @@ void Version2Session::deliverFromStream(const PicturePtr& picture) {
   } else if (connection_.pictures.deliverFromStream(picture, now_)) {
     newest_frame_ = picture->frame_number;
   }
+}
+
+// A forged frame number would make all pictures after it look overtaken. What comes by TCP is the robot's.
+bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
+  constexpr auto kTolerance = std::chrono::seconds(2);  // the hello may have been on its way for long
+  return timeAhead(frame_number) > kTolerance;
+}
+
+/// How much later than now this frame is, by the hellos.
+Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number) const {
+  constexpr std::chrono::milliseconds kFrame(8);
+  return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (now_ - robot_frame_time_);
 }
 
 // TCP and UDP may overtake each other.

@@ -24,14 +24,15 @@ namespace aibo_driver {
 /// A session with a version 2 server. It begins with a hello; requests are numbered, so several may be under way.
 class Version2Session final : public Session {
  public:
-  /// From one hello to the next. The protocol asks for at least one a second.
-  static constexpr std::chrono::milliseconds kHeartbeatPeriod{500};
+  /// A hello is sent when nothing else has been for this long: a client that is silent for 0.6 s may lose its place.
+  static constexpr std::chrono::milliseconds kHeartbeatPeriod{250};
+  /// From one hello to the next at the most. The protocol asks for at least one a second.
+  static constexpr std::chrono::milliseconds kHelloPeriod{500};
   /// How many commands to the joints may be unanswered. Further ones wait, so that a link that stands still does not
   /// fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
 
-  /// @param introduced the first hello has been sent, as an introduction (protocol/introduction.h)
-  Version2Session(Connection& connection, TimePoint connected, bool introduced = false);
+  Version2Session(Connection& connection, TimePoint connected);
 
   int protocolVersion() const override { return 2; }
   bool ready() const override { return ready_; }
@@ -66,6 +67,7 @@ class Version2Session final : public Session {
     std::size_t size;
   };
 
+  Bytes chooseRequest(const Wish& wish, TimePoint now);
   Bytes requestHello(TimePoint now);
   Bytes requestMotorState(TimePoint now);
   StreamFormat possibleFormat(const Wish& wish) const;
@@ -115,6 +117,8 @@ class Version2Session final : public Session {
   std::shared_ptr<Picture> takePictureFrom(const Payload& payload);
   std::shared_ptr<Picture> inspect(Bytes jpeg, const protocol::version2::ImageHeader& header, TimePoint began);
   void deliverFromStream(const PicturePtr& picture);
+  bool isOfTheFuture(std::uint32_t frame_number) const;
+  TimePoint::duration timeAhead(std::uint32_t frame_number) const;
   bool isOvertaken(const Picture& picture) const;
   void onDatagramPort(const Payload& payload);
   void giveUpDatagrams(const std::string& why, TimePoint now);
@@ -135,7 +139,10 @@ class Version2Session final : public Session {
   std::map<int, Exchange> exchanges_;  // by request number
 
   bool ready_ = false;
-  std::bitset<256> served_;  // letters of the requests that this server knows
+  std::bitset<256> served_;        // letters of the requests that this server knows
+  std::uint32_t robot_frame_ = 0;  ///< of the last hello's answer
+  TimePoint robot_frame_time_;     ///< when that came
+  TimePoint last_hello_;
   TimePoint next_hello_;
   bool has_asked_for_motors_ = false;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it

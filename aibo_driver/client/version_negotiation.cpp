@@ -1,16 +1,10 @@
 #include "client/version_negotiation.h"
 
-#include "protocol/introduction.h"
 #include "protocol/version2.h"
 
 namespace aibo_driver {
 
-VersionNegotiation::Bytes VersionNegotiation::request(const std::string& token) {
-  if (protocol::version2::isToken(token.c_str())) {
-    Bytes introduction(protocol::version2::INTRODUCTION_SIZE);
-    protocol::version2::encodeIntroduction(token.c_str(), introduction.data());
-    return introduction;
-  }
+VersionNegotiation::Bytes VersionNegotiation::request() {
   Bytes bytes(protocol::BASIC_COMMAND_SIZE);
   protocol::encodeCommand(protocol::version2::versionRequest(), bytes.data());
   return bytes;

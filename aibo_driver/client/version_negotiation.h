@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace aibo_driver {
@@ -30,9 +29,7 @@ class VersionNegotiation {
   explicit VersionNegotiation(TimePoint asked) : deadline_(asked + kPatience) {}
 
   /// What to send first.
-  /// @param token that the server gave over the last connection, or empty. With it, a hello of version 2 is sent, too:
-  ///   the request number is protocol::version2::INTRODUCTION_NUMBER.
-  static Bytes request(const std::string& token = {});
+  static Bytes request();
 
   /// Bytes were read. Only while open.
   void bytesArrived(const std::uint8_t* data, std::size_t size);

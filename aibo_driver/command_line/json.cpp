@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "command_line/plain_text.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 std::string quoted(const std::string& text) {
   constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
   std::string quoted = "\"";
-  for (const std::string& character : charactersOf(text)) {
+  for (const std::string& character : text::charactersOf(text)) {
     const auto byte = static_cast<unsigned char>(character.front());
     if (byte == '"' || byte == '\\') {
       quoted += '\\' + character;

@@ -12,8 +12,8 @@
 namespace aibo_driver::command_line {
 
 /// A JSON value (RFC 8259), which this class only writes. Numbers that are not finite and empty optionals are null.
-/// Control characters are escaped, and other bytes that plainText() would not show become U+FFFD, so that every text
-/// gives a valid document in one line that a terminal can show.
+/// Control characters are escaped, and other bytes that text::plainText() would not show become U+FFFD, so that every
+/// text gives a valid document in one line that a terminal can show.
 class Json {
  public:
   Json() : text_("null") {}

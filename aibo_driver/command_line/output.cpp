@@ -5,8 +5,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "command_line/plain_text.h"
 #include "files/files.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -20,7 +20,7 @@ void write(std::FILE* stream, const void* data, std::size_t size) {
 }  // namespace
 
 void Output::result(const std::string& words, const Json& json) {
-  const std::string line = (json_ ? json.text() : plainText(words)) + "\n";
+  const std::string line = (json_ ? json.text() : text::plainText(words)) + "\n";
   write(results_to_stderr_ ? stderr : stdout, line.data(), line.size());
 }
 
@@ -34,7 +34,7 @@ void Output::names(const std::string& kind, const std::vector<std::string>& name
 }
 
 void Output::note(const std::string& words) {
-  std::fprintf(stderr, "%s\n", plainText(words).c_str());
+  std::fprintf(stderr, "%s\n", text::plainText(words).c_str());
 }
 
 void Output::bytes(const std::vector<std::uint8_t>& bytes) {

@@ -15,6 +15,7 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
+constexpr std::size_t kMostWarnings = 64;
 constexpr int kMostTurnsAway = 4;  // with the client's waits between them, about a second
 
 ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
@@ -22,6 +23,15 @@ ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
   options.port = address.port;
   options.connect_timeout = std::clamp(address.timeout, milliseconds(50), options.connect_timeout);
   return options;
+}
+
+/// Of what a robot can send without end, the newest are kept.
+template <typename Kept>
+void keep(const Kept& one, std::size_t most, std::deque<Kept>* kept) {
+  kept->push_back(one);
+  if (kept->size() > most) {
+    kept->pop_front();
+  }
 }
 
 }  // namespace
@@ -134,7 +144,7 @@ RcServerClient::Callbacks Robot::callbacks() {
       }
     });
   };
-  callbacks.on_ended = [this](const MotionEnd& end) { change([&] { received_.ends.push_back(end); }); };
+  callbacks.on_ended = [this](const MotionEnd& end) { change([&] { keep(end, kMostEnds, &received_.ends); }); };
   callbacks.log = [this](LogLevel level, const std::string& message) { noteLog(level, message); };
   return callbacks;
 }
@@ -181,7 +191,7 @@ void Robot::noteLog(LogLevel level, const std::string& message) {
   if (level >= LogLevel::kWarn) {
     change([&] {
       if (received_.status.state == ConnectionState::kConnected) {
-        warnings_.push_back(message);
+        keep(message, kMostWarnings, &warnings_);
       }
     });
   }
@@ -201,7 +211,7 @@ void Robot::checkConnection(const Received& received) const {
 }
 
 void Robot::showWarnings() {
-  std::vector<std::string> warnings;
+  std::deque<std::string> warnings;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     warnings.swap(warnings_);

@@ -40,9 +40,9 @@ struct Received {
   std::map<int, JointReading> joints;     ///< the latest, by identifier
   std::map<int, double> sensors;          ///< the latest, by identifier
   std::map<int, double> accepted_joints;  ///< rad, by identifier
-  std::vector<MotionEnd> ends;
-  std::deque<ArrivedPicture> pictures;  ///< that nobody has taken yet; the newest kMostPictures
-  std::uint64_t lost_pictures = 0;      ///< that nobody took in time
+  std::deque<MotionEnd> ends;             ///< the newest kMostEnds
+  std::deque<ArrivedPicture> pictures;    ///< that nobody has taken yet; the newest kMostPictures
+  std::uint64_t lost_pictures = 0;        ///< that nobody took in time
 };
 
 /// The robot that a command is for. Lets a command wait for what the client calls back, and for Ctrl-C.
@@ -51,6 +51,7 @@ struct Received {
 class Robot {
  public:
   static constexpr std::size_t kMostPictures = 64;
+  static constexpr std::size_t kMostEnds = 64;
   static constexpr int kTelemetryPeriod = 4;                  ///< frames
   static constexpr std::chrono::seconds kMeasureTimeout{3};   ///< a version 1 server measures one value after the other
   static constexpr std::chrono::milliseconds kTimeout{2000};  ///< of a request that is answered at once
@@ -117,8 +118,8 @@ class Robot {
   Output& output_;
   Event changed_;
   mutable std::mutex mutex_;
-  Received received_;                  // guarded by mutex_
-  std::vector<std::string> warnings_;  // the same
+  Received received_;                 // guarded by mutex_
+  std::deque<std::string> warnings_;  // the same; the newest kMostWarnings
   std::uint64_t refusals_before_ = 0;
   std::unique_ptr<RcServerClient> client_;  // last: its thread uses all of the above
 };

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <strings.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,19 +10,24 @@
 #include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
+#include "client/file_descriptor.h"
 #include "mtn/layout.h"
 #include "mtn/motion.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kNotRegular = "it is not a regular file";  // reading anything else could block
 
 /// Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
@@ -34,7 +40,13 @@ std::string thisComputer() {
   throw FileException("cannot read '" + path + "': " + why);
 }
 
-void refuseTilde(const std::string& path, const char* verb) {
+/// A zero byte would end the path for the system, after the end of the name was checked; other control characters would
+/// spoil the terminals and logs in which the name is shown.
+void checkPath(const std::string& path, const char* verb) {
+  if (const std::string shown = text::plainLine(path, PATH_MAX); shown != path) {
+    throw FileException(std::string("cannot ") + verb + " '" + shown +
+                        "': the path is too long, or holds control characters");
+  }
   if (!path.empty() && path.front() == '~') {
     throw FileException(std::string("cannot ") + verb + " '" + path +
                         "': '~' is not expanded here; give the whole path");
@@ -165,28 +177,36 @@ class TemporaryFile {
 }  // namespace
 
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest) {
-  refuseTilde(path, "read");
+  checkPath(path, "read");
   std::error_code error;
   if (!fs::exists(path, error)) {
-    failToRead(path, "there is no such file on " + thisComputer() + " (working directory: " +
-                         fs::current_path(error).string() + ")");
+    failToRead(path, "there is no such file on " + thisComputer() +
+                         " (working directory: " + fs::current_path(error).string() + ")");
   }
-  // Reading anything else, such as a pipe, could block.
   if (!fs::is_regular_file(path, error)) {
-    failToRead(path, "it is not a regular file");
+    failToRead(path, kNotRegular);
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
+  // Without waiting for the writer of a pipe that has come meanwhile.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat properties {};
+  if (!file.valid() || ::fstat(file.get(), &properties) != 0) {
     failToRead(path, std::strerror(errno));
   }
-  std::vector<std::uint8_t> bytes(longest + 1);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (file.bad()) {
-    failToRead(path, std::strerror(errno));
+  if (!S_ISREG(properties.st_mode)) {
+    failToRead(path, kNotRegular);
   }
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  if (bytes.size() > longest) {
+  const auto size = static_cast<std::size_t>(properties.st_size);
+  if (size > longest) {
     failToRead(path, "it has more than the " + std::to_string(longest) + " bytes allowed");
+  }
+  // Files of the kernel, which have no size, may block their readers, and end at different places each time.
+  std::vector<std::uint8_t> bytes(size);
+  std::size_t read = 0;
+  for (ssize_t count = 1; count > 0 && read < size; read += static_cast<std::size_t>(std::max<ssize_t>(count, 0))) {
+    count = ::read(file.get(), bytes.data() + read, size - read);
+  }
+  if (read < size) {
+    failToRead(path, "fewer bytes than its size can be read");
   }
   return bytes;
 }
@@ -245,7 +265,7 @@ std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg)
 }
 
 std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg) {
-  refuseTilde(path, "write");
+  checkPath(path, "write");
   const fs::path allowed = canonicalFolder(folder);
   std::error_code error;
   // Follows links: the file that a link points to has to be in the folder, and is replaced, not the link.

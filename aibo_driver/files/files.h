@@ -22,7 +22,8 @@ class FileException : public Exception {
 /// Reads a whole file.
 /// @param path absolute, or relative to the working directory of the process
 /// @param longest the most bytes that it may have
-/// @throw FileException it does not exist, may not be read, is not a regular file, is longer, ...
+/// @throw FileException it does not exist, may not be read, is not a regular file, is longer, the path holds control
+///   characters, ...
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest);
 
 /// Where pictures are saved.
@@ -43,7 +44,8 @@ std::vector<std::uint8_t> loadMotion(const std::string& path);
 /// @param path in this folder, absolute or relative to it; ends in .jpg or .jpeg, in upper or lower case: programs go
 ///   by the name, and the robot's pictures are JPEGs
 /// @return the absolute path of the file
-/// @throw FileException the file is not in the folder, the name is not that of a JPEG, the file exists and is not a
+/// @throw FileException the path holds control characters, the file is not in the folder, the name is not that of a
+/// JPEG, the file exists and is not a
 ///   JPEG, its folder does not exist, permission is missing, the disk is full, ...
 std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg);
 

@@ -1,16 +1,21 @@
 #include "movement/movement.h"
 
-#include <algorithm>
+#include "text/plain_text.h"
 
 namespace aibo_driver::movement {
+namespace {
+
+// Of a sentence about a joint that was left out.
+constexpr std::size_t kLongest = 200;  // bytes
+
+}  // namespace
 
 std::string listOf(const std::vector<std::string>& names, const std::string& separator) {
-  constexpr std::size_t kMost = 3;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
-    list += (i == 0 ? "" : separator) + names[i];
+  text::FirstThree first(kLongest);
+  for (const std::string& name : names) {
+    first.add(name);
   }
-  return names.size() > kMost ? list + " and " + std::to_string(names.size() - kMost) + " more" : list;
+  return first.text(separator);
 }
 
 std::string describe(const Movement& movement) {

@@ -17,11 +17,13 @@
 #include "remote_control/lights_page.h"
 #include "remote_control/motion_page.h"
 #include "remote_control/move_page.h"
+#include "remote_control/plain_text.h"
 #include "remote_control/sensors_page.h"
 
 namespace aibo_driver::remote_control {
 namespace {
 
+constexpr int kLongestAnswer = 1000;  // characters: laying out megabytes would take the time of STOP
 // A frightened hand clicks more than once, and must not release what it has just stopped.
 constexpr qint64 kNoReleaseFor = 1000;  // ms
 
@@ -68,6 +70,7 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
       picture_(new PictureView(this)),
       camera_page_(new CameraPage(robot, this)),
       status_(new QLabel(this)) {
+  new PlainText(this);
   status_->setObjectName("status");
   status_->setWordWrap(true);
   status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -276,8 +279,9 @@ void RemoteControl::showWhyNoPicture() {
 }
 
 void RemoteControl::showAnswer(bool success, const QString& text) {
-  status_->setText(QTime::currentTime().toString("HH:mm:ss ") + text);
-  status_->setToolTip(text);
+  const QString shown = text.left(kLongestAnswer);
+  status_->setText(QTime::currentTime().toString("HH:mm:ss ") + shown);
+  status_->setToolTip(shown);
   status_->setStyleSheet(success ? "" : "color: #e53935");
 }
 

@@ -48,13 +48,11 @@ QString noDriverText(const QString& name_space) {
 }  // namespace
 
 RosRobot::RosRobot(QObject* parent)
-    : Robot(parent),
-      callbacks_(ros::NodeHandle("/")),
-      master_watch_(ros::this_node::getName()),
-      manager_(&RosRobot::manageTopics, this) {
+    : Robot(parent), callbacks_(ros::NodeHandle("/")), master_watch_(ros::this_node::getName()) {
   connection_.text = "no driver has been found yet";
   connect(&measurements_timer_, &QTimer::timeout, this, &RosRobot::takeMeasurements);
   callbacks_.start();
+  manager_ = std::thread(&RosRobot::manageTopics, this);  // uses all of the above
 }
 
 RosRobot::~RosRobot() {

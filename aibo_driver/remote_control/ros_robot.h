@@ -107,7 +107,7 @@ class RosRobot : public Robot {
 
   node::CallbackThreads callbacks_;
   node::MasterWatch master_watch_;
-  std::thread manager_;  // last: it uses all of the above
+  std::thread manager_;
 };
 
 }  // namespace aibo_driver::remote_control

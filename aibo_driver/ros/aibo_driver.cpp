@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include "ros/node.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -21,9 +22,14 @@ constexpr int kPostureThreads = 2;
 constexpr double kReportPeriod = 1.0;  // s
 
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
+  text::FirstThree names;
   for (const std::string& name : parameters.unknown) {
-    ROS_WARN_STREAM("The driver has no parameter " << name_prefix << "/" << name
-                                                   << ", and ignores it: is the name misspelt?");
+    names.add(name_prefix + "/" + name);
+  }
+  if (!names.empty()) {
+    ROS_WARN_STREAM("The driver has no parameter " << names.text() << ", and ignores "
+                                                   << (names.count() == 1 ? "it: is the name" : "them: are the names")
+                                                   << " misspelt?");
   }
 }
 

@@ -44,10 +44,10 @@
 #include "ros/live_settings.h"
 #include "ros/only_driver.h"
 #include "ros/robot_stamper.h"
-#include "ros/throttled_warnings.h"
 #include "ros/walk/odometry_publisher.h"
 #include "ros/walk/posture_services.h"
 #include "ros/walk/walk_commander.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -107,7 +107,7 @@ class AiboDriver {
   movement::JointTable joint_table_;
   movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
-  ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   StreamMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;
@@ -129,7 +129,7 @@ class AiboDriver {
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;
   ColorTableService color_tables_;
-  ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   movement::Mover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;

@@ -9,6 +9,7 @@
 #include "aibo_driver/exceptions.h"
 #include "robot_model/robot_model.h"
 #include "ros/camera/camera_options.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -129,15 +130,15 @@ class ParameterReader {
   }
 
   void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) {
-    std::ostringstream message;
-    message << "Parameter " << name_prefix_ << name << " is ";
+    std::string given;
     if (value.getType() == XmlRpcValue::TypeString) {
-      message << "the text '" << static_cast<std::string>(XmlRpcValue(value)) << "'";
+      given = "the text '" + text::plainLine(static_cast<std::string>(XmlRpcValue(value))) + "'";
     } else {
-      value.write(message);
+      std::ostringstream written;
+      value.write(written);
+      given = text::plainLine(written.str());
     }
-    message << "; allowed is " << allowed << ". ";
-    refusals_ += message.str();
+    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; allowed is " + allowed + ". ";
   }
 
   XmlRpcValue values_;

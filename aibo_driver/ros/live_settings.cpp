@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 
 #include "ros/camera/camera_options.h"
 #include "ros/driver_parameters.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 
@@ -15,6 +17,8 @@ LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, RcServerClient
     : client_(client),
       adapter_(adapter),
       joint_table_(joint_table),
+      warnings_([](const std::string& text) { ROS_WARN_STREAM(text); }),
+      in_force_log_([](const std::string& text) { ROS_INFO_STREAM(text); }),
       in_force_(AiboDriverConfig::__getDefault__()),
       server_(private_handle) {
   server_.setCallback([this](AiboDriverConfig& config, std::uint32_t) { apply(config); });
@@ -40,18 +44,19 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   client_.setTelemetryPeriod(telemetry_period_);
   joint_table_.setSpeedScale(config.speed_scale);
   in_force_ = config;
-  ROS_INFO_STREAM("Settings in force: jpeg_quality "
-                  << config.jpeg_quality << " of 1..100, resolution " << config.resolution << ", frame_rate "
-                  << config.frame_rate << " of 2..30, transport " << config.transport << ", adaptive "
-                  << (config.adaptive ? "on" : "off") << ", max_picture_age " << config.max_picture_age
-                  << " of 0.05..2, telemetry_rate " << config.telemetry_rate << " of 0..31.25, speed_scale "
-                  << config.speed_scale << " of 0.1..1.");
+  std::ostringstream text;
+  text << "Settings in force: jpeg_quality " << config.jpeg_quality << " of 1..100, resolution " << config.resolution
+       << ", frame_rate " << config.frame_rate << " of 2..30, transport " << config.transport << ", adaptive "
+       << (config.adaptive ? "on" : "off") << ", max_picture_age " << config.max_picture_age
+       << " of 0.05..2, telemetry_rate " << config.telemetry_rate << " of 0..31.25, speed_scale " << config.speed_scale
+       << " of 0.1..1.";
+  in_force_log_.say(text.str());
 }
 
 void LiveSettings::applyToCamera(AiboDriverConfig& config) {
   if (!resolutionOf(config.resolution)) {
-    ROS_WARN_STREAM("The resolution '" << config.resolution << "' is not one of " << kResolutionNames
-                                       << ": it stays at " << in_force_.resolution << ".");
+    warnings_.warn("The resolution '" + text::plainLine(config.resolution) + "' is not one of " + kResolutionNames +
+                   ": it stays at " + in_force_.resolution + ".");
     config.resolution = in_force_.resolution;
   }
   StreamAdapter::Wish stream;
@@ -63,8 +68,8 @@ void LiveSettings::applyToCamera(AiboDriverConfig& config) {
   config.frame_rate = frameRateOf(stream.format.every_nth_image);
   adapter_.setWish(stream);
   if (!transportOf(config.transport)) {
-    ROS_WARN_STREAM("The transport '" << config.transport << "' is not one of " << kTransportNames << ": it stays at "
-                                      << in_force_.transport << ".");
+    warnings_.warn("The transport '" + text::plainLine(config.transport) + "' is not one of " + kTransportNames +
+                   ": it stays at " + in_force_.transport + ".");
     config.transport = in_force_.transport;
   }
   client_.setPictureTransport(*transportOf(config.transport));

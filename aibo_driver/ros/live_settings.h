@@ -11,6 +11,7 @@
 #include "aibo_driver/rcserver_client.h"
 #include "movement/joint_table.h"
 #include "ros/camera/stream_adapter.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -35,6 +36,8 @@ class LiveSettings {
   StreamAdapter& adapter_;
   movement::JointTable& joint_table_;
   std::atomic<int> telemetry_period_{0};
+  text::ThrottledWarnings warnings_;
+  text::ThrottledWarnings in_force_log_;
   AiboDriverConfig in_force_;
   dynamic_reconfigure::Server<AiboDriverConfig> server_;
 };

@@ -5,9 +5,12 @@
 #include <exception>
 #include <string>
 
+#include "text/plain_text.h"
+
 namespace aibo_driver::node {
 
-/// Answers a call of a service with how it went: the call itself never fails.
+/// Answers a call of a service with how it went: the call itself never fails. The message quotes callers and the robot,
+/// so it is plain text (text::plainText()) of at most 4000 bytes.
 /// @param failure what was not done: begins the message if `work` throws
 /// @param work does what was asked, and returns the message that says so
 /// @return true, as roscpp wants
@@ -19,6 +22,8 @@ bool answer(Response& response, const std::string& failure, const Work& work) {
   } catch (const std::exception& error) {
     response.message = failure + ": " + error.what();
   }
+  constexpr std::size_t kLongest = 4000;
+  response.message = text::plainText(response.message.substr(0, kLongest));
   return true;
 }
 

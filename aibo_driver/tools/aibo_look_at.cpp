@@ -20,7 +20,7 @@
 
 #include "robot_model/head.h"
 #include "ros/node.h"
-#include "ros/throttled_warnings.h"
+#include "text/throttled_warnings.h"
 
 namespace {
 
@@ -174,7 +174,7 @@ class LookAt {
   const std::string base_frame_ = frame_prefix_ + "base_link";
   tf2_ros::Buffer frames_;
   const tf2_ros::TransformListener listener_{frames_};
-  aibo_driver::node::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM(text); }};
+  aibo_driver::text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM(text); }};
   ros::Publisher result_;
   ros::Publisher joints_;
   ros::Publisher floor_;

@@ -9,12 +9,9 @@
 
 /// Constructed with the values that hold on the robot.
 struct HostSettings {
-  HostSettings() : newest_version(protocol::version2::VERSION), memory_stick("/MS"), room(NULL) {
-    random[0] = random[1] = 0;
-  }
+  HostSettings() : newest_version(protocol::version2::VERSION), memory_stick("/MS"), room(NULL) {}
 
   int newest_version;        ///< of the protocol that clients may ask for: 1 or 2
-  unsigned random[2];        ///< random numbers of the system; the robot has none
   const char* memory_stick;  ///< the folder with the memory stick's content; has to outlive the server
   /// Bytes for which a simulated stick still has room; has to outlive the server. NULL on the robot: the stick's own
   /// file system knows.

@@ -11,21 +11,11 @@ namespace version2 {
 
 namespace {
 
-enum Key {
-  KEY_ROBOT,
-  KEY_SERVER,
-  KEY_FRAME_NUMBER,
-  KEY_CAPABILITIES,
-  KEY_LIMITS,
-  KEY_WALK_LIMITS,
-  KEY_TOKEN,
-  KEY_COUNT
-};
+enum Key { KEY_ROBOT, KEY_SERVER, KEY_FRAME_NUMBER, KEY_CAPABILITIES, KEY_LIMITS, KEY_WALK_LIMITS, KEY_COUNT };
 
 const int REQUIRED_KEYS = KEY_WALK_LIMITS;  // those before it
 
-const char* const KEY_NAMES[KEY_COUNT] = {"robot",  "server",      "frame_number", "capabilities",
-                                          "limits", "walk_limits", "token"};
+const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits", "walk_limits"};
 
 // A piece of the payload, without a zero byte at its end.
 struct Text {
@@ -142,17 +132,6 @@ const char* decodeWalkLimits(Text value, WalkLimits* walk) {
   return is_read ? NULL : "the limits of the walk are not forward:back:left:turn";
 }
 
-// A newer server may have tokens of another kind, which this one cannot use.
-void decodeToken(const Text& value, char (&token)[TOKEN_SIZE + 1]) {
-  if (value.size() == TOKEN_SIZE) {
-    memcpy(token, value.begin, TOKEN_SIZE);
-    token[TOKEN_SIZE] = '\0';
-  }
-  if (!isToken(token)) {
-    token[0] = '\0';
-  }
-}
-
 const char* decodeValue(Key key, const Text& value, Hello* hello) {
   switch (key) {
     case KEY_ROBOT:
@@ -167,9 +146,6 @@ const char* decodeValue(Key key, const Text& value, Hello* hello) {
       return decodeLimits(value, hello);
     case KEY_WALK_LIMITS:
       return decodeWalkLimits(value, &hello->walk);
-    case KEY_TOKEN:
-      decodeToken(value, hello->token);
-      return NULL;
     default:
       return NULL;
   }
@@ -232,10 +208,6 @@ class Writer {
 
 }  // namespace
 
-bool isToken(const char* text) {
-  return strlen(text) == TOKEN_SIZE && strspn(text, "0123456789abcdef") == TOKEN_SIZE;
-}
-
 size_t encodeHello(const Hello& hello, unsigned char* out) {
   char number[16];
   sprintf(number, "%u", hello.frame_number);
@@ -257,9 +229,6 @@ size_t encodeHello(const Hello& hello, unsigned char* out) {
     char limits[64];
     sprintf(limits, "%d:%d:%d:%d", walk.forward, walk.back, walk.left, walk.turn);
     writer.appendLine(KEY_WALK_LIMITS, limits);
-  }
-  if (hello.token[0] != '\0') {
-    writer.appendLine(KEY_TOKEN, hello.token);
   }
   return writer.size();
 }

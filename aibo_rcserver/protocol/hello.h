@@ -8,10 +8,8 @@
 ///     capabilities=H F W J V T O I L K P N S E
 ///     limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460
 ///     walk_limits=150:100:60:1200
-///     token=0123456789abcdef
 ///
-/// The first five keys must be there; walk_limits is there if the robot can walk, token if the server knows clients
-/// again (introduction.h). None may be there twice. The order
+/// The first five keys must be there; walk_limits is there if the robot can walk. None may be there twice. The order
 /// does not matter. Other keys are for newer clients and are ignored.
 #ifndef AIBO_RCSERVER_PROTOCOL_HELLO_H
 #define AIBO_RCSERVER_PROTOCOL_HELLO_H
@@ -32,12 +30,6 @@ struct JointLimits {
   int speed;  ///< greatest speed in microradian/s, not negative
 };
 
-/// Hexadecimal digits of a token.
-const size_t TOKEN_SIZE = 16;
-
-/// True for 16 digits 0..9, a..f.
-bool isToken(const char* text);
-
 /// Most bytes in one text of a hello, without the end mark.
 const size_t MAX_HELLO_TEXT_SIZE = 127;
 
@@ -50,13 +42,11 @@ struct Hello {
                                                ///< words for other abilities; separated by spaces
   unsigned char joint_count;                   ///< 0..MAX_JOINTS
   JointLimits joints[MAX_JOINTS];              ///< `limits`: id:lower:upper:speed, separated by spaces
-  char token[TOKEN_SIZE + 1];                  ///< by which the server knows the client again; empty if there is none
   WalkLimits walk;                             ///< `walk_limits`: forward:back:left:turn, in mm/s and mrad/s
 };
 
-/// Room for the largest hello: keys, three texts, and at most 4 + 3 * 12 bytes per joint, 4 * 6 for the walk, and the
-/// token.
-const size_t MAX_HELLO_SIZE = 160 + 7 + TOKEN_SIZE + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
+/// Room for the largest hello: keys, three texts, and at most 4 + 3 * 12 bytes per joint, and 4 * 6 for the walk.
+const size_t MAX_HELLO_SIZE = 160 + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
 
 /// Writes the payload.
 /// @param out room for MAX_HELLO_SIZE bytes

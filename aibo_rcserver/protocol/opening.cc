@@ -1,39 +1,62 @@
 #include "protocol/opening.h"
 
+#include <ctype.h>
 #include <string.h>
+
+#include "protocol/request_reader.h"
 
 namespace protocol {
 
 namespace {
 
-// The methods of RFC 9110, section 9.3, and RFC 5789, and TLS's header of a handshake (RFC 8446, section 5.1).
-const char* const BROWSER_OPENINGS[] = {"GET ",    "POST ",    "PUT ",   "HEAD ",  "OPTIONS ",
-                                        "DELETE ", "CONNECT ", "TRACE ", "PATCH ", "\x16\x03"};
-const size_t NUMBER_OF_OPENINGS = sizeof(BROWSER_OPENINGS) / sizeof(BROWSER_OPENINGS[0]);
+const char LETTERS_OF_PAIRS[] = "FWXJSVA";  // requests that can have two bytes
+
+// RFC 9110, section 5.6.2. Not isalnum() alone: what is a letter does not depend on the locale of the computer.
+bool isOfToken(unsigned char byte) {
+  return byte < 0x80 && (isalnum(byte) || (byte != '\0' && strchr("!#$%&'*+-.^_`|~", byte) != NULL));
+}
+
+// What a request line asks for: a path, an address with its scheme, or "*".
+bool beginsTarget(unsigned char byte) {
+  return byte == '/' || byte == '*' || (byte >= 'a' && byte <= 'z');
+}
 
 }  // namespace
 
-const size_t Opening::LONGEST;
-
-Opening::Verdict Opening::add(const unsigned char* bytes, size_t size) {
-  if (verdict_ == UNCLEAR) {
-    const size_t room = LONGEST - size_;
-    const size_t taken = size < room ? size : room;
-    memcpy(bytes_ + size_, bytes, taken);
-    size_ += taken;
-    verdict_ = judge();
+void Opening::add(const unsigned char* bytes, size_t size) {
+  for (size_t i = 0; i < size && !is_decided_; ++i) {
+    take(bytes[i]);
   }
-  return verdict_;
 }
 
-Opening::Verdict Opening::judge() const {
-  for (size_t i = 0; i < NUMBER_OF_OPENINGS; ++i) {
-    const size_t whole = strlen(BROWSER_OPENINGS[i]);
-    if (memcmp(bytes_, BROWSER_OPENINGS[i], size_ < whole ? size_ : whole) == 0) {
-      return size_ < whole ? UNCLEAR : BROWSER;
-    }
+Opening::Verdict Opening::verdict() const {
+  if (is_decided_) {
+    return is_stranger_ ? STRANGER : CLIENT;
   }
-  return CLIENT;
+  return is_of_letters_ || ends_with_space_ || size_ > FILE_REQUEST_SIZE ? UNCLEAR : CLIENT;
+}
+
+// A space that is the second byte of a request says nothing yet: "F " asks for a picture of quality 32.
+void Opening::take(unsigned char byte) {
+  const bool is_second = size_ % 2 == 1;
+  if (size_ == 0 && !RequestReader::isLetter(static_cast<char>(byte))) {
+    decide(true);
+  } else if (ends_with_space_) {
+    decide(beginsTarget(byte));
+  } else if (byte == ' ') {
+    ends_with_space_ = size_ == 1 || (is_of_pairs_ && is_second);
+    is_decided_ = is_stranger_ = !ends_with_space_;
+  } else if (!isOfToken(byte)) {
+    decide(false);
+  }
+  is_of_letters_ = is_of_letters_ && isalpha(byte);
+  is_of_pairs_ = is_of_pairs_ && (is_second || strchr(LETTERS_OF_PAIRS, byte) != NULL);
+  ++size_;
+}
+
+void Opening::decide(bool is_stranger) {
+  is_decided_ = true;
+  is_stranger_ = is_stranger;
 }
 
 }  // namespace protocol

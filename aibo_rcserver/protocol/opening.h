@@ -1,5 +1,5 @@
 /// @file opening.h
-/// Tells by the first bytes of a connection whether a web browser has made it.
+/// Tells by the first bytes of a connection whether a client of this protocol has made it.
 #ifndef AIBO_RCSERVER_PROTOCOL_OPENING_H
 #define AIBO_RCSERVER_PROTOCOL_OPENING_H
 
@@ -9,43 +9,50 @@ namespace protocol {
 
 /// The first bytes of a connection, which may arrive in any pieces.
 ///
-/// A web page can make its visitor's browser send HTTP, with a body of its choice, to any port that the browser
-/// reaches, also to one that only the visitor's own computer may use. Read as requests, such a body could move the
-/// robot. So a connection is dropped if its first bytes are one of HTTP's methods with the space after it, or the
-/// beginning of TLS's first message. They are held until this is clear, which takes at most LONGEST bytes.
+/// A web page can make its visitor's browser connect to any port that the browser reaches, and send much of what the
+/// page chooses: HTTP of any method (RFC 9110), TLS, STUN (RFC 5389). Read as requests, these bytes could move the
+/// robot. So nothing is carried out for a connection whose first byte is not the letter of a request of version 1, or
+/// that begins like a line of HTTP: with a token, which is what a method is (RFC 9110, sections 5.6.2 and 9.1), and a
+/// space.
 ///
-/// No request of version 1 that could be carried out is mistaken for HTTP, and none waits. Only `P`, `D` and `C` are
-/// letters both of requests and of methods, and these requests have 18 bytes, of which bytes 3 to 14 are the name of a
-/// file: "POST " would be the name "ST ...", "DELETE " would be "LETE ...". No name of a motion contains a space, and
-/// `C` is always refused. The other methods, and TLS's byte 0x16, begin with a byte that is no request's; after that
-/// byte, the answer "unknown" comes when it is clear that there is no method.
+/// Letters of methods are letters of requests, too, and a token has no greatest length. So the question stays open
+/// while all bytes are those of tokens. Requests of two bytes, which ask for pictures and values, need not wait for the
+/// answer: "FU" is a whole request. What has more bytes has to wait while IsUnclear(); no request that could be carried
+/// out is so: an identifier, a zero byte, or a full stop in its first bytes says that it is none of HTTP.
 ///
 /// Not thread-safe.
 class Opening {
  public:
   enum Verdict {
-    UNCLEAR,  ///< the bytes so far may become a browser's
-    CLIENT,   ///< not a browser
-    BROWSER   ///< HTTP or TLS
+    UNCLEAR,  ///< the bytes so far may become HTTP
+    CLIENT,   ///< they are a client's, as far as they go
+    STRANGER  ///< they are not; stays so
   };
 
-  /// Most bytes that can be UNCLEAR and one more: "OPTIONS ".
-  static const size_t LONGEST = 8;
+  Opening()
+      : size_(0),
+        is_decided_(false),
+        is_stranger_(false),
+        is_of_letters_(true),
+        is_of_pairs_(true),
+        ends_with_space_(false) {}
 
-  Opening() : size_(0), verdict_(UNCLEAR) {}
+  /// Adds bytes that have arrived. Once it is clear that they are a client's, more bytes change nothing.
+  void add(const unsigned char* bytes, size_t size);
 
-  /// Adds bytes that have arrived. After the verdict, more bytes change nothing.
-  /// @return the verdict on all bytes so far
-  Verdict add(const unsigned char* bytes, size_t size);
-
-  Verdict verdict() const { return verdict_; }
+  /// The verdict on all bytes so far.
+  Verdict verdict() const;
 
  private:
-  Verdict judge() const;
+  void take(unsigned char byte);
+  void decide(bool is_stranger);
 
-  char bytes_[LONGEST];
   size_t size_;
-  Verdict verdict_;
+  bool is_decided_;
+  bool is_stranger_;      ///< if it is decided
+  bool is_of_letters_;    ///< all bytes so far are
+  bool is_of_pairs_;      ///< all so far may be requests of two bytes
+  bool ends_with_space_;  ///< which may be the end of a method, or the second byte of a request
 };
 
 }  // namespace protocol

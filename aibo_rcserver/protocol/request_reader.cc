@@ -50,6 +50,10 @@ const size_t RequestReader::MAX_REQUESTS;
 
 RequestReader::RequestReader() : waiting_size_(0), content_left_(0) {}
 
+bool RequestReader::isLetter(char letter) {
+  return hasTwoSizes(letter) || sizeOf(letter) != 0;
+}
+
 void RequestReader::reset() {
   waiting_size_ = 0;
   content_left_ = 0;
@@ -64,7 +68,7 @@ size_t RequestReader::append(const unsigned char* bytes, size_t size) {
 
 bool RequestReader::next(Request* request) {
   skipContent();
-  const size_t size = frontSize();
+  const size_t size = frontSize(waiting_, waiting_size_);
   if (size == 0) {
     return false;
   }
@@ -105,18 +109,18 @@ void RequestReader::skipContent() {
   consume(skipped);
 }
 
-// Size of the first waiting request; 0 if it is incomplete.
-size_t RequestReader::frontSize() const {
-  if (waiting_size_ < BASIC_COMMAND_SIZE) {
+// Size of the first request in these bytes; 0 if it is incomplete.
+size_t RequestReader::frontSize(const unsigned char* bytes, size_t size) {
+  if (size < BASIC_COMMAND_SIZE) {
     return 0;
   }
-  const char letter = static_cast<char>(waiting_[0]);
+  const char letter = static_cast<char>(bytes[0]);
   if (hasTwoSizes(letter)) {
-    return waiting_size_ == VALUE_REQUEST_SIZE - 1 ? 0 : waiting_size_;
+    return size == VALUE_REQUEST_SIZE - 1 ? 0 : size;
   }
   // The size of an unknown request is unknown, but every request has at least two bytes.
-  const size_t size = sizeOf(letter) != 0 ? sizeOf(letter) : BASIC_COMMAND_SIZE;
-  return waiting_size_ < size ? 0 : size;
+  const size_t wanted = sizeOf(letter) != 0 ? sizeOf(letter) : BASIC_COMMAND_SIZE;
+  return size < wanted ? 0 : wanted;
 }
 
 void RequestReader::consume(size_t size) {

@@ -56,6 +56,12 @@ class RequestReader {
 
   RequestReader();
 
+  /// True if requests of version 1 can begin with this.
+  static bool isLetter(char letter);
+
+  /// True if a connection that begins with these bytes begins with a whole request.
+  static bool beginsWithRequest(const unsigned char* bytes, size_t size) { return frontSize(bytes, size) > 0; }
+
   /// Forgets all bytes, for a new client.
   void reset();
 
@@ -76,6 +82,9 @@ class RequestReader {
   /// @return how many; 0 if none are waiting, and at the end of the content
   size_t takeContent(unsigned char* out, size_t capacity);
 
+  /// True if no bytes are waiting.
+  bool isEmpty() const { return waiting_size_ == 0; }
+
   /// Takes all waiting bytes. After the request for version 2 they belong to version 2.
   /// @param[out] out room for MAX_WAITING bytes
   /// @return how many there were
@@ -83,7 +92,7 @@ class RequestReader {
 
  private:
   void skipContent();
-  size_t frontSize() const;
+  static size_t frontSize(const unsigned char* bytes, size_t size);
   void consume(size_t size);
 
   unsigned char waiting_[MAX_WAITING];

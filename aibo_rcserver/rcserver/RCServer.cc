@@ -9,13 +9,20 @@
 #include <string.h>
 
 #include "objects/HostSettings.h"
-#include "protocol/introduction.h"
+#include "protocol/opening.h"
 #include "protocol/version1.h"
 #include "rcserver/settings/Settings.h"
 
 namespace {
 
 const longword FRAMES_PER_SECOND = 125;  // of 8 ms
+const longword FRAMES_PER_MINUTE = 60 * FRAMES_PER_SECOND;
+
+bool IsStranger(const byte* bytes, size_t size) {
+  protocol::Opening opening;
+  opening.add(bytes, size);
+  return opening.verdict() == protocol::Opening::STRANGER;
+}
 
 // OPEN-R passes the data of an event as const, but its own classes take it without. Nothing is written there.
 template <typename Vector>
@@ -51,6 +58,7 @@ const char* ReasonOf(TCPEndpointError error) {
 const longword RCServer::HEARTBEAT_FRAMES;
 const longword RCServer::LYING_DOWN_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
+const longword RCServer::OUTAGE_FRAMES;
 const longword RCServer::INTRODUCTION_FRAMES;
 
 RCServer::RCServer()
@@ -58,6 +66,7 @@ RCServer::RCServer()
       client_(NULL),
       guest_(NULL),
       guest_since_(0),
+      guest_size_(0),
       body_(NULL),
       power_order_(POWER_STAYS_ON),
       file_(NULL),
@@ -67,11 +76,14 @@ RCServer::RCServer()
       admitted_(0),
       last_bytes_received_(0),
       last_sign_of_life_(0),
+      is_announced_(false),
       was_silent_(false),
       last_not_over_(0),
       last_attempt_(0),
       turned_away_(0),
-      last_report_(0 - FRAMES_PER_SECOND) {}
+      last_report_(0 - FRAMES_PER_SECOND),
+      strangers_(0),
+      last_stranger_(0 - FRAMES_PER_MINUTE) {}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -133,9 +145,6 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   pictures_.CountImage(image_vector);
-  if (!tokens_.HasImage()) {
-    tokens_.Stir(image_vector);
-  }
   session_->Camera().SetHasDetail(pictures_.HasDetail());
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
@@ -223,12 +232,10 @@ void RCServer::ListenCont(ANTENVMSG msg) {
     TurnAway(connection, "the robot goes off");
   } else if (client_ == NULL) {
     Admit(connection);
-  } else if (IsClientSilent()) {
-    DropClient("it was silent and another client came", true);
-    Admit(connection);
-  } else if (MayBeTheClient(*connection) && connection->Receive()) {
+  } else if (connection->Receive()) {
     guest_ = connection;
     guest_since_ = now_;
+    guest_size_ = 0;
   } else {
     TurnAwayWhileBusy(connection);
   }
@@ -256,7 +263,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
   const TCPEndpointReceiveMsg* answer = static_cast<const TCPEndpointReceiveMsg*>(antEnvMsg::Receive(msg));
   Connection* connection = FindConnection(answer->continuation);
   if (connection != NULL && connection == guest_) {
-    MeetGuest(*answer);
+    GuestReceived(*answer);
     return;
   }
   if (client_ == NULL || connection != client_) {
@@ -466,64 +473,70 @@ void RCServer::Welcome(Connection* newcomer) {
   admitted_ = now_;
   last_sign_of_life_ = now_;
   last_bytes_received_ = now_;
+  is_announced_ = false;
   was_silent_ = false;
   last_not_over_ = now_;
   session_->Begin();
-  tokens_.Stir(now_);
-  tokens_.Stir(client_->ClientPort());
-  char token[protocol::version2::TOKEN_SIZE + 1];
-  tokens_.Make(token);
-  session_->SetToken(token);
   datagrams_.ClientConnected(client_->ClientAddress());
-  if (reports_.Admits(now_)) {
-    OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
-  }
 }
 
 // After an outage of the radio, a client is often back before the robot knows that its old connection is dead.
-bool RCServer::MayBeTheClient(const Connection& newcomer) const {
-  return session_->HasGivenToken() && newcomer.ClientAddress() == client_->ClientAddress();
+bool RCServer::MayReplaceClient(const Connection& newcomer) const {
+  return IsClientSilent() || (session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress() &&
+                              now_ - last_bytes_received_ >= OUTAGE_FRAMES);
 }
 
-// The guest has sent something, or it is gone.
-void RCServer::MeetGuest(const TCPEndpointReceiveMsg& answer) {
+// The guest has sent something, or it is gone. More of it is read when it is the client.
+void RCServer::GuestReceived(const TCPEndpointReceiveMsg& answer) {
+  if (answer.error != TCP_SUCCESS) {
+    guest_->Close(answer.error != TCP_CONNECTION_CLOSED, now_);
+    guest_ = NULL;
+    return;
+  }
+  guest_size_ = static_cast<size_t>(answer.sizeMin);
+  if (IsStranger(guest_->ReceivedBytes(), guest_size_)) {
+    Connection* const stranger = guest_;
+    guest_ = NULL;
+    AbortStranger(stranger);
+  } else {
+    CheckGuest();
+  }
+}
+
+// Only a whole request takes the place of a client. Others wait for a frame: that the client has closed may be known
+// after a newcomer, who may be the same client again.
+void RCServer::CheckGuest() {
+  if (guest_ == NULL) {
+    return;
+  }
+  if (client_ == NULL) {
+    AdmitGuest();
+    return;
+  }
+  const bool may_replace = MayReplaceClient(*guest_);
+  if (may_replace && protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_size_)) {
+    DropClient(IsClientSilent() ? "it was silent and another client came" : "it has come back over a new connection",
+               true);
+    AdmitGuest();
+  } else if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
+    Connection* const guest = guest_;
+    guest_ = NULL;
+    TurnAwayWhileBusy(guest);
+  }
+}
+
+void RCServer::AdmitGuest() {
   Connection* const guest = guest_;
   guest_ = NULL;
-  if (answer.error != TCP_SUCCESS) {
-    guest->Close(answer.error != TCP_CONNECTION_CLOSED, now_);
-    return;
-  }
-  char token[protocol::version2::TOKEN_SIZE + 1];
-  const size_t size = static_cast<size_t>(answer.sizeMin);
-  const bool is_client =
-      protocol::version2::decodeIntroduction(guest->ReceivedBytes(), size, token) && session_->HasGiven(token);
-  if (client_ != NULL && !is_client) {
-    TurnAwayWhileBusy(guest);
-    return;
-  }
-  if (client_ != NULL) {
-    DropClient("it has come back over a new connection", true);
-  }
   if (power_order_ != POWER_STAYS_ON) {
     TurnAway(guest, "the robot goes off");
     return;
   }
   Welcome(guest);
-  TakeInput(size);
-}
-
-void RCServer::CheckGuest() {
-  if (guest_ == NULL || (client_ != NULL && now_ - guest_since_ < INTRODUCTION_FRAMES)) {
-    return;
-  }
-  Connection* const guest = guest_;
-  guest_ = NULL;
-  if (client_ != NULL) {
-    TurnAwayWhileBusy(guest);
-  } else if (power_order_ != POWER_STAYS_ON) {
-    TurnAway(guest, "the robot goes off");
+  if (guest_size_ > 0) {
+    TakeInput(guest_size_);
   } else {
-    Admit(guest);
+    ServeClient();
   }
 }
 
@@ -539,10 +552,6 @@ void RCServer::TakeInput(size_t size) {
   last_bytes_received_ = now_;
   client_->Received();
   session_->AddInput(client_->ReceivedBytes(), size);
-  if (session_->IsWithBrowser()) {
-    DropClient("it sent HTTP or TLS: a web browser, perhaps at the orders of a web page", true);
-    return;
-  }
   ServeClient();
 }
 
@@ -561,12 +570,30 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   last_report_ = now_;
 }
 
+// What is no client, such as a web browser at the orders of a web page, may try again without end.
+void RCServer::AbortStranger(Connection* stranger) {
+  stranger->Close(true, now_);
+  ++strangers_;
+  if (now_ - last_stranger_ >= FRAMES_PER_MINUTE) {
+    OSYSPRINT(
+        ("RCServer: %s is no client: its first bytes are no request, but perhaps a web browser's. %u such "
+         "connections have been aborted since the last report\n",
+         stranger->ClientName(), strangers_));
+    strangers_ = 0;
+    last_stranger_ = now_;
+  }
+}
+
 // Forgets the client and everything it has started.
 void RCServer::DropClient(const char* reason, bool abort) {
   if (reports_.Admits(now_)) {
     OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
   }
   client_->Close(abort, now_);
+  ForgetClient();
+}
+
+void RCServer::ForgetClient() {
   client_ = NULL;
   session_->End();
   pictures_.Forget();
@@ -580,6 +607,17 @@ void RCServer::DropClient(const char* reason, bool abort) {
 // Does everything that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
+  if (session_->IsWithStranger()) {
+    AbortStranger(client_);
+    ForgetClient();
+    return;
+  }
+  if (!is_announced_ && session_->HasRequested()) {
+    is_announced_ = true;
+    if (reports_.Admits(now_)) {
+      OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
+    }
+  }
   pictures_.ReportStream(session_->Camera(), now_, &reports_);
   if (client_->HasWaitingPicture() && !session_->Camera().Wants(pictures_.Order())) {
     client_->DropWaitingPicture();
@@ -637,7 +675,6 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
     DropClient("there is no picture for it", true);
     return;
   }
-  tokens_.Stir(image_vector);
 }
 
 // What kind of picture to make of this image. False if none is due.

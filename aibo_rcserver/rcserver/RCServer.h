@@ -14,7 +14,6 @@
 #include "rcserver/ReportLimit.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Session.h"
-#include "rcserver/TokenMaker.h"
 #include "rcserver/body/Body.h"
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureDatagrams.h"
@@ -48,8 +47,12 @@ class RCServer : public OObject {
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
 
-  /// A newcomer from the client's address gets this many frames to show that it is the client: 0.5 s. It has sent its
-  /// introduction at once, so this is for the way.
+  /// A client of version 2 that has sent nothing for this many frames loses its place to a newcomer from its address:
+  /// 0.6 s. A client sends a hello every 0.25 s, so this is a connection that an outage of the radio has ended.
+  static const longword OUTAGE_FRAMES = 75;
+
+  /// A newcomer who may take the client's place gets this many frames for its first request: 0.5 s. It is sent at once,
+  /// so this is for the way.
   static const longword INTRODUCTION_FRAMES = 63;
 
   RCServer();
@@ -119,13 +122,16 @@ class RCServer : public OObject {
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
   void Welcome(Connection* newcomer);
-  bool MayBeTheClient(const Connection& newcomer) const;
-  void MeetGuest(const TCPEndpointReceiveMsg& answer);
+  bool MayReplaceClient(const Connection& newcomer) const;
+  void GuestReceived(const TCPEndpointReceiveMsg& answer);
   void CheckGuest();
+  void AdmitGuest();
   void TurnAwayWhileBusy(Connection* newcomer);
   void TakeInput(size_t size);
   void TurnAway(Connection* newcomer, const char* reason);
+  void AbortStranger(Connection* stranger);
   void DropClient(const char* reason, bool abort);
+  void ForgetClient();
   void ServeClient();
   bool SendOutput();
   bool SendFile();
@@ -139,10 +145,10 @@ class RCServer : public OObject {
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;    ///< how many have been numbered
   Connection* client_;  ///< the client's connection; NULL if there is no client
-  Connection* guest_;   ///< a newcomer who may be the client; NULL if there is none
+  Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
   longword guest_since_;
-  TokenMaker tokens_;
-  Body* body_;  ///< from DoInit to DoDestroy
+  size_t guest_size_;  ///< bytes that it has sent
+  Body* body_;         ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   FileDesk file_desk_;
@@ -157,11 +163,14 @@ class RCServer : public OObject {
   longword admitted_;             ///< when the client was
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client
+  bool is_announced_;             ///< the client, on the console
   bool was_silent_;               ///< the client, at the last look
   longword last_not_over_;        ///< last frame in which the session was not over
   longword last_attempt_;         ///< to listen
   unsigned turned_away_;          ///< clients turned away since the last report on the console
   longword last_report_;          ///< of clients turned away
+  unsigned strangers_;            ///< aborted since the last report on the console
+  longword last_stranger_;        ///< that was reported
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

@@ -19,6 +19,7 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
       stick_pictures_(camera_, files_, settings),
       version1_(robot_, settings, files_, motions_, camera_, outbox_, payload_),
       version2_(robot_, settings, files_, motions_, stick_pictures_, camera_, outbox_),
+      is_stranger_(false),
       has_requested_(false),
       frame_reader_(payload_, sizeof(payload_)),
       has_request_(false),
@@ -35,6 +36,7 @@ void Session::Begin() {
   input_begin_ = 0;
   input_end_ = 0;
   opening_ = protocol::Opening();
+  is_stranger_ = false;
   has_requested_ = false;
   request_reader_.reset();
   frame_reader_.reset();
@@ -61,7 +63,8 @@ bool Session::WantsInput() const {
 void Session::AddInput(const unsigned char* bytes, size_t size) {
   if (version_ == 1) {
     request_reader_.append(bytes, size);
-    has_requests_ = opening_.add(bytes, size) == protocol::Opening::CLIENT;
+    opening_.add(bytes, size);
+    has_requests_ = !IsWithStranger();
     return;
   }
   memcpy(input_, bytes, size);
@@ -139,9 +142,10 @@ void Session::HandleVersion1() {
   }
 }
 
-// False if there is no complete request, or if it has to wait for the memory stick.
+// False if there is no complete request, or if it has to wait.
 bool Session::HandleRequestOfVersion1() {
-  has_requests_ = has_request_ || request_reader_.next(&request_);
+  has_request_ = has_request_ || request_reader_.next(&request_);
+  has_requests_ = has_request_ && !MayBeHttp();
   if (!has_requests_) {
     return false;
   }
@@ -149,12 +153,20 @@ bool Session::HandleRequestOfVersion1() {
   const bool asks_for_version2 = request_.valid && request_.basic.command == protocol::REQUEST_NEWER_VERSION &&
                                  request_.basic.identifier == protocol::version2::VERSION;
   if (asks_for_version2 && newest_version_ >= protocol::version2::VERSION) {
+    has_request_ = false;
     ChangeToVersion2();
     return false;
   }
   has_request_ = !version1_.Handle(request_);
   outbox_.Reserve(files_.IsPending());
   return !has_request_;
+}
+
+// Such a request waits for the next byte. No client's is followed by one that leaves the question open.
+bool Session::MayBeHttp() {
+  const bool may_be = opening_.verdict() == protocol::Opening::UNCLEAR && request_.valid && request_.payload_size > 0;
+  is_stranger_ = may_be && !request_reader_.isEmpty();
+  return may_be;
 }
 
 void Session::HandleVersion2(unsigned now) {

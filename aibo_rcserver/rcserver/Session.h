@@ -43,15 +43,6 @@ class Session {
   /// A client has connected. It speaks version 1 until it asks for version 2.
   void Begin();
 
-  /// The token that the client gets if it speaks version 2, to be known again when it comes back.
-  void SetToken(const char* token) { version2_.SetToken(token); }
-
-  /// True if the client has got a token.
-  bool HasGivenToken() const { return version2_.HasGreeted(); }
-
-  /// True if the client has got this token.
-  bool HasGiven(const char* token) const { return version2_.HasGiven(token); }
-
   /// The client is gone. Everything it has started ends: the camera idles, the joints hold, LEDs are off.
   void End();
 
@@ -61,10 +52,10 @@ class Session {
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
-  /// True if the first bytes are a web browser's (Opening). None of its bytes is handled; it has to be dropped.
-  bool IsWithBrowser() const { return opening_.verdict() == protocol::Opening::BROWSER; }
+  /// True if the first bytes are not a client's (Opening). Nothing more is handled; it has to be dropped.
+  bool IsWithStranger() const { return is_stranger_ || opening_.verdict() == protocol::Opening::STRANGER; }
 
-  /// True if the client has sent at least one whole request, valid or not.
+  /// True if the client has sent at least one whole request.
   bool HasRequested() const { return has_requested_; }
 
   /// Handles requests as long as there is room for the answers. Call when bytes were added or taken, and when the
@@ -140,6 +131,7 @@ class Session {
 
   void HandleVersion1();
   bool HandleRequestOfVersion1();
+  bool MayBeHttp();
   void HandleVersion2(unsigned now);
   bool MayHandleVersion2();
   bool ReadFrame();
@@ -158,13 +150,14 @@ class Session {
   Version1 version1_;
   Version2 version2_;
   protocol::Opening opening_;
+  bool is_stranger_;
   bool has_requested_;
   protocol::RequestReader request_reader_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: the content of an upload
   protocol::version2::FrameReader frame_reader_;
   protocol::Request request_;
-  bool has_request_;                                           ///< in request_: it waits for the memory stick
-  bool has_requests_;                                          ///< of version 1, possibly complete ones
+  bool has_request_;   ///< in request_: it waits for the memory stick, or until it is clear that it is none of HTTP
+  bool has_requests_;  ///< of version 1, possibly complete ones
   unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
   size_t input_begin_;
   size_t input_end_;

@@ -136,8 +136,6 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
 }
 
 void Version2::Begin() {
-  token_[0] = '\0';
-  has_greeted_ = false;
   owes_file_ = false;
   has_waiting_ = false;
   tells_camera_settings_ = false;
@@ -146,15 +144,6 @@ void Version2::Begin() {
   has_pushed_telemetry_ = false;
   last_telemetry_ = 0;
   detects_colors_ = false;
-}
-
-void Version2::SetToken(const char* token) {
-  strncpy(token_, token, TOKEN_SIZE);
-  token_[TOKEN_SIZE] = '\0';
-}
-
-bool Version2::HasGiven(const char* token) const {
-  return has_greeted_ && strcmp(token_, token) == 0;
 }
 
 void Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
@@ -308,8 +297,6 @@ void Version2::Greet(unsigned now) {
     hello.joints[i] = limits;
   }
   hello.walk = WalkLimitsOf(joints.Walking());
-  strcpy(hello.token, token_);
-  has_greeted_ = true;
   Reply(encodeHello(hello, Payload()));
 }
 

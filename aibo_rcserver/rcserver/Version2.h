@@ -24,15 +24,6 @@ class Version2 {
   /// A new client: no telemetry is pushed, and no request waits.
   void Begin();
 
-  /// The token that the client gets with each hello.
-  void SetToken(const char* token);
-
-  /// True if the client has got its token.
-  bool HasGreeted() const { return has_greeted_; }
-
-  /// True if the client has got this token.
-  bool HasGiven(const char* token) const;
-
   /// Carries out a request, and adds at most one reply to the outbox, and the refusal of a request that has waited.
   /// FileDone() answers a request that needs the memory stick, the camera a request for a picture. If the memory stick
   /// is busy, the request waits for HandleWaiting(); while one waits already, it is refused.
@@ -173,8 +164,6 @@ class Version2 {
   bool has_waiting_;                         ///< a request waits until the memory stick is free
   protocol::version2::FrameHeader waiting_;
   unsigned char waiting_payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
-  char token_[protocol::version2::TOKEN_SIZE + 1];
-  bool has_greeted_;
   unsigned commands_before_waiting_;                ///< how many commands the joints had had when it came
   unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the largest of all
   bool tells_camera_settings_;

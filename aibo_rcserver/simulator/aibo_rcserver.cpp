@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -211,9 +210,6 @@ void run(const Options& options) {
   HostSettings host;
   host.newest_version = options.protocol_version;
   host.memory_stick = options.memory_stick.c_str();
-  std::random_device random;
-  host.random[0] = random();
-  host.random[1] = random();
   host.room = robot.stick().room();
   setHostSettings(host);
   stopOnSignal(machine);

@@ -1,15 +1,18 @@
 """Checks that Sony's OPEN-R SDK, which the user provides, has everything that building a stick needs."""
+import importlib.util
 import re
 import shutil
 import subprocess
+import zlib
 from typing import NamedTuple
 
+from . import debian
 from .problem import Problem, raise_any
 
 WHAT_IT_IS = (
-    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: it has the cross compiler (GCC 3.3.6,",
-    "binutils 2.15, newlib 1.15), the headers and libraries of OPEN-R, and the robot's system.",
-    "Sony offered it to owners free of charge and has withdrawn it; Aibo owners keep it in archives of their own.",
+    "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: OPEN_R_SDK-1.1.5-r5.tar.gz has the headers",
+    "and libraries of OPEN-R, and the robot's system. Sony has withdrawn it; owners keep copies. It needs GNU's newlib",
+    "and libgcc beside it, and GNU's compiler of that time or Debian's of today: docs/on_robot.md says which.",
     "This project may not distribute any of it. When you have it, use --sdk /usr/local/OPEN_R_SDK, or wherever it is.",
 )
 
@@ -25,13 +28,21 @@ class Part(NamedTuple):
 
 COMPILER = Part(
     "the cross compiler",
-    "Unpack or build the SDK's toolchain (GCC 3.3.6, binutils 2.15, newlib 1.15) under the same folder.",
+    "Unpack or build GNU's tools for the SDK (GCC 3.3, binutils 2.15, newlib 1.15) under the same folder, or take "
+    "Debian's compiler: --compiler debian.",
     tuple("bin/mipsel-linux-" + tool for tool in ("gcc", "g++", "ar", "nm", "strip", "readelf")),
+)
+C_LIBRARY = Part(
+    "the C library, GNU's newlib",
+    "Sony's archive does not have it, nor does Debian for this processor. Unpack a copy of the SDK that owners keep, "
+    "with the folders mipsel-linux and lib, or build newlib 1.10 to 1.15 for mipsel-linux under the same folder.",
+    ("mipsel-linux/include/string.h", *("mipsel-linux/lib/" + name for name in debian.NEWLIB)),
 )
 LIBRARIES = Part(
     "OPEN-R's libraries",
     "Unpack the whole SDK archive (OPEN_R_SDK-1.1.5): this copy of it is incomplete.",
-    tuple(f"OPEN_R/lib/lib{name}.a" for name in ("ObjectComm", "OPENR", "Internet", "antMCOOP", "apsys", "mcoopstub")),
+    tuple(f"OPEN_R/lib/lib{name}.a" for name in ("ObjectComm", "OPENR", "Internet", "antMCOOP", "apsys", "mcoopstub",
+                                                 "OFSpub")),
 )
 HEADERS = Part(
     "OPEN-R's headers",
@@ -40,21 +51,54 @@ HEADERS = Part(
 )
 STUB_GENERATOR = Part("OPEN-R's Perl programs", HEADERS.advice, ("OPEN_R/bin/stubgen2",))
 LINKER = Part("OPEN-R's Perl programs", HEADERS.advice, ("OPEN_R/bin/mkbin", "OPEN_R/bin/gensnap"))
-C_HEADERS = Part("the C library's headers", COMPILER.advice, ("mipsel-linux/include/string.h",))
+C_HEADERS = Part("the C library's headers", C_LIBRARY.advice, ("mipsel-linux/include/string.h",))
+
+# Sony's system is encrypted, so its files cannot be unpacked. Those of all revisions that were seen have whole blocks
+# of 8 bytes that no packer makes smaller, and sizes well within these bounds.
+SYSTEM_FILES = {"OPEN-R/APERIOS.GZ": (400_000, 700_000), "OPEN-R/APERINIT.GZ": (20_000, 50_000),
+                "OPEN-R/BOOTPARA": (100, 1_000)}
+SYSTEM_OBJECT = (2_000, 200_000)
 
 
-def check_for_build(sdk, model):
-    """Raises Problems for everything that `sdk` lacks for building and for a stick of that model."""
-    _check_folder(sdk)
-    missing = [problem for part in (COMPILER, LIBRARIES, HEADERS, STUB_GENERATOR, LINKER)
-               for problem in _missing(sdk, part)]
-    raise_any(missing + _missing_system(system_folder(sdk, model)) + _missing_programs("perl", "make", "gzip"))
-    _check_compiler_runs(sdk)
+def compilers():
+    """Whose tools can build the programs: the SDK's own, or Debian's."""
+    return ("sdk", "debian")
+
+
+def choose_compiler(sdk, wanted):
+    """`wanted`, or if it is None, the SDK's own compiler where there is one, and else Debian's."""
+    return wanted or ("sdk" if (sdk / COMPILER.paths[1]).is_file() else "debian")
+
+
+def build_problems(sdk, model, compiler):
+    """Yields a Problem for everything that building with this compiler and a stick of that model lack."""
+    if not (sdk / "OPEN_R").is_dir():
+        yield no_sdk(sdk)
+        return
+    own = compiler == "sdk"
+    problems = [problem for part in (COMPILER if own else C_LIBRARY, LIBRARIES, HEADERS, STUB_GENERATOR, LINKER)
+                for problem in _missing(sdk, part)]
+    problems += _system_problems(system_folder(sdk, model)) + _missing_programs("perl", "make", "gzip")
+    problems += missing_pyelftools()
+    if own:
+        problems += [] if any(_missing(sdk, COMPILER)) else _compiler_problems(sdk)
+    else:
+        problems += _debian_problems(sdk)
+    yield from problems
+
+
+def missing_pyelftools():
+    """A Problem in a list if the checks of programs lack the library that reads them."""
+    if importlib.util.find_spec("elftools") is None:
+        return [Problem("this Python has no module elftools, which reads programs.",
+                        "apt-get install python3-pyelftools; and start this script with Debian's python3.")]
+    return []
 
 
 def check_for_headers(sdk):
     """Raises Problems for everything that `sdk` lacks for a check of the headers alone."""
-    _check_folder(sdk)
+    if not (sdk / "OPEN_R").is_dir():
+        raise no_sdk(sdk)
     raise_any([problem for part in (HEADERS, STUB_GENERATOR, C_HEADERS) for problem in _missing(sdk, part)] +
               _missing_programs("perl", "g++"))
 
@@ -70,16 +114,51 @@ def files_named_in(configuration):
     return [name for line in lines for name in re.findall(r"/MS/(\S+)", line)]
 
 
-def missing_system_files(open_r):
-    """Missing files that the system's own .CFG files name, as paths from the top of the stick."""
+def faulty_system_files(open_r):
+    """What is wrong with Sony's files, in a list: those the robot boots from, and those that its .CFG files name."""
     named = [name for configuration in sorted((open_r / "SYSTEM" / "CONF").glob("*.CFG"))
              for name in files_named_in(configuration) if name.endswith(".BIN")]
-    return [name for name in named if not (open_r.parent / name).is_file()]
+    sizes = {**SYSTEM_FILES, **{name: SYSTEM_OBJECT for name in named}}
+    return [f"{name} {fault}" for name, (least, most) in sizes.items()
+            for fault in _faults_of(open_r.parent / name, least, most)]
 
 
-def _check_folder(sdk):
-    if not (sdk / "OPEN_R").is_dir():
-        raise Problem(f"there is no OPEN-R SDK in {sdk}: the folder OPEN_R is missing.", *WHAT_IT_IS)
+def _faults_of(path, least, most):
+    if not path.is_file():
+        yield "is not there"
+        return
+    data = path.read_bytes()
+    if not least <= len(data) <= most:
+        yield f"has {len(data)} bytes, Sony's has {least} to {most}"
+    elif len(data) % 8 != 0 or len(zlib.compress(data)) < 0.95 * len(data):
+        yield "has not the form of Sony's: it is cut off, or another file"
+
+
+def revision(open_r):
+    """The revision of the SDK 1.1.5 from which this system comes, such as 5, or None if VERSION.txt does not say."""
+    version = open_r / "VERSION.txt"
+    found = re.search(r"SDK 1\.1\.5 r(\d+)", version.read_text(errors="replace")) if version.is_file() else None
+    return int(found.group(1)) if found else None
+
+
+def notes_on_revision(open_r):
+    """What the owner should know about the revision of this system (CHANGES_E.txt of the SDK), one line each."""
+    number = revision(open_r)
+    if number is None:
+        return ["The revision of Sony's system is not known: VERSION.txt does not name it."]
+    changes = ((2, "the robot switches itself off less often when a motor works hard, and locks its battery while it "
+                   "starts"),
+               (3, "its EEPROM is safe when it has to stop at once"), (4, "it knows the ERS-7M3"),
+               (5, "its WLAN is better tuned"))
+    lacks = [f"r{since}: {what}" for since, what in changes if since > number]
+    notes = [f"The robot's system is that of the SDK 1.1.5 r{number}."]
+    if lacks and "ERS-7" in (open_r / "VERSION.txt").read_text(errors="replace"):
+        notes += ["An ERS-7M3 needs r4 or later; r5 is recommended. Since " + "; since ".join(lacks) + "."]
+    return notes
+
+
+def no_sdk(sdk):
+    return Problem(f"there is no OPEN-R SDK in {sdk}: the folder OPEN_R is missing.", *WHAT_IT_IS)
 
 
 def _missing(sdk, part):
@@ -98,23 +177,37 @@ def _missing_programs(*names):
             for name in names if shutil.which(name) is None]
 
 
-def _missing_system(open_r):
-    missing = missing_system_files(open_r) if (open_r / "APERIOS.GZ").is_file() else ["OPEN-R/APERIOS.GZ"]
-    if not missing:
+def _system_problems(open_r):
+    faults = faulty_system_files(open_r)
+    if not faults:
         return []
-    return [Problem(f"the robot's system in {open_r.parent} lacks {_some(missing)}.",
+    return [Problem(f"the robot's system in {open_r.parent} is not whole: {_some(faults)}.",
                     "Unpack the SDK's archives again: some copies lack the folders called OBJS.")]
 
 
-def _check_compiler_runs(sdk):
-    for tool in COMPILER.paths:
-        _run(sdk / tool, "--version")
-    for driver, compiler in (("gcc", "cc1"), ("g++", "cc1plus")):
-        path = _run(sdk / f"bin/mipsel-linux-{driver}", f"-print-prog-name={compiler}").strip()
-        if "/" not in path:  # the driver prints just the name if it does not find the program
-            raise Problem(f"mipsel-linux-{driver} does not find {compiler}, the compiler itself.", COMPILER.advice)
-        _run(path, "--version")
-    _run(sdk / "OPEN_R/bin/mkbin", "--help")
+def _debian_problems(sdk):
+    problems = []
+    if any(shutil.which(debian.PREFIX + name) is None for name in ("gcc", "g++", "ld", "ar", "strip")):
+        problems.append(Problem("Debian's cross compiler is not on this computer.",
+                                "scripts/install_dependencies stick, or: apt-get install g++-mipsel-linux-gnu"))
+    if debian.libgcc(sdk) is None:
+        problems.append(Problem(f"{sdk} lacks libgcc.a, in lib/gcc-lib/mipsel-linux/VERSION.", C_LIBRARY.advice,
+                                "Debian's libgcc has instructions that the robot's processor does not know."))
+    return problems
+
+
+def _compiler_problems(sdk):
+    try:
+        for tool in COMPILER.paths:
+            _run(sdk / tool, "--version")
+        for driver, compiler in (("gcc", "cc1"), ("g++", "cc1plus")):
+            path = _run(sdk / f"bin/mipsel-linux-{driver}", f"-print-prog-name={compiler}").strip()
+            if "/" not in path:  # the driver prints just the name if it does not find the program
+                raise Problem(f"mipsel-linux-{driver} does not find {compiler}, the compiler itself.", COMPILER.advice)
+            _run(path, "--version")
+    except Problem as problem:
+        return [problem]
+    return []
 
 
 def _run(program, option):
@@ -132,5 +225,5 @@ def _cannot_run(program, why):
     return Problem(f"{program} does not run on this computer: {why}",
                    "A program for 32-bit Linux needs: dpkg --add-architecture i386; apt-get update; "
                    "apt-get install libc6:i386.",
-                   "If it needs a newer GLIBC, use a container with a newer Debian, or build the toolchain from "
-                   "source.")
+                   "If it needs a newer GLIBC, use a container with a newer Debian, build GNU's tools again, or take "
+                   "Debian's: --compiler debian.")

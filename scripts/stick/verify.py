@@ -1,10 +1,10 @@
 """Checks that a memory stick has everything that the robot is configured to start."""
 import gzip
 import re
-import struct
 import zlib
 
 from . import sdk as sony
+from .binary import Program
 from .objects import robot_objects, services
 from .problem import Problem
 from .wlan import parse_wlan_conf, wlan_conf
@@ -18,7 +18,7 @@ SYSTEM_SERVICES = {
     "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
 }
 
-# Linked with OPEN-R's libraries, Sony's smallest sample has 665 KB and the RCServer 920 KB.
+# Linked with OPEN-R's and GNU's libraries, Sony's smallest sample has 665 KB, with Debian's compiler FileKeeper 250 KB.
 MIN_PROGRAM_SIZE = 100_000
 MAX_PROGRAM_SIZE = 4_000_000
 MAX_STICK_SIZE = 8_000_000  # the smaller of Sony's programmable sticks
@@ -44,10 +44,8 @@ def problems_of(stick):
 
 
 def _system_problems(open_r):
-    if not (open_r / "APERIOS.GZ").is_file():
-        yield Problem(f"the robot's system is not on the stick: {open_r}/APERIOS.GZ.", WRITE_AGAIN)
-    for name in sony.missing_system_files(open_r):
-        yield Problem(f"a file in OPEN-R/SYSTEM/CONF names /MS/{name}, which is not there.", WRITE_AGAIN)
+    for fault in sony.faulty_system_files(open_r):
+        yield Problem(f"the robot's system is not whole: /MS/{fault}.", WRITE_AGAIN)
 
 
 def _name_problems(open_r):
@@ -82,25 +80,20 @@ def _programs_to_start(open_r):
 
 
 def _program_problems(path):
-    build_again = "Build it again with the SDK's own compiler."
+    build_again = "Build it again."
     try:
         with gzip.open(str(path)) as packed:
             program = packed.read(MAX_PROGRAM_SIZE + 1)
     except (OSError, EOFError, zlib.error) as error:
         yield Problem(f"{path} is not whole, or not packed by gzip: {error}", build_again)
         return
-    if not _is_mips_program(program):
-        yield Problem(f"{path} is not a program for the robot, a 32-bit little-endian MIPS ELF file.", build_again)
-    elif not MIN_PROGRAM_SIZE <= len(program) <= MAX_PROGRAM_SIZE:
+    if not MIN_PROGRAM_SIZE <= len(program) <= MAX_PROGRAM_SIZE:
         yield Problem(f"{path} has {len(program)} bytes unpacked (or more); {MIN_PROGRAM_SIZE} to {MAX_PROGRAM_SIZE} "
                       "are expected.",
                       "Is it linked with OPEN-R's libraries, and stripped?")
-
-
-def _is_mips_program(program):
-    machine_mips, class_32, little_endian = 8, 1, 1
-    return (len(program) >= 20 and program[:4] == b"\x7fELF" and program[4] == class_32 and
-            program[5] == little_endian and struct.unpack_from("<H", program, 18)[0] == machine_mips)
+        return
+    for what in Program(program).problems():
+        yield Problem(f"{path}: {what}.", build_again)
 
 
 def _connection_problems(open_r):

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from .problem import Problem
 
 HOST_NAME = "AIBO"
+UNUSED_KEY = "AIBO2"  # without encryption; no example of Sony's has an empty key
 
 
 class Wlan(NamedTuple):
@@ -89,7 +90,7 @@ def _network(address, netmask):
 
 def _wep_lines(key):
     if key is None:
-        return {"WEPENABLE": "0", "WEPKEY": ""}
+        return {"WEPENABLE": "0", "WEPKEY": UNUSED_KEY}
     digits = re.fullmatch(r"(?:0x)?([0-9A-Fa-f]{10}|[0-9A-Fa-f]{26})", key)
     if digits:
         return {"WEPENABLE": "1", "WEPKEY": "0x" + digits.group(1)}

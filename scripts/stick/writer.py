@@ -5,31 +5,41 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from . import sdk as sony
+from . import debian, sdk as sony
+from .binary import Program, read
 from .objects import PROGRAMS, STICK_FILES, robot_objects
-from .problem import Problem
+from .problem import Problem, raise_any
 
 
-def check_libjpeg(libjpeg):
-    """Raises Problem unless the folder has the sources of libjpeg 6b."""
+def libjpeg_problems(libjpeg):
+    """Yields a Problem unless the folder has the sources of libjpeg 6b."""
     advice = ("Unpack jpegsrc.v6b.tar.gz (https://www.ijg.org/files/) and give its folder, jpeg-6b.",
               "Newer versions are refused: only 6b has been tried with the robot's compiler.")
     header = libjpeg / "jpeglib.h"
     if not header.is_file() or not (libjpeg / "jmemnobs.c").is_file():
-        raise Problem(f"there are no sources of libjpeg in {libjpeg}: jpeglib.h and jmemnobs.c are missing.", *advice)
-    if not re.search(r"define\s+JPEG_LIB_VERSION\s+62\b", header.read_text(errors="replace")):
-        raise Problem(f"{header} is not that of libjpeg 6b.", *advice)
+        yield Problem(f"there are no sources of libjpeg in {libjpeg}: jpeglib.h and jmemnobs.c are missing.", *advice)
+    elif not re.search(r"define\s+JPEG_LIB_VERSION\s+62\b", header.read_text(errors="replace")):
+        yield Problem(f"{header} is not that of libjpeg 6b.", *advice)
 
 
-def build(sdk, libjpeg, build_dir):
-    """Builds all programs from scratch, since old ones may be from another SDK. Returns their files."""
-    for path in (sdk, libjpeg, build_dir, PROGRAMS):
+def path_problems(*paths):
+    """Yields a Problem for each path that make and Sony's tools cannot handle."""
+    for path in (*paths, PROGRAMS):
         if re.search(r"\s", str(path)):
-            raise Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
+            yield Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
                           "Use a path without spaces; a symbolic link will do.")
-    make = ["make", "--silent", "--no-print-directory", "-C", str(PROGRAMS), f"OPENRSDK_ROOT={sdk}",
+
+
+def build(sdk, libjpeg, build_dir, compiler):
+    """Builds all programs from scratch, since old ones may be of another SDK, and checks them. Returns their files."""
+    print(f"Building in {build_dir} with {'the compiler of the SDK' if compiler == 'sdk' else debian.version()}",
+          flush=True)
+    tools = sdk
+    if compiler == "debian":
+        tools = build_dir.with_name(build_dir.name + "_tools")
+        debian.prepare(sdk, tools)
+    make = ["make", "--silent", "--no-print-directory", "-C", str(PROGRAMS), f"OPENRSDK_ROOT={tools}",
             f"LIBJPEG={libjpeg}", f"BUILD={build_dir}"]
-    print(f"Building in {build_dir}", flush=True)
     try:
         subprocess.run(make + ["clean"], check=True)
         subprocess.run(make + [f"-j{os.cpu_count() or 1}"], check=True)
@@ -37,7 +47,24 @@ def build(sdk, libjpeg, build_dir):
         raise Problem("the build failed; see the first message above.",
                       "If the compiler does not find a name or a header of OPEN-R, try scripts/memory_stick --check.",
                       "'No rule to make target' means that the file it names is missing.") from error
-    return [build_dir / robot_object.file for robot_object in robot_objects()]
+    programs = [build_dir / robot_object.file for robot_object in robot_objects()]
+    raise_any(problem for robot_object, program in zip(robot_objects(), programs)
+              for problem in check_program(program, build_dir / robot_object.name / robot_object.name))
+    return programs
+
+
+def check_program(path, linked_as=None):
+    """Prints what a program is made of, and yields a Problem for everything that is wrong with it.
+
+    `linked_as` is the path without its end under which mkbin has left NAME.nosnap.elf and NAME.rel.elf.
+    """
+    base = linked_as or path.with_suffix("")
+    linked, relocations = (base.with_name(base.name + end) for end in (".nosnap.elf", ".rel.elf"))
+    program = Program(read(path), *(file.read_bytes() if file.is_file() else None for file in (linked, relocations)))
+    found = list(program.problems())
+    print(f"{path}: {'FAULTY' if found else 'no fault found'}. {program.summary or ''}", flush=True)
+    for what in found:
+        yield Problem(f"{path}: {what}.", "Do not start it on a robot; build it again, and report it if it stays so.")
 
 
 def write(sdk, model, programs, wlan_conf, output):
@@ -52,7 +79,8 @@ def write(sdk, model, programs, wlan_conf, output):
         (open_r / "MW" / "OBJS").mkdir(exist_ok=True)
         for program in programs:
             shutil.copyfile(str(program), str(open_r / "MW" / "OBJS" / program.name))
-        notes = _write_wlan_conf(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT", wlan_conf)
+        notes = sony.notes_on_revision(open_r)
+        notes += _write_wlan_conf(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT", wlan_conf)
         os.sync()
     except OSError as error:
         raise Problem(f"the memory stick cannot be written: {error}",

@@ -1,8 +1,10 @@
 """The program aibo as its users and their scripts see it: exit status, files, JSON; with servers of both versions, with
 none, with one that is busy, and with one that is hostile."""
+import itertools
 import json
 import os
 import re
+import select
 import shutil
 import signal
 import socket
@@ -83,14 +85,23 @@ class ScriptedServer:
         self.socket.close()
 
 
-def says_hello(server, names=b""):
-    """A server of version 2 with a name, which lists motions of these names and refuses everything else."""
+def says_hello(server, names=b"", flood=None):
+    """A server of version 2 with a name, which lists motions of these names and refuses everything else. What `flood`
+    makes of a number comes without end."""
     hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N\nlimits=\n" % server
 
     def serve(client):
         client.recv(2, socket.MSG_WAITALL)
         client.sendall(b"x\x02\x00\x00")
-        while header := client.recv(8, socket.MSG_WAITALL):
+        numbers = itertools.count()
+        is_greeted = False
+        while True:
+            if flood and is_greeted and not select.select([client], [], [], 0)[0]:
+                client.sendall(b"".join(flood(next(numbers)) for _ in range(100)))
+                continue
+            if not (header := client.recv(8, socket.MSG_WAITALL)):
+                return
+            is_greeted = True
             kind, _, number, size = struct.unpack(">cBHI", header)
             client.recv(size, socket.MSG_WAITALL)
             reply = {b"H": (b"h", hello), b"N": (b"n", names)}.get(kind, (b"e", b"\x00\x00no"))
@@ -416,6 +427,33 @@ class Lost(TestCase):
             self.assertIn(b"closed the connection", move.communicate()[1])
 
 
+class Flooded(TestCase):
+    """By a robot that sends without end what a command keeps."""
+    FLOODS = {
+        "ends of motions": lambda i: version2_frame(b"i", b"\x01\x03\0\0M%d.MTN\n" % i + 250 * b"why "),
+        "reports": lambda i: version2_frame(b"e", b"\0\x03%d " % i + 250 * b"why "),
+        "measurements": lambda i: version2_frame(b"t", struct.pack(">IHHcBHi", 4 * i, 1, 0, b"J", i % 256, 0, 0)),
+        "answers to nothing": lambda i: version2_frame(b"n", 250 * b"A.MTN\n", 1 + i % 65535)}
+    MOST = 40 * 1024  # KB; without a flood it is 14 MB
+
+    def test_a_command_keeps_little_of_a_flood(self):
+        for name, make in self.FLOODS.items():
+            with self.subTest(name):
+                self.assertLess(self.peak_memory_of_watch(make), self.MOST)
+
+    @staticmethod
+    def peak_memory_of_watch(make):
+        server = ScriptedServer(says_hello(b"hostile", flood=make))
+        with start("watch", "--seconds", "4", port=server.port) as watch:
+            drain = threading.Thread(target=watch.communicate, daemon=True)
+            drain.start()
+            usage = os.wait4(watch.pid, 0)[2]
+            watch.returncode = 0
+            drain.join()
+        server.end()
+        return usage.ru_maxrss
+
+
 class Unreachable(TestCase):
     def server(self, serve):
         server = ScriptedServer(serve)
@@ -432,6 +470,17 @@ class Unreachable(TestCase):
             self.assertEqual(error["status"], UNREACHABLE)
             report = self.json("doctor", port=port, status=UNREACHABLE)
             self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", True), ("port", False)])
+
+    def test_a_robot_that_does_not_answer(self):
+        with socket.socket() as full:
+            full.bind(("127.0.0.1", 0))
+            full.listen(0)  # Linux keeps one connection more than that, and ignores those that come after it
+            with socket.create_connection(full.getsockname()):
+                report = self.json("--timeout", "0.3", "doctor", port=full.getsockname()[1], status=UNREACHABLE)
+        finding = report["findings"][-1]
+        self.assertIn("did not answer", finding["text"])
+        self.assertIn("is its switch WIRELESS, under the stomach cover, on?", finding["advice"])
+        self.assertIn("pause button", finding["advice"])
 
     def test_a_wrong_name(self):
         self.assertIn("cannot be looked up",

@@ -1,6 +1,9 @@
 """docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
-name."""
+name. docs/first_start.md fits on one sheet of paper."""
 import re
+import shutil
+import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -43,6 +46,18 @@ class SecurityTest(unittest.TestCase):
         self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
         self.assertIn("no test", problem(("settings_test.cpp", "EndLines")))
         self.assertIsNone(problem(("settings_test.cpp", "EndLinesAndComments")))
+
+
+class FirstStartSheetTest(unittest.TestCase):
+    @unittest.skipIf(shutil.which("lowdown") is None or shutil.which("gropdf") is None,
+                     "needs scripts/install_dependencies sheet")
+    def test_fits_on_one_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sheet = Path(folder) / "sheet.pdf"
+            done = subprocess.run([str(PROJECT / "scripts/first_start_sheet"), str(sheet)], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, universal_newlines=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(sheet.read_bytes()[:5], b"%PDF-")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,15 @@
 """Makes a folder that looks like Sony's SDK to scripts/memory_stick. Its tools are small shell scripts that write files
 of the right kind, and log their arguments in `log`."""
+import functools
+import random
 import shutil
+import sys
 from pathlib import Path
+
+import fake_program
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from stick.merge import merge  # noqa: E402
 
 LOG = 'echo "${{0##*/}} $*" >> "${{0%/*}}/{up}/log"\n'
 
@@ -23,7 +31,7 @@ case $1 in --version) exit 0 ;; esac
 echo archive > "$2"
 """
 
-# mkbin ... -o NAME.bin ...: writes a 32-bit little-endian MIPS program of 200 KB. Its input files have to exist.
+# mkbin ... -o NAME.bin ...: writes a program that the robot's loader could place. Its input files have to exist.
 MKBIN = r"""
 case $1 in --help) exit 0 ;; esac
 while [ $# -gt 0 ]; do
@@ -35,8 +43,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-printf '\177ELF\001\001\001\000\000\000\000\000\000\000\000\000\002\000\010\000' > "$output"
-head -c 200000 /dev/zero >> "$output"
+cp "${0%/*}/../../program" "$output"
 """
 
 # Like Sony's, it writes into the working directory.
@@ -65,10 +72,11 @@ def make_sdk(sdk):
     for name in ("cc1", "cc1plus"):
         _script(sdk / "bin" / name, "")
     (sdk / "undefined").write_text(UNDEFINED)
+    (sdk / "program").write_bytes(merge(fake_program.linked(), fake_program.tables(fake_program.sections())))
     openr = sdk / "OPEN_R"
     for name, text in (("mkbin", MKBIN), ("stubgen2", STUBGEN), ("gensnap", "")):
         _script(openr / "bin" / name, LOG.format(up="../..") + text)
-    for name in ("ObjectComm", "OPENR", "Internet", "antMCOOP", "apsys", "mcoopstub"):
+    for name in ("ObjectComm", "OPENR", "Internet", "antMCOOP", "apsys", "mcoopstub", "OFSpub"):
         _write(openr / "lib" / f"lib{name}.a", "")
     for name in ("OPENR/OObject.h", "MCOOP/ant.h", "MCOOP.h", "TCPEndpointMsg.h"):
         _write(openr / "include" / name, "")
@@ -97,14 +105,23 @@ def use_headers(sdk, openr_headers, c_headers):
 
 
 def _make_system(open_r, model):
-    _write(open_r / "APERIOS.GZ", model)
-    _write(open_r / "VERSION.txt", model)
+    for name, size in (("APERIOS.GZ", 480_000), ("APERINIT.GZ", 30_000), ("BOOTPARA", 136)):
+        (open_r / name).parent.mkdir(parents=True, exist_ok=True)
+        (open_r / name).write_bytes(system_file(model + name, size))
+    _write(open_r / "VERSION.txt", f"OPEN_R_SYS-115-030-SDK for {model} (OPEN-R SDK 1.1.5 r5)\n")
     _write(open_r / "MW" / "CONF" / "DESIGNDB.CFG", "[ERS-7]\n")
     _write(open_r / "MW" / "CONF" / "OBJECT.CFG", "# Sony's\n")
     for name, text in SYSTEM_CONF.items():
         _write(open_r / "SYSTEM" / "CONF" / name, text)
     for name in ("POWERMGR.BIN", "IPSTACK.BIN"):
-        _write(open_r / "SYSTEM" / "OBJS" / name, "encrypted")
+        (open_r / "SYSTEM" / "OBJS").mkdir(exist_ok=True)
+        (open_r / "SYSTEM" / "OBJS" / name).write_bytes(system_file(model + name, 8_000))
+
+
+@functools.lru_cache(maxsize=None)
+def system_file(name, size):
+    """Like Sony's encrypted files, it looks like noise."""
+    return random.Random(name).getrandbits(8 * size).to_bytes(size, "little")
 
 
 def _write(path, text):

@@ -4,6 +4,7 @@ import gzip
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -11,17 +12,22 @@ import unittest
 import unittest.mock
 from pathlib import Path
 
+import fake_program as fake
 import fake_sdk
 
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "scripts"))
+from stick import binary, debian, sdk as sony  # noqa: E402
+from stick.merge import merge, relocations_by_section  # noqa: E402
 from stick.wlan import Wlan, wlan_conf  # noqa: E402
 
 C_HEADERS = ("algorithm ctype.h dirent.h errno.h limits.h math.h setjmp.h stdarg.h stddef.h stdio.h stdlib.h string.h "
              "sys/stat.h sys/types.h time.h unistd.h").split()
 
 WRITTEN_FILES = """
+OPEN-R/APERINIT.GZ
 OPEN-R/APERIOS.GZ
+OPEN-R/BOOTPARA
 OPEN-R/MW/CONF/CONNECT.CFG
 OPEN-R/MW/CONF/DESIGNDB.CFG
 OPEN-R/MW/CONF/OBJECT.CFG
@@ -87,14 +93,14 @@ class AStick(Workshop):
         files = sorted(str(path.relative_to(self.stick)) for path in self.stick.rglob("*") if path.is_file())
         self.assertIn("RCSERVER.BIN", WRITTEN_PROGRAMS)
         self.assertEqual(files, sorted(WRITTEN_FILES + ["OPEN-R/MW/OBJS/" + name for name in WRITTEN_PROGRAMS]))
-        self.assertEqual((self.stick / "OPEN-R/APERIOS.GZ").read_text(), "ERS-7")
+        self.assertIn("for ERS-7", (self.stick / "OPEN-R/VERSION.txt").read_text())
         self.assertIn("/MS/OPEN-R/MW/OBJS/RCSERVER.BIN", (self.stick / "OPEN-R/MW/CONF/OBJECT.CFG").read_text())
         with gzip.open(str(self.stick / "OPEN-R/MW/OBJS/RCSERVER.BIN")) as program:
             self.assertEqual(program.read(4), b"\x7fELF")
 
     def test_for_the_ers210_has_its_system(self):
         self.expect_stick("--model", "ERS-210")
-        self.assertEqual((self.stick / "OPEN-R/APERIOS.GZ").read_text(), "ERS-210")
+        self.assertIn("for ERS-210", (self.stick / "OPEN-R/VERSION.txt").read_text())
 
     def test_has_programs_linked_with_memory_and_priority_and_then_stripped(self):
         self.expect_stick()
@@ -171,7 +177,7 @@ class TheNetwork(Workshop):
 
     def test_with_dhcp_and_no_encryption(self):
         self.assertEqual(wlan_conf(Wlan("home!")), "HOSTNAME=AIBO\r\nUSE_DHCP=1\r\nESSID=home!\r\nWEPENABLE=0\r\n"
-                                                   "WEPKEY=\r\nAPMODE=1\r\nCHANNEL=3\r\n")
+                                                   "WEPKEY=AIBO2\r\nAPMODE=1\r\nCHANNEL=3\r\n")
 
     def test_without_an_access_point_and_without_a_gateway(self):
         conf = wlan_conf(Wlan("AIBO", ip="10.0.1.100", channel="11"))
@@ -212,13 +218,13 @@ class AnIncompleteSdk(Workshop):
     def test_is_told_what_it_lacks(self):
         system = "OPEN_R/MS_ERS7/WCONSOLE/memprot/OPEN-R/"
         for path, what, advice in (
-                ("bin/mipsel-linux-strip", "lacks the cross compiler: bin/mipsel-linux-strip", "GCC 3.3.6"),
-                ("bin/cc1plus", "bin/cc1plus does not run on this computer", "build the toolchain"),
+                ("bin/mipsel-linux-strip", "lacks the cross compiler: bin/mipsel-linux-strip", "GCC 3.3"),
+                ("bin/cc1plus", "bin/cc1plus does not run on this computer", "--compiler debian"),
                 ("OPEN_R/lib/libOPENR.a", "lacks OPEN-R's libraries: OPEN_R/lib/libOPENR.a", "OPEN_R_SDK-1.1.5"),
                 ("OPEN_R/include/MCOOP/ant.h", "lacks OPEN-R's headers: OPEN_R/include/MCOOP/ant.h", "Unpack"),
                 ("OPEN_R/bin/mkbin", "lacks OPEN-R's Perl programs: OPEN_R/bin/mkbin", "Unpack"),
-                (system + "APERIOS.GZ", "the robot's system in", "OBJS"),
-                (system + "SYSTEM/OBJS/IPSTACK.BIN", "lacks OPEN-R/SYSTEM/OBJS/IPSTACK.BIN", "OBJS")):
+                (system + "APERIOS.GZ", "is not whole: OPEN-R/APERIOS.GZ is not there", "OBJS"),
+                (system + "SYSTEM/OBJS/IPSTACK.BIN", "is not whole: OPEN-R/SYSTEM/OBJS/IPSTACK.BIN is not", "OBJS")):
             with self.subTest(path=path):
                 (self.sdk / path).rename(self.folder / "taken_away")
                 self.expect_failure(self.make_stick(), what, advice)
@@ -238,8 +244,10 @@ class AnIncompleteSdk(Workshop):
     def test_names_everything_at_once(self):
         for path in ("bin/mipsel-linux-nm", "OPEN_R/lib/libOPENR.a", "OPEN_R/bin/gensnap"):
             (self.sdk / path).unlink()
-        said = self.make_stick().stderr
-        for name in ("mipsel-linux-nm", "libOPENR.a", "gensnap"):
+        (self.libjpeg / "jpeglib.h").unlink()
+        self.stick = self.folder / "not_mounted" / "stick"
+        said = self.make_stick("--essid", "my home").stderr
+        for name in ("mipsel-linux-nm", "libOPENR.a", "gensnap", "sources of libjpeg", "the stick mounted?", "my home"):
             self.assertIn(name, said)
 
     def test_whose_tools_do_not_run_here(self):
@@ -251,7 +259,7 @@ class AnIncompleteSdk(Workshop):
     def test_whose_driver_does_not_find_the_compiler(self):
         tool = self.sdk / "bin/mipsel-linux-g++"
         tool.write_text('#!/bin/sh\necho "${1#*=}"\n')
-        self.expect_failure(self.make_stick(), "mipsel-linux-g++ does not find cc1plus", "toolchain")
+        self.expect_failure(self.make_stick(), "mipsel-linux-g++ does not find cc1plus", "GNU's tools")
 
     def test_that_is_not_there(self):
         for arguments in ((), ("--check",), ("--sdk", self.folder, "--libjpeg", self.libjpeg, "--output", self.stick)):
@@ -332,13 +340,31 @@ class Verification(Workshop):
         shutil.rmtree(str(self.open_r))
         self.open_r.mkdir()
         said = self.verify()
-        for what in ("the robot's system is not on the stick", "OBJECT.CFG names no program", "CONNECT.CFG is missing"):
+        for what in ("is not whole: /MS/OPEN-R/APERIOS.GZ is not there", "/MS/OPEN-R/BOOTPARA is not there",
+                     "OBJECT.CFG names no program", "CONNECT.CFG is missing"):
             self.expect_failure(said, what, "write the stick again")
 
     def test_of_the_system(self):
-        self.expect_problem("APERIOS.GZ", None, "the robot's system is not on the stick", "write the stick again")
-        self.expect_problem("SYSTEM/OBJS/IPSTACK.BIN", None,
-                            "names /MS/OPEN-R/SYSTEM/OBJS/IPSTACK.BIN, which is not there", "write the stick again")
+        noise = fake_sdk.system_file("another", 8_000)
+        for path, content, fault in (
+                ("APERIOS.GZ", None, "is not there"), ("APERIOS.GZ", b"x", "has 1 bytes, Sony's has 400000"),
+                ("BOOTPARA", None, "is not there"), ("SYSTEM/OBJS/IPSTACK.BIN", None, "is not there"),
+                ("SYSTEM/OBJS/IPSTACK.BIN", b"x", "has 1 bytes, Sony's has 2000 to 200000"),
+                ("SYSTEM/OBJS/IPSTACK.BIN", noise[:-1], "has not the form of Sony's"),
+                ("SYSTEM/OBJS/IPSTACK.BIN", b"<html>Not found" * 800, "has not the form of Sony's")):
+            self.expect_problem(path, content, f"is not whole: /MS/OPEN-R/{path} {fault}", "write the stick again")
+
+    def test_says_which_revision_of_the_system_it_has(self):
+        version = self.open_r / "VERSION.txt"
+        self.assertIn("that of the SDK 1.1.5 r5.", self.verify().stdout)
+        self.assertNotIn("M3", self.verify().stdout)
+        version.write_text(version.read_text().replace("r5", "r3"))
+        said = self.verify().stdout
+        self.assertIn("An ERS-7M3 needs r4 or later; r5 is recommended", said)
+        self.assertIn("since r5: its WLAN", said)
+        self.assertNotIn("r3: its EEPROM", said)
+        version.unlink()
+        self.assertIn("The revision of Sony's system is not known", self.verify().stdout)
 
     def test_of_names(self):
         for name in ("mine.mtn", "NINELETTR.MTN", "A.MTN2", "A.B.C", "OH NO.MTN"):
@@ -350,10 +376,8 @@ class Verification(Workshop):
         self.expect_problem(program, None, "OBJECT.CFG names /MS/OPEN-R/MW/OBJS/RCSERVER.BIN", "take the line out")
         self.expect_problem(program, elf, "not packed by gzip", "Build it again")
         self.expect_problem(program, gzip.compress(elf)[:-100], "is not whole", "Build it again")
-        for position, value in ((0, b"M"), (4, b"\2"), (5, b"\2"), (18, b"\3")):  # magic, 64 bits, big endian, x86
-            wrong = elf[:position] + value + elf[position + 1:]
-            self.expect_problem(program, gzip.compress(wrong), "is not a program for the robot",
-                                "the SDK's own compiler")
+        self.expect_problem(program, gzip.compress(elf.replace(b"mCOOP", b"other")), "describes no OPEN-R object",
+                            "Build it again")
         self.expect_problem(program, gzip.compress(elf[:99_000]), "has 99000 bytes unpacked", "linked with OPEN-R's")
         self.expect_problem(program, gzip.compress(elf + bytes(4_000_000)), "bytes unpacked", "stripped")
 
@@ -396,6 +420,250 @@ class Verification(Workshop):
 
     def test_of_the_size(self):
         self.expect_problem("MW/DATA/P/BIG.MTN", bytes(8_000_000), "holds as little as 8 MB", "Remove motions")
+
+
+class AProgram(unittest.TestCase):
+    """One without a fault, and each fault alone."""
+
+    def faults(self, finished=None, linked=None, relocations=None, **tables):
+        linked = fake.linked() if linked is None else linked
+        if finished is None:
+            finished = merge(fake.linked(), fake.tables(fake.sections(), **tables))
+        return list(binary.Program(finished, linked, relocations_by_section(relocations or linked)).problems())
+
+    def finished(self, relocated=fake.RELOCATED, **contents):
+        return merge(fake.linked(**contents), fake.tables(fake.sections(**contents), relocated))
+
+    def expect(self, fault, finished, linked=None, relocations=None):
+        """This fault alone, also without the files that mkbin leaves, unless the fault is in them."""
+        alone = list(binary.Program(finished).problems())
+        if linked is None and relocations is None:
+            self.assertEqual(len(alone), 1, alone)
+            self.assertIn(fault, alone[0])
+        else:
+            self.assertEqual(alone, [])
+            found = self.faults(finished, linked, relocations)
+            self.assertEqual(len(found), 1, found)
+            self.assertIn(fault, found[0])
+
+    def test_without_a_fault(self):
+        self.assertEqual(self.faults(), [])
+        program = binary.Program(self.finished())
+        self.assertEqual(list(program.problems()), [])
+        self.assertEqual(program.summary._replace(text=0, data=0, bss=0),
+                         binary.Summary("Test", 32768, 65536, 112, 0x1005, 0, 0, 0, 7, 1, 32, "MCoopOblet"))
+
+    def test_that_is_none(self):
+        self.expect("it is not a whole ELF file", b"text")
+        self.expect("it is not a whole ELF file", self.finished()[:1000])
+        self.expect("it is not a program for the robot", fake.elf([]).replace(b"\2\0\x08\0", b"\2\0\x03\0", 1))
+        self.expect("it has no section .SnapShotHdr, .ObletDependencyDescr", fake.linked())
+
+    def test_for_another_processor(self):
+        finished = bytearray(self.finished())
+        for flags in (0x50001005, 0x1001, 0x0005):  # MIPS32, no CPIC, another ABI
+            struct.pack_into("<I", finished, 36, flags)
+            self.expect(f"its flags are {flags:#x}", bytes(finished))
+        self.expect("instructions of newer processors than the robot's: 0xc0",
+                    self.finished(text=fake.code(0x7c431800)))  # ext
+
+    def test_whose_segments_are_elsewhere(self):
+        finished = bytearray(self.finished())
+        struct.pack_into("<I", finished, 52 + 2 * 32 + 8, 0xe0000000)
+        self.expect("it has to have two segments", bytes(finished))
+
+    def test_whose_sections_are_moved_in_the_file(self):
+        finished = bytearray(self.finished())
+        headers, = struct.unpack_from("<I", finished, 32)
+        text = headers + 40 * 9  # behind gensnap's and .reginfo
+        self.assertEqual(struct.unpack_from("<I", finished, text + 12)[0], 0xb0)
+        struct.pack_into("<I", finished, text + 12, 0xb4)
+        self.assertIn(".text is at 0xb0 in the file, but at 0xb4 in memory", "\n".join(self.faults(bytes(finished))))
+
+    def test_that_was_moved_by_another_distance_than_gensnap_takes(self):
+        """What GNU ld 2.40 does in mkbin's last step: all is 0x60 bytes too high, and looks well by itself."""
+        lower = fake.linked()
+        at = lower.index(struct.pack("<I", fake.TEXT_AT), 0x1000)  # sh_addr of .text
+        while lower[at - 8:at] != struct.pack("<II", 1, 6):
+            at = lower.index(struct.pack("<I", fake.TEXT_AT), at + 1)
+        lower = lower[:at] + struct.pack("<I", fake.TEXT_AT - 0x60) + lower[at + 4:]
+        self.expect(".text is at 0xb0, 0x3fffa0 and not 0x400000 below its place", self.finished(), linked=lower,
+                    relocations=fake.linked())
+
+    def test_with_other_contents_than_the_linked_one(self):
+        self.expect(".data has other contents than in the linked program", self.finished(),
+                    linked=fake.linked(data=fake.words(fake.RODATA_AT, 8, 0, fake.TEXT_AT)))
+
+    def test_with_a_header_that_is_none(self):
+        self.expect(".SnapShotHdr describes no OPEN-R object", self.finished().replace(b"mCOOP", b"other"))
+        self.assertIn("the entry point 0x10000000 is outside of .text", self.faults(entry=0x10400000))
+        self.assertIn(".RelEntry counts 6 relocated words, .RelDataEntry has another number", self.faults(count=6))
+
+    def test_with_words_that_the_loader_would_spoil(self):
+        words = ".RelDataEntry names words that are no addresses in this program: "
+        self.expect(words + "0x10 is outside of all sections", self.finished(fake.RELOCATED + (0x400010,)))
+        behind = fake.BSS_AT - fake.BASE
+        self.expect(words + f"{behind:#x} is outside", self.finished(fake.RELOCATED + (fake.BSS_AT,)))
+        self.expect(words + f"{fake.DATA_AT + 4 - fake.BASE:#x} holds 0x7",
+                    self.finished(fake.RELOCATED + (fake.DATA_AT + 4,)))
+        self.expect(words, self.finished(fake.RELOCATED + (fake.DATA_AT,)))  # twice
+        self.expect(words, self.finished(data=fake.words(fake.RODATA_AT, 7, 0, fake.BASE + 0x1000000)))
+
+    def test_with_addresses_that_the_loader_would_leave(self):
+        self.expect(f".RelDataEntry leaves out words of .got: {fake.GOT_AT + 8 - fake.BASE:#x}",
+                    self.finished(tuple(place for place in fake.RELOCATED if place != fake.GOT_AT + 8)))
+        self.expect(f".ctors has words that are no relocated addresses of functions: {fake.TEXT_AT:#x}",
+                    self.finished(tuple(place for place in fake.RELOCATED if place != fake.CTORS_AT + 4)))
+
+    def test_without_the_marks_around_its_constructors(self):
+        for ctors in (fake.words(0, fake.TEXT_AT, 0), fake.words(-1, fake.TEXT_AT, 7)):
+            self.expect(".ctors does not begin with -1 and end with 0", self.finished(ctors=ctors))
+
+    def test_whose_code_depends_on_its_address(self):
+        wrong_gp = fake.words(*fake.set_gp(fake.TEXT_AT, fake.GP + 0x60), 0x27bdffe0).ljust(fake.TEXT_SIZE, b"\0")
+        self.expect("functions compute another gp", self.finished(text=wrong_gp))
+        self.expect("no function sets gp", self.finished(text=fake.words(0x27bdffe0).ljust(fake.TEXT_SIZE, b"\0")))
+        absolute = "code uses addresses that the loader does not adapt: 0xc0"
+        self.expect(absolute, self.finished(text=fake.code(0x3c020040, 0x24420100)))  # lui v0,0x40; addiu v0,v0,0x100
+        self.expect(absolute, self.finished(text=fake.code(0x3c020040, 0, 0x8c420100)))  # lw v0,0x100(v0)
+        self.expect(absolute, self.finished(text=fake.code(0x0c10002c)))  # jal
+        self.assertEqual(self.faults(self.finished(text=fake.code(0x3c020040, 0x34420100)),
+                                     fake.linked(text=fake.code(0x3c020040, 0x34420100))), [])  # a number: lui, ori
+
+    def test_that_needs_much_of_its_stack(self):
+        self.expect("a function needs 20480 bytes of a stack of 32768", self.finished(text=fake.code(0x27bdb000)))
+
+    def test_with_relocations_that_gensnap_does_not_know(self):
+        for relocations, fault in ((((0, fake.R_MIPS_26, 1),), "gensnap does not know: R_MIPS_26"),
+                                   (((0, fake.R_MIPS_HI16, 1),), "R_MIPS_HI16 belongs to another symbol"),
+                                   (((0x10, fake.R_MIPS_32, 1),), "outside of their section: 0x10 of .data")):
+            self.expect(fault, self.finished(), linked=fake.linked(), relocations=fake.linked(relocations))
+
+
+class CheckBinary(Workshop):
+    def test_says_what_a_program_is_made_of_and_what_is_wrong(self):
+        whole = self.folder / "TEST.BIN"
+        whole.write_bytes(gzip.compress((self.sdk / "program").read_bytes()))
+        done = self.run_script("--check-binary", whole)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("no fault found. Test: stack 32768, heap 65536, priority 112, flags 0x1005;", done.stdout)
+        faulty = self.folder / "faulty.bin"
+        faulty.write_bytes((self.sdk / "program").read_bytes().replace(b"mCOOP", b"other"))
+        done = self.run_script("--check-binary", whole, faulty)
+        self.expect_failure(done, "faulty.bin: .SnapShotHdr describes no OPEN-R object", "Do not start it on a robot")
+        self.assertIn("no fault found", done.stdout)
+
+    def test_is_part_of_the_build(self):
+        program = self.sdk / "program"
+        program.write_bytes(program.read_bytes().replace(b"mCOOP", b"other"))
+        self.expect_failure(self.make_stick(), "RCSERVER.BIN: .SnapShotHdr describes no OPEN-R", "Do not start it")
+        self.assertFalse(self.stick.exists())
+
+
+class DebiansCompiler(Workshop):
+    def test_is_taken_where_the_sdk_has_none(self):
+        self.assertEqual(sony.choose_compiler(self.sdk, None), "sdk")
+        self.assertEqual(sony.choose_compiler(self.sdk, "debian"), "debian")
+        shutil.rmtree(str(self.sdk / "bin"))
+        self.assertEqual(sony.choose_compiler(self.sdk, None), "debian")
+
+    def test_needs_the_c_library_and_says_all_that_is_missing(self):
+        shutil.rmtree(str(self.sdk / "bin"))
+        path = self.folder / "path"
+        path.mkdir()
+        for name in ("sh", "gzip"):
+            (path / name).symlink_to(shutil.which(name))
+        with unittest.mock.patch.dict(os.environ, PATH=str(path)):
+            said = self.make_stick()
+        self.expect_failure(said, "lacks the C library, GNU's newlib: mipsel-linux/lib/libc-.a", "newlib 1.10 to 1.15")
+        self.expect_failure(said, "lacks libgcc.a", "instructions that the robot's processor does not know")
+        self.expect_failure(said, "Debian's cross compiler is not on this computer", "install_dependencies stick")
+
+    def test_gets_headers_and_a_runtime_that_work(self):
+        program = self.folder / "runtime_test"
+        subprocess.run(["g++", "-std=gnu++98", "-Wall", "-Werror", "-nostdinc++", f"-I{debian.RUNTIME}/include",
+                        "-fno-exceptions", "-fno-rtti", "-nodefaultlibs", "-o", str(program),
+                        str(Path(__file__).with_name("runtime_test.cc")), str(debian.RUNTIME / "runtime.cc"), "-lc",
+                        "-lgcc"], check=True)
+        done = subprocess.run([str(program)], stdout=subprocess.PIPE, universal_newlines=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, "text -5 7\n"))
+
+    @unittest.skipIf(shutil.which(debian.PREFIX + "g++") is None, "needs scripts/install_dependencies stick")
+    def test_links_a_program_that_works_wherever_it_lies(self):
+        """A small program goes through all steps of mkbin, with a table of the kind that gensnap makes. Where QEMU is,
+        it is placed as the robot does it, and run."""
+        tools = self.folder / "tools"
+        with unittest.mock.patch.object(debian, "_convert"), unittest.mock.patch.object(debian, "_make_runtime"):
+            debian.prepare(self.sdk, tools)
+        source = self.folder / "small.cc"
+        source.write_text("""
+            struct Base { virtual int get() const = 0; };
+            struct Two : Base { virtual int get() const; Two(); int number; };
+            int constructed;
+            Two::Two() : number(2) { ++constructed; }
+            int Two::get() const { return number; }
+            extern "C" void __cxa_pure_virtual() {}
+            extern void (*_ctors_end[])();
+            Two two;
+            const Base* const all[] = {&two, 0};
+            extern "C" int PrologueEntry(int index) {  // like OPEN-R's InitGlobals(), it runs the constructors
+              for (int i = -2; index == 1 && _ctors_end[i] != (void (*)())-1; --i) _ctors_end[i]();
+              switch (index) {
+                case 1: return 70 + constructed; case 2: return two.get(); case 3: return 9; case 4: return 27;
+                case 5: return 3; default: return all[index - 6]->get();
+              }
+            }""")
+
+        def run(*command):
+            subprocess.run([str(word) for word in command], check=True, cwd=str(self.folder))
+
+        run(tools / "bin/mipsel-linux-g++", "-O2", "-c", "-o", "small.o", source)
+        for output, assembler in (("crtbegin.o", "begin.S"), ("crtend.o", "end.S")):
+            run(tools / "bin/mipsel-linux-gcc", "-c", "-o", tools / "lib" / output, debian.RUNTIME / assembler)
+        script = tools / "mipsel-linux/lib/ldscripts/elf32ltsmip.xbn"
+        (self.folder / "defsym").write_text("_ctors_end = ADDR(.ctors) + SIZEOF(.ctors);")
+        objects = ["-T", script, "-T", "defsym", "-e", "PrologueEntry", tools / "lib/crtbegin.o", "small.o",
+                   tools / "lib/crtend.o"]
+        run(tools / "bin/ld", "-o", "small.nosnap.elf", *objects)
+        run(tools / "bin/ld", "-r", "-o", "small.rel.elf", *objects)
+        linked, relocations = ((self.folder / f"small.{name}.elf").read_bytes() for name in ("nosnap", "rel"))
+        program, places = self.sections_and_addresses(linked, relocations)
+        entry = binary.ELFFile(binary.io.BytesIO(linked)).header["e_entry"]
+        (self.folder / "small.snap.elf").write_bytes(fake.tables(program, places, entry=entry))
+        run(tools / "bin/ld", "-T", "ldscript-merge", "-o", "small.bin", "small.nosnap.elf", "small.snap.elf")
+        finished = binary.Program((self.folder / "small.bin").read_bytes(), linked, relocations)
+        self.assertEqual(list(finished.problems()), [])
+        self.assertGreaterEqual(finished.summary.functions_with_gp, 2)
+        self.assertGreaterEqual(finished.summary.relocated_words, 6)  # the vtable, all[], the constructor, .got
+        if shutil.which("qemu-mipsel"):
+            self.run_placed(entry - fake.BASE)
+
+    def run_placed(self, entry):
+        place = self.folder / "place"
+        subprocess.run([debian.PREFIX + "gcc", "-static", "-o", str(place), str(Path(__file__).with_name("place.c"))],
+                       check=True)
+        program = binary.ELFFile(binary.io.BytesIO((self.folder / "small.bin").read_bytes()))
+        segment, table = program.get_segment(1), program.get_section_by_name(".RelDataEntry")
+        for address in (0x20000000, 0x30405000):
+            numbers = (segment["p_filesz"], segment["p_memsz"], table["sh_offset"], table["sh_size"], entry, address)
+            done = subprocess.run(["qemu-mipsel", str(place), str(self.folder / "small.bin"),
+                                   *map("{:x}".format, numbers)], stdout=subprocess.PIPE, universal_newlines=True, timeout=60, check=False)
+            self.assertEqual(done.stdout.split(), ["71", "2", "9", "27", "3", "2"], done)
+
+    @staticmethod
+    def sections_and_addresses(linked, relocations):
+        """What gensnap reads: the sections as in fake_program, and the places of R_MIPS_32 and of all words of .got."""
+        elf, tables = binary.ELFFile(binary.io.BytesIO(linked)), binary.ELFFile(binary.io.BytesIO(relocations))
+        placed = {section.name: section for section in elf.iter_sections()
+                  if section["sh_flags"] & 2 and section["sh_type"] != "SHT_REL"}
+        program = [(name, fake.NOBITS if section["sh_type"] == "SHT_NOBITS" else fake.PROGBITS, 0, section["sh_addr"],
+                    section["sh_size"] if section["sh_type"] == "SHT_NOBITS" else section.data())
+                   for name, section in placed.items()]
+        places = [placed[table.name[4:]]["sh_addr"] + relocation["r_offset"]
+                  for table in tables.iter_sections("SHT_REL") if table.name[4:] in placed
+                  for relocation in table.iter_relocations() if relocation["r_info_type"] == fake.R_MIPS_32]
+        got = placed[".got"]
+        return program, places + list(range(got["sh_addr"], got["sh_addr"] + got["sh_size"], 4))
 
 
 class TheSourcesWithSonysHeaders(Workshop):

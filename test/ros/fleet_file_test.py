@@ -71,6 +71,31 @@ class FleetFileTest(unittest.TestCase):
         with self.assertRaisesRegex(fleet.Problem, 'No such file.*absolute path'):
             fleet.load('/no/such/file.yaml')
 
+    def test_what_is_no_name_and_no_value_is_refused(self):
+        self.assert_refused('robots: {a: {host: h, 1: x, ~: y}}', "has the setting '1'")
+        self.assert_refused('robots: {a: {host: h, ? [b] : x}}', 'it is not YAML')
+        self.assert_refused('robots: {a: {host: [h]}}', 'host should be a text')
+        self.assert_refused('robots: {a: {host: h, port: 2001-02-30}}', 'it is not YAML')
+        self.assert_refused('robots: {a: {host: h, port: 2001-02-03}}', 'port should be a text')
+        self.assert_refused('robots: {a: {host: h, pose: [1%s, 0, 0]}}' % ('0' * 400), 'pose should be')
+        self.assert_refused('robots: ' + 5000 * '[', 'nested too deeply|not YAML')
+
+    def test_aliases_that_double_again_and_again_do_not_hang_it(self):
+        lists = '\n'.join('a%d: &a%d [%s]' % (i + 1, i + 1, ', '.join(9 * ['*a%d' % i])) for i in range(20))
+        self.assert_refused('a0: &a0 [x]\n%s\nrobots: {a: {host: *a20}}' % lists, "should contain 'robots:'")
+        inline = '&b0 [x]'
+        for i in range(20):
+            inline = '&b%d [%s, %s]' % (i + 1, inline, ', '.join(9 * ['*b%d' % i]))
+        self.assert_refused('robots: {a: {host: %s}}' % inline, 'host should be a text')
+        merges = '&c0 {x: 1}'
+        for i in range(20):
+            merges = '&c%d {<<: [%s, %s]}' % (i + 1, merges, ', '.join(9 * ['*c%d' % i]))
+        self.assert_refused('robots: {a: %s}' % merges, 'too many entries')
+
+    def test_messages_have_nothing_that_a_terminal_obeys(self):
+        self.assertEqual(fleet.printable('a\x1b[2J\nb\u202e'), 'a?[2J\nb?')
+        self.assertLess(len(fleet.printable(10000 * 'x')), 3000)
+
     def test_what_two_robots_may_not_share_is_refused(self):
         self.assert_refused('robots: {a: {host: h}, b: {host: h, port: 54321}}', "have the same host: h, port 54321")
         self.assert_refused('robots: {a: {host: h}, b: {host: i, frame_prefix: a}}', 'have the same frame_prefix: a')

@@ -178,7 +178,7 @@ TEST(TakePicture, SavesTheSameBytes) {
   ConnectedDriver connected("/saved", {"_picture_folder:=" + folder.path().string()});
   const TakePicture::Response answer = takePicture("/saved", 0, "picture.jpg");
   ASSERT_TRUE(answer.success) << answer.message;
-  EXPECT_THAT(answer.message, HasSubstr("Saved to " + file.string()));
+  EXPECT_THAT(answer.message, HasSubstr("Saved to '" + file.string() + "'"));
   EXPECT_EQ(readFile(file), answer.image.data);
 }
 

@@ -9,7 +9,7 @@ import unittest
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 os.environ['QT_QPA_PLATFORM'] = 'offscreen'
 try:
-    from python_qt_binding.QtWidgets import QApplication, QPushButton
+    from PyQt5.QtWidgets import QApplication, QPushButton
 except ImportError:
     sys.exit(77)
 

@@ -29,6 +29,10 @@ constexpr double kHighLoss = 0.1;
 constexpr double kLongGap = 0.5;        // s, between two pictures
 constexpr double kLowCharge = 0.2;      // as in the driver's diagnostics
 constexpr double kBatteryPatience = 3;  // s
+constexpr char kWlanSwitch[] =
+    " A robot that was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
+    "button, "
+    "and wait until the robot has stopped, before you set it.";
 
 /// One line of the report.
 struct Finding {
@@ -135,7 +139,9 @@ class Doctor {
       return "The robot's console (port 59000) answers: the robot is on, but RCServer is not running. The console says "
              "why.";
     }
-    return fault.advice() + (address_.host_is_given ? "" : " Name the robot: aibo doctor HOST.");
+    const bool nobody_there = fault.kind() == FaultKind::kNoAnswer || fault.kind() == FaultKind::kUnreachable;
+    return fault.advice() + (nobody_there ? kWlanSwitch : "") +
+           (address_.host_is_given ? "" : " Name the robot: aibo doctor HOST.");
   }
 
   bool consoleAnswers() {

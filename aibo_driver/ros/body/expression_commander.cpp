@@ -34,7 +34,7 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
   LedOrders orders;
   const std::string misfit = describeMisfit(message);
   if (!misfit.empty()) {
-    orders.refusals.push_back(misfit);
+    orders.refusals.add(misfit);
     return orders;
   }
   std::map<int, LedCommand> commands;
@@ -43,11 +43,11 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
     const float intensity = message.intensities[message.intensities.size() == 1 ? 0 : i];
     const std::vector<int> ids = body::findLeds(name, model);
     if (ids.empty()) {
-      orders.refusals.push_back("No LED or group of LEDs is named '" + name + "'.");
+      orders.refusals.add("No LED or group of LEDs is named '" + text::plainLine(name) + "'.");
     } else if (!(intensity >= 0 && intensity <= 1)) {
       std::ostringstream text;
       text << "LED " << name << " cannot shine with intensity " << intensity << "; the range is 0..1.";
-      orders.refusals.push_back(text.str());
+      orders.refusals.add(text.str());
     } else {
       const int level = body::ledLevel(intensity);
       for (const int id : ids) {
@@ -75,8 +75,8 @@ void ExpressionCommander::subscribe(const ros::NodeHandle& handle) {
 
 void ExpressionCommander::receiveLeds(const Leds& message) {
   const LedOrders orders = parseLeds(message, model_);
-  for (const std::string& refusal : orders.refusals) {
-    warnings_.warn(refusal);
+  if (!orders.refusals.empty()) {
+    warnings_.warn(orders.refusals.text(" "));
   }
   if (!orders.commands.empty()) {
     send("LEDs", [this, &orders] { client_.commandLeds(orders.commands); });

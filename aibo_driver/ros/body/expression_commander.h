@@ -13,14 +13,15 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "robot_model/robot_model.h"
-#include "ros/throttled_warnings.h"
+#include "text/plain_text.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
 /// What a message asks of the LEDs, and what is refused.
 struct LedOrders {
-  std::vector<LedCommand> commands;   ///< each LED once
-  std::vector<std::string> refusals;  ///< sentences for users
+  std::vector<LedCommand> commands;  ///< each LED once
+  text::FirstThree refusals{300};    ///< sentences for users
 };
 
 /// Finds the LEDs that a message names, singly or in groups. If an LED is named twice, the last intensity counts. A
@@ -48,7 +49,7 @@ class ExpressionCommander {
 
   const robot_model::RobotModel& model_;
   RcServerClient& client_;
-  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("expression", text); }};
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("expression", text); }};
   ros::Subscriber leds_;
   ros::Subscriber ears_;
 };

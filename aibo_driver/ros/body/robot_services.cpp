@@ -44,15 +44,15 @@ void RobotServices::advertise(const ros::NodeHandle& stop_handle, const ros::Nod
   servers_.push_back(advertiseOrder<std_srvs::Trigger>(
       stop_services, "release",
       [this](const Order& order, const auto&, auto& response) { return release(order, response); }));
-  servers_.push_back(advertiseOrder<std_srvs::SetBool>(
-      stop_services, "motors", [this](const Order& order, const auto& request, auto& response) {
-        return setMotors(order, request.data != 0, response);
-      }));
+  servers_.push_back(advertiseOrder<std_srvs::SetBool>(stop_services, "motors",
+                                                       [this](const Order& order, const auto& request, auto& response) {
+                                                         return setMotors(order, request.data != 0, response);
+                                                       }));
   ros::NodeHandle motion_services(motion_handle);
-  servers_.push_back(advertiseOrder<PlayMotion>(
-      motion_services, "play_motion", [this](const Order& order, const auto& request, auto& response) {
-        return playMotion(order, request, response);
-      }));
+  servers_.push_back(advertiseOrder<PlayMotion>(motion_services, "play_motion",
+                                                [this](const Order& order, const auto& request, auto& response) {
+                                                  return playMotion(order, request, response);
+                                                }));
   ros::NodeHandle services(handle);
   servers_.push_back(services.advertiseService("list_motions", &RobotServices::listMotions, this));
   servers_.push_back(services.advertiseService("upload_motion", &RobotServices::uploadMotion, this));

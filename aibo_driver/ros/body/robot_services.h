@@ -28,8 +28,8 @@ namespace aibo_driver::node {
 /// A motion may be called by its name alone: see files::motionFileName().
 class RobotServices {
  public:
-  /// How long each kind of call waits for the robot's answer; those that move it, for Mover::kTimeout. A memory stick is
-  /// slow.
+  /// How long each kind of call waits for the robot's answer; those that move it, for Mover::kTimeout. A memory stick
+  /// is slow.
   static constexpr std::chrono::milliseconds kFileTimeout{5000};
   static constexpr std::chrono::milliseconds kUploadTimeout{15000};
   static constexpr std::chrono::milliseconds kPowerTimeout{5000};

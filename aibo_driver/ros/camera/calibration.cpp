@@ -176,12 +176,12 @@ bool Calibration::set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs:
   response.success = problem.empty();
   if (!response.success) {
     response.status_message = "The calibration stays as it was: " + problem + ".";
-    ROS_WARN_STREAM_NAMED("camera", "set_camera_info was refused. " << response.status_message);
+    warnings_.warn("set_camera_info was refused. " + response.status_message);
     return true;
   }
   response.status_message = "The calibration is stored in " + file_ + ".";
-  ROS_INFO_STREAM_NAMED("camera", "A calibration for pictures of " << sizeOf(request.camera_info) << " is stored in "
-                                                                   << file_ << " and used from now on.");
+  news_.say("A calibration for pictures of " + sizeOf(request.camera_info) + " is stored in " + file_ +
+            " and used from now on.");
   return true;
 }
 

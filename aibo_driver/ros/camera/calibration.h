@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H
 #define AIBO_DRIVER_ROS_CAMERA_CALIBRATION_H
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -11,6 +12,8 @@
 #include <mutex>
 #include <string>
 #include <utility>
+
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -52,6 +55,8 @@ class Calibration {
   std::uint32_t picture_width_ = 0;   ///< of the latest picture; 0 before the first one
   std::uint32_t picture_height_ = 0;  ///< likewise
 
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("camera", text); }};
+  text::ThrottledWarnings news_{[](const std::string& text) { ROS_INFO_STREAM_NAMED("camera", text); }};
   ros::ServiceServer service_;
 };
 

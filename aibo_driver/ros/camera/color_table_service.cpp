@@ -9,6 +9,7 @@
 
 #include "ros/camera/color_table_file.h"
 #include "ros/service_answer.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 
@@ -25,8 +26,9 @@ void ColorTableService::loadAtStart(const std::string& tables) {
     try {
       setTable(channel, std::make_shared<ColorTable>(loadColorTable(name)));
     } catch (const Exception& error) {
-      ROS_ERROR_STREAM("The colour table '" << name
-                                            << "' of the parameter color_tables is not loaded: " << error.what());
+      ROS_ERROR_STREAM("The colour table '"
+                       << text::plainLine(name)
+                       << "' of the parameter color_tables is not loaded: " << text::plainLine(error.what(), 500));
     }
   }
 }

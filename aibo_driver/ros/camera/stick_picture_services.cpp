@@ -65,7 +65,7 @@ bool StickPictureServices::fetchPicture(FetchPicture::Request& request, FetchPic
   const std::string got = response.message;
   response.success = false;
   return answer(response, got + " It was not saved", [&] {
-    return got + " Saved to " + files::saveJpeg(picture_folder_, request.save_to, response.image.data) + ".";
+    return got + " Saved to '" + files::saveJpeg(picture_folder_, request.save_to, response.image.data) + "'.";
   });
 }
 

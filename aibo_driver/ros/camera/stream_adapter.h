@@ -9,7 +9,7 @@
 
 #include "aibo_driver/rcserver_client.h"
 #include "ros/camera/adaptive_stream.h"
-#include "ros/throttled_warnings.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -57,7 +57,7 @@ class StreamAdapter {
   std::optional<Wish> wish_;
   std::optional<AdaptiveStream> stream_;  ///< while adaptive
   bool has_said_why_not_ = false;
-  ThrottledWarnings log_;
+  text::ThrottledWarnings log_;
 };
 
 }  // namespace aibo_driver::node

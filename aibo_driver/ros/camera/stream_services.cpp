@@ -60,7 +60,7 @@ bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Res
     response.image = to_message_(*picture);
     response.message = describePicture(*picture, quality, stream_quality);
     if (!request.save_to.empty()) {
-      response.message += " Saved to " + files::saveJpeg(picture_folder_, request.save_to, picture->jpeg) + ".";
+      response.message += " Saved to '" + files::saveJpeg(picture_folder_, request.save_to, picture->jpeg) + "'.";
     }
     response.success = true;
   } catch (const files::FileException& error) {

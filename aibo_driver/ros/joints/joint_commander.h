@@ -14,7 +14,7 @@
 
 #include "movement/joint_table.h"
 #include "movement/mover.h"
-#include "ros/throttled_warnings.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 
@@ -54,7 +54,7 @@ class JointCommander {
 
   const movement::JointTable& table_;
   movement::Mover& mover_;
-  ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   sensor_msgs::JointState collected_;
   movement::Order collected_order_;
   ros::SteadyTimer collecting_;

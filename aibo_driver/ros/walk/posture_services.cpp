@@ -33,8 +33,7 @@ void PostureServices::advertise(const ros::NodeHandle& handle) {
   ros::NodeHandle services(handle);
   const auto advertise = [&](const std::string& name, Posture posture) {
     servers_.push_back(advertiseOrder<std_srvs::Trigger>(
-        services, name,
-        [this, posture](const movement::Order& order, const auto&, auto& response) {
+        services, name, [this, posture](const movement::Order& order, const auto&, auto& response) {
           return take(posture, order, response);
         }));
   };

@@ -28,9 +28,7 @@ void WalkCommander::subscribe(const ros::NodeHandle& handle) {
       ros::WallDuration(Seconds(settings_.timeout).count()), [this](const ros::SteadyTimerEvent&) { runOut(); },
       kOneShot, kAutostart);
   const boost::function<void(const ros::MessageEvent<Twist const>&)> receive =
-      [this](const ros::MessageEvent<Twist const>& event) {
-        this->receive(*event.getMessage(), orderOf(event));
-      };
+      [this](const ros::MessageEvent<Twist const>& event) { this->receive(*event.getMessage(), orderOf(event)); };
   constexpr std::uint32_t kNewest = 1;
   subscriber_ =
       topics.subscribe<Twist>("cmd_vel", kNewest, receive, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());

@@ -11,6 +11,7 @@
 #include "aibo_driver/rcserver_client.h"
 #include "movement/mover.h"
 #include "ros/walk/walk_settings.h"
+#include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
 

@@ -48,7 +48,8 @@ class LineReader {
   // From 1.
   int Number() const { return number_; }
 
-  // False if the line is too long or has a control character in it, also in its comment; Line() is not valid then.
+  // False if the line is too long or has anything but ASCII's printable characters and tabs in it, also in its
+  // comment; Line() is not valid then.
   bool IsText() const { return is_text_; }
 
   const char* Line() const { return line_; }
@@ -57,6 +58,7 @@ class LineReader {
   LineReader(const LineReader&);
   LineReader& operator=(const LineReader&);
 
+  bool IsPlain(int character, size_t position) const;
   void SkipNewline();
   void Add(int character);
   void Trim();
@@ -102,9 +104,8 @@ bool LineReader::Next() {
   size_ = 0;
   is_text_ = true;
   bool is_comment = false;
-  for (; character != EOF && character != '\n' && character != '\r'; character = getc(file_)) {
-    // A comment with a line end that is none here may hide a setting.
-    is_text_ = is_text_ && (character == '\t' || !iscntrl(character));
+  for (size_t i = 0; character != EOF && character != '\n' && character != '\r'; character = getc(file_), ++i) {
+    is_text_ = is_text_ && IsPlain(character, i);
     is_comment = is_comment || character == '#';
     if (!is_comment) {
       Add(character);
@@ -115,6 +116,14 @@ bool LineReader::Next() {
   }
   Trim();
   return true;
+}
+
+// A comment with a line end that is none here may hide a setting: editors show a new line at a form feed, and some at
+// NEL and U+2028, which begin with a byte above 0x7f in every encoding but ASCII.
+bool LineReader::IsPlain(int character, size_t position) const {
+  const bool is_of_mark = number_ == 1 && position < strlen(BYTE_ORDER_MARK) &&
+                          character == static_cast<unsigned char>(BYTE_ORDER_MARK[position]);
+  return character == '\t' || (character >= ' ' && character <= '~') || is_of_mark;
 }
 
 // A carriage return ends a line, and so does a carriage return with a newline after it.
@@ -150,7 +159,7 @@ void Reader::Read(FILE* file) {
   while (reader.Next()) {
     line_ = reader.Number();
     if (!reader.IsText()) {
-      Ignore("it has a control character, or more than 1023 characters", "");
+      Ignore("it has a character that is not ASCII or is a control character, or more than 1023 characters", "");
     } else if (reader.Line()[0] != '\0') {
       ReadLine(reader.Line());
     }

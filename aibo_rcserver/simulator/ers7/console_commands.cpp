@@ -104,12 +104,9 @@ std::string toText(const Place& place) {
 
 }  // namespace
 
-std::string obeyConsole(SimulatedErs7& robot, const std::string& line) {
+std::optional<std::string> obeyConsole(SimulatedErs7& robot, const std::string& line) {
   const auto words = wordsOf(line);
-  if (words.empty()) {
-    return "";
-  }
-  if (words[0] == "help") {
+  if (words.size() == 1 && words[0] == "help") {
     return kHelp;
   }
   if (words.size() == 1 && words[0] == "where") {
@@ -122,7 +119,7 @@ std::string obeyConsole(SimulatedErs7& robot, const std::string& line) {
   } catch (const std::invalid_argument& error) {
     return std::string("error: ") + error.what() + "\n";
   }
-  return "error: not understood: \"" + line + "\"; the commands are\n" + kHelp;
+  return std::nullopt;
 }
 
 }  // namespace simulated_ers7

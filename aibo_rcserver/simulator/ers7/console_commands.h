@@ -3,6 +3,7 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CONSOLE_COMMANDS_H
 
+#include <optional>
 #include <string>
 
 #include "simulator/ers7/simulated_ers7.h"
@@ -23,9 +24,8 @@ namespace simulated_ers7 {
 ///                       radian from -pi to pi, in the frame of scene.h
 ///     help              prints this list
 ///
-/// @return the answer in one or more complete lines: a confirmation, or an error and the possible commands; empty for
-///         an empty line
-std::string obeyConsole(SimulatedErs7& robot, const std::string& line);
+/// @return the answer in one or more complete lines: a confirmation, or an error; none if the line is none of these
+std::optional<std::string> obeyConsole(SimulatedErs7& robot, const std::string& line);
 
 }  // namespace simulated_ers7
 

@@ -58,43 +58,58 @@ void Console::read(Listener& listener) {
   }
   if (count > 0) {
     listener.last_typed = now_();
-    const auto* bytes = reinterpret_cast<const unsigned char*>(typed);
-    if (listener.opening.add(bytes, static_cast<std::size_t>(count)) == protocol::Opening::BROWSER) {
-      listener.socket.close();
-      reportBrowser();
-    }
   }
   for (ssize_t i = 0; i < count && listener.socket.isOpen(); ++i) {
     take(listener, typed[i]);
   }
 }
 
-void Console::reportBrowser() {
-  ++browsers_;
-  if (browser_reported_ && now_() - *browser_reported_ < std::chrono::seconds(1)) {
-    return;
-  }
-  browser_reported_ = now_();
-  const std::string more = browsers_ > 1 ? " (" + std::to_string(browsers_ - 1) + " more before it)" : "";
-  browsers_ = 0;
-  print("The console drops a listener that sent HTTP or TLS: a web browser, perhaps at the orders of a web page" +
-        more + "\n");
-}
-
 void Console::take(Listener& listener, char typed) {
-  if (typed != '\n') {
-    const bool has_room = listener.typed.size() <= kLongestLine;
-    if (typed >= ' ' && typed <= '~' && has_room) {  // ignore telnet's own bytes and carriage returns
-      listener.typed += typed;
+  if (typed == '\n') {
+    const std::string line = std::exchange(listener.typed, "");
+    if (line.size() > kLongestLine) {
+      refuse(listener, "a line has at most " + std::to_string(kLongestLine) + " characters");
+    } else if (on_line_ && !line.empty()) {
+      obey(listener, line);
     }
     return;
   }
-  const std::string line = std::exchange(listener.typed, "");
-  if (line.size() > kLongestLine) {
-    print(listener, "error: a line has at most " + std::to_string(kLongestLine) + " characters\n");
-  } else if (on_line_) {
-    print(listener, on_line_(line));
+  const bool is_plain = typed >= ' ' && typed <= '~';
+  if (is_plain && listener.typed.size() <= kLongestLine) {
+    listener.typed += typed;
+  } else if (!is_plain && typed != '\r' && on_line_ && !listener.is_known) {
+    refuse(listener, "only plain text is understood");
+  }  // telnet's own bytes come later, if at all
+}
+
+void Console::obey(Listener& listener, const std::string& line) {
+  const std::optional<std::string> answer = on_line_(line);
+  if (answer) {
+    listener.is_known = true;
+    print(listener, *answer);
+  } else {
+    refuse(listener, "not understood: \"" + line + "\"; \"help\" shows the commands");
   }
+}
+
+/// The first line of a listener that is no command may be a web page's, and the next ones, too.
+void Console::refuse(Listener& listener, const std::string& why) {
+  print(listener, "error: " + why + "\n");
+  if (!listener.is_known) {
+    listener.socket.close();
+    reportStranger();
+  }
+}
+
+void Console::reportStranger() {
+  ++strangers_;
+  if (stranger_reported_ && now_() - *stranger_reported_ < std::chrono::minutes(1)) {
+    return;
+  }
+  stranger_reported_ = now_();
+  const std::string more = strangers_ > 1 ? " (" + std::to_string(strangers_ - 1) + " more before it)" : "";
+  strangers_ = 0;
+  print("The console drops a listener whose first line is no command, but perhaps a web page's" + more + "\n");
 }
 
 void Console::acceptListeners() {

@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "protocol/opening.h"
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/tcp_listener.h"
 
@@ -19,8 +18,8 @@ namespace openr_host {
 /// The wireless console: text that objects print goes to a stream and to all telnet connections. Lines typed there are
 /// passed to a callback; objects never see them, as on the robot.
 ///
-/// A web page could make a browser send lines to this port. So a listener whose first bytes are a browser's is dropped
-/// (protocol::Opening), and nothing that it sent is obeyed. That is printed at most once a second.
+/// A web page could make a browser send lines to this port. So a listener whose first line is none of the commands is
+/// disconnected, and nothing that it sent is obeyed. That is printed at most once a minute.
 class Console {
  public:
   /// A further listener takes the place of the one that has been idle longest, or gets a message and is disconnected if
@@ -36,8 +35,9 @@ class Console {
   /// Most characters in a typed line. A longer line is answered by an error.
   static constexpr std::size_t kLongestLine = 256;
 
-  /// Receives a line that a listener typed, without its end. The result is printed to that listener only.
-  using OnLine = std::function<std::string(const std::string& line)>;
+  /// Receives a line that a listener typed, without its end. The result is printed to that listener only; none if the
+  /// line is no command.
+  using OnLine = std::function<std::optional<std::string>(const std::string& line)>;
 
   using Time = std::chrono::steady_clock::time_point;
 
@@ -62,17 +62,19 @@ class Console {
   struct Listener {
     FileDescriptor socket;
     std::string unsent;
-    std::size_t lost = 0;  ///< number of prints that did not fit
-    std::string typed;     ///< the unfinished line; at most one character too long
-    protocol::Opening opening;
-    Time last_typed;  ///< or connected
+    std::size_t lost = 0;   ///< number of prints that did not fit
+    std::string typed;      ///< the unfinished line; at most one character too long
+    bool is_known = false;  ///< a line of its was a command
+    Time last_typed;        ///< or connected
   };
 
   static void print(Listener& listener, const std::string& text);
   static void flush(Listener& listener);
   void read(Listener& listener);
   void take(Listener& listener, char typed);
-  void reportBrowser();
+  void obey(Listener& listener, const std::string& line);
+  void refuse(Listener& listener, const std::string& why);
+  void reportStranger();
   void acceptListeners();
   bool makeRoom();
 
@@ -81,8 +83,8 @@ class Console {
   const std::function<Time()> now_;
   std::optional<TcpListener> port_;
   std::list<Listener> listeners_;
-  std::size_t browsers_ = 0;              ///< dropped and not reported yet
-  std::optional<Time> browser_reported_;  ///< when one was reported last
+  std::size_t strangers_ = 0;              ///< dropped and not reported yet
+  std::optional<Time> stranger_reported_;  ///< when one was reported last
 };
 
 }  // namespace openr_host

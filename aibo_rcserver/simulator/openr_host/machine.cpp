@@ -79,7 +79,7 @@ void Machine::load() {
 }
 
 /// What is typed acts on the robot as it is now: the frames that have passed unnoticed do so before.
-std::function<std::string(const std::string& line)> Machine::consoleListener() {
+std::function<std::optional<std::string>(const std::string& line)> Machine::consoleListener() {
   if (!options_.on_console_line) {
     return nullptr;
   }

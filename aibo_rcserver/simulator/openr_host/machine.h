@@ -57,9 +57,10 @@ struct MachineOptions {
   /// Receives what the console prints, like the telnet listeners; may be null. Must outlive the machine.
   std::ostream* console = nullptr;
 
-  /// Receives each line that is typed at the console, without its end, and returns the answer to print. If empty, typed
-  /// lines are ignored, as on the robot. Called by the thread that runs the machine; must not throw.
-  std::function<std::string(const std::string& line)> on_console_line;
+  /// Receives each line that is typed at the console, without its end, and returns the answer to print; none if it is
+  /// no command. If empty, typed lines are ignored, as on the robot. Called by the thread that runs the machine; must
+  /// not throw.
+  std::function<std::optional<std::string>(const std::string& line)> on_console_line;
 
   /// How long the robot's handlers take; if empty, no time.
   HandlerTime handler_time;
@@ -126,7 +127,7 @@ class Machine {
   System& running() const;
   void clearWake();
   bool beginFrame();
-  std::function<std::string(const std::string& line)> consoleListener();
+  std::function<std::optional<std::string>(const std::string& line)> consoleListener();
   bool handle(const Deadline& latest);
   bool handleMessages();
   bool handleSockets(const Deadline& latest);

@@ -99,12 +99,32 @@ void hold(int port, int count, const std::string& bytes, TimePoint end) {
   std::this_thread::sleep_until(end);
 }
 
-// A browser's POST whose body asks for version 2 and moves the tail.
-std::string post() {
-  const std::string body =
-      kVersion2 + header('J', 12) + std::string({0, 0, 1, 0, 52, 0, 0, 0, 0, 0x0D, char(0xBB), char(0xA0)});
-  return "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: text/plain\r\nContent-Length: " +
+// Asks for version 2 and moves the tail.
+std::string moveTail() {
+  return kVersion2 + header('J', 12) + std::string({0, 0, 1, 0, 52, 0, 0, 0, 0, 0x0D, char(0xBB), char(0xA0)});
+}
+
+// A browser's request whose body does so.
+std::string http(const std::string& method) {
+  const std::string body = moveTail();
+  return method + " / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: text/plain\r\nContent-Length: " +
          std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+// Methods that a page makes up, of letters that requests begin with.
+std::string anyMethod(Random& random) {
+  static const std::string letters = "FWJSVALYKQRUDPCX";
+  std::string method(1 + random() % 2000, 'A');
+  std::generate(method.begin(), method.end(), [&] { return letters[random() % letters.size()]; });
+  return random() % 2 == 0 ? method : method.substr(0, 1 + random() % 8);
+}
+
+// STUN over TCP (RFC 5389, RFC 4571), which a page makes a browser send by WebRTC; the user name is the page's choice.
+std::string stun(Random& random) {
+  const std::string name = anyMethod(random).substr(0, 200);
+  const auto size = static_cast<char>(name.size());
+  return std::string({0, static_cast<char>(24 + size), 0, 1, 0, static_cast<char>(4 + size)}) + "\x21\x12\xa4\x42" +
+         std::string(12, 'J') + std::string({0, 6, 0, size}) + name + moveTail();
 }
 
 std::string anyRequest(Random& random) {
@@ -128,13 +148,6 @@ std::string stickPictures() {
   list[1] = 1;
   fetch[1] = 2;
   return header('M', 0) + list + fetch + outside;
-}
-
-// What a client that comes back says first, with a guessed token.
-std::string introduction(Random& random) {
-  std::string token(16, '\0');
-  std::generate(token.begin(), token.end(), [&] { return "0123456789abcdef"[random() % 16]; });
-  return kVersion2 + header('H', 22) + "token=" + token;
 }
 
 // An acknowledgement or a report of a loss, of any picture, or random bytes.
@@ -223,14 +236,20 @@ const std::vector<ClientAttack>& clientAttacks() {
        [](const Target& target, Random& random, TimePoint end) {
          sendAgainAndAgain(target.port, kVersion2, random() % 2 == 0, end, [&] { return tableOfNonsense(random); });
        }},
-      {"tokens", "introductions with guessed tokens",
-       [](const Target& target, Random& random, TimePoint end) {
-         sendOnceEach(target.port, end, [&] { return introduction(random); });
-       }},
       {"datagrams", "a stream by UDP, and wrong answers to its datagrams",
        [](const Target& target, Random& random, TimePoint end) { floodByDatagrams(target.port, random, end); }},
       {"browser", "a web page's POST that moves the tail",
-       [](const Target& target, Random&, TimePoint end) { sendOnceEach(target.port, end, post); }},
+       [](const Target& target, Random&, TimePoint end) {
+         sendOnceEach(target.port, end, [] { return http("POST"); });
+       }},
+      {"methods", "the same with methods that the page makes up",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendOnceEach(target.port, end, [&] { return http(anyMethod(random)); });
+       }},
+      {"webrtc", "a web page's STUN by WebRTC, with requests behind it",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendOnceEach(target.port, end, [&] { return stun(random); });
+       }},
       {"tls", "a browser's hello for TLS",
        [](const Target& target, Random&, TimePoint end) {
          sendOnceEach(target.port, end, [] { return std::string({0x16, 3, 1, 2, 0, 1, 0, 1, char(0xFC), 3, 3}); });

@@ -215,6 +215,13 @@ std::vector<RobotAttack> version2Attacks() {
   const auto ends = [](Random&, unsigned count) {
     return count % 3 == 0 ? end(version2::ENDED_JAM, longText('j'), "") : end(version2::ENDED_MOTION, "NOD.MTN", "r");
   };
+  const auto new_ends = [](Random&, unsigned count) {
+    return end(version2::ENDED_MOTION, "M" + std::to_string(count) + ".MTN", longText('r'));
+  };
+  const auto html = [](Random&, unsigned count) {
+    const std::string text = "<img src=\"/dev/stdin\">" + std::to_string(count);
+    return count % 2 == 0 ? report(text) : end(version2::ENDED_MOTION, text, text);
+  };
   const auto values = [](Random&, unsigned count) { return impossibleTelemetry(count); };
   const auto colors = [](Random& random, unsigned count) { return impossibleColors(random, count); };
   const auto telemetry = [](Random&, unsigned count) {
@@ -242,6 +249,8 @@ std::vector<RobotAttack> version2Attacks() {
       {"new-reports", "reports that are never the same", 2, floodOf(new_reports)},
       {"escapes", "reports with control characters", 2, floodOf(escapes)},
       {"ends", "ends of motions and faults that never began", 2, floodOf(ends)},
+      {"new-ends", "ends that are never the same, of 256 KB", 2, floodOf(new_ends)},
+      {"html", "texts that look like HTML", 2, floodOf(html)},
       {"values", "impossible values", 2, floodOf(values)},
       {"colors", "colours of more pixels than there are", 2, floodOf(colors)},
       {"telemetry", "measurements as fast as the network allows", 2, floodOf(telemetry)},

@@ -29,8 +29,8 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
     for (const double loss : {0.0, 0.01, 0.05}) {
       trials.push_back(lossTrial(11e6, loss, seed, milliseconds(15000)));
     }
-    // After a short outage the robot still serves the old connection, until its client proves by its token that it is
-    // the same. After a longer one it has given up the old connection.
+    // After a short outage the robot still serves the old connection, over which it has heard nothing for long enough.
+    // After a longer one it has given up the old connection.
     trials.push_back(outageTrial(milliseconds(1000), seed, milliseconds(400)));
     trials.push_back(outageTrial(milliseconds(3000), seed, milliseconds(400)));
     trials.push_back(outageTrial(milliseconds(10000), seed, milliseconds(400)));

@@ -262,6 +262,60 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   EXPECT_EQ(1, logged("that is dropped"));
 }
 
+// Of pictures that the robot never sent, in its name: whole ones that are no JPEGs, and incomplete ones, whose numbers
+// are far ahead, or not so far.
+TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
+  startStream();
+  live(std::chrono::seconds(5), [this] {
+    for (const unsigned picture : {60000U, 60001U, picture_ + 40, picture_ + 41, picture_ + 65, 100U}) {
+      unsigned sequence = picture + 1;
+      arrive(test_support::makeDatagrams(Bytes(100, 'x'), picture, 1000, &sequence, false));
+      std::vector<Bytes> incomplete = test_support::makeDatagrams(makeJpeg(7), picture, 1000, &sequence, false);
+      incomplete.pop_back();
+      arrive(incomplete);
+    }
+    arrive(nextPicture());
+  });
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_GE(pictures_.size(), picture_ * 9 / 10);
+  EXPECT_GE(repliesOf('a').size(), picture_ * 9 / 10) << "the robot waits for them";
+}
+
+TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
+  startStream();
+  live(milliseconds(1500), [this] {
+    wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0;
+    arrive(test_support::makeDatagrams(Bytes(100, 'x'), picture_++, 1000, &sequence_, false));
+  });
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("datagrams come, but no good picture"));
+  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+}
+
+// A picture of the robot's, sent again with other numbers.
+TEST_F(DatagramsTest, AForgedGoodPictureStopsTheStreamForASecondAtMost) {
+  startStream();
+  arrive(nextPicture());
+  unsigned far_sequence = 60000;
+  arrive(test_support::makeDatagrams(makeJpeg(1), 60000, 1008, &far_sequence, false));
+  live(milliseconds(1500), [this] {
+    wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0;
+    arrive(nextPicture());
+  });
+  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("somebody sends others in the robot's name"));
+}
+
+TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
+  startStream();
+  arrive(nextPicture());
+  unsigned sequence = sequence_;
+  arrive(test_support::makeDatagrams(makeJpeg(1), picture_, 1'000'000, &sequence, false));
+  EXPECT_THAT(delivered(), ElementsAre(1));
+  nextPicture();  // its number is the forged one's
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), ElementsAre(1, 3));
+}
+
 TEST_F(DatagramsTest, LostDatagramsAreCounted) {
   startStream();
   live(std::chrono::seconds(4), [this] {

@@ -50,9 +50,11 @@ TEST(SequenceWindowTest, AGapLongerThanTheWindowIsCountedWhole) {
   SequenceWindow window;
   window.add(0);
   window.add(1000);
+  window.add(1001);
   EXPECT_EQ(999u - 63u, window.lost());
   window.add(2000);
-  EXPECT_EQ(999u + 999u - 63u, window.lost());
+  window.add(2002);
+  EXPECT_EQ(999u - 63u + 998u, window.lost());
 }
 
 TEST(SequenceWindowTest, LossFromTheBeginningCounts) {
@@ -61,6 +63,21 @@ TEST(SequenceWindowTest, LossFromTheBeginningCounts) {
     window.add(i);
   }
   EXPECT_EQ(10u, window.lost());
+}
+
+TEST(SequenceWindowTest, AJumpIsBelievedWhenASecondOneSaysTheSame) {
+  SequenceWindow window;
+  window.add(0);
+  for (unsigned i = 1; i < 100; ++i) {
+    EXPECT_EQ(Verdict::kUnbelieved, window.add(60000));
+    EXPECT_EQ(Verdict::kUnbelieved, window.add(i % 2 == 0 ? 100 : 50000));
+    EXPECT_EQ(Verdict::kNext, window.add(i));
+  }
+  EXPECT_EQ(0u, window.lost());
+  EXPECT_EQ(Verdict::kUnbelieved, window.add(200));
+  EXPECT_EQ(Verdict::kNext, window.add(203));
+  EXPECT_EQ(Verdict::kReordered, window.add(201));
+  EXPECT_EQ(Verdict::kDuplicate, window.add(200));
 }
 
 TEST(SequenceWindowTest, ANumberFarAheadIsImpossibleAndChangesNothing) {

@@ -153,6 +153,43 @@ TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) 
   EXPECT_FALSE(transport.hasUnsent());
 }
 
+// However a connection has ended, and whatever it has not sent: the next one begins with its own first request.
+TEST(TcpTransportTest, TheNextConnectionSendsNothingOfTheOneBefore) {
+  ScriptedServer server;
+  server.limitReceiveBuffer();
+  TcpTransport transport;
+  for (const bool is_reset : {false, true}) {
+    transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+    ScriptedPeer first = server.accept();
+    const ScriptedPeer::Bytes request(64 * 1024, 'x');
+    for (int i = 0; i < 1000 && !transport.hasUnsent(); ++i) {
+      transport.send(request.data(), request.size());
+    }
+    ASSERT_TRUE(transport.hasUnsent()) << "it takes everything";
+    if (is_reset) {
+      first.reset();
+      EXPECT_EQ(FaultKind::kClosed, faultOf([&] {
+                  std::uint8_t buffer[16];
+                  while (!transport.wait(in(seconds(10)))) {
+                  }
+                  transport.receive(buffer, sizeof buffer);
+                }));
+    }
+    transport.close();
+    EXPECT_FALSE(transport.hasUnsent());
+    transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+    ScriptedPeer second = server.accept();
+    const std::uint8_t own[] = {'F', 85};
+    transport.send(own, sizeof own);
+    EXPECT_EQ(85, second.readCommand().identifier);
+    second.send({1});
+    ASSERT_TRUE(transport.wait(in(seconds(10))));
+    std::uint8_t buffer[16];
+    EXPECT_EQ(1u, transport.receive(buffer, sizeof buffer));
+    transport.close();
+  }
+}
+
 TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
   ScriptedServer server;
   TcpTransport transport;

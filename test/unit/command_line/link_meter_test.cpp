@@ -53,6 +53,31 @@ TEST_F(LinkMeterTest, AgeIsTheDelayBeyondTheShortest) {
   EXPECT_NEAR(meter_.read(begin_ + milliseconds(3400)).worst_age.value(), 0.092, 0.003);
 }
 
+// `aibo link` reads once a second: each line is about its second.
+TEST_F(LinkMeterTest, EachReadingStartsAgain) {
+  arrive(0);
+  arrive(1, milliseconds(300));
+  arrive(20);  // 18 are missing
+  const LinkMeter::Reading bad = meter_.read(begin_ + milliseconds(1000));
+  EXPECT_GT(bad.mean_age.value(), 0.09);
+  EXPECT_GT(bad.loss.value(), 0.8);
+  const LinkMeter::Reading none = meter_.read(begin_ + milliseconds(2000));
+  EXPECT_FALSE(none.mean_age || none.worst_age || none.loss);
+  for (std::uint32_t image = 63; image < 94; ++image) {
+    arrive(image);
+  }
+  const LinkMeter::Reading good = meter_.read(begin_ + milliseconds(3000));
+  EXPECT_DOUBLE_EQ(good.seconds, 1);
+  EXPECT_EQ(good.pictures, 31U);
+  EXPECT_EQ(good.bytes, 31000U);
+  EXPECT_LT(good.mean_age.value(), 0.005);
+  EXPECT_LT(good.worst_age.value(), 0.005);
+  EXPECT_NEAR(good.loss.value(), 42.0 / 73, 1e-9) << "those since the last picture";
+  EXPECT_NEAR(good.longest_gap, 43 * 0.032, 1e-6);
+  arrive(94);
+  EXPECT_NEAR(meter_.read(begin_ + milliseconds(3020)).longest_gap, 0.032, 1e-6);
+}
+
 TEST_F(LinkMeterTest, AGapThatNoPictureHasEndedYetCounts) {
   arrive(1);
   EXPECT_NEAR(meter_.read(begin_ + milliseconds(1000)).longest_gap, 1 - 0.034, 1e-6);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cstdlib>
 
 #include "aibo_driver/exceptions.h"
@@ -19,6 +20,21 @@ TEST(Parse, OptionsOfAllCommandsMayBeAnywhere) {
   EXPECT_THAT(before.arguments.words, ElementsAre("head_pan=-3deg"));
   EXPECT_EQ(before.arguments.get<std::string>("duration"), "2");
   EXPECT_EQ(parse({"joints", "--port", "4", "--host=robot"}).arguments.robot.port, 4);
+}
+
+TEST(Parse, EachCommonOptionMayStandBeforeTheCommand) {
+  const CommandLine line = parse({"--timeout", "5", "--port", "4", "--host", "robot", "move", "head_pan=0"});
+  EXPECT_EQ(line.command->name, "move");
+  EXPECT_EQ(line.arguments.robot.timeout, std::chrono::seconds(5));
+  EXPECT_EQ(line.arguments.robot.port, 4);
+  EXPECT_EQ(line.arguments.robot.host, "robot");
+  EXPECT_THAT(line.arguments.words, ElementsAre("head_pan=0"));
+  for (const char* option : {"--host", "--port", "--timeout"}) {
+    EXPECT_EQ(parse({option, "1", "battery"}).command->name, "battery") << option;
+    EXPECT_EQ(parse({std::string(option) + "=1", "battery"}).command->name, "battery") << option;
+    EXPECT_EQ(parse({"battery", option, "1"}).command->name, "battery") << option;
+    EXPECT_THROW(parse({option}), boost::program_options::error) << option;
+  }
 }
 
 TEST(Parse, TheEnvironmentNamesTheRobotUnlessAnOptionDoes) {

@@ -100,7 +100,7 @@ TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
 TEST_F(StickPictureServicesTest, SaveAFetchedPicture) {
   const auto answer = fetch("mine", "fetched.jpg");
   EXPECT_TRUE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("Saved to " + folder_.path("fetched.jpg").string() + "."));
+  EXPECT_THAT(answer.message, HasSubstr("Saved to '" + folder_.path("fetched.jpg").string() + "'."));
   EXPECT_TRUE(std::filesystem::exists(folder_.path("fetched.jpg")));
   const auto unsaved = fetch("mine", "../fetched.jpg");
   EXPECT_FALSE(unsaved.success);

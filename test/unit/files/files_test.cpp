@@ -81,6 +81,20 @@ TEST_F(LoadFileTest, SaysWhyItFails) {
   EXPECT_THAT(loadRefusal(""), HasSubstr("no such file"));
 }
 
+// The kernel's have no size, and reading them may wait for ever, or take from others what was in them.
+TEST_F(LoadFileTest, ReadsNothingOfTheKernelsFiles) {
+  for (const std::string path : {"/proc/kmsg", "/proc/self/environ", "/proc/self/pagemap"}) {
+    if (fs::exists(path)) {
+      EXPECT_THAT(loadFile(path, 1000), SizeIs(0)) << path;
+    }
+  }
+}
+
+TEST_F(LoadFileTest, APathWithControlCharactersIsRefusedAndShownWithoutThem) {
+  EXPECT_THAT(loadRefusal(std::string("/etc/passwd\0.mtn", 16)), HasSubstr("'/etc/passwd?.mtn': the path"));
+  EXPECT_THAT(loadRefusal("a\x1b[2J"), HasSubstr("cannot read 'a?[2J'"));
+}
+
 class SaveJpegTest : public FilesTest {
  protected:
   // An image of one byte, which no program would show.
@@ -196,6 +210,18 @@ TEST_F(SaveJpegTest, RefusesANameThatIsNotThatOfAJpegAndSuggestsOne) {
               HasSubstr("name it " + (folder_ / "picture.jpg").string()));
   EXPECT_THAT(saveRefusal("picture"), HasSubstr("name it picture.jpg"));
   EXPECT_EQ(filesInFolder(), 0u);
+}
+
+// For the system, the first is picture.sh.
+TEST_F(SaveJpegTest, RefusesControlCharactersInAPath) {
+  EXPECT_THAT(saveRefusal(std::string("picture.sh\0.jpg", 15)), HasSubstr("cannot write 'picture.sh?.jpg'"));
+  EXPECT_THAT(saveRefusal("picture\n.jpg"), HasSubstr("cannot write 'picture?.jpg'"));
+  EXPECT_THAT(saveRefusal("\xE2\x80\xAEgpj.jpg"), HasSubstr("holds control characters"));
+  EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(SaveJpegTest, TakesANameThatLooksLikeAnOption) {
+  EXPECT_EQ(save("-rf.jpg"), (folder_ / "-rf.jpg").string());
 }
 
 TEST_F(SaveJpegTest, SaysThatATildeIsNotExpanded) {

@@ -315,7 +315,7 @@ TEST_F(FileJobsTest, NextClientOfVersion1IsServedAfterTheLastOnesFileJob) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   disconnect();
   client_ = connect();
-  client_->send(request('?', 0));
+  client_->send(kRefused);
   machine_->runPending();
   finishJobs();
   EXPECT_TRUE(await(*client_));

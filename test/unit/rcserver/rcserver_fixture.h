@@ -43,6 +43,9 @@ inline std::string request(char letter, int identifier, int value) {
   return request(letter, identifier) + static_cast<char>(value & 0xff) + static_cast<char>((value >> 8) & 0xff);
 }
 
+/// A request of version 1 that is answered at once by an error: for a version that nobody speaks.
+inline const std::string kRefused = request('X', 9);
+
 /// A request of version 1 that names a file.
 inline std::string fileRequest(char letter, const std::string& name, unsigned short a, unsigned short b = 0) {
   protocol::FileRequest file = {};
@@ -152,11 +155,11 @@ class RCServerFixture : public ::testing::Test {
     return client;
   }
 
-  /// Sends requests of version 1 and waits until all have been handled: the unknown one at the end is answered at once.
+  /// Sends requests of version 1 and waits until all have been handled: the last one is answered at once.
   void ask(TestClient& client, const std::string& requests) {
-    client.send(requests + "??");
+    client.send(requests + kRefused);
     const std::optional<Reply> reply = await(client);
-    ASSERT_TRUE(reply) << "no answer to the unknown request";
+    ASSERT_TRUE(reply) << "no answer to the last request";
     ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
     machine_->runPending();
   }

@@ -327,7 +327,7 @@ TEST_F(StickPicturesTest, AreRefusedUnlessTheSettingsAllowThem) {
 
 TEST_F(StickPicturesTest, Version1HasNoSuchRequest) {
   disconnect();
-  client_ = connect();
+  client_ = connectServed();
   expectError(request('M', 85));
   EXPECT_THAT(files(), IsEmpty());
 }

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QFileDialog>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -17,6 +18,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
 
@@ -217,6 +219,41 @@ TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoInTheListOfAChoice) {
   EXPECT_EQ(robot_.take(), QStringList("stop"));
   QTest::keyClick(choice->view(), Qt::Key_Escape);
   EXPECT_FALSE(choice->view()->isVisible());
+}
+
+// A hostile robot's refusals, and names of motions, settings and folders.
+TEST_F(RemoteControlTest, ShowsWhatLooksLikeHtmlAsItIs) {
+  const QString html = "<img src=\"/dev/stdin\"> &lt;b&gt;";
+  robot_.connectIt();
+  Q_EMIT robot_.movementChanged(html);
+  Q_EMIT robot_.settingsDescribed({{html, html, Setting::Kind::kInteger, 1, 100, {}}});
+  window_.setFolder(html);
+  Q_EMIT robot_.answered(false, html);
+  auto* tabs = find<QTabWidget>("");
+  for (int page = 0; page < tabs->count(); ++page) {
+    tabs->setCurrentIndex(page);
+  }
+  click("folder");
+  QList<QWidget*> widgets = window_.findChildren<QWidget*>();
+  EXPECT_TRUE(textOf("status").endsWith(html));
+  for (QWidget* widget : widgets) {
+    if (auto* label = qobject_cast<QLabel*>(widget)) {
+      EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
+    }
+    QHelpEvent wants_tip(QEvent::ToolTip, QPoint(1, 1), widget->mapToGlobal(QPoint(1, 1)));
+    QCoreApplication::sendEvent(widget, &wants_tip);
+    EXPECT_FALSE(Qt::mightBeRichText(QToolTip::text())) << QToolTip::text().toStdString();
+  }
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    auto* tip = qobject_cast<QLabel*>(window);
+    EXPECT_TRUE(tip == nullptr || tip->textFormat() == Qt::PlainText) << tip->text().toStdString();
+  }
+}
+
+TEST_F(RemoteControlTest, OfALongAnswerTheBeginningIsShown) {
+  Q_EMIT robot_.answered(false, "no" + QString(5'000'000, 'x'));
+  EXPECT_LT(textOf("status").size(), 2000);
+  EXPECT_TRUE(textOf("status").contains("nox"));
 }
 
 TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {

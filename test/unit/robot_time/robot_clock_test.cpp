@@ -253,5 +253,26 @@ TEST(RobotClock, ReportsHowLongMessagesWereDelayed) {
   EXPECT_EQ(clock.read().messages, 0u);
 }
 
+// Each reading says what has happened since the one before, and how many timelines there were in all.
+TEST(RobotClock, EachReadingStartsAgain) {
+  RobotClock clock;
+  clock.timeOf(1, 1000, at(100));
+  clock.timeOf(1, 1004, at(100.032 + 0.5));
+  EXPECT_NEAR(clock.read().longest_delay, 0.5, 1e-3);
+  EXPECT_EQ(clock.read().mean_delay, 0);
+  clock.timeOf(1, 1100, at(100.8));
+  clock.timeOf(1, 1104, at(100.832 + 0.010));
+  RobotClock::Reading reading = clock.read();
+  EXPECT_EQ(reading.messages, 2u);
+  EXPECT_NEAR(reading.mean_delay, 0.005, 1e-3);
+  EXPECT_NEAR(reading.longest_delay, 0.010, 1e-3);
+  EXPECT_EQ(reading.timelines, 1u);
+  clock.timeOf(2, 4, at(110));
+  EXPECT_EQ(clock.read().timelines, 2u);
+  reading = clock.read();
+  EXPECT_EQ(reading.timelines, 2u) << "it is counted in all";
+  EXPECT_EQ(reading.longest_delay, 0);
+}
+
 }  // namespace
 }  // namespace aibo_driver::robot_time

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -107,6 +108,35 @@ class WalkerTest : public ::testing::Test {
         farthest_lag_ = std::max(farthest_lag_, std::abs(joints_.Planner().Target(joint) - now[i]));
       }
     }
+  }
+
+  // Rises, walks, turns and stands again: what the legs do in each frame, how fast they say that is, and how it ends.
+  std::vector<std::string> traceOfAWalk() {
+    while (joints_.Steer({-0.05, 0, 0}), walker().State() != protocol::version2::WALK_STATE_WALKS) {
+      pass(1);
+    }
+    ends();
+    walker().TakeVelocity();
+    std::vector<std::string> trace;
+    const auto record = [&] {
+      pass(1);
+      std::string now = std::to_string(walker().Phase());
+      for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
+        now += walker().Moves(joint) ? " " + std::to_string(joints_.Planner().Position(joint)) : "";
+      }
+      trace.push_back(now + " forward " + std::to_string(walker().TakeVelocity().forward));
+    };
+    for (int i = 0; i < 100; ++i) {
+      joints_.Steer({-0.05, 0, i < 50 ? 0 : 0.3});
+      record();
+    }
+    while (walker().IsActive()) {
+      record();
+    }
+    for (const std::string& end : ends()) {
+      trace.push_back(end);
+    }
+    return trace;
   }
 
   bool isIn(Posture posture) {
@@ -344,6 +374,73 @@ TEST_F(WalkerTest, AClientThatGoesEndsAPosture) {
   EXPECT_FALSE(walker().IsActive());
   pass(30);
   EXPECT_FALSE(joints_.AreMoving());
+}
+
+// Whatever has ended a walk, and however the legs were then, the next one is like the first.
+TEST_F(WalkerTest, WalksAfterEveryEndLikeTheFirstTime) {
+  const std::vector<std::string> first = traceOfAWalk();
+  const std::pair<const char*, std::function<void()>> ends_of_a_walk[] = {
+      {"held", [this] { joints_.StopAll(); }},
+      {"a leg held", [this] { joints_.Stop(joint("left_front_knee")); }},
+      {"a leg commanded",
+       [this] {
+         MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
+         joints_.SetTargets(&knee, 1, 0);
+       }},
+      {"motors off", [this] { joints_.MotorsGoOff(); }},
+      {"a leg failed", [this] { walker().Stop(Walker::JOINT_FAILED, joint("left_front_knee")); }},
+      {"fallen",
+       [this] {
+         reading_ = kOnItsSide;
+         steer({0.15, 0, 0}, 60);
+         reading_ = kUpright;
+         pass(60);
+       }},
+      {"client gone", [this] { joints_.ClientGone(); }},
+      {"client gone, and it stands",
+       [this] {
+         joints_.ClientGone();
+         passUntilIdle();
+       }},
+      {"posture", [this] { joints_.Take(POSTURE_SIT); }},
+      {"posture, and held in it",
+       [this] {
+         joints_.Take(POSTURE_SIT);
+         pass(100);
+         joints_.StopAll();
+       }},
+      {"not steered", [this] { passUntilIdle(); }},
+      {"slow joint",
+       [this] {
+         joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
+         passUntilIdle();
+         joints_.Planner().SetSpeedLimit(joint("left_front_knee"),
+                                         robot_.joints[joint("left_front_knee")].highest_speed);
+       }},
+  };
+  for (const auto& [name, end] : ends_of_a_walk) {
+    SCOPED_TRACE(name);
+    walk({0.15, 0, 0});
+    end();
+    if (walker().State() == protocol::version2::WALK_STATE_WALKS) {
+      steer({0, 0, 0}, 1);
+      passUntilIdle();  // brakes; a walk that is steered again goes on
+    }
+    EXPECT_EQ(traceOfAWalk(), first);
+  }
+}
+
+// It rises first, as before its first walk: the feet never move as fast as those of the walk before.
+TEST_F(WalkerTest, AWalkAfterAStopBeginsWithoutTheOldVelocity) {
+  walk({0.15, 0, 0});
+  joints_.StopAll();
+  pass(30);
+  walker().TakeVelocity();
+  for (int i = 0; i < 2 * kFramesASecond; ++i) {
+    joints_.Steer({-0.05, 0, 0});
+    pass(1);
+    ASSERT_LT(walker().TakeVelocity().forward, 0.02) << i << " frames after it was steered backward";
+  }
 }
 
 // ----------------------------------------------------------------------------------------------------------- postures

@@ -136,10 +136,10 @@ TEST_F(ConsoleTest, EachTypedLineIsAnsweredToItsListener) {
   typing.send("pre");
   test_.runPending();
   EXPECT_TRUE(lines.empty()) << "the line is not finished";
-  typing.send("ss \xff\xfb\x01 chin\r\nhelp\nun");
-  ASSERT_TRUE(test_.runUntil([&] { return typing.received().size() >= 37; }));
-  EXPECT_THAT(lines, testing::ElementsAre("press  chin", "help"));
-  EXPECT_EQ(typing.received(), "answer to press  chin\nanswer to help\n");
+  typing.send("ss chin\r\n\r\nhe\xff\xfb\x01lp\nun");
+  ASSERT_TRUE(test_.runUntil([&] { return typing.received().size() >= 36; }));
+  EXPECT_THAT(lines, testing::ElementsAre("press chin", "help"));
+  EXPECT_EQ(typing.received(), "answer to press chin\nanswer to help\n");
   EXPECT_EQ(other.received(), "");
   EXPECT_EQ(test_.output.str(), "");
 }
@@ -147,9 +147,9 @@ TEST_F(ConsoleTest, EachTypedLineIsAnsweredToItsListener) {
 TEST_F(ConsoleTest, ALineThatIsTooLongIsRefusedAndTheNextOneAccepted) {
   test_.on_console_line = [](const std::string& line) { return "got " + std::to_string(line.size()) + "\n"; };
   TestClient listener(port_);
-  listener.send(std::string(5000, 'x') + "\n" + std::string(256, 'x') + "\n");
-  EXPECT_TRUE(
-      test_.runUntil([&] { return listener.received() == "error: a line has at most 256 characters\ngot 256\n"; }));
+  listener.send("help\n" + std::string(5000, 'x') + "\n" + std::string(256, 'x') + "\n");
+  EXPECT_TRUE(test_.runUntil(
+      [&] { return listener.received() == "got 4\nerror: a line has at most 256 characters\ngot 256\n"; }));
 }
 
 TEST_F(ConsoleTest, OneListenerTooManyGetsAMessageAndIsDisconnected) {
@@ -169,32 +169,42 @@ TEST_F(ConsoleTest, OneListenerTooManyGetsAMessageAndIsDisconnected) {
   EXPECT_FALSE(next.isAtEnd());
 }
 
-// The body has lines that would be obeyed.
-TEST_F(ConsoleTest, AWebBrowserIsDroppedAndNothingOfItIsObeyed) {
-  std::vector<std::string> lines;
-  test_.on_console_line = [&](const std::string& line) {
-    lines.push_back(line);
+// The lines after the first would be obeyed.
+TEST_F(ConsoleTest, AListenerWhoseFirstLineIsNoCommandIsDroppedAndNothingOfItIsObeyed) {
+  std::vector<std::string> obeyed;
+  test_.on_console_line = [&](const std::string& line) -> std::optional<std::string> {
+    if (line != "press pause") {
+      return std::nullopt;
+    }
+    obeyed.push_back(line);
     return "ok\n";
   };
-  for (const std::string method : {"GET", "POST", "PUT", "HEAD", "OPTIONS", "DELETE", "CONNECT", "TRACE", "PATCH"}) {
-    test_.output.str("");
-    TestClient browser(port_);
-    browser.send(method + " / HTTP/1.1\r\nHost: 127.0.0.1:59000\r\n\r\npress pause\r\n");
-    ASSERT_TRUE(test_.runUntil([&] { return browser.ended(); })) << method;
-    EXPECT_THAT(lines, testing::IsEmpty()) << method;
+  const std::string after = " / HTTP/1.1\r\nHost: 127.0.0.1:59000\r\n\r\npress pause\r\n";
+  for (const std::string& first :
+       {"GET" + after, "POST" + after, "QUERY" + after, std::string("\x16\x03\x01\npress pause\n"),
+        std::string("\0\x80\0\1\x21\x12\xa4\x42\npress pause\n", 21), "\xffpress pause\n" + after,
+        std::string("what?\npress pause\n"), std::string(300, 'x') + "\npress pause\n"}) {
+    TestClient stranger(port_);
+    stranger.send(first);
+    ASSERT_TRUE(test_.runUntil([&] { return stranger.ended(); })) << first;
+    EXPECT_THAT(obeyed, testing::IsEmpty()) << first;
   }
+  TestClient listener(port_);
+  listener.send("press pause\nwhat?\npress pause\n");
+  const std::string answers = "ok\nerror: not understood: \"what?\"; \"help\" shows the commands\nok\n";
+  EXPECT_TRUE(test_.runUntil([&] { return listener.received() == answers; })) << listener.received();
 }
 
-TEST_F(ConsoleTest, AWebBrowserIsDroppedHoweverItsBytesArrive) {
-  TestClient browser(port_);
-  browser.send("POS");
+TEST_F(ConsoleTest, AFirstLineMayArriveInPieces) {
+  test_.on_console_line = [](const std::string& line) -> std::optional<std::string> {
+    return line == "where" ? std::optional<std::string>("here\n") : std::nullopt;
+  };
+  TestClient listener(port_);
+  listener.send("whe");
   test_.runPending();
-  EXPECT_FALSE(browser.ended());
-  browser.send("T / HTTP/1.1\r\npress pause\r\n");
-  EXPECT_TRUE(test_.runUntil([&] { return browser.ended(); }));
-  TestClient secure(port_);
-  secure.send("\x16\x03\x01");
-  EXPECT_TRUE(test_.runUntil([&] { return secure.ended(); }));
+  EXPECT_FALSE(listener.ended());
+  listener.send("re\n");
+  EXPECT_TRUE(test_.runUntil([&] { return listener.received() == "here\n"; }));
 }
 
 /// A console with a clock of its own.
@@ -210,11 +220,11 @@ class ConsoleClockTest : public testing::Test {
 
   Console::Time now_{};
   std::ostringstream output_;
-  Console console_{&output_, {}, [this] { return now_; }};
+  Console console_{&output_, [](const std::string& /*line*/) { return std::nullopt; }, [this] { return now_; }};
   const std::uint16_t port_ = console_.takePort("127.0.0.1", 0);
 };
 
-TEST_F(ConsoleClockTest, WebBrowsersAreReportedOnceASecond) {
+TEST_F(ConsoleClockTest, StrangersAreReportedOnceAMinute) {
   const auto sendPage = [this] {
     TestClient browser(port_);
     browser.send("POST / HTTP/1.1\r\n\r\n");
@@ -222,14 +232,13 @@ TEST_F(ConsoleClockTest, WebBrowsersAreReportedOnceASecond) {
       run();
     }
   };
-  const std::string line =
-      "The console drops a listener that sent HTTP or TLS: a web browser, perhaps at the orders of a web page";
+  const std::string line = "The console drops a listener whose first line is no command, but perhaps a web page's";
   for (int i = 0; i < 100; ++i) {
     sendPage();
   }
   EXPECT_EQ(output_.str(), line + "\n");
   output_.str("");
-  now_ += std::chrono::seconds(1);
+  now_ += std::chrono::minutes(1);
   sendPage();
   EXPECT_EQ(output_.str(), line + " (99 more before it)\n");
 }

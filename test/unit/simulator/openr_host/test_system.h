@@ -128,13 +128,15 @@ class TestSystem {
 
   FakeRobot robot;
   std::ostringstream output;
-  std::function<std::string(const std::string&)> on_console_line;  ///< answers typed lines
+  std::function<std::optional<std::string>(const std::string&)> on_console_line;  ///< answers typed lines
   const std::string memory_stick;
   System system{"127.0.0.1", memory_stick, &output, [this](const std::string& line) { return onConsoleLine(line); },
                 robot,       nullptr};
 
  private:
-  std::string onConsoleLine(const std::string& line) const { return on_console_line ? on_console_line(line) : ""; }
+  std::optional<std::string> onConsoleLine(const std::string& line) const {
+    return on_console_line ? on_console_line(line) : "";
+  }
 
   bool round(std::chrono::milliseconds patience) {
     const bool had_messages = system.hasMessages();

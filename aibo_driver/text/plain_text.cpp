@@ -1,10 +1,8 @@
-#include "command_line/plain_text.h"
-
-#include <cstddef>
+#include "text/plain_text.h"
 
 #include "protocol/text.h"
 
-namespace aibo_driver::command_line {
+namespace aibo_driver::text {
 namespace {
 
 /// The size of the UTF-8 character that begins with this byte, if one does.
@@ -36,4 +34,26 @@ std::string plainText(const std::string& text) {
   return plain;
 }
 
-}  // namespace aibo_driver::command_line
+std::string plainLine(const std::string& text, std::size_t most) {
+  std::string line;
+  for (const std::string& character : charactersOf(text.substr(0, most))) {
+    line += isPlain(character) ? character : "?";
+  }
+  return text.size() > most ? line + "..." : line;
+}
+
+void FirstThree::add(const std::string& one) {
+  if (++count_ <= 3) {
+    first_.push_back(plainLine(one, most_));
+  }
+}
+
+std::string FirstThree::text(const std::string& separator) const {
+  std::string all;
+  for (const std::string& one : first_) {
+    all += (all.empty() ? "" : separator) + one;
+  }
+  return count_ > first_.size() ? all + " and " + std::to_string(count_ - first_.size()) + " more" : all;
+}
+
+}  // namespace aibo_driver::text

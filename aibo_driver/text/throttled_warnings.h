@@ -1,0 +1,53 @@
+/// @file throttled_warnings.h
+#ifndef AIBO_DRIVER_TEXT_THROTTLED_WARNINGS_H
+#define AIBO_DRIVER_TEXT_THROTTLED_WARNINGS_H
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "client/rate_limit.h"
+
+namespace aibo_driver::text {
+
+/// Logs what is wrong with what others send. It is for the mistake that a program repeats many times a second, and for
+/// the stranger who makes another one each time: neither may flood the log or hide other warnings. From any thread; but
+/// the log may take its time, so never while a lock is held.
+///
+/// Each different warning is logged once in kRepetitionPeriod. Two that differ only in numbers are the same; numbers
+/// within names count. Of all together, kBurst may be logged at once, in the long run one per kPeriod; the next one
+/// says how many were left out. Texts are cut at kLongest bytes and shown by plainLine().
+class ThrottledWarnings {
+ public:
+  static constexpr std::chrono::seconds kRepetitionPeriod{5};
+  static constexpr int kBurst = 20;
+  static constexpr std::chrono::seconds kPeriod{1};
+  static constexpr std::size_t kLongest = 1000;
+
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// @param log logs a warning
+  /// @param now another clock, for tests
+  explicit ThrottledWarnings(std::function<void(const std::string& text)> log,
+                             std::function<TimePoint()> now = &std::chrono::steady_clock::now);
+
+  void warn(const std::string& text);
+
+  /// The same, also if it was logged a moment ago: for news that others cause.
+  void say(const std::string& text);
+
+ private:
+  bool isNew(const std::string& kind, TimePoint now);
+
+  const std::function<void(const std::string&)> log_;
+  const std::function<TimePoint()> now_;
+  std::mutex mutex_;
+  std::map<std::string, TimePoint> last_;  ///< when each was logged; texts without numbers. Guarded by mutex_
+  RateLimit limit_{kBurst};
+};
+
+}  // namespace aibo_driver::text
+
+#endif  // AIBO_DRIVER_TEXT_THROTTLED_WARNINGS_H

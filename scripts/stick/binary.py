@@ -1,0 +1,290 @@
+"""Checks a finished OPEN-R program, with any compiler's code: whether the robot's loader can place it in memory, and
+whether its code then finds its data.
+
+The loader puts the program at some address, and adds the difference to the words that .RelDataEntry names. Nothing else
+is adapted, so everything else has to be independent of the address. gensnap of the SDK shows what is expected, and so
+do the programs among Sony's samples.
+"""
+import gzip
+import io
+import struct
+from array import array
+from typing import NamedTuple
+
+try:
+    from elftools.common.exceptions import ELFError
+    from elftools.elf.elffile import ELFFile
+except ImportError:  # missing_pyelftools() of stick.sdk says what to do
+    pass
+
+from .problem import Problem
+
+LINKED_AT = 0x400000  # GNU ld's address for programs, which their words still have
+TABLES_AT = 0xf0000000
+GP_OFFSET = 0x7ff0    # of the register gp from the beginning of .got (MIPS ABI)
+MODULE_POINTER = 0x80000000  # GNU's mark in the second word of .got
+GP = 28
+MAX_WORDS_NAMED = 3
+SMALL_FRAME = 4096  # bytes; some functions of newlib have it, also in programs of Sony with a stack of 3 KB
+
+# The frame of newlib's __sbprintf, which all programs have: it prints to a stream without a buffer, such as stderr.
+UNBUFFERED_PRINTF = range(16384, 16640)
+
+NEEDED = (".SnapShotHdr", ".ObletDependencyDescr", ".ObletDependencyDescrList", ".RelEntry", ".RelDataEntry",
+          ".reginfo", ".text", ".ctors", ".got")
+
+# gensnap leaves these out, because they are independent of the program's address, and adapts R_MIPS_32.
+RELOCATIONS = {"R_MIPS_NONE", "R_MIPS_32", "R_MIPS_CALL16", "R_MIPS_HI16", "R_MIPS_GPREL32", "R_MIPS_LO16",
+               "R_MIPS_GOT16", "R_MIPS_PC32"}
+
+
+class Summary(NamedTuple):
+    """What a program is made of, to be compared with another compiler's."""
+    name: str
+    stack: int
+    heap: int
+    priority: int
+    flags: int
+    text: int
+    data: int
+    bss: int
+    relocated_words: int
+    functions_with_gp: int
+    largest_frame: int
+    oblets: str
+
+    def __str__(self):
+        return (f"{self.name}: stack {self.stack}, heap {self.heap}, priority {self.priority}, flags {self.flags:#x}; "
+                f"text {self.text}, data {self.data}, bss {self.bss} bytes; {self.relocated_words} relocated words, "
+                f"{self.functions_with_gp} functions that set gp, largest frame {self.largest_frame} bytes; "
+                f"uses {self.oblets}")
+
+
+class Broken(Exception):
+    """The program is damaged so that no further check makes sense."""
+
+
+def read(path):
+    """The bytes of a program, unpacked if it is packed by gzip as on the stick."""
+    data = path.read_bytes()
+    return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
+
+
+class Program:
+    """One program. problems() yields the text of everything that is wrong with it, and fills in the summary."""
+
+    def __init__(self, data, linked=None, relocations=None):
+        """`linked` is mkbin's NAME.nosnap.elf and `relocations` its NAME.rel.elf, as bytes, if they are at hand."""
+        self._data = data
+        self._linked = linked
+        self._relocations = relocations
+        self._sections = {}
+        self.summary = None
+
+    def problems(self):
+        try:
+            self._elf = ELFFile(io.BytesIO(self._data))
+            self._sections = {section.name: section for section in self._elf.iter_sections() if section.name}
+            yield from self._form()
+            yield from self._tables()
+            yield from self._words()
+            yield from self._constructors()
+            yield from self._code()
+            if self._linked is not None:
+                yield from self._same_as_linked()
+            if self._relocations is not None:
+                yield from self._kinds_of_relocations()
+        except (ELFError, struct.error) as error:
+            yield f"it is not a whole ELF file: {error}"
+        except Broken as broken:
+            yield str(broken)
+
+    def _form(self):
+        header = self._elf.header
+        if (self._elf.elfclass, self._elf.little_endian, header["e_machine"], header["e_type"]) != (
+                32, True, "EM_MIPS", "ET_EXEC"):
+            raise Broken("it is not a program for the robot, a 32-bit little-endian MIPS ELF file")
+        missing = [name for name in NEEDED if name not in self._sections]
+        if missing:
+            raise Broken(f"it has no section {', '.join(missing)}: mkbin was not run to its end")
+        flags = header["e_flags"]
+        if flags & ~0x3 != 0x1004:  # but for noreorder and PIC: o32, MIPS I, CPIC
+            yield (f"its flags are {flags:#x}; the loader is known to take 0x1005: MIPS I, the ABI o32, and code that "
+                   "finds its data by gp (CPIC)")
+        segments = [(segment["p_type"], segment["p_offset"] if segment["p_vaddr"] == 0 else None, segment["p_vaddr"])
+                    for segment in self._elf.iter_segments("PT_LOAD")]
+        if segments != [("PT_LOAD", 0, 0), ("PT_LOAD", None, TABLES_AT)]:
+            raise Broken(f"it has to have two segments, one for the program at 0 and one for the header at "
+                         f"{TABLES_AT:#x}")
+        self._memory = next(self._elf.iter_segments("PT_LOAD"))["p_memsz"]
+        for section in self._placed():
+            if section["sh_type"] != "SHT_NOBITS" and section["sh_offset"] != section["sh_addr"]:
+                yield (f"{section.name} is at {section['sh_offset']:#x} in the file, but at {section['sh_addr']:#x} "
+                       "in memory")
+            if section["sh_addr"] + section["sh_size"] > self._memory:
+                yield f"{section.name} ends behind the program's segment"
+
+    def _placed(self):
+        return [section for section in self._sections.values()
+                if section["sh_flags"] & 2 and section["sh_addr"] < TABLES_AT]
+
+    def _tables(self):
+        header = self._bytes(".SnapShotHdr")
+        name, kind = header[:64].rstrip(b"\0"), struct.unpack_from("<I", header, 128)[0]
+        space = header[132:196].rstrip(b"\0")
+        stack, heap = struct.unpack_from("<2I", header, 196)
+        priority = struct.unpack_from("<I", header, 228)[0]
+        if kind != 1 or space != b"mCOOP" or not name or stack == 0 or heap == 0:
+            yield ".SnapShotHdr describes no OPEN-R object with a name, a stack and a heap"
+        entry, = struct.unpack_from("<I", self._bytes(".RelEntry"), 24)
+        text = self._sections[".text"]
+        if not text["sh_addr"] <= entry < text["sh_addr"] + text["sh_size"]:
+            yield f"the entry point {entry:#x} is outside of .text"
+        count, = struct.unpack_from("<I", self._bytes(".RelEntry"), 36)
+        if count * 16 != self._sections[".RelDataEntry"]["sh_size"]:
+            yield f".RelEntry counts {count} relocated words, .RelDataEntry has another number"
+        size = lambda *names: sum(s["sh_size"] for s in self._placed() if s.name in names)  # noqa: E731
+        self._stack = stack
+        self.summary = Summary(
+            name.decode("ascii", "replace"), stack, heap, priority, self._elf.header["e_flags"], size(".text"),
+            size(".rodata", ".data", ".sdata", ".ctors", ".dtors", ".got", ".eh_frame", ".gcc_except_table"),
+            size(".bss", ".sbss"), count, 0, 0, self._oblets())
+
+    def _oblets(self):
+        data = self._bytes(".ObletDependencyDescr")
+        names = [data[at + 4:at + 68].rstrip(b"\0").decode("ascii", "replace") for at in range(0, len(data) - 67, 76)]
+        return ", ".join(names) or "nothing"
+
+    def _words(self):
+        """Each word in .RelDataEntry has the address that the table says, in a section with data."""
+        places = [section for section in self._placed() if section["sh_type"] == "SHT_PROGBITS" and
+                  section.name != ".text"]
+        wrong = []
+        self._relocated = {}
+        for symbol, kind, offset, value in struct.iter_unpack("<4I", self._bytes(".RelDataEntry")):
+            inside = any(s["sh_addr"] <= offset <= s["sh_addr"] + s["sh_size"] - 4 for s in places)
+            if (symbol, kind) != (1, 2) or offset % 4 != 0 or offset in self._relocated or not inside:
+                wrong.append(f"{offset:#x} is outside of all sections with data")
+                continue
+            self._relocated[offset] = value
+            word, = struct.unpack_from("<I", self._data, offset)
+            if word == MODULE_POINTER and offset == self._sections[".got"]["sh_addr"] + 4:
+                continue
+            # Addends may point a little behind the program, as to the end of .bss, and pages of .got begin before it.
+            if word not in ({value + LINKED_AT} if value else {0, LINKED_AT}) or value > self._memory + 0x10000:
+                wrong.append(f"{offset:#x} holds {word:#x}, which is not {value:#x} of the table")
+        yield from _some(wrong, ".RelDataEntry names words that are no addresses in this program")
+        got = self._sections[".got"]
+        left_out = [f"{at:#x}" for at in range(got["sh_addr"], got["sh_addr"] + got["sh_size"], 4)
+                    if at not in self._relocated]
+        yield from _some(left_out, ".RelDataEntry leaves out words of .got")
+
+    def _constructors(self):
+        """OPEN-R's InitGlobals() runs the constructors from the last but one word down to -1."""
+        text = self._sections[".text"]
+        for name in (".ctors", ".dtors"):
+            if name not in self._sections:
+                continue
+            table = self._sections[name]
+            words = array("I", self._bytes(name))
+            if len(words) < 2 or words[0] != 0xffffffff or words[-1] != 0:
+                yield f"{name} does not begin with -1 and end with 0"
+                continue
+            places = range(table["sh_addr"] + 4, table["sh_addr"] + 4 * len(words) - 4, 4)
+            wrong = [f"{word:#x}" for place, word in zip(places, words[1:-1]) if place not in self._relocated or
+                     not text["sh_addr"] <= word - LINKED_AT < text["sh_addr"] + text["sh_size"]]
+            yield from _some(wrong, f"{name} has words that are no relocated addresses of functions")
+
+    def _code(self):
+        start = self._sections[".text"]["sh_addr"]
+        code = array("I", self._bytes(".text")[:self._sections[".text"]["sh_size"] // 4 * 4])
+        gp = self._sections[".got"]["sh_addr"] + GP_OFFSET
+        set_gp, frame = 0, 0
+        wrong_gp, absolute, unknown = [], [], []
+        for index, word in enumerate(code):
+            operation, register = word >> 26, word >> 16 & 31
+            if operation == 0x0f:  # lui
+                if register == GP and code[index + 1] >> 16 == 0x279c and code[index + 2] == 0x0399e021:
+                    set_gp += 1
+                    function = start + 4 * index
+                    if (function + ((word & 0xffff) << 16) + _signed(code[index + 1]) - gp) & 0xffffffff:
+                        wrong_gp.append(f"{function:#x}")
+                elif self._uses_address(code, index):
+                    absolute.append(f"{start + 4 * index:#x}")
+            elif operation in (2, 3) and word != 0:  # j, jal
+                absolute.append(f"{start + 4 * index:#x}")
+            elif operation in (0x1c, 0x1d, 0x1f):
+                unknown.append(f"{start + 4 * index:#x}")
+            elif word >> 16 == 0x27bd and word & 0x8000:  # addiu sp,sp,-N
+                frame = max(frame, -_signed(word) if -_signed(word) not in UNBUFFERED_PRINTF else 0)
+        yield from _some(wrong_gp, f"functions compute another gp than {gp:#x}, so they would not find their data")
+        yield from _some(absolute, "code uses addresses that the loader does not adapt")
+        yield from _some(unknown, "code has instructions of newer processors than the robot's")
+        if set_gp == 0:
+            yield "no function sets gp: this is not position-independent code"
+        if frame > max(self._stack // 2, SMALL_FRAME):
+            yield f"a function needs {frame} bytes of a stack of {self._stack}"
+        self.summary = self.summary._replace(functions_with_gp=set_gp, largest_frame=frame)
+
+    def _uses_address(self, code, index):
+        """Whether a lui begins an address in this program that is completed by one of the next instructions."""
+        register, high = code[index] >> 16 & 31, (code[index] & 0xffff) << 16
+        for word in code[index + 1:index + 5]:
+            operation, source, target = word >> 26, word >> 21 & 31, word >> 16 & 31
+            if source == register and (operation == 9 or 0x20 <= operation <= 0x2e):
+                return LINKED_AT <= high + _signed(word) < LINKED_AT + self._memory
+            if operation >= 8 and target == register or operation == 0 and word >> 11 & 31 == register:
+                return False
+        return False
+
+    def _same_as_linked(self):
+        """The program is the linked one, moved by exactly LINKED_AT: gensnap's tables were made for that one."""
+        linked = {section.name: section for section in ELFFile(io.BytesIO(self._linked)).iter_sections()}
+        for section in self._placed():
+            other = linked.get(section.name)
+            if other is None:
+                yield f"the linked program has no {section.name}"
+            elif other["sh_addr"] - section["sh_addr"] != LINKED_AT or other["sh_size"] != section["sh_size"]:
+                yield (f"{section.name} is at {section['sh_addr']:#x}, {other['sh_addr'] - section['sh_addr']:#x} and "
+                       f"not {LINKED_AT:#x} below its place in the linked program")
+            elif section["sh_type"] == "SHT_PROGBITS" and section.data() != other.data():
+                yield f"{section.name} has other contents than in the linked program"
+
+    def _kinds_of_relocations(self):
+        elf = ELFFile(io.BytesIO(self._relocations))
+        placed = {section.name: section for section in self._placed()}
+        unknown, absolute, outside = set(), [], []
+        for table in elf.iter_sections("SHT_REL"):
+            section = placed.get(table.name[len(".rel"):])
+            if section is None:
+                continue
+            symbols = elf.get_section(table["sh_link"])
+            for relocation in table.iter_relocations():
+                kind = NAMES.get(relocation["r_info_type"], str(relocation["r_info_type"]))
+                if kind not in RELOCATIONS:
+                    unknown.add(kind)
+                if kind == "R_MIPS_HI16" and symbols.get_symbol(relocation["r_info_sym"]).name != "_gp_disp":
+                    absolute.append(f"{section['sh_addr'] + relocation['r_offset']:#x}")
+                if kind == "R_MIPS_32" and relocation["r_offset"] + 4 > section["sh_size"]:
+                    outside.append(f"{relocation['r_offset']:#x} of {section.name}")
+        yield from _some(sorted(unknown), "it was linked from relocations that gensnap does not know")
+        yield from _some(absolute, "R_MIPS_HI16 belongs to another symbol than _gp_disp")
+        yield from _some(outside, "relocations are outside of their section")
+
+    def _bytes(self, name):
+        return self._sections[name].data()
+
+
+NAMES = {0: "R_MIPS_NONE", 2: "R_MIPS_32", 3: "R_MIPS_REL32", 4: "R_MIPS_26", 5: "R_MIPS_HI16", 6: "R_MIPS_LO16",
+         9: "R_MIPS_GOT16", 10: "R_MIPS_PC16", 11: "R_MIPS_CALL16", 12: "R_MIPS_GPREL32", 37: "R_MIPS_JALR",
+         248: "R_MIPS_PC32"}
+
+
+def _signed(word):
+    return (word & 0xffff) - ((word & 0x8000) << 1)
+
+
+def _some(places, what):
+    if places:
+        more = f" and {len(places) - MAX_WORDS_NAMED} more" if len(places) > MAX_WORDS_NAMED else ""
+        yield f"{what}: {', '.join(places[:MAX_WORDS_NAMED])}{more}"

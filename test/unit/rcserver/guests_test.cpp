@@ -1,0 +1,151 @@
+// Newcomers while a client is served: others, strangers, and the client itself, which comes back before the robot knows
+// that its old connection is dead.
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <string>
+
+#include "rcserver_fixture.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr unsigned kOutage = 75;  // frames: 0.6 s
+
+class GuestsTest : public FakeRobotFixture {
+ protected:
+  void SetUp() override {
+    start();
+    connectVersion2();
+  }
+
+  // Connects beside the client that is served.
+  std::unique_ptr<TestClient> comeWith(const std::string& bytes, const char* from = "127.0.0.1") {
+    auto newcomer = connect(0, from);
+    newcomer->send(bytes);
+    machine_->runPending();
+    return newcomer;
+  }
+
+  bool isTurnedAway(TestClient& client) { return client.ended() && client.wasReset() && client.received().empty(); }
+
+  bool isTurnedAwayWithinAFewFrames(TestClient& client) {
+    passFrames(4);
+    return isTurnedAway(client);
+  }
+
+  bool isAgreedToVersion2(TestClient& client) {
+    const std::vector<uint8_t> reply = client.take(protocol::VALUE_REPLY_SIZE);
+    return reply.size() == protocol::VALUE_REPLY_SIZE &&
+           protocol::version2::agreesToVersion2(protocol::decodeValueReply(reply.data()));
+  }
+};
+
+TEST_F(GuestsTest, TakeThePlaceOfAClientAtTheirAddressThatHasBeenSilentFor600Milliseconds) {
+  answerTo('W', 85, kStreamOn);
+  passFrames(kOutage);
+  auto back = comeWith(request('X', 2));
+  EXPECT_TRUE(client_->wasReset()) << "the old connection: nobody would answer an orderly close";
+  EXPECT_TRUE(isAgreedToVersion2(*back));
+  takeImage();
+  EXPECT_FALSE(back->nextFrame()) << "the stream was the old connection's";
+  client_ = std::move(back);
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
+  EXPECT_THAT(console_.str(), HasSubstr("it has come back over a new connection"));
+}
+
+TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesWhileTheClientIsThere) {
+  for (int i = 0; i < 10; ++i) {
+    answerTo('H', 0);
+    passFrames(kOutage - 12);
+    for (const std::string& bytes : {std::string(), request('X', 2), std::string("F\x55"), std::string(1, 'X')}) {
+      auto other = comeWith(bytes);
+      EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other)) << bytes;
+      EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "the client is served on";
+    }
+  }
+}
+
+TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
+  machine_.reset();
+  startWith("ALLOWED_ADDRESSES=any\n");
+  connectVersion2();
+  passFrames(kOutage);
+  auto other = comeWith(request('X', 2), "127.0.0.2");
+  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other));
+  passFrames(625);
+  auto next = comeWith(request('X', 2), "127.0.0.2");
+  EXPECT_TRUE(isAgreedToVersion2(*next));
+}
+
+TEST_F(GuestsTest, WaitTenSecondsForAClientOfVersion1) {
+  disconnect();
+  auto old = connectServed();
+  passFrames(kOutage);
+  auto early = comeWith(request('X', 2));
+  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*early));
+  passFrames(1250);
+  auto next = comeWith(request('X', 2));
+  EXPECT_TRUE(isAgreedToVersion2(*next));
+  EXPECT_TRUE(old->wasReset());
+}
+
+// A web page's connection would end the one of a client in an outage.
+TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
+  passFrames(kOutage);
+  for (const std::string& bytes : {std::string("GET / HTTP/1.1\r\n\r\n"), std::string("POST / HTTP/1.1\r\n\r\nX\2"),
+                                   std::string("\0\x80\0\1", 4), std::string("QUERY /"), std::string("\x16\3\1")}) {
+    auto stranger = comeWith(bytes);
+    EXPECT_TRUE(isTurnedAway(*stranger)) << bytes;
+  }
+  auto incomplete = comeWith("X");
+  passFrames(50);
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "the client is served on";
+}
+
+TEST_F(GuestsTest, ThatAreSilentAreTurnedAwayAfterHalfASecond) {
+  passFrames(kOutage);
+  auto silent = comeWith("");
+  passFrames(50);
+  EXPECT_FALSE(silent->ended());
+  passFrames(20);
+  EXPECT_TRUE(isTurnedAway(*silent));
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
+}
+
+TEST_F(GuestsTest, GetNoPlaceAtARobotThatGoesOff) {
+  auto next = comeWith(request('X', 2));
+  robot_.power_status.robotStatus |= orsbBATTERY_CAPACITY_LOW;
+  passFrames(1);
+  EXPECT_TRUE(client_->ended());
+  passFrames(kUntilMeasured);
+  EXPECT_TRUE(isTurnedAway(*next));
+}
+
+// The robot learns of the newcomer before it learns that the client has closed: it has not read all of its bytes.
+TEST_F(GuestsTest, ThatComeWhileTheClientClosesAreServed) {
+  for (int i = 0; i < 20; ++i) {
+    client_->send(frame('H', 0, 7) + frame('H', 0, 8));
+    client_->close();
+    auto next = std::make_unique<TestClient>(machine_->hostPort(protocol::RCSERVER_PORT));
+    next->send(request('X', 2));
+    machine_->runPending();
+    passFrames(4);
+    ASSERT_TRUE(isAgreedToVersion2(*next)) << i;
+    client_ = std::move(next);
+  }
+}
+
+TEST_F(GuestsTest, ThatGoAgainLeaveTheirPlace) {
+  passFrames(kOutage);
+  for (int i = 0; i < 5; ++i) {
+    auto visitor = comeWith("");
+    visitor->close();
+    machine_->runPending();
+  }
+  auto back = comeWith(request('X', 2));
+  EXPECT_TRUE(isAgreedToVersion2(*back));
+}
+
+}  // namespace

@@ -1,0 +1,42 @@
+#include "text/plain_text.h"
+
+#include <gmock/gmock.h>
+
+namespace aibo_driver::text {
+namespace {
+
+TEST(PlainText, KeepsWhatIsReadAndItsLines) {
+  EXPECT_EQ(plainText("Ger\xC3\xA4t\n30 \xE2\x82\xAC"), "Ger\xC3\xA4t\n30 \xE2\x82\xAC");
+}
+
+TEST(PlainText, HasNothingThatATerminalObeys) {
+  EXPECT_EQ(plainText("a\x1b[2Jb\rc\x07"), "a?[2Jb?c?");
+  EXPECT_EQ(plainText("\xC2\x9B"), "??");  // CSI in one character
+  EXPECT_EQ(plainText("\xE2\x80\xAE"
+                      "a"),
+            "???a");                       // U+202E turns the direction of writing
+  EXPECT_EQ(plainText("\xE2\x80"), "??");  // the beginning of a character
+}
+
+TEST(PlainText, ALineIsShortAndOne) {
+  EXPECT_EQ(plainLine("a\nb\x1b[2J"), "a?b?[2J");
+  EXPECT_EQ(plainLine("abcdef", 3), "abc...");
+  EXPECT_EQ(plainLine("\xC3\xA4\xC3\xA4", 3), "\xC3\xA4?...") << "half a character is none";
+  EXPECT_LT(plainLine(std::string(100'000'000, 'x')).size(), 100U);
+}
+
+TEST(PlainText, ThreeOfAMillionAreShown) {
+  FirstThree names;
+  EXPECT_TRUE(names.empty());
+  EXPECT_EQ(names.text(), "");
+  names.add("tail\x07");
+  EXPECT_EQ(names.text(), "tail?");
+  for (int i = 1; i < 1'000'000; ++i) {
+    names.add("joint" + std::to_string(i));
+  }
+  EXPECT_EQ(names.text(), "tail?, joint1, joint2 and 999997 more");
+  EXPECT_EQ(names.count(), 1'000'000U);
+}
+
+}  // namespace
+}  // namespace aibo_driver::text

@@ -1,0 +1,51 @@
+#include "text/throttled_warnings.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace aibo_driver::text {
+namespace {
+
+using testing::ElementsAre;
+using testing::Le;
+using testing::SizeIs;
+
+class ThrottledWarningsTest : public testing::Test {
+ protected:
+  std::vector<std::string> logged_;
+  ThrottledWarnings::TimePoint now_{};
+  ThrottledWarnings warnings_{[this](const std::string& text) { logged_.push_back(text); }, [this] { return now_; }};
+};
+
+TEST_F(ThrottledWarningsTest, LogsTheSameOnceInAWhileWhateverNumbersAreInIt) {
+  for (int i = 0; i < 1000; ++i) {
+    warnings_.warn("LED face_1 cannot shine with intensity " + std::to_string(i * 1.5) + ", which is not 0..1.");
+    warnings_.warn("LED face_2 cannot shine with intensity -" + std::to_string(i) + ", which is not 0..1.");
+  }
+  EXPECT_THAT(logged_, ElementsAre("LED face_1 cannot shine with intensity 0.000000, which is not 0..1.",
+                                   "LED face_2 cannot shine with intensity -0, which is not 0..1."));
+  now_ += ThrottledWarnings::kRepetitionPeriod;
+  warnings_.warn("LED face_1 cannot shine with intensity 2, which is not 0..1.");
+  EXPECT_THAT(logged_, SizeIs(3));
+}
+
+// However many names a stranger thinks of.
+TEST_F(ThrottledWarningsTest, AFloodOfDifferentOnesIsALineASecondAndSaysSo) {
+  for (int i = 0; i < 100'000; ++i) {
+    warnings_.warn("No joint is named 'joint" + std::to_string(i) + "'.");
+    now_ += std::chrono::microseconds(100);
+  }
+  EXPECT_THAT(logged_, SizeIs(Le(ThrottledWarnings::kBurst + 10U)));
+  EXPECT_THAT(logged_.back(), testing::EndsWith("before it left out)"));
+}
+
+TEST_F(ThrottledWarningsTest, HaveNothingThatATerminalObeysAndAreShort) {
+  warnings_.warn("No joint is named '\x1b[2J\nERROR: " + std::string(10'000'000, 'x') + "'.");
+  ASSERT_THAT(logged_, SizeIs(1));
+  EXPECT_THAT(logged_[0], testing::StartsWith("No joint is named '?[2J?ERROR: x"));
+  EXPECT_LT(logged_[0].size(), ThrottledWarnings::kLongest + 10);
+}
+
+}  // namespace
+}  // namespace aibo_driver::text
