@@ -324,6 +324,7 @@ TEST(PlayMotion, IsNotSlowedDownByTheApproachOfACommandBefore) {
   EXPECT_LE(user.joints.highestSpeed("neck_tilt"), 0.5 + kSpeedTolerance) << "that was the approach";
   aibo_driver::PlayMotion motion;
   motion.request.name = "nod";
+  motion.request.repetitions = 1;
   ASSERT_TRUE(ros::service::call("/motion_after_approach/play_motion", motion));
   ASSERT_TRUE(motion.response.success) << motion.response.message;
   EXPECT_TRUE(user.joints.messages().waitFor([](const JointState& state) {

@@ -203,6 +203,7 @@ void Workload::playMotion(Random& random, Expected expected) {
   stopMotion(random, expected);
   aibo_driver::PlayMotion motion;
   motion.request.name = kPlayed;
+  motion.request.repetitions = 1;
   call("play_motion", motion, kOfBody, expected);
 }
 

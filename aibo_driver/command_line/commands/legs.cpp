@@ -100,9 +100,8 @@ Command postureCommand(const std::string& name, const std::string& summary) {
   command.name = name;
   command.summary = summary;
   command.details =
-      "It ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. The motors have to "
-      "be "
-      "on. A server of version 1 has no such request; a motion such as SIT.MTN may do.";
+      "It ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. To stand or sit, the "
+      "robot switches its motors on. A server of version 1 has no such request; a motion such as SIT.MTN may do.";
   command.examples = {{name, summary}};
   return command;
 }

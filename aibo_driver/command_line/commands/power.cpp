@@ -60,8 +60,9 @@ Command stopCommand() {
   command.name = "stop";
   command.summary = "stops everything that moves";
   command.details =
-      "The joints brake and hold. The robot serves one client at a time: while a driver or another command is "
-      "connected, stop there (Ctrl-C, or rosservice call /aibo/stop). A robot without a client has already stopped.";
+      "The joints brake and hold, until the next command. The robot serves one client at a time: while a driver or "
+      "another command is connected, stop there (Ctrl-C, or rosservice call /aibo/stop, which holds until "
+      "/aibo/release). A robot without a client has already stopped.";
   command.examples = {{"stop", "motions, walks and joints stop"}};
   command.run = stop;
   return command;

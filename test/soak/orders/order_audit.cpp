@@ -167,6 +167,9 @@ void OrderAudit::judge(const Round& round) {
     ++calls_[call.service];
     done_calls_[call.service] += call.success ? 1 : 0;
     call_times_.push_back(call.end - call.begin);
+    if (call.message == kNoAnswer) {
+      complain_(clock(call.begin) + call.service + " of " + call.user + " got no answer");
+    }
   }
   for (const Fault& fault : round.faults) {
     ++faults_[fault.kind];

@@ -79,6 +79,11 @@ TEST_F(OrderAuditTest, EachOrderHasOneEnd) {
   EXPECT_THAT(judge(), ElementsAre(HasSubstr("has ended as replaced (), but nobody gave it")));
 }
 
+TEST_F(OrderAuditTest, EachCallIsAnswered) {
+  round_.calls = {{"/anna", "stand", 1, 60, false, kNoAnswer}};
+  EXPECT_THAT(judge(), ElementsAre(HasSubstr("stand of /anna got no answer")));
+}
+
 TEST_F(OrderAuditTest, WhatIsDoneIsThere) {
   round_.ended[0].time = 1.3;
   EXPECT_THAT(judge(), Contains(HasSubstr("is done, but head_pan is 0.")));
