@@ -166,7 +166,10 @@ bool Call::endsWalk() const {
   return letter == version2::REQUEST_POSTURE || stopsRobot();
 }
 
-void Call::dropFrom(CommandOutbox* commands) const {
+void Call::dropFrom(CommandOutbox* commands, bool is_sent) const {
+  if (is_sent != needsMemoryStick()) {
+    return;
+  }
   const std::string reason = "the robot was told to " + describe(*this) + " before it was sent";
   if (stopsRobot() || takesOverJoints()) {
     commands->stopJoints(joints, reason);

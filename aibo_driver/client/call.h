@@ -91,8 +91,9 @@ struct Call {
   /// True if a walk that was asked for before it must not begin any more.
   bool endsWalk() const;
 
-  /// Drops the commands that came before it and must not be sent any more.
-  void dropFrom(CommandOutbox* commands) const;
+  /// Drops the commands that came before it and must not be sent any more. To be called when the call is made, and when
+  /// its request is sent: a motion may have to wait, and what is commanded meanwhile goes first.
+  void dropFrom(CommandOutbox* commands, bool is_sent) const;
 };
 
 /// What is asked for, in words that follow "refused to ".

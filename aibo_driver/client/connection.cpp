@@ -43,7 +43,7 @@ void Connection::reportDropped() {
 }
 
 void Connection::add(Call call) {
-  call.dropFrom(&commands);
+  call.dropFrom(&commands, false);
   reportDropped();
   if (call.stopsRobot() || call.stopsMotions()) {
     calls.failCancelledBy(call, context.address);
@@ -58,6 +58,8 @@ void Connection::answer(int request_number, Answer answer) {
 }
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
+  call.dropFrom(&commands, true);
+  reportDropped();
   calls.transferBegins(size + call.largestAnswer(), now);
 }
 

@@ -116,11 +116,6 @@ void ConnectionLoop::connectAndServe() {
     listen();
   }
   onReady();
-  while (!session_->settled()) {
-    talk();
-    listen();
-  }
-  onSettled();
   for (;;) {
     talk();
     listen();
@@ -284,20 +279,15 @@ void ConnectionLoop::reportSession() {
   });
 }
 
+// The connection works: what was wrong before is over.
 void ConnectionLoop::onReady() {
+  backoff_.reset();
+  logged_faults_.clear();
+  notifier_.log(LogLevel::kInfo, "Connected to " + address_ + ".");
   updateStatus([this](ConnectionStatus& status) {
     status.state = ConnectionState::kConnected;
     status.protocol_version = session_->protocolVersion();
     status.robot = connection_->robot;
-  });
-}
-
-// The connection works: what was wrong before is over.
-void ConnectionLoop::onSettled() {
-  backoff_.reset();
-  logged_faults_.clear();
-  notifier_.log(LogLevel::kInfo, "Connected to " + address_ + ".");
-  updateStatus([](ConnectionStatus& status) {
     status.fault = FaultKind::kNone;
     status.reason.clear();
     status.advice.clear();

@@ -93,7 +93,6 @@ class ConnectionLoop {
   bool takeDatagrams(TimePoint now);
   void reportSession();
   void onReady();
-  void onSettled();
   void onFault(const Fault& cause);
   bool wasTurnedAway(const Fault& fault) const;
   void endConnection(CallOutcome outcome, const std::string& reason, const std::string& advice, FaultKind kind);

@@ -53,7 +53,7 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
       throw Exception(caller + " cannot be called from a callback: it would wait for itself");
     }
     if (shared.status.protocol_version > 1 || isKnownToVersion1(call)) {
-      call.dropFrom(&shared.commands);  // later commands wait until the robot has been told
+      call.dropFrom(&shared.commands, false);  // later commands wait until the robot has been told
     }
     shared.calls.push_back(std::move(call));
   });

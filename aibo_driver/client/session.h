@@ -41,11 +41,8 @@ class Session {
 
   virtual int protocolVersion() const = 0;
 
-  /// True once requests can be made, and Connection::robot is known.
+  /// True once the server has answered: requests can be made, and Connection::robot is known.
   virtual bool ready() const = 0;
-
-  /// True once the connection is known to work: it has delivered, or it has stood for a while with nothing due.
-  virtual bool settled() const = 0;
 
   /// Takes over a call.
   virtual void add(Call call) = 0;

@@ -12,10 +12,6 @@
 namespace aibo_driver {
 namespace {
 
-// A connection on which nothing is due is taken to work once it has stood for this long. A robot that turns a client
-// away closes it sooner.
-constexpr std::chrono::milliseconds kSettleTime{1000};
-
 Session::Bytes makeCommand(char letter, int identifier) {
   protocol::BasicGetCommand command;
   command.command = letter;
@@ -61,6 +57,9 @@ std::string describeError(int code) {
 // What this project's server means by it (docs/protocol.md).
 constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint move freely?";
 
+// The server tells of a joint's fault by refusing the next request about it, whatever that is.
+constexpr char kJointFault[] = "the joint does not follow its commands";
+
 std::optional<RefusedRequest> refusedRequest(char letter) {
   switch (letter) {
     case protocol::REQUEST_JOINT:
@@ -105,11 +104,9 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
                                  TimePoint connected)
     : connection_(connection),
       habits_(habits),
-      connected_(connected),
-      heard_(answer == VersionAnswer::kRefused),
       version_answer_owed_(answer == VersionAnswer::kOwed),
       poll_(connected),
-      settled_(answer == VersionAnswer::kRefused) {
+      ready_(answer == VersionAnswer::kRefused) {
   for (const auto& unanswered : habits_.unanswered_polls) {
     if (unanswered.second >= ServerHabits::kUnansweredPollsLimit) {
       poll_.dropAll(unanswered.first);
@@ -141,12 +138,23 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
     connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
   }
+  if (!ready_) {
+    return connection_.pictures.streaming() ? Bytes() : requestTrial(wish, now);
+  }
   Call* const picture = connection_.calls.nextForPicture();
   if (picture != nullptr && mayRequestPicture(now)) {
     return requestPicture(wish, picture, now);
   }
   Call* const call = connection_.calls.nextForRobot();
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
+}
+
+// A server that is frozen, or whose robot has just gone out of reach, is connected to as any other. Pictures are the
+// only request that each server of version 1 answers.
+Session::Bytes Version1Session::requestTrial(const Wish& wish, TimePoint now) {
+  is_trial_owed_ = true;
+  connection_.pictures.signOfPicture(now);
+  return makeCommand(protocol::REQUEST_PICTURE, wish.jpeg_quality);
 }
 
 bool Version1Session::mayRequestPicture(TimePoint now) const {
@@ -223,7 +231,6 @@ Session::Bytes Version1Session::setValue(char letter, int id, short value, TimeP
 
 void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   now_ = now;
-  heard_ = heard_ || size > 0;
   for (std::size_t taken = 0; size > 0; data += taken, size -= taken) {
     switch (parser_.append(data, size, now, &taken)) {
       case ReplyParser::Result::kNothing:
@@ -249,6 +256,11 @@ void Version1Session::onPicture() {
   PictureIntake& pictures = connection_.pictures;
   pictures.signOfPicture(now_);
   version_answer_owed_ = false;
+  ready_ = true;
+  if (std::exchange(is_trial_owed_, false)) {
+    parser_.takeJpeg();
+    return;
+  }
   Call* const owed = owedPicture();
   if (!pictures.streaming() && owed == nullptr) {
     pictures.lateBytes(now_);
@@ -260,7 +272,6 @@ void Version1Session::onPicture() {
     }
     return;
   }
-  settled_ = true;
   if (owed != nullptr) {
     pictures.deliver(picture);
     Answer answer;
@@ -277,19 +288,18 @@ void Version1Session::onValueReply() {
   if (version_answer_owed && protocol::version2::agreesToVersion2(reply)) {
     throw Fault::agreedTooLate(connection_.context.address);
   }
+  ready_ = true;
   const bool error = reply.letter == protocol::REPLY_ERROR;
   if (error && version_answer_owed) {
-    settled_ = true;  // version 2 is refused, as was assumed
-  } else if (error) {
-    onError(reply.value);
-  } else {
-    onAnswer(reply);
+    return;  // version 2 is refused, as was assumed
   }
+  error ? onError(reply.value) : onAnswer(reply);
 }
 
 void Version1Session::onError(int code) {
-  if (const Call* const call = owedCall()) {
-    settled_ = true;
+  if (is_trial_owed_) {
+    is_trial_owed_ = false;
+  } else if (const Call* const call = owedCall()) {
     connection_.refuse(*call, explainRefusal(*call, code), now_);
   } else if (value_owed_) {
     onValueRefused(code);
@@ -302,9 +312,13 @@ void Version1Session::onError(int code) {
 
 void Version1Session::onValueRefused(int code) {
   const ValueRequest request = *std::exchange(value_owed_, std::nullopt);
-  settled_ = true;
   if (!request.set) {
     habits_.unanswered_polls.erase(request.letter);
+    if (request.letter == protocol::REQUEST_JOINT && measured_joints_.erase(request.id) > 0) {
+      const Refusal refusal = {RefusedRequest::kJoints, RefusalCause::kJointFault, {request.id}, kJointFault};
+      connection_.refusals.refused(request.letter, "to move joint " + std::to_string(request.id), refusal);
+      return;
+    }
     poll_.drop({request.letter, request.id});
   }
   const std::string what = describe(request.letter, request.id);
@@ -332,13 +346,11 @@ void Version1Session::onAnswer(const protocol::ValueReply& reply) {
 }
 
 void Version1Session::onCallAnswered() {
-  settled_ = true;
   connection_.calls.transferEnds(now_);
   connection_.answer(kOwed, {});
 }
 
 void Version1Session::onValue(const protocol::ValueReply& reply) {
-  settled_ = true;
   const ValueRequest request = *std::exchange(value_owed_, std::nullopt);
   const double position = fromMicro(protocol::microradiansFromCentidegrees(reply.value));
   if (request.set) {
@@ -354,6 +366,7 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
   telemetry.arrival = parser_.firstByteTime();
   if (request.letter == protocol::REQUEST_JOINT) {
     telemetry.joints = {{reply.identifier, position}};
+    measured_joints_.insert(reply.identifier);
   } else {
     telemetry.sensors = {makeVersion1Reading(reply.identifier, reply.value)};
   }
@@ -383,7 +396,7 @@ Call* Version1Session::owedPicture() const {
 }
 
 bool Version1Session::isPictureDue() const {
-  return connection_.pictures.streaming() || owedPicture() != nullptr || !parser_.betweenReplies();
+  return connection_.pictures.streaming() || is_trial_owed_ || owedPicture() != nullptr || !parser_.betweenReplies();
 }
 
 Session::TimePoint Version1Session::silenceLimit() const {
@@ -403,9 +416,6 @@ void Version1Session::checkDeadlines(TimePoint now) {
     failUnanswered();
   }
   checkCalls(now);
-  if (!isPictureDue() && now >= connected_ + kSettleTime) {
-    settled_ = true;
-  }
 }
 
 // A call that has been sent and is not answered in time ends the connection.
@@ -426,7 +436,7 @@ void Version1Session::checkCalls(TimePoint now) {
 void Version1Session::failUnanswered() {
   const ConnectionContext& context = connection_.context;
   const char letter = value_owed_->letter;
-  if (heard_ && !value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
+  if (!value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
     const std::string parts = std::string(partOf(letter)) + "s";
     context.warn("does not answer when it is asked for its " + parts +
                  ". It is not asked again, so there will be no telemetry of its " + parts);
@@ -444,9 +454,6 @@ Session::TimePoint Version1Session::nextDeadline() const {
   }
   if (mayPoll() && free) {
     next = std::min(next, poll_.dueAt());
-  }
-  if (!settled_ && !isPictureDue()) {
-    next = std::min(next, connected_ + kSettleTime);
   }
   return next;
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "aibo_driver/leds.h"
@@ -38,8 +39,7 @@ class Version1Session final : public Session {
   Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
 
   int protocolVersion() const override { return 1; }
-  bool ready() const override { return true; }
-  bool settled() const override { return settled_; }
+  bool ready() const override { return ready_; }
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
@@ -62,7 +62,8 @@ class Version1Session final : public Session {
   // The call that has been sent and not been answered, of any kind or for a picture; null if there is none:
   Call* owedCall() const { return connection_.calls.find(kOwed); }
   Call* owedPicture() const;
-  bool isAnswerOwed() const { return value_owed_ || owedCall() != nullptr; }
+  bool isAnswerOwed() const { return value_owed_ || is_trial_owed_ || owedCall() != nullptr; }
+  Bytes requestTrial(const Wish& wish, TimePoint now);
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
   Bytes requestPicture(const Wish& wish, Call* call, TimePoint now);
@@ -92,8 +93,6 @@ class Version1Session final : public Session {
 
   Connection& connection_;
   ServerHabits& habits_;
-  const TimePoint connected_;
-  bool heard_;  // the server has sent something
   ReplyParser parser_;
   TimePoint now_;  // when the bytes were read that are being taken apart
   std::optional<ValueRequest> value_owed_;
@@ -102,8 +101,10 @@ class Version1Session final : public Session {
   LedMode led_mode_ = LedMode::kA;  // of all LEDs, as last accepted
   bool joints_turn_ = true;         // else it is the turn of LEDs and ears, if any wait
   ValuePoll poll_;
+  std::set<int> measured_joints_;  // polled successfully, with no fault since
   bool poll_wanted_ = false;
-  bool settled_;
+  bool ready_;                  // the server has answered
+  bool is_trial_owed_ = false;  // the picture of requestTrial()
 };
 
 }  // namespace aibo_driver

@@ -36,7 +36,6 @@ class Version2Session final : public Session {
 
   int protocolVersion() const override { return 2; }
   bool ready() const override { return ready_; }
-  bool settled() const override { return ready_; }
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;

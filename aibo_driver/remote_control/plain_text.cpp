@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QTextDocument>
 #include <QToolTip>
 
 namespace aibo_driver::remote_control {

@@ -4,6 +4,7 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
+#include <MCOOP.h>
 #include <entry.h>
 #include <stdio.h>
 #include <string.h>
@@ -22,6 +23,15 @@ bool IsStranger(const byte* bytes, size_t size) {
   protocol::Opening opening;
   opening.add(bytes, size);
   return opening.verdict() == protocol::Opening::STRANGER;
+}
+
+const longword SILENCE_FRAMES = HoldUpWatch::LONGEST_SILENCE / MotionPlanner::FRAME_MILLISECONDS;
+
+// Tekkotsu takes its time from the same call. It overflows after 49 days.
+unsigned SystemMilliseconds() {
+  SystemTime time;
+  GetSystemTime(&time);
+  return static_cast<unsigned>(time.seconds * 1000 + time.useconds / 1000);
 }
 
 // OPEN-R passes the data of an event as const, but its own classes take it without. Nothing is written there.
@@ -57,6 +67,7 @@ const char* ReasonOf(TCPEndpointError error) {
 
 const longword RCServer::HEARTBEAT_FRAMES;
 const longword RCServer::LYING_DOWN_FRAMES;
+const longword RCServer::FILE_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
 const longword RCServer::OUTAGE_FRAMES;
 const longword RCServer::INTRODUCTION_FRAMES;
@@ -69,6 +80,8 @@ RCServer::RCServer()
       guest_size_(0),
       body_(NULL),
       power_order_(POWER_STAYS_ON),
+      goes_off_(false),
+      goes_off_since_(0),
       file_(NULL),
       session_(NULL),
       now_(0),
@@ -94,8 +107,9 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   }
   body_ = new Body();
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(), body_->Lights(),
-                       body_->Camera(), body_->Colors(), datagrams_,      power_order_,     file_desk_};
+  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(),
+                       body_->Lights(), body_->Camera(), body_->Colors(), datagrams_,
+                       power_order_,    file_desk_,      held_up_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -260,6 +274,7 @@ void RCServer::SendCont(ANTENVMSG msg) {
 }
 
 void RCServer::ReceiveCont(ANTENVMSG msg) {
+  held_up_.Happens(SystemMilliseconds());
   const TCPEndpointReceiveMsg* answer = static_cast<const TCPEndpointReceiveMsg*>(antEnvMsg::Receive(msg));
   Connection* connection = FindConnection(answer->continuation);
   if (connection != NULL && connection == guest_) {
@@ -359,11 +374,28 @@ void RCServer::GoOff(PowerOrder order, const char* reason) {
 }
 
 void RCServer::CarryOutPowerOrder() {
+  NoteOrder();
   if (power_order_ == POWER_LIE_DOWN && body_->Motors().AreOn()) {
     LieDown();
-  } else if (power_order_ != POWER_STAYS_ON) {
+  } else if (power_order_ != POWER_STAYS_ON && !MustWaitForFiles()) {
     SwitchOff();
   }
+}
+
+// The motors do not wait for the client or the memory stick.
+void RCServer::NoteOrder() {
+  if (power_order_ == POWER_STAYS_ON || goes_off_) {
+    return;
+  }
+  goes_off_ = true;
+  goes_off_since_ = now_;
+  if (power_order_ != POWER_LIE_DOWN) {
+    body_->CutMotors();
+  }
+}
+
+bool RCServer::MustWaitForFiles() const {
+  return file_desk_.IsThere() && !file_desk_.IsFree() && now_ - goes_off_since_ < FILE_FRAMES;
 }
 
 // The order stays until the robot is off, unless the robot refuses it.
@@ -372,13 +404,13 @@ void RCServer::SwitchOff() {
   power_order_ = reboots ? POWER_REBOOT : POWER_SHUT_DOWN;
   if (!body_->SwitchOff(reboots)) {
     power_order_ = POWER_STAYS_ON;
+    goes_off_ = false;
   }
 }
 
 void RCServer::LieDown() {
   Walker& walker = body_->Joints().Walking();
-  const char* const problem =
-      walker.CanWalk() ? walker.Problem(false) : "nobody knows how this kind of robot lies down";
+  const char* const problem = walker.CanWalk() ? walker.Problem() : "nobody knows how this kind of robot lies down";
   lies_down_since_ = now_;
   if (problem == NULL) {
     body_->Joints().Take(protocol::version2::POSTURE_REST);
@@ -388,16 +420,20 @@ void RCServer::LieDown() {
 }
 
 // The motors go off when the robot lies. Until then, nobody commands it, so a pause in its moves is the end.
-void RCServer::ContinueLyingDown() {
-  if (!body_->Joints().Walking().IsActive()) {
-    SwitchOff();
-  } else if (now_ - lies_down_since_ >= LYING_DOWN_FRAMES) {
+void RCServer::ContinueGoingOff() {
+  if (power_order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive()) {
+    if (now_ - lies_down_since_ < LYING_DOWN_FRAMES) {
+      return;
+    }
     OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: it takes longer than 10 s"));
-    SwitchOff();
+  } else if (MustWaitForFiles()) {
+    return;
   }
+  SwitchOff();
 }
 
 void RCServer::PassTime(longword frame) {
+  held_up_.Happens(SystemMilliseconds());
   if (static_cast<slongword>(frame - now_) > 0) {
     now_ = frame;
   }
@@ -410,13 +446,17 @@ void RCServer::PassTime(longword frame) {
   CheckGuest();
   if (client_ != NULL) {
     CheckClient();
-  } else if (power_order_ == POWER_LIE_DOWN) {
-    ContinueLyingDown();
+  } else if (power_order_ != POWER_STAYS_ON) {
+    ContinueGoingOff();
   }
 }
 
 // A silent client of version 1 may be well, or lost. So its motions end, and it loses its place if another one comes.
 void RCServer::CheckClient() {
+  if (goes_off_ && now_ - goes_off_since_ >= FILE_FRAMES) {
+    DropClient(session_->EndReason(), true);
+    return;
+  }
   if (!session_->IsOver()) {
     last_not_over_ = now_;
   } else if (now_ - last_not_over_ >= FRAMES_PER_SECOND) {
@@ -548,6 +588,9 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
 
 // The client has sent something.
 void RCServer::TakeInput(size_t size) {
+  if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= SILENCE_FRAMES) {
+    held_up_.CatchUp(SystemMilliseconds());
+  }
   last_sign_of_life_ = now_;
   last_bytes_received_ = now_;
   client_->Received();
@@ -618,6 +661,7 @@ void RCServer::ServeClient() {
       OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
     }
   }
+  NoteOrder();
   pictures_.ReportStream(session_->Camera(), now_, &reports_);
   if (client_->HasWaitingPicture() && !session_->Camera().Wants(pictures_.Order())) {
     client_->DropWaitingPicture();

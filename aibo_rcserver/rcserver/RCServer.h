@@ -44,6 +44,10 @@ class RCServer : public OObject {
   /// and walk.
   static const longword LYING_DOWN_FRAMES = 1250;
 
+  /// The memory stick gets this many frames to finish its work before the robot goes off: 3 s, our choice. A file that
+  /// is being replaced could be lost otherwise.
+  static const longword FILE_FRAMES = 375;
+
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
 
@@ -112,9 +116,11 @@ class RCServer : public OObject {
   void Obey(PowerSupply::Alarm alarm);
   void GoOff(PowerOrder order, const char* reason);
   void CarryOutPowerOrder();
+  void NoteOrder();
+  bool MustWaitForFiles() const;
   void SwitchOff();
   void LieDown();
-  void ContinueLyingDown();
+  void ContinueGoingOff();
   void PassTime(longword frame);
   void CheckClient();
   bool IsClientSilent() const;
@@ -151,6 +157,9 @@ class RCServer : public OObject {
   Body* body_;         ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
+  bool goes_off_;           ///< the order has been noted
+  longword goes_off_since_;
+  HoldUpWatch held_up_;
   FileDesk file_desk_;
   RCRegion* file_;  ///< FileKeeper's result whose content goes to the client; NULL if there is none
   PictureTaker pictures_;

@@ -3,6 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_ROBOT_H
 #define AIBO_RCSERVER_RCSERVER_ROBOT_H
 
+#include "rcserver/HoldUpWatch.h"
 #include "rcserver/body/CameraControl.h"
 #include "rcserver/body/ColorTables.h"
 #include "rcserver/body/LightDriver.h"
@@ -31,6 +32,7 @@ struct Robot {
   DatagramSwitch& datagrams;
   PowerOrder& power_order;
   FileJobs& files;
+  const HoldUpWatch& held_up;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_ROBOT_H

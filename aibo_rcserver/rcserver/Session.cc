@@ -57,7 +57,7 @@ void Session::End() {
 }
 
 bool Session::WantsInput() const {
-  return !IsOver() && !has_requests_ && input_begin_ == input_end_;
+  return !IsEnding() && !has_requests_ && input_begin_ == input_end_;
 }
 
 void Session::AddInput(const unsigned char* bytes, size_t size) {
@@ -133,7 +133,7 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
 
 void Session::HandleVersion1() {
   // The answer to an upload, or to a request that waits for the memory stick, goes into room that is reserved for it.
-  while (version_ == 1 && !IsOver() && has_requests_) {
+  while (version_ == 1 && !IsEnding() && has_requests_) {
     has_requests_ = version1_.TakeContent(request_reader_);
     outbox_.Reserve(files_.IsPending());
     if (!has_requests_ || files_.IsPending() || !outbox_.HasRoom() || !HandleRequestOfVersion1()) {
@@ -179,11 +179,11 @@ void Session::HandleVersion2(unsigned now) {
 // Reports and the request that waits for the memory stick go before new requests. False if those have to wait.
 bool Session::MayHandleVersion2() {
   version2_.PushReports();
-  if (!IsOver() && outbox_.HasRoom()) {
+  if (!IsEnding() && outbox_.HasRoom()) {
     version2_.HandleWaiting();
     outbox_.Reserve(files_.IsPending());
   }
-  return !IsOver() && outbox_.HasRoom();
+  return !IsEnding() && outbox_.HasRoom();
 }
 
 // False if there is no complete frame, or if it is too large, which ends the session.

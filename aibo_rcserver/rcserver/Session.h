@@ -104,9 +104,12 @@ class Session {
   /// @param[out] out room for Outbox::CAPACITY bytes
   size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
 
-  /// True if the connection has to be closed when the output has been sent: the client broke the protocol, or the robot
-  /// is going off.
-  bool IsOver() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
+  /// True if no more requests are handled: the client broke the protocol, or the robot is going off.
+  bool IsEnding() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
+
+  /// True if the connection has to be closed when the output has been sent: it IsEnding(), and no answer is owed for
+  /// which the memory stick is at work.
+  bool IsOver() const { return is_over_ || (IsEnding() && !files_.IsPending()); }
 
   /// Why it is over.
   const char* EndReason() const { return is_over_ ? "it broke the protocol" : power_reason_; }

@@ -109,7 +109,7 @@ bool Version1::MoveOrReadJoint() {
     Reply(centidegreesFromMicroradians(robot_.joints.Position(joint)));
     return true;
   }
-  if (!robot_.motors.AreOn()) {
+  if (!MayMove()) {
     return false;
   }
   MotionPlanner::JointTarget target = {joint, microradiansFromCentidegrees(Value())};
@@ -127,7 +127,7 @@ bool Version1::MoveAllJoints() {
   for (int i = 0; i < count; ++i) {
     has_fault = HasFault(i) || has_fault;
   }
-  if (has_fault || !robot_.motors.AreOn()) {
+  if (has_fault || !MayMove()) {
     return false;
   }
   MotionPlanner::JointTarget targets[robot_model::MAX_JOINTS];
@@ -138,6 +138,11 @@ bool Version1::MoveAllJoints() {
   robot_.joints.SetTargets(targets, count, 0);
   Reply(Value());
   return true;
+}
+
+// An order that may have waited is too old.
+bool Version1::MayMove() const {
+  return robot_.motors.AreOn() && !robot_.held_up.MayHaveWaited();
 }
 
 // Version 1 has no messages that the server sends unasked, so the next request about the joint is refused, once.
@@ -314,6 +319,10 @@ bool Version1::HandleMotion() {
       Answer(motions_.Delete(name));
       break;
     default:
+      if (robot_.held_up.MayHaveWaited()) {
+        Refuse(ERROR_REFUSED);
+        break;
+      }
       Answer(motions_.Play(name, file.a, false, robot_.joints.NumberOfCommands()));
       break;
   }

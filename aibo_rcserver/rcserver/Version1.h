@@ -77,6 +77,7 @@ class Version1 {
   bool GoOff(PowerOrder order, bool is_allowed);
   /// @}
 
+  bool MayMove() const;
   bool HasFault(int joint);
   void AddSource(unsigned char identifier, bool is_joint, int index);
   Source* FindSource(int identifier);

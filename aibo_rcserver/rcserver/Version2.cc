@@ -16,6 +16,8 @@ namespace {
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
 const char CAPABILITIES[] = "H F W J V T O I L K G Z B P N";  // whatever the settings are
 
+const char CANNOT_SWITCH_ON[] = "the robot cannot switch its motors on; its console says why";
+
 // Joints and sensors report every 4 frames.
 const unsigned short SENSOR_PERIOD = 4;
 const unsigned short LONGEST_PERIOD = 65532;
@@ -126,6 +128,7 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       has_waiting_(false),
       waiting_(),
       commands_before_waiting_(0),
+      told_(),
       colors_(),
       has_pushed_colors_(false),
       last_colors_(0) {
@@ -139,6 +142,8 @@ void Version2::Begin() {
   owes_file_ = false;
   has_waiting_ = false;
   tells_camera_settings_ = false;
+  tells_motors_ = false;
+  has_told_motors_ = false;
   telemetry_period_ = 0;
   content_ = TELEMETRY_PLAIN;
   has_pushed_telemetry_ = false;
@@ -238,6 +243,7 @@ void Version2::PushReports() {
 
 void Version2::Measured(unsigned frame) {
   PushReports();
+  PushMotorsAndPosture();
   if (telemetry_period_ != 0 && (!has_pushed_telemetry_ || frame - last_telemetry_ >= telemetry_period_)) {
     has_pushed_telemetry_ = true;
     last_telemetry_ = frame;
@@ -369,7 +375,7 @@ void Version2::MoveJoints() {
     Refuse(CODE_REFUSED, "the motors are off; switch them on first");
     return;
   }
-  if (!HasJoints(wanted.joints, wanted.count)) {
+  if (IsTooOld() || !HasJoints(wanted.joints, wanted.count)) {
     return;
   }
   MotionPlanner::JointTarget targets[MAX_JOINTS];
@@ -435,11 +441,15 @@ void Version2::SwitchMotors() {
     if (!IsWellFormed(decodeMotorState(payload_, request_.payload_size, &on))) {
       return;
     }
+    if (on && IsTooOld()) {
+      return;
+    }
     if (!motors.Switch(on)) {
-      Refuse(CODE_REFUSED, "the robot cannot switch its motors on; its console says why");
+      Refuse(CODE_REFUSED, CANNOT_SWITCH_ON);
       return;
     }
   }
+  tells_motors_ = true;
   Reply(encodeMotorState(motors.AreOn(), Payload()));
   if (!motors.AreOn()) {
     CancelPlay(ALL_MOTIONS, "is not played: the motors were switched off before its file had been read");
@@ -488,8 +498,13 @@ void Version2::Steer() {
     return;
   }
   const WalkVelocity wanted = {wire.forward * 1e-3, wire.left * 1e-3, wire.turn * 1e-3};
-  if (!IsZero(wanted) && !MayWalk(true)) {
-    return;
+  if (!IsZero(wanted)) {
+    if (IsTooOld()) {
+      return;
+    }
+    if (const char* const problem = robot_.joints.Walking().ProblemOfWalk(robot_.motors.AreOn())) {
+      return Refuse(CODE_REFUSED, problem);
+    }
   }
   const WalkVelocity accepted = robot_.joints.Steer(wanted);
   wire.forward = Thousandths(accepted.forward);
@@ -506,20 +521,36 @@ void Version2::TakePosture() {
     Refuse(CODE_REFUSED, "bad request: the id is not one of the postures 1 (stand), 2 (sit) and 3 (rest)");
     return;
   }
-  if (MayWalk(false)) {
-    robot_.joints.Take(static_cast<Posture>(request_.id));
+  const Posture posture = static_cast<Posture>(request_.id);
+  if (!IsTooOld() && MayTake(posture)) {
+    robot_.joints.Take(posture);
     Reply(0);
   }
 }
 
-// Refuses the request if the robot cannot walk or take a posture now.
-bool Version2::MayWalk(bool is_walk) {
-  const char* const problem =
-      robot_.motors.AreOn() ? robot_.joints.Walking().Problem(is_walk) : "the motors are off; switch them on first";
+// Switches the motors on for a robot that has rested. Refuses the request if the robot cannot take the posture now.
+bool Version2::MayTake(Posture posture) {
+  const char* problem = robot_.joints.Walking().Problem();
+  if (problem == NULL && !robot_.motors.AreOn()) {
+    if (posture == POSTURE_REST) {
+      problem = "the motors are off already; to lie down, switch them on first";
+    } else if (!robot_.motors.Switch(true)) {
+      problem = CANNOT_SWITCH_ON;
+    }
+  }
   if (problem != NULL) {
     Refuse(CODE_REFUSED, problem);
   }
   return problem == NULL;
+}
+
+// Refuses an order to move that may have waited.
+bool Version2::IsTooOld() {
+  if (robot_.held_up.MayHaveWaited()) {
+    Refuse(CODE_REFUSED, HoldUpWatch::TOO_OLD);
+    return true;
+  }
+  return false;
 }
 
 void Version2::SetTelemetry() {
@@ -616,6 +647,20 @@ void Version2::PushWalkEnds() {
   if (outbox_.HasRoom() && walker.TakeSoftened()) {
     SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are soft");
   }
+}
+
+void Version2::PushMotorsAndPosture() {
+  const MotorsAndPosture now = {robot_.motors.AreOn(), static_cast<unsigned char>(robot_.joints.Posture())};
+  const bool is_told = has_told_motors_ && now.motors_on == told_.motors_on && now.posture == told_.posture;
+  if (!tells_motors_ || is_told || !outbox_.HasRoom()) {
+    return;
+  }
+  has_told_motors_ = true;
+  told_ = now;
+  const size_t size = encodeMotorsAndPosture(now, Payload());
+  const FrameHeader header = {MOTORS_AND_POSTURE_PUSH, 0, 0, static_cast<unsigned>(size)};
+  encodeFrameHeader(header, message_);
+  outbox_.Add(message_, FRAME_HEADER_SIZE + size);
 }
 
 // Takes the place of telemetry that still waits.

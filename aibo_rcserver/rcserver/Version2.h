@@ -107,7 +107,8 @@ class Version2 {
   void HoldJoints();
   void Steer();
   void TakePosture();
-  bool MayWalk(bool is_walk);
+  bool MayTake(protocol::version2::Posture posture);
+  bool IsTooOld();
   void SetTelemetry();
   void SetLeds();
   void SetEars();
@@ -142,6 +143,7 @@ class Version2 {
   void PushMotionEnds();
   void PushMotionEnd(const MotionPlayer::End& end);
   void PushWalkEnds();
+  void PushMotorsAndPosture();
   void PushTelemetry(unsigned frame);
 
   static unsigned char JpegQuality(unsigned char id);
@@ -167,6 +169,9 @@ class Version2 {
   unsigned commands_before_waiting_;                ///< how many commands the joints had had when it came
   unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the largest of all
   bool tells_camera_settings_;
+  bool tells_motors_;     ///< the client has sent `O`
+  bool has_told_motors_;  ///< as told_ says
+  protocol::version2::MotorsAndPosture told_;
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
   unsigned char content_;            ///< of telemetry: bits of TelemetryContent
   bool has_pushed_telemetry_;        ///< since the period was set

@@ -102,6 +102,9 @@ bool Version2::Play() {
     CancelPlay(order.name, "was stopped before its file had been read");
     return true;
   }
+  if (IsTooOld()) {
+    return true;
+  }
   if (MustWaitForFiles()) {
     return false;
   }

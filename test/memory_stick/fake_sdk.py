@@ -99,7 +99,6 @@ def use_headers(sdk, openr_headers, c_headers):
     shutil.copytree(str(openr_headers), str(include))
     (include / "MCOOP").mkdir()
     (include / "ant.h").rename(include / "MCOOP" / "ant.h")
-    _write(include / "MCOOP.h", "")
     for name in c_headers:
         _write(sdk / "mipsel-linux" / "include" / name, "#error only its presence counts\n")
 

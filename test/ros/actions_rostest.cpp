@@ -313,6 +313,23 @@ TEST(FollowGoal, ThatCannotBeFollowedIsRejectedWithItsCode) {
   EXPECT_EQ(fast.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
 }
 
+TEST(FollowGoal, OfAJointThatDoesNotMoveFails) {
+  FollowUser user("/follow_jammed");
+  user.robot.type("jam head_pan");
+  FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 0.8}}, 1.0));
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::GOAL_TOLERANCE_VIOLATED);
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("head_pan"));
+}
+
+TEST(FollowGoal, WithoutMotorsFails) {
+  FollowUser user("/follow_limp");
+  EXPECT_TRUE(user.setMotors(false).success);
+  FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 0.8}}, 1.0));
+  EXPECT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("motors are off"));
+}
+
 TEST(FollowGoal, IsAbortedByStop) {
   FollowUser user("/follow_stopped");
   FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 1.0}}, 4.0));

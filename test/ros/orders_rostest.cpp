@@ -16,6 +16,7 @@
 #include <cmath>
 #include <csignal>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -123,13 +124,13 @@ class OrderUser : public JointUser {
     return longest;
   }
 
-  // The first movement of this kind that has ended, since states.clear(), unless it was stopped.
-  EndedMovement waitForEnd(std::uint8_t kind, bool or_stopped = false) {
+  // The first movement of this kind that has ended since states.clear(), in this way if one is given.
+  EndedMovement waitForEnd(std::uint8_t kind, std::optional<std::uint8_t> how = std::nullopt) {
     EndedMovement end;
     end.how = 99;
     states.waitFor([&](const MotionState& state) {
       for (const EndedMovement& each : state.ended) {
-        if (each.movement.kind == kind && (or_stopped || each.how != EndedMovement::STOPPED)) {
+        if (each.movement.kind == kind && each.how == how.value_or(each.how)) {
           end = each;
           return true;
         }
@@ -187,9 +188,7 @@ TEST_P(OrdersTest, NothingMovesTheRobotBetweenStopAndRelease) {
   EXPECT_LT(user.wayWithin(milliseconds(1500)), kStill);
   const std::string reason = "stopped by " + ros::this_node::getName() + "; call release";
   for (const std::uint8_t kind : {Movement::COMMAND, Movement::TRAJECTORY, Movement::MOTION}) {
-    const EndedMovement end = user.waitForEnd(kind);
-    EXPECT_EQ(end.how, EndedMovement::REFUSED);
-    EXPECT_EQ(end.reason, reason);
+    EXPECT_EQ(user.waitForEnd(kind, EndedMovement::REFUSED).reason, reason);
   }
   EXPECT_TRUE(user.call<Trigger>("release").success);
   EXPECT_LT(user.wayWithin(milliseconds(500)), kStill) << "nothing starts by itself";
@@ -327,7 +326,7 @@ TEST(Orders, AMotionIsStoppedByZeroRepetitions) {
   ASSERT_TRUE(user.play("nod", 100).success);
   const auto answer = user.play("nod", 0);
   EXPECT_TRUE(answer.success) << answer.message;
-  EXPECT_EQ(user.waitForEnd(Movement::MOTION, true).how, EndedMovement::STOPPED);
+  EXPECT_EQ(user.waitForEnd(Movement::MOTION, EndedMovement::STOPPED).how, EndedMovement::STOPPED);
 }
 
 TEST(Orders, WithoutMotorsAreRefusedAndSaidTo) {

@@ -62,7 +62,7 @@ void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, in
     if (walker_.Moves(targets[i].joint)) {
       walker_.Stop(Walker::JOINT_COMMANDED, targets[i].joint);
     }
-    last_commands_[targets[i].joint] = number_of_commands_;
+    Commanded(targets[i].joint);
   }
   planner_.SetTargets(targets, count, duration);
 }
@@ -73,7 +73,8 @@ void JointControl::Stop(int joint) {
     walker_.Stop(Walker::JOINT_HELD, joint);
   }
   planner_.Hold(joint);
-  last_commands_[joint] = ++number_of_commands_;
+  ++number_of_commands_;
+  Commanded(joint);
 }
 
 void JointControl::StopAll() {
@@ -82,7 +83,7 @@ void JointControl::StopAll() {
   planner_.HoldAll();
   ++number_of_commands_;
   for (int i = 0; i < NumberOfJoints(); ++i) {
-    last_commands_[i] = number_of_commands_;
+    Commanded(i);
   }
 }
 
@@ -95,11 +96,19 @@ WalkVelocity JointControl::Steer(const WalkVelocity& wanted) {
 
 void JointControl::Take(protocol::version2::Posture posture) {
   TakeLegs();
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    if (posture == protocol::version2::POSTURE_REST && walker_.IsOfHead(i)) {
+      Take(i);
+    }
+  }
   walker_.Take(posture);
 }
 
 void JointControl::MotionHasBegun() {
   for (int i = 0; i < NumberOfJoints(); ++i) {
+    if (motions_.Moves(i)) {
+      walker_.LeaveAlone(i);
+    }
     if (walker_.Moves(i) && motions_.Moves(i)) {
       walker_.Stop(Walker::MOTION_BEGAN, i);
     }
@@ -191,16 +200,29 @@ void JointControl::ClientGone() {
   }
   motions_.ClientGone();
   walker_.ClientGone();
-  planner_.HoldAll();
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    if (!walker_.IsMoving() || !(walker_.Moves(i) || walker_.Levels(i))) {
+      planner_.Hold(i);
+    }
+  }
 }
 
-// Motions that move them end, and those that were requested before must not move them.
+void JointControl::Commanded(int joint) {
+  last_commands_[joint] = number_of_commands_;
+  walker_.LeaveAlone(joint);
+}
+
+// A motion that moves it ends, and one that was requested before must not move it.
+void JointControl::Take(int joint) {
+  motions_.StopMotionOf(joint, MotionPlayer::LEGS_TAKEN);
+  last_commands_[joint] = number_of_commands_;
+}
+
 void JointControl::TakeLegs() {
   ++number_of_commands_;
   for (int i = 0; i < NumberOfJoints(); ++i) {
     if (walker_.Moves(i)) {
-      motions_.StopMotionOf(i, MotionPlayer::LEGS_TAKEN);
-      last_commands_[i] = number_of_commands_;
+      Take(i);
     }
   }
 }

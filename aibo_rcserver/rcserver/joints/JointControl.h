@@ -158,6 +158,9 @@ class JointControl {
   /// Records a fault that JointWatch cannot find. TakeFault() returns it.
   void Failed(int joint, JointWatch::Verdict fault);
 
+  /// How the robot is, by where its joints last were.
+  protocol::version2::PostureNow Posture() const { return walker_.Now(positions_); }
+
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
 
@@ -171,10 +174,12 @@ class JointControl {
   bool TakeRecovery(int joint);
 
   /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults
-  /// are forgotten. A walk goes on until the robot stands.
+  /// are forgotten. A walk goes on until the robot stands; if it lies down to rest, it goes on.
   void ClientGone();
 
  private:
+  void Commanded(int joint);
+  void Take(int joint);
   void TakeLegs();
 
   const robot_model::RobotModel& robot_;

@@ -63,7 +63,8 @@ void JointMotion::Follow(int target, int acceleration) {
   is_following_ = true;
 }
 
-void JointMotion::Stop() {
+void JointMotion::Stop(int acceleration) {
+  acceleration_ = std::max(acceleration_, acceleration);
   Aim(position_ + BrakingDistance(step_));
 }
 

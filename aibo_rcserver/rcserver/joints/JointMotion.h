@@ -46,7 +46,8 @@ class JointMotion {
   void Follow(int target, int acceleration);
 
   /// The new target is the position where the joint stops if it brakes from now on.
-  void Stop();
+  /// @param acceleration not below 1; counts as for Follow()
+  void Stop(int acceleration);
 
   int Position() const { return position_; }
   int Step() const { return step_; }

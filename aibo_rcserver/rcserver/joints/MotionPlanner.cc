@@ -88,7 +88,7 @@ void MotionPlanner::Follow(JointTarget* targets, int count) {
 }
 
 void MotionPlanner::Hold(int joint) {
-  motions_[joint].Stop();
+  motions_[joint].Stop(defaultAcceleration(robot_.joints[joint]) / ACCELERATION_UNIT);
   LeaveCommand(joint);
   MakePartnersFit(joint);
 }

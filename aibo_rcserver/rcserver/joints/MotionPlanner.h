@@ -72,8 +72,9 @@ class MotionPlanner {
   /// Walking takes 4.5 times the default at the knees, where a foot lifts off. Our choice.
   static const int FOLLOWING = 5;
 
-  /// Stops a joint as fast as its acceleration limit allows, within v^2 / (2 a). A leader whose target needs the joint
-  /// to be elsewhere is stopped, too.
+  /// Stops a joint within v^2 / (2 a), where a is its acceleration limit, or the default one if the limit is lower: an
+  /// order to stop does not wait for a client's gentle limits. A leader whose target needs the joint to be elsewhere is
+  /// stopped, too.
   void Hold(int joint);
 
   /// Stops all joints.

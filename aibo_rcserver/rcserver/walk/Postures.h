@@ -35,6 +35,11 @@ class Postures {
   /// once.
   bool Stands(const robot_model::LegAngles* here) const;
 
+  /// True if the feet are near where they are in this posture.
+  bool Is(protocol::version2::Posture posture, const robot_model::LegAngles* here) const {
+    return IsBetween(posture, posture, here);
+  }
+
  private:
   bool IsBetween(protocol::version2::Posture from, protocol::version2::Posture to,
                  const robot_model::LegAngles* here) const;

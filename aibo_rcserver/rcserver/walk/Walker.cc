@@ -9,6 +9,7 @@
 
 using protocol::version2::Posture;
 using protocol::version2::POSTURE_REST;
+using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
 using robot_model::JOINTS_OF_A_LEG;
 using robot_model::Leg;
@@ -60,8 +61,11 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
       has_rested_(false),
       goes_soft_(false),
       has_softened_(false),
+      is_orphan_(false),
       measured_(0),
       rests_since_(0),
+      must_let_go_(false),
+      last_asked_(0),
       is_walk_(false),
       posture_(POSTURE_STAND),
       way_size_(0),
@@ -77,6 +81,12 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
       phase_(0),
       frames_since_steered_(0) {
   problem_[0] = '\0';
+  why_[0] = '\0';
+  static const char* const HEAD[LEVELLED] = {"neck_tilt", "head_pan", "head_tilt"};
+  for (int i = 0; i < LEVELLED; ++i) {
+    head_[i] = findJointByName(robot_, HEAD[i]);
+    levels_[i] = false;
+  }
 }
 
 // False if it has no legs of an ERS-7.
@@ -92,26 +102,49 @@ bool Walker::FindJoints() {
   return strcmp(robot_.design, "ERS-7") == 0;
 }
 
-const char* Walker::Problem(bool is_walk) {
+const char* Walker::Problem() {
+  const char* const fall = FallWatch::Words(fall_watch_.Now());
+  if (fall == NULL) {
+    return NULL;
+  }
+  sprintf(problem_, "%s; set it down on its belly or its feet first", fall);
+  return problem_;
+}
+
+const char* Walker::ProblemOfWalk(bool motors_are_on) {
+  const bool had_to_let_go = must_let_go_ && measured_ - last_asked_ < static_cast<unsigned>(STEERING_FRAMES);
+  last_asked_ = measured_;
+  must_let_go_ = true;
   if (const char* fall = FallWatch::Words(fall_watch_.Now())) {
-    sprintf(problem_, "%s; set it down on its belly or its feet first", fall);
-    return problem_;
+    strcpy(why_, fall);
+    return Problem();
   }
-  const int joint = is_walk ? FindSlowJoint() : NO_JOINT;
-  if (joint != NO_JOINT) {
-    sprintf(problem_, "the speed limit of %s is too low for walking; set it to the robot's own first",
-            robot_.joints[joint].name);
-    return problem_;
+  if (!motors_are_on) {
+    strcpy(why_, "the motors were off");
+    return "the motors are off; switch them on first";
   }
-  return NULL;
+  must_let_go_ = had_to_let_go;
+  if (!must_let_go_) {
+    return NULL;
+  }
+  sprintf(problem_, "%.80s: let go first; it walks after zeros, or nothing for %u ms", why_,
+          protocol::version2::STEERING_TIMEOUT_MS);
+  return problem_;
 }
 
 WalkVelocity Walker::Steer(const WalkVelocity& wanted) {
   if (IsZero(wanted)) {
+    must_let_go_ = false;
     EndWalkInStand(DONE, NO_JOINT);
     return NO_VELOCITY;
   }
+  last_asked_ = measured_;
+  for (int i = 0; i < LEG_JOINTS; ++i) {
+    const int joint = joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG];
+    planner_.SetSpeedLimit(joint, robot_.joints[joint].highest_speed);
+  }
   if (!IsWalk()) {
+    std::fill(levels_, levels_ + LEVELLED, false);
     Begin(true, POSTURE_STAND);
   }
   ReplaceNext(WALK_BEGAN);
@@ -122,6 +155,7 @@ WalkVelocity Walker::Steer(const WalkVelocity& wanted) {
 }
 
 void Walker::Take(Posture posture) {
+  std::fill(levels_, levels_ + LEVELLED, posture == POSTURE_REST);
   if (activity_ != WALKING) {
     Begin(false, posture);
     return;
@@ -150,14 +184,20 @@ void Walker::Stop(Cause cause, int joint) {
 }
 
 void Walker::ClientGone() {
+  const bool rests =
+      activity_ == WALKING ? has_next_ && next_ == POSTURE_REST : IsActive() && !is_walk_ && posture_ == POSTURE_REST;
   if (activity_ == WALKING) {
-    ReplaceNext(CLIENT_GONE);
+    if (!rests) {
+      ReplaceNext(CLIENT_GONE);
+    }
     ends_ = true;
     cause_ = CLIENT_GONE;
-  } else {
+  } else if (!rests) {
     Stop(CLIENT_GONE, NO_JOINT);
   }
+  is_orphan_ = rests;
   has_softened_ = false;
+  must_let_go_ = false;
   for_client_.Clear();
 }
 
@@ -168,6 +208,25 @@ bool Walker::Moves(int joint) const {
     }
   }
   return false;
+}
+
+bool Walker::IsOfHead(int joint) const {
+  return std::find(head_, head_ + LEVELLED, joint) != head_ + LEVELLED;
+}
+
+bool Walker::Levels(int joint) const {
+  for (int i = 0; i < LEVELLED; ++i) {
+    if (head_[i] == joint && levels_[i]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Walker::LeaveAlone(int joint) {
+  for (int i = 0; i < LEVELLED; ++i) {
+    levels_[i] = levels_[i] && head_[i] != joint;
+  }
 }
 
 void Walker::NextFrame() {
@@ -203,6 +262,7 @@ void Walker::HaveMoved() {
 }
 
 void Walker::Measured(FallWatch::Reading reading, unsigned frame) {
+  measured_ = frame;
   if (!can_walk_) {
     return;
   }
@@ -270,6 +330,35 @@ void Walker::Describe(const End& end, char* text) const {
   }
 }
 
+protocol::version2::PostureNow Walker::Now(const int* positions) const {
+  using namespace protocol::version2;
+  switch (fall_watch_.Now()) {
+    case FallWatch::ON_ITS_SIDE:
+    case FallWatch::UPSIDE_DOWN:
+      return POSTURE_NOW_FALLEN;
+    case FallWatch::CARRIED:
+      return POSTURE_NOW_CARRIED;
+    case FallWatch::UPRIGHT:
+      break;
+  }
+  if (activity_ == WALKING || !can_walk_) {
+    return can_walk_ ? POSTURE_NOW_WALKING : POSTURE_NOW_UNKNOWN;
+  }
+  LegAngles legs[NUMBER_OF_LEGS];
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+    legs[i].rotator = positions[joints_[i][0]] * MICRO;
+    legs[i].elevator = positions[joints_[i][1]] * MICRO;
+    legs[i].knee = positions[joints_[i][2]] * MICRO;
+  }
+  if (postures_.Stands(legs)) {
+    return POSTURE_NOW_STANDING;
+  }
+  if (postures_.Is(POSTURE_SIT, legs)) {
+    return POSTURE_NOW_SITTING;
+  }
+  return postures_.Is(POSTURE_REST, legs) ? POSTURE_NOW_LYING : POSTURE_NOW_UNKNOWN;
+}
+
 protocol::version2::WalkState Walker::State() const {
   if (!IsWalk()) {
     return protocol::version2::WALK_STATE_NONE;
@@ -306,6 +395,7 @@ void Walker::Begin(bool is_walk, Posture posture) {
   walked_.Begin(legs);
   activity_ = TAKING_POSTURE;
   has_legs_ = true;
+  is_orphan_ = false;
   has_softened_ = false;
   is_walk_ = is_walk;
   posture_ = posture;
@@ -360,13 +450,16 @@ bool Walker::HaveArrived() const {
 
 // A head that hangs down would hit the floor.
 void Walker::LevelHead(int milliseconds) {
-  static const char* const NAMES[] = {"neck_tilt", "head_pan", "head_tilt"};
-  MotionPlanner::JointTarget targets[3];
-  for (int i = 0; i < 3; ++i) {
-    targets[i].joint = findJointByName(robot_, NAMES[i]);
-    targets[i].position = i == 0 ? -174533 : 0;  // the neck 10 degrees forward
+  MotionPlanner::JointTarget targets[LEVELLED];
+  int count = 0;
+  for (int i = 0; i < LEVELLED; ++i) {
+    if (levels_[i]) {
+      targets[count].joint = head_[i];
+      targets[count].position = i == 0 ? -174533 : 0;  // the neck 10 degrees forward
+      ++count;
+    }
   }
-  planner_.SetTargets(targets, 3, milliseconds);
+  planner_.SetTargets(targets, count, milliseconds);
 }
 
 // The first cause counts.
@@ -375,6 +468,16 @@ void Walker::EndWalkInStand(Cause cause, int joint) {
     ends_ = true;
     cause_ = cause;
     cause_joint_ = joint;
+    MustLetGo(cause, joint);
+  }
+}
+
+// Unless the client itself has ended the walk.
+void Walker::MustLetGo(Cause cause, int joint) {
+  if (cause != DONE && cause != NOT_STEERED && cause != CLIENT_GONE) {
+    const End end = {true, posture_, cause, joint, fall_watch_.Now()};
+    Describe(end, why_);
+    must_let_go_ = true;
   }
 }
 
@@ -420,10 +523,12 @@ void Walker::SetFeet() {
 
 void Walker::StandsAfterWalk() {
   const bool has_next = has_next_;
+  const bool is_orphan = is_orphan_;
   has_next_ = false;
   Finish(cause_, cause_joint_);
   if (has_next) {
     Begin(false, next_);
+    is_orphan_ = is_orphan;
   }
 }
 
@@ -439,13 +544,16 @@ void Walker::Finish(Cause cause, int joint) {
   activity_ = IDLE;
   is_resting_ = false;
   has_rested_ = false;
+  if (is_walk_) {
+    MustLetGo(cause, joint);
+  }
   Report(is_walk_, posture_, cause, joint);
 }
 
 void Walker::Report(bool is_walk, Posture posture, Cause cause, int joint) {
   const End end = {is_walk, posture, cause, joint, fall_watch_.Now()};
   for_console_.Add(end);
-  if (cause != CLIENT_GONE) {
+  if (cause != CLIENT_GONE && !is_orphan_) {
     for_client_.Add(end);
   }
 }

@@ -3,6 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
 #define AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
 
+#include "protocol/version2.h"
 #include "protocol/walk_requests.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/walk/FallWatch.h"
@@ -41,11 +42,16 @@ class Walker {
   /// The numbers of the gait, with its limits.
   const GaitParameters& Parameters() const { return gait_.Parameters(); }
 
-  /// Why the robot cannot walk or take a posture now, in words that a user can act on; NULL if it can.
-  const char* Problem(bool is_walk);
+  /// Why the robot cannot take a posture now, in words that a user can act on; NULL if it can.
+  const char* Problem();
 
-  /// Walks, or goes on walking, with another velocity. All 0 ends the walk, and is ignored without one. Only if there
-  /// is no Problem().
+  /// The same for a walk. To be called each time that the robot is told to walk: after a walk was refused, or ended by
+  /// anything but its client's steering, its client has to let go, that is, to steer with zeros or not at all for
+  /// STEERING_TIMEOUT_MS. Otherwise a client that steers again and again would overrule what has ended the walk.
+  const char* ProblemOfWalk(bool motors_are_on);
+
+  /// Walks, or goes on walking, with another velocity. All 0 ends the walk, and is ignored without one. Otherwise only
+  /// if there is no ProblemOfWalk(); the speed limits of the legs are the robot's own from then on.
   /// @return the velocity that is walked: Gait::Limited()
   WalkVelocity Steer(const WalkVelocity& wanted);
 
@@ -82,11 +88,21 @@ class Walker {
   /// @param joint see End
   void Stop(Cause cause, int joint);
 
-  /// The client is gone. A walk ends in the stand, a posture at once; neither is reported to the next client.
+  /// The client is gone. A walk ends in the stand, a posture at once, except that the robot goes on to rest: half
+  /// crouched, with its motors on, it would get hot. Neither is reported to the next client.
   void ClientGone();
 
   /// True if this is a joint of a leg.
   bool Moves(int joint) const;
+
+  /// True if this joint is one of those that are levelled when the robot lies down to rest.
+  bool IsOfHead(int joint) const;
+
+  /// True if this joint is levelled when the robot lies down to rest, as it was told last.
+  bool Levels(int joint) const;
+
+  /// Something else decides where this joint is: it is not levelled any more.
+  void LeaveAlone(int joint);
 
   /// True while the robot walks or takes a posture.
   bool IsActive() const { return activity_ != IDLE; }
@@ -126,6 +142,10 @@ class Walker {
 
   const FallWatch& Fall() const { return fall_watch_; }
 
+  /// How the robot is.
+  /// @param positions where its joints are, by the robot's table
+  protocol::version2::PostureNow Now(const int* positions) const;
+
   /// @name What telemetry says
   /// @{
   protocol::version2::WalkState State() const;
@@ -159,6 +179,7 @@ class Walker {
   bool IsWalk() const { return IsActive() && is_walk_; }
   int FindSlowJoint() const;
   void FindLegs(robot_model::LegAngles* legs) const;
+  void MustLetGo(Cause cause, int joint);
   void Begin(bool is_walk, protocol::version2::Posture posture);
   void TakeNextPosture();
   bool HaveArrived() const;
@@ -188,9 +209,13 @@ class Walker {
   bool has_rested_;  ///< they have
   bool goes_soft_;
   bool has_softened_;
+  bool is_orphan_;        ///< the client that gave the order has gone
   unsigned measured_;     ///< frame
   unsigned rests_since_;  ///< frame
   char problem_[MAX_TEXT_SIZE];
+  bool must_let_go_;         ///< the client, before it can walk again
+  unsigned last_asked_;      ///< frame in which the robot was told to walk
+  char why_[MAX_TEXT_SIZE];  ///< the client must let go
 
   /// @name What is being done
   /// @{
@@ -199,6 +224,9 @@ class Walker {
   protocol::version2::Posture way_[Postures::MAX_WAY];
   int way_size_;
   int way_begun_;  ///< how many of its postures
+  static const int LEVELLED = 3;
+  int head_[LEVELLED];     ///< the joints that are levelled
+  bool levels_[LEVELLED];  ///< and nothing else has moved them since
   /// @}
 
   /// @name The walk

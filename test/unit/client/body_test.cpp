@@ -89,7 +89,7 @@ TEST_F(BodyTest, ARobotThatTellsNonsenseAboutAMotionIsDisconnected) {
 }
 
 TEST_F(BodyTest, JointsThatTheRobotDoesNotHaveAreLeftOutIfItIsAnOption) {
-  ClientOptions options = newest(server_);
+  ClientOptions options = optionsFor(server_);
   options.leave_out_missing_joints = true;
   RcServerClient client(options, recorder_.callbacks());
   client.start();

@@ -18,18 +18,25 @@
 using test_support::ScriptedPeer;
 using test_support::ScriptedServer;
 
-/// A client and the server it talks to, over loopback.
+/// A client and the server it talks to in version 1, over loopback.
 class ClientFixture : public testing::Test {
  protected:
   static aibo_driver::ClientOptions optionsFor(const ScriptedServer& server) {
     aibo_driver::ClientOptions options;
     options.port = server.port();
-    options.protocol_version = 1;
     options.connect_timeout = std::chrono::seconds(10);
     options.read_timeout = std::chrono::seconds(10);
     options.reconnect_wait_min = std::chrono::milliseconds(10);
     options.reconnect_wait_max = std::chrono::milliseconds(50);
     return options;
+  }
+
+  /// Waits for the client to come (back), and answers that the server speaks version 1.
+  ScriptedPeer accept() {
+    ScriptedPeer peer = server_.accept();
+    expectCommand(&peer, 'X', 2);
+    peer.send({'e', 0, 0, 0});
+    return peer;
   }
 
   /// Starts the client, and its stream.
@@ -42,7 +49,7 @@ class ClientFixture : public testing::Test {
 
   /// Waits for the client to come (back) and to ask for its stream.
   ScriptedPeer acceptStream() {
-    ScriptedPeer peer = server_.accept();
+    ScriptedPeer peer = accept();
     expectCommand(&peer, 'W', 85);
     return peer;
   }

@@ -181,9 +181,22 @@ TEST_F(SilenceTest, ASilentStreamIsGivenUpAndAskedForAgain) {
 
 TEST_F(SilenceTest, ASilentServerIsLeftAloneWhileNothingIsDue) {
   impatient_client_.start();
-  ScriptedPeer peer = server_.accept();
-  ASSERT_TRUE(impatient_recorder_.waitForLog("Connected to"));  // nothing was due for a second
+  ScriptedPeer peer = accept();
+  ASSERT_TRUE(impatient_recorder_.waitForLog("Connected to"));
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(300)));
   EXPECT_EQ(1u, impatient_client_.statistics().connections);
+}
+
+// A process that is stopped: its system accepts connections.
+TEST_F(SilenceTest, AServerThatNeverAnswersIsNotConnectedTo) {
+  impatient_client_.start();
+  for (int i = 0; i < 2; ++i) {
+    ScriptedPeer peer = server_.accept();
+    peer.waitUntilClosed();
+  }
+  EXPECT_TRUE(impatient_recorder_.waitForReason("sent nothing for 150 ms while a picture was due"));
+  EXPECT_EQ(0, impatient_recorder_.logged("Connected to"));
+  EXPECT_THROW(impatient_client_.commandJoints({{1, 0}}, milliseconds(0)), NetworkException);
 }
 
 TEST_F(SilenceTest, AServerThatStopsWithinAPictureIsGivenUp) {

@@ -41,14 +41,16 @@ TEST_F(JointsTest, AServerThatIsSilentToTheQuestionIsSpokenToInVersion1) {
   ScriptedPeer peer = server_.accept();
   expectCommand(&peer, 'X', 2);
   expectCommand(&peer, 'W', 85);
-  EXPECT_EQ(1, client().status().protocol_version);
+  EXPECT_EQ(0, client().status().protocol_version);
+  peer.sendPicture(test_pictures::make());
+  EXPECT_TRUE(eventually([&] { return client().status().protocol_version == 1; }));
 }
 
 TEST_F(JointsTest, ALateAgreementIsFollowedByANewConnection) {
   client().start();
   ScriptedPeer peer = server_.accept();
   expectCommand(&peer, 'X', 2);
-  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  expectCommand(&peer, 'F', 85);
   peer.send({'x', 2, 0, 0});
   peer.waitUntilClosed();
   ScriptedPeer next = server_.accept();
@@ -64,10 +66,17 @@ TEST_F(JointsTest, AWebServerIsNotTakenForAnRcServer) {
 }
 
 TEST_F(JointsTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersion) {
-  client_.start();
+  ClientOptions options = optionsFor(server_);
+  options.protocol_version = 1;
+  RcServerClient client(options, recorder_.callbacks());
+  client.start();
   ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'F', 85);
+  EXPECT_EQ(ConnectionState::kConnecting, client.status().state) << "it has not answered";
+  peer.sendPicture(test_pictures::make());
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   EXPECT_FALSE(peer.readCommandWithin(milliseconds(50)));
+  EXPECT_TRUE(recorder_.pictures().empty()) << "nobody has asked for it";
 }
 
 TEST_F(JointsTest, StreamAndTelemetryAreWantedAgainAfterAReconnect) {

@@ -21,7 +21,7 @@ class RcServerClientTest : public ClientFixture {};
 TEST_F(RcServerClientTest, ConnectsAndReportsIt) {
   EXPECT_EQ(ConnectionState::kDisconnected, client_.status().state);
   client_.start();
-  server_.accept();
+  const ScriptedPeer peer = accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
 }
 
@@ -98,7 +98,7 @@ TEST_F(RcServerClientTest, DeliversPicturesCutWithinTheirHeader) {
 
 TEST_F(RcServerClientTest, TheStreamIsStartedAndStoppedOnceHoweverOftenItIsWanted) {
   client_.start();
-  ScriptedPeer peer = server_.accept();
+  ScriptedPeer peer = accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   client_.setStreaming(true);
   expectCommand(&peer, 'W', 85);
@@ -117,7 +117,7 @@ TEST_F(RcServerClientTest, TheStreamIsStartedAndStoppedOnceHoweverOftenItIsWante
 
 TEST_F(RcServerClientTest, RapidTogglesEndWithTheWantedParity) {
   client_.start();
-  ScriptedPeer peer = server_.accept();
+  ScriptedPeer peer = accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   for (int i = 0; i < 1000; ++i) {
     client_.setStreaming(i % 2 == 0);
@@ -229,7 +229,7 @@ TEST_F(RcServerClientTest, WorksWithoutAnyCallback) {
 TEST_F(RcServerClientTest, StartingTwiceConnectsOnce) {
   client_.start();
   client_.start();
-  ScriptedPeer peer = server_.accept();
+  ScriptedPeer peer = accept();
   EXPECT_FALSE(server_.clientComesWithin(milliseconds(50)));
 }
 

@@ -36,7 +36,7 @@ TEST_F(StopTest, BeforeItWasStarted) {
 
 TEST_F(StopTest, WhileIdle) {
   client_.start();
-  ScriptedPeer peer = server_.accept();
+  ScriptedPeer peer = accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   expectToStopWithinASecond(&client_);
   peer.waitUntilClosed();
@@ -115,7 +115,7 @@ TEST_F(StopTest, WhileTheStreamIsRunning) {
 
 TEST_F(StopTest, EndsCallsOfTakePictureThatAreWaiting) {
   client_.start();
-  ScriptedPeer peer = server_.accept();
+  ScriptedPeer peer = accept();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   std::vector<std::future<PicturePtr>> taken;
   for (int i = 0; i < 3; ++i) {
@@ -141,7 +141,7 @@ TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThemWhenTheThreadHasEnde
   };
   RcServerClient client(optionsFor(server_), callbacks);
   client.start();
-  const ScriptedPeer peer = server_.accept();
+  const ScriptedPeer peer = accept();
   in_callback.get_future().wait();
   std::vector<std::future<ConnectionState>> stops;
   for (int i = 0; i < 4; ++i) {

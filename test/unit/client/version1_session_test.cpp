@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -64,14 +65,14 @@ class Version1SessionTest : public SessionFixture {
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
 
   ServerHabits habits_;
-  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
+  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
 };
 
 TEST_F(Version1SessionTest, AConnectionOnWhichNothingIsWantedStaysSilent) {
   EXPECT_EQ("", command());
   pass(milliseconds(3600 * 1000));
   EXPECT_EQ("", command());
-  EXPECT_TRUE(session_.settled());
+  EXPECT_TRUE(session_.ready());
 }
 
 TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
@@ -772,7 +773,7 @@ TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionBecauseTheNextA
   EXPECT_FALSE(bytes().empty());
   pass(milliseconds(2999));
   EXPECT_THROW(pass(milliseconds(1)), Fault);
-  EXPECT_EQ("no answer within 3000 ms.", answer.get().problem);
+  EXPECT_EQ("no answer within 3000 ms. The robot may or may not play the motion NOD.MTN.", answer.get().problem);
 }
 
 TEST_F(Version1SessionTest, ACallThatHasNotBeenSentInTimeLeavesTheConnectionAlone) {
@@ -793,6 +794,100 @@ TEST_F(Version1SessionTest, RequestsThatVersion1LacksAreRefused) {
   EXPECT_EQ("", command());
 }
 
+/// A server that has not said anything yet.
+class SilentServerTest : public Version1SessionTest {
+ protected:
+  Session& session() override { return silent_; }
+
+  std::string silentCommand() {
+    const Bytes bytes = silent_.nextRequest(wish_, now_);
+    return bytes.empty() ? "" : static_cast<char>(bytes[0]) + std::to_string(bytes[1]);
+  }
+
+  Version1Session silent_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
+};
+
+// A process that is stopped is connected to as any other.
+TEST_F(SilentServerTest, IsAskedForAPictureAndNotConnectedUntilItAnswers) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("F85", silentCommand());
+  EXPECT_EQ("", silentCommand());
+  pass(milliseconds(499));
+  EXPECT_FALSE(silent_.ready());
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
+TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
+  EXPECT_EQ("F85", silentCommand());
+  receivePicture(1);
+  EXPECT_TRUE(silent_.ready());
+  EXPECT_TRUE(pictures_.empty());
+  EXPECT_EQ("", silentCommand());
+  pass(milliseconds(10000));
+}
+
+TEST_F(SilentServerTest, IsConnectedWhenItRefuses) {
+  EXPECT_EQ("F85", silentCommand());
+  receive({'e', 0, 0, 0});
+  EXPECT_TRUE(silent_.ready());
+  EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
+  wish_.streaming = true;
+  EXPECT_EQ("W85", silentCommand());
+  EXPECT_EQ("", silentCommand());
+  EXPECT_FALSE(silent_.ready());
+  receivePicture(1);
+  EXPECT_TRUE(silent_.ready());
+  EXPECT_EQ(1u, pictures_.size());
+}
+
+/// The user is told of refusals.
+class Version1RefusalsTest : public SessionFixture {
+ protected:
+  Version1RefusalsTest() : SessionFixture(true) {}
+  Session& session() override { return session_; }
+  char request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    return bytes.empty() ? ' ' : static_cast<char>(bytes[0]);
+  }
+
+  ServerHabits habits_;
+  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
+};
+
+TEST_F(Version1RefusalsTest, TheOrderAndTheJointAreNamed) {
+  commandJoints({{2, 0.5}});
+  EXPECT_EQ('J', request());
+  receive({'e', 0, 0, 0});
+  ASSERT_EQ(1u, refusals_.size());
+  EXPECT_EQ(RefusedRequest::kJoints, refusals_[0].request);
+  EXPECT_EQ(RefusalCause::kRobot, refusals_[0].cause);
+  EXPECT_EQ(std::vector<int>{2}, refusals_[0].ids);
+  EXPECT_EQ(1u, refusals_[0].order);
+  EXPECT_THAT(refusals_[0].reason, HasSubstr("are its motors on"));
+  EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(Version1RefusalsTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) {
+  wish_.telemetry_period = 4;
+  std::vector<int> asked;
+  for (int i = 0; i < 2000 && refusals_.empty(); ++i) {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (!bytes.empty()) {
+      const bool is_pan_again = bytes[0] == 'J' && bytes[1] == 2 && std::count(asked.begin(), asked.end(), 2) == 1;
+      asked.push_back(bytes[0] == 'J' ? bytes[1] : 0);
+      receive(is_pan_again ? Bytes{'e', 0, 0, 0}
+                           : Bytes{static_cast<std::uint8_t>(bytes[0] + 'a' - 'A'), bytes[1], 0, 0});
+    }
+    now_ += milliseconds(10);
+  }
+  ASSERT_EQ(1u, refusals_.size());
+  EXPECT_EQ(RefusalCause::kJointFault, refusals_[0].cause);
+  EXPECT_EQ(std::vector<int>{2}, refusals_[0].ids);
+}
+
 class LateVersionAnswerTest : public Version1SessionTest {
  protected:
   Session& session() override { return late_; }
@@ -801,20 +896,21 @@ class LateVersionAnswerTest : public Version1SessionTest {
 };
 
 TEST_F(LateVersionAnswerTest, ARefusalIsSwallowedOnce) {
-  auto answer = takePicture(30);
   late_.nextRequest(wish_, now_);
   receive({'e', 0, 0, 0});
-  EXPECT_FALSE(done(answer)) << "it was not the picture that was refused";
+  EXPECT_TRUE(late_.ready());
+  receivePicture(1);
+  auto answer = takePicture(30);
+  late_.nextRequest(wish_, now_);
   receive({'e', 0, 1, 0});
   EXPECT_EQ(CallOutcome::kRefused, answer.get().outcome);
   EXPECT_TRUE(log_.empty());
 }
 
 TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestDoesNotAnswerTheQuestionForTheVersion) {
-  auto first = takePicture(30);
-  auto second = takePicture(30);
   late_.nextRequest(wish_, now_);
   receivePicture(1);
+  auto second = takePicture(30);
   late_.nextRequest(wish_, now_);
   receive({'e', 0, 0, 0});
   EXPECT_EQ(CallOutcome::kRefused, second.get().outcome);

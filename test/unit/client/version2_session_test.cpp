@@ -742,9 +742,153 @@ TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsIgnored) {
   live(milliseconds(3999));
   EXPECT_FALSE(done(answer));
   live(milliseconds(1));
-  EXPECT_EQ("no answer within 4000 ms.", answer.get().problem);
+  const Answer nothing = answer.get();
+  EXPECT_EQ("no answer within 4000 ms. The robot may or may not store the motion NOD.MTN.", nothing.problem);
+  EXPECT_TRUE(nothing.was_sent);
   receive(makeFrame('u', 2, {}));
   live(milliseconds(1000));
+  EXPECT_TRUE(late_answers_.empty()) << "it has no number";
+}
+
+TEST_F(Version2SessionTest, ALateAnswerToANumberedCallIsTold) {
+  const auto play = [this](std::uint64_t number) {
+    Call call;
+    call.letter = 'P';
+    call.name = "NOD.MTN";
+    call.number = 1;
+    call.order = number;
+    auto answer = add(std::move(call), milliseconds(1000));
+    EXPECT_EQ('P', request().at(0));
+    const int request_number = frame_.header.request_number;
+    live(milliseconds(1000));
+    EXPECT_EQ("no answer within 1000 ms. The robot may or may not play the motion NOD.MTN.", answer.get().problem);
+    return request_number;
+  };
+  const int first = play(7);
+  const int second = play(8);
+  receive(makeError(second, 1, "there is no NOD.MTN"));
+  receive(makeFrame('p', first, {'c', 'l', 'i', 'p'}));
+  receive(makeFrame('p', first, {}));
+  ASSERT_EQ(2u, late_answers_.size());
+  EXPECT_EQ(8u, late_answers_[0].order);
+  EXPECT_FALSE(late_answers_[0].accepted);
+  EXPECT_THAT(late_answers_[0].reason, HasSubstr("there is no NOD.MTN"));
+  EXPECT_EQ(7u, late_answers_[1].order);
+  EXPECT_TRUE(late_answers_[1].accepted);
+  EXPECT_EQ("clip", late_answers_[1].changes);
+}
+
+TEST_F(Version2SessionTest, AnOrderThatCouldNotBeSentInTimeIsTooOld) {
+  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(10000));
+  EXPECT_EQ("U2", request());
+  Call call;
+  call.letter = 'P';
+  call.name = "SIT.MTN";
+  call.number = 1;
+  call.not_after = now_ + milliseconds(300);
+  auto play = add(std::move(call), milliseconds(5000));
+  EXPECT_EQ("", request());
+  pass(milliseconds(299));
+  EXPECT_FALSE(done(play));
+  pass(milliseconds(1));
+  const Answer answer = play.get();
+  EXPECT_EQ(CallOutcome::kRefused, answer.outcome);
+  EXPECT_EQ("The order to play the motion SIT.MTN is too old: it could not be sent to robot:54321 in time.",
+            answer.problem);
+  receive(makeFrame('u', 2, {}));
+  EXPECT_EQ("", request());
+}
+
+TEST_F(Version2SessionTest, TheRobotIsAskedForItsMotorsAndTellsOfThemFromThenOn) {
+  pass(milliseconds(500));
+  EXPECT_EQ("H2", request());
+  receive(makeFrame('h', 2, version2_frames::makeHello("O")));
+  EXPECT_EQ("O3", request());
+  EXPECT_TRUE(frame_.payload.empty());
+  receive(makeFrame('o', 3, {1}));
+  EXPECT_EQ("", request());
+  EXPECT_EQ(MotorState::kUnknown, connection_.motors_and_posture.motors) << "an older server does not tell of changes";
+  receive(makeFrame('o', 0, {1, version2::POSTURE_NOW_SITTING, 0, 0}));
+  EXPECT_EQ(MotorState::kOn, connection_.motors_and_posture.motors);
+  EXPECT_EQ(PostureNow::kSitting, connection_.motors_and_posture.posture);
+  receive(makeFrame('o', 0, {0, 77, 0, 0}));
+  EXPECT_EQ(MotorState::kOff, connection_.motors_and_posture.motors);
+  EXPECT_EQ(PostureNow::kUnknown, connection_.motors_and_posture.posture) << "of a newer server";
+  EXPECT_THAT(faultOf(makeFrame('o', 0, {1})), HasSubstr("bad state of motors and posture"));
+}
+
+/// The user is told of refusals.
+class Version2RefusalsTest : public SessionFixture {
+ protected:
+  Version2RefusalsTest() : SessionFixture(true) {}
+  Session& session() override { return session_; }
+
+  void SetUp() override {
+    EXPECT_EQ('H', request());
+    receive(makeFrame('h', number_, version2_frames::makeHello()));
+  }
+
+  char request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return ' ';
+    }
+    number_ = version2_frames::split(bytes).header.request_number;
+    return static_cast<char>(bytes[0]);
+  }
+
+  int number_ = 0;  // of the last request
+  Version2Session session_{connection_, now_};
+};
+
+TEST_F(Version2RefusalsTest, WhatTheRobotRefusesIsToldWithItsOrderAndItsParts) {
+  commandJoints({{2, 0.5}, {1, -0.1}});
+  steer({0.1, 0, 0});
+  limitSpeed({{3, 1}});
+  commandLeds({{7, 255}});
+  commandEars(true, false);
+  for (const char letter : {'V', 'S', 'J', 'L', 'K'}) {
+    EXPECT_EQ(letter, request());
+    receive(makeError(number_, 0, "no"));
+  }
+  ASSERT_EQ(5u, refusals_.size());
+  EXPECT_EQ(RefusedRequest::kSpeedLimits, refusals_[0].request);
+  EXPECT_EQ(std::vector<int>{3}, refusals_[0].ids);
+  EXPECT_EQ(RefusedRequest::kWalk, refusals_[1].request);
+  EXPECT_EQ(2u, refusals_[1].order);
+  EXPECT_EQ(RefusedRequest::kJoints, refusals_[2].request);
+  EXPECT_EQ(std::vector<int>({2, 1}), refusals_[2].ids);
+  EXPECT_EQ(1u, refusals_[2].order);
+  EXPECT_EQ("no (error code 0)", refusals_[2].reason);
+  EXPECT_EQ(RefusedRequest::kLeds, refusals_[3].request);
+  EXPECT_EQ(RefusedRequest::kEars, refusals_[4].request);
+  EXPECT_EQ(5u, counters_.refusals);
+  EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(Version2RefusalsTest, WhatAStopComesBeforeIsTold) {
+  commandJoints({{2, 0.5}});
+  steer({0.1, 0, 0});
+  auto held = askToHold({2});
+  ASSERT_EQ(1u, refusals_.size()) << "the legs are not held";
+  EXPECT_EQ(RefusalCause::kStopped, refusals_[0].cause);
+  EXPECT_EQ("the robot was told to hold its joints before it was sent", refusals_[0].reason);
+  auto posture = askForPosture(2);
+  ASSERT_EQ(2u, refusals_.size());
+  EXPECT_EQ(RefusedRequest::kWalk, refusals_[1].request);
+  commandJoints({{1, 0.5}});
+  EXPECT_EQ('I', request());
+  EXPECT_EQ('E', request());
+  EXPECT_EQ('J', request()) << "it came after them";
+  EXPECT_EQ(2u, refusals_.size());
+}
+
+TEST_F(Version2RefusalsTest, AJointThatDoesNotFollowIsNamed) {
+  receive(makeError(0, 3, "left_front_knee is jammed: its motor pushes and it does not move"));
+  ASSERT_EQ(1u, refusals_.size());
+  EXPECT_EQ(RefusalCause::kJointFault, refusals_[0].cause);
+  EXPECT_EQ(std::vector<int>{13}, refusals_[0].ids);
+  EXPECT_EQ("left_front_knee is jammed: its motor pushes and it does not move", refusals_[0].reason);
 }
 
 TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {

@@ -351,10 +351,11 @@ TEST_F(PlayingClientTest, MotionEndedByTheMotorsDoesNotContinueWhenTheyAreOnAgai
   EXPECT_EQ(answerTo('P', 0, std::string("\3\350WAG.MTN")).header.kind, 'p');
   passFrames(200);
   answerTo('O', 0, std::string(1, '\0'));
-  passFrames(kUntilMeasured);
+  live();
   answerTo('O', 0, "\1");
   passFrames(50);
   EXPECT_FALSE(tailMoves());
+  live();
   EXPECT_EQ(answerTo('P', 0, std::string("\0\1WAG.MTN", 9)).header.kind, 'p') << "its joints are free";
 }
 

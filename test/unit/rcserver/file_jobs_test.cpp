@@ -31,6 +31,9 @@ class FileJobsTest : public FakeRobotFixture {
     std::vector<std::string> all;
     machine_->runPending();
     while (const std::optional<Frame> next = client_->nextFrame()) {
+      if (next->header.kind == protocol::version2::MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
+        continue;
+      }
       all.push_back(next->header.kind + std::to_string(next->header.request_number));
       if (next->header.kind == 'e') {
         all.back() += " " + std::string(next->payload.begin() + 2, next->payload.end());
@@ -54,6 +57,7 @@ class FileJobsTest : public FakeRobotFixture {
       passFrames(4);
       has_moved = has_moved || robot_.joint(joint).position != before;
     }
+    live();
     return has_moved;
   }
 
@@ -95,6 +99,7 @@ TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
   EXPECT_THAT(got[0], HasSubstr("e1 tail_pan was commanded while the file of WAG.MTN was being read"));
   passFrames(300);
   EXPECT_EQ(robot_.joint("tail_pan").position, 500000);
+  live();
   send(frame('P', 0, 3, playPayload("WAG.MTN", 1000)));
   finishJobs();
   EXPECT_THAT(answers(), ElementsAre("p3")) << "an earlier command does not matter";

@@ -279,6 +279,7 @@ TEST_F(Version2MotionsTest, listsPlaysAndStops) {
   EXPECT_EQ(answerTo(play("", 0)), "p");
   EXPECT_EQ(answer(), "ended 1 2 NOD.MTN\nthe client stopped it");
   EXPECT_EQ(answer(), "ended 1 2 WAG.MTN\nthe client stopped it");
+  live();
   EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
 }
 
@@ -308,6 +309,7 @@ TEST_F(Version2MotionsTest, leavesOutJointsThatTheRobotDoesNotHaveIfItIsTold) {
   EXPECT_EQ(answerTo(play("NEW.MTN", 1, LEAVE_OUT_MISSING_JOINTS)), "p");
   passFrames(300);
   EXPECT_NEAR(degrees("head_pan"), 30, 0.01);
+  live();
   EXPECT_EQ(answerTo(play("NEW.MTN", 1, LEAVE_OUT_MISSING_JOINTS | TELL_CHANGES)),
             "p1 joint that this robot does not have is left out");
 }
@@ -416,8 +418,10 @@ TEST_F(Version2MotionsTest, reportsWhatHasStoppedAMotion) {
       {frame('O', std::string(1, '\0')), "ended 1 2 WAG.MTN\nthe motors were switched off"}};
   startVersion2("");
   for (const auto& [order, end] : orders) {
+    live();
     EXPECT_EQ(answerTo(play("WAG.MTN", 1000)), "p");
     passFrames(400);
+    live();
     EXPECT_EQ(answerTo(order).substr(0, 1), std::string(1, static_cast<char>(std::tolower(order[0]))));
     EXPECT_EQ(answer(), end);
     passFrames(100);

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "rcserver/settings/Settings.h"
@@ -140,6 +142,54 @@ TEST_F(PowerTest, BatteryThatGetsLowAfterThePauseButtonChangesNothing) {
   robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
   EXPECT_LE(passUntilOff(1000), kFramesASecond + 4);
   EXPECT_THAT(console_.str(), Not(HasSubstr("lies down")));
+}
+
+// ------------------------------------------------------------------------------------------------------ memory stick
+
+// A rename that is cut can lose the file that it replaces.
+TEST_F(PowerTest, AnUploadInProgressIsFinishedAndAnsweredWhileTheMotorsAreOff) {
+  startWith("ALLOW_UPLOAD=yes\nALLOW_SHUT_DOWN=yes");
+  connectVersion2();
+  file_keeper_.slowDown();
+  std::string wag;
+  std::ifstream file(std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P/WAG.MTN", std::ios::binary);
+  wag.assign(std::istreambuf_iterator<char>(file), {});
+  send(frame('U', 0, 1, uploadPayload("NEW.MTN", wag)));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  EXPECT_EQ(answerTo('Q', 0).header.kind, 'q');
+  passFrames(4);
+  EXPECT_TRUE(isLimp());
+  passUntilOff(2 * kFramesASecond);
+  ASSERT_TRUE(machine_->isOn());
+  file_keeper_.finish();
+  passUntilOff(kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  const std::optional<Frame> stored = client_->nextFrame();
+  ASSERT_TRUE(stored);
+  EXPECT_EQ(stored->header.kind, 'u');
+  EXPECT_TRUE(endsFor(*client_));
+}
+
+TEST_F(PowerTest, AMemoryStickThatHangsDelaysTheShutdownByThreeSeconds) {
+  for (const bool by_client : {true, false}) {
+    startWith("ALLOW_SHUT_DOWN=yes");
+    connectVersion2();
+    file_keeper_.slowDown();
+    send(frame('N', 0, 1));
+    ASSERT_TRUE(file_keeper_.hasJob());
+    if (by_client) {
+      send(frame('Q', 0, 2));
+    } else {
+      disconnect();
+      raise(orsbPAUSE);
+    }
+    EXPECT_TRUE(isLimp());
+    const unsigned frames = passUntilOff(10 * kFramesASecond);
+    EXPECT_GE(frames, 2 * kFramesASecond);
+    EXPECT_LE(frames, 3 * kFramesASecond + 10);
+    EXPECT_FALSE(machine_->isOn());
+    robot_.power_status.robotStatus = 0;
+  }
 }
 
 // ----------------------------------------------------------------------------------------------------------- battery

@@ -283,9 +283,14 @@ class FakeRobotFixture : public RCServerFixture {
     sendAll(bytes);
   }
 
+  /// What the robot tells of its motors and its posture is skipped.
   std::optional<Frame> nextFrame() {
     std::optional<Frame> next;
-    EXPECT_TRUE(machine_->runUntil([&] { return (next = client_->nextFrame()).has_value() || client_->ended(); }));
+    const auto is_told = [&next] {
+      return next->header.kind != protocol::version2::MOTORS_AND_POSTURE_PUSH || next->header.request_number != 0;
+    };
+    EXPECT_TRUE(machine_->runUntil(
+        [&] { return ((next = client_->nextFrame()).has_value() && is_told()) || client_->ended(); }));
     machine_->runPending();
     return next;
   }
@@ -305,6 +310,12 @@ class FakeRobotFixture : public RCServerFixture {
         return *answer;
       }
     }
+  }
+
+  /// A client of version 2 that was silent says something, so that what it sends next cannot have waited.
+  void live() {
+    FakeRobotFixture::answerTo('H', 0);
+    passFrames(13);
   }
 
   void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {

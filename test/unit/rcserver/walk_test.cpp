@@ -193,10 +193,138 @@ TEST_F(WalkTest, MotionsOfTheLegsReplaceItAndAreReplaced) {
   steer(100, 100);
   EXPECT_THAT(ends_, IsEmpty()) << "of the tail";
   send(frame('P', 0, 1, playPayload("SIT.MTN", 1)));
-  pass(50);
+  steer(100, 50);
   EXPECT_THAT(ends_, ElementsAre("2 1 walk: a motion moves left_front_rotator"));
+  EXPECT_THAT(errors_, Contains(HasSubstr("a motion moves left_front_rotator: let go first"))) << "the motion goes on";
+  pass(70);
+  EXPECT_EQ(ends_.size(), 1u);
   walk();
   EXPECT_THAT(ends_, Contains("1 1 SIT.MTN: the robot was told to walk or to take a posture"));
+}
+
+TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
+  for (const Posture posture : {POSTURE_STAND, POSTURE_SIT}) {
+    answerTo('E', POSTURE_REST);
+    pass(6 * kFramesASecond);
+    ASSERT_TRUE(isLimp());
+    expectRefusal(answerTo('E', POSTURE_REST), CODE_REFUSED, "the motors are off already");
+    EXPECT_TRUE(answerTo('E', posture).payload.empty());
+    pass(8 * kFramesASecond);
+    EXPECT_FALSE(isLimp());
+    EXPECT_EQ(ends_.back(), std::string("3 0 ") + postureName(posture) + ": ");
+  }
+}
+
+TEST_F(WalkTest, ARestIsFinishedAlthoughTheClientHasGone) {
+  answerTo('E', POSTURE_REST);
+  passFrames(60);
+  EXPECT_FALSE(rests());
+  disconnect();
+  passFrames(6 * kFramesASecond);
+  EXPECT_TRUE(rests());
+  EXPECT_TRUE(isLimp());
+}
+
+// The rest levels the head. What moves it already ends, what is asked for later counts.
+TEST_F(WalkTest, AMotionOfTheHeadDoesNotDefeatTheLevellingOfARest) {
+  answerTo('P', 0, playPayload("NOD.MTN", 1000));
+  pass(20);
+  answerTo('E', POSTURE_REST);
+  pass(6 * kFramesASecond);
+  EXPECT_THAT(ends_, Contains("1 1 NOD.MTN: the robot was told to walk or to take a posture"));
+  EXPECT_EQ(robot_.joint("head_tilt").position, 0);
+  EXPECT_EQ(robot_.joint("neck_tilt").position, -174533);
+}
+
+TEST_F(WalkTest, ALowSpeedLimitDoesNotKeepItFromWalking) {
+  const SpeedLimits slow = {1, {{13, 1000000}}};
+  answerTo('V', 0, payloadOf(encodeSpeedLimits, slow, MAX_SPEED_LIMITS_SIZE));
+  EXPECT_EQ(answerTo('S', 0, steering(50)).header.kind, 's');
+}
+
+std::string told(const Frame& frame) {
+  MotorsAndPosture state = {};
+  EXPECT_EQ(decodeMotorsAndPosture(frame.payload.data(), frame.payload.size(), &state), nullptr);
+  return (state.motors_on ? "on " : "off ") + std::to_string(state.posture);
+}
+
+TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
+  std::vector<std::string> states;
+  const auto listen = [&](unsigned frames) {
+    for (unsigned i = 0; i < frames; ++i) {
+      if (i % 100 == 0) {
+        send(frame('H', 0, 901));
+      }
+      passFrames(1);
+      while (const auto next = client_->nextFrame()) {
+        if (next->header.kind == MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
+          states.push_back(told(*next));
+        }
+      }
+    }
+  };
+  listen(20);
+  EXPECT_THAT(states, IsEmpty()) << "a client that does not know it";
+  send(frame('O', 0, 1));
+  listen(20);
+  EXPECT_THAT(states, ElementsAre("on " + std::to_string(POSTURE_NOW_STANDING)));
+  send(frame('E', POSTURE_REST, 2));
+  listen(6 * kFramesASecond);
+  EXPECT_THAT(states, Contains("on " + std::to_string(POSTURE_NOW_LYING)));
+  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_NOW_LYING));
+  layOnSide();
+  listen(kFramesASecond);
+  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_NOW_FALLEN));
+  const size_t count = states.size();
+  listen(kFramesASecond);
+  EXPECT_EQ(states.size(), count) << "nothing changes";
+}
+
+// While a process is stopped, or the radio is out, what the client sends waits. Nobody wants it any more afterwards.
+TEST_F(WalkTest, WhatHasWaitedWhileTheServerWasHeldUpDoesNotMoveTheRobot) {
+  JointTargets head = {0, 1, {{2, 300000}}};
+  const std::string pan = payloadOf(encodeJointTargets, head, MAX_JOINT_TARGETS_SIZE);
+  client_->send(frame('J', 0, 1, pan) + frame('S', 0, 2, steering(100)) + frame('E', POSTURE_SIT, 3) +
+                frame('P', 0, 4, playPayload("NOD.MTN", 1)) + frame('O', 0, 5, "\1") + frame('H', 0, 6));
+  clock_.step(100);
+  machine_->runPending();
+  for (int number = 1; number <= 5; ++number) {
+    expectRefusal(*nextFrame(), CODE_REFUSED, "too old: the robot's program or the link was held up");
+  }
+  EXPECT_EQ(nextFrame()->header.kind, 'h');
+  passFrames(20);
+  EXPECT_EQ(robot_.joint("head_pan").position, 0);
+  EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j') << "this is new";
+  client_->send(frame('I', 0, 7) + frame('O', 0, 8, std::string(1, '\0')));
+  clock_.step(100);
+  machine_->runPending();
+  EXPECT_EQ(nextFrame()->header.kind, 'i') << "to stop is never too late";
+  EXPECT_EQ(nextFrame()->header.kind, 'o');
+}
+
+TEST_F(WalkTest, WhatComesAfterALongSilenceDoesNotMoveTheRobot) {
+  answerTo('H', 0);
+  passFrames(180);
+  JointTargets head = {0, 1, {{2, 300000}}};
+  const std::string pan = payloadOf(encodeJointTargets, head, MAX_JOINT_TARGETS_SIZE);
+  EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j');
+  passFrames(190);
+  expectRefusal(answerTo('J', 0, pan), CODE_REFUSED, "too old");
+  passFrames(13);
+  EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j');
+}
+
+TEST_F(WalkTest, NorDoesWhatAClientOfVersion1HasSentToAServerThatWasHeldUp) {
+  disconnect();
+  client_ = connectServed();
+  client_->send(request('J', 2, 1000));
+  clock_.step(100);
+  machine_->runPending();
+  const std::optional<Reply> reply = await(*client_);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->letter, 'e');
+  passFrames(20);
+  expectAnswer(request('J', 2, 1000), 'j', 2, 1000);
 }
 
 TEST_F(WalkTest, TakesPosturesAndSaysWhenTheyAreTaken) {
@@ -223,14 +351,13 @@ TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(ends_, ElementsAre("2 1 walk: the robot was told to take a posture", "3 0 rest: "));
   expectRefusal(answerTo('S', 0, steering(10)), CODE_REFUSED, "the motors are off");
-  expectRefusal(answerTo('E', POSTURE_SIT), CODE_REFUSED, "the motors are off");
   EXPECT_EQ(answerTo('S', 0, steering(0)).header.kind, 's') << "there is nothing to stop";
 }
 
 TEST_F(WalkTest, HoldAndMotorsOffEndIt) {
   walk();
   answerTo('I', HOLD_EVERYTHING);
-  pass(20);
+  pass(70);
   walk();
   answerTo('O', 0, std::string(1, '\0'));
   pass(20);

@@ -46,7 +46,11 @@ struct ClientOptions {
   bool leave_out_missing_joints = false;
 };
 
-enum class ConnectionState { kDisconnected, kConnecting, kConnected };
+enum class ConnectionState {
+  kDisconnected,
+  kConnecting,  ///< also while a connection stands over which the robot has not answered yet
+  kConnected
+};
 
 /// The state of the connection to the robot.
 struct ConnectionStatus {
@@ -100,9 +104,11 @@ struct ClientStatistics {
 ///
 /// A thread of its own connects, splits the byte stream into pictures and replies, and reconnects after every fault,
 /// with growing, jittered waits. It asks each server for version 2 of the protocol, and falls back to version 1 if the
-/// server refuses or does not answer within 500 ms. After a reconnect, the stream and telemetry are requested again if
-/// they are still wanted. A single picture is not requested again, and no command is ever repeated: the robot carries
-/// it out once or not at all. All waiting uses the steady clock and ends at once when stop() is called.
+/// server refuses or does not answer within 500 ms. In the latter case it is asked for a picture, which is dropped,
+/// unless the stream is wanted: only a server that answers is connected to. After a reconnect, the stream and telemetry
+/// are requested again if they are still wanted. A single picture is not requested again, and no command is ever
+/// repeated: the robot carries it out once or not at all. All waiting uses the steady clock and ends at once when
+/// stop() is called.
 ///
 /// Every member function may be called from any thread, except where its comment says otherwise. All of them are
 /// virtual, so that a test can replace the client with a fake.

@@ -3,6 +3,7 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_FILLED_ON_READ_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_FILLED_ON_READ_H
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -29,6 +30,9 @@ class FilledOnRead {
   /// Somebody is about to read at an address. Fills the memory that it belongs to, unless that has been done.
   /// @param address any; does nothing if it belongs to no such memory
   static void read(const void* address);
+
+  /// The processor time that this thread has spent on filling.
+  static std::chrono::nanoseconds processorTime();
 
  private:
   const char* const begin_;

@@ -1,8 +1,10 @@
 // The SDK's functions: OPENR::, the calls of the IPStack, and the console.
+#include <MCOOP.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <ant.h>
 
+#include <chrono>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -44,6 +46,14 @@ const char* nameOf(OSyslogPriority priority) {
 }
 
 }  // namespace
+
+sError GetSystemTime(SystemTime* time) {
+  const auto now = System::current().now();
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now);
+  time->seconds = static_cast<longword>(seconds.count());
+  time->useconds = static_cast<longword>(std::chrono::duration_cast<std::chrono::microseconds>(now - seconds).count());
+  return sSUCCESS;
+}
 
 OStatus OPENR::OpenPrimitive(const char* locator, OPrimitiveID* primitiveID) {
   return System::current().robot().openPrimitive(locator, primitiveID);

@@ -22,7 +22,7 @@ enum class Entry {
 
 /// Called after a message has been handled. Returns how long the message keeps its object busy, 0 or more.
 /// @param object name of the object
-/// @param taken time that this computer needed
+/// @param taken processor time that this computer needed for the handler, without the filling of camera images
 using HandlerTime =
     std::function<std::chrono::nanoseconds(const std::string& object, Entry entry, std::chrono::nanoseconds taken)>;
 

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "simulator/openr_host/object_description.h"
+#include "simulator/openr_host/objects/filled_on_read.h"
+#include "simulator/openr_host/objects/thread_processor_time.h"
 
 namespace openr_host {
 namespace {
@@ -277,11 +279,16 @@ bool System::handleMessages() {
   return has_handled;
 }
 
+// What this thread has computed for objects: without the pixels, which a camera makes by itself.
+std::chrono::nanoseconds System::ownProcessorTime() {
+  return threadProcessorTime() - FilledOnRead::processorTime();
+}
+
 // The messages that the object posts leave it when it has finished. Until then it keeps the data that it received.
 void System::handle(Message message) {
   LoadedObject& receiver = loaded(message.receiver);
   const std::size_t first_posted = messages_.size();
-  const auto begin = std::chrono::steady_clock::now();
+  const std::chrono::nanoseconds begin = ownProcessorTime();
   {
     const Running running(*this, receiver);
     std::visit([&](const auto& content) { deliver(content, receiver); }, message.content);
@@ -289,8 +296,7 @@ void System::handle(Message message) {
   if (!handler_time_) {
     return;
   }
-  const Processor::Time duration =
-      handler_time_(receiver.description.name, message.entry, std::chrono::steady_clock::now() - begin);
+  const Processor::Time duration = handler_time_(receiver.description.name, message.entry, ownProcessorTime() - begin);
   if (duration <= Processor::Time(0)) {
     return;
   }

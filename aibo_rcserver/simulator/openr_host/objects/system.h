@@ -105,6 +105,8 @@ class System {
   /// Handles the messages that are queued now, but not those that are added meanwhile, nor those of busy objects.
   /// @return false if there was none to handle
   bool handleMessages();
+  /// The machine's time.
+  Processor::Time now() const { return now_(); }
   /// The time when the next busy object finishes.
   std::optional<Processor::Time> nextFinish() const { return processor_.nextFinish(now_()); }
   /// @}
@@ -119,6 +121,7 @@ class System {
   /// @}
 
  private:
+  static std::chrono::nanoseconds ownProcessorTime();
   struct LoadedObject {
     ObjectDescription description;
     std::unique_ptr<OObject> object;

@@ -1,25 +1,15 @@
 /// @file MCOOP.h
-/// Memory of the robot's operating system.
+/// The time of the robot's operating system.
 #ifndef OPENR_MCOOP_H
 #define OPENR_MCOOP_H
 
+#include <SystemTime.h>
 #include <Types.h>
-#include <stdlib.h>
 
 typedef slongword sError;
 const sError sSUCCESS = 0;
 
-/// @param[out] address at least `size` bytes
-/// @return sSUCCESS, or another value if there is not enough memory
-inline sError NewRegion(size_t size, void** address) {
-  *address = malloc(size);
-  return *address != 0 ? sSUCCESS : 1;
-}
-
-/// Frees memory from NewRegion().
-inline sError DeleteRegion(void* address) {
-  free(address);
-  return sSUCCESS;
-}
+/// A time that goes on while objects are held up, wherever it begins.
+sError GetSystemTime(SystemTime* time);
 
 #endif  // OPENR_MCOOP_H

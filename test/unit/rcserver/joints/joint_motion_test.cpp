@@ -104,8 +104,21 @@ TEST(JointMotion, StopsAsFastAsItsAccelerationAllows) {
     advance(motion);
   }
   ASSERT_EQ(motion.Step(), 35);
-  motion.Stop();
+  motion.Stop(1);
   EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
+}
+
+TEST(JointMotion, StopsFasterIfItsAccelerationIsLowAndThenKeepsToItAgain) {
+  JointMotion motion = standingAt(0, 35, 1);
+  motion.Aim(10000);
+  for (int i = 0; i < 40; ++i) {
+    advance(motion);
+  }
+  ASSERT_EQ(motion.Step(), 35);
+  motion.Stop(10);
+  EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
+  motion.Aim(motion.Position() + 3);
+  EXPECT_THAT(stepsOf(motion), ElementsAre(1, 1, 1));
 }
 
 TEST(JointMotion, SpreadsASlowMotionEvenlyOverItsTime) {

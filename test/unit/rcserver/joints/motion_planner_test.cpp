@@ -194,12 +194,14 @@ class Inspector {
   }
 
   // @param following targets that move were given for this frame
-  void nextFrame(bool following = false) {
+  // @param stopping joints may have been told to hold
+  void nextFrame(bool following = false, bool stopping = false) {
     noteLimits();
     for (const int i : allJoints()) {
       int& acceleration = accelerations_[static_cast<size_t>(i)];
-      const int higher = robot_model::defaultAcceleration(ers7().joints[i]) * MotionPlanner::FOLLOWING;
-      acceleration = following ? std::max(acceleration, higher) : acceleration;
+      const int higher =
+          robot_model::defaultAcceleration(ers7().joints[i]) * (following ? MotionPlanner::FOLLOWING : 1);
+      acceleration = following || stopping ? std::max(acceleration, higher) : acceleration;
     }
     planner_.NextFrame();
     const std::vector<int> before = posture_;
@@ -289,7 +291,7 @@ TEST(MotionPlanner, NeverExceedsALimitWhateverIsCommanded) {
     inspector.noteLimits();
     const int frames = client.between(0, 1) * client.between(0, 30);
     for (int frame = 0; frame < frames; ++frame) {
-      inspector.nextFrame();
+      inspector.nextFrame(false, true);
     }
   }
 }

@@ -341,15 +341,135 @@ TEST_F(WalkerTest, AJointThatDoesNotFollowEndsIt) {
   ASSERT_THAT(ends(), ::testing::Contains("walk: left_hind_knee does not follow"));
 }
 
-TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndPreventsAnother) {
+TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsItBack) {
   walk();
   joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
   passUntilIdle();
   pass(50);
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), ElementsAre("walk: the speed limit of left_front_knee is too low for walking"));
-  EXPECT_THAT(walker().Problem(true), HasSubstr("left_front_knee"));
-  EXPECT_EQ(walker().Problem(false), nullptr) << "postures are slow";
+  EXPECT_EQ(walker().Problem(), nullptr) << "postures are slow";
+  walk();
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+}
+
+// A client that steers on and on does not notice what has ended its walk.
+TEST_F(WalkerTest, AClientWhoseWalkWasEndedHasToLetGo) {
+  walk();
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
+  MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
+  joints_.SetTargets(&knee, 1, 0);
+  for (int i = 0; i < 20; ++i) {
+    pass(40);
+    EXPECT_STREQ(walker().ProblemOfWalk(true),
+                 "left_front_knee was commanded: let go first; it walks after zeros, or nothing for 500 ms");
+  }
+  pass(Walker::STEERING_FRAMES + 4);
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "it has not steered for 500 ms";
+  walk();
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
+  joints_.StopAll();
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("everything was told to hold: let go first"));
+  joints_.Steer({0, 0, 0});
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "it has steered with zeros";
+}
+
+TEST_F(WalkerTest, AClientWhoseWalkWasRefusedHasToLetGoToo) {
+  pass(200);
+  EXPECT_STREQ(walker().ProblemOfWalk(false), "the motors are off; switch them on first");
+  pass(40);
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the motors were off: let go first"));
+  reading_ = kOnItsSide;
+  pass(100);
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its side; set it down"));
+  reading_ = kUpright;
+  for (int i = 0; i < 4; ++i) {
+    pass(40);
+    EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its side"));
+  }
+  joints_.ClientGone();
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "that is another client";
+}
+
+TEST_F(WalkerTest, AClientThatHasEndedItsWalkItselfMaySteerAtOnce) {
+  walk();
+  joints_.Steer({0, 0, 0});
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
+  walk();
+  passUntilIdle();
+  EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
+}
+
+TEST_F(WalkerTest, AWalkThatEndsForAPostureIsNotSteeredOn) {
+  walk();
+  joints_.Take(POSTURE_SIT);
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture: let go first"));
+}
+
+TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
+  joints_.Take(POSTURE_REST);
+  pass(60);
+  joints_.ClientGone();
+  bool wanted_motors_off = false;
+  for (int i = 0; i < 1000 && walker().IsActive(); ++i) {
+    pass(1);
+    wanted_motors_off = walker().WantsMotorsOff();
+    if (wanted_motors_off) {
+      joints_.MotorsGoOff();
+    }
+  }
+  EXPECT_TRUE(wanted_motors_off);
+  EXPECT_TRUE(isIn(POSTURE_REST));
+  EXPECT_THAT(ends(), IsEmpty()) << "the next client has not asked for it";
+  walk();
+  joints_.Take(POSTURE_REST);
+  joints_.ClientGone();
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_REST)) << "also after a walk";
+}
+
+TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
+  MotionPlanner::JointTarget head = {joint("head_pan"), 500000};
+  joints_.SetTargets(&head, 1, 0);
+  take(POSTURE_REST);
+  EXPECT_EQ(position("head_pan"), 0);
+  take(POSTURE_STAND);
+  joints_.Take(POSTURE_REST);
+  pass(10);
+  joints_.SetTargets(&head, 1, 0);
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_REST));
+  EXPECT_EQ(position("head_pan"), 500000);
+  EXPECT_EQ(position("neck_tilt"), -174533) << "the others are levelled";
+}
+
+TEST_F(WalkerTest, SaysHowTheRobotIs) {
+  using namespace protocol::version2;
+  const auto now = [this] {
+    std::vector<int> positions;
+    for (int i = 0; i < robot_.number_of_joints; ++i) {
+      positions.push_back(joints_.Planner().Position(i));
+    }
+    return walker().Now(positions.data());
+  };
+  EXPECT_EQ(now(), POSTURE_NOW_STANDING);
+  joints_.Take(POSTURE_SIT);
+  pass(200);
+  EXPECT_EQ(now(), POSTURE_NOW_UNKNOWN) << "on the way";
+  passUntilIdle();
+  EXPECT_EQ(now(), POSTURE_NOW_SITTING);
+  take(POSTURE_REST);
+  EXPECT_EQ(now(), POSTURE_NOW_LYING);
+  take(POSTURE_STAND);
+  walk();
+  EXPECT_EQ(now(), POSTURE_NOW_WALKING);
+  reading_ = kInTheAir;
+  pass(60);
+  EXPECT_EQ(now(), POSTURE_NOW_CARRIED);
+  reading_ = kOnItsSide;
+  pass(60);
+  EXPECT_EQ(now(), POSTURE_NOW_FALLEN);
 }
 
 TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
@@ -368,7 +488,7 @@ TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
 }
 
 TEST_F(WalkerTest, AClientThatGoesEndsAPosture) {
-  joints_.Take(POSTURE_REST);
+  joints_.Take(POSTURE_SIT);
   pass(50);
   joints_.ClientGone();
   EXPECT_FALSE(walker().IsActive());
@@ -519,7 +639,7 @@ TEST_F(WalkerTest, AFallStopsItAndTheLegsGoSoftAfterASecond) {
   pass(40);
   EXPECT_FALSE(walker().IsActive());
   EXPECT_THAT(ends(), ElementsAre("walk: the robot lies on its side"));
-  EXPECT_THAT(walker().Problem(true), HasSubstr("the robot lies on its side"));
+  EXPECT_THAT(walker().Problem(), HasSubstr("the robot lies on its side"));
   pass(48);
   EXPECT_FALSE(walker().GoesSoft());
   pass(24);
@@ -548,10 +668,10 @@ TEST_F(WalkerTest, ARobotThatIsLiftedStopsAndWalksAgainOnTheFloor) {
   EXPECT_THAT(ends(), ElementsAre(HasSubstr("walk: the robot is carried")));
   pass(400);
   EXPECT_FALSE(walker().WantsMotorsOff());
-  EXPECT_THAT(walker().Problem(false), HasSubstr("carried"));
+  EXPECT_THAT(walker().Problem(), HasSubstr("carried"));
   reading_ = kUpright;
   pass(60);
-  EXPECT_EQ(walker().Problem(false), nullptr);
+  EXPECT_EQ(walker().Problem(), nullptr);
   walk();
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
 }

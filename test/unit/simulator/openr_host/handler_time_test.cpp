@@ -1,6 +1,10 @@
 // Handlers that take time: a busy object gets no other message (Level2 Reference Guide, chapter 1).
 #include <gmock/gmock.h>
 
+#include <thread>
+
+#include "simulator/openr_host/objects/filled_on_read.h"
+#include "simulator/openr_host/objects/thread_processor_time.h"
 #include "test_system.h"
 
 namespace openr_host {
@@ -65,6 +69,33 @@ TEST_F(HandlerTimeTest, MessagesOfAHandlerLeaveWhenItHasFinished) {
   EXPECT_EQ(test_.system.nextFinish(), milliseconds(28));
   passTo(milliseconds(28));
   EXPECT_THAT(received_, ElementsAre(milliseconds(28)));
+}
+
+// What the camera's pixels take, and what the object only waits for, is no work of the object.
+TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {
+  const auto work = [](milliseconds time) {
+    const auto begin = threadProcessorTime();
+    while (threadProcessorTime() - begin < time) {
+    }
+  };
+  std::chrono::nanoseconds charged{0};
+  test_.system.modelTime(
+      [&](const std::string&, Entry, std::chrono::nanoseconds taken) {
+        charged += taken;
+        return std::chrono::nanoseconds(0);
+      },
+      [this] { return now_; });
+  const char pixels[16] = {};
+  FilledOnRead image(pixels, sizeof(pixels));
+  image.fillBy([&] { work(milliseconds(50)); });
+  encoder_.on_notify = [&](const ONotifyEvent&) {
+    FilledOnRead::read(pixels);
+    std::this_thread::sleep_for(milliseconds(50));
+    work(milliseconds(10));
+  };
+  takeImageAt(milliseconds(8));
+  EXPECT_GE(charged, milliseconds(10));
+  EXPECT_LT(charged, milliseconds(40));
 }
 
 TEST_F(HandlerTimeTest, AnObjectKeepsItsDataUntilItHasFinished) {
