@@ -48,7 +48,7 @@ QString noDriverText(const QString& name_space) {
 }  // namespace
 
 RosRobot::RosRobot(QObject* parent)
-    : Robot(parent), callbacks_(ros::NodeHandle("/")), master_watch_(ros::this_node::getName()) {
+    : Robot(parent), callbacks_(ros::NodeHandle("/"), receipts_), master_watch_(ros::this_node::getName()) {
   connection_.text = "no driver has been found yet";
   connect(&measurements_timer_, &QTimer::timeout, this, &RosRobot::takeMeasurements);
   callbacks_.start();

@@ -105,6 +105,7 @@ class RosRobot : public Robot {
   std::vector<std::string> found_drivers_;
   MasterState master_;
 
+  node::ReceiptClock receipts_;  ///< is not started: nothing here has an age
   node::CallbackThreads callbacks_;
   node::MasterWatch master_watch_;
   std::thread manager_;
