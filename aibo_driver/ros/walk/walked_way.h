@@ -27,8 +27,8 @@ class WalkedWay {
   /// @return false if the telemetry does not say how the robot walks
   bool update(const Telemetry& telemetry);
 
-  /// The robot reports that something has ended. If it fell or was lifted, it may be anywhere. Of a robot that tells its
-  /// posture, that counts instead.
+  /// The robot reports that something has ended. If it fell or was lifted, it may be anywhere. Of a robot that tells
+  /// its posture, that counts instead.
   void motionEnded(const MotionEnd& end);
 
   /// The robot tells its posture. When it has fallen or is lifted, also while it stands, it may be anywhere.
