@@ -181,7 +181,10 @@ RcServerClient::Callbacks AiboDriver::makeCallbacks() {
   };
   callbacks.on_refused = [this](const Refusal& refusal) { refused(refusal); };
   callbacks.on_late_answer = [this](const LateAnswer& answer) { mover_.answeredLate(answer); };
-  callbacks.on_motors_and_posture = [this](const MotorsAndPosture& state) { mover_.robotChanged(state); };
+  callbacks.on_motors_and_posture = [this](const MotorsAndPosture& state) {
+    odometry_.update(state);
+    mover_.robotChanged(state);
+  };
   callbacks.log = logForClient;
   return callbacks;
 }

@@ -143,9 +143,18 @@ TEST_F(RemoteControlRosTest, SwitchesTheStreamAndShowsIt) {
   EXPECT_TRUE(user_.waitFor([this] { return user_.find<QAbstractButton>("stream")->text() == "Start stream"; }));
 }
 
-TEST_F(RemoteControlRosTest, AnswersOfPosturesMotorsAndStopAreRepeated) {
+TEST_F(RemoteControlRosTest, AnswersOfPosturesMotorsStopAndReleaseAreRepeated) {
+  const auto shows = [this](const QString& text) {
+    return user_.waitFor([this, text] { return user_.find<QAbstractButton>("stop")->text() == text; });
+  };
   EXPECT_TRUE(user_.click("Sit", "sit: "));
   EXPECT_TRUE(user_.click("stop", "stop: "));
+  EXPECT_TRUE(shows("Release"));
+  EXPECT_FALSE(user_.find<QWidget>("head_pad")->isEnabled());
+  QTest::qWait(1100);  // sooner it stops once more
+  EXPECT_TRUE(user_.click("stop", "release: "));
+  EXPECT_TRUE(shows("STOP"));
+  EXPECT_TRUE(user_.find<QWidget>("head_pad")->isEnabled());
   EXPECT_TRUE(user_.click("Motors off", "motors off: "));
   EXPECT_TRUE(user_.click("Motors on", "motors on: "));
 }

@@ -33,6 +33,9 @@ class OdometryPublisher {
   /// The robot reports that something has ended.
   void motionEnded(const MotionEnd& end) { way_.motionEnded(end); }
 
+  /// The robot tells its posture.
+  void update(const MotorsAndPosture& state) { way_.update(state); }
+
  private:
   void publishTransform(const nav_msgs::Odometry& odom);
 

@@ -36,7 +36,17 @@ bool WalkedWay::update(const Telemetry& telemetry) {
 }
 
 void WalkedWay::motionEnded(const MotionEnd& end) {
-  if (end.how == EndedHow::kFell) {
+  if (end.how == EndedHow::kFell && posture_ == PostureNow::kUnknown) {
+    odometry_.lose(kLiftedWay, kLiftedTurn);
+  }
+}
+
+void WalkedWay::update(const MotorsAndPosture& state) {
+  const auto is_off_its_feet = [](PostureNow posture) {
+    return posture == PostureNow::kFallen || posture == PostureNow::kCarried;
+  };
+  const bool was_off_its_feet = is_off_its_feet(std::exchange(posture_, state.posture));
+  if (is_off_its_feet(state.posture) && !was_off_its_feet) {
     odometry_.lose(kLiftedWay, kLiftedTurn);
   }
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "aibo_driver/motion_end.h"
+#include "aibo_driver/motors_and_posture.h"
 #include "aibo_driver/telemetry.h"
 #include "ros/walk/odometry.h"
 #include "ros/walk/walk_settings.h"
@@ -26,8 +27,12 @@ class WalkedWay {
   /// @return false if the telemetry does not say how the robot walks
   bool update(const Telemetry& telemetry);
 
-  /// The robot reports that something has ended. If it fell or was lifted, it may be anywhere.
+  /// The robot reports that something has ended. If it fell or was lifted, it may be anywhere. Of a robot that tells
+  /// its posture, that counts instead.
   void motionEnded(const MotionEnd& end);
+
+  /// The robot tells its posture. When it has fallen or is lifted, also while it stands, it may be anywhere.
+  void update(const MotorsAndPosture& state);
 
   const Odometry& odometry() const { return odometry_; }
 
@@ -47,6 +52,7 @@ class WalkedWay {
   const WalkSettings& settings_;
   Odometry odometry_;
   std::optional<Sample> last_;
+  PostureNow posture_ = PostureNow::kUnknown;
 };
 
 }  // namespace aibo_driver::node

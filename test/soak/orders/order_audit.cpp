@@ -108,17 +108,61 @@ bool isLeg(const std::string& joint) {
   return joint.rfind("left_", 0) == 0 || joint.rfind("right_", 0) == 0;
 }
 
-bool isAbout(const Ended& end, const Order& order) {
+/// Whether this may be the end of that order. Some of its joints may have been replaced before.
+bool canBeTheEndOf(const Order& order, const Ended& end) {
+  constexpr double kLongest = 30;  // s; of any way
   const int kind = order.kind == "command" ? Movement::COMMAND : Movement::TRAJECTORY;
-  const auto& joints = end.movement.joints;  // some may have been replaced before
+  const auto& joints = end.movement.joints;
   return end.movement.user == order.user && end.movement.kind == kind && end.time >= order.time &&
+         end.time <= order.time + order.duration + kLongest &&
          std::all_of(joints.begin(), joints.end(),
                      [&order](const std::string& joint) { return order.targets.count(joint) > 0; });
 }
 
-bool isAboutAllOf(const Ended& end, const Order& order) {
-  return isAbout(end, order) && end.movement.joints.size() == order.targets.size();
-}
+/// Finds an end for each order, and an order for each end, as far as that is possible: a maximum matching, by paths
+/// that augment it. Messages do not say which end belongs to which order.
+class Matching {
+ public:
+  explicit Matching(const Round& round)
+      : ends_of_(round.orders.size()), order_of_(round.ended.size(), kNone), has_end_(round.orders.size(), false) {
+    for (std::size_t order = 0; order < round.orders.size(); ++order) {
+      for (std::size_t end = 0; end < round.ended.size(); ++end) {
+        if (canBeTheEndOf(round.orders[order], round.ended[end])) {
+          ends_of_[order].push_back(end);
+        }
+      }
+    }
+    for (std::size_t order = 0; order < round.orders.size(); ++order) {
+      std::vector<bool> is_seen(round.ended.size(), false);
+      has_end_[order] = findEnd(order, &is_seen);
+    }
+  }
+
+  bool hasEnd(std::size_t order) const { return has_end_[order]; }
+  bool hasOrder(std::size_t end) const { return order_of_[end] != kNone; }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  // Another order gives up its end if it finds a different one.
+  bool findEnd(std::size_t order, std::vector<bool>* is_seen) {
+    for (const std::size_t end : ends_of_[order]) {
+      if ((*is_seen)[end]) {
+        continue;
+      }
+      (*is_seen)[end] = true;
+      if (order_of_[end] == kNone || findEnd(order_of_[end], is_seen)) {
+        order_of_[end] = order;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::vector<std::size_t>> ends_of_;
+  std::vector<std::size_t> order_of_;
+  std::vector<bool> has_end_;
+};
 
 bool haveSameJoints(const Order& a, const Order& b) {
   return a.targets.size() == b.targets.size() &&
@@ -126,22 +170,18 @@ bool haveSameJoints(const Order& a, const Order& b) {
                     [](const auto& one, const auto& other) { return one.first == other.first; });
 }
 
-/// The place of each order's end among all ends; -1 if it has none. The earlier of two orders to the same joints ends
-/// first.
-std::vector<int> matchEnds(const Round& round) {
-  std::vector<int> places(round.orders.size(), -1);
-  std::vector<bool> is_taken(round.ended.size(), false);
-  for (const auto matches : {isAboutAllOf, isAbout}) {
-    for (std::size_t order = 0; order < round.orders.size(); ++order) {
-      for (std::size_t end = 0; end < round.ended.size() && places[order] < 0; ++end) {
-        if (!is_taken[end] && matches(round.ended[end], round.orders[order])) {
-          is_taken[end] = true;
-          places[order] = static_cast<int>(end);
-        }
-      }
+/// Whether it plays a motion or takes a posture.
+bool isMovedByTheRobotItself(const Round& round, double begin, double end) {
+  for (std::size_t i = 0; i < round.movements.size(); ++i) {
+    const double until = i + 1 < round.movements.size() ? round.movements[i + 1].time : end;
+    const auto& now = round.movements[i].now;
+    if (until > begin && round.movements[i].time < end && std::any_of(now.begin(), now.end(), [](const Moving& each) {
+          return each.kind == Movement::MOTION || each.kind == Movement::POSTURE;
+        })) {
+      return true;
     }
   }
-  return places;
+  return false;
 }
 
 /// If a node commands the same joints again, the same movement goes on; and of orders that are refused again and again,
@@ -167,6 +207,9 @@ void OrderAudit::judge(const Round& round) {
     ++calls_[call.service];
     done_calls_[call.service] += call.success ? 1 : 0;
     call_times_.push_back(call.end - call.begin);
+    if (call.message == kNoAnswer) {
+      complain_(clock(call.begin) + call.service + " of " + call.user + " got no answer");
+    }
   }
   for (const Fault& fault : round.faults) {
     ++faults_[fault.kind];
@@ -228,18 +271,17 @@ void OrderAudit::judgeStop(const Round& round, const Call& stop) {
     }
   }
   moved_in_stops_.push_back(most);
-  const std::vector<int> ends = matchEnds(round);
-  for (std::size_t i = 0; i < round.orders.size(); ++i) {
-    const Order& order = round.orders[i];
-    if (order.time < stop.end || order.time > end - kOldest || ends[i] < 0) {
+  for (const Order& order : round.orders) {
+    if (order.time < stop.end || order.time > end) {
       continue;
     }
-    const Ended& ended = round.ended[static_cast<std::size_t>(ends[i])];
-    if (ended.how == EndedMovement::REFUSED || ended.how == EndedMovement::LOST) {
-      ++refused_in_stops_;
-    } else {
-      complain_(clock(order.time) + "an order of " + order.user + " during the stop of " + stop.user +
-                " has ended as " + howIt(ended.how));
+    ++given_in_stops_;
+    for (const Sent& sent : round.sent) {
+      const auto target = order.targets.find(sent.joint);
+      if (target != order.targets.end() && std::abs(clamp(sent.joint, target->second) - sent.target) < kSameTarget) {
+        complain_(clock(sent.time) + "a target of " + sent.joint + " by " + order.user +
+                  " went to the robot during the " + "stop of " + stop.user);
+      }
     }
   }
 }
@@ -272,17 +314,13 @@ void OrderAudit::judgeEnds(const Round& round) {
   for (const Ended& end : round.ended) {
     ++ends_[kindOf(end.movement.kind) + " " + howIt(end.how)];
   }
-  const std::vector<int> ends = matchEnds(round);
-  std::vector<bool> is_an_orders(round.ended.size(), false);
+  const Matching matching(round);
   for (std::size_t i = 0; i < round.orders.size(); ++i) {
     const Order& order = round.orders[i];
-    if (ends[i] >= 0) {
-      const auto end = static_cast<std::size_t>(ends[i]);
-      is_an_orders[end] = true;
-      if (round.ended[end].how == EndedMovement::DONE && !isOneWithAnother(order, round)) {
-        judgeDone(round, order, round.ended[end]);
-      }
-    } else if (isOneWithAnother(order, round)) {
+    if (matching.hasEnd(i)) {
+      continue;
+    }
+    if (isOneWithAnother(order, round)) {
       ++merged_;
     } else {
       complain_(clock(order.time) + "a " + order.kind + " of " + order.user + " to " + order.targets.begin()->first +
@@ -290,13 +328,19 @@ void OrderAudit::judgeEnds(const Round& round) {
     }
   }
   for (std::size_t i = 0; i < round.ended.size(); ++i) {
-    const Moving& movement = round.ended[i].movement;
-    const bool is_order = movement.kind == Movement::COMMAND || movement.kind == Movement::TRAJECTORY;
+    const Ended& end = round.ended[i];
+    const bool is_order = end.movement.kind == Movement::COMMAND || end.movement.kind == Movement::TRAJECTORY;
     const bool is_a_users = std::any_of(round.orders.begin(), round.orders.end(),
-                                        [&movement](const Order& order) { return order.user == movement.user; });
-    if (is_order && is_a_users && !is_an_orders[i]) {
-      complain_(clock(round.ended[i].time) + "a " + kindOf(movement.kind) + " of " + movement.user + " has ended as " +
-                howIt(round.ended[i].how) + " (" + round.ended[i].reason + "), but nobody gave it");
+                                        [&end](const Order& order) { return order.user == end.movement.user; });
+    if (!is_order || !is_a_users) {
+      continue;
+    }
+    if (!matching.hasOrder(i)) {
+      complain_(clock(end.time) + "a " + kindOf(end.movement.kind) + " of " + end.movement.user + " has ended as " +
+                howIt(end.how) + " (" + end.reason + "), but nobody gave it");
+    }
+    if (end.how == EndedMovement::DONE) {
+      judgeDone(round, end);
     }
   }
   judgeEndsOfTheRest(round);
@@ -333,26 +377,39 @@ void OrderAudit::judgeEndsOfTheRest(const Round& round) {
   }
 }
 
-// Some measurement about then has each joint where it was sent.
-void OrderAudit::judgeDone(const Round& round, const Order& order, const Ended& end) {
-  for (const std::string& joint : end.movement.joints) {
-    const double target = order.targets.at(joint);
-    double nearest = std::numeric_limits<double>::infinity();
+// About then, its joints are measured where one of the orders has sent them that this may be the end of.
+void OrderAudit::judgeDone(const Round& round, const Ended& end) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Order& order : round.orders) {
+    if (!canBeTheEndOf(order, end)) {
+      continue;
+    }
     for (const Measured& each : round.measured) {
-      const auto found = each.positions.find(joint);
-      if (found != each.positions.end() && std::abs(each.time - end.time) < kBusy) {
-        nearest = std::min(nearest, std::abs(found->second - clamp(joint, target)));
+      if (std::abs(each.time - end.time) < kBusy) {
+        nearest = std::min(nearest, farthest(each, order, end.movement.joints));
       }
     }
-    if (std::isinf(nearest)) {
-      continue;  // nothing was measured then
-    }
-    missed_.push_back(nearest);
-    if (nearest > kArrivedWithin) {
-      complain_(clock(end.time) + "a " + order.kind + " of " + order.user + " is done, but " + joint + " is " +
-                text(nearest) + " rad from " + text(target));
-    }
   }
+  if (std::isinf(nearest)) {
+    return;  // nothing was measured then
+  }
+  missed_.push_back(nearest);
+  if (nearest > kArrivedWithin) {
+    complain_(clock(end.time) + "a " + kindOf(end.movement.kind) + " of " + end.movement.user +
+              " is done, but one of its joints is " + text(nearest) + " rad from its target");
+  }
+}
+
+double OrderAudit::farthest(const Measured& measured, const Order& order,
+                            const std::vector<std::string>& joints) const {
+  double farthest = 0;
+  for (const std::string& joint : joints) {
+    const auto found = measured.positions.find(joint);
+    farthest = std::max(farthest, found == measured.positions.end()
+                                      ? std::numeric_limits<double>::infinity()
+                                      : std::abs(found->second - clamp(joint, order.targets.at(joint))));
+  }
+  return farthest;
 }
 
 bool OrderAudit::isClaimed(const Round& round, const std::string& joint, double begin, double end) const {
@@ -409,7 +466,9 @@ void OrderAudit::judgeThaws(const Round& round) {
       const bool was_renewed = std::any_of(round.sent.begin(), round.sent.end(), [&](const Sent& other) {
         return other.joint == old.joint && other.time > old.time && other.time < fault.end + kSoon;
       });
-      if (!waited || was_renewed) {
+      // Only what nothing else moves through that place by chance.
+      const bool is_clear = !isLeg(old.joint) && !isMovedByTheRobotItself(round, fault.begin - 1, fault.end + kSoon);
+      if (!waited || was_renewed || !is_clear) {
         continue;
       }
       ++thawed_;
@@ -459,8 +518,8 @@ void OrderAudit::report() const {
     std::printf(" %s %zu,", names[static_cast<std::size_t>(kind)], count);
   }
   std::printf(
-      "\nstops judged %zu, not judged (rest, motors or no measurement meanwhile) %zu; orders refused in them %zu\n",
-      judged_stops_, unjudged_stops_, refused_in_stops_);
+      "\nstops judged %zu, not judged (rest, motors or no measurement meanwhile) %zu; orders given in them %zu\n",
+      judged_stops_, unjudged_stops_, given_in_stops_);
   std::printf("orders that went on with another one of the same node to the same joints: %zu\n", merged_);
   std::printf("commands that waited for a robot that was held up, and whose effect could be seen: %zu\n", thawed_);
   printValues("way of the joints after a stop, rad", moved_in_stops_);

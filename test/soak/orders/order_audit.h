@@ -33,7 +33,8 @@ class OrderAudit {
   void judgeAges(const Round& round);
   void judgeEnds(const Round& round);
   void judgeEndsOfTheRest(const Round& round);
-  void judgeDone(const Round& round, const Order& order, const Ended& end);
+  void judgeDone(const Round& round, const Ended& end);
+  double farthest(const Measured& measured, const Order& order, const std::vector<std::string>& joints) const;
   void judgeMoves(const Round& round);
   void judgeThaws(const Round& round);
   bool isClaimed(const Round& round, const std::string& joint, double begin, double end) const;
@@ -45,7 +46,7 @@ class OrderAudit {
   std::size_t rounds_ = 0;
   std::size_t judged_stops_ = 0;
   std::size_t unjudged_stops_ = 0;  ///< the robot was told to rest meanwhile, or nothing was measured
-  std::size_t refused_in_stops_ = 0;
+  std::size_t given_in_stops_ = 0;  ///< orders
   std::size_t merged_ = 0;
   std::size_t thawed_ = 0;
   std::map<std::string, std::size_t> orders_;      ///< by kind

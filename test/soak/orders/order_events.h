@@ -21,14 +21,16 @@ struct Order {
   Targets targets{};
 };
 
-/// A call of a service by a user.
+constexpr const char* kNoAnswer = "no answer came";
+
+/// A call of a service by a user, or a goal of an action.
 struct Call {
   std::string user;
   std::string service;
   double begin = 0;
   double end = 0;
   bool success = false;
-  std::string message{};
+  std::string message{};  ///< or kNoAnswer
 };
 
 /// A joint's target on its way from the driver to the robot.

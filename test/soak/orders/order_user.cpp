@@ -1,6 +1,8 @@
 #include "order_user.h"
 
+#include <actionlib/client/simple_action_client.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/PlayMotionAction.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -31,6 +33,7 @@ using std::chrono::milliseconds;
 constexpr int kUsers = 5;
 constexpr unsigned kNoRound = std::numeric_limits<unsigned>::max();  // odd
 constexpr double kMicro = 1e-6;
+constexpr double kPatience = 30;  // s; longer than any motion and any outage
 
 double now() {
   return ros::WallTime::now().toSec();
@@ -55,7 +58,7 @@ class User {
   }
 
   void run() {
-    while (log_.getNumSubscribers() == 0 && ros::ok()) {
+    while ((log_.getNumSubscribers() == 0 || !goals_.isServerConnected()) && ros::ok()) {
       pause(5, 20);
     }
     unsigned told = kNoRound;
@@ -98,7 +101,9 @@ class User {
       play(uniform(0, 1) == 0 ? "nod" : "wag");
     } else if (what < 79) {
       play("");
-    } else if (what < 87) {
+    } else if (what < 82) {
+      playToTheEnd();
+    } else if (what < 88) {
       call<std_srvs::Trigger>(
           std::vector<const char*>{"stand", "sit", "rest"}[static_cast<std::size_t>(uniform(0, 2))]);
     } else if (what < 91) {
@@ -183,7 +188,7 @@ class User {
     const bool answered = ros::service::call(handle_.resolveName(name), service);
     each.end = now();
     each.success = answered && service.response.success;
-    each.message = answered ? service.response.message : "the call itself failed";
+    each.message = answered ? service.response.message : kNoAnswer;
     log(toText(each));
     return each.success;
   }
@@ -195,6 +200,24 @@ class User {
     service.request.repetitions = 1;
     service.request.stop = static_cast<std::uint8_t>(motion.empty());
     call("play_motion", service);
+  }
+
+  // By the action; some goals are cancelled.
+  void playToTheEnd() {
+    Call each{name_, "play_motion_goal", now()};
+    aibo_driver::PlayMotionGoal goal;
+    goal.name = uniform(0, 1) == 0 ? "nod" : "wag";
+    goal.repetitions = 1;
+    goals_.sendGoal(goal);
+    bool ended = goals_.waitForResult(ros::Duration(0.1 * uniform(2, 60)));
+    if (!ended) {
+      goals_.cancelGoal();
+      ended = goals_.waitForResult(ros::Duration(kPatience));
+    }
+    each.end = now();
+    each.success = ended && goals_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
+    each.message = ended ? goals_.getState().getText() : kNoAnswer;
+    log(toText(each));
   }
 
   void switchMotors() {
@@ -241,6 +264,7 @@ class User {
   ros::Publisher velocities_;
   ros::Publisher points_;
   std::map<std::string, ros::Publisher> controllers_;
+  actionlib::SimpleActionClient<aibo_driver::PlayMotionAction> goals_{handle_, "play_motion", false};
   ros::Subscriber rounds_;
 };
 

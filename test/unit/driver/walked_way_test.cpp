@@ -88,6 +88,22 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterAFall) {
   EXPECT_GE(uncertainty(), 1);
 }
 
+TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce) {
+  const auto tell = [this](PostureNow posture) { way_.update(MotorsAndPosture{MotorState::kOn, posture}); };
+  measure({});
+  tell(PostureNow::kStanding);
+  EXPECT_EQ(uncertainty(), 0);
+  tell(PostureNow::kCarried);
+  EXPECT_DOUBLE_EQ(uncertainty(), 1);
+  tell(PostureNow::kFallen);
+  way_.motionEnded({EndedKind::kPosture, EndedHow::kFell, "stand", "it fell"});
+  EXPECT_DOUBLE_EQ(uncertainty(), 1);
+  tell(PostureNow::kWalking);
+  way_.motionEnded({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
+  tell(PostureNow::kCarried);
+  EXPECT_DOUBLE_EQ(uncertainty(), std::sqrt(2));
+}
+
 TEST_F(WalkedWayTest, IsUnknownWithoutARobotThatSaysHowItWalks) {
   Telemetry telemetry;
   telemetry.frame_number = 4;
