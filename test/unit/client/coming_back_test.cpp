@@ -97,6 +97,17 @@ TEST_F(ComingBackTest, ATokenIsForgottenWhenTheServerGivesNone) {
   EXPECT_TRUE(peer.readFrame().payload.empty());
 }
 
+TEST_F(ComingBackTest, NothingIsSaidOfARobotThatIsNotConnected) {
+  ScriptedPeer peer = connectVersion2();
+  EXPECT_EQ("ERS-7", client().status().robot.design);
+  peer.close();
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  const ConnectionStatus status = client().status();
+  EXPECT_EQ(0, status.protocol_version);
+  EXPECT_EQ("", status.robot.design);
+  EXPECT_FALSE(status.robot.hasCapability("F"));
+}
+
 TEST_F(ComingBackTest, AServerWithoutTokensIsAskedAsBefore) {
   connectVersion2().close();
   EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
