@@ -1,7 +1,9 @@
 #include <dirent.h>
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "client_fixture.h"
 
@@ -74,6 +76,58 @@ TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
     server_.listen();
   }
   EXPECT_EQ(2, recorder_.logged("No connection to the robot"));
+}
+
+TEST_F(ConnectionFaultsTest, AReasonIsLoggedAgainAfterAConnectionThatWorked) {
+  client_.setStreaming(true);
+  client_.start();
+  for (int connections = 1; connections <= 2; ++connections) {
+    ScriptedPeer peer = acceptStream();
+    sendUntilDelivered(&peer, test_pictures::make());
+    peer.close();
+    EXPECT_TRUE(eventually([&] { return recorder_.logged("No connection to the robot") == connections; }));
+  }
+}
+
+// What the server sent over the connection before does not count.
+TEST_F(ConnectionFaultsTest, AClientThatWasServedBeforeIsTurnedAwayLikeAnyOther) {
+  ScriptedPeer peer = startStream();
+  sendUntilDelivered(&peer, test_pictures::make());
+  peer.close();
+  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
+  EXPECT_EQ(FaultKind::kClosed, client_.status().fault);
+  acceptStream().close();
+  EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kTurnedAway; }));
+}
+
+// With the waits of a client that did not reach its robot five times, seven more attempts would take more than 20 s.
+TEST(BackoffTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
+  ScriptedServer server;
+  Recorder recorder;
+  ClientOptions options;
+  options.port = server.port();
+  options.read_timeout = std::chrono::seconds(10);
+  options.reconnect_wait_min = milliseconds(10);
+  options.reconnect_wait_max = std::chrono::seconds(60);
+  RcServerClient client(options, recorder.callbacks());
+  const auto fail = [&client](std::uint64_t times) {
+    const std::uint64_t before = client.statistics().failed_attempts;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (client.statistics().failed_attempts < before + times && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    return client.statistics().failed_attempts >= before + times;
+  };
+  server.vanish();
+  client.start();
+  ASSERT_TRUE(fail(5));
+  server.listen();
+  ScriptedPeer peer = server.accept();
+  peer.agreeToVersion2();
+  ASSERT_TRUE(recorder.waitForLog("Connected to"));
+  server.vanish();
+  peer.close();
+  EXPECT_TRUE(fail(7));
 }
 
 TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {

@@ -24,6 +24,17 @@ TEST_F(JointsTest, TheNewestVersionIsSpokenThatTheServerAgreesToAndTheRobotKnown
   EXPECT_EQ(2u, status.robot.joint_limits.size());
 }
 
+TEST_F(JointsTest, NothingIsSaidOfARobotThatIsNotConnected) {
+  ScriptedPeer peer = connectVersion2();
+  EXPECT_EQ("ERS-7", client().status().robot.design);
+  peer.close();
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  const ConnectionStatus status = client().status();
+  EXPECT_EQ(0, status.protocol_version);
+  EXPECT_EQ("", status.robot.design);
+  EXPECT_FALSE(status.robot.hasCapability("F"));
+}
+
 TEST_F(JointsTest, AServerThatRefusesVersion2IsSpokenToInVersion1) {
   client().setStreaming(true);
   ScriptedPeer peer = connectVersion1();

@@ -77,4 +77,29 @@ TEST_F(StallDetectorTest, ARobotThatNeverPausesIsCaughtUpWithInTheEnd) {
   EXPECT_FALSE(pictureIsStale());
 }
 
+// The socket is never found empty.
+TEST_F(StallDetectorTest, ARobotThatSendsWithoutAnyPauseIsCaughtUpWithOnce) {
+  now_ += milliseconds(200);
+  const auto is_stale = [this] {
+    now_ += milliseconds(1);
+    detector_.bytesArrived(now_);
+    return detector_.isStale(now_);
+  };
+  while (is_stale()) {
+  }
+  for (milliseconds passed(1); passed < StallDetector::kStallLimit; passed += milliseconds(1)) {
+    EXPECT_FALSE(is_stale()) << passed.count() << " ms later";
+  }
+}
+
+TEST_F(StallDetectorTest, AStreamThatBeginsAgainWhileOldPicturesAreCaughtUpWithIsFresh) {
+  now_ += milliseconds(5000);
+  EXPECT_TRUE(pictureIsStale());
+  detector_.restart(now_);
+  EXPECT_EQ(detector_.nextLook() - now_, StallDetector::kStallLimit / 2);
+  EXPECT_FALSE(pictureIsStale());
+  now_ += milliseconds(40);
+  EXPECT_FALSE(pictureIsStale());
+}
+
 }  // namespace

@@ -166,6 +166,7 @@ TEST(TcpTransportTest, TheNextConnectionSendsNothingOfTheOneBefore) {
       transport.send(request.data(), request.size());
     }
     ASSERT_TRUE(transport.hasUnsent()) << "it takes everything";
+    EXPECT_TRUE(transport.openDatagrams());
     if (is_reset) {
       first.reset();
       EXPECT_EQ(FaultKind::kClosed, faultOf([&] {
@@ -177,6 +178,7 @@ TEST(TcpTransportTest, TheNextConnectionSendsNothingOfTheOneBefore) {
     }
     transport.close();
     EXPECT_FALSE(transport.hasUnsent());
+    EXPECT_FALSE(transport.datagrams().isOpen()) << "what still comes there is the last connection's";
     transport.connect("127.0.0.1", server.port(), in(seconds(10)));
     ScriptedPeer second = server.accept();
     const std::uint8_t own[] = {'F', 85};

@@ -10,16 +10,22 @@ using std::chrono::milliseconds;
 class LinkMeterTest : public ::testing::Test {
  protected:
   /// A picture of the camera's n-th image, one every 4 frames.
-  void arrive(std::uint32_t image, milliseconds late = milliseconds(0)) {
+  Picture pictureOf(std::uint32_t image, milliseconds late = milliseconds(0)) const {
     Picture picture;
     picture.jpeg.resize(1000);
-    picture.connection_number = 1;
+    picture.connection_number = connection_;
     picture.image_count = image;
     picture.frame_number = 4 * image;
     picture.first_byte_time = begin_ + milliseconds(32 * image) + late;
+    return picture;
+  }
+
+  void arrive(std::uint32_t image, milliseconds late = milliseconds(0)) {
+    const Picture picture = pictureOf(image, late);
     meter_.add(picture, picture.first_byte_time + milliseconds(2));
   }
 
+  std::uint64_t connection_ = 1;
   const LinkMeter::SteadyTime begin_{std::chrono::hours(1)};
   LinkMeter meter_{1, begin_};
 };
@@ -78,9 +84,37 @@ TEST_F(LinkMeterTest, EachReadingStartsAgain) {
   EXPECT_NEAR(meter_.read(begin_ + milliseconds(3020)).longest_gap, 0.032, 1e-6);
 }
 
+TEST_F(LinkMeterTest, AReconnectIsNoLoss) {
+  arrive(1000);
+  arrive(1001);
+  connection_ = 2;
+  arrive(2000);
+  arrive(2001);
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(70000)).loss.value(), 0);
+}
+
+TEST_F(LinkMeterTest, ImagesThatWereNotAskedForAreNotMissed) {
+  LinkMeter meter(3, begin_);
+  for (const std::uint32_t image : {0U, 3U, 6U, 12U}) {
+    meter.add(pictureOf(image), begin_ + milliseconds(32 * image));
+  }
+  EXPECT_DOUBLE_EQ(meter.read(begin_ + milliseconds(500)).loss.value(), 0.25);
+}
+
 TEST_F(LinkMeterTest, AGapThatNoPictureHasEndedYetCounts) {
   arrive(1);
   EXPECT_NEAR(meter_.read(begin_ + milliseconds(1000)).longest_gap, 1 - 0.034, 1e-6);
+}
+
+TEST_F(LinkMeterTest, ALineHasEachFigureInItsUnit) {
+  LinkMeter::Reading reading;
+  reading.seconds = 2;
+  reading.pictures = 50;
+  reading.bytes = 600000;
+  reading.mean_age = 0.012;
+  reading.worst_age = 0.345;
+  reading.loss = 0.034;
+  EXPECT_EQ(wordsOf(reading), " 25.0 pictures/s  300.0 KB/s   age  12 ms (worst 345)   loss 3.4 %");
 }
 
 TEST_F(LinkMeterTest, AServerOfVersion1TellsNeitherAgeNorLoss) {

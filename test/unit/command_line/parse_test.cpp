@@ -49,7 +49,8 @@ TEST(Parse, RefusesWhatNoCommandHas) {
   using Words = std::vector<std::string>;
   for (const Words& words :
        {Words{}, Words{"fly"}, Words{"joints", "extra"}, Words{"move"}, Words{"motors"},
-        Words{"joints", "--timeout", "soon"}, Words{"joints", "--timeout", "0"}, Words{"joints", "--port", "x"}}) {
+        Words{"joints", "--timeout", "soon"}, Words{"joints", "--timeout", "0"}, Words{"joints", "--port", "x"},
+        Words{"joints", "--port", "0"}, Words{"joints", "--port", "65536"}}) {
     EXPECT_THROW(parse(words), InvalidArgumentException) << ::testing::PrintToString(words);
   }
   for (const Words& words : {Words{"joints", "--duration", "1"}, Words{"joints", "--por", "1"},

@@ -1,13 +1,16 @@
 #include "files/files.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -125,6 +128,38 @@ TEST_F(SaveJpegTest, ReplacesAnExistingJpegAndLeavesNothingElse) {
   save("picture.jpg", 'a');
   save("picture.jpg", 'b');
   expectSaved("picture.jpg", 'b');
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
+// A limit on the size of files acts like a full disk: writing fails halfway.
+TEST_F(SaveJpegTest, AFullDiskLeavesTheOldFileAndNothingElseAndTheNextPictureIsSaved) {
+  save("picture.jpg", 'a');
+  std::vector<std::uint8_t> large = jpegWith('b');
+  large.insert(large.end() - 2, 60000, 'b');
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small = {100, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string refusal = refusalOf([&] { saveJpeg(folder_.string(), "picture.jpg", large); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_THAT(refusal, HasSubstr("cannot write"));
+  expectSaved("picture.jpg", 'a');
+  EXPECT_EQ(filesInFolder(), 1u);
+  save("picture.jpg", 'c');
+  expectSaved("picture.jpg", 'c');
+}
+
+TEST_F(SaveJpegTest, SeveralCallersMaySaveTheSamePictureAtOnce) {
+  const auto save_often = [this](std::uint8_t byte) {
+    for (int i = 0; i < 50; ++i) {
+      save("picture.jpg", byte);
+    }
+  };
+  auto other = std::async(std::launch::async, save_often, std::uint8_t{'a'});
+  save_often('b');
+  other.get();
   EXPECT_EQ(filesInFolder(), 1u);
 }
 

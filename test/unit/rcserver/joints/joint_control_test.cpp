@@ -28,6 +28,91 @@ TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
   EXPECT_EQ(joints.Planner().AccelerationLimit(pan), defaultAcceleration(ers7().joints[pan]));
 }
 
+// A joint fails, and another one that has failed follows again, just before the client goes.
+TEST(JointControl, TheNextClientFindsTheRobotsOwnLimitsAndNoFaults) {
+  JointControl joints(ers7());
+  const int pan = findJointByName(ers7(), "head_pan");
+  const int tail = findJointByName(ers7(), "tail_pan");
+  joints.Planner().SetSpeedLimit(pan, 300000);
+  joints.Failed(pan, JointWatch::LIMP);
+  joints.Failed(tail, JointWatch::LIMP);
+  const auto measure = [&joints, tail](unsigned begin) {
+    for (unsigned frame = begin; frame <= begin + 2 * JointWatch::PATIENCE; frame += 4) {
+      joints.Measured(tail, {100000, 100000, 0}, frame, true);
+    }
+  };
+  measure(4);
+  joints.ClientGone();
+  EXPECT_EQ(joints.Planner().SpeedLimit(pan), ers7().joints[pan].highest_speed);
+  EXPECT_EQ(joints.TakeFault(pan), JointWatch::FOLLOWS);
+  EXPECT_EQ(joints.TakeFault(tail), JointWatch::FOLLOWS);
+  EXPECT_FALSE(joints.TakeRecovery(tail));
+  joints.Failed(tail, JointWatch::LIMP);
+  joints.ClientGone();
+  measure(1004);
+  EXPECT_FALSE(joints.TakeRecovery(tail)) << "the next client does not know of the fault";
+}
+
+// What was counted for a joint before it failed does not count after it.
+TEST(JointControl, AJointThatFailsTwiceIsReportedTwiceAndRecoversTwice) {
+  JointControl joints(ers7());
+  const int pan = findJointByName(ers7(), "head_pan");
+  unsigned frame = 0;
+  const auto measure = [&](unsigned frames, const JointReading& reading) {
+    JointWatch::Verdict last = JointWatch::FOLLOWS;
+    for (unsigned end = frame + frames; frame < end && last == JointWatch::FOLLOWS;) {
+      frame += 4;
+      last = joints.Measured(pan, reading, frame, true);
+    }
+    return last;
+  };
+  for (int time = 0; time < 2; ++time) {
+    SCOPED_TRACE(time);
+    EXPECT_EQ(measure(8, {-50000, -50000, 0}), JointWatch::FOLLOWS);
+    EXPECT_EQ(measure(JointWatch::PATIENCE - 4, {-50000, 400000, FULL_DUTY}), JointWatch::FOLLOWS);
+    EXPECT_EQ(measure(8, {-50000, 400000, FULL_DUTY}), JointWatch::JAMMED);
+    EXPECT_EQ(joints.Planner().Target(pan), -50000) << "it is held where it is";
+    EXPECT_EQ(joints.TakeFault(pan), JointWatch::JAMMED);
+    EXPECT_EQ(joints.TakeFault(pan), JointWatch::FOLLOWS) << "once";
+    EXPECT_EQ(measure(4 * JointWatch::PATIENCE, {-50000, -50000, 0}), JointWatch::FOLLOWS);
+    EXPECT_FALSE(joints.TakeRecovery(pan)) << "it was only held";
+    EXPECT_EQ(measure(2 * JointWatch::PATIENCE, {100000, 100000, 0}), JointWatch::FOLLOWS);
+    EXPECT_TRUE(joints.TakeRecovery(pan));
+    EXPECT_FALSE(joints.TakeRecovery(pan)) << "once";
+  }
+}
+
+TEST(JointControl, AFaultTakesBackARecoveryThatNobodyHasHeardOf) {
+  JointControl joints(ers7());
+  const int pan = findJointByName(ers7(), "head_pan");
+  joints.Failed(pan, JointWatch::LIMP);
+  for (unsigned frame = 4; frame <= 2 * JointWatch::PATIENCE; frame += 4) {
+    joints.Measured(pan, {100000, 100000, 0}, frame, true);
+  }
+  joints.Failed(pan, JointWatch::LIMP);
+  EXPECT_FALSE(joints.TakeRecovery(pan));
+}
+
+// The motors are off for long, and the joint is moved by hand far from where it was commanded.
+TEST(JointControl, TheTimeWithoutPowerIsNoFault) {
+  JointControl joints(ers7());
+  const int pan = findJointByName(ers7(), "head_pan");
+  unsigned frame = 4;
+  for (; frame <= 10 * JointWatch::PATIENCE; frame += 4) {
+    joints.Measured(pan, {0, 400000, 0}, frame, false);
+  }
+  EXPECT_EQ(joints.Measured(pan, {0, 400000, 0}, frame, true), JointWatch::FOLLOWS);
+}
+
+TEST(JointControl, ACommandIsFoundAlsoWhenTheirNumberBeginsAgainAt0) {
+  JointControl joints(ers7());
+  const int pan = findJointByName(ers7(), "head_pan");
+  joints.Stop(pan);
+  bool commanded[robot_model::MAX_JOINTS];
+  joints.FindCommandedSince(0xffffffffU, commanded);
+  EXPECT_TRUE(commanded[pan]);
+}
+
 // ---------------------------------------------------------------------------------------------------------- stopping
 
 class StoppedJointsTest : public ::testing::Test {

@@ -65,6 +65,28 @@ TEST(JointMotion, StandsWhereItIsPlaced) {
   EXPECT_EQ(motion.Step(), 0);
 }
 
+// Wherever a motion before it was interrupted, and whatever was left of it.
+TEST(JointMotion, MovesTheSameWayAsOneThatNeverMoved) {
+  for (int frames = 1; frames < 60; ++frames) {
+    SCOPED_TRACE(frames);
+    JointMotion used = standingAt(0, 100, 7);
+    used.Aim(1003);
+    used.Delay(71);
+    for (int i = 0; i < frames; ++i) {
+      advance(used);
+    }
+    used.Place(50);
+    EXPECT_EQ(used.Step(), 0);
+    EXPECT_EQ(used.WantedStep(), 0);
+    JointMotion fresh = standingAt(50, 100, 7);
+    for (JointMotion* motion : {&used, &fresh}) {
+      motion->Aim(-754);
+      motion->Delay(59);
+    }
+    EXPECT_EQ(stepsOf(used), stepsOf(fresh));
+  }
+}
+
 TEST(JointMotion, SpeedsUpCruisesAndBrakes) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(150);

@@ -440,6 +440,22 @@ TEST(MotionPlanner, StopsOneJointAndLetsTheOthersGo) {
   EXPECT_EQ(planner.Position(tail), 500000);
 }
 
+TEST(MotionPlanner, StopsOneJointOfAnArrivalInCommonAtOnce) {
+  MotionPlanner planner(ers7());
+  const int pan = joint("head_pan");
+  const int tail = joint("tail_pan");
+  JointTarget targets[] = {{pan, 1000000}, {tail, 500000}};
+  planner.SetTargets(targets, 2, 4000);
+  run(planner, 250);
+  const int held_at = planner.Position(pan);
+  planner.Hold(pan);
+  run(planner, 25);
+  EXPECT_EQ(planner.FramesLeft(pan), 0) << "it does not wait for the tail";
+  EXPECT_LT(planner.Position(pan), held_at + 50000);
+  run(planner, 225);
+  EXPECT_EQ(planner.Position(tail), 500000) << "in its 4 s";
+}
+
 TEST(MotionPlanner, MovesTheSameForTheSameCommands) {
   std::vector<std::vector<int>> postures;
   for (int i = 0; i < 2; ++i) {
