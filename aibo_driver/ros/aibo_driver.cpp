@@ -252,6 +252,9 @@ void AiboDriver::publishTelemetry(const Telemetry& telemetry) {
 }
 
 void AiboDriver::updateConnection(const ConnectionStatus& status) {
+  if (status.state == ConnectionState::kConnected) {
+    mover_.connected();  // before others can know, and give orders
+  }
   connection_.publish(status);
   led_states_.update(status);
   if (status.state != ConnectionState::kConnected) {
@@ -260,7 +263,6 @@ void AiboDriver::updateConnection(const ConnectionStatus& status) {
     power_.clear();
     return;
   }
-  mover_.connected();
   if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     // The status changes as often as the robot likes.
     design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +

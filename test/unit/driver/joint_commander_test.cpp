@@ -41,7 +41,10 @@ class JointCommanderTest : public ::testing::Test {
     client_.told.clear();
   }
 
-  JointCommanderTest() { ros::Time::init(); }
+  JointCommanderTest() {
+    ros::Time::init();
+    mover_.connected();
+  }
 
   test_support::FakeClient client_;
   movement::JointTable table_{"ERS-7", 3.0};
@@ -79,6 +82,7 @@ TEST_F(JointCommanderTest, DropsWhatCannotBeSentAndThenApproachesAgain) {
 TEST_F(JointCommanderTest, ApproachesAgainOverANewConnection) {
   arriveAt(0.0);
   ++client_.connections;
+  mover_.connected();
   command({{"head_pan", 1.0}});
   EXPECT_THAT(client_.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0"));
 }

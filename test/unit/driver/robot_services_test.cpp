@@ -23,6 +23,8 @@ const std::string kMotion = std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P/NOD.M
 
 class RobotServicesTest : public ::testing::Test {
  protected:
+  RobotServicesTest() { mover_.connected(); }
+
   static movement::Order order() { return {"/user", std::chrono::steady_clock::now()}; }
 
   std_srvs::SetBool::Response setMotors(bool on) {

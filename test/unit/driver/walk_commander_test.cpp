@@ -46,6 +46,7 @@ class WalkCommanderTest : public ::testing::Test {
     telemetry.arrival = std::chrono::steady_clock::now();
     telemetry.joints = {{2, 0.0}, {11, 0.0}};
     measured_.update(telemetry);
+    mover_.connected();
   }
 
   static movement::Order order(const std::string& source) { return {source, std::chrono::steady_clock::now()}; }
