@@ -97,11 +97,6 @@ MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime 
     ended.reason = each->reason;
     message.ended.push_back(ended);
   }
-  if (!message.ended.empty()) {
-    message.last = message.ended.back().movement;
-    message.last_end = message.ended.back().how;
-    message.last_reason = message.ended.back().reason;
-  }
   message.text = describe(message);
   return message;
 }
