@@ -164,10 +164,13 @@ class Matching {
   std::vector<bool> has_end_;
 };
 
-bool haveSameJoints(const Order& a, const Order& b) {
-  return a.targets.size() == b.targets.size() &&
-         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(),
-                    [](const auto& one, const auto& other) { return one.first == other.first; });
+/// Whether one of them commands all joints of the other.
+bool isPartOfTheOther(const Order& a, const Order& b) {
+  const auto has_joints_of = [](const Order& all, const Order& part) {
+    return std::all_of(part.targets.begin(), part.targets.end(),
+                       [&all](const auto& target) { return all.targets.count(target.first) > 0; });
+  };
+  return has_joints_of(a, b) || has_joints_of(b, a);
 }
 
 /// Whether it plays a motion or takes a posture.
@@ -184,14 +187,14 @@ bool isMovedByTheRobotItself(const Round& round, double begin, double end) {
   return false;
 }
 
-/// If a node commands the same joints again, the same movement goes on; and of orders that are refused again and again,
-/// only the first one is told.
+/// If a node commands the same joints again, or those that are left, the same movement goes on; and of orders that are
+/// refused again and again, only the first one is told.
 bool isOneWithAnother(const Order& order, const Round& round) {
   constexpr double kGoesOn = 10;
   constexpr double kRepeated = 3;
   return std::any_of(round.orders.begin(), round.orders.end(), [&order](const Order& other) {
     const double later = other.time - order.time;
-    return &other != &order && other.user == order.user && other.kind == order.kind && haveSameJoints(order, other) &&
+    return &other != &order && other.user == order.user && other.kind == order.kind && isPartOfTheOther(order, other) &&
            later > -kRepeated && later < kGoesOn;
   });
 }
