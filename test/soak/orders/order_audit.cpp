@@ -173,6 +173,21 @@ bool isPartOfTheOther(const Order& a, const Order& b) {
   return has_joints_of(a, b) || has_joints_of(b, a);
 }
 
+/// roscpp keeps the newest ten messages of joint_command for a process that is held up; the driver never gets the
+/// others.
+bool mayBeUnread(const Order& order, const Round& round) {
+  constexpr auto kQueue = 10;
+  constexpr auto kPointsToLookAt = 2;  // are commands, too, but not in the log
+  return std::any_of(round.faults.begin(), round.faults.end(), [&](const Fault& fault) {
+    const auto is_in_it = [&fault](const Order& each) {
+      return fault.kind == Fault::Kind::kDriverFrozen && each.kind == "command" && each.time > fault.begin &&
+             each.time < fault.end;
+    };
+    return is_in_it(order) &&
+           std::count_if(round.orders.begin(), round.orders.end(), is_in_it) + kPointsToLookAt > kQueue;
+  });
+}
+
 /// Whether it plays a motion or takes a posture.
 bool isMovedByTheRobotItself(const Round& round, double begin, double end) {
   for (std::size_t i = 0; i < round.movements.size(); ++i) {
@@ -325,6 +340,8 @@ void OrderAudit::judgeEnds(const Round& round) {
     }
     if (isOneWithAnother(order, round)) {
       ++merged_;
+    } else if (mayBeUnread(order, round)) {
+      ++unread_;
     } else {
       complain_(clock(order.time) + "a " + order.kind + " of " + order.user + " to " + order.targets.begin()->first +
                 (order.targets.size() > 1 ? " and others" : "") + " has no end");
@@ -524,6 +541,7 @@ void OrderAudit::report() const {
       "\nstops judged %zu, not judged (rest, motors or no measurement meanwhile) %zu; orders given in them %zu\n",
       judged_stops_, unjudged_stops_, given_in_stops_);
   std::printf("orders that went on with another one of the same node to the same joints: %zu\n", merged_);
+  std::printf("commands that roscpp may have dropped while the driver was held up: %zu\n", unread_);
   std::printf("commands that waited for a robot that was held up, and whose effect could be seen: %zu\n", thawed_);
   printValues("way of the joints after a stop, rad", moved_in_stops_);
   printValues("age of a target when it leaves, s", ages_);
