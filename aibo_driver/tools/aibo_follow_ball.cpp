@@ -12,6 +12,7 @@
 #include <string>
 
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "tools/ball/ball_finder.h"
 #include "tools/leave_to_move.h"
 
@@ -44,7 +45,7 @@ class FollowBall {
                                       [](const Movement& movement) { return movement.kind == Movement::POSTURE; });
     takes_posture_ = posture != state->movements.end();
     if (takes_posture_) {
-      leave_.overrule(posture->source + " has called " + posture->name);
+      leave_.overrule(aibo_driver::text::plainLine(posture->source + " has called " + posture->name));
     }
   }
 

@@ -20,6 +20,7 @@
 
 #include "robot_model/head.h"
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "text/throttled_warnings.h"
 
 namespace {
@@ -102,7 +103,8 @@ class LookAt {
   }
 
   void receiveState(const RobotState::ConstPtr& state) {
-    why_not_ = state->stopped != 0                ? state->stopped_by + " has stopped the robot; call release"
+    why_not_ = state->stopped != 0
+                   ? aibo_driver::text::plainLine(state->stopped_by) + " has stopped the robot; call release"
                : state->motors == RobotState::OFF ? "the motors are off; call stand, or motors"
                                                   : "";
   }

@@ -25,6 +25,7 @@
 
 #include "ros/camera/stream_meter.h"
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "tools/node_process.h"
 #include "tools/picture_log_reader.h"
 
@@ -70,7 +71,7 @@ class Monitor {
   void onConnection(const Connection& connection) { connection_text_ = connection.text; }
 
   void onRobotState(const RobotState& state) {
-    stop_text_ = state.stopped != 0 ? "   stopped by " + state.stopped_by + ", until release" : "";
+    stop_text_ = state.stopped != 0 ? "   stopped by " + text::plainLine(state.stopped_by) + ", until release" : "";
   }
 
   void onTimer(const ros::SteadyTimerEvent&) {

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "tools/teleop/head_steering.h"
 #include "tools/teleop/joy_steering.h"
 #include "tools/teleop/service_caller.h"
@@ -137,7 +138,7 @@ class JoyTeleop {
   }
 
   void receiveState(const RobotState::ConstPtr& state) {
-    const std::string stopped_by = state->stopped != 0 ? state->stopped_by : "";
+    const std::string stopped_by = state->stopped != 0 ? aibo_driver::text::plainLine(state->stopped_by) : "";
     if (stopped_by == std::exchange(stopped_by_, stopped_by)) {
       return;
     }

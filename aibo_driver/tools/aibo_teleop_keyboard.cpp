@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "tools/teleop/key_steering.h"
 #include "tools/teleop/service_caller.h"
 #include "tools/teleop/terminal.h"
@@ -81,7 +82,7 @@ class StopNotice {
   static constexpr char kRelease = 'R';
 
   void receive(const aibo_driver::RobotState::ConstPtr& state) {
-    const std::string stopped_by = state->stopped != 0 ? state->stopped_by : "";
+    const std::string stopped_by = state->stopped != 0 ? aibo_driver::text::plainLine(state->stopped_by) : "";
     if (stopped_by == std::exchange(stopped_by_, stopped_by)) {
       return;
     }

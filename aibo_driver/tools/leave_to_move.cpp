@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include "text/plain_text.h"
+
 namespace aibo_driver::tools {
 namespace {
 
@@ -35,7 +37,9 @@ void LeaveToMove::overrule(const std::string& why) {
 
 void LeaveToMove::receive(const RobotState& state) {
   state_ = state;
-  hindrance_ = state.stopped != 0 ? state.stopped_by + " has stopped the robot" : obstacle_ ? obstacle_(state) : "";
+  hindrance_ = state.stopped != 0 ? text::plainLine(state.stopped_by) + " has stopped the robot"
+               : obstacle_        ? obstacle_(state)
+                                  : "";
   has_begun_ = has_begun_ || state.stopped != 0;  // whoever stops everything means this node, too
   if (!hindrance_.empty()) {
     overrule(hindrance_);

@@ -164,10 +164,28 @@ class Matching {
   std::vector<bool> has_end_;
 };
 
-bool haveSameJoints(const Order& a, const Order& b) {
-  return a.targets.size() == b.targets.size() &&
-         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(),
-                    [](const auto& one, const auto& other) { return one.first == other.first; });
+/// Whether one of them commands all joints of the other.
+bool isPartOfTheOther(const Order& a, const Order& b) {
+  const auto has_joints_of = [](const Order& all, const Order& part) {
+    return std::all_of(part.targets.begin(), part.targets.end(),
+                       [&all](const auto& target) { return all.targets.count(target.first) > 0; });
+  };
+  return has_joints_of(a, b) || has_joints_of(b, a);
+}
+
+/// roscpp keeps the newest ten messages of joint_command for a process that is held up; the driver never gets the
+/// others.
+bool mayBeUnread(const Order& order, const Round& round) {
+  constexpr auto kQueue = 10;
+  constexpr auto kPointsToLookAt = 2;  // are commands, too, but not in the log
+  return std::any_of(round.faults.begin(), round.faults.end(), [&](const Fault& fault) {
+    const auto is_in_it = [&fault](const Order& each) {
+      return fault.kind == Fault::Kind::kDriverFrozen && each.kind == "command" && each.time > fault.begin &&
+             each.time < fault.end;
+    };
+    return is_in_it(order) &&
+           std::count_if(round.orders.begin(), round.orders.end(), is_in_it) + kPointsToLookAt > kQueue;
+  });
 }
 
 /// Whether it plays a motion or takes a posture.
@@ -184,14 +202,14 @@ bool isMovedByTheRobotItself(const Round& round, double begin, double end) {
   return false;
 }
 
-/// If a node commands the same joints again, the same movement goes on; and of orders that are refused again and again,
-/// only the first one is told.
+/// If a node commands the same joints again, or those that are left, the same movement goes on; and of orders that are
+/// refused again and again, only the first one is told.
 bool isOneWithAnother(const Order& order, const Round& round) {
   constexpr double kGoesOn = 10;
   constexpr double kRepeated = 3;
   return std::any_of(round.orders.begin(), round.orders.end(), [&order](const Order& other) {
     const double later = other.time - order.time;
-    return &other != &order && other.user == order.user && other.kind == order.kind && haveSameJoints(order, other) &&
+    return &other != &order && other.user == order.user && other.kind == order.kind && isPartOfTheOther(order, other) &&
            later > -kRepeated && later < kGoesOn;
   });
 }
@@ -322,6 +340,8 @@ void OrderAudit::judgeEnds(const Round& round) {
     }
     if (isOneWithAnother(order, round)) {
       ++merged_;
+    } else if (mayBeUnread(order, round)) {
+      ++unread_;
     } else {
       complain_(clock(order.time) + "a " + order.kind + " of " + order.user + " to " + order.targets.begin()->first +
                 (order.targets.size() > 1 ? " and others" : "") + " has no end");
@@ -521,6 +541,7 @@ void OrderAudit::report() const {
       "\nstops judged %zu, not judged (rest, motors or no measurement meanwhile) %zu; orders given in them %zu\n",
       judged_stops_, unjudged_stops_, given_in_stops_);
   std::printf("orders that went on with another one of the same node to the same joints: %zu\n", merged_);
+  std::printf("commands that roscpp may have dropped while the driver was held up: %zu\n", unread_);
   std::printf("commands that waited for a robot that was held up, and whose effect could be seen: %zu\n", thawed_);
   printValues("way of the joints after a stop, rad", moved_in_stops_);
   printValues("age of a target when it leaves, s", ages_);

@@ -48,6 +48,7 @@ class OrderAudit {
   std::size_t unjudged_stops_ = 0;  ///< the robot was told to rest meanwhile, or nothing was measured
   std::size_t given_in_stops_ = 0;  ///< orders
   std::size_t merged_ = 0;
+  std::size_t unread_ = 0;
   std::size_t thawed_ = 0;
   std::map<std::string, std::size_t> orders_;      ///< by kind
   std::map<std::string, std::size_t> calls_;       ///< by service
