@@ -242,6 +242,26 @@ TEST(MotorState, RefusesOtherValues) {
   EXPECT_THAT(decodeMotorState(payload, sizeof(payload), &on), HasSubstr("motors"));
 }
 
+TEST(MotorsAndPosture, HaveFourBytes) {
+  const MotorsAndPosture limp = {false, POSTURE_NOW_LYING};
+  EXPECT_EQ(encoded(encodeMotorsAndPosture, limp, MOTORS_AND_POSTURE_SIZE), hex("00 03 0000"));
+  const Bytes bytes = hex("01 04 0000");
+  MotorsAndPosture state{};
+  ASSERT_THAT(decodeMotorsAndPosture(bytes.data(), bytes.size(), &state), IsNull());
+  EXPECT_TRUE(state.motors_on);
+  EXPECT_EQ(state.posture, POSTURE_NOW_WALKING);
+}
+
+TEST(MotorsAndPosture, RefuseOtherLayouts) {
+  MotorsAndPosture state{};
+  for (const char* wrong : {"02 01 0000", "01 01 0001", "01 01 00", "01 01 0000 00"}) {
+    const Bytes bytes = hex(wrong);
+    EXPECT_THAT(decodeMotorsAndPosture(bytes.data(), bytes.size(), &state), NotNull()) << wrong;
+  }
+  const Bytes newer = hex("01 4d 0000");
+  EXPECT_THAT(decodeMotorsAndPosture(newer.data(), newer.size(), &state), IsNull()) << "a newer server's posture";
+}
+
 TEST(Telemetry, HasAFrameNumberAndTheMeasuredValues) {
   EXPECT_EQ(encoded(encodeTelemetry, threeValues(), MAX_TELEMETRY_SIZE), hex(kThreeValues));
 
