@@ -24,9 +24,10 @@ def check_libjpeg(libjpeg):
 def build(sdk, libjpeg, build_dir):
     """Builds all programs from scratch, since old ones may be from another SDK. Returns their files."""
     for path in (sdk, libjpeg, build_dir, PROGRAMS):
-        if re.search(r"\s", str(path)):
-            raise Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
-                          "Use a path without spaces; a symbolic link will do.")
+        if odd := re.search(r"[^\w./+@,=~-]", str(path)):  # make and the shell would carry out $(...) and the like
+            raise Problem(f"there is {'a space' if odd[0].isspace() else repr(odd[0])} in {path}, which make and Sony's "
+                          "tools cannot handle.",
+                          "Use a path of letters, digits and ./_+@,=~-; a symbolic link will do.")
     make = ["make", "--silent", "--no-print-directory", "-C", str(PROGRAMS), f"OPENRSDK_ROOT={sdk}",
             f"LIBJPEG={libjpeg}", f"BUILD={build_dir}"]
     print(f"Building in {build_dir}", flush=True)
