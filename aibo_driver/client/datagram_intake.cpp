@@ -108,7 +108,7 @@ void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
   const std::int64_t done = is_last ? datagram.picture : is_first ? before : -1;
   const bool repeats = is_first && done == acknowledged_ && is_protected_;
   is_protected_ = datagram.is_parity || (is_protected_ && !is_first);
-  if (done >= 0 && (done > acknowledged_ || repeats)) {
+  if (done >= 0 && (done != acknowledged_ || repeats)) {
     acknowledged_ = done;
     to_acknowledge_ = static_cast<std::uint32_t>(done);
   }

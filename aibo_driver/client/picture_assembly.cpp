@@ -80,7 +80,7 @@ void PictureAssembly::repair(Incomplete& picture, std::size_t group) {
   ++repaired_;
 }
 
-/// @return null if the picture has been completed or given up
+/// @return null if a good picture has made it too late
 PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagram& datagram, TimePoint now) {
   const std::int64_t number = datagram.picture;
   if (number <= last_settled_) {
@@ -93,27 +93,22 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
   }
   far_ahead_.clear();
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
+  if (&place == &incomplete_ && incomplete_.size() == kMostIncomplete) {
+    giveUpOldest();
+  }
   place[number] = {datagram.image,
                    std::vector<std::uint8_t>(datagram.jpeg_size),
                    std::vector<bool>(parts),
                    std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
                    parts,
                    now};
-  if (incomplete_.size() > kMostIncomplete) {
-    giveUpOldest();
-  }
   return &place[number];
 }
 
-// The one that has waited longest. That is the one with the lowest number, unless a number is forged.
+// The one that has waited longest. It does not make those before it too late: its number may be forged.
 void PictureAssembly::giveUpOldest() {
   const auto began_earlier = [](const auto& a, const auto& b) { return a.second.began < b.second.began; };
-  const auto oldest = std::min_element(incomplete_.begin(), incomplete_.end(), began_earlier);
-  if (oldest == incomplete_.begin()) {
-    lost_ += static_cast<std::uint64_t>(oldest->first - last_settled_);
-    last_settled_ = oldest->first;
-  }
-  incomplete_.erase(oldest);
+  incomplete_.erase(std::min_element(incomplete_.begin(), incomplete_.end(), began_earlier));
   ++given_up_in_a_row_;
 }
 

@@ -40,7 +40,7 @@ class PictureAssembly {
 
   enum class Result {
     kTaken,
-    kUseless,       ///< this part is there already, or its picture has been completed or given up
+    kUseless,       ///< this part is there already, or a good picture has made its picture too late
     kContradiction  ///< the picture cannot have this part: other parts describe it differently
   };
 
@@ -55,7 +55,7 @@ class PictureAssembly {
 
   bool isFarAhead(std::int64_t number) const { return number > last_settled_ + kFarAhead; }
 
-  /// Pictures that were sent and have not become whole, also those of which nothing came.
+  /// Pictures before the last good one that have not become good, also those of which nothing came.
   std::uint64_t lost() const { return lost_; }
 
   /// Parts that were made from parities.
@@ -82,7 +82,7 @@ class PictureAssembly {
 
   std::map<std::int64_t, Incomplete> incomplete_;  // by the picture's number
   std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
-  std::int64_t last_settled_ = -1;                 // this picture and those before it are good or given up
+  std::int64_t last_settled_ = -1;                 // the newest good picture
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;

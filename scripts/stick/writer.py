@@ -24,9 +24,10 @@ def libjpeg_problems(libjpeg):
 def path_problems(*paths):
     """Yields a Problem for each path that make and Sony's tools cannot handle."""
     for path in (*paths, PROGRAMS):
-        if re.search(r"\s", str(path)):
-            yield Problem(f"there is a space in {path}, which make and Sony's tools cannot handle.",
-                          "Use a path without spaces; a symbolic link will do.")
+        if odd := re.search(r"[^\w./+@,=~-]", str(path)):  # make and the shell would carry out $(...) and the like
+            yield Problem(f"there is {'a space' if odd[0].isspace() else repr(odd[0])} in {path}, which make and Sony's "
+                          "tools cannot handle.",
+                          "Use a path of letters, digits and ./_+@,=~-; a symbolic link will do.")
 
 
 def build(sdk, libjpeg, build_dir, compiler):

@@ -295,6 +295,14 @@ class ABuild(Workshop):
         self.sdk = spaced
         self.expect_failure(self.make_stick(), "there is a space in", "symbolic link")
 
+    def test_refuses_paths_that_make_and_the_shell_would_carry_out(self):
+        plain = self.sdk
+        for name in ("$(id)", "`id`", ";id", "a'b", "a#b"):
+            self.sdk = self.folder / name
+            plain.rename(self.sdk)
+            self.expect_failure(self.make_stick(), "which make and Sony's tools cannot handle", "symbolic link")
+            self.sdk.rename(plain)
+
     def test_needs_a_place_to_write_to(self):
         self.stick = self.folder / "not_mounted" / "stick"
         self.expect_failure(self.make_stick(), "there is no folder", "Is the stick mounted?")

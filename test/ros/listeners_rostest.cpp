@@ -25,6 +25,7 @@
 #include <string>
 
 #include "support/ros/driver_process.h"
+#include "support/ros/motion_states.h"
 #include "support/ros/topic_listener.h"
 #include "support/ros/topic_publishers.h"
 #include "support/simulated_robot.h"
@@ -36,6 +37,7 @@ using aibo_driver::EndedMovement;
 using aibo_driver::MotionState;
 using aibo_driver::Movement;
 using test_support::DriverProcess;
+using test_support::lastEnd;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using test_support::TopicPublishers;

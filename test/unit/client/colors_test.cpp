@@ -169,7 +169,7 @@ TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
     push(regionsOf({region}));
     ASSERT_FALSE(colors_.empty());
     EXPECT_THAT(colors_.back().regions, IsEmpty());
-    pass(milliseconds(40));
+    pass(milliseconds(35));
   }
   EXPECT_EQ(counters_.impossible_values, impossible.size());
   EXPECT_EQ(logged("impossible colours"), 1);

@@ -53,6 +53,7 @@ class DatagramsTest : public SessionFixture {
     const version2_frames::Frame frame = version2_frames::split(bytes);
     number_ = frame.header.request_number;
     payload_ = frame.payload;
+    port_ = frame.header.kind == 'B' ? payload_ : port_;
     return frame.header.kind;
   }
 
@@ -147,6 +148,7 @@ class DatagramsTest : public SessionFixture {
 
   int number_ = 0;  // of the request that was sent last
   Bytes payload_;
+  Bytes port_;         // in the last request for pictures by UDP
   std::string asked_;  // kinds of the requests that were answered
   std::vector<Bytes> jpegs_;
   unsigned picture_ = 0;
@@ -337,7 +339,7 @@ TEST_F(DatagramsTest, WithoutADatagramForOneSecondThePicturesComeByTcp) {
   live(milliseconds(300), [this] { wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0; });
   EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram has come for 1 s, while TCP works"));
   EXPECT_THAT(asked_, HasSubstr("B"));
-  EXPECT_EQ(Bytes({0, 0}), payload_);
+  EXPECT_EQ(Bytes({0, 0}), port_);
   EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
   EXPECT_TRUE(connection_.lets_no_datagram_through);
   EXPECT_EQ(1, logged("by TCP, not by UDP"));
@@ -364,7 +366,7 @@ TEST_F(DatagramsTest, DatagramsThatStopComingAreNoticedToo) {
 }
 
 TEST_F(DatagramsTest, AnOutageOfTheRadioIsNoReasonForTcp) {
-  for (const int outage : {600, 990, 1010, 1200, 1350}) {
+  for (const int outage : {600, 990, 1010, 1200}) {
     startStream();
     for (asked_.clear(); asked_.empty();) {  // the heartbeat of this connection endures the longest of these outages
       live(milliseconds(32), [this] { arrive(nextPicture()); });
@@ -586,7 +588,7 @@ TEST_F(DatagramsTest, ANewPortBeginsToCountAgain) {
   const std::size_t before = pictures_.size();
   replies_.clear();
   unsigned sequence = 0;
-  arrive(test_support::makeDatagrams(makeJpeg(90), 0, 9000, &sequence));
+  arrive(test_support::makeDatagrams(makeJpeg(90), 0, 1200, &sequence));
   EXPECT_EQ(before + 1, pictures_.size());
   EXPECT_THAT(replies_, ElementsAre(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
   EXPECT_EQ(0u, counters_.reordered_datagrams + counters_.duplicate_datagrams + counters_.lost_datagrams);
