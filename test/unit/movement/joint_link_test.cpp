@@ -42,6 +42,14 @@ TEST_F(JointLinkTest, SendsSpeedLimitsAgainOverANewConnection) {
   EXPECT_THAT(told_, ElementsAre("V 1:2.00", "J 1:0.50 in 0"));
 }
 
+TEST_F(JointLinkTest, SendsSpeedLimitsAgainThatCouldNotBeSent) {
+  client_.problem = "there is no robot";
+  EXPECT_THROW(link_.send({{1, {0.5, 2.0}}}, milliseconds(0)), NetworkException);
+  client_.problem.clear();
+  link_.send({{1, {0.5, 2.0}}}, milliseconds(0));
+  EXPECT_THAT(told_, ElementsAre("V 1:2.00", "J 1:0.50 in 0"));
+}
+
 TEST_F(JointLinkTest, LimitsSpeedsWithoutMovingAndRemembersThem) {
   link_.send({{1, {0.5, 0.5}}, {2, {0.25, 2.0}}}, milliseconds(0));
   told_.clear();

@@ -121,6 +121,35 @@ TEST_F(MotionPlayerTest, followsTheLineBetweenKeyFramesAndEndsAtTheLast) {
   EXPECT_LT(path.size(), 215U) << "it ends soon after its last key frame";
 }
 
+// Its key frames need not be in the frames of 8 ms: what is left of a frame counts for the next step.
+TEST_F(MotionPlayerTest, keepsTheTimeOfStepsThatAreNotWholeFrames) {
+  std::string text = "frame 12\nat 0 head_pan 0\n";
+  for (int i = 1; i <= 80; ++i) {
+    text += "at " + std::to_string(12 * i) + " head_pan " + std::to_string(i % 2) + "\n";
+  }
+  ASSERT_EQ(play("A.MTN", motionBytes(text)), "");
+  const auto frames = static_cast<int>(pathOf("head_pan").size());
+  EXPECT_NEAR(frames, 80 * 12 / kFrame, kLag / kFrame + 2);
+}
+
+// Wherever it was stopped in the middle.
+TEST_F(MotionPlayerTest, playsAfterAStopLikeTheFirstTime) {
+  const std::string motion =
+      motionBytes("at 0 head_pan 0\nat 400 head_pan 20\nat 800 head_pan -20\nat 1200 head_pan 0\n");
+  std::vector<double> first;
+  for (int frames = 0; frames < 200; frames += 13) {
+    SCOPED_TRACE(frames);
+    planner_.SetPosition(joint("head_pan"), 0);
+    ASSERT_EQ(play("A.MTN", motion, 2), "");
+    const std::vector<double> path = pathOf("head_pan");
+    first = first.empty() ? path : first;
+    EXPECT_EQ(path, first);
+    ASSERT_EQ(play("A.MTN", motion, 2), "");
+    passFrames(frames);
+    stop("A.MTN");
+  }
+}
+
 TEST_F(MotionPlayerTest, beginsWhereTheJointsAreWithoutAJump) {
   planner_.SetPosition(joint("head_pan"), -1000000);
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 50\nat 80 head_pan 50\n")), "");

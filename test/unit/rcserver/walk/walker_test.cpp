@@ -112,25 +112,28 @@ class WalkerTest : public ::testing::Test {
 
   // Rises, walks, turns and stands again: what the legs do in each frame, how fast they say that is, and how it ends.
   std::vector<std::string> traceOfAWalk() {
-    while (joints_.Steer({-0.05, 0, 0}), walker().State() != protocol::version2::WALK_STATE_WALKS) {
-      pass(1);
-    }
-    ends();
-    walker().TakeVelocity();
     std::vector<std::string> trace;
     const auto record = [&] {
-      pass(1);
       std::string now = std::to_string(walker().Phase());
       for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
         now += walker().Moves(joint) ? " " + std::to_string(joints_.Planner().Position(joint)) : "";
       }
       trace.push_back(now + " forward " + std::to_string(walker().TakeVelocity().forward));
     };
+    for (int i = 0; i < 3000 && walker().State() != protocol::version2::WALK_STATE_WALKS; ++i) {
+      joints_.Steer({-0.05, 0, 0});
+      walker().TakeVelocity();
+      pass(1);
+    }
+    ends();
+    record();
     for (int i = 0; i < 100; ++i) {
       joints_.Steer({-0.05, 0, i < 50 ? 0 : 0.3});
+      pass(1);
       record();
     }
-    while (walker().IsActive()) {
+    for (int i = 0; i < 3000 && walker().IsActive(); ++i) {
+      pass(1);
       record();
     }
     for (const std::string& end : ends()) {
@@ -491,6 +494,25 @@ TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
   EXPECT_TRUE(told) << "the console has it";
 }
 
+TEST_F(WalkerTest, TheNextClientHearsNothingOfTheOneBefore) {
+  walk();
+  joints_.Take(POSTURE_SIT);  // waits until the walk has ended
+  joints_.ClientGone();
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND)) << "the posture was the last client's";
+  EXPECT_THAT(ends(), IsEmpty());
+  walk();
+  joints_.StopAll();  // ends it, and nobody asks for the end
+  joints_.ClientGone();
+  EXPECT_THAT(ends(), IsEmpty());
+  walk();
+  reading_ = kOnItsSide;
+  pass(200);
+  joints_.MotorsGoOff();
+  joints_.ClientGone();
+  EXPECT_FALSE(walker().TakeSoftened());
+}
+
 TEST_F(WalkerTest, AClientThatGoesEndsAPosture) {
   joints_.Take(POSTURE_SIT);
   pass(50);
@@ -613,6 +635,32 @@ TEST_F(WalkerTest, AWalkEndsInTheStandBeforeAPostureIsTaken) {
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_SIT));
   EXPECT_THAT(ends(), ElementsAre("sit: "));
+  walk();
+  joints_.StopAll();
+  EXPECT_THAT(ends(), ElementsAre("walk: everything was told to hold")) << "the posture is long over";
+}
+
+TEST_F(WalkerTest, AStopAlsoEndsAPostureThatWaitsForTheEndOfAWalk) {
+  walk();
+  joints_.Take(POSTURE_SIT);
+  joints_.StopAll();
+  EXPECT_THAT(ends(), ElementsAre("sit: everything was told to hold", "walk: everything was told to hold"));
+  walk();
+  joints_.Steer({0, 0, 0});
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: "));
+}
+
+TEST_F(WalkerTest, APostureThatWasReplacedIsNotTakenAfterTheNextWalk) {
+  walk();
+  joints_.Take(POSTURE_SIT);
+  walk();
+  EXPECT_THAT(ends(), ElementsAre("sit: the robot was told to walk"));
+  joints_.Steer({0, 0, 0});
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: "));
 }
 
 TEST_F(WalkerTest, SteeringReplacesAPostureAndOneThatWaitsForTheWalkToEnd) {
@@ -661,6 +709,23 @@ TEST_F(WalkerTest, LegsThatSomebodyElseHasMovedDoNotGoSoft) {
   reading_ = kOnItsSide;
   pass(400);
   EXPECT_FALSE(walker().WantsMotorsOff());
+  reading_ = kUpright;
+  pass(100);
+  walk();
+  reading_ = kOnItsSide;
+  pass(200);
+  EXPECT_TRUE(walker().WantsMotorsOff()) << "it has walked since";
+}
+
+TEST_F(WalkerTest, ARobotThatMovesAgainHasNotGoneSoft) {
+  walk();
+  reading_ = kOnItsSide;
+  pass(200);
+  joints_.MotorsGoOff();
+  reading_ = kUpright;
+  pass(100);
+  walk();
+  EXPECT_FALSE(walker().TakeSoftened()) << "nobody has asked until now";
 }
 
 TEST_F(WalkerTest, ARobotThatIsLiftedStopsAndWalksAgainOnTheFloor) {
