@@ -23,6 +23,7 @@
 
 #include "ros/camera/stream_meter.h"
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "tools/node_process.h"
 #include "tools/picture_log_reader.h"
 
@@ -31,6 +32,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
+
+constexpr std::size_t kMostArrivals = 1000;  // in a second; more are none of the robot's
 
 nanoseconds sinceEpoch(const ros::Time& time) {
   return nanoseconds(time.toNSec());
@@ -60,11 +63,13 @@ class Monitor {
   };
 
   void onPicture(const ros::MessageEvent<sensor_msgs::CompressedImage const>& event) {
-    arrivals_.push_back({event.getConstMessage(), sinceEpoch(event.getReceiptTime())});
+    if (arrivals_.size() < kMostArrivals) {
+      arrivals_.push_back({event.getConstMessage(), sinceEpoch(event.getReceiptTime())});
+    }
     publisher_ = event.getPublisherName();
   }
 
-  void onConnection(const Connection& connection) { connection_text_ = connection.text; }
+  void onConnection(const Connection& connection) { connection_text_ = text::plainLine(connection.text, 1000); }
 
   void onTimer(const ros::SteadyTimerEvent&) {
     const auto now = steady_clock::now();

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "ros/node.h"
+#include "text/plain_text.h"
 #include "tools/teleop/head_steering.h"
 #include "tools/teleop/joy_steering.h"
 
@@ -119,9 +120,9 @@ class Caller {
       if (!ros::service::call(service, copy, response)) {
         ROS_WARN_STREAM("The service " << service << " cannot be called: does the driver run?");
       } else if (response.success) {
-        ROS_INFO_STREAM(service << ": " << response.message);
+        ROS_INFO_STREAM(service << ": " << text::plainLine(response.message, 1000));
       } else {
-        ROS_WARN_STREAM(service << ": " << response.message);
+        ROS_WARN_STREAM(service << ": " << text::plainLine(response.message, 1000));
       }
     });
   }
