@@ -13,13 +13,14 @@
 
 #include "movement/movement.h"
 #include "ros/callback_threads.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 
 /// Of a message. To be called in its callback.
 template <typename Message>
 movement::Order orderOf(const ros::MessageEvent<Message const>& event) {
-  return {event.getPublisherName(), receivedAt()};
+  return {text::plainLine(event.getPublisherName()), receivedAt()};  // a stranger's choice
 }
 
 /// Of a goal of an action, or of its cancelling. To be called in its callback.
@@ -32,7 +33,8 @@ template <typename Service, typename Serve>
 ros::ServiceServer advertiseOrder(ros::NodeHandle& handle, const std::string& name, const Serve& serve) {
   using Event = ros::ServiceEvent<typename Service::Request, typename Service::Response>;
   const boost::function<bool(Event&)> callback = [serve](Event& event) {
-    return serve(movement::Order{event.getCallerName(), receivedAt()}, event.getRequest(), event.getResponse());
+    return serve(movement::Order{text::plainLine(event.getCallerName()), receivedAt()}, event.getRequest(),
+                 event.getResponse());
   };
   return handle.advertiseService(name, callback);
 }

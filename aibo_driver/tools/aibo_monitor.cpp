@@ -35,6 +35,8 @@ namespace {
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
+constexpr std::size_t kMostArrivals = 1000;  // in a second; more are none of the robot's
+
 nanoseconds sinceEpoch(const ros::Time& time) {
   return nanoseconds(time.toNSec());
 }
@@ -64,11 +66,13 @@ class Monitor {
   };
 
   void onPicture(const ros::MessageEvent<sensor_msgs::CompressedImage const>& event) {
-    arrivals_.push_back({event.getConstMessage(), sinceEpoch(event.getReceiptTime())});
+    if (arrivals_.size() < kMostArrivals) {
+      arrivals_.push_back({event.getConstMessage(), sinceEpoch(event.getReceiptTime())});
+    }
     publisher_ = event.getPublisherName();
   }
 
-  void onConnection(const Connection& connection) { connection_text_ = connection.text; }
+  void onConnection(const Connection& connection) { connection_text_ = text::plainLine(connection.text, 1000); }
 
   void onRobotState(const RobotState& state) {
     stop_text_ = state.stopped != 0 ? "   stopped by " + text::plainLine(state.stopped_by) + ", until release" : "";

@@ -7,8 +7,11 @@
 #include <ros/service.h>
 
 #include <chrono>
+#include <cstddef>
 #include <future>
 #include <string>
+
+#include "text/plain_text.h"
 
 namespace teleop {
 
@@ -31,14 +34,16 @@ class ServiceCaller {
       if (!ros::service::call(service, copy, response)) {
         ROS_WARN_STREAM("The service " << service << " cannot be called: does the driver run?");
       } else if (response.success) {
-        ROS_INFO_STREAM(service << ": " << response.message);
+        ROS_INFO_STREAM(service << ": " << aibo_driver::text::plainLine(response.message, kLongestMessage));
       } else {
-        ROS_WARN_STREAM(service << ": " << response.message);
+        ROS_WARN_STREAM(service << ": " << aibo_driver::text::plainLine(response.message, kLongestMessage));
       }
     });
   }
 
  private:
+  static constexpr std::size_t kLongestMessage = 1000;  // bytes
+
   const ros::NodeHandle handle_;
   std::future<void> call_;
 };

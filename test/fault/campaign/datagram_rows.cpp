@@ -1,6 +1,7 @@
 // F24: pictures by UDP, over a network that does anything with the datagrams.
 
 #include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -12,6 +13,7 @@
 #include "campaign/experiment.h"
 #include "campaign/interposers.h"
 #include "campaign/robot_server.h"
+#include "protocol/picture_datagram.h"
 
 namespace fault_bench {
 namespace {
@@ -24,7 +26,7 @@ constexpr std::chrono::seconds kPatience{20};
 /// Makes one kind of fault, to about every third datagram.
 class AnyDatagramFault final : public DatagramFault {
  public:
-  enum Kind { kLost, kCut, kNonsense, kTwice, kSwapped, kLate, kForged, kSwallowed, kKinds };
+  enum Kind { kLost, kCut, kNonsense, kTwice, kSwapped, kLate, kForged, kSwallowed, kKinds, kImpersonated };
 
   AnyDatagramFault(Kind kind, unsigned seed) : kind_(kind), random_(seed) {}
 
@@ -58,6 +60,10 @@ class AnyDatagramFault final : public DatagramFault {
       case kTwice:
         received->push_back(*datagram);
         return true;
+      case kImpersonated:
+        received->push_back(*datagram);
+        impersonate(&bytes);
+        return true;
       case kForged:
         datagram->is_foreign = true;
         std::fill(bytes.begin() + std::min<std::ptrdiff_t>(32, static_cast<std::ptrdiff_t>(bytes.size())), bytes.end(),
@@ -80,6 +86,25 @@ class AnyDatagramFault final : public DatagramFault {
     }
   }
 
+  // Part of a picture that the robot never sent, or the whole of it, somewhere ahead.
+  void impersonate(Bytes* bytes) {
+    namespace version2 = protocol::version2;
+    version2::PictureDatagram header = {};
+    if (version2::decodePictureDatagram(bytes->data(), bytes->size(), &header) != nullptr) {
+      return;
+    }
+    const int ahead = std::array<int, 4>{40, 100, 10'000, 60'000}.at(static_cast<std::size_t>(uniform(random_, 0, 3)));
+    header.sequence += static_cast<unsigned>(ahead + uniform(random_, 0, 1));
+    header.picture += static_cast<unsigned>(ahead);
+    if (uniform(random_, 0, 1) == 0) {
+      header.is_parity = false;
+      header.part = 0;
+      header.jpeg_size = static_cast<unsigned>(bytes->size() - version2::DATAGRAM_HEADER_SIZE);
+    }
+    version2::encodePictureDatagram(header, bytes->data());
+    std::fill(bytes->begin() + version2::DATAGRAM_HEADER_SIZE, bytes->end(), std::uint8_t{0x55});
+  }
+
   const Kind kind_;
   Random random_;
   std::vector<Datagram> held_;  // come behind the next one
@@ -98,7 +123,11 @@ class DatagramExperiment : public Experiment {
   ~DatagramExperiment() override { interposers::setDatagramFault(mark_, nullptr); }
 
   Outcome run(unsigned trial, Random& random) override {
-    const auto kind = static_cast<AnyDatagramFault::Kind>(trial % AnyDatagramFault::kKinds);
+    return tryOut(static_cast<AnyDatagramFault::Kind>(trial % AnyDatagramFault::kKinds), random);
+  }
+
+ protected:
+  Outcome tryOut(AnyDatagramFault::Kind kind, Random& random) {
     AnyDatagramFault fault(kind, static_cast<unsigned>(random()));
     Outcome outcome;
     try {
@@ -188,11 +217,21 @@ class DatagramExperiment : public Experiment {
   aibo_driver::RcServerClient client_;
 };
 
+/// hostile-datagrams: somebody sends others in the robot's name.
+class ImpersonationExperiment final : public DatagramExperiment {
+ public:
+  using DatagramExperiment::DatagramExperiment;
+
+  Outcome run(unsigned /*trial*/, Random& random) override { return tryOut(AnyDatagramFault::kImpersonated, random); }
+};
+
 }  // namespace
 
 std::vector<Row> datagramRows() {
   return {{"F24", "datagrams lost, cut, nonsense, twice, swapped, late, forged, swallowed", 400, 8, Milliseconds(500),
-           maker<DatagramExperiment>()}};
+           maker<DatagramExperiment>()},
+          {"hostile-datagrams", "datagrams in the robot's name", 20, 1, Milliseconds(500),
+           maker<ImpersonationExperiment>()}};
 }
 
 }  // namespace fault_bench

@@ -18,6 +18,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QTextDocument>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
@@ -225,7 +226,7 @@ TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoInTheListOfAChoice) {
 TEST_F(RemoteControlTest, ShowsWhatLooksLikeHtmlAsItIs) {
   const QString html = "<img src=\"/dev/stdin\"> &lt;b&gt;";
   robot_.connectIt();
-  Q_EMIT robot_.movementChanged(html);
+  Q_EMIT robot_.movementChanged(html, false);
   Q_EMIT robot_.settingsDescribed({{html, html, Setting::Kind::kInteger, 1, 100, {}}});
   window_.setFolder(html);
   Q_EMIT robot_.answered(false, html);

@@ -1,0 +1,236 @@
+// The driver's node with other nodes that attack it: whoever reaches the ROS master can. Meanwhile `stop` has to work.
+// AIBO_WHOLE_CAMPAIGN makes each attack longer, and its limits those of a computer that does nothing else.
+
+#include <actionlib_msgs/GoalID.h>
+#include <aibo_driver/Leds.h>
+#include <aibo_driver/PlayMotionActionGoal.h>
+#include <aibo_driver/UploadMotion.h>
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/resources.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using test_support::DriverProcess;
+using test_support::Resources;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+
+constexpr char kHostile[] = "\x1b[2J\x1b]0;you\x07\n[ERROR] ";
+
+bool wholeCampaign() {
+  return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
+}
+
+/// Ever new names that no part of the robot has.
+class Names {
+ public:
+  std::string next() { return kHostile + std::to_string(++count_); }
+
+  std::vector<std::string> next(std::size_t count) {
+    std::vector<std::string> names(count);
+    std::generate(names.begin(), names.end(), [this] { return next(); });
+    return names;
+  }
+
+ private:
+  unsigned count_ = 0;
+};
+
+class HostileNode : public testing::Test {
+ protected:
+  static constexpr std::size_t kMostLog = 64 * 1024;      // bytes, for an attack
+  static constexpr std::size_t kMostMemory = 300 * 1024;  // KB more than before: messages of a million names wait
+
+  milliseconds attackTime() const { return milliseconds(wholeCampaign() ? 10000 : 1500); }
+  milliseconds longestStop() const { return milliseconds(wholeCampaign() ? 50 : 2000); }
+
+  void SetUp() override {
+    ASSERT_TRUE(joints_.waitForNext());
+    ASSERT_TRUE(stop_.waitForExistence(ros::Duration(20)));
+    before_ = Resources::of(std::to_string(driver_.pid()));
+  }
+
+  template <typename Message>
+  ros::Publisher publisher(const std::string& topic) {
+    ros::Publisher publisher = node_.advertise<Message>(topic, 1);
+    const auto end = steady_clock::now() + std::chrono::seconds(20);
+    while (publisher.getNumSubscribers() == 0 && steady_clock::now() < end) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    EXPECT_GT(publisher.getNumSubscribers(), 0U) << topic;
+    return publisher;
+  }
+
+  /// Does `once` again and again, and stops the robot meanwhile.
+  void attack(const std::function<void()>& once) {
+    const std::size_t log = driver_.output().size();
+    const auto end = steady_clock::now() + attackTime();
+    std::atomic<bool> goes_on{true};
+    std::thread attacker([&] {
+      while (goes_on) {
+        once();
+      }
+    });
+    std::vector<milliseconds> times;
+    while (steady_clock::now() < end) {
+      times.push_back(stopTime());
+      std::this_thread::sleep_for(milliseconds(100));
+    }
+    goes_on = false;
+    attacker.join();
+    ASSERT_TRUE(driver_.isRunning()) << driver_.output();
+    EXPECT_TRUE(joints_.waitForNext());
+    std::sort(times.begin(), times.end());
+    EXPECT_LE(times[times.size() * 9 / 10], longestStop()) << "nine of ten stops, in ms; " << times.size() << " in all";
+    RecordProperty("longest_stop_ms", static_cast<int>(times.back().count()));
+    const std::string logged = driver_.output().substr(log);
+    EXPECT_LT(logged.size(), kMostLog);
+    EXPECT_EQ(logged.find("\x1b[2J"), std::string::npos) << "a terminal obeys this";
+    if (test_support::kMemoryCounts) {
+      EXPECT_LT(Resources::of(std::to_string(driver_.pid())).resident_kilobytes,
+                before_.resident_kilobytes + kMostMemory);
+    }
+  }
+
+  milliseconds stopTime() {
+    const auto begin = steady_clock::now();
+    std_srvs::Trigger stop;
+    EXPECT_TRUE(stop_.call(stop));
+    EXPECT_TRUE(stop.response.success) << stop.response.message;
+    return std::chrono::duration_cast<milliseconds>(steady_clock::now() - begin);
+  }
+
+  SimulatedRobot robot_;
+  DriverProcess driver_{"/victim", robot_.port()};
+  ros::NodeHandle node_{"/victim"};
+  TopicListener<sensor_msgs::JointState> joints_{"/victim/joint_states"};
+  ros::ServiceClient stop_ = node_.serviceClient<std_srvs::Trigger>("stop");
+  Resources before_;
+  Names names_;
+};
+
+TEST_F(HostileNode, ThatCommandsAMillionUnknownJoints) {
+  const ros::Publisher commands = publisher<sensor_msgs::JointState>("joint_command");
+  attack([&] {
+    sensor_msgs::JointState message;
+    message.name = names_.next(200'000);
+    message.position.resize(message.name.size());
+    commands.publish(message);
+  });
+}
+
+TEST_F(HostileNode, ThatCommandsAnotherUnknownJointInEachMessage) {
+  const ros::Publisher commands = publisher<sensor_msgs::JointState>("joint_command");
+  attack([&] {
+    sensor_msgs::JointState message;
+    message.name = {names_.next()};
+    message.position = {0};
+    commands.publish(message);
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  });
+}
+
+TEST_F(HostileNode, ThatSendsTrajectoriesOfUnknownJointsAndManyPoints) {
+  const ros::Publisher trajectories = publisher<trajectory_msgs::JointTrajectory>("joint_trajectory");
+  attack([&] {
+    trajectory_msgs::JointTrajectory message;
+    message.joint_names = names_.next(1000);
+    message.points.resize(200);
+    for (std::size_t i = 0; i < message.points.size(); ++i) {
+      message.points[i].positions.resize(1000);
+      message.points[i].time_from_start = ros::Duration(0.01 * static_cast<double>(i + 1));
+    }
+    trajectories.publish(message);
+    message.joint_names = {"head_pan"};
+    message.points.assign(100'000, {});
+    for (std::size_t i = 0; i < message.points.size(); ++i) {
+      message.points[i].positions = {i % 2 == 0 ? 0.5 : -0.5};
+      message.points[i].time_from_start = ros::Duration(0.01 * static_cast<double>(i + 1));
+    }
+    trajectories.publish(message);
+  });
+}
+
+TEST_F(HostileNode, ThatSteersAsFastAsItCan) {
+  const ros::Publisher velocities = publisher<geometry_msgs::Twist>("cmd_vel");
+  attack([&] {
+    geometry_msgs::Twist velocity;
+    velocity.linear.x = 0.1;
+    velocities.publish(velocity);
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  });
+}
+
+TEST_F(HostileNode, ThatLightsAMillionUnknownLeds) {
+  const ros::Publisher leds = publisher<aibo_driver::Leds>("leds");
+  attack([&] {
+    aibo_driver::Leds message;
+    message.names = names_.next(200'000);
+    message.intensities = {1.0F};
+    leds.publish(message);
+  });
+}
+
+TEST_F(HostileNode, ThatChangesSettingsAsFastAsItCan) {
+  ros::ServiceClient set = node_.serviceClient<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", true);
+  ASSERT_TRUE(set.waitForExistence(ros::Duration(20)));
+  attack([&] {
+    dynamic_reconfigure::Reconfigure change;
+    dynamic_reconfigure::StrParameter transport;
+    transport.name = "transport";
+    transport.value = names_.next() + std::string(10'000, 'x');
+    change.request.config.strs = {transport};
+    set.call(change);
+  });
+}
+
+TEST_F(HostileNode, ThatSendsGoalsAsFastAsItCan) {
+  const ros::Publisher goals = publisher<aibo_driver::PlayMotionActionGoal>("play_motion/goal");
+  const ros::Publisher cancels = publisher<actionlib_msgs::GoalID>("play_motion/cancel");
+  attack([&] {
+    aibo_driver::PlayMotionActionGoal goal;
+    goal.goal_id.id = names_.next();
+    goal.goal.name = names_.next();
+    goals.publish(goal);
+    goal.goal_id.id = names_.next();
+    goal.goal.name = "nod";
+    goals.publish(goal);
+    cancels.publish(actionlib_msgs::GoalID());
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  });
+}
+
+TEST_F(HostileNode, ThatCallsServicesWithTextsOfItsOwn) {
+  ros::ServiceClient upload = node_.serviceClient<aibo_driver::UploadMotion>("upload_motion", true);
+  ASSERT_TRUE(upload.waitForExistence(ros::Duration(20)));
+  attack([&] {
+    aibo_driver::UploadMotion request;
+    request.request.name = names_.next();
+    request.request.file = "/proc/kmsg" + std::string(names_.next().size() % 2, '\0');
+    EXPECT_TRUE(upload.call(request));
+    EXPECT_EQ(request.response.message.find('\x1b'), std::string::npos);
+  });
+}
+
+}  // namespace
