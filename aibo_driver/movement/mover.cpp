@@ -715,7 +715,7 @@ void Mover::takeEndsOfPlan() {
       record->movement.joints = std::move(end.joints);
     }
     const bool has_trouble = record != nullptr && !record->trouble.empty() && end.how == MovementEnd::kNotReached;
-    close(end.id, end.how, has_trouble ? std::string(record->trouble) : end.reason);
+    close(end.id, end.how, has_trouble ? record->trouble + " (" + end.reason + ")" : end.reason);
   }
 }
 

@@ -162,6 +162,7 @@ TEST(Walk, IsEndedByStopMotorsAndLegsButNotByTheHead) {
   ASSERT_TRUE(walker.walks(0.1));
   walker.user.publish("joint_command", command({{"head_pan", 0.5}}));
   ASSERT_TRUE(walker.user.waitForPanBeyond(0.4));
+  ASSERT_TRUE(walker.waitForEnd(Movement::COMMAND));
   EXPECT_TRUE(moves(*walker.state.waitForCount(1).back(), Movement::WALK)) << "the head is free";
   walker.letGo();
   EXPECT_TRUE(walker.user.call<Trigger>("stop").success);

@@ -96,7 +96,7 @@ TEST_F(ConnectionFaultsTest, AClientThatWasServedBeforeIsTurnedAwayLikeAnyOther)
   peer.close();
   ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
   EXPECT_EQ(FaultKind::kClosed, client_.status().fault);
-  acceptStream().close();
+  server_.accept().close();
   EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kTurnedAway; }));
 }
 
