@@ -445,11 +445,14 @@ class Flooded(TestCase):
     def peak_memory_of_watch(make):
         server = ScriptedServer(says_hello(b"hostile", flood=make))
         with start("watch", "--seconds", "4", port=server.port) as watch:
-            drain = threading.Thread(target=watch.communicate, daemon=True)
-            drain.start()
+            # Not communicate(), which would wait for the process, too.
+            drains = [threading.Thread(target=pipe.read, daemon=True) for pipe in (watch.stdout, watch.stderr)]
+            for drain in drains:
+                drain.start()
             usage = os.wait4(watch.pid, 0)[2]
             watch.returncode = 0
-            drain.join()
+            for drain in drains:
+                drain.join()
         server.end()
         return usage.ru_maxrss
 

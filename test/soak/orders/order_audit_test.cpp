@@ -95,7 +95,7 @@ TEST_F(OrderAuditTest, EachCallIsAnswered) {
 
 TEST_F(OrderAuditTest, WhatIsDoneIsThere) {
   round_.ended[0].time = 1.3;
-  EXPECT_THAT(judge(), Contains(HasSubstr("is done, but head_pan is 0.")));
+  EXPECT_THAT(judge(), Contains(HasSubstr("is done, but one of its joints is 0.")));
   round_.ended[0].how = EndedMovement::NOT_REACHED;
   EXPECT_THAT(judge(), IsEmpty());
 }
