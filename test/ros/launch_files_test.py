@@ -93,7 +93,7 @@ class LaunchFilesTest(unittest.TestCase):
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
         expected = {
             'aibo.launch': {**driver, **model, **look_at},
-            'demo.launch': {**driver, **model, **look_at},
+            'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_look_around/go_on_after_stop': False},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,

@@ -207,7 +207,7 @@ TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
   EXPECT_EQ(commanded.ended(), nullptr) << "it may become free";
   pass(milliseconds(3200), 0.0);
   EXPECT_EQ(endOf(commanded), MovementEnd::kNotReached);
-  EXPECT_EQ(reasonOf(commanded), "head_pan is jammed");
+  EXPECT_EQ(reasonOf(commanded), "head_pan is jammed (head_pan is 0.50 rad from where it was sent)");
 }
 
 TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
