@@ -22,7 +22,7 @@ class DatagramIntake {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// If no datagram has come for this long although TCP works, something on the way swallows them. If no good picture
-  /// has, and kMostGivenUp could have come, either so many get lost, or somebody forges datagrams.
+  /// has come, although there was time for kMostGivenUp, most datagrams get lost, or somebody forges them.
   static constexpr std::chrono::milliseconds kSilence{1000};
   /// While the radio is out, TCP is silent, too. So TCP has to have worked when datagrams were missing for this long
   /// ...
