@@ -15,29 +15,16 @@ CameraSettings defaultCameraSettings() {
   return settings;
 }
 
-bool hasCameraValue(int id, int value) {
-  return id >= 1 && id <= NUMBER_OF_CAMERA_SETTINGS && value >= LOWEST[id - 1] && value <= HIGHEST[id - 1];
-}
-
-size_t encodeCameraValue(unsigned char value, unsigned char* out) {
-  out[0] = value;
-  return CAMERA_VALUE_SIZE;
-}
-
-const char* decodeCameraValue(int id, const unsigned char* payload, size_t size, unsigned char* value) {
+const char* problemOfCameraValue(int id, int value) {
   if (id < 1 || id > NUMBER_OF_CAMERA_SETTINGS) {
-    return "the id is not that of a camera setting (1 white balance, 2 gain, 3 shutter speed, 4 automatic exposure, 5 "
+    return "no camera setting has this id (1 white balance, 2 gain, 3 shutter speed, 4 automatic exposure, 5 "
            "automatic white balance)";
   }
-  if (size != CAMERA_VALUE_SIZE) {
-    return "the payload has the wrong size";
+  if (value >= LOWEST[id - 1] && value <= HIGHEST[id - 1]) {
+    return NULL;
   }
-  if (!hasCameraValue(id, payload[0])) {
-    return id < SETTING_AUTO_EXPOSURE ? "the camera setting has no value but 1, 2 and 3"
-                                      : "the automatic mode is neither off (0) nor on (1)";
-  }
-  *value = payload[0];
-  return NULL;
+  return id < SETTING_AUTO_EXPOSURE ? "the camera setting must be 1, 2 or 3"
+                                    : "the automatic mode is neither off (0) nor on (1)";
 }
 
 unsigned short packCameraSettings(const CameraSettings& settings) {

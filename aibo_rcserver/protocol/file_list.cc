@@ -9,7 +9,7 @@ namespace {
 
 const char SEPARATOR = '\n';
 
-// Bytes before the next separator, or all if there is none.
+// Bytes up to the next separator, or all bytes if there is none.
 size_t sizeOfLine(const unsigned char* bytes, size_t size) {
   const void* const separator = memchr(bytes, SEPARATOR, size);
   return separator == NULL ? size : static_cast<size_t>(static_cast<const unsigned char*>(separator) - bytes);

@@ -1,5 +1,5 @@
 /// @file frame_reader.h
-/// Splits the bytes of a version 2 connection into frames. Used by both sides.
+/// Splits the bytes of a version 2 connection into frames.
 #ifndef AIBO_RCSERVER_PROTOCOL_FRAME_READER_H
 #define AIBO_RCSERVER_PROTOCOL_FRAME_READER_H
 
@@ -10,8 +10,8 @@
 namespace protocol {
 namespace version2 {
 
-/// Splits a byte stream into frames, however TCP splits or joins the bytes. No I/O, and no memory but the buffer that
-/// it is given. A frame that announces more than the buffer holds is refused as soon as its header is complete.
+/// Splits a byte stream into frames, however TCP splits or joins the bytes. It has no memory but the given buffer. It
+/// refuses a frame that is larger than the buffer as soon as the header is complete. Not thread-safe.
 ///
 /// @code
 /// while (size > 0) {
@@ -21,38 +21,33 @@ namespace version2 {
 ///   size -= taken;
 /// }
 /// @endcode
-///
-/// Not thread-safe.
 class FrameReader {
  public:
-  /// The result of append().
   enum Result {
     FRAME_INCOMPLETE,  ///< all bytes are taken, and more are needed
     FRAME_COMPLETE,    ///< header() and payload() hold a frame
-    FRAME_TOO_LARGE    ///< header() announces more than the buffer holds, a protocol error: close the connection
+    FRAME_TOO_LARGE    ///< header() announces more than the buffer holds: a protocol error, so close the connection
   };
 
-  /// @param buffer room for one payload; owned by the caller, and must outlive the reader
-  /// @param capacity bytes of the buffer, and so the largest payload: MAX_PAYLOAD_TOWARDS_CLIENT in a client,
-  ///                 MAX_PAYLOAD_TOWARDS_ROBOT in a server
+  /// @param buffer room for one payload; must outlive the reader
+  /// @param capacity the largest payload, in bytes: MAX_PAYLOAD_TOWARDS_CLIENT in a client, MAX_PAYLOAD_TOWARDS_ROBOT
+  ///   in a server
   FrameReader(unsigned char* buffer, size_t capacity);
 
-  /// Forgets all bytes, for a new connection.
+  /// Call for a new connection.
   void reset();
 
-  /// Adds received bytes, at most up to the end of one frame. The call after a complete frame begins the next one.
-  /// After FRAME_TOO_LARGE the beginning of the next frame is unknown: until reset(), every call takes all bytes and
-  /// returns FRAME_TOO_LARGE.
-  /// @param[out] taken how many of the bytes were used; not 0 unless `size` is 0
+  /// Adds received bytes, at most up to the end of a frame. The next call begins the next frame. After FRAME_TOO_LARGE
+  /// nobody knows where the next frame begins, so every call takes all bytes and returns FRAME_TOO_LARGE until reset().
+  /// @param[out] taken how many bytes were used; not 0 unless `size` is 0
   Result append(const unsigned char* bytes, size_t size, size_t* taken);
 
-  /// True if the next byte is the first of a frame.
   bool isBetweenFrames() const;
 
-  /// Header of the frame; valid after FRAME_COMPLETE and FRAME_TOO_LARGE until the next call of append().
+  /// Valid after FRAME_COMPLETE and FRAME_TOO_LARGE, until the next append().
   const FrameHeader& header() const;
 
-  /// The frame's header().payload_size bytes; valid after FRAME_COMPLETE until the next call of append().
+  /// header().payload_size bytes. Valid after FRAME_COMPLETE, until the next append().
   const unsigned char* payload() const;
 
  private:
@@ -69,7 +64,7 @@ class FrameReader {
   unsigned char header_bytes_[FRAME_HEADER_SIZE];
   size_t header_bytes_size_;
   FrameHeader header_;
-  size_t payload_size_;  ///< bytes of the payload received so far
+  size_t payload_size_;  ///< bytes received so far
 };
 
 }  // namespace version2

@@ -13,11 +13,11 @@ namespace {
 
 enum Key { KEY_ROBOT, KEY_SERVER, KEY_FRAME_NUMBER, KEY_CAPABILITIES, KEY_LIMITS, KEY_WALK_LIMITS, KEY_COUNT };
 
-const int REQUIRED_KEYS = KEY_WALK_LIMITS;  // those before it
+const int REQUIRED_KEYS = KEY_WALK_LIMITS;  // all keys before this one
 
 const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits", "walk_limits"};
 
-// A piece of the payload, without a zero byte at its end.
+// A piece of the payload, not zero-terminated.
 struct Text {
   const char* begin;
   const char* end;
@@ -27,8 +27,7 @@ struct Text {
   bool operator==(const char* other) const { return size() == strlen(other) && memcmp(begin, other, size()) == 0; }
 };
 
-// Removes everything up to and including the first `separator` from `text`, or all if there is none. Returns it without
-// the separator.
+// Removes everything through the first `separator`, or everything if there is none. Returns it without the separator.
 Text takeUntil(char separator, Text* text) {
   const void* found = text->isEmpty() ? NULL : memchr(text->begin, separator, text->size());
   Text taken = *text;
@@ -41,7 +40,7 @@ Text takeUntil(char separator, Text* text) {
   return taken;
 }
 
-// Reads all of `text` as a decimal number of at most `limit`.
+// Parses all of `text` as a decimal number up to `limit`.
 bool parseUnsigned(const Text& text, unsigned limit, unsigned* value) {
   unsigned sum = 0;
   for (const char* digit = text.begin; digit != text.end; ++digit) {
@@ -116,19 +115,21 @@ const char* decodeLimits(Text value, Hello* hello) {
   return NULL;
 }
 
-bool parseSpeed(const Text& text, short* speed) {
-  unsigned value = 0;
-  if (!parseUnsigned(text, SHRT_MAX, &value)) {
-    return false;
-  }
-  *speed = static_cast<short>(value);
-  return true;
+bool parseThousandths(const Text& text, double* value) {
+  unsigned number = 0;
+  const bool is_read = parseUnsigned(text, SHRT_MAX, &number);
+  *value = number * 1e-3;
+  return is_read;
+}
+
+int thousandths(double value) {
+  return static_cast<int>(value * 1000 + 0.5);
 }
 
 const char* decodeWalkLimits(Text value, WalkLimits* walk) {
-  const bool is_read = parseSpeed(takeUntil(':', &value), &walk->forward) &&
-                       parseSpeed(takeUntil(':', &value), &walk->back) &&
-                       parseSpeed(takeUntil(':', &value), &walk->left) && parseSpeed(value, &walk->turn);
+  const bool is_read = parseThousandths(takeUntil(':', &value), &walk->forward) &&
+                       parseThousandths(takeUntil(':', &value), &walk->back) &&
+                       parseThousandths(takeUntil(':', &value), &walk->left) && parseThousandths(value, &walk->turn);
   return is_read ? NULL : "the limits of the walk are not forward:back:left:turn";
 }
 
@@ -178,10 +179,9 @@ const char* decodeLine(Text line, bool* is_there, Hello* hello) {
   return decodeValue(key, line, hello);
 }
 
-// Appends to a payload. MAX_HELLO_SIZE is enough for any valid hello.
-class Writer {
+class LineWriter {
  public:
-  explicit Writer(unsigned char* out) : out_(out), size_(0) {}
+  explicit LineWriter(unsigned char* out) : out_(out), size_(0) {}
 
   void append(const char* text) {
     memcpy(out_ + size_, text, strlen(text));
@@ -211,7 +211,7 @@ class Writer {
 size_t encodeHello(const Hello& hello, unsigned char* out) {
   char number[16];
   sprintf(number, "%u", hello.frame_number);
-  Writer writer(out);
+  LineWriter writer(out);
   writer.appendLine(KEY_ROBOT, hello.robot);
   writer.appendLine(KEY_SERVER, hello.server);
   writer.appendLine(KEY_FRAME_NUMBER, number);
@@ -227,7 +227,8 @@ size_t encodeHello(const Hello& hello, unsigned char* out) {
   const WalkLimits& walk = hello.walk;
   if (walk.forward > 0 || walk.back > 0 || walk.left > 0 || walk.turn > 0) {
     char limits[64];
-    sprintf(limits, "%d:%d:%d:%d", walk.forward, walk.back, walk.left, walk.turn);
+    sprintf(limits, "%d:%d:%d:%d", thousandths(walk.forward), thousandths(walk.back), thousandths(walk.left),
+            thousandths(walk.turn));
     writer.appendLine(KEY_WALK_LIMITS, limits);
   }
   return writer.size();

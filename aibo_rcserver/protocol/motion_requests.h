@@ -1,7 +1,6 @@
 /// @file motion_requests.h
-/// Version 2's requests about motions, which are files on the robot's memory stick: upload, delete, play, list.
-/// Decoders and encoders follow the rules in version2.h. Names may have small letters on the wire; readMotionName()
-/// turns them into capitals.
+/// Version 2's requests for motion files on the robot's memory stick: upload, delete, play and list. Names on the wire
+/// may have small letters; readMotionName() makes them capitals.
 #ifndef AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H
 #define AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H
 
@@ -14,54 +13,75 @@
 namespace protocol {
 namespace version2 {
 
-/// Largest motion file that fits into a request beside its name.
+/// The largest motion file that fits into a request with its name.
 const size_t MAX_MOTION_FILE_SIZE = MAX_PAYLOAD_TOWARDS_ROBOT - 1 - MAX_MOTION_NAME_SIZE;
 
-/// Bits of the id of `U` and `P`. Servers before these bits ignore the id.
-/// @{
-const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;  ///< else a motion of joints that the robot does not have is refused
-const unsigned char TELL_CHANGES = 2;  ///< `P`: the reply says what is played differently; else it has no payload
-/// @}
+/// Bits of the id of `U` and `P`. Older servers ignore the id.
+const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;  ///< do not refuse a motion of joints that the robot lacks
+const unsigned char TELL_CHANGES = 2;  ///< `P`: the reply describes changes to the motion; otherwise it is empty
 
-/// Payload of `U`: uint8 size of the name, the name, the bytes of the file. The reply has none.
+/// Payload of `U`: uint8 size of the name, the name, the content of the file. The reply has none.
 struct MotionUpload {
   MotionName name;
-  const unsigned char* content;  ///< not checked; after decoding, points into the payload
+  const unsigned char* content;  ///< unchecked; after decoding, points into the payload
   size_t content_size;           ///< bytes, 1..MAX_MOTION_FILE_SIZE
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.sizedName(readMotionName, name, "the name of the motion does not fit into the payload");
+    fields.content(content, content_size);
+    fields.require(content_size > 0, "there is no motion after its name");
+  }
 };
 
-/// @param out room for MAX_PAYLOAD_TOWARDS_ROBOT bytes
-size_t encodeMotionUpload(const MotionUpload& upload, unsigned char* out);
-const char* decodeMotionUpload(const unsigned char* payload, size_t size, MotionUpload* upload);
+const Request STORE_MOTION = {REQUEST_UPLOAD, "store the motion", NEEDS_MEMORY_STICK, "ALLOW_UPLOAD"};
 
 /// Payload of `D`: the name. The reply has none.
-size_t encodeMotionName(const MotionName& name, unsigned char* out);  ///< at most MAX_MOTION_NAME_SIZE bytes
-const char* decodeMotionName(const unsigned char* payload, size_t size, MotionName& name);
+struct MotionToDelete {
+  MotionName name;
 
-/// Payload of `P`: uint16 repetitions, the name. The reply has none, or, with TELL_CHANGES, the changes.
-struct MotionOrder {
-  unsigned short repetitions;  ///< how often to play the motion; 0 stops it
-  MotionName name;             ///< empty only with 0 repetitions: stops all motions
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.name(readMotionName, name, false);
+  }
 };
 
-const size_t MAX_MOTION_ORDER_SIZE = 2 + MAX_MOTION_NAME_SIZE;
-size_t encodeMotionOrder(const MotionOrder& order, unsigned char* out);
-const char* decodeMotionOrder(const unsigned char* payload, size_t size, MotionOrder* order);
+const Request DELETE_MOTION = {REQUEST_DELETE, "delete the motion", NEEDS_MEMORY_STICK, "ALLOW_DELETE"};
 
-/// Payload of the reply to `P` with TELL_CHANGES: what is played differently than the file says, in plain text (text.h)
-/// without an end mark; empty if nothing is.
+/// Payload of `P`: uint16 repetitions, the name. With TELL_CHANGES the reply has MotionChanges, otherwise nothing.
+struct MotionOrder {
+  unsigned short repetitions;  ///< 0 stops the motion
+  MotionName name;             ///< may be empty with 0 repetitions, which stops all motions
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(repetitions);
+    fields.name(readMotionName, name, repetitions == 0);
+  }
+};
+
+const Request PLAY_MOTION = {REQUEST_PLAY, "play the motion", STARTS_MOVEMENT | TAKES_OVER_JOINTS | NEEDS_MEMORY_STICK,
+                             NULL};
+const Request STOP_MOTION = {REQUEST_PLAY, "stop the motion", STOPS_MOTIONS, NULL};
+const Request STOP_ALL_MOTIONS = {REQUEST_PLAY, "stop all motions", STOPS_MOTIONS, NULL};
+
+const size_t MAX_MOTION_CHANGES_SIZE = 512;
+
+/// Payload of the reply to `P` with TELL_CHANGES: how playback differs from the file. Plain text (text.h), not
+/// zero-terminated, empty if there is no difference.
 struct MotionChanges {
   const char* text;  ///< after decoding, points into the payload
   size_t text_size;  ///< bytes, 0..MAX_MOTION_CHANGES_SIZE
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.text(text, text_size, MAX_MOTION_CHANGES_SIZE);
+    fields.require(text_size <= MAX_MOTION_CHANGES_SIZE, "the text is too long");
+  }
 };
 
-const size_t MAX_MOTION_CHANGES_SIZE = 512;
-size_t encodeMotionChanges(const MotionChanges& changes, unsigned char* out);
-const char* decodeMotionChanges(const unsigned char* payload, size_t size, MotionChanges* changes);
-
-/// Payload of the reply to `N`: the names of the motions. The request has none.
-size_t encodeMotionList(const FileList& list, unsigned char* out);  ///< at most MAX_FILE_LIST_SIZE bytes
-const char* decodeMotionList(const unsigned char* payload, size_t size, FileList* list);
+/// The request has no payload. The reply has the motions' names (file_list.h).
+const Request LIST_MOTIONS = {REQUEST_LIST, "list its motions", NEEDS_MEMORY_STICK, NULL};
 
 }  // namespace version2
 }  // namespace protocol

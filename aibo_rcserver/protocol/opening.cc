@@ -11,12 +11,12 @@ namespace {
 
 const char LETTERS_OF_PAIRS[] = "FWXJSVA";  // requests that can have two bytes
 
-// RFC 9110, section 5.6.2. Not isalnum() alone: what is a letter does not depend on the locale of the computer.
+// RFC 9110, section 5.6.2. Comparing with isalnum() alone would depend on the locale.
 bool isOfToken(unsigned char byte) {
   return byte < 0x80 && (isalnum(byte) || (byte != '\0' && strchr("!#$%&'*+-.^_`|~", byte) != NULL));
 }
 
-// What a request line asks for: a path, an address with its scheme, or "*".
+// The target of an HTTP request line is a path, an address with its scheme, or "*".
 bool beginsTarget(unsigned char byte) {
   return byte == '/' || byte == '*' || (byte >= 'a' && byte <= 'z');
 }
@@ -36,7 +36,7 @@ Opening::Verdict Opening::verdict() const {
   return is_of_letters_ || ends_with_space_ || size_ > FILE_REQUEST_SIZE ? UNCLEAR : CLIENT;
 }
 
-// A space that is the second byte of a request says nothing yet: "F " asks for a picture of quality 32.
+// A space as the second byte of a request tells nothing: "F " asks for a picture of quality 32.
 void Opening::take(unsigned char byte) {
   const bool is_second = size_ % 2 == 1;
   if (size_ == 0 && !RequestReader::isLetter(static_cast<char>(byte))) {

@@ -1,5 +1,5 @@
 /// @file opening.h
-/// Tells by the first bytes of a connection whether a client of this protocol has made it.
+/// Decides from the first bytes of a connection whether the peer is a client of this protocol.
 #ifndef AIBO_RCSERVER_PROTOCOL_OPENING_H
 #define AIBO_RCSERVER_PROTOCOL_OPENING_H
 
@@ -7,26 +7,23 @@
 
 namespace protocol {
 
-/// The first bytes of a connection, which may arrive in any pieces.
+/// The first bytes of a connection, in any pieces. Not thread-safe.
 ///
-/// A web page can make its visitor's browser connect to any port that the browser reaches, and send much of what the
-/// page chooses: HTTP of any method (RFC 9110), TLS, STUN (RFC 5389). Read as requests, these bytes could move the
-/// robot. So nothing is carried out for a connection whose first byte is not the letter of a request of version 1, or
-/// that begins like a line of HTTP: with a token, which is what a method is (RFC 9110, sections 5.6.2 and 9.1), and a
-/// space.
+/// A web page can make its visitor's browser connect to any port, and choose much of what the browser sends: HTTP (RFC
+/// 9110), TLS, STUN (RFC 5389). Read as requests, these bytes could move the robot. So no request is carried out if the
+/// first byte is not a letter of a version 1 request, or if the connection begins like HTTP: with a token, which is
+/// what a method is (RFC 9110, sections 5.6.2 and 9.1), and a space.
 ///
-/// Letters of methods are letters of requests, too, and a token has no greatest length. So the question stays open
-/// while all bytes are those of tokens. Requests of two bytes, which ask for pictures and values, need not wait for the
-/// answer: "FU" is a whole request. What has more bytes has to wait while IsUnclear(); no request that could be carried
-/// out is so: an identifier, a zero byte, or a full stop in its first bytes says that it is none of HTTP.
-///
-/// Not thread-safe.
+/// Methods consist of letters that are also requests, and a token has no maximum length. So the verdict stays open as
+/// long as all bytes are token characters. Requests of two bytes, which ask for pictures and values, do not wait for
+/// it: "FU" is a whole request. Longer requests wait while IsUnclear(). A request that could be carried out is never
+/// unclear, because an identifier, a zero byte or a full stop among its first bytes rules out HTTP.
 class Opening {
  public:
   enum Verdict {
-    UNCLEAR,  ///< the bytes so far may become HTTP
-    CLIENT,   ///< they are a client's, as far as they go
-    STRANGER  ///< they are not; stays so
+    UNCLEAR,  ///< so far, the bytes could be HTTP
+    CLIENT,   ///< so far, the bytes are a client's
+    STRANGER  ///< the peer is not a client; this verdict is final
   };
 
   Opening()
@@ -37,10 +34,9 @@ class Opening {
         is_of_pairs_(true),
         ends_with_space_(false) {}
 
-  /// Adds bytes that have arrived. Once it is clear that they are a client's, more bytes change nothing.
+  /// Adds received bytes. After the verdict CLIENT, more bytes change nothing.
   void add(const unsigned char* bytes, size_t size);
 
-  /// The verdict on all bytes so far.
   Verdict verdict() const;
 
  private:
@@ -49,10 +45,10 @@ class Opening {
 
   size_t size_;
   bool is_decided_;
-  bool is_stranger_;      ///< if it is decided
-  bool is_of_letters_;    ///< all bytes so far are
-  bool is_of_pairs_;      ///< all so far may be requests of two bytes
-  bool ends_with_space_;  ///< which may be the end of a method, or the second byte of a request
+  bool is_stranger_;      ///< the verdict is STRANGER
+  bool is_of_letters_;    ///< all bytes so far are letters
+  bool is_of_pairs_;      ///< all bytes so far can be requests of two bytes
+  bool ends_with_space_;  ///< the space may end a method, or be the second byte of a request
 };
 
 }  // namespace protocol

@@ -1,12 +1,11 @@
 /// @file picture_datagram.h
-/// Pictures by UDP, in version 2 of the protocol: the request `B`, and the datagrams that follow it.
+/// Pictures by UDP in version 2: the request `B` and its datagrams.
 ///
-/// A picture of the stream is sent as parts of DATAGRAM_PART_SIZE bytes; the last one has the rest. Each part goes in a
-/// datagram of its own, behind a header that describes the whole picture. So a receiver can begin with any part, and
-/// knows from each how many there are.
+/// A picture is sent in parts of DATAGRAM_PART_SIZE bytes; the last part has the rest. Each part is a datagram with a
+/// header that describes the whole picture, so a receiver can begin with any part.
 ///
-/// If datagrams get lost, each group of PARTS_PER_PARITY parts is followed by their parity: their bytes, combined by
-/// exclusive or. Of each group, any one datagram may be lost then.
+/// If datagrams get lost, each group of PARTS_PER_PARITY parts is followed by its parity: the exclusive or of their
+/// bytes. It replaces any one lost datagram of the group.
 #ifndef AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 #define AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 
@@ -17,69 +16,101 @@
 namespace protocol {
 namespace version2 {
 
-/// Payload of `B` and of its reply: uint16 port, 0 = no datagrams.
-const size_t DATAGRAM_PORT_SIZE = 2;
-size_t encodeDatagramPort(unsigned short port, unsigned char* out);
-const char* decodeDatagramPort(const unsigned char* payload, size_t size, unsigned short* port);
+/// Payload of `B` and its reply: uint16 port, 0 = no datagrams.
+struct DatagramPort {
+  unsigned short port;
 
-/// What goes before a part or a parity: char `b`, uint8 0 part, 1 parity, uint16 part, uint32 sequence, uint32 picture,
-/// uint32 size of the JPEG, then the image header of `f`.
-struct PictureDatagram {
-  bool is_parity;
-  unsigned short part;  ///< of this picture, from 0; of a parity: the first part of its group
-  unsigned sequence;    ///< counts datagrams, from 0 after each `B`
-  unsigned picture;     ///< counts pictures, from 0 after each `B`
-  unsigned jpeg_size;   ///< of the whole picture, 1..MAX_JPEG_SIZE
-  ImageHeader image;
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(port);
+  }
 };
+
+const Request SEND_DATAGRAMS = {REQUEST_DATAGRAMS, "send its pictures by UDP", 0, NULL};
+
+const size_t DATAGRAM_HEADER_SIZE = 16 + IMAGE_HEADER_SIZE;
+
+/// With the headers of IP and UDP this makes 1400 bytes, which no network or tunnel has to split. Sony's IPStack is
+/// said to crash on datagrams of more than some 19 KB.
+const size_t MAX_DATAGRAM_SIZE = 1372;
+
+/// The size of every part but the last.
+const size_t DATAGRAM_PART_SIZE = MAX_DATAGRAM_SIZE - DATAGRAM_HEADER_SIZE;
+
+size_t numberOfParts(size_t jpeg_size);
+
+/// @param part 0 to numberOfParts() - 1
+size_t sizeOfPart(size_t jpeg_size, size_t part);
+
+/// Most parts in a group with a parity. A picture at 208x160 is one group.
+const size_t PARTS_PER_PARITY = 8;
+
+size_t numberOfParities(size_t parts);
+
+/// Adds a part to the parity of its group. A new parity is all 0 and has the size of the group's first part.
+/// @param size of the part
+void addToParity(const unsigned char* part, size_t size, unsigned char* parity);
 
 /// The first byte of a datagram.
 const char DATAGRAM_MARK = 'b';
 
-const size_t DATAGRAM_HEADER_SIZE = 16 + IMAGE_HEADER_SIZE;
+/// The header of a part or a parity, DATAGRAM_HEADER_SIZE bytes: char `b`, uint8 0 part, 1 parity, uint16 part, uint32
+/// sequence, uint32 picture, uint32 size of the JPEG, then the image header of `f`.
+struct PictureDatagram {
+  bool is_parity;
+  unsigned short part;  ///< index in the picture, from 0; for a parity, the first part of its group
+  unsigned sequence;    ///< datagrams since `B`, from 0
+  unsigned picture;     ///< pictures since `B`, from 0
+  unsigned jpeg_size;   ///< the whole picture, 1..MAX_JPEG_SIZE
+  ImageHeader image;
 
-/// With the headers of IP and UDP, 1400 bytes: no network and no tunnel has to cut such a packet. Sony's IPStack is
-/// said to crash when a datagram has more than some 19 KB.
-const size_t MAX_DATAGRAM_SIZE = 1372;
+  template <typename Fields>
+  void visit(Fields& fields) {
+    const char* const other = "the datagram does not begin like a part of a picture";
+    char mark = DATAGRAM_MARK;
+    fields.number(mark);
+    fields.require(mark == DATAGRAM_MARK, other);
+    fields.flag(is_parity, other);
+    fields.number(part);
+    fields.number(sequence);
+    fields.number(picture);
+    fields.number(jpeg_size);
+    fields.require(jpeg_size > 0 && jpeg_size <= MAX_JPEG_SIZE, "the picture in the datagram is empty or too large");
+    fields.require(part < numberOfParts(jpeg_size), "the picture in the datagram does not have that many parts");
+    fields.require(!is_parity || part % PARTS_PER_PARITY == 0,
+                   "the part of the parity is not the first one of a group");
+    fields.item(image);
+  }
+};
 
-/// Bytes of the JPEG in every part but the last.
-const size_t DATAGRAM_PART_SIZE = MAX_DATAGRAM_SIZE - DATAGRAM_HEADER_SIZE;
-
-/// How many parts a JPEG has.
-size_t numberOfParts(size_t jpeg_size);
-
-/// How many bytes of the JPEG a part has.
-/// @param part 0 to numberOfParts() - 1
-size_t sizeOfPart(size_t jpeg_size, size_t part);
-
-/// Most parts of a group with a parity; the last group of a picture may have fewer. A picture at 208x160 is one group.
-const size_t PARTS_PER_PARITY = 8;
-
-/// How many groups these parts are.
-size_t numberOfParities(size_t parts);
-
-/// Adds a part to the parity of its group. In a new parity, all bytes are 0; it is as long as the first part.
-/// @param size of the part
-void addToParity(const unsigned char* part, size_t size, unsigned char* parity);
-
-/// Writes DATAGRAM_HEADER_SIZE bytes; the part of the JPEG, or the parity, follows them.
-size_t encodePictureDatagram(const PictureDatagram& datagram, unsigned char* out);
-
-/// Decodes a datagram, and checks that it has all bytes of its part or parity, which begin at
-/// bytes + DATAGRAM_HEADER_SIZE.
+/// Decodes a datagram and checks its size. The part or parity begins at bytes + DATAGRAM_HEADER_SIZE.
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
 
-/// What a receiver sends back when the last part of a picture has come, or a part of a later one: char `a`, 3 x uint8
-/// 0, uint32 picture.
-const size_t ACKNOWLEDGEMENT_SIZE = 8;
-size_t encodeAcknowledgement(unsigned picture, unsigned char* out);
-const char* decodeAcknowledgement(const unsigned char* bytes, size_t size, unsigned* picture);
+const size_t ACKNOWLEDGEMENT_SIZE = 8;  ///< bytes of each reply from a receiver
 
-/// What a receiver sends back when datagrams were lost, so that the next pictures have parities: char `l`, 3 x uint8 0,
-/// uint32 picture that showed the loss.
-const size_t LOSS_REPORT_SIZE = 8;
-size_t encodeLossReport(unsigned picture, unsigned char* out);
-const char* decodeLossReport(const unsigned char* bytes, size_t size, unsigned* picture);
+/// A receiver sends this when it has the last part of a picture or a part of a later one: char `a`, 3 x uint8 0, uint32
+/// picture.
+struct Acknowledgement {
+  unsigned picture;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.constant('a' << 24, "the datagram is not an acknowledgement");
+    fields.number(picture);
+  }
+};
+
+/// A receiver sends this when datagrams were lost, so that parities follow: char `l`, 3 x uint8 0, uint32 picture that
+/// showed the loss.
+struct LossReport {
+  unsigned picture;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.constant('l' << 24, "the datagram is not a loss report");
+    fields.number(picture);
+  }
+};
 
 }  // namespace version2
 }  // namespace protocol

@@ -19,7 +19,7 @@ bool isFollowedByContent(char letter) {
   return letter == REQUEST_UPLOAD_MOTION || letter == REQUEST_UPLOAD_OBJECT;
 }
 
-// The size of requests with this letter; 0 if there is no such letter.
+// The size of requests with this letter, or 0.
 size_t sizeOf(char letter) {
   switch (letter) {
     case REQUEST_PICTURE:
@@ -80,7 +80,7 @@ bool RequestReader::next(Request* request) {
   if (isFollowedByContent(letter)) {
     content_left_ = contentSize(decodeFileRequest(request->payload));
   }
-  consume(size);
+  take(size);
   return true;
 }
 
@@ -92,24 +92,22 @@ size_t RequestReader::takeContent(unsigned char* out, size_t capacity) {
   const size_t taken = smaller(capacity, smaller(content_left_, waiting_size_));
   memcpy(out, waiting_, taken);
   content_left_ -= taken;
-  consume(taken);
+  take(taken);
   return taken;
 }
 
-size_t RequestReader::takeWaiting(unsigned char* out) {
-  const size_t size = waiting_size_;
-  memcpy(out, waiting_, size);
-  waiting_size_ = 0;
-  return size;
+void RequestReader::take(size_t size) {
+  waiting_size_ -= size;
+  memmove(waiting_, waiting_ + size, waiting_size_);
 }
 
 void RequestReader::skipContent() {
   const size_t skipped = smaller(content_left_, waiting_size_);
   content_left_ -= skipped;
-  consume(skipped);
+  take(skipped);
 }
 
-// Size of the first request in these bytes; 0 if it is incomplete.
+// The size of the first request in these bytes; 0 if it is incomplete.
 size_t RequestReader::frontSize(const unsigned char* bytes, size_t size) {
   if (size < BASIC_COMMAND_SIZE) {
     return 0;
@@ -118,14 +116,9 @@ size_t RequestReader::frontSize(const unsigned char* bytes, size_t size) {
   if (hasTwoSizes(letter)) {
     return size == VALUE_REQUEST_SIZE - 1 ? 0 : size;
   }
-  // The size of an unknown request is unknown, but every request has at least two bytes.
+  // The size of an unknown request is unknown, but it has at least two bytes.
   const size_t wanted = sizeOf(letter) != 0 ? sizeOf(letter) : BASIC_COMMAND_SIZE;
   return size < wanted ? 0 : wanted;
-}
-
-void RequestReader::consume(size_t size) {
-  waiting_size_ -= size;
-  memmove(waiting_, waiting_ + size, waiting_size_);
 }
 
 }  // namespace protocol

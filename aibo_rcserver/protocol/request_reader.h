@@ -1,5 +1,4 @@
 /// @file request_reader.h
-/// Splits the bytes that a version 1 client sends into requests.
 #ifndef AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H
 #define AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H
 
@@ -13,15 +12,14 @@ namespace protocol {
 struct Request {
   bool valid;             ///< false: unknown letter or wrong size; answered by one error
   BasicGetCommand basic;  ///< letter and identifier
-  size_t payload_size;    ///< bytes of payload: 0, 2 (an int16) or 16 (name, a, b)
-  unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];  ///< the bytes after letter and identifier
+  size_t payload_size;    ///< bytes: 0, 2 (an int16) or 16 (name, a, b)
+  unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];
 };
 
-/// Splits a byte stream into version 1 requests. No I/O, and memory of a fixed size.
+/// Splits the bytes of a version 1 client into requests. No I/O, fixed memory, not thread-safe.
 ///
-/// For most requests the letter determines the size, so it does not matter how TCP splits or joins the bytes. But `J`,
-/// `S`, `V` and `A` exist in two sizes, and servers since 2005 have distinguished them by the number of bytes that
-/// arrived together. For a request that begins with one of these four letters:
+/// The letter determines the size of most requests, so it does not matter how TCP splits or joins the bytes. But `J`,
+/// `S`, `V` and `A` exist in two sizes. Servers since 2005 tell them apart by the number of bytes that arrive together:
 ///
 /// | bytes waiting | meaning |
 /// |---|---|
@@ -31,69 +29,64 @@ struct Request {
 /// | 4 | a write |
 /// | more | wrong size: all waiting bytes become one invalid request |
 ///
-/// "Waiting" bytes are those that append() has added and next() has not taken. So a write whose four bytes TCP delivers
-/// in two pairs is mistaken for a read; version 1 offers no way around that.
+/// Bytes wait from append() to next(). If TCP delivers a write as two pairs, it is mistaken for a read; version 1
+/// offers no remedy.
 ///
-/// The content that `U` and `C` announce follows them. A caller that wants it calls takeContent() before the next
-/// next(), which skips the rest of the content. So the content of a refused file is never mistaken for requests.
+/// Content follows `U` and `C`. A caller that wants it calls takeContent() before the next next(), which skips the
+/// rest. So the content of a refused file is never mistaken for requests.
 ///
 /// @code
 /// while (reader.contentLeft() > 0 && (size = reader.takeContent(bytes, sizeof(bytes))) > 0) { ... }
 /// if (reader.contentLeft() == 0) { ... the file is whole; go on with reader.next() ... }
 /// @endcode
-///
-/// Not thread-safe.
 class RequestReader {
  public:
-  /// Bytes that one append() always takes if at most one unfinished request is waiting.
+  /// append() always takes this many bytes if at most one unfinished request is waiting.
   static const size_t MAX_APPENDED = 1024;
 
-  /// Most bytes that can be waiting.
   static const size_t MAX_WAITING = MAX_APPENDED + FILE_REQUEST_SIZE;
 
-  /// Most requests that next() can find after one append(). The shortest request has two bytes.
+  /// Most requests that next() can find after one append(). The shortest has two bytes.
   static const size_t MAX_REQUESTS = MAX_WAITING / BASIC_COMMAND_SIZE;
 
   RequestReader();
 
-  /// True if requests of version 1 can begin with this.
+  /// True if a version 1 request can begin with this letter.
   static bool isLetter(char letter);
 
-  /// True if a connection that begins with these bytes begins with a whole request.
+  /// True if these bytes begin with a whole request.
   static bool beginsWithRequest(const unsigned char* bytes, size_t size) { return frontSize(bytes, size) > 0; }
 
-  /// Forgets all bytes, for a new client.
+  /// Call for a new client.
   void reset();
 
   /// Adds received bytes.
-  /// @return how many were taken: all of them if `size` is at most MAX_APPENDED and the last next() returned false or
-  ///         the last takeContent() returned 0
+  /// @return how many were taken: all, if `size` is at most MAX_APPENDED and the last next() returned false or the last
+  ///   takeContent() returned 0
   size_t append(const unsigned char* bytes, size_t size);
 
-  /// Takes the next request out of the waiting bytes, after the content of the last one.
+  /// Takes the next request, after the last one's content.
   /// @return false if no complete request is waiting
   bool next(Request* request);
 
-  /// Bytes of content that the last request announced and that have been neither taken nor skipped.
+  /// Bytes of the announced content that were neither taken nor skipped.
   size_t contentLeft() const;
 
-  /// Takes bytes of this content out of the waiting bytes.
+  /// Takes waiting bytes of the content.
   /// @param out room for `capacity` bytes
-  /// @return how many; 0 if none are waiting, and at the end of the content
+  /// @return how many; 0 if none are waiting or the content has ended
   size_t takeContent(unsigned char* out, size_t capacity);
 
-  /// True if no bytes are waiting.
-  bool isEmpty() const { return waiting_size_ == 0; }
+  /// The waiting bytes. After the request for version 2 they belong to version 2.
+  const unsigned char* waiting() const { return waiting_; }
+  size_t waitingSize() const { return waiting_size_; }
 
-  /// Takes all waiting bytes. After the request for version 2 they belong to version 2.
-  /// @param[out] out room for MAX_WAITING bytes
-  /// @return how many there were
-  size_t takeWaiting(unsigned char* out);
+  /// Takes out the first of the waiting bytes.
+  void take(size_t size);
 
  private:
   void skipContent();
   static size_t frontSize(const unsigned char* bytes, size_t size);
-  void consume(size_t size);
 
   unsigned char waiting_[MAX_WAITING];
   size_t waiting_size_;

@@ -1,7 +1,6 @@
 /// @file stick_pictures.h
-/// Version 2's requests about pictures on the robot's memory stick: take one (`M`), list, fetch and delete them (`Y`).
-/// Decoders and encoders follow the rules in version2.h. Names may have small letters on the wire; readPictureName()
-/// turns them into capitals.
+/// Version 2's requests for pictures on the robot's memory stick: take (`M`), list, fetch and delete (`Y`). Names on
+/// the wire may have small letters; readPictureName() makes them capitals.
 #ifndef AIBO_RCSERVER_PROTOCOL_STICK_PICTURES_H
 #define AIBO_RCSERVER_PROTOCOL_STICK_PICTURES_H
 
@@ -14,26 +13,47 @@
 namespace protocol {
 namespace version2 {
 
-/// What `Y` asks for: its id.
+/// The id of `Y`.
 enum StickPictureRequest {
-  LIST_PICTURES = 1,  ///< no payload; answered by the list
-  FETCH_PICTURE = 2,  ///< the name; answered by the bytes of the file, 1..MAX_STICK_PICTURE_SIZE
-  DELETE_PICTURE = 3  ///< the name; the reply has no payload
+  LIST_PICTURES = 1,  ///< no payload; the reply is the list
+  FETCH_PICTURE = 2,  ///< payload: the name; the reply is the content, 1..MAX_STICK_PICTURE_SIZE bytes
+  DELETE_PICTURE = 3  ///< payload: the name; the reply has none
 };
 
-/// Largest picture that a robot keeps or sends. It takes none that is larger.
+/// Robots neither keep nor send larger pictures.
 const size_t MAX_STICK_PICTURE_SIZE = 128 * 1024;
 
-/// Payload of `Y` to fetch or delete, and of the reply to `M`: the name.
-size_t encodePictureName(const PictureName& name, unsigned char* out);  ///< at most MAX_FILE_NAME_SIZE bytes
-const char* decodePictureName(const unsigned char* payload, size_t size, PictureName& name);
+/// Payload of `Y` to fetch or delete, and of the reply to `M`: the name. The reply to a list has all names
+/// (file_list.h).
+struct StickPicture {
+  PictureName name;
 
-/// Payload of the reply to `Y` for a list: the names of the pictures.
-size_t encodePictureList(const FileList& list, unsigned char* out);  ///< at most MAX_FILE_LIST_SIZE bytes
-const char* decodePictureList(const unsigned char* payload, size_t size, FileList* list);
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.name(readPictureName, name, false);
+  }
+};
 
-/// Checks the payload of the reply to `Y` for a file. The file itself is not checked.
-const char* checkFetchedPicture(size_t size);
+/// The file in the reply to `Y`.
+struct FetchedPicture {
+  const unsigned char* content;  ///< unchecked; after decoding, points into the payload
+  size_t size;                   ///< bytes, 1..MAX_STICK_PICTURE_SIZE
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.content(content, size);
+    fields.require(size > 0, "the file is empty");
+    fields.require(size <= MAX_STICK_PICTURE_SIZE, "the file has more than 128 KiB");
+  }
+};
+
+const Request SAVE_PICTURE = {REQUEST_SAVE_PICTURE, "take a picture onto its memory stick", NEEDS_MEMORY_STICK,
+                              "ALLOW_PICTURES"};
+const Request LIST_STICK_PICTURES = {REQUEST_PICTURES, "list the pictures on its memory stick", NEEDS_MEMORY_STICK,
+                                     "ALLOW_PICTURES"};
+const Request FETCH_STICK_PICTURE = {REQUEST_PICTURES, "send the picture", NEEDS_MEMORY_STICK | FETCHES_FILE,
+                                     "ALLOW_PICTURES"};
+const Request DELETE_STICK_PICTURE = {REQUEST_PICTURES, "delete the picture", NEEDS_MEMORY_STICK, "ALLOW_PICTURES"};
 
 }  // namespace version2
 }  // namespace protocol

@@ -11,7 +11,7 @@ const unsigned LAST_CODE_POINT = 0x10ffff;
 const size_t ENDING_SIZE = 4;
 const size_t MAX_STEM_SIZE = MAX_FILE_NAME_SIZE - ENDING_SIZE;
 
-// What the names of files of a kind end in, and what is said about a wrong name.
+// The ending of names of one kind, and messages about wrong names.
 struct KindOfName {
   char ending[ENDING_SIZE + 1];
   const char* other_ending;
@@ -34,7 +34,7 @@ bool isContinuation(unsigned char byte) {
   return (byte & 0xc0) == 0x80;
 }
 
-// Bytes of the character that begins with `first`; 0 if none does.
+// The size of the UTF-8 character that begins with this byte; 0 if none does.
 size_t characterSize(unsigned char first) {
   if (first < 0x80) {
     return 1;
@@ -53,8 +53,8 @@ struct Range {
   unsigned last;
 };
 
-// Unicode's characters that format others (category Cf), ends of lines (Zl, Zp), and variation selectors. Arabic and
-// other scripts use some of them, but a robot's messages do not.
+// Unicode's formatting characters (category Cf), line ends (Zl, Zp) and variation selectors. Arabic and other scripts
+// use some of them, but a robot's messages do not.
 const Range FORMAT_CHARACTERS[] = {{0xad, 0xad},     {0x61c, 0x61c},     {0x180b, 0x180e},  {0x200b, 0x200f},
                                    {0x2028, 0x202e}, {0x2060, 0x206f},   {0xfe00, 0xfe0f},  {0xfeff, 0xfeff},
                                    {0xfff9, 0xfffb}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff}};
@@ -76,7 +76,7 @@ bool isPlainCharacter(unsigned code_point, size_t size) {
          code_point <= LAST_CODE_POINT;
 }
 
-// Bytes of the first character; 0 if it is not well-formed or a control character.
+// The size of the first character; 0 if it is malformed or a control character.
 size_t plainCharacterAt(const char* bytes, size_t size) {
   static const unsigned char FIRST_BYTE_MASK[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
   const unsigned char first = static_cast<unsigned char>(bytes[0]);
@@ -95,7 +95,7 @@ size_t plainCharacterAt(const char* bytes, size_t size) {
   return isPlainCharacter(code_point, character_size) ? character_size : 0;
 }
 
-// Unlike toupper(), the same in every locale.
+// Unlike toupper(), this does not depend on the locale.
 char capital(char character) {
   return character >= 'a' && character <= 'z' ? static_cast<char>(character - 'a' + 'A') : character;
 }
@@ -113,7 +113,7 @@ bool isAllowedInName(const char* stem, size_t size) {
   return true;
 }
 
-// As Windows: whatever the ending is.
+// Windows ignores the ending of a device's name.
 bool isDevice(const char* name, size_t stem_size) {
   static const char* const DEVICES[] = {"CON", "PRN", "AUX", "NUL", "CLOCK$"};
   for (size_t i = 0; i < sizeof(DEVICES) / sizeof(DEVICES[0]); ++i) {
@@ -125,7 +125,7 @@ bool isDevice(const char* name, size_t stem_size) {
   return is_port && stem_size == 4 && name[3] >= '0' && name[3] <= '9';
 }
 
-// True for "WAG~1".
+// "WAG~1" is Windows' short form of a longer name.
 bool standsForLongName(const char* name, size_t stem_size) {
   size_t digits = 0;
   while (digits < stem_size && name[stem_size - 1 - digits] >= '0' && name[stem_size - 1 - digits] <= '9') {

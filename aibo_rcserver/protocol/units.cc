@@ -33,7 +33,7 @@ short roundIntoShort(double value) {
   return static_cast<short>(roundInto(value, SHRT_MIN, SHRT_MAX));
 }
 
-// How each of the three counts one SI unit, one strength of touch or one press of a switch.
+// How many of OPEN-R's units make one SI unit, one strength of touch or one press.
 double openrUnit(SensorKind kind) {
   return kind == SENSOR_TOUCH || kind == SENSOR_SWITCH ? 1 : MILLIONTHS;
 }

@@ -10,7 +10,6 @@ namespace {
 const size_t NAME_SIZE = MAX_MOTION_NAME_SIZE;
 const size_t BLOCK_SIZE = 512;
 
-// The bytes of a value, without the sign.
 void encodeUnsigned16(unsigned short value, unsigned char* out) {
   out[0] = static_cast<unsigned char>(value & 0xff);
   out[1] = static_cast<unsigned char>(value >> 8);

@@ -1,9 +1,9 @@
 /// @file version1.h
-/// Version 1 of the RCServer's wire protocol, which robots in the field speak. Used by both sides; C++98, no I/O.
+/// Version 1 of RCServer's wire protocol, which robots in the field speak. C++98, no I/O. docs/protocol.md describes
+/// the protocol.
 ///
-/// A request begins with two bytes, a capital letter and an identifier; a reply begins with a small letter.
-/// Integers are little-endian, except for the size of a picture, which is big-endian (report, section 3.4.1).
-/// docs/protocol.md describes the whole protocol.
+/// A request begins with a capital letter and an identifier, a reply with a small letter. Integers are little-endian,
+/// except for the big-endian size of a picture (report, section 3.4.1).
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION1_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION1_H
 
@@ -13,17 +13,17 @@
 
 namespace protocol {
 
-/// TCP port of the RCServer (report, section 2.2).
+/// TCP (report, section 2.2).
 const int RCSERVER_PORT = 54321;
 
-/// JPEG quality that clients ask for unless told otherwise (report, section 3.3.3).
+/// Clients ask for this JPEG quality by default (report, section 3.3.3).
 const unsigned char DEFAULT_JPEG_QUALITY = 85;
 
-/// Highest JPEG quality; any higher number means the same (report, section 3.3.6).
+/// Higher numbers mean the same (report, section 3.3.6).
 const unsigned char MAX_JPEG_QUALITY = 100;
 
-/// Largest picture, in bytes, that either side sends or accepts. The worst 208x160 picture at 4:2:0 and quality 100
-/// stays below 99.5 KiB (libjpeg-turbo's tjBufSize); at 4:4:4 it would stay below 197 KiB.
+/// The largest picture, in bytes, that either side sends or accepts. The worst 208x160 picture at quality 100 takes
+/// 99.5 KiB at 4:2:0 (libjpeg-turbo's tjBufSize), and 197 KiB at 4:4:4.
 const size_t MAX_PICTURE_SIZE = 256 * 1024;
 
 /// The first bytes of every request (report, section 2.3).
@@ -36,7 +36,7 @@ const char REQUEST_PICTURE = 'F';           ///< one picture, identifier = JPEG 
 const char REQUEST_STREAM_TOGGLE = 'W';     ///< starts or stops a stream of pictures; identifier = JPEG quality
 const char REQUEST_NEWER_VERSION = 'X';     ///< continue in the protocol version given by the identifier
 const char REQUEST_JOINT = 'J';             ///< joint angle, read or set
-const char REQUEST_SENSOR = 'S';            ///< sensor value, read, or excluded from or included in the block
+const char REQUEST_SENSOR = 'S';            ///< sensor value: reads it, or includes it in or excludes it from the block
 const char REQUEST_MAX_VELOCITY = 'V';      ///< a joint's greatest speed, read or set
 const char REQUEST_MAX_ACCELERATION = 'A';  ///< a joint's greatest acceleration, read or set
 const char REQUEST_LED = 'L';               ///< one LED or all of them
@@ -67,78 +67,67 @@ const size_t VALUE_REPLY_SIZE = 4;     ///< bytes of a value or error reply: let
 
 /// A reply of four bytes: a value or an error.
 struct ValueReply {
-  char letter;               ///< small letter of the request, or REPLY_ERROR
-  unsigned char identifier;  ///< of the request; 0 for an error
+  char letter;               ///< the request's small letter, or REPLY_ERROR
+  unsigned char identifier;  ///< the request's; 0 for an error
   short value;               ///< the value, or an ErrorCode
 };
 
-/// Writes BASIC_COMMAND_SIZE bytes.
 void encodeCommand(const BasicGetCommand& command, unsigned char* out);
 
-/// Reads BASIC_COMMAND_SIZE bytes.
 BasicGetCommand decodeCommand(const unsigned char* in);
 
-/// Writes PICTURE_HEADER_SIZE bytes.
 /// @param size bytes of the JPEG that follows, 1..MAX_PICTURE_SIZE
 void encodePictureHeader(size_t size, unsigned char* out);
 
-/// Reads PICTURE_HEADER_SIZE bytes.
-/// @param[out] size bytes of the JPEG that follows, as announced, even if out of range
-/// @return false if this is not a picture header, or if the size is 0 or above MAX_PICTURE_SIZE
+/// @param[out] size announced bytes of the JPEG, even if out of range
+/// @return false if this is not a picture header, or the size is 0 or above MAX_PICTURE_SIZE
 bool decodePictureHeader(const unsigned char* in, size_t* size);
 
 const size_t VALUE_SIZE = 2;  ///< bytes of an encoded value, an int16
 
-/// Writes VALUE_SIZE bytes.
 void encodeValue(short value, unsigned char* out);
 
-/// Reads VALUE_SIZE bytes.
 short decodeValue(const unsigned char* in);
 
-/// Writes VALUE_REPLY_SIZE bytes.
 void encodeValueReply(const ValueReply& reply, unsigned char* out);
 
-/// Reads VALUE_REPLY_SIZE bytes.
 ValueReply decodeValueReply(const unsigned char* in);
 
-/// True if `letter` begins a reply of VALUE_REPLY_SIZE bytes: a value, an acknowledgement or an error.
+/// A value, an acknowledgement and an error have VALUE_REPLY_SIZE bytes.
 bool isValueReply(char letter);
 
-/// Identifier of `L` and `K` that means all LEDs or both ears.
+/// In `L` and `K`: all LEDs or both ears.
 const unsigned char ALL_IDENTIFIERS = 0;
 
-/// Identifier of `Y` that means mode A; any other means mode B.
+/// In `Y`: mode A; any other identifier means mode B.
 const unsigned char FACE_MODE_A = 1;
 
-/// The intensity in the value of `L` and `Y`: the low byte. The high byte is ignored.
+/// The low byte of the value of `L` and `Y`. The high byte is ignored.
 unsigned char ledIntensity(short value);
 
-/// The bytes after the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
+/// What follows the identifier in `U`, `D`, `P` and `C`: char name[12], uint16 a, uint16 b.
 struct FileRequest {
-  char name[MAX_MOTION_NAME_SIZE + 1];  ///< as sent, up to the first zero byte; not checked; ends in a zero byte
-  unsigned short a;                     ///< `P`: how often; `U`, `C`: whole blocks of 512 bytes
-  unsigned short b;                     ///< `U`, `C`: bytes of content beyond these blocks
+  char name[MAX_MOTION_NAME_SIZE + 1];  ///< as sent, unchecked, up to the first zero byte
+  unsigned short a;                     ///< `P`: repetitions; `U`, `C`: whole blocks of 512 bytes
+  unsigned short b;                     ///< `U`, `C`: bytes after these blocks
 };
 
 const size_t FILE_PAYLOAD_SIZE = FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE;  ///< bytes of an encoded FileRequest
 
-/// Largest content that can be announced.
+/// The largest content that can be announced.
 const size_t MAX_CONTENT_SIZE = 65535 * 512 + 65535;
 
-/// Writes FILE_PAYLOAD_SIZE bytes.
 void encodeFileRequest(const FileRequest& request, unsigned char* out);
 
-/// Reads FILE_PAYLOAD_SIZE bytes. The name is not checked; readMotionName() does that.
+/// Does not check the name; readMotionName() does.
 FileRequest decodeFileRequest(const unsigned char* in);
 
-/// Bytes of content that `U` and `C` announce: a * 512 + b.
+/// The content that `U` and `C` announce: a * 512 + b bytes.
 size_t contentSize(const FileRequest& request);
 
-/// Sets a and b to announce `size` bytes of content.
 /// @param size 0..MAX_CONTENT_SIZE
 void announceContent(size_t size, FileRequest* request);
 
-/// The quality that the server uses: at most MAX_JPEG_QUALITY.
 unsigned char limitJpegQuality(unsigned char quality);
 
 }  // namespace protocol

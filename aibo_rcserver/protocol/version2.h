@@ -1,26 +1,21 @@
 /// @file version2.h
-/// Version 2 of the RCServer's wire protocol. Used by both sides; C++98, no I/O, no memory of its own.
+/// Version 2 of RCServer's wire protocol. C++98, no I/O, no memory of its own. docs/protocol.md describes the protocol.
 ///
-/// A client asks for version 2 in version 1 (versionRequest()). Once the server has agreed (versionReply()), both sides
-/// send frames only: a header of 8 bytes, then a payload. The kind in the header determines the payload's layout. All
-/// integers are big-endian, angles are in microradian, times on the robot are in OPEN-R frames of 8 ms.
-/// docs/protocol.md describes the whole protocol; the hello is in hello.h, requests about motions in motion_requests.h,
-/// those about walking in walk_requests.h, those about the camera's settings in camera_settings.h, those about its
-/// colour detection in color_requests.h, pictures by UDP in picture_datagram.h, those about pictures on the memory
-/// stick in stick_pictures.h.
+/// A client requests version 2 in version 1 (versionRequest()). After the server's consent (versionReply()) both sides
+/// send only frames: a header of 8 bytes, then a payload whose layout depends on the kind in the header. Integers are
+/// big-endian, angles are in microradians, times on the robot are in OPEN-R frames of 8 ms.
 ///
-/// Every decoder checks the payload's size, its counts, its reserved bytes and the values that the layout limits. It
-/// returns NULL, or what is wrong in a few words that can follow "bad request: "; then its result is unchanged. Whether
-/// a value makes sense for this robot, such as whether a joint exists, is checked by the server.
-///
-/// Every encoder returns the number of bytes it has written, which is at most the constant above it. It expects values
-/// that its decoder would accept.
+/// encode() and decode() in fields.h convert each payload struct. Beside it is the request's row (request.h). Other
+/// headers have more payloads: hello.h, motion_requests.h, walk_requests.h, camera_settings.h, color_requests.h,
+/// picture_datagram.h, stick_pictures.h and sound_requests.h.
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION2_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION2_H
 
 #include <stddef.h>
 
 #include "protocol/camera_settings.h"
+#include "protocol/fields.h"
+#include "protocol/request.h"
 #include "protocol/version1.h"
 
 namespace protocol {
@@ -31,20 +26,28 @@ const unsigned char VERSION = 2;
 /// The version 1 request for version 2: {`X`, 2}.
 BasicGetCommand versionRequest();
 
-/// The version 1 reply that agrees: {`x`, 2, 0, 0}. The next byte is a frame's.
+/// The version 1 reply that agrees: {`x`, 2, 0, 0}. Frames follow it.
 ValueReply versionReply();
 
-/// True if `reply` is versionReply(). After any other answer, the connection stays at version 1.
+/// After any other answer, the connection stays at version 1.
 bool agreesToVersion2(const ValueReply& reply);
 
-/// The first bytes of every frame.
 struct FrameHeader {
-  char kind;  ///< capital letter = request, lower-case letter = reply or push
-  /// JPEG quality of `F`, `W` and `M`, bits of TelemetryContent of `T`, HoldScope of `I`, CameraSetting of `G`,
-  /// ColorOrder of `Z`, Posture of `E`, StickPictureRequest of `Y`, bits of `U` and `P`; 0 for all other kinds
+  char kind;  ///< capital letter: request; small letter: reply or push
+  /// JPEG quality for `F`, `W` and `M`; TelemetryContent bits for `T`, HoldScope for `I`, CameraSetting for `G`,
+  /// ColorOrder for `Z`, SoundPart for `A`, Posture for `E`, StickPictureRequest for `Y`, bits for `U` and `P`;
+  /// otherwise 0.
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
-  unsigned payload_size;          ///< bytes that follow the header
+  unsigned payload_size;          ///< bytes
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(kind);
+    fields.number(id);
+    fields.number(request_number);
+    fields.number(payload_size);
+  }
 };
 
 const size_t FRAME_HEADER_SIZE = 8;
@@ -52,287 +55,407 @@ const size_t FRAME_HEADER_SIZE = 8;
 const size_t MAX_PAYLOAD_TOWARDS_CLIENT = 256 * 1024;
 const size_t MAX_PAYLOAD_TOWARDS_ROBOT = 64 * 1024;
 
-/// Writes FRAME_HEADER_SIZE bytes.
-size_t encodeFrameHeader(const FrameHeader& header, unsigned char* out);
-
-/// Reads FRAME_HEADER_SIZE bytes. The announced payload size is not checked; FrameReader does that.
+/// Does not check the payload size; FrameReader does.
 FrameHeader decodeFrameHeader(const unsigned char* in);
 
-const char REQUEST_HELLO = 'H';         ///< hello and heartbeat; no payload, the reply's is in hello.h
-const char REQUEST_PICTURE = 'F';       ///< one picture, id = JPEG quality; answered by a picture
-const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality; pictures are then pushed
-const char REQUEST_JOINTS = 'J';        ///< moves joints; answered by the accepted targets
-const char REQUEST_SPEED_LIMITS = 'V';  ///< sets or reads speed limits of joints; answered by those in force
-const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; answered by the one in force; values are then pushed
-const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their state; answered by the state in force
-const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them; id = HoldScope; the reply has no payload
-const char REQUEST_LEDS = 'L';          ///< sets LEDs; answered by the accepted values
-const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; answered by their new state
-const char REQUEST_CAMERA = 'G';        ///< sets or reads a camera setting (camera_settings.h); answered by its value
-const char REQUEST_DATAGRAMS = 'B';     ///< pictures by UDP (picture_datagram.h); answered by the port in force
-const char REQUEST_UPLOAD = 'U';        ///< stores a motion; the layouts of U, D, P and N are in motion_requests.h
+const char REQUEST_HELLO = 'H';         ///< hello and heartbeat; no payload; the reply's is in hello.h
+const char REQUEST_PICTURE = 'F';       ///< one picture, id = JPEG quality; the reply is the picture
+const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality; pushes pictures
+const char REQUEST_JOINTS = 'J';        ///< moves joints; the reply has the accepted targets
+const char REQUEST_SPEED_LIMITS = 'V';  ///< sets or reads speed limits of joints; the reply has those in force
+const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; the reply has the one in force; pushes values
+const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their state; the reply has the state
+const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them, id = HoldScope; the reply has no payload
+const char REQUEST_LEDS = 'L';          ///< sets LEDs; the reply has the accepted values
+const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; the reply has their new state
+const char REQUEST_DATAGRAMS = 'B';     ///< pictures by UDP (picture_datagram.h); the reply has the port in force
+const char REQUEST_UPLOAD = 'U';        ///< stores a motion; for U, D, P and N see motion_requests.h
 const char REQUEST_DELETE = 'D';        ///< deletes a motion
-const char REQUEST_PLAY = 'P';          ///< plays a motion, or stops it
-const char REQUEST_LIST = 'N';          ///< answered by the names of the motions on the robot
-const char REQUEST_SAVE_PICTURE = 'M';  ///< takes a picture onto the memory stick, id = quality; answered by its name
+const char REQUEST_PLAY = 'P';          ///< plays or stops a motion
+const char REQUEST_LIST = 'N';          ///< lists the motions on the robot
+const char REQUEST_SAVE_PICTURE = 'M';  ///< takes a picture onto the memory stick, id = quality; the reply has its name
 const char REQUEST_PICTURES = 'Y';      ///< lists, fetches or deletes them, id = StickPictureRequest (stick_pictures.h)
-const char REQUEST_STEER = 'S';         ///< walks; answered by the velocity in force; layouts are in walk_requests.h
-const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; no payload; answered when it has begun
+const char REQUEST_STEER = 'S';         ///< walks; the reply has the velocity in force (walk_requests.h)
+const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; no payload; the reply comes when it begins
 const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down; nothing follows the reply
 const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing follows the reply
 
-const char PICTURE = 'f';         ///< a picture: the reply to `F`, or pushed by a stream
-const char TELEMETRY_PUSH = 't';  ///< measured values if request_number is 0; otherwise the reply to `T`, a period
-const char END_PUSH = 'i';        ///< something that the robot did has ended
-const char MOTORS_AND_POSTURE_PUSH = 'o';  ///< if request_number is 0; otherwise the reply to `O`, the motors alone
-const char ERROR_MESSAGE = 'e';  ///< a request was refused; with request_number 0: a joint's fault, a power event,
-                                 ///< or why the server closes the connection
+const char PICTURE = 'f';                  ///< a picture: the reply to `F`, or pushed
+const char TELEMETRY_PUSH = 't';           ///< measured values (request_number 0), or the reply to `T`
+const char END_PUSH = 'i';                 ///< something has ended on the robot
+const char MOTORS_AND_POSTURE_PUSH = 'o';  ///< pushed (request_number 0), or the reply to `O`, without the posture
+const char ERROR_MESSAGE = 'e';  ///< a refusal; if pushed: a joint's fault, a power event, or why the connection closes
 
-/// The kind of the reply to a request that is not refused: the small letter.
+/// The small letter of the request.
 char replyKind(char request_kind);
 
-/// True if a frame of this kind and payload is an error. The reply to `E` that is not refused is an `e`, too; it has no
-/// payload, while an error has at least its code.
+/// A successful reply to `E` is an `e`, too, but without payload. An error has at least its code.
 bool isError(char kind, size_t payload_size);
 
-/// Quality that means the server's own default. All other numbers above MAX_JPEG_QUALITY mean MAX_JPEG_QUALITY.
+/// The server's own default. Other numbers above MAX_JPEG_QUALITY mean MAX_JPEG_QUALITY.
 const unsigned char SERVER_DEFAULT_QUALITY = 255;
 
-/// The camera's layers, as OPEN-R numbers them, and the double resolution that the server computes from them.
+/// The camera's layers, in OPEN-R's numbering, and the double resolution that the server computes from them.
 enum Layer { LAYER_HIGH = 0, LAYER_MIDDLE = 1, LAYER_LOW = 2, LAYER_DOUBLE = 3 };
 
-/// Payload of `F`: uint8 layer.
-const size_t PICTURE_REQUEST_SIZE = 1;
-size_t encodePictureRequest(Layer layer, unsigned char* out);
-const char* decodePictureRequest(const unsigned char* payload, size_t size, Layer* layer);
+template <typename Fields>
+void visitLayer(Fields& fields, Layer& layer) {
+  fields.choice(layer, LAYER_DOUBLE, "the layer is not 0 (H), 1 (M), 2 (L) or 3 (double)");
+}
 
-/// Payload of `W` and of its reply: uint8 on, uint8 layer, uint16 every n-th image.
+/// The payload of a request or reply that has none.
+struct NoPayload {
+  template <typename Fields>
+  void visit(Fields& /*fields*/) {}
+};
+
+const Request SAY_HELLO = {REQUEST_HELLO, "say hello", 0, NULL};
+
+/// Payload of `F`: uint8 layer.
+struct PictureRequest {
+  Layer layer;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    visitLayer(fields, layer);
+  }
+};
+
+const Request TAKE_PICTURE = {REQUEST_PICTURE, "take a picture", 0, NULL};
+
+/// Payload of `W` and its reply: uint8 on, uint8 layer, uint16 every n-th image.
 struct StreamSettings {
   bool on;
   Layer layer;
-  unsigned short every_nth_image;  ///< 1 = every image of the camera, 2 = every other one; never 0
+  unsigned short every_nth_image;  ///< 1 = every image, 2 = every other one; never 0
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.flag(on, "the stream is neither off (0) nor on (1)");
+    visitLayer(fields, layer);
+    fields.number(every_nth_image);
+    fields.require(every_nth_image != 0, "the image interval is 0; 1 means every image");
+  }
 };
 
-const size_t STREAM_SETTINGS_SIZE = 4;
-size_t encodeStreamSettings(const StreamSettings& settings, unsigned char* out);
-const char* decodeStreamSettings(const unsigned char* payload, size_t size, StreamSettings* settings);
+const Request STREAM_PICTURES = {REQUEST_STREAM, "stream pictures", 0, NULL};
 
 /// A joint and its target or speed limit.
 struct JointValue {
   unsigned char id;
   int value;  ///< microradian, or microradian/s
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(id);
+    fields.zeros(3);
+    fields.number(value);
+  }
 };
 
-/// Most joints in one payload. An ERS-7 and an ERS-210 have 18 servos.
+/// Most joints in a payload. An ERS-7 and an ERS-210 have 18 servos.
 const size_t MAX_JOINTS = 32;
+extern const char TOO_MANY_JOINTS[];
+extern const char JOINT_TWICE[];
 
-/// Payload of `J` and of its reply: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
-/// microradian}. No id may appear twice.
+/// Payload of `J` and its reply: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
+/// microradian}. No id may repeat.
 struct JointTargets {
-  unsigned short duration_ms;  ///< all joints arrive after this time; 0 = each as fast as its limits allow
-  unsigned char count;         ///< of joints, 0..MAX_JOINTS
+  unsigned short duration_ms;  ///< when all joints arrive; 0 = each as fast as its limits allow
+  unsigned char count;         ///< 0..MAX_JOINTS
   JointValue joints[MAX_JOINTS];
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(duration_ms);
+    fields.number(count);
+    fields.zeros(1);
+    fields.list(joints, count, MAX_JOINTS, TOO_MANY_JOINTS);
+    fields.once(joints, count, JOINT_TWICE);
+  }
 };
 
-const size_t MAX_JOINT_TARGETS_SIZE = 4 + MAX_JOINTS * 8;
-size_t encodeJointTargets(const JointTargets& targets, unsigned char* out);
-const char* decodeJointTargets(const unsigned char* payload, size_t size, JointTargets* targets);
+const Request MOVE_JOINTS = {REQUEST_JOINTS, "move joints", 0, NULL};
 
-/// Payload of `V` and of its reply: count x {uint8 id, uint8 0, uint16 0, int32 microradian/s}. No id may appear twice.
-/// An empty request reads all limits.
+/// Payload of `V` and its reply: count x {uint8 id, uint8 0, uint16 0, int32 microradian/s}. No id may repeat. An empty
+/// request reads all limits.
 struct SpeedLimits {
-  unsigned char count;  ///< of joints, 0..MAX_JOINTS
+  unsigned char count;  ///< 0..MAX_JOINTS
   JointValue joints[MAX_JOINTS];
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.rest(joints, count, MAX_JOINTS, TOO_MANY_JOINTS);
+    fields.once(joints, count, JOINT_TWICE);
+  }
 };
 
-const size_t MAX_SPEED_LIMITS_SIZE = MAX_JOINTS * 8;
-size_t encodeSpeedLimits(const SpeedLimits& limits, unsigned char* out);
-const char* decodeSpeedLimits(const unsigned char* payload, size_t size, SpeedLimits* limits);
+const Request LIMIT_SPEEDS = {REQUEST_SPEED_LIMITS, "limit the speed of joints", 0, NULL};
 
-/// What telemetry contains besides positions and sensors: bits of the id of `T`. The reply's id has the bits in force:
-/// a server leaves out those that it does not know. A server that knows TELEMETRY_WITH_DUTY only takes an id with other
-/// bits for TELEMETRY_PLAIN, so ask for a walk only if the server has REQUEST_STEER.
+/// What telemetry has besides positions and sensors: bits of the id of `T`. The reply repeats the bits that the server
+/// knows. A server that knows only TELEMETRY_WITH_DUTY treats other bits as TELEMETRY_PLAIN, so request a walk only
+/// from a server with REQUEST_STEER.
 enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1, TELEMETRY_WITH_WALK = 2 };
 
-/// Payload of `T` and of its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
-const size_t TELEMETRY_PERIOD_SIZE = 2;
-size_t encodeTelemetryPeriod(unsigned short frames, unsigned char* out);
-const char* decodeTelemetryPeriod(const unsigned char* payload, size_t size, unsigned short* frames);
+/// Payload of `T` and its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
+struct TelemetryPeriod {
+  unsigned short frames;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(frames);
+  }
+};
+
+const Request SEND_TELEMETRY = {REQUEST_TELEMETRY, "send telemetry", 0, NULL};
 
 const char GROUP_JOINT = 'J';   ///< a position in microradian
 const char GROUP_SENSOR = 'S';  ///< millionths of the sensor's SI unit; a switch is 0 or 1
-const char GROUP_DUTY = 'D';    ///< of a joint's motor, in millionths of full duty; only TELEMETRY_WITH_DUTY
-const char GROUP_WALK = 'W';    ///< how the robot walks (walk_requests.h); only TELEMETRY_WITH_WALK
+const char GROUP_DUTY = 'D';    ///< a motor's duty, in millionths of full duty; only with TELEMETRY_WITH_DUTY
+const char GROUP_WALK = 'W';    ///< the robot's walk (walk_requests.h); only with TELEMETRY_WITH_WALK
 
-/// One measured value.
 struct TelemetryEntry {
-  char group;  ///< GROUP_JOINT, GROUP_SENSOR, GROUP_DUTY or GROUP_WALK
+  char group;  ///< a GROUP_ constant
   unsigned char id;
   int value;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(group);
+    fields.require(group == GROUP_JOINT || group == GROUP_SENSOR || group == GROUP_DUTY || group == GROUP_WALK,
+                   "the group of a value is not one of J, S, D and W");
+    fields.number(id);
+    fields.zeros(2);
+    fields.number(value);
+  }
 };
 
-/// Most values in one push: an ERS-7 has 18 joints and about 20 sensors.
+/// Most values in a push. An ERS-7 has 18 joints and about 20 sensors.
 const size_t MAX_TELEMETRY_ENTRIES = 128;
 
 /// Payload of a pushed `t`: uint32 frame number, uint16 count, uint16 0, count x {char group, uint8 id, uint16 0, int32
 /// value}.
 struct Telemetry {
-  unsigned frame_number;  ///< OPEN-R frame (8 ms) in which the values were measured
-  unsigned short count;   ///< of values, 0..MAX_TELEMETRY_ENTRIES
+  unsigned frame_number;  ///< the OPEN-R frame (8 ms) of the measurement
+  unsigned short count;   ///< 0..MAX_TELEMETRY_ENTRIES
   TelemetryEntry entries[MAX_TELEMETRY_ENTRIES];
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(frame_number);
+    fields.number(count);
+    fields.zeros(2);
+    fields.list(entries, count, MAX_TELEMETRY_ENTRIES, "more values than any robot measures");
+  }
 };
 
 const size_t MAX_TELEMETRY_SIZE = 8 + MAX_TELEMETRY_ENTRIES * 8;
-size_t encodeTelemetry(const Telemetry& telemetry, unsigned char* out);
-const char* decodeTelemetry(const unsigned char* payload, size_t size, Telemetry* telemetry);
 
-/// Payload of `O` and of its reply: uint8 1 = on, 0 = off. An empty request reads the state.
-const size_t MOTOR_STATE_SIZE = 1;
-size_t encodeMotorState(bool on, unsigned char* out);
-const char* decodeMotorState(const unsigned char* payload, size_t size, bool* on);
+/// Payload of `O` and its reply: uint8 1 = on, 0 = off. An empty request reads the state.
+struct MotorState {
+  bool on;
 
-/// How the robot is. A receiver must accept values that it does not know.
-enum PostureNow {
-  POSTURE_NOW_UNKNOWN = 0,  ///< none of the others
-  POSTURE_NOW_STANDING = 1,
-  POSTURE_NOW_SITTING = 2,
-  POSTURE_NOW_LYING = 3,
-  POSTURE_NOW_WALKING = 4,
-  POSTURE_NOW_FALLEN = 5,  ///< on its side or its back
-  POSTURE_NOW_CARRIED = 6
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.flag(on, "the motors are neither off (0) nor on (1)");
+  }
 };
 
-/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. It is pushed to a client that has
-/// sent `O`, then and at each change.
+const Request TELL_OF_MOTORS = {REQUEST_MOTORS, "report the state of its motors", 0, NULL};
+const Request SWITCH_MOTORS_ON = {REQUEST_MOTORS, "switch the motors on", TAKES_OVER_JOINTS, NULL};
+const Request SWITCH_MOTORS_OFF = {REQUEST_MOTORS, "switch the motors off", STOPS_ROBOT | ENDS_WALK, NULL};
+
+/// The robot's posture. `E` can ask for some of them (canTake()). A receiver must accept unknown values.
+enum Posture {
+  POSTURE_UNKNOWN = 0,  ///< none of the others
+  POSTURE_STAND = 1,
+  POSTURE_SIT = 2,
+  POSTURE_REST = 3,  ///< lies; if `E` asks for it, the robot lies down, then switches the motors off
+  POSTURE_WALK = 4,
+  POSTURE_FALLEN = 5,  ///< on its side or back
+  POSTURE_CARRIED = 6
+};
+
+/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. A client that has sent `O` gets it
+/// at once and at each change.
 struct MotorsAndPosture {
   bool motors_on;
-  unsigned char posture;  ///< a PostureNow
+  unsigned char posture;  ///< a Posture
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.flag(motors_on, "the motors are neither off (0) nor on (1)");
+    fields.number(posture);
+    fields.zeros(2);
+  }
 };
 
-const size_t MOTORS_AND_POSTURE_SIZE = 4;
-size_t encodeMotorsAndPosture(const MotorsAndPosture& state, unsigned char* out);
-const char* decodeMotorsAndPosture(const unsigned char* payload, size_t size, MotorsAndPosture* state);
-
-/// What `I` holds: its id.
+/// The id of `I`.
 enum HoldScope {
   HOLD_EVERYTHING = 0,  ///< everything that moves; no payload
   HOLD_JOINTS = 1       ///< the joints in the payload
 };
 
-/// Payload of `I` for some joints: count x uint8 id. No id may appear twice.
+/// Payload of `I` for some joints: count x uint8 id. No id may repeat.
 struct JointIds {
-  unsigned char count;  ///< of joints, 1..MAX_JOINTS
+  unsigned char count;  ///< 1..MAX_JOINTS
   unsigned char ids[MAX_JOINTS];
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.rest(ids, count, MAX_JOINTS, TOO_MANY_JOINTS);
+    fields.require(count > 0, "no joint is named");
+    fields.once(ids, count, JOINT_TWICE);
+  }
 };
 
-const size_t MAX_JOINT_IDS_SIZE = MAX_JOINTS;
-size_t encodeJointIds(const JointIds& joints, unsigned char* out);
-const char* decodeJointIds(const unsigned char* payload, size_t size, JointIds* joints);
+const Request HOLD = {REQUEST_HOLD, "hold its joints", STOPS_ROBOT | ENDS_WALK, NULL};
 
-/// Modes of the LEDs that have modes, with Sony's names. What they look like depends on the robot.
+/// Modes of LEDs, with Sony's names. Their effect depends on the robot.
 enum LedMode { LED_MODE_A = 0, LED_MODE_B = 1 };
 
-/// An LED and its intensity.
 struct LedValue {
   unsigned char id;
-  unsigned char intensity;  ///< 0..255; an LED that can only be on or off is on unless this is 0
-  LedMode mode;             ///< ignored by an LED that can only be on or off
+  unsigned char intensity;  ///< 0..255; an LED without levels is on unless this is 0
+  LedMode mode;             ///< ignored by an LED without levels
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(id);
+    fields.number(intensity);
+    fields.choice(mode, LED_MODE_B, "the mode of an LED is neither 0 (A) nor 1 (B)");
+    fields.zeros(1);
+  }
 };
 
-/// Most LEDs in one payload. An ERS-7 has 26.
+/// Most LEDs in a payload. An ERS-7 has 26.
 const size_t MAX_LEDS = 32;
 
-/// Payload of `L` and of its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may appear twice.
+/// Payload of `L` and its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may repeat.
 struct LedValues {
-  unsigned char count;  ///< of LEDs, 0..MAX_LEDS
+  unsigned char count;  ///< 0..MAX_LEDS
   LedValue leds[MAX_LEDS];
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.rest(leds, count, MAX_LEDS, "more LEDs than any robot has");
+    fields.once(leds, count, "an LED is named twice");
+  }
 };
 
-const size_t MAX_LED_VALUES_SIZE = MAX_LEDS * 4;
-size_t encodeLedValues(const LedValues& values, unsigned char* out);
-const char* decodeLedValues(const unsigned char* payload, size_t size, LedValues* values);
+const Request SET_LEDS = {REQUEST_LEDS, "set LEDs", 0, NULL};
 
-/// Payload of `K` and of its reply: uint8 left, uint8 right; 1 = drawn by its magnet, 0 = let go.
+/// Payload of `K` and its reply: uint8 left, uint8 right; 1 = drawn by the magnet, 0 = let go.
 struct EarPositions {
-  bool left;   ///< in a request: draw it; in a reply: it is drawn
-  bool right;  ///< the same
+  bool left;   ///< request: draw it; reply: it is drawn
+  bool right;  ///< likewise
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.flag(left, "an ear is neither drawn (1) nor let go (0)");
+    fields.flag(right, "an ear is neither drawn (1) nor let go (0)");
+  }
 };
 
-const size_t EAR_POSITIONS_SIZE = 2;
-size_t encodeEarPositions(const EarPositions& positions, unsigned char* out);
-const char* decodeEarPositions(const unsigned char* payload, size_t size, EarPositions* positions);
+const Request MOVE_EARS = {REQUEST_EARS, "move the ears", 0, NULL};
 
-/// The decoder of requests and replies without a payload, such as `N`, `Q` and `R`.
-const char* checkNoPayload(size_t size);
+const Request SHUT_DOWN = {REQUEST_SHUT_DOWN, "shut down", 0, "ALLOW_SHUT_DOWN"};
+const Request REBOOT = {REQUEST_REBOOT, "reboot", 0, "ALLOW_REBOOT"};
 
-/// The bytes before the JPEG in the payload of `f`: uint32 image count, uint32 frame number, uint16 width, uint16
-/// height, uint8 quality, uint8 layer, uint16 camera settings (packCameraSettings()), which a server sends only to a
-/// client that has sent `G`, and 0 to all others.
+/// The payload of `f` before the JPEG: uint32 image count, uint32 frame number, uint16 width, uint16 height, uint8
+/// quality, uint8 layer, uint16 camera settings (packCameraSettings()). The settings are 0 unless the client has sent
+/// `G`.
 struct ImageHeader {
-  unsigned image_count;     ///< the camera's own count of images; a robot may count in the low 16 bits only
-  unsigned frame_number;    ///< OPEN-R frame (8 ms) in which the camera took the image
+  unsigned image_count;     ///< the camera's own counter; a robot may use only the low 16 bits
+  unsigned frame_number;    ///< the OPEN-R frame (8 ms) of the image
   unsigned short width;     ///< pixels, never 0
   unsigned short height;    ///< pixels, never 0
   unsigned char quality;    ///< JPEG quality, 0..MAX_JPEG_QUALITY
-  Layer layer;              ///< from which the picture was made
-  CameraSettings settings;  ///< in force when the image came from the camera; unknown unless the server tells
+  Layer layer;              ///< the picture's source
+  CameraSettings settings;  ///< in force when the camera delivered the image; may be unknown
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(image_count);
+    fields.number(frame_number);
+    fields.number(width);
+    fields.number(height);
+    fields.require(width != 0 && height != 0, "the picture has no width or no height");
+    fields.number(quality);
+    fields.require(quality <= MAX_JPEG_QUALITY, "the JPEG quality is above 100");
+    visitLayer(fields, layer);
+    fields.packed(settings, packCameraSettings, unpackCameraSettings);
+  }
 };
 
 const size_t IMAGE_HEADER_SIZE = 16;
 
-/// Largest JPEG that fits into a frame beside its header.
+/// The largest JPEG that fits into a frame with its header.
 const size_t MAX_JPEG_SIZE = MAX_PAYLOAD_TOWARDS_CLIENT - IMAGE_HEADER_SIZE;
 
-/// Writes IMAGE_HEADER_SIZE bytes; the JPEG follows them.
-size_t encodeImageHeader(const ImageHeader& header, unsigned char* out);
+/// Payload of `f`.
+struct PicturePayload {
+  ImageHeader header;
+  const unsigned char* jpeg;  ///< unchecked; after decoding, points into the payload
+  size_t jpeg_size;           ///< bytes, never 0
 
-/// Decodes the payload of a picture. The JPEG itself is not checked.
-/// @param[out] jpeg_size bytes of the JPEG, which begins at payload + IMAGE_HEADER_SIZE; never 0
-const char* decodePicture(const unsigned char* payload, size_t size, ImageHeader* header, size_t* jpeg_size);
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.item(header);
+    fields.content(jpeg, jpeg_size);
+    fields.require(jpeg_size > 0, "there is no picture after the image header");
+  }
+};
 
-/// Codes of an error message. A receiver must accept codes that it does not know.
+/// Error codes. A receiver must accept unknown ones.
 enum {
-  CODE_REFUSED = 0,        ///< bad payload, unknown joint, not allowed, or anything else
-  CODE_FILE_MISSING = 1,   ///< file missing or unreadable, as in version 1
-  CODE_NOT_SUPPORTED = 2,  ///< a kind of request that this server does not know or support
+  CODE_REFUSED = 0,        ///< bad payload, unknown joint, not allowed, or another reason
+  CODE_FILE_MISSING = 1,   ///< the file is missing or unreadable
+  CODE_NOT_SUPPORTED = 2,  ///< the server does not support this kind of request
   CODE_JOINT_FAULT = 3,    ///< pushed: a joint does not follow its commands; the text names it
   CODE_POWER = 4           ///< pushed: the pause button or a low battery shuts the robot down; the text says which
 };
 
-/// Payload of `e`: uint16 code, then a text without an end mark, which may be empty.
+/// In bytes. A longer text is cut after a whole character.
+const size_t MAX_ERROR_TEXT_SIZE = 512;
+const size_t MAX_ERROR_MESSAGE_SIZE = 2 + MAX_ERROR_TEXT_SIZE;
+
+/// Payload of `e`: uint16 code, then a text up to the end, which may be empty.
 struct ErrorMessage {
   unsigned short code;
   const char* text;  ///< plain text (text.h) that a user can act on; after decoding, points into the payload
   size_t text_size;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(code);
+    fields.text(text, text_size, MAX_ERROR_TEXT_SIZE);
+  }
 };
 
-/// Longest text that encodeErrorMessage() sends, in bytes.
-const size_t MAX_ERROR_TEXT_SIZE = 512;
-
-const size_t MAX_ERROR_MESSAGE_SIZE = 2 + MAX_ERROR_TEXT_SIZE;
-
-/// A text longer than MAX_ERROR_TEXT_SIZE is cut after a whole character.
-size_t encodeErrorMessage(const ErrorMessage& message, unsigned char* out);
-const char* decodeErrorMessage(const unsigned char* payload, size_t size, ErrorMessage* message);
-
-/// What has ended. A receiver must accept values that it does not know.
+/// What has ended. A receiver must accept unknown values.
 enum {
   ENDED_MOTION = 1,   ///< a motion; the name is its file's
   ENDED_WALK = 2,     ///< walking; the name is WALK_NAME
   ENDED_POSTURE = 3,  ///< a change of posture; the name is postureName()
-  ENDED_JAM = 4       ///< a joint's fault: it follows its commands again; the name is the joint's
+  ENDED_JAM = 4       ///< a joint's fault: the joint follows its commands again; the name is the joint's
 };
 
-/// How it has ended. A receiver must accept values that it does not know.
+/// How it has ended. A receiver must accept unknown values.
 enum {
-  END_DONE = 0,      ///< it has reached its end; a walk: the robot stands because it was steered so
+  END_DONE = 0,      ///< it has reached its end; for a walk: the robot was steered to a stand
   END_REPLACED = 1,  ///< a command or another motion took its joints
-  END_STOPPED = 2,   ///< the client, or the motors' switch, stopped it
-  END_REFUSED = 3,   ///< the robot could not go on with it, for instance because a joint did not follow
+  END_STOPPED = 2,   ///< the client stopped it or switched the motors
+  END_REFUSED = 3,   ///< the robot could not continue, for instance because a joint did not follow
   END_FELL = 4       ///< the robot fell or was lifted
 };
 
-/// Payload of a pushed `i`: uint8 what, uint8 how, uint16 0, then name, newline, reason, without an end mark.
+/// In bytes. Longer ones are cut after a whole character.
+const size_t MAX_END_NAME_SIZE = 64;
+const size_t MAX_END_REASON_SIZE = 512;
+const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_SIZE;
+
+/// Payload of a pushed `i`: uint8 what, uint8 how, uint16 0, name, newline, reason up to the end.
 struct EndMessage {
   unsigned char what;
   unsigned char how;
@@ -340,17 +463,16 @@ struct EndMessage {
   size_t name_size;
   const char* reason;  ///< plain text that a user can act on, may be empty; after decoding, points into the payload
   size_t reason_size;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(what);
+    fields.number(how);
+    fields.zeros(2);
+    fields.line(name, name_size, MAX_END_NAME_SIZE, "there is no newline after the name");
+    fields.text(reason, reason_size, MAX_END_REASON_SIZE);
+  }
 };
-
-/// Longest name and longest reason that encodeEndMessage() sends, in bytes.
-const size_t MAX_END_NAME_SIZE = 64;
-const size_t MAX_END_REASON_SIZE = 512;
-
-const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_SIZE;
-
-/// A name or reason that is too long is cut after a whole character.
-size_t encodeEndMessage(const EndMessage& message, unsigned char* out);
-const char* decodeEndMessage(const unsigned char* payload, size_t size, EndMessage* message);
 
 }  // namespace version2
 }  // namespace protocol

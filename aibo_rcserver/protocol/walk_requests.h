@@ -1,62 +1,66 @@
 /// @file walk_requests.h
-/// Version 2's requests about walking and postures, and what telemetry says about a walk. Decoders and encoders follow
-/// the rules in version2.h.
+/// Version 2's requests to walk and take postures, and the telemetry of a walk.
 #ifndef AIBO_RCSERVER_PROTOCOL_WALK_REQUESTS_H
 #define AIBO_RCSERVER_PROTOCOL_WALK_REQUESTS_H
 
-#include <stddef.h>
+#include "protocol/version2.h"
 
 namespace protocol {
 namespace version2 {
 
-/// A robot that gets no new `S` for this time stops walking and stands.
+/// Without a new `S` for this time, a robot stops walking and stands.
 const unsigned STEERING_TIMEOUT_MS = 500;
 
-/// Payload of `S` and of its reply: int16 forward, int16 left, int16 turn, uint16 0. All 0: the robot stops walking and
-/// stands. The reply has the velocity in force, which is within the robot's limits (WalkLimits).
+/// Payload of `S` and its reply: int16 forward and left in mm/s, int16 turn in mrad/s, uint16 0. All 0: stop walking
+/// and stand. The reply has the velocity in force, within the robot's WalkLimits.
 struct Velocity {
-  short forward;  ///< mm/s, negative = backward
-  short left;     ///< mm/s, negative = to the right
-  short turn;     ///< mrad/s, positive = to the left, that is, counterclockwise seen from above
+  double forward;  ///< m/s, negative is backward
+  double left;     ///< m/s, negative is to the right
+  double turn;     ///< rad/s, positive is to the left (counterclockwise from above)
+
+  bool isZero() const { return forward == 0 && left == 0 && turn == 0; }
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.thousandths(forward);
+    fields.thousandths(left);
+    fields.thousandths(turn);
+    fields.zeros(2);
+  }
 };
 
-const size_t VELOCITY_SIZE = 8;
-size_t encodeVelocity(const Velocity& velocity, unsigned char* out);
-const char* decodeVelocity(const unsigned char* payload, size_t size, Velocity* velocity);
+const Request STEER = {REQUEST_STEER, "walk", MOVES_BODY, NULL};
 
-/// How fast a robot can walk. None is negative, all are 0 if it cannot walk. The hello has them (hello.h).
+/// The robot's greatest velocities, not negative; all 0 if it cannot walk. They are in the hello (hello.h).
 struct WalkLimits {
-  short forward;  ///< mm/s
-  short back;     ///< mm/s
-  short left;     ///< mm/s, to either side
-  short turn;     ///< mrad/s, in either direction
+  double forward;  ///< m/s
+  double back;     ///< m/s
+  double left;     ///< m/s, to either side
+  double turn;     ///< rad/s, in either direction
 };
 
-/// Postures: the id of `E`, which has no payload. The empty reply comes when the robot has begun to move; a pushed `i`
-/// (ENDED_POSTURE) says when and how it has ended.
-enum Posture {
-  POSTURE_STAND = 1,
-  POSTURE_SIT = 2,
-  POSTURE_REST = 3  ///< lies down, then switches the motors off
-};
+/// `E` has a Posture as its id, and no payload. The empty reply comes when the robot begins to move; a pushed `i`
+/// (ENDED_POSTURE) tells how it ended.
+const Request TAKE_POSTURE = {REQUEST_POSTURE, "take the posture",
+                              STARTS_MOVEMENT | TAKES_OVER_JOINTS | ENDS_WALK | MOVES_BODY, NULL};
 
-/// True if `id` is a Posture's.
-bool isPosture(unsigned char id);
+/// True if `id` is that of a Posture that `E` can ask for: stand, sit or rest.
+bool canTake(unsigned char id);
 
-/// "stand", "sit" or "rest": the name in the pushed `i`.
+/// The name in a pushed `i`: "stand", "sit" or "rest".
 const char* postureName(Posture posture);
 
-/// The name in the pushed `i` of a walk (ENDED_WALK).
+/// The name in a pushed `i` (ENDED_WALK).
 const char WALK_NAME[] = "walk";
 
-/// Identifiers in the telemetry's GROUP_WALK. The velocity is that of the feet on the floor as commanded since the
-/// telemetry before, on average, after all limits: its sum over time is the way.
+/// Identifiers in GROUP_WALK. Velocities are those that the feet were commanded on the floor, after all limits, on
+/// average since the previous telemetry. Their sum over time is the distance walked.
 enum WalkValue {
   WALK_FORWARD = 1,  ///< micrometre/s
   WALK_LEFT = 2,     ///< micrometre/s
   WALK_TURN = 3,     ///< microradian/s
-  WALK_PHASE = 4,    ///< of the step, in millionths: 0..999999
-  WALK_STATE = 5     ///< a WalkState; a receiver must accept values that it does not know
+  WALK_PHASE = 4,    ///< phase of the step, in millionths: 0..999999
+  WALK_STATE = 5     ///< a WalkState; a receiver must accept unknown values
 };
 
 enum WalkState {

@@ -1,0 +1,152 @@
+/// @file sound_requests.h
+/// Version 2's request `A` and its push `a`: what the robot hears, what it plays, and how loud.
+///
+/// Sound is linear PCM, 16 bits a sample, big-endian as all integers are. Time is that of the robot: 128 samples at
+/// 16000/s last one OPEN-R frame (8 ms).
+#ifndef AIBO_RCSERVER_PROTOCOL_SOUND_REQUESTS_H
+#define AIBO_RCSERVER_PROTOCOL_SOUND_REQUESTS_H
+
+#include "protocol/fields.h"
+#include "protocol/request.h"
+
+namespace protocol {
+namespace version2 {
+
+const char REQUEST_SOUND = 'A';  ///< microphone, speaker or volume, id = SoundPart
+const char SOUND_PUSH = 'a';     ///< what was heard, or how a sound ended, if request_number is 0; otherwise a reply
+
+const Request LISTEN = {REQUEST_SOUND, "listen", 0, "ALLOW_MICROPHONE"};
+const Request PLAY_SOUND = {REQUEST_SOUND, "play sound", 0, "ALLOW_SOUND"};
+const Request SET_VOLUME = {REQUEST_SOUND, "set its volume", 0, "ALLOW_SOUND"};
+
+/// The id of `A` and of `a`.
+enum SoundPart {
+  SOUND_MICROPHONE = 1,  ///< MicrophoneSettings, answered by the same; then HeardSound is pushed
+  SOUND_SPEAKER = 2,     ///< PlayedSound, answered by SpeakerRoom; SoundEnd is pushed when the sound has ended
+  SOUND_VOLUME = 3       ///< Volume, or no payload to read it; answered by the volume in force
+};
+
+const unsigned SAMPLES_PER_FRAME = 128;  ///< at 16000/s
+const size_t BYTES_PER_SAMPLE = 2;
+
+/// Payload of `A` 1 and of its reply: uint8 on, uint8 channels, uint16 samples/s. The ERS-7 hears two channels at 16000
+/// samples/s. One channel is the mean of both.
+struct MicrophoneSettings {
+  bool on;
+  unsigned char channels;             ///< 1, or 2: left, right
+  unsigned short samples_per_second;  ///< 8000 or 16000
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.flag(on, "the microphone is neither off (0) nor on (1)");
+    fields.number(channels);
+    fields.require(channels == 1 || channels == 2, "sound has one or two channels");
+    fields.number(samples_per_second);
+    fields.require(samples_per_second == 8000 || samples_per_second == 16000, "the rate is neither 8000 nor 16000");
+  }
+};
+
+/// Payload of a pushed `a` 1: uint32 frame number, uint16 samples of each channel, uint8 channels, uint8 0, int16
+/// samples. Where the frame numbers of two pushes are further apart than the samples of the first last, sound is
+/// missing: it could not be sent in time.
+struct HeardSound {
+  unsigned frame_number;  ///< OPEN-R frame (8 ms) in which the first sample was heard
+  unsigned short count;   ///< of samples of each channel
+  unsigned char channels;
+  const unsigned char* samples;  ///< big-endian int16; left and right in turn; after decoding, points into the payload
+  size_t samples_size;           ///< bytes; 0 to encode all but the samples, which go behind it
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(frame_number);
+    fields.number(count);
+    fields.number(channels);
+    fields.require(channels == 1 || channels == 2, "sound has one or two channels");
+    fields.zeros(1);
+    fields.content(samples, samples_size);
+    fields.require(samples_size == count * channels * BYTES_PER_SAMPLE,
+                   "the count does not match the size of the payload");
+  }
+};
+
+const size_t HEARD_SOUND_HEADER_SIZE = 8;
+
+/// Payload of `A` 2: uint32 position of the first sample, uint8 last, 3 x uint8 0, int16 samples, mono, 16000/s.
+///
+/// Position 0 begins a sound and replaces one that plays; without samples, but last, it only stops that one. A sound
+/// begins with its first samples, so 64 ms or more should come at once. A sample
+/// is played `position` samples after the first one. So the robot plays silence in place of samples that come too late
+/// or not at all, and leaves out those that come too late. No samples, and not last: a question how many may follow.
+struct PlayedSound {
+  unsigned position;             ///< of the first sample in the whole sound
+  bool last;                     ///< the sound ends with these samples
+  const unsigned char* samples;  ///< big-endian int16; after decoding, points into the payload
+  size_t samples_size;           ///< bytes
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(position);
+    fields.flag(last, "the samples are neither the last (1) nor not (0)");
+    fields.zeros(3);
+    fields.content(samples, samples_size);
+    fields.require(samples_size % BYTES_PER_SAMPLE == 0, "half a sample");
+  }
+};
+
+const size_t PLAYED_SOUND_HEADER_SIZE = 8;
+
+/// Most samples that wait on the robot, 1.02 s: a request with more than there is room for is refused.
+const unsigned SPEAKER_CAPACITY = 16384;
+
+/// A sound ends (END_REFUSED) when no sample has come for this time.
+const unsigned SPEAKER_TIMEOUT_MS = 2000;
+
+/// Payload of the reply to `A` 2: uint32 samples. As the sound plays, 16000/s more may follow.
+struct SpeakerRoom {
+  unsigned samples;  ///< how many may follow now
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(samples);
+  }
+};
+
+/// Payload of a pushed `a` 2: uint8 how, 3 x uint8 0, uint32 samples, uint32 gaps, uint32 missing. It is pushed when
+/// the last sample has been played, or the sound has ended otherwise.
+struct SoundEnd {
+  unsigned char how;  ///< END_DONE, END_REPLACED, END_STOPPED, END_REFUSED: nothing more came; expect others
+  unsigned samples;   ///< that were played, with the silence in the gaps
+  unsigned gaps;      ///< how often samples did not come in time
+  unsigned missing;   ///< samples of silence in these gaps
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(how);
+    fields.zeros(3);
+    fields.number(samples);
+    fields.number(gaps);
+    fields.number(missing);
+  }
+};
+
+/// The volume that the robot's own switch says; a reply never has it. It is in force until a client sets another, and
+/// again when that client has gone.
+const unsigned char VOLUME_OF_ROBOT = 255;
+const unsigned char MAX_VOLUME = 3;
+
+/// Payload of `A` 3 and of its reply: uint8 0 = silent, to 3 = loudest, or VOLUME_OF_ROBOT. On an ERS-7, 1, 2 and 3 are
+/// -25, -18 and -10 dB (Model Information ERS-7, 3.1.2).
+struct Volume {
+  unsigned char step;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(step);
+    fields.require(step <= MAX_VOLUME || step == VOLUME_OF_ROBOT, "the volume is not 0 to 3, nor 255 for the robot's");
+  }
+};
+
+}  // namespace version2
+}  // namespace protocol
+
+#endif  // AIBO_RCSERVER_PROTOCOL_SOUND_REQUESTS_H
