@@ -1,17 +1,17 @@
 /// @file RegionSender.h
-/// Sends a job, or its result, from one of our objects to another.
+/// Sends a job or its result to another object, and keeps one that has come.
 #ifndef AIBO_RCSERVER_OBJECTS_REGION_SENDER_H
 #define AIBO_RCSERVER_OBJECTS_REGION_SENDER_H
 
+#include <OPENR/OObserver.h>
 #include <OPENR/OSubject.h>
 #include <OPENR/RCRegion.h>
 
-/// Sends a Content, a plain struct without pointers, through a gate to one other object, in shared memory.
+/// Sends a Content, a plain struct without pointers, to one other object through a gate, in shared memory. The Content
+/// belongs to the receiver until the receiver is ready for the next one. Nothing is queued.
 ///
-/// A Content belongs to the receiver from Send() until the receiver is ready for the next one. Nothing is queued.
-///
-/// @tparam REGIONS regions of memory that take turns. With 1, the next Content can be written when the receiver is
-///   ready for it; with 2, already while the receiver works on the last one
+/// @tparam REGIONS regions of memory that take turns: with 1, the next Content can be written when the receiver is
+///   ready for it; with 2, while the receiver still works on the last one
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
@@ -23,7 +23,7 @@ class RegionSender {
 
   /// Call in DoInit, after NEW_ALL_SUBJECT_AND_OBSERVER.
   /// @param subject a gate with one observer; must outlive this
-  /// @return false if the memory could not be allocated
+  /// @return false if the memory cannot be allocated
   bool Create(OSubject* subject) {
     subject_ = subject;
     bool succeeds = true;
@@ -34,7 +34,6 @@ class RegionSender {
     return succeeds;
   }
 
-  /// Call in DoDestroy.
   void Destroy() {
     for (int i = 0; i < REGIONS; ++i) {
       if (regions_[i] != NULL) {
@@ -44,27 +43,27 @@ class RegionSender {
     }
   }
 
-  /// False if the receiver has never been ready: OBJECT.CFG or CONNECT.CFG does not name it.
+  /// False if the receiver was never ready, because OBJECT.CFG or CONNECT.CFG does not name it.
   bool HasReceiver() const { return has_sent_ || subject_->IsReady(); }
 
-  /// True if the receiver is ready and there is Memory(), so that Send() may be called.
+  /// True if Send() may be called.
   bool IsFree() const { return subject_->IsReady() && Memory() != NULL; }
 
-  /// Where the next Content goes: the same region until Send(), even if the receiver returns another one meanwhile.
+  /// Where to write the next Content: the same region until Send(), even if the receiver returns another one.
   /// @return NULL if the receiver still has the region
   Content* Memory() const {
     RCRegion* const region = regions_[next_];
     return region->NumberOfReference() > 1 ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
   }
 
-  /// A new number for a job, by which its result is recognised; not 0.
+  /// A new number for a job, which its result repeats; not 0.
   unsigned NewTicket() {
     ++last_ticket_;
     last_ticket_ += last_ticket_ == 0 ? 1 : 0;
     return last_ticket_;
   }
 
-  /// Sends the Content in Memory(). Only if IsFree().
+  /// Call only if IsFree().
   void Send() {
     subject_->SetData(regions_[next_]);
     subject_->NotifyObservers();
@@ -78,9 +77,51 @@ class RegionSender {
 
   OSubject* subject_;
   RCRegion* regions_[REGIONS];
-  int next_;  ///< the region that is written and sent next
+  int next_;
   bool has_sent_;
   unsigned last_ticket_;
+};
+
+/// A Content that has come from another object, kept as long as it is needed. Until then, its sender sends no other.
+template <typename Content>
+class HeldRegion {
+ public:
+  HeldRegion() : region_(NULL), observer_(NULL) {}
+
+  /// @param observer through which it has come; must outlive this
+  void Hold(const ONotifyEvent& event, OObserver* observer) {
+    region_ = event.RCData(0);
+    region_->AddReference();
+    observer_ = observer;
+  }
+
+  bool IsThere() const { return region_ != NULL; }
+  const Content& Get() const { return *static_cast<const Content*>(static_cast<const void*>(region_->Base())); }
+
+  /// It is not needed any more, if there is one: the next one may come.
+  void Release() {
+    if (Destroy()) {
+      observer_->AssertReady();
+    }
+  }
+
+  /// The same in DoDestroy, when nothing may come any more.
+  /// @return true if there was one
+  bool Destroy() {
+    const bool was_there = IsThere();
+    if (was_there) {
+      region_->RemoveReference();
+      region_ = NULL;
+    }
+    return was_there;
+  }
+
+ private:
+  HeldRegion(const HeldRegion&);
+  HeldRegion& operator=(const HeldRegion&);
+
+  RCRegion* region_;
+  OObserver* observer_;
 };
 
 #endif  // AIBO_RCSERVER_OBJECTS_REGION_SENDER_H

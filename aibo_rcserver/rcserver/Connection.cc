@@ -16,9 +16,8 @@ const size_t ENDPOINT_POOL_SIZE = 10 * 1024;
 
 const size_t Connection::MAX_PART_SIZE;
 const longword Connection::CLOSE_PATIENCE;
-const size_t Connection::PICTURE_CAPACITY;
-const size_t Connection::MESSAGE_CAPACITY;
 const size_t Connection::PICTURE_SIZE;
+const size_t Connection::SEND_CAPACITY;
 const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
@@ -32,18 +31,17 @@ Connection::Connection()
       unsent_(NULL),
       unsent_size_(0),
       receiving_(false),
-      picture_(NULL),
-      picture_size_(0),
+      received_begin_(0),
+      received_end_(0),
       is_sending_picture_(false),
-      client_address_(0),
-      client_port_(0) {
+      client_address_(0) {
   client_name_[0] = '\0';
 }
 
 bool Connection::Create(OID object) {
   object_ = object;
   stack_ = antStackRef("IPStack");
-  return buffer_.Create(stack_, MESSAGE_CAPACITY + PICTURE_SIZE + RECEIVE_SIZE);
+  return buffer_.Create(stack_, SEND_CAPACITY + RECEIVE_SIZE);
 }
 
 void Connection::Destroy() {
@@ -76,10 +74,10 @@ void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   sending_ = false;
   unsent_size_ = 0;
   receiving_ = false;
-  picture_size_ = 0;
+  received_begin_ = 0;
+  received_end_ = 0;
   is_sending_picture_ = false;
   client_address_ = answer.fAddress.Address();
-  client_port_ = answer.fPort;
   sprintf(client_name_, "%u.%u.%u.%u:%u", client_address_ >> 24, (client_address_ >> 16) & 0xff,
           (client_address_ >> 8) & 0xff, client_address_ & 0xff, static_cast<unsigned>(answer.fPort));
 }
@@ -108,15 +106,11 @@ void Connection::Closed() {
   state_ = CLOSED;
 }
 
-void Connection::PutPicture(const byte* header, size_t header_size, size_t size) {
-  picture_ = PictureBuffer() - header_size;
-  picture_size_ = header_size + size;
-  memcpy(picture_, header, header_size);
-}
-
-bool Connection::SendWaitingPicture() {
-  is_sending_picture_ = true;
-  return Send(picture_, picture_size_);
+bool Connection::Send(size_t size, bool is_picture) {
+  is_sending_picture_ = is_picture;
+  unsent_ = SendBuffer();
+  unsent_size_ = size;
+  return SendPart();
 }
 
 bool Connection::Sent() {
@@ -124,25 +118,30 @@ bool Connection::Sent() {
   if (unsent_size_ > 0) {
     return SendPart();
   }
-  if (is_sending_picture_) {
-    is_sending_picture_ = false;
-    picture_size_ = 0;
-  }
+  is_sending_picture_ = false;
   return true;
 }
 
 bool Connection::Receive() {
-  if (!receiving_) {
-    TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), 1, static_cast<int>(RECEIVE_SIZE));
-    receiving_ = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
+  if (receiving_) {
+    return true;
   }
+  if (ReceivedSize() == 0) {
+    received_begin_ = 0;
+    received_end_ = 0;
+  }
+  if (received_end_ > RECEIVE_SIZE / 2) {
+    return true;
+  }
+  TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer() + received_end_, 1,
+                                static_cast<int>(RECEIVE_SIZE - received_end_));
+  receiving_ = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
   return receiving_;
 }
 
-bool Connection::Send(byte* bytes, size_t size) {
-  unsent_ = bytes;
-  unsent_size_ = size;
-  return SendPart();
+void Connection::Received(size_t size) {
+  receiving_ = false;
+  received_end_ += size;
 }
 
 bool Connection::SendPart() {

@@ -16,8 +16,7 @@
 /// IPStack serves only one connection.
 ///
 /// At most one send and one receive are under way at a time. Messages and pictures are sent in parts of at most
-/// MAX_PART_SIZE bytes, each when the IPStack has taken the one before. A picture that is handed over while a message
-/// is being sent waits, so that answers and telemetry cost the stream no picture.
+/// MAX_PART_SIZE bytes, each when the IPStack has taken the one before.
 ///
 /// The IPStack answers an orderly close only when the client has closed, too (Internet Protocol Version4, 2.2 and 2.7).
 /// The connection to a client that takes longer than CLOSE_PATIENCE is aborted.
@@ -29,11 +28,9 @@ class Connection {
   /// Frames that an orderly close may take: 2 s.
   static const longword CLOSE_PATIENCE = 250;
 
-  /// Bytes of a picture that can be sent.
-  static const size_t PICTURE_CAPACITY = ENCODED_PICTURE_CAPACITY;
-
-  /// Bytes of messages that can be sent at once: everything that an outbox holds.
-  static const size_t MESSAGE_CAPACITY = Outbox::CAPACITY;
+  /// Bytes that can be sent at once: a picture with its header, or everything that an outbox holds.
+  static const size_t PICTURE_SIZE = Session::MAX_PICTURE_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
+  static const size_t SEND_CAPACITY = PICTURE_SIZE > Outbox::CAPACITY ? PICTURE_SIZE : Outbox::CAPACITY;
 
   Connection();
 
@@ -73,58 +70,43 @@ class Connection {
   /// The answer to Close().
   void Closed();
 
-  /// True while a message or a picture is being sent.
+  /// True while something is being sent.
   bool IsSending() const { return sending_; }
 
-  /// Where the next message goes, MESSAGE_CAPACITY bytes. Not while IsSending().
-  byte* MessageBuffer() const { return buffer_.Bytes(); }
+  /// True while a picture is being sent.
+  bool IsSendingPicture() const { return is_sending_picture_; }
 
-  /// Sends the message in MessageBuffer(). Not while IsSending().
+  /// Where the next message or picture goes, SEND_CAPACITY bytes. Not while IsSending().
+  byte* SendBuffer() const { return buffer_.Bytes(); }
+
+  /// Sends what is in SendBuffer(). Not while IsSending().
   /// @return false if the IPStack refuses
-  bool SendMessage(size_t size) { return Send(MessageBuffer(), size); }
-
-  /// True while there is a picture that has not been sent completely.
-  bool HasPicture() const { return picture_size_ > 0; }
-
-  /// True while there is a picture whose sending has not begun.
-  bool HasWaitingPicture() const { return HasPicture() && !is_sending_picture_; }
-
-  /// Where the next picture goes, PICTURE_CAPACITY bytes. Not while HasPicture().
-  byte* PictureBuffer() const { return MessageBuffer() + MESSAGE_CAPACITY + Session::MAX_PICTURE_HEADER_SIZE; }
-
-  /// Hands over the picture in PictureBuffer(), which then waits.
-  /// @param header, header_size goes before the picture, up to Session::MAX_PICTURE_HEADER_SIZE bytes
-  void PutPicture(const byte* header, size_t header_size, size_t size);
-
-  /// Drops the picture that waits.
-  void DropWaitingPicture() { picture_size_ = 0; }
-
-  /// Sends the picture that waits. Not while IsSending().
-  /// @return false if the IPStack refuses
-  bool SendWaitingPicture();
+  bool Send(size_t size, bool is_picture);
 
   /// The answer to a send: sends the next part, if there is one.
   /// @return false if the IPStack refuses
   bool Sent();
 
-  /// Asks the IPStack for bytes, unless a receive is under way.
+  /// Asks the IPStack for bytes, unless a receive is under way, or half of the buffer is full of bytes that nobody has
+  /// taken. What the client sends in one piece is thus rarely torn; and that it closes is known while they wait.
   /// @return false if the IPStack refuses
   bool Receive();
 
   /// The answer to Receive().
-  void Received() { receiving_ = false; }
+  void Received(size_t size);
 
-  /// The bytes that Received() has brought, until the next Receive().
-  const byte* ReceivedBytes() const { return ReceiveBuffer(); }
+  /// The bytes that have come and have not been taken.
+  const byte* ReceivedBytes() const { return ReceiveBuffer() + received_begin_; }
+  size_t ReceivedSize() const { return received_end_ - received_begin_; }
+
+  /// They have been taken.
+  void TakeReceived() { received_begin_ = received_end_; }
 
   /// True if a client has connected since Listen().
   bool HadClient() const { return client_name_[0] != '\0'; }
 
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.
   unsigned ClientAddress() const { return client_address_; }
-
-  /// The client's port.
-  Port ClientPort() const { return client_port_; }
 
   /// The client's address, "192.168.1.2:40000".
   const char* ClientName() const { return client_name_; }
@@ -135,18 +117,15 @@ class Connection {
   Connection(const Connection&);
   Connection& operator=(const Connection&);
 
-  // The shared buffer holds, in this order: a message, a picture with its header, received bytes.
-  static const size_t PICTURE_SIZE = Session::MAX_PICTURE_HEADER_SIZE + PICTURE_CAPACITY;
   static const size_t RECEIVE_SIZE = Session::INPUT_CAPACITY;
 
-  bool Send(byte* bytes, size_t size);
   bool SendPart();
   bool Post(antEnvMsg& message, Selector entry, size_t size);
-  byte* ReceiveBuffer() const { return buffer_.Bytes() + MESSAGE_CAPACITY + PICTURE_SIZE; }
+  byte* ReceiveBuffer() const { return buffer_.Bytes() + SEND_CAPACITY; }
 
   OID object_;
   antStackRef stack_;
-  SharedBuffer buffer_;
+  SharedBuffer buffer_;  ///< SendBuffer(), then received bytes
   antModuleRef endpoint_;
   size_t endpoint_number_;
   State state_;
@@ -156,11 +135,10 @@ class Connection {
   byte* unsent_;  ///< the rest of the message or picture that is being sent
   size_t unsent_size_;
   bool receiving_;
-  byte* picture_;            ///< with its header
-  size_t picture_size_;      ///< 0: there is no picture
-  bool is_sending_picture_;  ///< false: it waits
+  size_t received_begin_;  ///< in the buffer: what has come and has not been taken
+  size_t received_end_;    ///< where the next bytes come
+  bool is_sending_picture_;
   unsigned client_address_;
-  Port client_port_;
   char client_name_[sizeof("255.255.255.255:65535")];
 };
 

@@ -11,6 +11,7 @@
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 #include "rcserver/camera/ColorCounter.h"
+#include "rcserver/sound/Microphone.h"
 
 /// A message that is only worth sending as long as there is no newer one of its kind.
 template <size_t LARGEST>
@@ -44,7 +45,33 @@ class NewestMessage {
   size_t size_;
 };
 
-/// Keeps replies in order, and only the latest telemetry and the latest colours. Its memory has a fixed size.
+/// Messages of sound, in order. While there is no room for one, it is dropped.
+class SoundQueue {
+ public:
+  /// Most bytes that wait: half a second of two channels at 16 kHz.
+  static const size_t CAPACITY = 36 * 1024;
+
+  /// Bytes that are sent at once, unless a message has more; so other messages need not wait for all of them.
+  static const size_t PORTION = 4 * 1024;
+
+  SoundQueue() : size_(0) {}
+
+  void Add(const unsigned char* message, size_t size);
+  void Drop() { size_ = 0; }
+  bool IsEmpty() const { return size_ == 0; }
+
+  /// Takes out the first messages.
+  /// @param[out] out room for PORTION bytes, or the largest message
+  /// @return the number of bytes
+  size_t Take(unsigned char* out);
+
+ private:
+  unsigned char bytes_[CAPACITY];
+  size_t size_;
+};
+
+/// Keeps replies in order, sound as long as there is room, and only the latest telemetry and colours. Its memory has a
+/// fixed size.
 class Outbox {
  public:
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
@@ -58,8 +85,13 @@ class Outbox {
   static const size_t MAX_COLORS_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_COLOR_REGIONS_SIZE + MAX_PACKED_PLANE_SIZE;
 
-  /// Most bytes that can wait.
-  static const size_t CAPACITY = 4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE;
+  /// Bytes of the largest message of sound.
+  static const size_t MAX_SOUND_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::HEARD_SOUND_HEADER_SIZE + 4 * Microphone::MAX_SAMPLES;
+
+  /// Most bytes that are sent at once.
+  static const size_t CAPACITY =
+      4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SoundQueue::PORTION;
 
   Outbox() : replies_size_(0), reserved_(0) {}
 
@@ -78,9 +110,11 @@ class Outbox {
   NewestMessage<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
   NewestMessage<MAX_COLORS_SIZE>& Colors() { return colors_; }
 
-  bool IsEmpty() const { return replies_size_ == 0 && telemetry_.IsEmpty() && colors_.IsEmpty(); }
+  SoundQueue& Sound() { return sound_; }
 
-  /// Takes out everything that waits. Reserved room stays reserved.
+  bool IsEmpty() const { return replies_size_ == 0 && telemetry_.IsEmpty() && colors_.IsEmpty() && sound_.IsEmpty(); }
+
+  /// Takes out everything that waits, but of sound only a portion. Reserved room stays reserved.
   /// @param[out] out room for CAPACITY bytes
   /// @return the number of bytes
   size_t Take(unsigned char* out);
@@ -91,6 +125,7 @@ class Outbox {
   size_t reserved_;
   NewestMessage<MAX_TELEMETRY_SIZE> telemetry_;
   NewestMessage<MAX_COLORS_SIZE> colors_;
+  SoundQueue sound_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_OUTBOX_H

@@ -25,7 +25,7 @@ bool IsStranger(const byte* bytes, size_t size) {
   return opening.verdict() == protocol::Opening::STRANGER;
 }
 
-const longword SILENCE_FRAMES = HoldUpWatch::LONGEST_SILENCE / MotionPlanner::FRAME_MILLISECONDS;
+const longword SILENCE_FRAMES = HoldUpWatch::LONGEST_SILENCE / robot_model::FRAME_MILLISECONDS;
 
 // Tekkotsu takes its time from the same call. It overflows after 49 days.
 unsigned SystemMilliseconds() {
@@ -36,8 +36,8 @@ unsigned SystemMilliseconds() {
 
 // OPEN-R passes the data of an event as const, but its own classes take it without. Nothing is written there.
 template <typename Vector>
-Vector* VectorOf(const ONotifyEvent& event) {
-  return static_cast<Vector*>(const_cast<void*>(event.Data(0)));
+Vector* VectorOf(const ONotifyEvent& event, int number = 0) {
+  return static_cast<Vector*>(const_cast<void*>(event.Data(number)));
 }
 
 // The plane with the detected colours. Its pixels are NULL if there is none.
@@ -77,12 +77,10 @@ RCServer::RCServer()
       client_(NULL),
       guest_(NULL),
       guest_since_(0),
-      guest_size_(0),
       body_(NULL),
       power_order_(POWER_STAYS_ON),
       goes_off_(false),
       goes_off_since_(0),
-      file_(NULL),
       session_(NULL),
       now_(0),
       lies_down_since_(0),
@@ -93,8 +91,6 @@ RCServer::RCServer()
       was_silent_(false),
       last_not_over_(0),
       last_attempt_(0),
-      turned_away_(0),
-      last_report_(0 - FRAMES_PER_SECOND),
       strangers_(0),
       last_stranger_(0 - FRAMES_PER_MINUTE) {}
 
@@ -107,8 +103,8 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   }
   body_ = new Body();
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(), body_->Sensors(),
-                       body_->Lights(), body_->Camera(), body_->Colors(), datagrams_,
+  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
+                       body_->Camera(), body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
                        power_order_,    file_desk_,      held_up_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
@@ -117,6 +113,8 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
 OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
+  body_->Hearing().Start(observer[obsMicrophone]);
+  body_->Voice().Start(subject[sbjSpeaker]);
   if (settings_.motors_at_boot) {
     body_->Motors().Switch(true);
   } else {
@@ -142,10 +140,8 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   }
   delete session_;
   session_ = NULL;
-  if (file_ != NULL) {
-    file_->RemoveReference();
-    file_ = NULL;
-  }
+  picture_.Destroy();
+  file_.Destroy();
   file_desk_.Destroy();
   datagrams_.Destroy();
   pictures_.Destroy();
@@ -173,11 +169,12 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
 }
 
 void RCServer::NotifyPicture(const ONotifyEvent& event) {
-  const EncodedPicture* picture = static_cast<const EncodedPicture*>(event.Data(0));
-  if (pictures_.Take(*picture)) {
-    SendPicture(*picture);
+  picture_.Hold(event, observer[event.ObsIndex()]);
+  if (pictures_.Take(picture_.Get())) {
+    UsePicture(picture_.Get());
+  } else {
+    picture_.Release();
   }
-  observer[event.ObsIndex()]->AssertReady();
 }
 
 void RCServer::ReadyEncodeJob(const OReadyEvent&) {
@@ -185,12 +182,10 @@ void RCServer::ReadyEncodeJob(const OReadyEvent&) {
 }
 
 void RCServer::NotifyFileResult(const ONotifyEvent& event) {
-  const FileResult& result = *static_cast<const FileResult*>(event.Data(0));
-  session_->FileDone(result);
-  file_ = event.RCData(0);
-  file_->AddReference();
+  file_.Hold(event, observer[event.ObsIndex()]);
+  session_->FileDone(file_.Get());
   if (!session_->OwesFile()) {
-    ReleaseFile();
+    file_.Release();
   }
   if (client_ != NULL) {
     ServeClient();
@@ -198,9 +193,7 @@ void RCServer::NotifyFileResult(const ONotifyEvent& event) {
 }
 
 void RCServer::ReadyFileJob(const OReadyEvent&) {
-  if (client_ != NULL) {
-    ServeClient();
-  }
+  file_desk_.SendJob();
 }
 
 void RCServer::NotifySensor(const ONotifyEvent& event) {
@@ -219,6 +212,26 @@ void RCServer::NotifySensor(const ONotifyEvent& event) {
 void RCServer::ReadyEffector(const OReadyEvent& event) {
   if (event.IsAssert()) {
     body_->EffectorIsReady(subject[sbjEffector]);
+  }
+}
+
+void RCServer::NotifyMicrophone(const ONotifyEvent& event) {
+  for (int i = 0; i < event.NumOfData() && client_ != NULL; ++i) {
+    session_->Heard(VectorOf<OSoundVectorData>(event, i));
+  }
+  if (client_ != NULL) {
+    ServeClient();
+  }
+  body_->Hearing().AskForMore();
+}
+
+void RCServer::ReadySpeaker(const OReadyEvent& event) {
+  if (!event.IsAssert()) {
+    return;
+  }
+  body_->Voice().IsReady();
+  if (client_ != NULL) {
+    ServeClient();
   }
 }
 
@@ -249,7 +262,6 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   } else if (connection->Receive()) {
     guest_ = connection;
     guest_since_ = now_;
-    guest_size_ = 0;
   } else {
     TurnAwayWhileBusy(connection);
   }
@@ -289,7 +301,9 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
-  TakeInput(static_cast<size_t>(answer->sizeMin));
+  client_->Received(static_cast<size_t>(answer->sizeMin));
+  NoteSignOfLife();
+  ServeClient();
 }
 
 void RCServer::CloseCont(ANTENVMSG msg) {
@@ -504,11 +518,6 @@ Connection* RCServer::FindConnection(const void* continuation) {
 }
 
 void RCServer::Admit(Connection* newcomer) {
-  Welcome(newcomer);
-  ServeClient();
-}
-
-void RCServer::Welcome(Connection* newcomer) {
   client_ = newcomer;
   admitted_ = now_;
   last_sign_of_life_ = now_;
@@ -518,6 +527,7 @@ void RCServer::Welcome(Connection* newcomer) {
   last_not_over_ = now_;
   session_->Begin();
   datagrams_.ClientConnected(client_->ClientAddress());
+  ServeClient();
 }
 
 // After an outage of the radio, a client is often back before the robot knows that its old connection is dead.
@@ -529,15 +539,12 @@ bool RCServer::MayReplaceClient(const Connection& newcomer) const {
 // The guest has sent something, or it is gone. More of it is read when it is the client.
 void RCServer::GuestReceived(const TCPEndpointReceiveMsg& answer) {
   if (answer.error != TCP_SUCCESS) {
-    guest_->Close(answer.error != TCP_CONNECTION_CLOSED, now_);
-    guest_ = NULL;
+    CloseNewcomer(guest_, answer.error != TCP_CONNECTION_CLOSED);
     return;
   }
-  guest_size_ = static_cast<size_t>(answer.sizeMin);
-  if (IsStranger(guest_->ReceivedBytes(), guest_size_)) {
-    Connection* const stranger = guest_;
-    guest_ = NULL;
-    AbortStranger(stranger);
+  guest_->Received(static_cast<size_t>(answer.sizeMin));
+  if (IsStranger(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
+    AbortStranger(guest_);
   } else {
     CheckGuest();
   }
@@ -554,30 +561,23 @@ void RCServer::CheckGuest() {
     return;
   }
   const bool may_replace = MayReplaceClient(*guest_);
-  if (may_replace && protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_size_)) {
+  if (may_replace && protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
     DropClient(IsClientSilent() ? "it was silent and another client came" : "it has come back over a new connection",
                true);
     AdmitGuest();
   } else if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
-    Connection* const guest = guest_;
-    guest_ = NULL;
-    TurnAwayWhileBusy(guest);
+    TurnAwayWhileBusy(guest_);
   }
 }
 
 void RCServer::AdmitGuest() {
-  Connection* const guest = guest_;
-  guest_ = NULL;
   if (power_order_ != POWER_STAYS_ON) {
-    TurnAway(guest, "the robot goes off");
+    TurnAway(guest_, "the robot goes off");
     return;
   }
-  Welcome(guest);
-  if (guest_size_ > 0) {
-    TakeInput(guest_size_);
-  } else {
-    ServeClient();
-  }
+  Connection* const guest = guest_;
+  guest_ = NULL;
+  Admit(guest);
 }
 
 void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
@@ -587,35 +587,32 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
 }
 
 // The client has sent something.
-void RCServer::TakeInput(size_t size) {
+void RCServer::NoteSignOfLife() {
   if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= SILENCE_FRAMES) {
     held_up_.CatchUp(SystemMilliseconds());
   }
   last_sign_of_life_ = now_;
   last_bytes_received_ = now_;
-  client_->Received();
-  session_->AddInput(client_->ReceivedBytes(), size);
-  ServeClient();
 }
 
-// Aborts, which frees the connection at once. Reports at most once a second, however many clients come.
+void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
+  newcomer->Close(abort, now_);
+  if (newcomer == guest_) {
+    guest_ = NULL;
+  }
+}
+
+// Aborts, which frees the connection at once.
 void RCServer::TurnAway(Connection* newcomer, const char* reason) {
-  newcomer->Close(true, now_);
-  ++turned_away_;
-  if (now_ - last_report_ < FRAMES_PER_SECOND) {
-    return;
+  CloseNewcomer(newcomer, true);
+  if (reports_.Admits(now_)) {
+    OSYSPRINT(("RCServer: %s is turned away: %s\n", newcomer->ClientName(), reason));
   }
-  OSYSPRINT(("RCServer: %s is turned away: %s\n", newcomer->ClientName(), reason));
-  if (turned_away_ > 1) {
-    OSYSPRINT(("RCServer: %u more have been turned away since the last report\n", turned_away_ - 1));
-  }
-  turned_away_ = 0;
-  last_report_ = now_;
 }
 
 // What is no client, such as a web browser at the orders of a web page, may try again without end.
 void RCServer::AbortStranger(Connection* stranger) {
-  stranger->Close(true, now_);
+  CloseNewcomer(stranger, true);
   ++strangers_;
   if (now_ - last_stranger_ >= FRAMES_PER_MINUTE) {
     OSYSPRINT(
@@ -640,9 +637,8 @@ void RCServer::ForgetClient() {
   client_ = NULL;
   session_->End();
   pictures_.Forget();
-  if (file_ != NULL) {
-    ReleaseFile();
-  }
+  picture_.Release();
+  file_.Release();
   CarryOutPowerOrder();
   body_->SendCommands(subject[sbjEffector]);
 }
@@ -650,6 +646,11 @@ void RCServer::ForgetClient() {
 // Does everything that can be done for the client now.
 void RCServer::ServeClient() {
   session_->HandleRequests(now_);
+  while (session_->WantsInput() && !session_->IsWithStranger() && client_->ReceivedSize() > 0) {
+    session_->AddInput(client_->ReceivedBytes(), client_->ReceivedSize());
+    client_->TakeReceived();
+    session_->HandleRequests(now_);
+  }
   if (session_->IsWithStranger()) {
     AbortStranger(client_);
     ForgetClient();
@@ -663,15 +664,15 @@ void RCServer::ServeClient() {
   }
   NoteOrder();
   pictures_.ReportStream(session_->Camera(), now_, &reports_);
-  if (client_->HasWaitingPicture() && !session_->Camera().Wants(pictures_.Order())) {
-    client_->DropWaitingPicture();
+  if (picture_.IsThere() && !session_->Camera().Wants(pictures_.Order())) {
+    picture_.Release();
   }
   body_->SendCommands(subject[sbjEffector]);
   if (!SendOutput()) {
     DropClient("the IPStack does not send", true);
   } else if (session_->IsOver() && !client_->IsSending()) {
     DropClient(session_->EndReason(), false);
-  } else if (session_->WantsInput() && !client_->Receive()) {
+  } else if (!session_->IsEnding() && !client_->Receive()) {
     DropClient("the IPStack does not receive", true);
   }
 }
@@ -681,32 +682,33 @@ bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
-  if (client_->HasWaitingPicture()) {
-    pictures_.CountSent();
-    return client_->SendWaitingPicture();
+  if (picture_.IsThere()) {
+    return SendPicture();
   }
-  if (file_ != NULL && !pictures_.IsMaking()) {
+  if (file_.IsThere()) {
     return SendFile();
   }
-  return !session_->HasOutput() || client_->SendMessage(session_->TakeOutput(client_->MessageBuffer()));
+  return !session_->HasOutput() || client_->Send(session_->TakeOutput(client_->SendBuffer()), false);
 }
 
-// A file takes the place of a picture. No other one is being made, which would need the same place.
+bool RCServer::SendPicture() {
+  const EncodedPicture& picture = picture_.Get();
+  byte* const buffer = client_->SendBuffer();
+  const size_t header_size = session_->EncodePictureHeader(pictures_.Order(), pictures_.Header(), picture.size, buffer);
+  const size_t size = header_size + picture.size;
+  memcpy(buffer + header_size, picture.jpeg, picture.size);
+  picture_.Release();
+  pictures_.CountSent();
+  return client_->Send(size, true);
+}
+
 bool RCServer::SendFile() {
-  const FileResult& file = *static_cast<const FileResult*>(static_cast<const void*>(file_->Base()));
-  byte header[Session::MAX_PICTURE_HEADER_SIZE];
-  const size_t header_size = session_->EncodeFileHeader(file.size, header);
-  memcpy(client_->PictureBuffer(), file.content, file.size);
-  client_->PutPicture(header, header_size, file.size);
-  ReleaseFile();
-  return client_->SendWaitingPicture();
-}
-
-// FileKeeper may use its memory again, and do the next job.
-void RCServer::ReleaseFile() {
-  file_->RemoveReference();
-  file_ = NULL;
-  observer[obsFileResult]->AssertReady();
+  const FileResult& file = file_.Get();
+  const size_t header_size = session_->EncodeFileHeader(file.size, client_->SendBuffer());
+  const size_t size = header_size + file.size;
+  memcpy(client_->SendBuffer() + header_size, file.content, file.size);
+  file_.Release();
+  return client_->Send(size, true);
 }
 
 void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
@@ -726,8 +728,8 @@ bool RCServer::FindOrder(PictureOrder* order) {
   // A picture that is still waiting is made again from this image, which is newer.
   if (pictures_.IsWaiting()) {
     *order = pictures_.WaitingOrder();
-  } else if (client_->HasWaitingPicture()) {
-    client_->DropWaitingPicture();
+  } else if (picture_.IsThere()) {
+    picture_.Release();
     *order = pictures_.Order();
   } else {
     return !IsSendingPicture() && session_->Camera().ImageArrived(pictures_.ImageCount(), order);
@@ -741,7 +743,7 @@ bool RCServer::FindOrder(PictureOrder* order) {
 }
 
 bool RCServer::IsSendingPicture() const {
-  return client_->HasPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
+  return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
 }
 
 // Not while a picture is being sent: the next one would only wait behind it.
@@ -751,7 +753,7 @@ void RCServer::BeginPicture() {
   }
 }
 
-void RCServer::SendPicture(const EncodedPicture& picture) {
+void RCServer::UsePicture(const EncodedPicture& picture) {
   if (picture.size == 0) {
     OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", picture.problem));
     DropClient("there is no picture for it", true);
@@ -759,22 +761,11 @@ void RCServer::SendPicture(const EncodedPicture& picture) {
   }
   if (pictures_.Order().is_for_stick) {
     session_->PictureTaken(picture.jpeg, picture.size);
-    ServeClient();
-    return;
-  }
-  if (!session_->Camera().Wants(pictures_.Order())) {
-    return;
-  }
-  if (datagrams_.IsOn() && pictures_.Order().is_of_stream) {
+    picture_.Release();
+  } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
     pictures_.CountSent();
     datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size, now_);
-    return;
+    picture_.Release();
   }
-  byte header[Session::MAX_PICTURE_HEADER_SIZE];
-  const size_t header_size = session_->EncodePictureHeader(pictures_.Order(), pictures_.Header(), picture.size, header);
-  memcpy(client_->PictureBuffer(), picture.jpeg, picture.size);
-  client_->PutPicture(header, header_size, picture.size);
-  if (!SendOutput()) {
-    DropClient("the IPStack does not send", true);
-  }
+  ServeClient();
 }

@@ -27,6 +27,9 @@
 /// runs. Work that takes longer than a frame is done by objects of a lower scheduling class: PictureEncoder makes the
 /// pictures, FileKeeper reads and writes files.
 ///
+/// Sound is not left to one of them. A vector of it takes at most 0.2 ms; and behind a picture, the speaker would wait
+/// for its next vector for longer than the 32 ms that it has.
+///
 /// Time is counted in OPEN-R frames of 8 ms: the frame of the latest camera image or joint measurement.
 ///
 /// When the robot starts, all joints hold where they are, unless RCSERVER.CFG keeps the motors off. LEDs and ears are
@@ -91,6 +94,12 @@ class RCServer : public OObject {
   /// The robot is ready for one more command vector (gate Effector).
   void ReadyEffector(const OReadyEvent& event);
 
+  /// The microphone has heard something (gate Microphone).
+  void NotifyMicrophone(const ONotifyEvent& event);
+
+  /// The robot is ready for one more sound vector (gate Speaker).
+  void ReadySpeaker(const OReadyEvent& event);
+
   /// The power status has changed (OPENR::ObservePowerStatus()).
   void PowerChanged(ANTENVMSG msg);
 
@@ -127,42 +136,42 @@ class RCServer : public OObject {
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
-  void Welcome(Connection* newcomer);
   bool MayReplaceClient(const Connection& newcomer) const;
   void GuestReceived(const TCPEndpointReceiveMsg& answer);
   void CheckGuest();
   void AdmitGuest();
   void TurnAwayWhileBusy(Connection* newcomer);
-  void TakeInput(size_t size);
+  void NoteSignOfLife();
+  void CloseNewcomer(Connection* newcomer, bool abort);
   void TurnAway(Connection* newcomer, const char* reason);
   void AbortStranger(Connection* stranger);
   void DropClient(const char* reason, bool abort);
   void ForgetClient();
   void ServeClient();
   bool SendOutput();
+  bool SendPicture();
   bool SendFile();
-  void ReleaseFile();
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   bool IsSendingPicture() const;
   void BeginPicture();
-  void SendPicture(const EncodedPicture& picture);
+  void UsePicture(const EncodedPicture& picture);
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;    ///< how many have been numbered
   Connection* client_;  ///< the client's connection; NULL if there is no client
   Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
   longword guest_since_;
-  size_t guest_size_;  ///< bytes that it has sent
-  Body* body_;         ///< from DoInit to DoDestroy
+  Body* body_;  ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   bool goes_off_;           ///< the order has been noted
   longword goes_off_since_;
   HoldUpWatch held_up_;
   FileDesk file_desk_;
-  RCRegion* file_;  ///< FileKeeper's result whose content goes to the client; NULL if there is none
+  HeldRegion<FileResult> file_;  ///< whose content goes to the client
   PictureTaker pictures_;
+  HeldRegion<EncodedPicture> picture_;  ///< that goes to the client
   PictureDatagrams datagrams_;
   ReportLimit reports_;  ///< of clients that come and go
   Settings settings_;
@@ -176,8 +185,6 @@ class RCServer : public OObject {
   bool was_silent_;               ///< the client, at the last look
   longword last_not_over_;        ///< last frame in which the session was not over
   longword last_attempt_;         ///< to listen
-  unsigned turned_away_;          ///< clients turned away since the last report on the console
-  longword last_report_;          ///< of clients turned away
   unsigned strangers_;            ///< aborted since the last report on the console
   longword last_stranger_;        ///< that was reported
 };

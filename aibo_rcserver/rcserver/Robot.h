@@ -11,6 +11,8 @@
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/files/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
+#include "rcserver/sound/Microphone.h"
+#include "rcserver/sound/Speaker.h"
 
 /// An order about the robot's power. RCServer carries it out when the client has been told and is gone.
 enum PowerOrder {
@@ -29,6 +31,8 @@ struct Robot {
   LightDriver& lights;
   CameraControl& camera;
   ColorTables& colors;
+  Microphone& microphone;
+  Speaker& speaker;
   DatagramSwitch& datagrams;
   PowerOrder& power_order;
   FileJobs& files;

@@ -15,7 +15,6 @@
 #include "rcserver/Version2.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/camera/StickPictures.h"
 #include "rcserver/files/FileOrder.h"
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
@@ -47,7 +46,7 @@ class Session {
   void End();
 
   /// True if bytes may be added: all requests have been handled.
-  bool WantsInput() const;
+  bool WantsInput() const { return !IsEnding() && !has_input_; }
 
   /// Adds received bytes; only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
@@ -58,8 +57,8 @@ class Session {
   /// True if the client has sent at least one whole request.
   bool HasRequested() const { return has_requested_; }
 
-  /// Handles requests as long as there is room for the answers. Call when bytes were added or taken, and when the
-  /// memory stick has become free.
+  /// Handles requests as long as there is room for the answers. Call when bytes were added or taken, and when a request
+  /// has been answered.
   /// @param now OPEN-R frame
   void HandleRequests(unsigned now);
 
@@ -98,6 +97,9 @@ class Session {
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
+  /// The microphone has heard something.
+  void Heard(OSoundVectorData* vector) { version2_.Heard(vector); }
+
   bool HasOutput() const { return !outbox_.IsEmpty(); }
 
   /// Takes out everything that is to be sent, except pictures.
@@ -132,13 +134,12 @@ class Session {
   Session(const Session&);
   Session& operator=(const Session&);
 
-  void HandleVersion1();
-  bool HandleRequestOfVersion1();
+  bool MayHandle();
+  bool HandleRequest();
   bool MayBeHttp();
-  void HandleVersion2(unsigned now);
-  bool MayHandleVersion2();
-  bool ReadFrame();
+  bool AsksForVersion2() const;
   void ChangeToVersion2();
+  bool HandleFrame(unsigned now);
 
   const Robot robot_;
   const int newest_version_;
@@ -149,21 +150,17 @@ class Session {
   Outbox outbox_;
   FileOrder files_;
   MotionCommands motions_;
-  StickPictures stick_pictures_;
   Version1 version1_;
   Version2 version2_;
   protocol::Opening opening_;
   bool is_stranger_;
   bool has_requested_;
-  protocol::RequestReader request_reader_;
+  protocol::RequestReader input_;                                         ///< of both versions
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: the content of an upload
   protocol::version2::FrameReader frame_reader_;
   protocol::Request request_;
-  bool has_request_;   ///< in request_: it waits for the memory stick, or until it is clear that it is none of HTTP
-  bool has_requests_;  ///< of version 1, possibly complete ones
-  unsigned char input_[protocol::RequestReader::MAX_WAITING];  ///< of version 2
-  size_t input_begin_;
-  size_t input_end_;
+  bool has_request_;  ///< in request_: it waits until it is clear that it is none of HTTP
+  bool has_input_;    ///< bytes that have not been handled, possibly complete requests
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_SESSION_H

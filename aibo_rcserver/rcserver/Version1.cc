@@ -13,11 +13,10 @@ using robot_model::NO_LED;
 
 const int Version1::MAX_SOURCES;
 
-Version1::Version1(const Robot& robot, const Settings& settings, const FileOrder& files, MotionCommands& motions,
-                   ImageObserver& camera, Outbox& outbox, unsigned char* upload_buffer)
+Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+                   Outbox& outbox, unsigned char* upload_buffer)
     : robot_(robot),
       settings_(settings),
-      files_(files),
       motions_(motions),
       camera_(camera),
       outbox_(outbox),
@@ -43,15 +42,13 @@ void Version1::Begin() {
   }
 }
 
-bool Version1::Handle(const Request& request) {
+void Version1::Handle(const Request& request) {
   request_ = request;
   if (request.valid && IsForMotions()) {
-    return HandleMotion();
-  }
-  if (!request.valid || !Execute()) {
+    HandleMotion();
+  } else if (!request.valid || !Execute()) {
     Refuse(ERROR_REFUSED);
   }
-  return true;
 }
 
 // The small letter of the request, its identifier and a value.
@@ -293,47 +290,37 @@ bool Version1::IsForMotions() const {
          request_.basic.command == REQUEST_PLAY_MOTION;
 }
 
-// False if nothing was done because the memory stick is busy.
-bool Version1::HandleMotion() {
+void Version1::HandleMotion() {
   const FileRequest file = decodeFileRequest(request_.payload);
   const bool stops = request_.basic.command == REQUEST_PLAY_MOTION && file.a == 0;
   const bool is_for_all = stops && file.name[0] == '\0';
   MotionName name = "";
   if (!is_for_all && readMotionName(file.name, strlen(file.name), name) != NULL) {
     Refuse(ERROR_NOT_A_MOTION);
-    return true;
+    return;
   }
   if (stops) {
     motions_.Stop(name);
     Answer(FileOrder::DONE);
-    return true;
-  }
-  if (files_.IsBusy()) {
-    return false;
+    return;
   }
   switch (request_.basic.command) {
     case REQUEST_UPLOAD_MOTION:
       BeginUpload(name, contentSize(file));
       break;
     case REQUEST_DELETE_MOTION:
-      Answer(motions_.Delete(name));
+      Answer(settings_.allow_delete ? motions_.Delete(name) : FileOrder::REFUSED);
       break;
     default:
-      if (robot_.held_up.MayHaveWaited()) {
-        Refuse(ERROR_REFUSED);
-        break;
-      }
-      Answer(motions_.Play(name, file.a, false, robot_.joints.NumberOfCommands()));
+      Answer(robot_.held_up.MayHaveWaited() ? FileOrder::REFUSED : motions_.Play(name, file.a, false));
       break;
   }
-  return true;
 }
 
 // The reader skips the content of an upload that is refused here.
 void Version1::BeginUpload(const MotionName& name, size_t size) {
-  const FileOrder::Outcome outcome = motions_.CheckUpload(size);
-  if (outcome != FileOrder::DONE) {
-    Answer(outcome);
+  if (!settings_.allow_upload || size > mtn::MAX_FILE_SIZE) {
+    Refuse(ERROR_REFUSED);
     return;
   }
   is_uploading_ = true;

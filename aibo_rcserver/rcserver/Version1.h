@@ -18,16 +18,15 @@
 class Version1 {
  public:
   /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only while version 1 is spoken. All must outlive this.
-  Version1(const Robot& robot, const Settings& settings, const FileOrder& files, MotionCommands& motions,
-           ImageObserver& camera, Outbox& outbox, unsigned char* upload_buffer);
+  Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
+           unsigned char* upload_buffer);
 
   /// A new client: no upload is under way, and the block that `S` reads holds all joints and sensors.
   void Begin();
 
   /// Carries out a request and adds at most one message to the outbox. TakeContent() answers an upload, FileDone() a
   /// request that needs the memory stick, the camera a request for a picture.
-  /// @return false if nothing was done because the memory stick is busy: call again when it is free
-  bool Handle(const protocol::Request& request);
+  void Handle(const protocol::Request& request);
 
   /// Takes what has arrived of an upload. Call before each request; adds at most one message to the outbox, which is
   /// the answer to the upload.
@@ -84,13 +83,12 @@ class Version1 {
   short ValueOf(const Source& source) const;
 
   bool IsForMotions() const;
-  bool HandleMotion();
+  void HandleMotion();
   void BeginUpload(const protocol::MotionName& name, size_t size);
   void Answer(FileOrder::Outcome outcome);
 
   const Robot& robot_;
   const Settings& settings_;
-  const FileOrder& files_;
   MotionCommands& motions_;
   ImageObserver& camera_;
   Outbox& outbox_;

@@ -3,7 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
+#include "protocol/sound_requests.h"
+#include "protocol/stick_pictures.h"
 #include "protocol/units.h"
 
 using namespace protocol::version2;
@@ -14,7 +17,6 @@ using robot_model::NO_LED;
 namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
-const char CAPABILITIES[] = "H F W J V T O I L K G Z B P N";  // whatever the settings are
 
 const char CANNOT_SWITCH_ON[] = "the robot cannot switch its motors on; its console says why";
 
@@ -48,54 +50,27 @@ int MillionthsOfFullDuty(int duty) {
   return duty * (1000000 / 64) / (FULL_DUTY / 64);
 }
 
-short Thousandths(double value) {
-  return static_cast<short>(value * 1000 + (value < 0 ? -1e-6 : 1e-6));
+double WholeThousandths(double value) {
+  return static_cast<int>(value * 1000 + (value < 0 ? -1e-6 : 1e-6)) * 1e-3;
 }
 
 int Millionths(double value) {
   return static_cast<int>(value * 1e6 + (value < 0 ? -0.5 : 0.5));
 }
 
-WalkLimits WalkLimitsOf(const Walker& walker) {
-  const GaitParameters& gait = walker.Parameters();
-  const WalkLimits none = {0, 0, 0, 0};
-  const WalkLimits limits = {Thousandths(gait.highest_forward), Thousandths(gait.highest_back),
-                             Thousandths(gait.highest_left), Thousandths(gait.highest_turn)};
-  return walker.CanWalk() ? limits : none;
+void Add(char group, unsigned char id, int value, Telemetry* telemetry) {
+  const TelemetryEntry entry = {group, id, value};
+  telemetry->entries[telemetry->count] = entry;
+  ++telemetry->count;
 }
 
 void AddWalk(Walker& walker, Telemetry* telemetry) {
-  const WalkVelocity velocity = walker.TakeVelocity();
-  const TelemetryEntry entries[] = {
-      {GROUP_WALK, WALK_FORWARD, Millionths(velocity.forward)},
-      {GROUP_WALK, WALK_LEFT, Millionths(velocity.left)},
-      {GROUP_WALK, WALK_TURN, Millionths(velocity.turn)},
-      {GROUP_WALK, WALK_PHASE, static_cast<int>(walker.Phase() * 1e6)},
-      {GROUP_WALK, WALK_STATE, walker.State()},
-  };
-  for (size_t i = 0; i < sizeof(entries) / sizeof(entries[0]); ++i) {
-    telemetry->entries[telemetry->count] = entries[i];
-    ++telemetry->count;
-  }
-}
-
-unsigned char HowEnded(Walker::Cause cause) {
-  switch (cause) {
-    case Walker::DONE:
-      return END_DONE;
-    case Walker::JOINT_COMMANDED:
-    case Walker::MOTION_BEGAN:
-    case Walker::POSTURE_BEGAN:
-    case Walker::WALK_BEGAN:
-      return END_REPLACED;
-    case Walker::JOINT_FAILED:
-    case Walker::JOINT_SLOW:
-      return END_REFUSED;
-    case Walker::FELL:
-      return END_FELL;
-    default:
-      return END_STOPPED;
-  }
+  const protocol::version2::Velocity velocity = walker.TakeVelocity();
+  Add(GROUP_WALK, WALK_FORWARD, Millionths(velocity.forward), telemetry);
+  Add(GROUP_WALK, WALK_LEFT, Millionths(velocity.left), telemetry);
+  Add(GROUP_WALK, WALK_TURN, Millionths(velocity.turn), telemetry);
+  Add(GROUP_WALK, WALK_PHASE, static_cast<int>(walker.Phase() * 1e6), telemetry);
+  Add(GROUP_WALK, WALK_STATE, walker.State(), telemetry);
 }
 
 const char* WordsFor(JointWatch::Verdict fault) {
@@ -111,36 +86,54 @@ const char* WordsFor(JointWatch::Verdict fault) {
 
 }  // namespace
 
+// These are in Version2Colors.cc, Version2Motions.cc, Version2Pictures.cc and Version2Sound.cc, all others below.
+template <>
+void Version2::CarryOut<REQUEST_COLORS>();
+template <>
+void Version2::CarryOut<REQUEST_PLAY>();
+template <>
+void Version2::CarryOut<REQUEST_LIST>();
+template <>
+void Version2::CarryOut<REQUEST_UPLOAD>();
+template <>
+void Version2::CarryOut<REQUEST_DELETE>();
+template <>
+void Version2::CarryOut<REQUEST_SAVE_PICTURE>();
+template <>
+void Version2::CarryOut<REQUEST_PICTURES>();
+template <>
+void Version2::CarryOut<REQUEST_SOUND>();
+
+const char Version2::TOO_MANY_OWED[] = "too many pictures are owed already; wait until some have come";
+
 Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
-                   StickPictures& pictures, ImageObserver& camera, Outbox& outbox)
+                   ImageObserver& camera, Outbox& outbox)
     : robot_(robot),
       settings_(settings),
       files_(files),
       motions_(motions),
-      pictures_(pictures),
       camera_(camera),
       outbox_(outbox),
       request_(),
       payload_(NULL),
-      commands_(0),
+      now_(0),
       pending_(),
       owes_file_(false),
-      has_waiting_(false),
-      waiting_(),
-      commands_before_waiting_(0),
       told_(),
       colors_(),
       has_pushed_colors_(false),
       last_colors_(0) {
-  sprintf(capabilities_, "%s%s%s%s%s%s%s", CAPABILITIES, robot.joints.Walking().CanWalk() ? " S E" : "",
-          settings.allow_upload ? " U" : "", settings.allow_delete ? " D" : "", settings.allow_pictures ? " M Y" : "",
-          settings.allow_shut_down ? " Q" : "", settings.allow_reboot ? " R" : "");
+  char* end = capabilities_;
+  for (const Row* row = ROWS; row->request != NULL; ++row) {
+    if (Serves(*row) && (row->is_allowed == NULL || settings.*row->is_allowed)) {
+      end += sprintf(end, "%s%c", row == ROWS ? "" : " ", row->request->letter);
+    }
+  }
   Begin();
 }
 
 void Version2::Begin() {
   owes_file_ = false;
-  has_waiting_ = false;
   tells_camera_settings_ = false;
   tells_motors_ = false;
   has_told_motors_ = false;
@@ -154,71 +147,41 @@ void Version2::Begin() {
 void Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
   request_ = request;
   payload_ = payload;
-  commands_ = robot_.joints.NumberOfCommands();
+  now_ = now;
   if (request.request_number == 0) {
     Refuse(CODE_REFUSED, "bad request: number 0 is kept for messages that the server pushes; use 1 to 65535");
     return;
   }
-  switch (request.kind) {
-    case REQUEST_UPLOAD:
-    case REQUEST_DELETE:
-    case REQUEST_PLAY:
-    case REQUEST_LIST:
-    case REQUEST_SAVE_PICTURE:
-    case REQUEST_PICTURES:
-      if (!HandleFileRequest()) {
-        Wait();
-      }
-      break;
-    default:
-      Execute(now);
-  }
+  Execute();
 }
 
-void Version2::Execute(unsigned now) {
-  switch (request_.kind) {
-    case REQUEST_HELLO:
-      return Greet(now);
-    case REQUEST_PICTURE:
-      return TakePicture();
-    case REQUEST_STREAM:
-      return SetStream();
-    case REQUEST_CAMERA:
-      return SetCamera();
-    case REQUEST_DATAGRAMS:
-      return SetDatagrams();
-    case REQUEST_COLORS:
-      return SetColors();
-    case REQUEST_JOINTS:
-      return MoveJoints();
-    case REQUEST_SPEED_LIMITS:
-      return LimitSpeeds();
-    case REQUEST_MOTORS:
-      return SwitchMotors();
-    case REQUEST_HOLD:
-      return Hold();
-    case REQUEST_TELEMETRY:
-      return SetTelemetry();
-    case REQUEST_STEER:
-    case REQUEST_POSTURE:
-      if (robot_.joints.Walking().CanWalk()) {
-        return request_.kind == REQUEST_STEER ? Steer() : TakePosture();
+bool Version2::Serves(const Row& row) const {
+  return !row.request->has(MOVES_BODY) || robot_.joints.Walking().CanWalk();
+}
+
+void Version2::Execute() {
+  for (const Row* row = ROWS; row->request != NULL; ++row) {
+    if (row->request->letter == request_.kind && Serves(*row)) {
+      if (IsAllowed(row->is_allowed, row->request->setting)) {
+        (this->*row->carry_out)();
       }
-      break;
-    case REQUEST_LEDS:
-      return SetLeds();
-    case REQUEST_EARS:
-      return SetEars();
-    case REQUEST_SHUT_DOWN:
-      return GoOff(POWER_SHUT_DOWN, settings_.allow_shut_down, "shutting down", "ALLOW_SHUT_DOWN");
-    case REQUEST_REBOOT:
-      return GoOff(POWER_REBOOT, settings_.allow_reboot, "rebooting", "ALLOW_REBOOT");
-    default:
-      break;
+      return;
+    }
   }
   char text[MAX_ERROR_TEXT_SIZE];
   sprintf(text, "not supported: this server knows the requests %s", capabilities_);
   Refuse(CODE_NOT_SUPPORTED, text);
+}
+
+// Refuses the request unless RCSERVER.CFG allows it.
+bool Version2::IsAllowed(bool Settings::*setting, const char* name) {
+  const bool is_allowed = setting == NULL || settings_.*setting;
+  if (!is_allowed) {
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "this is not allowed; %s=yes in RCSERVER.CFG on the memory stick allows it", name);
+    Refuse(CODE_REFUSED, text);
+  }
+  return is_allowed;
 }
 
 void Version2::RefuseTooLarge(const FrameHeader& request) {
@@ -237,8 +200,8 @@ void Version2::PushPowerOff(const char* reason) {
 void Version2::PushReports() {
   PushJointFaults();
   PushRecoveries();
-  PushMotionEnds();
-  PushWalkEnds();
+  PushEnds();
+  PushSoundEnds();
 }
 
 void Version2::Measured(unsigned frame) {
@@ -251,12 +214,15 @@ void Version2::Measured(unsigned frame) {
   }
 }
 
+// Completes the message with what has been written to Payload().
+size_t Version2::Frame(char kind, unsigned char id, unsigned short request_number, size_t payload_size) {
+  const FrameHeader header = {kind, id, request_number, static_cast<unsigned>(payload_size)};
+  return encode(header, message_) + payload_size;
+}
+
 // Answers the request with what has been written to Payload().
-void Version2::Reply(size_t payload_size) {
-  const FrameHeader header = {replyKind(request_.kind), request_.id, request_.request_number,
-                              static_cast<unsigned>(payload_size)};
-  encodeFrameHeader(header, message_);
-  outbox_.Add(message_, FRAME_HEADER_SIZE + payload_size);
+void Version2::FinishReply(size_t payload_size) {
+  outbox_.Add(message_, Frame(replyKind(request_.kind), request_.id, request_.request_number, payload_size));
 }
 
 void Version2::Refuse(unsigned short code, const char* text) {
@@ -265,18 +231,12 @@ void Version2::Refuse(unsigned short code, const char* text) {
 
 void Version2::SendError(unsigned short request_number, unsigned short code, const char* text) {
   const ErrorMessage error = {code, text, strlen(text)};
-  const size_t size = encodeErrorMessage(error, Payload());
-  const FrameHeader header = {ERROR_MESSAGE, 0, request_number, static_cast<unsigned>(size)};
-  encodeFrameHeader(header, message_);
-  outbox_.Add(message_, FRAME_HEADER_SIZE + size);
+  Send(ERROR_MESSAGE, request_number, error);
 }
 
 void Version2::SendEnd(unsigned char what, unsigned char how, const char* name, const char* reason) {
   const EndMessage end = {what, how, name, strlen(name), reason, strlen(reason)};
-  const size_t size = encodeEndMessage(end, Payload());
-  const FrameHeader header = {END_PUSH, 0, 0, static_cast<unsigned>(size)};
-  encodeFrameHeader(header, message_);
-  outbox_.Add(message_, FRAME_HEADER_SIZE + size);
+  Send(END_PUSH, 0, end);
 }
 
 // Refuses the request if its decoder has found a problem.
@@ -289,28 +249,36 @@ bool Version2::IsWellFormed(const char* problem) {
   return problem == NULL;
 }
 
-void Version2::Greet(unsigned now) {
+bool Version2::HasNoPayload() {
+  NoPayload none;
+  return Decode(&none);
+}
+
+template <>
+void Version2::CarryOut<REQUEST_HELLO>() {
   JointControl& joints = robot_.joints;
   Hello hello;
   CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
   CopyText(capabilities_, hello.capabilities);
-  hello.frame_number = now;
+  hello.frame_number = now_;
   hello.joint_count = static_cast<unsigned char>(joints.NumberOfJoints());
   for (int i = 0; i < joints.NumberOfJoints(); ++i) {
     const robot_model::Joint& joint = joints.Robot().joints[i];
     const JointLimits limits = {joint.identifier, joint.lowest, joint.highest, joint.highest_speed};
     hello.joints[i] = limits;
   }
-  hello.walk = WalkLimitsOf(joints.Walking());
-  Reply(encodeHello(hello, Payload()));
+  const WalkLimits none = {0, 0, 0, 0};
+  hello.walk = joints.Walking().CanWalk() ? joints.Walking().Parameters().highest : none;
+  FinishReply(encodeHello(hello, Payload()));
 }
 
-void Version2::TakePicture() {
-  Layer layer = LAYER_HIGH;
-  if (IsWellFormed(decodePictureRequest(payload_, request_.payload_size, &layer)) && MakesLayer(layer) &&
-      !camera_.RequestPicture(OrderOf(JpegQuality(request_.id), layer, request_.request_number))) {
-    Refuse(CODE_REFUSED, "too many pictures are owed already; wait until some have come");
+template <>
+void Version2::CarryOut<REQUEST_PICTURE>() {
+  PictureRequest wanted;
+  if (Decode(&wanted) && MakesLayer(wanted.layer) &&
+      !camera_.RequestPicture(OrderOf(JpegQuality(request_.id), wanted.layer, request_.request_number))) {
+    Refuse(CODE_REFUSED, TOO_MANY_OWED);
   }
 }
 
@@ -318,9 +286,10 @@ unsigned char Version2::JpegQuality(unsigned char id) {
   return id == SERVER_DEFAULT_QUALITY ? protocol::DEFAULT_JPEG_QUALITY : protocol::limitJpegQuality(id);
 }
 
-void Version2::SetStream() {
+template <>
+void Version2::CarryOut<REQUEST_STREAM>() {
   StreamSettings stream;
-  if (!IsWellFormed(decodeStreamSettings(payload_, request_.payload_size, &stream)) || !MakesLayer(stream.layer)) {
+  if (!Decode(&stream) || !MakesLayer(stream.layer)) {
     return;
   }
   if (stream.on) {
@@ -329,7 +298,7 @@ void Version2::SetStream() {
     camera_.StopStream();
   }
   request_.id = JpegQuality(request_.id);  // the reply has the quality in use
-  Reply(encodeStreamSettings(stream, Payload()));
+  Reply(stream);
 }
 
 bool Version2::MakesLayer(Layer layer) {
@@ -340,35 +309,39 @@ bool Version2::MakesLayer(Layer layer) {
   return makes;
 }
 
-void Version2::SetCamera() {
-  const bool is_read = request_.payload_size == 0 && hasCameraValue(request_.id, 1);
-  unsigned char value = 0;
-  if (!is_read && !IsWellFormed(decodeCameraValue(request_.id, payload_, request_.payload_size, &value))) {
+template <>
+void Version2::CarryOut<REQUEST_CAMERA>() {
+  CameraValue wanted = {request_.id, 0};
+  const bool is_read = request_.payload_size == 0;
+  if (!IsWellFormed(problemOfCameraValue(request_.id, 1)) || (!is_read && !Decode(&wanted))) {
     return;
   }
   tells_camera_settings_ = true;
   const CameraSetting setting = static_cast<CameraSetting>(request_.id);
-  if (!is_read && !robot_.camera.Set(setting, value)) {
+  if (!is_read && !robot_.camera.Set(setting, wanted.value)) {
     Refuse(CODE_REFUSED, "the robot's camera does not take this setting; the robot's console says why");
     return;
   }
-  Reply(encodeCameraValue(robot_.camera.Settings().of(setting), Payload()));
+  wanted.value = robot_.camera.Settings().of(setting);
+  Reply(wanted);
 }
 
-void Version2::SetDatagrams() {
-  unsigned short port = 0;
-  if (!IsWellFormed(decodeDatagramPort(payload_, request_.payload_size, &port))) {
+template <>
+void Version2::CarryOut<REQUEST_DATAGRAMS>() {
+  DatagramPort wanted;
+  if (!Decode(&wanted)) {
     return;
   }
-  if (!robot_.datagrams.SendTo(port)) {
+  if (!robot_.datagrams.SendTo(wanted.port)) {
     return Refuse(CODE_REFUSED, "the IPStack has no endpoint for datagrams; pictures go over this connection");
   }
-  Reply(encodeDatagramPort(port, Payload()));
+  Reply(wanted);
 }
 
-void Version2::MoveJoints() {
+template <>
+void Version2::CarryOut<REQUEST_JOINTS>() {
   JointTargets wanted;
-  if (!IsWellFormed(decodeJointTargets(payload_, request_.payload_size, &wanted))) {
+  if (!Decode(&wanted)) {
     return;
   }
   if (!robot_.motors.AreOn()) {
@@ -387,13 +360,13 @@ void Version2::MoveJoints() {
   for (int i = 0; i < wanted.count; ++i) {
     wanted.joints[i].value = targets[i].position;
   }
-  Reply(encodeJointTargets(wanted, Payload()));
+  Reply(wanted);
 }
 
-void Version2::LimitSpeeds() {
+template <>
+void Version2::CarryOut<REQUEST_SPEED_LIMITS>() {
   SpeedLimits limits;
-  if (!IsWellFormed(decodeSpeedLimits(payload_, request_.payload_size, &limits)) ||
-      !HasJoints(limits.joints, limits.count)) {
+  if (!Decode(&limits) || !HasJoints(limits.joints, limits.count)) {
     return;
   }
   JointControl& joints = robot_.joints;
@@ -407,7 +380,7 @@ void Version2::LimitSpeeds() {
       limits.joints[i].value = joints.Planner().SpeedLimit(i);
     }
   }
-  Reply(encodeSpeedLimits(limits, Payload()));
+  Reply(limits);
 }
 
 // Refuses the request if the robot does not have one of these joints.
@@ -434,35 +407,35 @@ void Version2::RefuseMissing(const char* part, int identifier) {
   Refuse(CODE_REFUSED, text);
 }
 
-void Version2::SwitchMotors() {
+template <>
+void Version2::CarryOut<REQUEST_MOTORS>() {
   MotorSwitch& motors = robot_.motors;
   if (request_.payload_size > 0) {
-    bool on = false;
-    if (!IsWellFormed(decodeMotorState(payload_, request_.payload_size, &on))) {
+    MotorState wanted;
+    if (!Decode(&wanted) || (wanted.on && IsTooOld())) {
       return;
     }
-    if (on && IsTooOld()) {
-      return;
-    }
-    if (!motors.Switch(on)) {
+    if (!motors.Switch(wanted.on)) {
       Refuse(CODE_REFUSED, CANNOT_SWITCH_ON);
       return;
     }
   }
   tells_motors_ = true;
-  Reply(encodeMotorState(motors.AreOn(), Payload()));
+  const MotorState state = {motors.AreOn()};
+  Reply(state);
   if (!motors.AreOn()) {
-    CancelPlay(ALL_MOTIONS, "is not played: the motors were switched off before its file had been read");
+    motions_.Cancel(ALL_MOTIONS, "is not played: the motors were switched off before its file had been read");
   }
 }
 
-void Version2::Hold() {
+template <>
+void Version2::CarryOut<REQUEST_HOLD>() {
   switch (request_.id) {
     case HOLD_EVERYTHING:
-      if (IsWellFormed(checkNoPayload(request_.payload_size))) {
+      if (HasNoPayload()) {
         robot_.joints.StopAll();
-        Reply(0);
-        CancelPlay(ALL_MOTIONS, "is not played: everything was told to hold before its file had been read");
+        Reply(NoPayload());
+        motions_.Cancel(ALL_MOTIONS, "is not played: everything was told to hold before its file had been read");
       }
       break;
     case HOLD_JOINTS:
@@ -476,7 +449,7 @@ void Version2::Hold() {
 // A motion whose file has not been read yet is refused if it moves one of them: see JointControl::FindCommandedSince().
 void Version2::HoldJoints() {
   JointIds named;
-  if (!IsWellFormed(decodeJointIds(payload_, request_.payload_size, &named))) {
+  if (!Decode(&named)) {
     return;
   }
   for (int i = 0; i < named.count; ++i) {
@@ -487,18 +460,18 @@ void Version2::HoldJoints() {
   for (int i = 0; i < named.count; ++i) {
     robot_.joints.Stop(robot_.joints.Find(named.ids[i]));
   }
-  Reply(0);
+  Reply(NoPayload());
 }
 
 // Velocities are whole mm/s and mrad/s on the wire. Those in force are rounded down, so that a client that sends them
 // back gets the same.
-void Version2::Steer() {
-  protocol::version2::Velocity wire;
-  if (!IsWellFormed(decodeVelocity(payload_, request_.payload_size, &wire))) {
+template <>
+void Version2::CarryOut<REQUEST_STEER>() {
+  protocol::version2::Velocity wanted;
+  if (!Decode(&wanted)) {
     return;
   }
-  const WalkVelocity wanted = {wire.forward * 1e-3, wire.left * 1e-3, wire.turn * 1e-3};
-  if (!IsZero(wanted)) {
+  if (!wanted.isZero()) {
     if (IsTooOld()) {
       return;
     }
@@ -506,25 +479,25 @@ void Version2::Steer() {
       return Refuse(CODE_REFUSED, problem);
     }
   }
-  const WalkVelocity accepted = robot_.joints.Steer(wanted);
-  wire.forward = Thousandths(accepted.forward);
-  wire.left = Thousandths(accepted.left);
-  wire.turn = Thousandths(accepted.turn);
-  Reply(encodeVelocity(wire, Payload()));
+  const protocol::version2::Velocity accepted = robot_.joints.Steer(wanted);
+  const protocol::version2::Velocity whole = {WholeThousandths(accepted.forward), WholeThousandths(accepted.left),
+                                              WholeThousandths(accepted.turn)};
+  Reply(whole);
 }
 
-void Version2::TakePosture() {
-  if (!IsWellFormed(checkNoPayload(request_.payload_size))) {
+template <>
+void Version2::CarryOut<REQUEST_POSTURE>() {
+  if (!HasNoPayload()) {
     return;
   }
-  if (!isPosture(request_.id)) {
+  if (!canTake(request_.id)) {
     Refuse(CODE_REFUSED, "bad request: the id is not one of the postures 1 (stand), 2 (sit) and 3 (rest)");
     return;
   }
   const Posture posture = static_cast<Posture>(request_.id);
   if (!IsTooOld() && MayTake(posture)) {
     robot_.joints.Take(posture);
-    Reply(0);
+    Reply(NoPayload());
   }
 }
 
@@ -553,22 +526,24 @@ bool Version2::IsTooOld() {
   return false;
 }
 
-void Version2::SetTelemetry() {
-  unsigned short frames = 0;
-  if (IsWellFormed(decodeTelemetryPeriod(payload_, request_.payload_size, &frames))) {
-    telemetry_period_ = WholeSensorPeriods(frames);
+template <>
+void Version2::CarryOut<REQUEST_TELEMETRY>() {
+  TelemetryPeriod period;
+  if (Decode(&period)) {
+    telemetry_period_ = period.frames = WholeSensorPeriods(period.frames);
     const bool can_walk = robot_.joints.Walking().CanWalk();
     content_ = static_cast<unsigned char>(request_.id & (TELEMETRY_WITH_DUTY | (can_walk ? TELEMETRY_WITH_WALK : 0)));
     request_.id = content_;
     has_pushed_telemetry_ = false;
     outbox_.Telemetry().Drop();
-    Reply(encodeTelemetryPeriod(telemetry_period_, Payload()));
+    Reply(period);
   }
 }
 
-void Version2::SetLeds() {
+template <>
+void Version2::CarryOut<REQUEST_LEDS>() {
   LedValues values;
-  if (!IsWellFormed(decodeLedValues(payload_, request_.payload_size, &values))) {
+  if (!Decode(&values)) {
     return;
   }
   for (int i = 0; i < values.count; ++i) {
@@ -584,15 +559,16 @@ void Version2::SetLeds() {
     value.intensity = accepted.intensity;
     value.mode = accepted.is_mode_b ? LED_MODE_B : LED_MODE_A;
   }
-  Reply(encodeLedValues(values, Payload()));
+  Reply(values);
 }
 
-void Version2::SetEars() {
+template <>
+void Version2::CarryOut<REQUEST_EARS>() {
   EarPositions ears;
-  if (IsWellFormed(decodeEarPositions(payload_, request_.payload_size, &ears))) {
+  if (Decode(&ears)) {
     ears.left = SetEar(LEFT, ears.left);
     ears.right = SetEar(RIGHT, ears.right);
-    Reply(encodeEarPositions(ears, Payload()));
+    Reply(ears);
   }
 }
 
@@ -601,19 +577,51 @@ bool Version2::SetEar(int identifier, bool draw) {
   return ear != NO_EAR && robot_.lights.SetEar(ear, draw);
 }
 
-void Version2::GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting) {
-  if (!IsWellFormed(checkNoPayload(request_.payload_size))) {
-    return;
+void Version2::GoOff(PowerOrder order) {
+  if (HasNoPayload()) {
+    robot_.power_order = order;
+    Reply(NoPayload());
   }
-  if (!is_allowed) {
-    char text[MAX_ERROR_TEXT_SIZE];
-    sprintf(text, "%s is not allowed; %s=yes in RCSERVER.CFG on the memory stick allows it", activity, setting);
-    Refuse(CODE_REFUSED, text);
-    return;
-  }
-  robot_.power_order = order;
-  Reply(0);
 }
+
+template <>
+void Version2::CarryOut<REQUEST_SHUT_DOWN>() {
+  GoOff(POWER_SHUT_DOWN);
+}
+
+template <>
+void Version2::CarryOut<REQUEST_REBOOT>() {
+  GoOff(POWER_REBOOT);
+}
+
+// The hello names their letters in this order.
+const Version2::Row Version2::ROWS[] = {
+    {&SAY_HELLO, &Version2::CarryOut<REQUEST_HELLO>, NULL},
+    {&TAKE_PICTURE, &Version2::CarryOut<REQUEST_PICTURE>, NULL},
+    {&STREAM_PICTURES, &Version2::CarryOut<REQUEST_STREAM>, NULL},
+    {&MOVE_JOINTS, &Version2::CarryOut<REQUEST_JOINTS>, NULL},
+    {&LIMIT_SPEEDS, &Version2::CarryOut<REQUEST_SPEED_LIMITS>, NULL},
+    {&SEND_TELEMETRY, &Version2::CarryOut<REQUEST_TELEMETRY>, NULL},
+    {&TELL_OF_MOTORS, &Version2::CarryOut<REQUEST_MOTORS>, NULL},
+    {&HOLD, &Version2::CarryOut<REQUEST_HOLD>, NULL},
+    {&SET_LEDS, &Version2::CarryOut<REQUEST_LEDS>, NULL},
+    {&MOVE_EARS, &Version2::CarryOut<REQUEST_EARS>, NULL},
+    {&SET_CAMERA, &Version2::CarryOut<REQUEST_CAMERA>, NULL},
+    {&DETECT_COLORS, &Version2::CarryOut<REQUEST_COLORS>, NULL},
+    {&SEND_DATAGRAMS, &Version2::CarryOut<REQUEST_DATAGRAMS>, NULL},
+    {&PLAY_MOTION, &Version2::CarryOut<REQUEST_PLAY>, NULL},
+    {&LIST_MOTIONS, &Version2::CarryOut<REQUEST_LIST>, NULL},
+    {&PLAY_SOUND, &Version2::CarryOut<REQUEST_SOUND>, NULL},
+    {&STEER, &Version2::CarryOut<REQUEST_STEER>, NULL},
+    {&TAKE_POSTURE, &Version2::CarryOut<REQUEST_POSTURE>, NULL},
+    {&STORE_MOTION, &Version2::CarryOut<REQUEST_UPLOAD>, &Settings::allow_upload},
+    {&DELETE_MOTION, &Version2::CarryOut<REQUEST_DELETE>, &Settings::allow_delete},
+    {&SAVE_PICTURE, &Version2::CarryOut<REQUEST_SAVE_PICTURE>, &Settings::allow_pictures},
+    {&LIST_STICK_PICTURES, &Version2::CarryOut<REQUEST_PICTURES>, &Settings::allow_pictures},
+    {&SHUT_DOWN, &Version2::CarryOut<REQUEST_SHUT_DOWN>, &Settings::allow_shut_down},
+    {&REBOOT, &Version2::CarryOut<REQUEST_REBOOT>, &Settings::allow_reboot},
+    {NULL, NULL, NULL},
+};
 
 // A fault for which there is no room is pushed the next time.
 void Version2::PushJointFaults() {
@@ -635,16 +643,18 @@ void Version2::PushRecoveries() {
   }
 }
 
-void Version2::PushWalkEnds() {
-  Walker& walker = robot_.joints.Walking();
-  Walker::End end;
-  while (outbox_.HasRoom() && walker.TakeEnd(&end)) {
-    char reason[Walker::MAX_TEXT_SIZE];
-    walker.Describe(end, reason);
-    SendEnd(end.is_walk ? ENDED_WALK : ENDED_POSTURE, HowEnded(end.cause),
-            end.is_walk ? WALK_NAME : postureName(end.posture), reason);
+// An end for which there is no room is pushed the next time.
+void Version2::PushEnds() {
+  EndLog::End end;
+  while (outbox_.HasRoom() && robot_.joints.Ends().Take(EndLog::CLIENT, &end)) {
+    if (end.what == ENDED_MOTION && end.how == END_REFUSED) {
+      char text[MAX_ERROR_TEXT_SIZE];
+      sprintf(text, "%s is stopped: %s. Its joints hold where they are", end.name, end.reason);
+      SendError(0, CODE_JOINT_FAULT, text);  // there is room for both
+    }
+    SendEnd(end.what, end.how, end.name, end.reason);
   }
-  if (outbox_.HasRoom() && walker.TakeSoftened()) {
+  if (outbox_.HasRoom() && robot_.joints.Walking().TakeSoftened()) {
     SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are soft");
   }
 }
@@ -657,10 +667,7 @@ void Version2::PushMotorsAndPosture() {
   }
   has_told_motors_ = true;
   told_ = now;
-  const size_t size = encodeMotorsAndPosture(now, Payload());
-  const FrameHeader header = {MOTORS_AND_POSTURE_PUSH, 0, 0, static_cast<unsigned>(size)};
-  encodeFrameHeader(header, message_);
-  outbox_.Add(message_, FRAME_HEADER_SIZE + size);
+  Send(MOTORS_AND_POSTURE_PUSH, 0, now);
 }
 
 // Takes the place of telemetry that still waits.
@@ -669,31 +676,22 @@ void Version2::PushTelemetry(unsigned frame) {
   const SensorDriver& sensors = robot_.sensors;
   Telemetry telemetry;
   telemetry.frame_number = frame;
-  telemetry.count = static_cast<unsigned short>(joints.NumberOfJoints());
+  telemetry.count = 0;
   for (int i = 0; i < joints.NumberOfJoints(); ++i) {
-    const TelemetryEntry entry = {GROUP_JOINT, joints.Identifier(i), joints.Position(i)};
-    telemetry.entries[i] = entry;
+    Add(GROUP_JOINT, joints.Identifier(i), joints.Position(i), &telemetry);
   }
   for (int i = 0; i < sensors.NumberOfSensors(); ++i) {
     if (sensors.HasValue(i)) {
       const robot_model::Sensor& sensor = sensors.Sensor(i);
-      const TelemetryEntry entry = {GROUP_SENSOR, sensor.identifier,
-                                    protocol::version2SensorValue(sensor.kind, sensors.Value(i))};
-      telemetry.entries[telemetry.count] = entry;
-      ++telemetry.count;
+      Add(GROUP_SENSOR, sensor.identifier, protocol::version2SensorValue(sensor.kind, sensors.Value(i)), &telemetry);
     }
   }
   const bool with_duty = (content_ & TELEMETRY_WITH_DUTY) != 0;
   for (int i = 0; with_duty && i < joints.NumberOfJoints(); ++i) {
-    const TelemetryEntry entry = {GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i))};
-    telemetry.entries[telemetry.count] = entry;
-    ++telemetry.count;
+    Add(GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i)), &telemetry);
   }
   if ((content_ & TELEMETRY_WITH_WALK) != 0) {
     AddWalk(robot_.joints.Walking(), &telemetry);
   }
-  const size_t size = encodeTelemetry(telemetry, Payload());
-  const FrameHeader header = {TELEMETRY_PUSH, 0, 0, static_cast<unsigned>(size)};
-  encodeFrameHeader(header, message_);
-  outbox_.Telemetry().Set(message_, FRAME_HEADER_SIZE + size);
+  outbox_.Telemetry().Set(message_, Frame(TELEMETRY_PUSH, 0, 0, encode(telemetry, Payload())));
 }

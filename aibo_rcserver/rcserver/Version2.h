@@ -5,11 +5,11 @@
 
 #include "protocol/hello.h"
 #include "protocol/version2.h"
+#include "protocol/walk_requests.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Robot.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/camera/StickPictures.h"
 #include "rcserver/files/FileOrder.h"
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
@@ -19,20 +19,16 @@ class Version2 {
  public:
   /// All must outlive this.
   Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
-           StickPictures& pictures, ImageObserver& camera, Outbox& outbox);
+           ImageObserver& camera, Outbox& outbox);
 
-  /// A new client: no telemetry is pushed, and no request waits.
+  /// A new client: no telemetry is pushed.
   void Begin();
 
-  /// Carries out a request, and adds at most one reply to the outbox, and the refusal of a request that has waited.
-  /// FileDone() answers a request that needs the memory stick, the camera a request for a picture. If the memory stick
-  /// is busy, the request waits for HandleWaiting(); while one waits already, it is refused.
+  /// Carries out a request, and adds at most one reply to the outbox. FileDone() answers a request that needs the
+  /// memory stick, the camera a request for a picture.
   /// @param payload as many bytes as the header says
   /// @param now OPEN-R frame
   void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
-
-  /// Carries out the request that waits, if the memory stick is free. Only if the outbox has room.
-  void HandleWaiting();
 
   /// Answers the request that has been waiting for the memory stick.
   /// @param result that the FileOrder awaits
@@ -67,7 +63,10 @@ class Version2 {
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
-  /// Pushes what joints, motions and the walk have to report, as far as there is room in the outbox.
+  /// Pushes what the microphone has heard, if the client listens.
+  void Heard(OSoundVectorData* vector);
+
+  /// Pushes what joints, motions, the walk and sounds have to report, as far as there is room in the outbox.
   void PushReports();
 
   /// All joints have been measured: pushes what there is to report, and telemetry if it is due.
@@ -81,92 +80,91 @@ class Version2 {
   /// @name Messages. Payload() is where the payload of the next one goes
   /// @{
   unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
-  void Reply(size_t payload_size);
+  size_t Frame(char kind, unsigned char id, unsigned short request_number, size_t payload_size);
+  void FinishReply(size_t payload_size);
+  template <typename Content>
+  void Reply(const Content& content) {
+    FinishReply(encode(content, Payload()));
+  }
+  template <typename Content>
+  void Send(char kind, unsigned short request_number, const Content& content) {
+    outbox_.Add(message_, Frame(kind, 0, request_number, encode(content, Payload())));
+  }
   void Refuse(unsigned short code, const char* text);
   void SendEnd(unsigned char what, unsigned char how, const char* name, const char* reason);
   void SendError(unsigned short request_number, unsigned short code, const char* text);
-  bool IsWellFormed(const char* problem);
   /// @}
 
-  /// @name Requests
-  /// @{
-  void Execute(unsigned now);
-  void Greet(unsigned now);
-  void TakePicture();
-  void SetStream();
-  void SetCamera();
-  void SetDatagrams();
+  /// A request that this server knows.
+  struct Row {
+    const protocol::version2::Request* request;
+    void (Version2::*carry_out)();
+    bool Settings::*is_allowed;  ///< NULL: always
+  };
+  static const Row ROWS[];
+
+  bool Serves(const Row& row) const;
+  bool IsAllowed(bool Settings::*setting, const char* name);
+  void Execute();
+
+  /// Carries out the request with this letter. Each is a specialisation of its own, and has its place in ROWS.
+  template <char LETTER>
+  void CarryOut();
+
+  /// Reads the payload of the request, or refuses it.
+  template <typename Content>
+  bool Decode(Content* content) {
+    return IsWellFormed(protocol::version2::decode(payload_, request_.payload_size, content));
+  }
+  bool IsWellFormed(const char* problem);
+  bool HasNoPayload();
+
   bool MakesLayer(protocol::version2::Layer layer);
-  void MoveJoints();
-  void LimitSpeeds();
   bool HasJoints(const protocol::version2::JointValue* joints, int count);
   bool HasJoint(int identifier);
   void RefuseMissing(const char* part, int identifier);
-  void SwitchMotors();
-  void Hold();
   void HoldJoints();
-  void Steer();
-  void TakePosture();
   bool MayTake(protocol::version2::Posture posture);
   bool IsTooOld();
-  void SetTelemetry();
-  void SetLeds();
-  void SetEars();
   bool SetEar(int identifier, bool draw);
-  void SetColors();
   void SwitchColors(bool on, const protocol::version2::ColorSettings& settings);
   void LoadColorTable();
-  void GoOff(PowerOrder order, bool is_allowed, const char* activity, const char* setting);
-  /// @}
-
-  /// @name Requests that need the memory stick. They return false if they have to wait for it
-  /// @{
-  bool Upload();
-  bool Delete();
-  bool Play();
-  bool List();
-  bool SavePicture();
-  bool HandlePictures();
-  /// @}
+  void SetMicrophone();
+  void PlaySound();
+  void SetSpeakerVolume();
+  void GoOff(PowerOrder order);
   bool LeavesOutMissingJoints() const;
   void ConfirmPlay();
-  bool HandleFileRequest();
-  bool MustWaitForFiles() const;
-  void Wait();
-  void CancelPlay(const protocol::MotionName& name, const char* why);
+  bool IsStickFree();
+  FileOrder::Outcome OrderPicture();
   void MotionJobDone(const FileResult& result);
   void PictureJobDone(const FileResult& result);
   void Answer(FileOrder::Outcome outcome);
 
   void PushJointFaults();
   void PushRecoveries();
-  void PushMotionEnds();
-  void PushMotionEnd(const MotionPlayer::End& end);
-  void PushWalkEnds();
+  void PushEnds();
+  void PushSoundEnds();
   void PushMotorsAndPosture();
   void PushTelemetry(unsigned frame);
 
   static unsigned char JpegQuality(unsigned char id);
 
   static const protocol::MotionName ALL_MOTIONS;
+  static const char TOO_MANY_OWED[];
 
   const Robot& robot_;
   const Settings& settings_;
   FileOrder& files_;
   MotionCommands& motions_;
-  StickPictures& pictures_;
   ImageObserver& camera_;
   Outbox& outbox_;
   char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
-  protocol::version2::FrameHeader request_;  ///< that is being handled
-  const unsigned char* payload_;             ///< of the request
-  unsigned commands_;                        ///< how many commands the joints had had when it came
-  protocol::version2::FrameHeader pending_;  ///< the request that the memory stick is at work for
-  bool owes_file_;                           ///< pending_ is to be answered by the content of a file
-  bool has_waiting_;                         ///< a request waits until the memory stick is free
-  protocol::version2::FrameHeader waiting_;
-  unsigned char waiting_payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];
-  unsigned commands_before_waiting_;                ///< how many commands the joints had had when it came
+  protocol::version2::FrameHeader request_;         ///< that is being handled
+  const unsigned char* payload_;                    ///< of the request
+  unsigned now_;                                    ///< OPEN-R frame in which it came
+  protocol::version2::FrameHeader pending_;         ///< the request that the memory stick is at work for
+  bool owes_file_;                                  ///< pending_ is to be answered by the content of a file
   unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the largest of all
   bool tells_camera_settings_;
   bool tells_motors_;     ///< the client has sent `O`

@@ -5,19 +5,20 @@
 
 using namespace protocol::version2;
 
-void Version2::SetColors() {
+template <>
+void Version2::CarryOut<REQUEST_COLORS>() {
   ColorSettings settings = {1, false};
   switch (request_.id) {
     case COLORS_OFF:
-      if (IsWellFormed(checkNoPayload(request_.payload_size))) {
+      if (HasNoPayload()) {
         SwitchColors(false, settings);
-        Reply(0);
+        Reply(NoPayload());
       }
       break;
     case COLORS_ON:
-      if (IsWellFormed(decodeColorSettings(payload_, request_.payload_size, &settings))) {
+      if (Decode(&settings)) {
         SwitchColors(true, settings);
-        Reply(encodeColorSettings(settings, Payload()));
+        Reply(settings);
       }
       break;
     case COLORS_TABLE:
@@ -38,7 +39,7 @@ void Version2::SwitchColors(bool on, const ColorSettings& settings) {
 
 void Version2::LoadColorTable() {
   ColorTable table;
-  if (!IsWellFormed(decodeColorTable(payload_, request_.payload_size, &table))) {
+  if (!Decode(&table)) {
     return;
   }
   const int channels = robot_.colors.NumberOfChannels();
@@ -48,7 +49,7 @@ void Version2::LoadColorTable() {
             static_cast<int>(table.channel), channels);
     Refuse(CODE_REFUSED, text);
   } else if (robot_.colors.Load(table)) {
-    Reply(0);
+    Reply(NoPayload());
   } else {
     Refuse(CODE_REFUSED, "the robot's camera does not take this table; the robot's console says why");
   }
@@ -72,11 +73,11 @@ void Version2::ColorsDetected(const ColorPlane& plane, unsigned image_count, uns
   regions.height = static_cast<unsigned short>(plane.height);
   regions.has_plane = colors_.with_plane && canPackPlane(plane);
   countColors(plane, robot_.colors.Loaded(), &regions);
-  size_t size = encodeColorRegions(regions, Payload());
+  regions.plane = NULL;
+  regions.plane_size = 0;
+  size_t size = encode(regions, Payload());
   if (regions.has_plane) {
     size += packPlane(plane, Payload() + size);
   }
-  const FrameHeader header = {COLORS_PUSH, 0, 0, static_cast<unsigned>(size)};
-  encodeFrameHeader(header, message_);
-  outbox_.Colors().Set(message_, FRAME_HEADER_SIZE + size);
+  outbox_.Colors().Set(message_, Frame(COLORS_PUSH, 0, 0, size));
 }

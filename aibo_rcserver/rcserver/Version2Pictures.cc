@@ -1,54 +1,63 @@
 // The requests of version 2 about pictures on the memory stick.
 #include <string.h>
 
+#include "protocol/motion_requests.h"
 #include "protocol/stick_pictures.h"
 #include "rcserver/Version2.h"
 
 using namespace protocol::version2;
 
-bool Version2::SavePicture() {
-  if (!IsWellFormed(checkNoPayload(request_.payload_size))) {
-    return true;
+namespace {
+
+const protocol::PictureName NO_NAME = "";
+
+}  // namespace
+
+template <>
+void Version2::CarryOut<REQUEST_SAVE_PICTURE>() {
+  if (HasNoPayload() && IsStickFree()) {
+    request_.id = JpegQuality(request_.id);  // the reply has the quality in use
+    Answer(OrderPicture());
   }
-  if (MustWaitForFiles()) {
-    return false;
-  }
-  request_.id = JpegQuality(request_.id);  // the reply has the quality in use
-  Answer(pictures_.Take(request_.id, request_.request_number));
-  return true;
 }
 
-bool Version2::HandlePictures() {
-  protocol::PictureName name = "";
-  const bool has_name = request_.id == FETCH_PICTURE || request_.id == DELETE_PICTURE;
-  if (!has_name && request_.id != LIST_PICTURES) {
-    Refuse(CODE_REFUSED, "bad request: the id is not one of 1 (list), 2 (fetch) and 3 (delete)");
-    return true;
+// PictureTaken() stores it.
+FileOrder::Outcome Version2::OrderPicture() {
+  const PictureOrder order = {request_.id, LAYER_HIGH, request_.request_number, false, true};
+  if (files_.Prepare() != FileOrder::PENDING) {
+    return FileOrder::REFUSED;
   }
-  if (!IsWellFormed(has_name ? decodePictureName(payload_, request_.payload_size, name)
-                             : checkNoPayload(request_.payload_size))) {
-    return true;
-  }
-  if (MustWaitForFiles()) {
-    return false;
-  }
+  return camera_.RequestPicture(order) ? FileOrder::PENDING : files_.Fail(FileOrder::REFUSED, TOO_MANY_OWED);
+}
+
+template <>
+void Version2::CarryOut<REQUEST_PICTURES>() {
+  StickPicture picture;
   switch (request_.id) {
     case LIST_PICTURES:
-      Answer(pictures_.List());
+      if (HasNoPayload() && IsStickFree()) {
+        Answer(files_.Post(FileJob::LIST, PICTURE_FILE, NO_NAME));
+      }
       break;
     case FETCH_PICTURE:
-      Answer(pictures_.Read(name));
+      if (Decode(&picture) && IsStickFree()) {
+        Answer(files_.Post(FileJob::READ, PICTURE_FILE, picture.name));
+      }
+      break;
+    case DELETE_PICTURE:
+      if (Decode(&picture) && IsAllowed(&Settings::allow_delete, DELETE_MOTION.setting) && IsStickFree()) {
+        Answer(files_.Post(FileJob::DELETE, PICTURE_FILE, picture.name));
+      }
       break;
     default:
-      Answer(pictures_.Delete(name));
+      Refuse(CODE_REFUSED, "bad request: the id is not one of 1 (list), 2 (fetch) and 3 (delete)");
   }
-  return true;
 }
 
 void Version2::PictureTaken(const unsigned char* jpeg, size_t size) {
   if (files_.IsPrepared()) {
     request_ = pending_;
-    Answer(pictures_.Taken(jpeg, size));
+    Answer(files_.Post(FileJob::STORE, PICTURE_FILE, NO_NAME, jpeg, size));
   }
 }
 
@@ -57,9 +66,11 @@ void Version2::PictureJobDone(const FileResult& result) {
   const FileOrder::Outcome outcome = files_.Finish(result);
   const bool is_done = outcome == FileOrder::DONE;
   if (is_done && request_.kind == REQUEST_SAVE_PICTURE) {
-    Reply(encodePictureName(result.name, Payload()));
+    StickPicture picture;
+    strcpy(picture.name, result.name);
+    Reply(picture);
   } else if (is_done && request_.id == LIST_PICTURES) {
-    Reply(encodePictureList(result.list, Payload()));
+    FinishReply(encodeFileList(result.list, Payload()));
   } else if (is_done && request_.id == FETCH_PICTURE && result.size == 0) {
     Refuse(CODE_FILE_MISSING, "the file is empty; delete it");
   } else if (is_done && request_.id == FETCH_PICTURE) {
@@ -73,5 +84,5 @@ size_t Version2::EncodeFileHeader(size_t size, unsigned char* out) {
   owes_file_ = false;
   const FrameHeader header = {replyKind(pending_.kind), pending_.id, pending_.request_number,
                               static_cast<unsigned>(size)};
-  return encodeFrameHeader(header, out);
+  return encode(header, out);
 }

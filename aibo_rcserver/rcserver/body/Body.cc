@@ -131,12 +131,11 @@ bool Body::TouchesFloor() const {
 }
 
 void Body::ReportWalk() {
-  Walker::End end;
-  while (Joints().Walking().TakeNews(&end)) {
-    char reason[Walker::MAX_TEXT_SIZE];
-    Joints().Walking().Describe(end, reason);
-    OSYSPRINT(("RCServer: %s has ended%s%s\n", end.is_walk ? protocol::version2::WALK_NAME : postureName(end.posture),
-               reason[0] == '\0' ? "" : ": ", reason));
+  EndLog::End end;
+  while (Joints().Ends().Take(EndLog::CONSOLE, &end)) {
+    if (end.what != protocol::version2::ENDED_MOTION) {
+      OSYSPRINT(("RCServer: %s has ended%s%s\n", end.name, end.reason[0] == '\0' ? "" : ": ", end.reason));
+    }
   }
 }
 

@@ -13,6 +13,8 @@
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Primitives.h"
 #include "rcserver/body/SensorDriver.h"
+#include "rcserver/sound/Microphone.h"
+#include "rcserver/sound/Speaker.h"
 
 /// Joints, sensors, LEDs and ears, opened by the table of the robot's design, and the two gates that they share.
 ///
@@ -36,6 +38,8 @@ class Body {
   LightDriver& Lights() { return light_driver_; }
   CameraControl& Camera() { return camera_; }
   ColorTables& Colors() { return colors_; }
+  Microphone& Hearing() { return microphone_; }
+  Speaker& Voice() { return speaker_; }
 
   /// Sends the next command vectors if they are due and the robot can take them. Call when something was commanded.
   /// @param effector gate to OVirtualRobotComm.Effector
@@ -49,9 +53,6 @@ class Body {
   /// @param[out] frame the last frame in the vector
   /// @return false if there is no report in it
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
-
-  /// True if nothing moves and no command is on its way to the motors.
-  bool IsAtRest() { return vectors_on_their_way_ == 0 && !Joints().AreMoving(); }
 
   /// Switches the motors off at once, whatever they do.
   void CutMotors();
@@ -81,6 +82,8 @@ class Body {
   SensorDriver sensor_driver_;
   CameraControl camera_;
   ColorTables colors_;
+  Microphone microphone_;
+  Speaker speaker_;
   int vectors_on_their_way_;  ///< sent, and their output is not complete
 };
 

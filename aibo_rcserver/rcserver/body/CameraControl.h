@@ -22,7 +22,7 @@ class CameraControl {
   /// The camera's primitive, if it is open.
   OPrimitiveID Id() const;
 
-  /// @param value that the setting has (protocol::version2::hasCameraValue())
+  /// @param value that the setting has (protocol::version2::problemOfCameraValue())
   /// @return false if the robot refuses; then nothing changes, and the console says why
   bool Set(protocol::version2::CameraSetting setting, unsigned char value);
 

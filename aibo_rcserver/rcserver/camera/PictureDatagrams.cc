@@ -103,13 +103,13 @@ void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
   const bool is_from_client =
       answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == port_;
   const size_t size = is_from_client ? static_cast<size_t>(answer.size) : 0;
-  unsigned picture = 0;
-  if (protocol::version2::decodeAcknowledgement(ReceiveBuffer(), size, &picture) == NULL) {
-    if (picture <= next_.picture && picture >= acknowledged_) {
-      acknowledged_ = picture + 1;
+  protocol::version2::Acknowledgement whole;
+  protocol::version2::LossReport loss;
+  if (decode(ReceiveBuffer(), size, &whole) == NULL) {
+    if (whole.picture <= next_.picture && whole.picture >= acknowledged_) {
+      acknowledged_ = whole.picture + 1;
     }
-  } else if (protocol::version2::decodeLossReport(ReceiveBuffer(), size, &picture) == NULL &&
-             picture <= next_.picture) {
+  } else if (decode(ReceiveBuffer(), size, &loss) == NULL && loss.picture <= next_.picture) {
     to_be_protected_ = PROTECTED_PICTURES;
   }
   Receive();
@@ -177,7 +177,7 @@ void PictureDatagrams::SendParity() {
 
 // @param datagram room for its header, and behind it its content
 void PictureDatagrams::SendDatagram(byte* datagram, size_t content_size) {
-  encodePictureDatagram(next_, datagram);
+  encode(next_, datagram);
   ++next_.sequence;
   UDPEndpointSendMsg send(endpoint_, IPAddress(static_cast<uint32>(receiver_)), port_, datagram,
                           static_cast<int>(DATAGRAM_HEADER_SIZE + content_size));

@@ -63,9 +63,6 @@ class PictureTaker {
   /// The client is gone: drops the picture that is being made and the image that waits, and ends the stream's report.
   void Forget();
 
-  /// True from Begin() to Take().
-  bool IsMaking() const { return ticket_ != 0; }
-
   /// PictureEncoder has finished a picture.
   /// @return false if the picture was dropped meanwhile
   bool Take(const EncodedPicture& picture);

@@ -18,21 +18,22 @@ class FileJobs {
   /// False if FileKeeper does not run.
   virtual bool IsThere() const = 0;
 
-  /// False while a job is being done.
-  virtual bool IsFree() const = 0;
-
-  /// Begins a job. Only if IsFree().
+  /// Begins a job. If FileKeeper is still at work for an earlier client, it waits. Only one job for each client at
+  /// once.
   /// @param name empty for LIST, and to STORE a picture
   /// @param content, size for STORE: up to largestFile() bytes, which are copied; otherwise NULL and 0
   /// @return the job's ticket, which comes back with its result; not 0
   virtual unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                         const unsigned char* content, size_t size) = 0;
+
+  /// The client is gone: its job is not begun any more.
+  virtual void ClientGone() = 0;
 };
 
-/// Sends jobs to FileKeeper.
+/// Sends jobs to FileKeeper, each when it is ready for it.
 class FileDesk : public FileJobs {
  public:
-  FileDesk() {}
+  FileDesk() : has_job_(false) {}
 
   /// Call in DoInit.
   /// @param gate to FileKeeper; must outlive this
@@ -42,8 +43,18 @@ class FileDesk : public FileJobs {
   /// Call in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
+  /// False while FileKeeper has something to do.
+  bool IsFree() const { return !has_job_ && jobs_.IsFree(); }
+
+  /// Call when FileKeeper is ready for a job.
+  void SendJob() {
+    if (has_job_ && jobs_.IsFree()) {
+      has_job_ = false;
+      jobs_.Send();
+    }
+  }
+
   virtual bool IsThere() const { return jobs_.HasReceiver(); }
-  virtual bool IsFree() const { return jobs_.IsFree(); }
   virtual unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                         const unsigned char* content, size_t size) {
     FileJob* const job = jobs_.Memory();
@@ -56,12 +67,15 @@ class FileDesk : public FileJobs {
       memcpy(job->content, content, size);
     }
     const unsigned ticket = job->ticket;
-    jobs_.Send();
+    has_job_ = true;
+    SendJob();
     return ticket;
   }
+  virtual void ClientGone() { has_job_ = false; }
 
  private:
-  RegionSender<FileJob> jobs_;
+  RegionSender<FileJob, 2> jobs_;
+  bool has_job_;  ///< in its memory, not sent
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H

@@ -13,6 +13,7 @@ FileOrder::FileOrder(FileJobs& jobs)
 }
 
 void FileOrder::Begin() {
+  jobs_.ClientGone();
   is_prepared_ = false;
   ticket_ = 0;
 }

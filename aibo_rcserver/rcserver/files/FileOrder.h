@@ -32,12 +32,8 @@ class FileOrder {
   /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
   const char* Problem() const { return problem_; }
 
-  /// True while a request is PENDING.
+  /// True while a request is PENDING: Prepare() and Post() must not be called for a new one.
   bool IsPending() const { return is_prepared_ || ticket_ != 0; }
-
-  /// True while neither Prepare() nor Post() may be called for a new request: one is PENDING, or FileKeeper is still at
-  /// work for an earlier client.
-  bool IsBusy() const { return IsPending() || (jobs_.IsThere() && !jobs_.IsFree()); }
 
   /// Begins a request whose job comes later, by Post().
   /// @return PENDING, or REFUSED if FileKeeper does not run
@@ -49,7 +45,7 @@ class FileOrder {
   /// Has FileKeeper do a job. The parameters are those of FileJobs::Post().
   /// @return PENDING, or REFUSED if FileKeeper does not run
   Outcome Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
-               const unsigned char* content, size_t size);
+               const unsigned char* content = NULL, size_t size = 0);
 
   /// The job that was posted last.
   FileJob::Operation Operation() const { return operation_; }

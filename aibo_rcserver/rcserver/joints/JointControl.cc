@@ -2,6 +2,11 @@
 
 #include <stdlib.h>
 
+using protocol::version2::END_REFUSED;
+using protocol::version2::END_REPLACED;
+using protocol::version2::END_STOPPED;
+using protocol::version2::Velocity;
+
 const int JointWatch::TOLERANCE;
 const int JointWatch::MOVEMENT;
 const unsigned JointWatch::PATIENCE;
@@ -45,7 +50,11 @@ bool JointRecovery::Look(const JointReading& reading, unsigned frame) {
 }
 
 JointControl::JointControl(const robot_model::RobotModel& robot)
-    : robot_(robot), planner_(robot), motions_(planner_, robot), walker_(planner_, robot), number_of_commands_(0) {
+    : robot_(robot),
+      planner_(robot),
+      motions_(planner_, robot, ends_),
+      walker_(planner_, robot, ends_),
+      number_of_commands_(0) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
     positions_[i] = 0;
     duties_[i] = 0;
@@ -58,28 +67,23 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
 void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, int duration) {
   ++number_of_commands_;
   for (int i = 0; i < count; ++i) {
-    motions_.StopMotionOf(targets[i].joint, MotionPlayer::JOINT_COMMANDED);
-    if (walker_.Moves(targets[i].joint)) {
-      walker_.Stop(Walker::JOINT_COMMANDED, targets[i].joint);
-    }
+    EndWhatMoves(targets[i].joint, EndReason::Of(END_REPLACED, "%s was commanded", Name(targets[i].joint)));
     Commanded(targets[i].joint);
   }
   planner_.SetTargets(targets, count, duration);
 }
 
 void JointControl::Stop(int joint) {
-  motions_.StopMotionOf(joint, MotionPlayer::JOINT_HELD);
-  if (walker_.Moves(joint)) {
-    walker_.Stop(Walker::JOINT_HELD, joint);
-  }
+  EndWhatMoves(joint, EndReason::Of(END_STOPPED, "%s was told to hold", Name(joint)));
   planner_.Hold(joint);
   ++number_of_commands_;
   Commanded(joint);
 }
 
 void JointControl::StopAll() {
-  motions_.StopAll(MotionPlayer::EVERYTHING_HELD);
-  walker_.Stop(Walker::EVERYTHING_HELD, robot_model::NO_JOINT);
+  const EndReason reason = {END_STOPPED, "everything was told to hold", ""};
+  motions_.StopAll(reason);
+  walker_.Stop(reason);
   planner_.HoldAll();
   ++number_of_commands_;
   for (int i = 0; i < NumberOfJoints(); ++i) {
@@ -87,8 +91,8 @@ void JointControl::StopAll() {
   }
 }
 
-WalkVelocity JointControl::Steer(const WalkVelocity& wanted) {
-  if (!walker_.IsActive() && !IsZero(wanted)) {
+Velocity JointControl::Steer(const Velocity& wanted) {
+  if (!walker_.IsActive() && !wanted.isZero()) {
     TakeLegs();
   }
   return walker_.Steer(wanted);
@@ -110,14 +114,15 @@ void JointControl::MotionHasBegun() {
       walker_.LeaveAlone(i);
     }
     if (walker_.Moves(i) && motions_.Moves(i)) {
-      walker_.Stop(Walker::MOTION_BEGAN, i);
+      walker_.Stop(EndReason::Of(END_REPLACED, "a motion moves %s", Name(i)));
     }
   }
 }
 
 void JointControl::MotorsGoOff() {
-  motions_.StopAll(MotionPlayer::MOTORS_OFF);
-  walker_.Stop(Walker::MOTORS_OFF, robot_model::NO_JOINT);
+  const EndReason reason = {END_STOPPED, "the motors were switched off", ""};
+  motions_.StopAll(reason);
+  walker_.MotorsGoOff(reason);
 }
 
 // The difference is right even after the numbers have begun again at 0.
@@ -159,10 +164,7 @@ JointWatch::Verdict JointControl::Measured(int joint, const JointReading& readin
   }
   const JointWatch::Verdict verdict = watches_[joint].Look(reading, frame);
   if (verdict != JointWatch::FOLLOWS) {
-    motions_.StopMotionOf(joint, MotionPlayer::JOINT_FAILED);
-    if (walker_.Moves(joint)) {
-      walker_.Stop(Walker::JOINT_FAILED, joint);
-    }
+    EndWhatMoves(joint, EndReason::Of(END_REFUSED, "%s does not follow", Name(joint)));
     Hold(joint, reading.position, frame);
     Failed(joint, verdict);
   } else if (recoveries_[joint].Look(reading, frame)) {
@@ -198,12 +200,20 @@ void JointControl::ClientGone() {
     TakeRecovery(i);
     recoveries_[i].Forget();
   }
-  motions_.ClientGone();
+  motions_.StopAll();
   walker_.ClientGone();
+  ends_.ClientGone();
   for (int i = 0; i < NumberOfJoints(); ++i) {
     if (!walker_.IsMoving() || !(walker_.Moves(i) || walker_.Levels(i))) {
       planner_.Hold(i);
     }
+  }
+}
+
+void JointControl::EndWhatMoves(int joint, const EndReason& reason) {
+  motions_.StopMotionOf(joint, reason);
+  if (walker_.Moves(joint)) {
+    walker_.Stop(reason);
   }
 }
 
@@ -214,7 +224,7 @@ void JointControl::Commanded(int joint) {
 
 // A motion that moves it ends, and one that was requested before must not move it.
 void JointControl::Take(int joint) {
-  motions_.StopMotionOf(joint, MotionPlayer::LEGS_TAKEN);
+  motions_.StopMotionOf(joint, EndReason::Of(END_REPLACED, "the robot was told to walk or to take a posture"));
   last_commands_[joint] = number_of_commands_;
 }
 

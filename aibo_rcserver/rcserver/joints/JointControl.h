@@ -3,9 +3,10 @@
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
+#include "rcserver/joints/EndLog.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
-#include "rcserver/walk/Walker.h"
+#include "rcserver/joints/Walker.h"
 #include "robot_model/robot_model.h"
 
 /// Switches the motors of all joints at once.
@@ -109,6 +110,7 @@ class JointControl {
 
   MotionPlanner& Planner() { return planner_; }
   const MotionPlanner& Planner() const { return planner_; }
+  EndLog& Ends() { return ends_; }
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
@@ -123,7 +125,7 @@ class JointControl {
   void StopAll();
 
   /// A client's order to walk or to take a posture: see Walker. Motions that move the legs end when it begins.
-  WalkVelocity Steer(const WalkVelocity& wanted);
+  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted);
   void Take(protocol::version2::Posture posture);
 
   /// A motion has begun: a walk or a posture ends if it moves the legs.
@@ -159,7 +161,7 @@ class JointControl {
   void Failed(int joint, JointWatch::Verdict fault);
 
   /// How the robot is, by where its joints last were.
-  protocol::version2::PostureNow Posture() const { return walker_.Now(positions_); }
+  protocol::version2::Posture Posture() const { return walker_.Now(positions_); }
 
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
@@ -178,12 +180,14 @@ class JointControl {
   void ClientGone();
 
  private:
+  void EndWhatMoves(int joint, const EndReason& reason);
   void Commanded(int joint);
   void Take(int joint);
   void TakeLegs();
 
   const robot_model::RobotModel& robot_;
   MotionPlanner planner_;
+  EndLog ends_;
   MotionPlayer motions_;
   Walker walker_;
   int positions_[robot_model::MAX_JOINTS];

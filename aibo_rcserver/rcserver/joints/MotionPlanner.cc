@@ -3,14 +3,14 @@
 #include <algorithm>
 
 using robot_model::Coupling;
+using robot_model::FRAME_MILLISECONDS;
 using robot_model::Joint;
 
-const int MotionPlanner::FRAME_MILLISECONDS;
 const int MotionPlanner::FOLLOWING;
 
 namespace {
 
-const int FRAMES_PER_SECOND = 1000 / MotionPlanner::FRAME_MILLISECONDS;
+const int FRAMES_PER_SECOND = 1000 / FRAME_MILLISECONDS;
 
 // One microradian per frame, in microradian/s, and per frame squared, in microradian/s^2.
 const int SPEED_UNIT = FRAMES_PER_SECOND;

@@ -28,9 +28,6 @@
 /// Not thread-safe.
 class MotionPlanner {
  public:
-  /// Length of a frame: the ERS-7 and the ERS-210 take a joint value every 8 ms (Sony's OPEN-R programmer's guide).
-  static const int FRAME_MILLISECONDS = 8;
-
   /// One joint of a command.
   struct JointTarget {
     int joint;     ///< index

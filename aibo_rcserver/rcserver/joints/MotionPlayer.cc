@@ -3,14 +3,21 @@
 #include <stdio.h>
 #include <string.h>
 
+using protocol::version2::END_DONE;
+using protocol::version2::END_STOPPED;
 using robot_model::NO_JOINT;
 
+namespace {
+
+const EndReason STOPPED_BY_CLIENT = {END_STOPPED, "the client stopped it", ""};
+
+}  // namespace
+
 const int MotionPlayer::MAX_PLAYING;
-const int MotionPlayer::MAX_ENDS;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
 
-MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot)
-    : planner_(planner), robot_(robot), number_of_ends_(0) {
+MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends)
+    : planner_(planner), robot_(robot), ends_(ends) {
   problem_[0] = '\0';
   changes_[0] = '\0';
 }
@@ -38,22 +45,26 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
 void MotionPlayer::Stop(const protocol::MotionName& name) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying() && strcmp(motions_[i].Name(), name) == 0) {
-      Stop(motions_[i], STOPPED, NO_JOINT);
+      Stop(motions_[i], STOPPED_BY_CLIENT);
     }
   }
 }
 
-void MotionPlayer::StopAll(Cause cause) {
+void MotionPlayer::StopAll() {
+  StopAll(STOPPED_BY_CLIENT);
+}
+
+void MotionPlayer::StopAll(const EndReason& reason) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {
-      Stop(motions_[i], cause, NO_JOINT);
+      Stop(motions_[i], reason);
     }
   }
 }
 
-void MotionPlayer::StopMotionOf(int joint, Cause cause) {
+void MotionPlayer::StopMotionOf(int joint, const EndReason& reason) {
   if (Moves(joint)) {
-    Stop(motions_[FindMoving(joint)], cause, joint);
+    Stop(motions_[FindMoving(joint)], reason);
   }
 }
 
@@ -80,27 +91,12 @@ bool MotionPlayer::TakeFlick(int ear) {
   return flicks;
 }
 
-bool MotionPlayer::TakeEnd(End* end) {
-  if (number_of_ends_ == 0) {
-    return false;
-  }
-  *end = ends_[0];
-  --number_of_ends_;
-  memmove(ends_, ends_ + 1, static_cast<size_t>(number_of_ends_) * sizeof(End));
-  return true;
-}
-
-void MotionPlayer::ClientGone() {
-  StopAll(STOPPED);
-  number_of_ends_ = 0;
-}
-
 void MotionPlayer::NextFrame() {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {
       motions_[i].NextFrame(planner_);
       if (!motions_[i].IsPlaying()) {
-        Report(motions_[i], PLAYED, NO_JOINT);
+        Report(motions_[i], EndReason::Of(END_DONE, ""));
       }
     }
   }
@@ -148,19 +144,11 @@ int MotionPlayer::FindMoving(int joint) const {
   return i;
 }
 
-void MotionPlayer::Stop(PlayedMotion& motion, Cause cause, int joint) {
+void MotionPlayer::Stop(PlayedMotion& motion, const EndReason& reason) {
   motion.Stop(planner_);
-  Report(motion, cause, joint);
+  Report(motion, reason);
 }
 
-void MotionPlayer::Report(const PlayedMotion& motion, Cause cause, int joint) {
-  End oldest;
-  if (number_of_ends_ == MAX_ENDS) {
-    TakeEnd(&oldest);
-  }
-  End& end = ends_[number_of_ends_];
-  ++number_of_ends_;
-  strcpy(end.name, motion.Name());
-  end.cause = cause;
-  end.joint = joint;
+void MotionPlayer::Report(const PlayedMotion& motion, const EndReason& reason) {
+  ends_.Add(protocol::version2::ENDED_MOTION, motion.Name(), reason);
 }

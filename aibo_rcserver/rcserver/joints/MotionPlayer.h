@@ -4,6 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 
 #include "protocol/text.h"
+#include "rcserver/joints/EndLog.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/PlayedMotion.h"
 #include "robot_model/robot_model.h"
@@ -22,8 +23,8 @@ class MotionPlayer {
   /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  /// Both must outlive this.
-  MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot);
+  /// All must outlive this.
+  MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
 
   /// Where the file for Play() goes: room for mtn::MAX_FILE_SIZE bytes.
   /// @return NULL if MAX_PLAYING motions are being played
@@ -43,26 +44,15 @@ class MotionPlayer {
   /// are clipped, by up to 3.0 degrees (left_hind_knee at 2832 ms)"; empty if it is played as it is.
   const char* Changes() const { return changes_; }
 
-  /// Why a motion has ended.
-  enum Cause {
-    PLAYED,           ///< it has reached its end
-    STOPPED,          ///< by its name, or with all others
-    JOINT_COMMANDED,  ///< one of its joints got another command
-    JOINT_HELD,       ///< one of its joints was told to hold
-    EVERYTHING_HELD,  ///< all joints were told to hold
-    MOTORS_OFF,       ///< the motors were switched off
-    LEGS_TAKEN,       ///< the robot was told to walk, or to take a posture
-    JOINT_FAILED      ///< one of its joints does not follow
-  };
-
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
   void Stop(const protocol::MotionName& name);
 
-  /// Stops all motions for this reason.
-  void StopAll(Cause cause);
+  /// The same for all motions.
+  void StopAll();
+  void StopAll(const EndReason& reason);
 
-  /// Stops the motion that moves this joint, if there is one, for this reason.
-  void StopMotionOf(int joint, Cause cause);
+  /// Stops the motion that moves this joint, if there is one.
+  void StopMotionOf(int joint, const EndReason& reason);
 
   /// Every motion ends with its present repetition.
   void EndRepetitions();
@@ -77,23 +67,6 @@ class MotionPlayer {
   /// @param ear index in the robot's table
   bool TakeFlick(int ear);
 
-  /// A motion that has ended.
-  struct End {
-    protocol::MotionName name;
-    Cause cause;
-    int joint;  ///< of JOINT_COMMANDED, JOINT_HELD and JOINT_FAILED; otherwise NO_JOINT
-  };
-
-  /// Most ends that are kept: those of all motions, twice. When there are more, the oldest is forgotten.
-  static const int MAX_ENDS = 2 * MAX_PLAYING;
-
-  /// Returns each end once, the oldest first.
-  /// @return false if there is none
-  bool TakeEnd(End* end);
-
-  /// Stops all motions and forgets how motions have ended.
-  void ClientGone();
-
   /// Call once in each frame, before MotionPlanner::NextFrame().
   void NextFrame();
 
@@ -105,14 +78,13 @@ class MotionPlayer {
   bool FindsJointsFree(const PlayedMotion& motion);
   bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
   int FindMoving(int joint) const;
-  void Stop(PlayedMotion& motion, Cause cause, int joint);
-  void Report(const PlayedMotion& motion, Cause cause, int joint);
+  void Stop(PlayedMotion& motion, const EndReason& reason);
+  void Report(const PlayedMotion& motion, const EndReason& reason);
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
+  EndLog& ends_;
   PlayedMotion motions_[MAX_PLAYING];
-  End ends_[MAX_ENDS];  ///< that have not been taken, the oldest first
-  int number_of_ends_;
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };

@@ -111,7 +111,7 @@ void PlayedMotion::GoTo(int key_frame, const MotionPlanner& planner) {
 
 // Finds the next key frame for this time, or the end of the repetition after the last one.
 void PlayedMotion::PassTime(const MotionPlanner& planner) {
-  milliseconds_ += MotionPlanner::FRAME_MILLISECONDS;
+  milliseconds_ += robot_model::FRAME_MILLISECONDS;
   while (phase_ == PLAYING) {
     if (key_frame_ == fitted_.numberOfKeyFrames()) {
       if (repetitions_left_ == 1 || !IsClosed()) {

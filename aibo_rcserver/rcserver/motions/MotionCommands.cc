@@ -3,32 +3,29 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
-MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order,
-                               const Settings& settings)
+MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order)
     : joints_(joints),
       motors_(motors),
       order_(order),
-      settings_(settings),
       repetitions_(0),
       leave_out_(false),
       commands_(0),
       cancelled_why_(NULL) {}
 
-MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out,
-                                             unsigned commands) {
+MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out) {
   if (CheckPlay() != FileOrder::DONE) {
     return FileOrder::REFUSED;
   }
   repetitions_ = repetitions;
   leave_out_ = leave_out;
-  commands_ = commands;
+  commands_ = joints_.NumberOfCommands();
   cancelled_why_ = NULL;
-  return order_.Post(FileJob::READ, MOTION_FILE, name, NULL, 0);
+  return order_.Post(FileJob::READ, MOTION_FILE, name);
 }
 
 void MotionCommands::Stop(const protocol::MotionName& name) {
   if (name[0] == '\0') {
-    joints_.Motions().StopAll(MotionPlayer::STOPPED);
+    joints_.Motions().StopAll();
   } else {
     joints_.Motions().Stop(name);
   }
@@ -40,22 +37,11 @@ void MotionCommands::Cancel(const protocol::MotionName& name, const char* why) {
   }
 }
 
-MotionCommands::Outcome MotionCommands::CheckUpload(size_t size) {
-  if (!settings_.allow_upload) {
-    return order_.Fail(FileOrder::REFUSED,
-                       "uploads are not allowed; ALLOW_UPLOAD=yes in RCSERVER.CFG on the memory stick allows them");
-  }
+MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name, const unsigned char* content,
+                                               size_t size, bool leave_out) {
   if (size > mtn::MAX_FILE_SIZE) {
     return order_.Fail(FileOrder::REFUSED, "%lu bytes are too many: a motion may have %lu",
                        static_cast<unsigned long>(size), static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
-  }
-  return FileOrder::DONE;
-}
-
-MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name, const unsigned char* content,
-                                               size_t size, bool leave_out) {
-  if (CheckUpload(size) != FileOrder::DONE) {
-    return FileOrder::REFUSED;
   }
   if (const char* problem = protocol::problemOfNewMotionName(name)) {
     return order_.Fail(FileOrder::REFUSED, "%s: %s", name, problem);
@@ -70,16 +56,12 @@ MotionCommands::Outcome MotionCommands::Upload(const protocol::MotionName& name,
 }
 
 MotionCommands::Outcome MotionCommands::Delete(const protocol::MotionName& name) {
-  if (!settings_.allow_delete) {
-    return order_.Fail(FileOrder::REFUSED,
-                       "deleting is not allowed; ALLOW_DELETE=yes in RCSERVER.CFG on the memory stick allows it");
-  }
-  return order_.Post(FileJob::DELETE, MOTION_FILE, name, NULL, 0);
+  return order_.Post(FileJob::DELETE, MOTION_FILE, name);
 }
 
 MotionCommands::Outcome MotionCommands::List() {
   const protocol::MotionName all = "";
-  return order_.Post(FileJob::LIST, MOTION_FILE, all, NULL, 0);
+  return order_.Post(FileJob::LIST, MOTION_FILE, all);
 }
 
 MotionCommands::Outcome MotionCommands::Finish(const FileResult& result) {

@@ -8,26 +8,24 @@
 #include "protocol/text.h"
 #include "rcserver/files/FileOrder.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/settings/Settings.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. A request that fails changes nothing, and
 /// the FileOrder has the reason.
 ///
 /// A request that needs the memory stick is PENDING until Finish(). Play(), Upload(), Delete() and List() must not be
-/// called while the FileOrder is busy.
+/// called while the FileOrder has a request PENDING.
 class MotionCommands {
  public:
   typedef FileOrder::Outcome Outcome;
 
   /// All must outlive this.
-  MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order, const Settings& settings);
+  MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order);
 
-  /// Begins to play a motion: PENDING until its file has been read.
+  /// Begins to play a motion: PENDING until its file has been read. Commands to its joints that come meanwhile have
+  /// precedence.
   /// @param repetitions not below 1
   /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is REFUSED
-  /// @param commands JointControl::NumberOfCommands() when it was requested: later commands to its joints have
-  /// precedence
-  Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out, unsigned commands);
+  Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out);
 
   /// Once Play() is DONE: what is played differently than the file says (MotionPlayer::Changes()). The console has it,
   /// too.
@@ -41,9 +39,6 @@ class MotionCommands {
   /// @param name empty: whichever it is
   /// @param why follows the name of the motion, as in "NOD.MTN ..."; must outlive this
   void Cancel(const protocol::MotionName& name, const char* why);
-
-  /// Checks whether a file of this size may be uploaded, whatever its content: DONE or REFUSED.
-  Outcome CheckUpload(size_t size);
 
   /// Stores a file, if it is a motion that this robot can play.
   /// @param leave_out as for Play()
@@ -68,7 +63,6 @@ class MotionCommands {
   JointControl& joints_;
   const MotorSwitch& motors_;
   FileOrder& order_;
-  const Settings& settings_;
   mtn::Motion checked_;       ///< the upload that is checked
   mtn::FittedMotion fitted_;  ///< the same
 

@@ -8,7 +8,7 @@ namespace {
 const unsigned LOOPBACK = 0x7f000001;
 const unsigned ALL_BITS = 0xffffffff;
 
-const char NO_ADDRESS[] = "is not a list of addresses such as 192.168.1.20, 192.168.2.0/24";
+const char NO_ADDRESS[] = "it is not a list of addresses such as 192.168.1.20, 192.168.2.0/24";
 
 const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
@@ -63,7 +63,7 @@ const char* AllowedAddresses::Read(const char* list) {
   const char* text = SkipSpaces(list);
   while (!read.is_any_) {
     if (read.number_of_ranges_ == MAX_RANGES) {
-      return "has more than 32 entries";
+      return "it has more than 32 entries";
     }
     if (const char* problem = ReadRange(&text, &read.ranges_[read.number_of_ranges_])) {
       return problem;
@@ -112,7 +112,7 @@ const char* AllowedAddresses::ReadRange(const char** text, Range* range) {
   if (**text == '/') {
     ++*text;
     if (!ReadNumber(text, 32, &bits)) {
-      return "needs a number from 0 to 32 after the /";
+      return "it needs a number from 0 to 32 after the /";
     }
   }
   range->mask = MaskOf(bits);

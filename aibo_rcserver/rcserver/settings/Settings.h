@@ -22,6 +22,8 @@ struct Settings {
       : allow_upload(false),
         allow_delete(false),
         allow_pictures(false),
+        allow_microphone(false),
+        allow_sound(true),
         allow_shut_down(false),
         allow_reboot(false),
         motors_at_boot(true),
@@ -31,6 +33,8 @@ struct Settings {
   bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
   bool allow_delete;                   ///< ALLOW_DELETE: files from the memory stick
   bool allow_pictures;                 ///< ALLOW_PICTURES: onto the memory stick, and from it to the client
+  bool allow_microphone;               ///< ALLOW_MICROPHONE: clients hear what the robot hears
+  bool allow_sound;                    ///< ALLOW_SOUND: clients play sound and set the volume
   bool allow_shut_down;                ///< ALLOW_SHUT_DOWN
   bool allow_reboot;                   ///< ALLOW_REBOOT
   bool motors_at_boot;                 ///< MOTORS_AT_BOOT: joints hold where they are when the robot has booted
@@ -45,20 +49,18 @@ class SettingsProblems {
   virtual ~SettingsProblems() {}
 
   /// @param line from 1
-  /// @param text the problem, and what is done instead
+  /// @param text the problem, and the line
   virtual void Report(int line, const char* text) = 0;
 };
 
 /// Reads lines NAME=VALUE. Empty lines and comments after a # are skipped, upper and lower case are the same, and lines
-/// may end as on any system. A line that is not NAME=VALUE or names no setting is ignored. A wrong value, or a name
-/// that appears twice, sets the safe value: not allowed, motors off at boot, power monitored, 10 s, only 127.0.0.1. If
-/// a line was ignored and any address would be allowed, the ignored line may have been meant to prevent that: only
-/// 127.0.0.1, too.
+/// may end as on any system. If any line is wrong, the file counts for nothing, because that line may have been meant
+/// to prevent something: only 127.0.0.1 may connect, motors are off at boot, and all else is as without the file.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
 /// Reads RCSERVER.CFG from the memory stick, and names on the console each line that is wrong, and who may connect.
 /// Without the file, the defaults hold. If it cannot be read, or another file beside it has a name that begins with
-/// RCSERVER, only 127.0.0.1 may connect.
+/// RCSERVER, the same holds as for a wrong line.
 Settings readSettingsFile(const HostSettings& host);
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

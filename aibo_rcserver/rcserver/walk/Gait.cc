@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+using protocol::version2::Velocity;
 using robot_model::FOOT_RADIUS;
 using robot_model::Leg;
 using robot_model::LegAngles;
@@ -40,22 +41,23 @@ GaitParameters::GaitParameters()
       outward(0.0146),
       nose_down(-0.019),
       easing(0.187),
-      lift_easing(0.06),
-      highest_forward(0.15),
-      highest_back(0.1),
-      highest_left(0.06),
-      highest_turn(1.2) {}
+      lift_easing(0.06) {
+  highest.forward = 0.15;
+  highest.back = 0.1;
+  highest.left = 0.06;
+  highest.turn = 1.2;
+}
 
-WalkVelocity Gait::Limited(const WalkVelocity& wanted) const {
-  const double highest = wanted.forward < 0 ? parameters_.highest_back : parameters_.highest_forward;
-  const double sum = Part(wanted.forward, highest) + Part(wanted.left, parameters_.highest_left) +
-                     Part(wanted.turn, parameters_.highest_turn);
+Velocity Gait::Limited(const Velocity& wanted) const {
+  const double highest = wanted.forward < 0 ? parameters_.highest.back : parameters_.highest.forward;
+  const double sum = Part(wanted.forward, highest) + Part(wanted.left, parameters_.highest.left) +
+                     Part(wanted.turn, parameters_.highest.turn);
   const double scale = sum > 1 ? 1 / sum : 1;
-  const WalkVelocity limited = {wanted.forward * scale, wanted.left * scale, wanted.turn * scale};
+  const Velocity limited = {wanted.forward * scale, wanted.left * scale, wanted.turn * scale};
   return limited;
 }
 
-void Gait::FindPosture(double phase, const WalkVelocity& velocity, double effort, LegAngles* angles) const {
+void Gait::FindPosture(double phase, const Velocity& velocity, double effort, LegAngles* angles) const {
   const double with_floor = parameters_.duty + 2 * parameters_.margin;
   const double sine = sin(parameters_.nose_down);
   const double cosine = cos(parameters_.nose_down);

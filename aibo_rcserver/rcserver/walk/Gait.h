@@ -3,18 +3,8 @@
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_GAIT_H
 #define AIBO_RCSERVER_RCSERVER_WALK_GAIT_H
 
+#include "protocol/walk_requests.h"
 #include "robot_model/legs.h"
-
-/// How the body moves over the floor.
-struct WalkVelocity {
-  double forward;  ///< m/s
-  double left;     ///< m/s
-  double turn;     ///< rad/s, to the left
-};
-
-inline bool IsZero(const WalkVelocity& velocity) {
-  return velocity.forward == 0 && velocity.left == 0 && velocity.turn == 0;
-}
 
 /// The numbers of the gait. The defaults were found with the bench in test/physics, which counts falls, ways and the
 /// loads of the motors; none has been tried on a robot yet.
@@ -50,10 +40,7 @@ struct GaitParameters {
   double lift_easing;
 
   /// Highest velocities, each without the others. Less than that is left if several come together.
-  double highest_forward;  ///< m/s
-  double highest_back;     ///< m/s
-  double highest_left;     ///< m/s, to either side
-  double highest_turn;     ///< rad/s, in either direction
+  protocol::version2::WalkLimits highest;
 };
 
 /// A trot: diagonal legs move together, half a period after the two others. A foot on the floor moves with the floor,
@@ -73,7 +60,7 @@ class Gait {
 
   /// The velocity of the same direction that the legs can walk. Forward, sideways and turning share their speed: the
   /// parts of the highest velocities that they take add up to 1 at most.
-  WalkVelocity Limited(const WalkVelocity& wanted) const;
+  protocol::version2::Velocity Limited(const protocol::version2::Velocity& wanted) const;
 
   /// True while a leg's foot is on the floor.
   /// @param phase of the step, 0..1
@@ -88,7 +75,8 @@ class Gait {
   /// @param velocity that Limited() has returned
   /// @param effort 0..1: how much of the lift is made; less than 1 to begin and to end a walk
   /// @param[out] angles of the four legs, in radian, in the order of robot_model::Leg
-  void FindPosture(double phase, const WalkVelocity& velocity, double effort, robot_model::LegAngles* angles) const;
+  void FindPosture(double phase, const protocol::version2::Velocity& velocity, double effort,
+                   robot_model::LegAngles* angles) const;
 
  private:
   static double LegPhase(robot_model::Leg leg, double phase);

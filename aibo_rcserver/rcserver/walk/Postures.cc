@@ -8,6 +8,7 @@ using protocol::version2::Posture;
 using protocol::version2::POSTURE_REST;
 using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
+using protocol::version2::Velocity;
 using robot_model::Leg;
 using robot_model::LegAngles;
 using robot_model::NUMBER_OF_LEGS;
@@ -51,7 +52,7 @@ LegAngles Between(const LegAngles& from, const LegAngles& to, double part) {
 const int Postures::MAX_WAY;
 
 Postures::Postures(const Gait& gait) {
-  const WalkVelocity none = {0, 0, 0};
+  const Velocity none = {0, 0, 0};
   gait.FindPosture(0, none, 0, legs_[POSTURE_STAND]);
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const bool front = isFront(static_cast<Leg>(i));

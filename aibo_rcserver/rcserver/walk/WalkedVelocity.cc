@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "rcserver/joints/MotionPlanner.h"
+#include "robot_model/robot_model.h"
 
+using protocol::version2::Velocity;
 using robot_model::Leg;
 using robot_model::LegAngles;
 using robot_model::NUMBER_OF_LEGS;
@@ -13,9 +14,9 @@ using robot_model::Point;
 
 namespace {
 
-const double FRAME = MotionPlanner::FRAME_MILLISECONDS * 1e-3;  // s
+const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
 
-const WalkVelocity NO_VELOCITY = {0, 0, 0};
+const Velocity NO_VELOCITY = {0, 0, 0};
 
 Point Mean(const Point* points, int count) {
   Point mean = {0, 0, 0};
@@ -29,7 +30,7 @@ Point Mean(const Point* points, int count) {
 // The rigid motion of the body that comes nearest to that of the feet on the floor.
 // @param steps of the body in a frame, seen from each foot
 // @param count at least 2
-WalkVelocity RigidVelocity(const Point* places, const Point* steps, int count) {
+Velocity RigidVelocity(const Point* places, const Point* steps, int count) {
   const Point place = Mean(places, count);
   const Point step = Mean(steps, count);
   double turn = 0;
@@ -41,7 +42,7 @@ WalkVelocity RigidVelocity(const Point* places, const Point* steps, int count) {
     spread += x * x + y * y;
   }
   turn /= spread;
-  const WalkVelocity velocity = {(step.x + turn * place.y) / FRAME, (step.y - turn * place.x) / FRAME, turn / FRAME};
+  const Velocity velocity = {(step.x + turn * place.y) / FRAME, (step.y - turn * place.x) / FRAME, turn / FRAME};
   return velocity;
 }
 
@@ -63,7 +64,7 @@ void WalkedVelocity::HaveMoved(const LegAngles* legs) {
 }
 
 void WalkedVelocity::HaveWalked(const LegAngles* legs, double phase) {
-  const WalkVelocity velocity = VelocityTo(legs, phase);
+  const Velocity velocity = VelocityTo(legs, phase);
   sum_.forward += velocity.forward;
   sum_.left += velocity.left;
   sum_.turn += velocity.turn;
@@ -71,7 +72,7 @@ void WalkedVelocity::HaveWalked(const LegAngles* legs, double phase) {
   HaveMoved(legs);
 }
 
-WalkVelocity WalkedVelocity::Take(bool walks) {
+Velocity WalkedVelocity::Take(bool walks) {
   if (frames_ > 0) {
     last_.forward = sum_.forward / frames_;
     last_.left = sum_.left / frames_;
@@ -84,7 +85,7 @@ WalkVelocity WalkedVelocity::Take(bool walks) {
   return last_;
 }
 
-WalkVelocity WalkedVelocity::VelocityTo(const LegAngles* legs, double phase) const {
+Velocity WalkedVelocity::VelocityTo(const LegAngles* legs, double phase) const {
   Point places[NUMBER_OF_LEGS];
   Point steps[NUMBER_OF_LEGS];
   int count = 0;

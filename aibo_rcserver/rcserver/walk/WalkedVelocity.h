@@ -28,17 +28,17 @@ class WalkedVelocity {
   /// The average since the last call; the last value if no frame has passed since. The sum over all calls is the way,
   /// if no foot has slipped.
   /// @param walks the robot walks now
-  WalkVelocity Take(bool walks);
+  protocol::version2::Velocity Take(bool walks);
 
  private:
-  WalkVelocity VelocityTo(const robot_model::LegAngles* legs, double phase) const;
+  protocol::version2::Velocity VelocityTo(const robot_model::LegAngles* legs, double phase) const;
 
   const Gait& gait_;
   robot_model::LegAngles legs_[robot_model::NUMBER_OF_LEGS];
   double phase_;
-  WalkVelocity sum_;  ///< over frames
+  protocol::version2::Velocity sum_;  ///< over frames
   int frames_;
-  WalkVelocity last_;
+  protocol::version2::Velocity last_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_WALKED_VELOCITY_H

@@ -1,4 +1,4 @@
-#include "rcserver/walk/Walker.h"
+#include "rcserver/joints/Walker.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,10 +7,16 @@
 
 #include <algorithm>
 
+using protocol::version2::END_DONE;
+using protocol::version2::END_FELL;
+using protocol::version2::END_REFUSED;
+using protocol::version2::END_REPLACED;
+using protocol::version2::END_STOPPED;
 using protocol::version2::Posture;
 using protocol::version2::POSTURE_REST;
 using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
+using protocol::version2::Velocity;
 using robot_model::JOINTS_OF_A_LEG;
 using robot_model::Leg;
 using robot_model::LegAngles;
@@ -19,7 +25,7 @@ using robot_model::NUMBER_OF_LEGS;
 
 namespace {
 
-const double FRAME = MotionPlanner::FRAME_MILLISECONDS * 1e-3;  // s
+const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
 const int LEG_JOINTS = NUMBER_OF_LEGS * JOINTS_OF_A_LEG;
 
 const double MICRO = 1e-6;
@@ -33,7 +39,13 @@ const unsigned FRAMES_TO_FOLLOW = 25;
 // Frames after which a robot that lies on its side goes soft: 1 s.
 const unsigned FRAMES_TO_SOFTEN = 125;
 
-const WalkVelocity NO_VELOCITY = {0, 0, 0};
+const Velocity NO_VELOCITY = {0, 0, 0};
+
+const EndReason DONE = {END_DONE, "", ""};
+const EndReason POSTURE_BEGAN = {END_REPLACED, "the robot was told to take a posture", ""};
+const EndReason WALK_BEGAN = {END_REPLACED, "the robot was told to walk", ""};
+const EndReason NOT_STEERED = {END_STOPPED, "it was not steered for 500 ms", ""};  // STEERING_TIMEOUT_MS
+const EndReason CLIENT_GONE = {END_STOPPED, "the client is gone", ""};
 
 double Towards(double value, double target, double step) {
   return value + std::min(std::max(target - value, -step), step);
@@ -47,13 +59,13 @@ int Microradians(double angle) {
 
 const int Walker::POSTURE_SPEED;
 const int Walker::STEERING_FRAMES;
-const int Walker::MAX_TEXT_SIZE;
 
-Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
+Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends)
     : planner_(planner),
       robot_(robot),
       postures_(gait_),
       walked_(gait_),
+      ended_(ends),
       can_walk_(FindJoints()),
       activity_(IDLE),
       has_legs_(false),
@@ -62,6 +74,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
       goes_soft_(false),
       has_softened_(false),
       is_orphan_(false),
+      next_is_orphan_(false),
       measured_(0),
       rests_since_(0),
       must_let_go_(false),
@@ -71,8 +84,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot)
       way_size_(0),
       way_begun_(0),
       ends_(false),
-      cause_(DONE),
-      cause_joint_(NO_JOINT),
+      end_reason_(DONE),
       has_next_(false),
       next_(POSTURE_STAND),
       wanted_(NO_VELOCITY),
@@ -132,10 +144,10 @@ const char* Walker::ProblemOfWalk(bool motors_are_on) {
   return problem_;
 }
 
-WalkVelocity Walker::Steer(const WalkVelocity& wanted) {
-  if (IsZero(wanted)) {
+Velocity Walker::Steer(const Velocity& wanted) {
+  if (wanted.isZero()) {
     must_let_go_ = false;
-    EndWalkInStand(DONE, NO_JOINT);
+    EndWalkInStand(DONE);
     return NO_VELOCITY;
   }
   last_asked_ = measured_;
@@ -148,6 +160,7 @@ WalkVelocity Walker::Steer(const WalkVelocity& wanted) {
     Begin(true, POSTURE_STAND);
   }
   ReplaceNext(WALK_BEGAN);
+  is_orphan_ = false;
   ends_ = false;
   frames_since_steered_ = 0;
   wanted_ = gait_.Limited(wanted);
@@ -161,26 +174,38 @@ void Walker::Take(Posture posture) {
     return;
   }
   ReplaceNext(POSTURE_BEGAN);
-  EndWalkInStand(POSTURE_BEGAN, NO_JOINT);
+  if (!ends_) {
+    MustLetGo(POSTURE_BEGAN);
+  }
+  EndWalkInStand(POSTURE_BEGAN);
   has_next_ = true;
+  next_is_orphan_ = false;
   next_ = posture;
 }
 
-void Walker::Stop(Cause cause, int joint) {
-  has_legs_ = has_legs_ && cause == FELL;
-  if (cause == MOTORS_OFF && goes_soft_) {
-    has_softened_ = true;
-  }
-  goes_soft_ = goes_soft_ && has_legs_;
+void Walker::Stop(const EndReason& reason) {
+  has_legs_ = false;
+  goes_soft_ = false;
+  Brake(reason);
+}
+
+void Walker::MotorsGoOff(const EndReason& reason) {
+  has_softened_ = has_softened_ || goes_soft_;
+  Stop(has_rested_ ? DONE : reason);
+}
+
+void Walker::Brake(const EndReason& reason) {
   if (!IsActive()) {
     return;
   }
-  const bool has_rested = cause == MOTORS_OFF && has_rested_;
-  ReplaceNext(cause);
+  if (is_walk_) {
+    MustLetGo(reason);
+  }
+  ReplaceNext(reason);
   for (int i = 0; i < LEG_JOINTS; ++i) {
     planner_.Hold(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG]);
   }
-  Finish(has_rested ? DONE : cause, joint);
+  Finish(reason);
 }
 
 void Walker::ClientGone() {
@@ -191,14 +216,14 @@ void Walker::ClientGone() {
       ReplaceNext(CLIENT_GONE);
     }
     ends_ = true;
-    cause_ = CLIENT_GONE;
+    end_reason_ = CLIENT_GONE;
   } else if (!rests) {
-    Stop(CLIENT_GONE, NO_JOINT);
+    Stop(CLIENT_GONE);
   }
-  is_orphan_ = rests;
+  is_orphan_ = true;
+  next_is_orphan_ = true;
   has_softened_ = false;
   must_let_go_ = false;
-  for_client_.Clear();
 }
 
 bool Walker::Moves(int joint) const {
@@ -234,7 +259,7 @@ void Walker::NextFrame() {
     return;
   }
   if (is_walk_ && ++frames_since_steered_ >= STEERING_FRAMES) {
-    EndWalkInStand(NOT_STEERED, NO_JOINT);
+    EndWalkInStand(NOT_STEERED);
   }
   if (activity_ == TAKING_POSTURE && HaveArrived()) {
     TakeNextPosture();
@@ -242,7 +267,11 @@ void Walker::NextFrame() {
   if (activity_ == WALKING) {
     const int slow = FindSlowJoint();
     if (slow != NO_JOINT) {
-      EndWalkInStand(JOINT_SLOW, slow);
+      const EndReason reason = {END_REFUSED, "the speed limit of %s is too low for walking", robot_.joints[slow].name};
+      if (!ends_) {
+        MustLetGo(reason);
+      }
+      EndWalkInStand(reason);
     }
     Walk();
   }
@@ -271,7 +300,7 @@ void Walker::Measured(FallWatch::Reading reading, unsigned frame) {
   fall_watch_.Look(reading, postures_.Stands(legs), frame);
   const FallWatch::Verdict fall = fall_watch_.Now();
   if (fall != FallWatch::UPRIGHT) {
-    Stop(FELL, NO_JOINT);
+    Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
   }
   const bool lies = fall == FallWatch::ON_ITS_SIDE || fall == FallWatch::UPSIDE_DOWN;
   goes_soft_ = has_legs_ && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
@@ -285,64 +314,19 @@ bool Walker::TakeSoftened() {
   return has_softened;
 }
 
-void Walker::Describe(const End& end, char* text) const {
-  const char* const joint = end.joint == NO_JOINT ? "" : robot_.joints[end.joint].name;
-  text[0] = '\0';
-  switch (end.cause) {
-    case DONE:
-      break;
-    case NOT_STEERED:
-      sprintf(text, "it was not steered for %u ms", protocol::version2::STEERING_TIMEOUT_MS);
-      break;
-    case JOINT_COMMANDED:
-      sprintf(text, "%s was commanded", joint);
-      break;
-    case JOINT_HELD:
-      sprintf(text, "%s was told to hold", joint);
-      break;
-    case EVERYTHING_HELD:
-      strcpy(text, "everything was told to hold");
-      break;
-    case MOTORS_OFF:
-      strcpy(text, "the motors were switched off");
-      break;
-    case MOTION_BEGAN:
-      sprintf(text, "a motion moves %s", joint);
-      break;
-    case POSTURE_BEGAN:
-      strcpy(text, "the robot was told to take a posture");
-      break;
-    case WALK_BEGAN:
-      strcpy(text, "the robot was told to walk");
-      break;
-    case JOINT_FAILED:
-      sprintf(text, "%s does not follow", joint);
-      break;
-    case JOINT_SLOW:
-      sprintf(text, "the speed limit of %s is too low for walking", joint);
-      break;
-    case FELL:
-      strcpy(text, FallWatch::Words(end.fall));
-      break;
-    case CLIENT_GONE:
-      strcpy(text, "the client is gone");
-      break;
-  }
-}
-
-protocol::version2::PostureNow Walker::Now(const int* positions) const {
+protocol::version2::Posture Walker::Now(const int* positions) const {
   using namespace protocol::version2;
   switch (fall_watch_.Now()) {
     case FallWatch::ON_ITS_SIDE:
     case FallWatch::UPSIDE_DOWN:
-      return POSTURE_NOW_FALLEN;
+      return POSTURE_FALLEN;
     case FallWatch::CARRIED:
-      return POSTURE_NOW_CARRIED;
+      return POSTURE_CARRIED;
     case FallWatch::UPRIGHT:
       break;
   }
   if (activity_ == WALKING || !can_walk_) {
-    return can_walk_ ? POSTURE_NOW_WALKING : POSTURE_NOW_UNKNOWN;
+    return can_walk_ ? POSTURE_WALK : POSTURE_UNKNOWN;
   }
   LegAngles legs[NUMBER_OF_LEGS];
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
@@ -351,12 +335,12 @@ protocol::version2::PostureNow Walker::Now(const int* positions) const {
     legs[i].knee = positions[joints_[i][2]] * MICRO;
   }
   if (postures_.Stands(legs)) {
-    return POSTURE_NOW_STANDING;
+    return POSTURE_STAND;
   }
   if (postures_.Is(POSTURE_SIT, legs)) {
-    return POSTURE_NOW_SITTING;
+    return POSTURE_SIT;
   }
-  return postures_.Is(POSTURE_REST, legs) ? POSTURE_NOW_LYING : POSTURE_NOW_UNKNOWN;
+  return postures_.Is(POSTURE_REST, legs) ? POSTURE_REST : POSTURE_UNKNOWN;
 }
 
 protocol::version2::WalkState Walker::State() const {
@@ -387,8 +371,11 @@ void Walker::FindLegs(LegAngles* legs) const {
 }
 
 void Walker::Begin(bool is_walk, Posture posture) {
+  if (IsWalk()) {
+    MustLetGo(POSTURE_BEGAN);
+  }
   if (IsActive()) {
-    Finish(is_walk ? WALK_BEGAN : POSTURE_BEGAN, NO_JOINT);
+    Finish(is_walk ? WALK_BEGAN : POSTURE_BEGAN);
   }
   LegAngles legs[NUMBER_OF_LEGS];
   FindLegs(legs);
@@ -417,7 +404,7 @@ void Walker::TakeNextPosture() {
     } else if (!is_walk_ && posture_ == POSTURE_REST) {
       is_resting_ = true;
     } else {
-      Finish(is_walk_ ? cause_ : DONE, is_walk_ ? cause_joint_ : NO_JOINT);
+      Finish(is_walk_ ? end_reason_ : DONE);
     }
     return;
   }
@@ -462,28 +449,22 @@ void Walker::LevelHead(int milliseconds) {
   planner_.SetTargets(targets, count, milliseconds);
 }
 
-// The first cause counts.
-void Walker::EndWalkInStand(Cause cause, int joint) {
+// The first reason counts.
+void Walker::EndWalkInStand(const EndReason& reason) {
   if (IsWalk() && !ends_) {
     ends_ = true;
-    cause_ = cause;
-    cause_joint_ = joint;
-    MustLetGo(cause, joint);
+    end_reason_ = reason;
   }
 }
 
-// Unless the client itself has ended the walk.
-void Walker::MustLetGo(Cause cause, int joint) {
-  if (cause != DONE && cause != NOT_STEERED && cause != CLIENT_GONE) {
-    const End end = {true, posture_, cause, joint, fall_watch_.Now()};
-    Describe(end, why_);
-    must_let_go_ = true;
-  }
+void Walker::MustLetGo(const EndReason& reason) {
+  reason.Describe(why_);
+  must_let_go_ = true;
 }
 
 void Walker::Walk() {
   ChangeVelocity();
-  const bool stops = ends_ && IsZero(velocity_);
+  const bool stops = ends_ && velocity_.isZero();
   if (stops && effort_ == 0) {
     StandsAfterWalk();
     return;
@@ -497,12 +478,12 @@ void Walker::Walk() {
 
 void Walker::ChangeVelocity() {
   const GaitParameters& parameters = gait_.Parameters();
-  const WalkVelocity target = ends_ ? NO_VELOCITY : wanted_;
+  const Velocity target = ends_ ? NO_VELOCITY : wanted_;
   const bool is_back = velocity_.forward < 0 || (velocity_.forward == 0 && target.forward < 0);
-  const double highest = is_back ? parameters.highest_back : parameters.highest_forward;
+  const double highest = is_back ? parameters.highest.back : parameters.highest.forward;
   velocity_.forward = Towards(velocity_.forward, target.forward, SLEW * highest * FRAME);
-  velocity_.left = Towards(velocity_.left, target.left, SLEW * parameters.highest_left * FRAME);
-  velocity_.turn = Towards(velocity_.turn, target.turn, SLEW * parameters.highest_turn * FRAME);
+  velocity_.left = Towards(velocity_.left, target.left, SLEW * parameters.highest.left * FRAME);
+  velocity_.turn = Towards(velocity_.turn, target.turn, SLEW * parameters.highest.turn * FRAME);
   velocity_ = gait_.Limited(velocity_);
 }
 
@@ -523,56 +504,29 @@ void Walker::SetFeet() {
 
 void Walker::StandsAfterWalk() {
   const bool has_next = has_next_;
-  const bool is_orphan = is_orphan_;
   has_next_ = false;
-  Finish(cause_, cause_joint_);
+  Finish(end_reason_);
   if (has_next) {
     Begin(false, next_);
-    is_orphan_ = is_orphan;
+    is_orphan_ = next_is_orphan_;
   }
 }
 
 // The posture that should have followed the walk will not.
-void Walker::ReplaceNext(Cause cause) {
+void Walker::ReplaceNext(const EndReason& reason) {
   if (has_next_) {
     has_next_ = false;
-    Report(false, next_, cause, NO_JOINT);
+    ended_.Add(protocol::version2::ENDED_POSTURE, postureName(next_), reason, !next_is_orphan_);
   }
 }
 
-void Walker::Finish(Cause cause, int joint) {
+void Walker::Finish(const EndReason& reason) {
   activity_ = IDLE;
   is_resting_ = false;
   has_rested_ = false;
   if (is_walk_) {
-    MustLetGo(cause, joint);
+    ended_.Add(protocol::version2::ENDED_WALK, protocol::version2::WALK_NAME, reason, !is_orphan_);
+  } else {
+    ended_.Add(protocol::version2::ENDED_POSTURE, postureName(posture_), reason, !is_orphan_);
   }
-  Report(is_walk_, posture_, cause, joint);
-}
-
-void Walker::Report(bool is_walk, Posture posture, Cause cause, int joint) {
-  const End end = {is_walk, posture, cause, joint, fall_watch_.Now()};
-  for_console_.Add(end);
-  if (cause != CLIENT_GONE && !is_orphan_) {
-    for_client_.Add(end);
-  }
-}
-
-void Walker::Ends::Add(const End& end) {
-  End oldest;
-  if (count_ == MAX_ENDS) {
-    Take(&oldest);
-  }
-  ends_[count_] = end;
-  ++count_;
-}
-
-bool Walker::Ends::Take(End* end) {
-  if (count_ == 0) {
-    return false;
-  }
-  *end = ends_[0];
-  --count_;
-  memmove(ends_, ends_ + 1, static_cast<size_t>(count_) * sizeof(End));
-  return true;
 }

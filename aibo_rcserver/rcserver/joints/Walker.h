@@ -1,10 +1,11 @@
 /// @file Walker.h
 /// Moves the legs when the robot walks or takes a posture.
-#ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
-#define AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H
 
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
+#include "rcserver/joints/EndLog.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
@@ -19,7 +20,7 @@
 /// A walk begins in the stand: from any other posture, the robot first rises, slowly. Its velocity changes by twice the
 /// highest one in a second, and it ends in the stand. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// The planner keeps all limits, as for motions and commands. What the feet really do is Velocity().
+/// The planner keeps all limits, as for motions and commands. What the feet really do is TakeVelocity().
 class Walker {
  public:
   /// Greatest speed of a joint on the way to a posture, in microradian/s: 45 degrees a second. Our choice: half of what
@@ -28,13 +29,10 @@ class Walker {
 
   /// Frames without Steer() after which a walk ends.
   static const int STEERING_FRAMES =
-      (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / MotionPlanner::FRAME_MILLISECONDS + 1;
+      (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / robot_model::FRAME_MILLISECONDS + 1;
 
-  /// Room for the texts of Problem() and Describe().
-  static const int MAX_TEXT_SIZE = 160;
-
-  /// Both must outlive this.
-  Walker(MotionPlanner& planner, const robot_model::RobotModel& robot);
+  /// All must outlive this.
+  Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
 
   /// False if the robot's legs are not an ERS-7's. Then nothing else may be called but what asks.
   bool CanWalk() const { return can_walk_; }
@@ -53,43 +51,19 @@ class Walker {
   /// Walks, or goes on walking, with another velocity. All 0 ends the walk, and is ignored without one. Otherwise only
   /// if there is no ProblemOfWalk(); the speed limits of the legs are the robot's own from then on.
   /// @return the velocity that is walked: Gait::Limited()
-  WalkVelocity Steer(const WalkVelocity& wanted);
+  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted);
 
   /// Takes a posture. A walk ends in the stand first. Only if there is no Problem().
   void Take(protocol::version2::Posture posture);
 
-  /// Why a walk or a posture has ended.
-  enum Cause {
-    DONE,             ///< the posture is taken; the robot stands because it was steered so
-    NOT_STEERED,      ///< not for STEERING_TIMEOUT_MS
-    JOINT_COMMANDED,  ///< a joint of a leg got another command
-    JOINT_HELD,       ///< a joint of a leg was told to hold
-    EVERYTHING_HELD,  ///< all joints were told to hold
-    MOTORS_OFF,       ///< the motors were switched off
-    MOTION_BEGAN,     ///< a motion moves a joint of a leg
-    POSTURE_BEGAN,    ///< the robot was told to take another posture
-    WALK_BEGAN,       ///< the robot was told to walk
-    JOINT_FAILED,     ///< a joint of a leg does not follow
-    JOINT_SLOW,       ///< a joint of a leg was given a speed limit that is too low for walking
-    FELL,             ///< the robot fell or was lifted
-    CLIENT_GONE       ///< the client that steered it has gone
-  };
+  /// Ends what is being done at once: the legs brake, stop and hold. A client that steers has to let go first.
+  void Stop(const EndReason& reason);
 
-  /// What has ended.
-  struct End {
-    bool is_walk;
-    protocol::version2::Posture posture;  ///< if it was no walk
-    Cause cause;
-    int joint;  ///< of JOINT_COMMANDED, JOINT_HELD, MOTION_BEGAN, JOINT_FAILED and JOINT_SLOW; else NO_JOINT
-    FallWatch::Verdict fall;  ///< of FELL
-  };
-
-  /// Ends what is being done at once: the legs brake, stop and hold.
-  /// @param joint see End
-  void Stop(Cause cause, int joint);
+  /// The same for motors that are being switched off. A robot that has lain down to rest is done with that.
+  void MotorsGoOff(const EndReason& reason);
 
   /// The client is gone. A walk ends in the stand, a posture at once, except that the robot goes on to rest: half
-  /// crouched, with its motors on, it would get hot. Neither is reported to the next client.
+  /// crouched, with its motors on, it would get hot. The next client is told of neither.
   void ClientGone();
 
   /// True if this is a joint of a leg.
@@ -120,7 +94,7 @@ class Walker {
   /// @param frame OPEN-R frame
   void Measured(FallWatch::Reading reading, unsigned frame);
 
-  /// True if the motors have to go off, which Stop(MOTORS_OFF) confirms: the robot has lain down to rest; or
+  /// True if the motors have to go off, which MotorsGoOff() confirms: the robot has lain down to rest; or
   /// GoesSoft().
   bool WantsMotorsOff() const { return has_rested_ || goes_soft_; }
 
@@ -131,20 +105,11 @@ class Walker {
   /// True once after the legs have gone soft.
   bool TakeSoftened();
 
-  /// Returns each end once, the oldest first: to the client, and to the console.
-  /// @return false if there is none
-  bool TakeEnd(End* end) { return for_client_.Take(end); }
-  bool TakeNews(End* end) { return for_console_.Take(end); }
-
-  /// Says why, such as "left_front_knee was commanded"; empty for DONE.
-  /// @param[out] text room for MAX_TEXT_SIZE bytes
-  void Describe(const End& end, char* text) const;
-
   const FallWatch& Fall() const { return fall_watch_; }
 
   /// How the robot is.
   /// @param positions where its joints are, by the robot's table
-  protocol::version2::PostureNow Now(const int* positions) const;
+  protocol::version2::Posture Now(const int* positions) const;
 
   /// @name What telemetry says
   /// @{
@@ -152,25 +117,11 @@ class Walker {
   double Phase() const { return phase_; }
 
   /// How fast it has walked since the last call: WalkedVelocity::Take().
-  WalkVelocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
+  protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
   /// @}
 
  private:
   enum Activity { IDLE, TAKING_POSTURE, WALKING };
-
-  // Ends that have not been taken, the oldest first. When there are too many, the oldest is forgotten.
-  class Ends {
-   public:
-    Ends() : count_(0) {}
-    void Add(const End& end);
-    bool Take(End* end);
-    void Clear() { count_ = 0; }
-
-   private:
-    static const int MAX_ENDS = 4;
-    End ends_[MAX_ENDS];
-    int count_;
-  };
 
   Walker(const Walker&);
   Walker& operator=(const Walker&);
@@ -179,19 +130,19 @@ class Walker {
   bool IsWalk() const { return IsActive() && is_walk_; }
   int FindSlowJoint() const;
   void FindLegs(robot_model::LegAngles* legs) const;
-  void MustLetGo(Cause cause, int joint);
+  void Brake(const EndReason& reason);
+  void MustLetGo(const EndReason& reason);
   void Begin(bool is_walk, protocol::version2::Posture posture);
   void TakeNextPosture();
   bool HaveArrived() const;
   void LevelHead(int milliseconds);
-  void EndWalkInStand(Cause cause, int joint);
+  void EndWalkInStand(const EndReason& reason);
   void Walk();
   void ChangeVelocity();
   void SetFeet();
   void StandsAfterWalk();
-  void ReplaceNext(Cause cause);
-  void Finish(Cause cause, int joint);
-  void Report(bool is_walk, protocol::version2::Posture posture, Cause cause, int joint);
+  void ReplaceNext(const EndReason& reason);
+  void Finish(const EndReason& reason);
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
@@ -199,8 +150,7 @@ class Walker {
   const Postures postures_;
   WalkedVelocity walked_;
   FallWatch fall_watch_;
-  Ends for_client_;
-  Ends for_console_;
+  EndLog& ended_;
   int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< in the robot's table
   bool can_walk_;
   Activity activity_;
@@ -210,12 +160,13 @@ class Walker {
   bool goes_soft_;
   bool has_softened_;
   bool is_orphan_;        ///< the client that gave the order has gone
+  bool next_is_orphan_;   ///< the same for the posture next_
   unsigned measured_;     ///< frame
   unsigned rests_since_;  ///< frame
-  char problem_[MAX_TEXT_SIZE];
-  bool must_let_go_;         ///< the client, before it can walk again
-  unsigned last_asked_;      ///< frame in which the robot was told to walk
-  char why_[MAX_TEXT_SIZE];  ///< the client must let go
+  char problem_[EndLog::MAX_TEXT_SIZE];
+  bool must_let_go_;                 ///< the client, before it can walk again
+  unsigned last_asked_;              ///< frame in which the robot was told to walk
+  char why_[EndLog::MAX_TEXT_SIZE];  ///< the client must let go
 
   /// @name What is being done
   /// @{
@@ -231,17 +182,16 @@ class Walker {
 
   /// @name The walk
   /// @{
-  bool ends_;  ///< in the stand, then cause_ is reported
-  Cause cause_;
-  int cause_joint_;
+  bool ends_;  ///< in the stand, for end_reason_
+  EndReason end_reason_;
   bool has_next_;  ///< then posture next_ is taken
   protocol::version2::Posture next_;
-  WalkVelocity wanted_;
-  WalkVelocity velocity_;
+  protocol::version2::Velocity wanted_;
+  protocol::version2::Velocity velocity_;
   double effort_;
   double phase_;
   int frames_since_steered_;
   /// @}
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H

@@ -1,0 +1,305 @@
+#include "rcserver/sound/Speaker.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OPrimitiveControl.h>
+#include <OPENR/OSyslog.h>
+#include <string.h>
+
+#include "protocol/version2.h"
+
+using protocol::decodeBigEndianSigned16;
+using protocol::version2::BYTES_PER_SAMPLE;
+using protocol::version2::MAX_VOLUME;
+using protocol::version2::PlayedSound;
+using protocol::version2::SoundEnd;
+using protocol::version2::SPEAKER_CAPACITY;
+using protocol::version2::VOLUME_OF_ROBOT;
+
+namespace {
+
+const int SPEAKER = 0;
+
+// On an ERS-210 it is in the head (the sample SoundPlay).
+const char LOCATOR[] = "PRM:/s1-Speaker:S1";
+const char LOCATOR_IN_HEAD[] = "PRM:/r1/c1/c2/c3/s1-Speaker:S1";
+
+const unsigned SAMPLES_PER_SECOND = 16000;
+const unsigned MOST_STARVED = protocol::version2::SPEAKER_TIMEOUT_MS * (SAMPLES_PER_SECOND / 1000);
+
+// Model Information ERS-7, 3.1.2.
+const longword VOLUMES[MAX_VOLUME + 1] = {ospkvolinfdB, ospkvol25dB, ospkvol18dB, ospkvol10dB};
+
+// Positions may overflow, so only their difference counts.
+bool IsAfter(unsigned position, unsigned other) {
+  return static_cast<int>(position - other) > 0;
+}
+
+OSoundVectorData* VectorIn(RCRegion* region) {
+  void* base = region->Base();
+  return static_cast<OSoundVectorData*>(base);
+}
+
+}  // namespace
+
+const int Speaker::VECTOR_SAMPLES;
+const int Speaker::NUMBER_OF_VECTORS;
+const int Speaker::MOST_ENDS;
+
+Speaker::Speaker()
+    : gate_(NULL),
+      vectors_on_their_way_(0),
+      volume_(VOLUME_OF_ROBOT),
+      is_playing_(false),
+      has_last_(false),
+      vectors_until_end_(0),
+      begin_(0),
+      end_(0),
+      is_in_gap_(false),
+      starved_(0),
+      gaps_(0),
+      missing_(0),
+      number_of_ends_(0) {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    memories_[i] = MemoryRegionID();
+    regions_[i] = NULL;
+  }
+}
+
+Speaker::~Speaker() {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    if (regions_[i] != NULL) {
+      regions_[i]->RemoveReference();
+      OPENR::DeleteSoundVectorData(memories_[i]);
+    }
+  }
+}
+
+const char* Speaker::Play(const PlayedSound& part) {
+  const unsigned size = static_cast<unsigned>(part.samples_size / BYTES_PER_SAMPLE);
+  if (size == 0 && !part.last) {
+    return NULL;  // a question
+  }
+  if (part.position == 0 && size == 0) {
+    End(protocol::version2::END_STOPPED);
+    return NULL;
+  }
+  const char* const problem = part.position == 0 && size <= SPEAKER_CAPACITY ? Begin() : NULL;
+  return problem != NULL ? problem : Add(part, size);
+}
+
+unsigned Speaker::Room() const {
+  return SPEAKER_CAPACITY - (is_playing_ ? Waiting() : 0);
+}
+
+const char* Speaker::Begin() {
+  if (!Open()) {
+    return "the robot's speaker cannot be used; the robot's console says why";
+  }
+  if (vectors_on_their_way_ == 0 && !gate_->IsReady()) {
+    return "the robot's speaker takes no sound: CONNECT.CFG on the memory stick does not connect it";
+  }
+  End(protocol::version2::END_REPLACED);
+  is_playing_ = true;
+  has_last_ = false;
+  vectors_until_end_ = 0;
+  begin_ = 0;
+  end_ = 0;
+  is_in_gap_ = false;
+  starved_ = 0;
+  gaps_ = 0;
+  missing_ = 0;
+  return NULL;
+}
+
+const char* Speaker::Add(const PlayedSound& part, unsigned size) {
+  const unsigned after = part.position + size;
+  if (!is_playing_ || has_last_) {
+    return "there is no sound that could go on; one begins with the sample at position 0";
+  }
+  if (size > SPEAKER_CAPACITY || IsAfter(after, begin_ + SPEAKER_CAPACITY)) {
+    return "the robot has no room for so many samples yet; the answers tell how many may follow";
+  }
+  while (IsAfter(part.position, end_)) {
+    AddSilence();
+  }
+  while (IsAfter(after, end_)) {
+    const size_t offset = (end_ - part.position) * BYTES_PER_SAMPLE;
+    samples_[end_ % SPEAKER_CAPACITY] = decodeBigEndianSigned16(part.samples + offset);
+    ++end_;
+    is_in_gap_ = false;
+    starved_ = 0;
+  }
+  has_last_ = part.last;
+  Send();
+  return NULL;
+}
+
+// Takes the place of a sample that has not come.
+void Speaker::AddSilence() {
+  samples_[end_ % SPEAKER_CAPACITY] = 0;
+  ++end_;
+  gaps_ += is_in_gap_ ? 0 : 1;
+  is_in_gap_ = true;
+  ++missing_;
+}
+
+void Speaker::End(unsigned char how) {
+  if (!is_playing_) {
+    return;
+  }
+  is_playing_ = false;
+  if (number_of_ends_ < MOST_ENDS) {
+    const SoundEnd end = {how, begin_, gaps_, missing_};
+    ends_[number_of_ends_] = end;
+    ++number_of_ends_;
+  }
+}
+
+void Speaker::IsReady() {
+  if (vectors_on_their_way_ > 0) {  // the first READY follows no vector
+    --vectors_on_their_way_;
+    if (vectors_until_end_ > 0 && --vectors_until_end_ == 0) {
+      End(protocol::version2::END_DONE);
+    }
+  }
+  if (is_playing_ && starved_ >= MOST_STARVED) {
+    End(protocol::version2::END_REFUSED);
+  }
+  Send();
+}
+
+bool Speaker::TakeEnd(SoundEnd* end) {
+  if (number_of_ends_ == 0) {
+    return false;
+  }
+  *end = ends_[0];
+  ends_[0] = ends_[1];
+  --number_of_ends_;
+  return true;
+}
+
+bool Speaker::SetVolume(unsigned char step) {
+  const unsigned char before = volume_;
+  volume_ = step;
+  const bool succeeds = Open();
+  volume_ = succeeds ? step : before;
+  return succeeds;
+}
+
+unsigned char Speaker::Volume() const {
+  OVolumeSwitch robots = ovolumeSW0;
+  if (volume_ != VOLUME_OF_ROBOT) {
+    return volume_;
+  }
+  return OPENR::GetVolumeSwitch(&robots) == oSUCCESS && robots <= MAX_VOLUME ? robots : MAX_VOLUME;
+}
+
+void Speaker::ClientGone() {
+  is_playing_ = false;
+  vectors_until_end_ = 0;
+  number_of_ends_ = 0;
+  if (volume_ != VOLUME_OF_ROBOT) {
+    SetVolume(VOLUME_OF_ROBOT);
+  }
+}
+
+// Opens the speaker, unless it is open already, and sets its volume, because the robot's own switch may have moved.
+// Muting it at volume 0 is our choice: -infinity dB should do.
+bool Speaker::Open() {
+  if (!primitives_.IsOpen(SPEAKER)) {
+    char design[orobotdesignNAME_MAX + 1] = "";
+    OPENR::GetRobotDesign(design);
+    const char* const locator = strcmp(design, "ERS-7") == 0 ? LOCATOR : LOCATOR_IN_HEAD;
+    if (!CreateVectors() || !primitives_.Open(SPEAKER, "speaker", locator)) {
+      return false;
+    }
+    if (!Control(oprmreqSPEAKER_SET_SOUND_TYPE, ospksndMONO16K16B, "sound of 16 kHz")) {
+      primitives_.Close();
+      return false;
+    }
+  }
+  const unsigned char step = Volume();
+  const OStatus mute = OPENR::ControlPrimitive(
+      primitives_.Id(SPEAKER), step == 0 ? oprmreqSPEAKER_MUTE_ON : oprmreqSPEAKER_MUTE_OFF, NULL, 0, NULL, 0);
+  return Control(oprmreqSPEAKER_SET_VOLUME, VOLUMES[step], "this volume") && mute == oSUCCESS;
+}
+
+bool Speaker::Control(OPrimitiveRequest request, longword value, const char* what) {
+  const OStatus status = OPENR::ControlPrimitive(primitives_.Id(SPEAKER), request, &value, sizeof(value), NULL, 0);
+  if (status != oSUCCESS) {
+    OSYSLOG1((osyslogERROR, "RCServer: the speaker does not take %s (status %u)", what, static_cast<unsigned>(status)));
+  }
+  return status == oSUCCESS;
+}
+
+bool Speaker::CreateVectors() {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    OSoundVectorData* vector = NULL;
+    if (regions_[i] == NULL &&
+        OPENR::NewSoundVectorData(1, VECTOR_SAMPLES * sizeof(short), &memories_[i], &vector) != oSUCCESS) {
+      OSYSLOG1((osyslogERROR, "RCServer: no memory for sound"));
+      return false;
+    }
+    if (vector != NULL) {
+      vector->SetNumData(1);
+      regions_[i] =
+          new RCRegion(vector->vectorInfo.memRegionID, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
+    }
+  }
+  return true;
+}
+
+void Speaker::Send() {
+  if (!gate_->IsReady()) {
+    return;
+  }
+  int added = 0;
+  while (is_playing_ && vectors_until_end_ == 0 && vectors_on_their_way_ < NUMBER_OF_VECTORS) {
+    RCRegion* const vector = FindFree();
+    if (vector == NULL) {
+      break;
+    }
+    Fill(vector);
+    gate_->SetData(vector);
+    ++vectors_on_their_way_;
+    ++added;
+    vectors_until_end_ = has_last_ && Waiting() == 0 ? vectors_on_their_way_ : 0;
+  }
+  if (added > 0) {
+    gate_->NotifyObservers();
+  }
+}
+
+RCRegion* Speaker::FindFree() {
+  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+    if (regions_[i]->NumberOfReference() == 1) {
+      return regions_[i];
+    }
+  }
+  return NULL;
+}
+
+// Behind the last sample there is silence, which does not count.
+void Speaker::Fill(RCRegion* vector) {
+  OSoundVectorData* const data = VectorIn(vector);
+  OSoundInfo* const info = data->GetInfo(0);
+  // The guide says odataSOUND (page 63). All of Sony's samples, which ran on robots, have this.
+  info->Set(odataSOUND_VECTOR, primitives_.Id(SPEAKER), VECTOR_SAMPLES * sizeof(short));
+  info->format = osoundformatPCM;
+  info->channel = osoundchannelMONO;
+  info->samplingRate = static_cast<word>(SAMPLES_PER_SECOND);
+  info->bitsPerSample = 16;
+  short samples[VECTOR_SAMPLES] = {0};
+  for (int i = 0; i < VECTOR_SAMPLES; ++i) {
+    if (Waiting() == 0 && has_last_) {
+      break;
+    }
+    if (Waiting() == 0) {
+      AddSilence();
+      ++starved_;
+    }
+    samples[i] = samples_[begin_ % SPEAKER_CAPACITY];
+    ++begin_;
+  }
+  memcpy(data->GetData(0), samples, sizeof(samples));
+}

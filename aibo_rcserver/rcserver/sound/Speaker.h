@@ -1,0 +1,96 @@
+/// @file Speaker.h
+/// What the robot plays.
+#ifndef AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
+#define AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/RCRegion.h>
+
+#include "protocol/sound_requests.h"
+#include "rcserver/body/Primitives.h"
+
+/// Plays one sound at a time, sample by sample as time passes: what has not come in time is silence, and is left out
+/// when it comes.
+///
+/// OVirtualRobotAudioComm takes two vectors at first, and one more for each READY, which says that one has been output
+/// (Level2 Reference Guide, page 44). The speaker is opened for the first sound, so that a robot that nobody lets play
+/// one is left alone.
+class Speaker {
+ public:
+  /// Samples of a vector, 32 ms, as in Sony's samples SoundPlay and SoundAgent.
+  static const int VECTOR_SAMPLES = 512;
+
+  Speaker();
+  ~Speaker();
+
+  /// @param gate to OVirtualRobotAudioComm.Speaker; must outlive this
+  void Start(OSubject* gate) { gate_ = gate; }
+
+  /// Takes samples, or an order to stop.
+  /// @return NULL, or why they are not played; then nothing changes
+  const char* Play(const protocol::version2::PlayedSound& part);
+
+  /// How many samples there is room for.
+  unsigned Room() const;
+
+  /// READY has come.
+  void IsReady();
+
+  /// Takes out how a sound has ended.
+  /// @return false if none has
+  bool TakeEnd(protocol::version2::SoundEnd* end);
+
+  /// @param step 0..MAX_VOLUME, or VOLUME_OF_ROBOT
+  /// @return false if the robot refuses; the console says why
+  bool SetVolume(unsigned char step);
+
+  /// The volume in force.
+  unsigned char Volume() const;
+
+  /// Falls silent: only vectors that are on their way are still played, at most 64 ms.
+  void ClientGone();
+
+ private:
+  static const int NUMBER_OF_VECTORS = 2;
+
+  // A client that sends another sound knows how the one before has ended; and that one may have ended, too.
+  static const int MOST_ENDS = 2;
+
+  Speaker(const Speaker&);
+  Speaker& operator=(const Speaker&);
+
+  const char* Begin();
+  const char* Add(const protocol::version2::PlayedSound& part, unsigned size);
+  void AddSilence();
+  void End(unsigned char how);
+  bool Open();
+  bool CreateVectors();
+  bool Control(OPrimitiveRequest request, longword value, const char* what);
+  void Send();
+  RCRegion* FindFree();
+  void Fill(RCRegion* vector);
+  unsigned Waiting() const { return end_ - begin_; }
+
+  OSubject* gate_;
+  Primitives primitives_;
+  MemoryRegionID memories_[NUMBER_OF_VECTORS];
+  RCRegion* regions_[NUMBER_OF_VECTORS];
+  int vectors_on_their_way_;  ///< sent, and their output is not complete
+  unsigned char volume_;      ///< that a client has set, or VOLUME_OF_ROBOT
+
+  bool is_playing_;
+  bool has_last_;          ///< the sound ends at end_
+  int vectors_until_end_;  ///< 0, or how many have to be output until the sound has been played
+  unsigned begin_;         ///< position of the next sample for a vector
+  unsigned end_;           ///< position after the last sample that waits
+  bool is_in_gap_;
+  unsigned starved_;  ///< samples of silence since the last sample came
+  unsigned gaps_;
+  unsigned missing_;
+  short samples_[protocol::version2::SPEAKER_CAPACITY];  ///< each at its position, as a ring
+  protocol::version2::SoundEnd ends_[MOST_ENDS];
+  int number_of_ends_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
