@@ -1,4 +1,4 @@
-// Boots a memory stick with the RCServer on a simulated ERS-7.
+// Boots a memory stick with RCServer on a simulated ERS-7.
 
 #include <signal.h>
 
@@ -44,13 +44,14 @@ struct Options {
   int protocol_version = 0;
   std::string memory_stick;
   std::string picture_log;
+  std::string microphone;
   double encode_time = 0;         ///< milliseconds
   double stick_time = 0;          ///< milliseconds
   double processor_slowdown = 0;  ///< 0: handlers take no time
   simulated_ers7::SimulatedErs7Options robot;
 };
 
-// The folder that is built and installed with the executable: share/aibo_driver/memory_stick beside lib/aibo_driver.
+// The folder is built and installed beside lib/aibo_driver.
 std::string ownMemoryStick() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
   return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();
@@ -78,6 +79,11 @@ po::options_description describe(Options& options) {
      "how long each photograph is shown")
     ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
      "how long a full battery lasts")
+    ("microphone", po::value(&options.microphone),
+     "WAV file, 16 kHz with 16 bits, that the robot's microphones hear once a client listens or plays")
+    ("speaker", po::value(&options.robot.speaker_file), "WAV file that gets what the robot's speaker plays")
+    ("hears-itself", po::value(&options.robot.hears_itself)->default_value(0),
+     "how much of what the speaker plays comes to the microphones, 0 to 1")
     ("encode-time", po::value(&options.encode_time)->default_value(0),
      "milliseconds for the robot to compress a picture: 9 to 14 by instruction count, 32 to 64 in the report of 2006")
     ("stick-time", po::value(&options.stick_time)->default_value(0),
@@ -91,7 +97,7 @@ po::options_description describe(Options& options) {
   return description;
 }
 
-// roslaunch adds name:=value arguments.
+// roslaunch adds arguments such as name:=value.
 std::vector<std::string> withoutRosArguments(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto is_ros = [](const std::string& argument) { return argument.find(":=") != std::string::npos; };
@@ -127,6 +133,9 @@ void parse(const po::options_description& description, const std::vector<std::st
   if (!(options.processor_slowdown >= 0 && options.processor_slowdown <= kMostSlowdown)) {
     throw po::error("option '--processor-slowdown' must be 0 to 1000");
   }
+  if (!(options.robot.hears_itself >= 0 && options.robot.hears_itself <= 1)) {
+    throw po::error("option '--hears-itself' must be 0 to 1");
+  }
   if (!(options.robot.battery_minutes > 0)) {
     throw po::error("option '--battery-minutes' must be above 0");
   }
@@ -136,7 +145,6 @@ std::chrono::nanoseconds nanoseconds(double milliseconds) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double, std::milli>(milliseconds));
 }
 
-// PictureEncoder is notified of pictures only, FileKeeper of files.
 openr_host::HandlerTime handlerTime(const Options& options, const simulated_ers7::StickSlot& stick) {
   const auto encode_time = nanoseconds(options.encode_time);
   const auto stick_time = nanoseconds(options.stick_time);
@@ -170,7 +178,7 @@ openr_host::MachineOptions machineOptions(const Options& options, const simulate
 void announce(const openr_host::Machine& machine, const Options& options) {
   const int port = machine.hostPort(kRobotPort);
   if (port != kRobotPort) {
-    // RCServer, which knows only the robot's port, has printed that one.
+    // RCServer has printed the robot's port, but does not know the computer's.
     std::cout << "Port " << kRobotPort << " of the robot is port " << port << " of this computer\n";
   }
   if (!options.no_console) {
@@ -185,7 +193,7 @@ void stopMachine(int) {
   stoppable_machine->stop();
 }
 
-// For Ctrl-C and roslaunch. A second signal kills the process.
+// Stops the machine on Ctrl-C, or when roslaunch ends. A second signal kills the process.
 void stopOnSignal(openr_host::Machine& machine) {
   stoppable_machine = &machine;
   struct sigaction action = {};
@@ -198,6 +206,9 @@ void stopOnSignal(openr_host::Machine& machine) {
 void run(const Options& options) {
   openr_host::WallClock clock;
   simulated_ers7::SimulatedErs7 robot(options.robot);
+  if (!options.microphone.empty()) {
+    robot.hear(options.microphone);
+  }
   openr_host::MachineOptions machine_options = machineOptions(options, robot.stick());
   machine_options.on_console_line = [&](const std::string& line) { return simulated_ers7::obeyConsole(robot, line); };
   std::optional<PictureLog> picture_log;

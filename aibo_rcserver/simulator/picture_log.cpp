@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-// Opened for reading, too, so that a pipe can be opened before its reader, and stays open after the reader has left.
+// Opening it for reading, too, lets a pipe be opened before its reader, and stay open after its reader has left.
 PictureLog::PictureLog(const std::string& path)
     : descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) {

@@ -8,32 +8,31 @@
 
 #include "simulator/sent_pictures.h"
 
-/// Logs when the camera took each picture that is sent, because version 1 of the protocol does not say so.
+/// Logs when the camera took each picture that is sent, because version 1 of the protocol does not tell.
 ///
-/// There is one line per picture: the time when the camera's image was handed to the objects, in nanoseconds since
-/// 1970; the size of the JPEG in bytes; its CRC-32, decimal. aibo_monitor reads the log. A line is written before the
-/// last bytes of the picture are sent, so a client that has the picture finds its line. The robot never waits: if a
-/// pipe is full, lines are lost.
+/// Each line has the time when the objects got the camera's image, in nanoseconds since 1970; the size of the JPEG in
+/// bytes; and its CRC-32, in decimal. aibo_monitor reads the log. A line is written before the last bytes of its
+/// picture are sent, so a client with the picture finds it. The robot never waits: if a pipe is full, lines are lost.
 class PictureLog {
  public:
-  /// @param path of a file, which is emptied, or of a named pipe
-  /// @throw std::system_error if it cannot be opened
+  /// @param path a file, which is emptied, or a named pipe
+  /// @throw std::system_error the file cannot be opened
   explicit PictureLog(const std::string& path);
   ~PictureLog();
 
   PictureLog(const PictureLog&) = delete;
   PictureLog& operator=(const PictureLog&) = delete;
 
-  /// The camera has delivered an image. Pictures whose first bytes are sent from now on show it.
+  /// Call when the camera has delivered an image. Pictures that begin from now on show it.
   void cameraImageTaken();
 
-  /// Bytes are about to be sent. Anything but pictures is ignored.
+  /// Call before bytes are sent. It ignores everything but pictures.
   void aboutToSend(const void* data, std::size_t size);
 
  private:
   int descriptor_;
-  std::chrono::system_clock::time_point image_time_;    ///< of the camera's last image
-  std::chrono::system_clock::time_point picture_time_;  ///< of the picture that is being sent
+  std::chrono::system_clock::time_point image_time_;
+  std::chrono::system_clock::time_point picture_time_;  ///< for the picture that is being sent
   SentPictures pictures_;
 };
 

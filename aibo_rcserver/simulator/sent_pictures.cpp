@@ -56,7 +56,7 @@ bool SentPictures::add(const void* data, std::size_t size) {
   return begins;
 }
 
-// False if it is none. The robot sends the parts of a picture in order.
+// False if this is not a picture. The robot sends a picture's parts in order.
 bool SentPictures::addDatagram(const unsigned char* bytes, std::size_t size) {
   using namespace protocol::version2;
   PictureDatagram datagram = {};

@@ -19,6 +19,7 @@ const char kHelp[] =
     "lift on|off       lifts the robot from the floor, or sets it down\n"
     "lie SIDE          lets it fall on its left, right or back, or puts it back on its feet\n"
     "stick STATE       makes the memory stick ready, full, locked, out or slow\n"
+    "hear FILE         lets its microphones hear a WAV file of 16 kHz, or silence\n"
     "where             tells where it really is: x and y in metres, yaw in radian\n"
     "help              prints this list\n";
 
@@ -31,7 +32,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
   return words;
 }
 
-/// @throw std::invalid_argument unless `text` is a number from 0 to 100
+/// @throw std::invalid_argument the text is not a number from 0 to 100
 double percent(const std::string& text) {
   std::istringstream stream(text);
   double value = -1;
@@ -41,7 +42,7 @@ double percent(const std::string& text) {
   return value;
 }
 
-/// @throw std::invalid_argument unless `text` is "on" or "off"
+/// @throw std::invalid_argument the text is neither "on" nor "off"
 bool isOn(const std::string& text) {
   if (text != "on" && text != "off") {
     throw std::invalid_argument("lift on or lift off, not lift \"" + text + "\"");
@@ -49,7 +50,7 @@ bool isOn(const std::string& text) {
   return text == "on";
 }
 
-/// @throw std::invalid_argument if there is no such side
+/// @throw std::invalid_argument there is no such side
 Side sideNamed(const std::string& text) {
   static const std::map<std::string, Side> kSides = {
       {"feet", Side::kFeet}, {"left", Side::kLeft}, {"right", Side::kRight}, {"back", Side::kBack}};
@@ -60,7 +61,7 @@ Side sideNamed(const std::string& text) {
   return side->second;
 }
 
-/// @throw std::invalid_argument if there is no such state
+/// @throw std::invalid_argument there is no such state
 StickState stickStateNamed(const std::string& text) {
   static const std::map<std::string, StickState> kStates = {{"ready", StickState::kReady},
                                                             {"full", StickState::kFull},
@@ -88,13 +89,15 @@ bool obey(SimulatedErs7& robot, const std::string& command, const std::string& o
     robot.lie(sideNamed(object));
   } else if (command == "stick") {
     robot.stick().set(stickStateNamed(object));
+  } else if (command == "hear") {
+    robot.hear(object);
   } else {
     return false;
   }
   return true;
 }
 
-/// "0.1234 -0.0450 1.5708"
+/// Such as "0.1234 -0.0450 1.5708".
 std::string toText(const Place& place) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(4) << place.x << " " << place.y << " "
@@ -117,6 +120,8 @@ std::optional<std::string> obeyConsole(SimulatedErs7& robot, const std::string& 
       return "ok: " + words[0] + " " + words[1] + "\n";
     }
   } catch (const std::invalid_argument& error) {
+    return std::string("error: ") + error.what() + "\n";
+  } catch (const SoundError& error) {
     return std::string("error: ") + error.what() + "\n";
   }
   return std::nullopt;

@@ -1,5 +1,4 @@
 /// @file region_pool.h
-/// Reusable regions for data that the robot sends to its observers.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_REGION_POOL_H
 
@@ -13,11 +12,11 @@
 
 namespace simulated_ers7 {
 
-/// Grows to as many regions as the slowest observer keeps. Not thread-safe.
+/// Reusable regions for the robot's data: as many as the slowest observer keeps. Not thread-safe.
 class RegionPool {
  public:
-  /// @param size of each region in bytes
-  /// @param prepare writes the constant part of a region once, when it is created
+  /// @param size of each region, in bytes
+  /// @param prepare writes a region's constant part once
   RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare) : size_(size), prepare_(std::move(prepare)) {}
 
   /// A region to which only the pool refers: a used one, or a new one if all are in use.

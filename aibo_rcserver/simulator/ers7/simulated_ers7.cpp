@@ -38,7 +38,7 @@ ODataType typeOf(robot_model::SensorKind kind) {
   return odataNO_DIMENSION;
 }
 
-/// The entries of a sensor frame vector: the joints, then the sensors that are primitives.
+/// The joints, then the sensors that are primitives.
 std::vector<SensorFrameEntry> sensorFrameEntries() {
   std::vector<SensorFrameEntry> entries;
   entries.reserve(static_cast<std::size_t>(model().number_of_joints) +
@@ -54,7 +54,6 @@ std::vector<SensorFrameEntry> sensorFrameEntries() {
   return entries;
 }
 
-/// Reads a command's bytes as a value type.
 template <typename Value>
 Value valueOf(const openr_host::EffectorCommand& command) {
   Value value;
@@ -90,6 +89,7 @@ SimulatedErs7::SimulatedErs7(const Options& options)
       leds_(static_cast<std::size_t>(model().number_of_leds)),
       ears_(static_cast<std::size_t>(model().number_of_ears)),
       travel_(joints_.legs(), joints_.head()),
+      sound_(options.speaker_file, options.hears_itself),
       sensor_regions_(sensorFramesSize(sensorFrameEntries().size()),
                       [](RCRegion* region) { prepareSensorFrames(region, sensorFrameEntries()); }),
       pictures_(makePictures(options, scene_)),
@@ -112,7 +112,18 @@ OStatus SimulatedErs7::controlPrimitive(OPrimitiveID id, OPrimitiveRequest reque
   if (!primitives_.isOpen(id)) {
     return oINVALID_PRIMITIVE_ID;
   }
+  if (id == kSpeakerPrimitive) {
+    return sound_.control(request, param, param_size);
+  }
   return id == kCameraPrimitive ? camera_.control(request, param, param_size) : oINVALID_ARG;
+}
+
+std::optional<OSpeakerSoundType> SimulatedErs7::soundTypeOf(OPrimitiveID id) const {
+  return id == kSpeakerPrimitive && primitives_.isOpen(id) ? std::make_optional(sound_.soundType()) : std::nullopt;
+}
+
+void SimulatedErs7::hear(const std::string& file) {
+  sound_.hear(file == "silence" ? std::vector<OSoundSampleStereo16>() : readWav(file));
 }
 
 OStatus SimulatedErs7::setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) {
@@ -198,6 +209,7 @@ void SimulatedErs7::switchOff() {
     ear.energise(false);
   }
   camera_.reset();
+  sound_.reset();
   primitives_.close(oprimitiveID_UNDEF);
 }
 
@@ -215,6 +227,7 @@ bool SimulatedErs7::takesCommand(OPrimitiveID id, ODataType type) const {
       return type == odataJOINT_COMMAND4;
     case PrimitiveKind::kCamera:
     case PrimitiveKind::kSensor:
+    case PrimitiveKind::kSound:
       break;
   }
   return false;
@@ -245,6 +258,7 @@ void SimulatedErs7::obey(const openr_host::EffectorCommand& command) {
       return ears_[primitive.index].energise(valueOf<OJointCommandValue4>(command).value == ojoint4_STATE1);
     case PrimitiveKind::kCamera:
     case PrimitiveKind::kSensor:
+    case PrimitiveKind::kSound:
       break;
   }
 }

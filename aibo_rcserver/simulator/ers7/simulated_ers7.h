@@ -1,16 +1,16 @@
 /// @file simulated_ers7.h
 /// A simulated Sony Aibo ERS-7 for openr_host::Machine.
 ///
-/// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears and a battery, but no microphones or
-/// loudspeaker. It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows photographs
-/// (photographs.h). The head moves the camera; the legs lift and tilt the body and carry it through
-/// the room (travel.h).
+/// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears, a battery, microphones and a speaker
+/// (speaker_and_microphones.h). It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows
+/// photographs (photographs.h). The legs lift and tilt the body, and carry it through the room (travel.h).
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,34 +23,41 @@
 #include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/region_pool.h"
 #include "simulator/ers7/scene/scene.h"
+#include "simulator/ers7/sound/speaker_and_microphones.h"
 #include "simulator/ers7/stick_slot.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace simulated_ers7 {
 
 struct SimulatedErs7Options {
-  /// Folder with photographs for the camera to show in turn. If empty, the camera sees the scene.
+  /// Photographs for the camera; if empty, the camera sees the scene.
   std::string images_folder;
 
-  /// How long each photograph is shown, in seconds, above 0.
+  /// Above 0.
   double seconds_per_image = 2;
 
-  /// Time until a full battery is empty, above 0. Sony gives about one and a half hours of play.
+  /// How long a full battery lasts, above 0. Sony says about one and a half hours of play.
   double battery_minutes = 90;
+
+  /// WAV file that gets what the speaker plays; empty: none.
+  std::string speaker_file;
+
+  /// How much of that comes to the microphones, 0..1.
+  double hears_itself = 0;
 
   /// Seed of the noise of camera, joints and sensors. The same seed gives the same images and readings.
   std::uint64_t seed = 1;
 };
 
-/// The button on the robot's back that switches it on. Objects see it as orsbPAUSE.
+/// The power button on the back. Objects see it as orsbPAUSE.
 constexpr char kPauseButton[] = "pause";
 
-/// Not thread-safe; all calls come from the machine's thread.
+/// Not thread-safe; the machine's thread makes all calls.
 class SimulatedErs7 : public openr_host::VirtualRobot {
  public:
   using Options = SimulatedErs7Options;
 
-  /// @throw PhotographError if the photographs cannot be shown; the text names folder or file and a remedy
+  /// @throw PhotographError, SoundError the text names the folder or file and a remedy
   explicit SimulatedErs7(const Options& options = Options());
 
   std::string design() const override;
@@ -59,20 +66,18 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
 
-  /// @name Joints, as in joint.h. `id` may be oprimitiveID_UNDEF, which means all open joints; then one of several
-  /// errors is returned. All return oINVALID_PRIMITIVE_ID if the primitive is not open or not a joint.
-  /// @{
+  /// For joints (joint.h). oprimitiveID_UNDEF means all open joints; then one of several errors is returned. A
+  /// primitive that is not open or no joint gives oINVALID_PRIMITIVE_ID.
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
   OStatus enableJointGain(OPrimitiveID id) override;
   OStatus disableJointGain(OPrimitiveID id) override;
-  /// @}
 
-  /// The joint's reading at the end of the last frame.
-  /// @param id of one joint
+  /// The reading at the end of the last frame.
+  /// @param id one joint
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override;
 
-  /// The sensor's reading at the end of the last frame.
+  /// The reading at the end of the last frame.
   OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override;
 
   OStatus setMotorPower(OPower power) override;
@@ -80,12 +85,12 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus getMemoryStickStatus(OMemoryStickStatus* status) override;
   OStatus setCdtVectorData(const OCdtVectorData& tables) override;
 
-  /// Joints stay where they are; LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
+  /// Joints stay where they are. LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
   /// memory stick, jammed joints and the robot's place do not change.
   void switchOff() override;
 
-  /// Joints accept odataJOINT_COMMAND2, even while their gain is off (joint.h). LEDs accept odataLED_COMMAND2 or
-  /// odataLED_COMMAND3, depending on their kind in robot_model.h, ears odataJOINT_COMMAND4.
+  /// Joints accept odataJOINT_COMMAND2, even without gain (joint.h). LEDs accept odataLED_COMMAND2 or
+  /// odataLED_COMMAND3, depending on their kind in robot_model.h. Ears accept odataJOINT_COMMAND4.
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
 
   /// Ignores commands that are no longer accepted.
@@ -95,50 +100,50 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   bool cameraImageDue(longword frame) override;
   longword nextCameraImage(longword frame) const override { return imageAfter(frame); }
 
-  /// The camera is where the head is after the last frame that passed.
+  /// Shows the view after the last frame that passed.
   RCRegion* captureImage(longword frame) override;
+
+  std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID id) const override;
+  openr_host::MicrophoneFrame passSound(longword frame, const openr_host::SpeakerFrame* played) override {
+    return sound_.passFrame(frame, played);
+  }
+
+  /// From now on, the microphones hear this file, once; "silence": nothing.
+  /// @throw SoundError it cannot be heard
+  void hear(const std::string& file);
 
   const CameraSettings& cameraSettings() const { return camera_.settings(); }
 
-  /// The joints, with their true positions.
+  /// With their true positions.
   const Joints& joints() const { return joints_; }
 
-  /// Where the robot really is.
+  /// The true pose.
   const Place& pose() const { return travel_.place(); }
 
-  /// The state of an LED.
-  /// @param name as in robot_model.h, "face_1"
-  /// @throw std::invalid_argument if there is no such LED
+  /// @param name in robot_model.h, such as "face_1"
+  /// @throw std::invalid_argument there is no such LED
   const Led& led(const std::string& name) const;
 
-  /// The state of an ear.
-  /// @param name as in robot_model.h, "left_ear"
-  /// @throw std::invalid_argument if there is no such ear
+  /// @param name in robot_model.h, such as "left_ear"
+  /// @throw std::invalid_argument there is no such ear
   const Ear& ear(const std::string& name) const;
 
-  /// Presses or releases a button.
   /// @param button kPauseButton, or a sensor that can be pressed (Sensors::press())
-  /// @throw std::invalid_argument if there is no such button
+  /// @throw std::invalid_argument there is no such button
   void press(const std::string& button, bool pressed);
 
-  /// Sets the battery's charge, 0..1.
+  /// @param charge 0..1
   void setCharge(double charge) { battery_.setCharge(charge); }
 
-  /// Lifts the robot from the floor or sets it down, makes it fall on a side or puts it back on its feet (travel.h).
-  /// @{
+  /// See travel.h.
   void lift(bool lifted) { travel_.lift(lifted); }
   void lie(Side side) { travel_.lie(side); }
-  /// @}
 
-  /// The memory stick in its slot.
-  /// @{
   StickSlot& stick() { return stick_; }
   const StickSlot& stick() const { return stick_; }
-  /// @}
 
-  /// Blocks or unblocks a joint.
-  /// @param joint name as in robot_model.h, "head_pan"
-  /// @throw std::invalid_argument if there is no such joint
+  /// @param joint its name in robot_model.h, such as "head_pan"
+  /// @throw std::invalid_argument there is no such joint
   void jam(const std::string& joint, bool jammed) { joints_.named(joint).jam(jammed); }
 
  private:
@@ -158,6 +163,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   bool motors_powered_ = false;
   bool pause_pressed_ = false;
   Travel travel_;
+  SpeakerAndMicrophones sound_;
   RegionPool sensor_regions_;
   std::unique_ptr<PictureSource> pictures_;
   Camera camera_;

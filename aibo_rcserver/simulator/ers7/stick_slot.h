@@ -1,5 +1,4 @@
 /// @file stick_slot.h
-/// The memory stick in the robot's slot, and what may be wrong with it.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_STICK_SLOT_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_STICK_SLOT_H
 
@@ -13,17 +12,16 @@ namespace simulated_ers7 {
 
 enum class StickState {
   kReady,
-  kFull,    ///< no byte can be written
-  kLocked,  ///< its switch protects it from being written
-  kOut,     ///< there is none in the slot; files that are open stay open
+  kFull,    ///< no room for another byte
+  kLocked,  ///< the switch on the stick prevents writing
+  kOut,     ///< the slot is empty; open files stay open
   kSlow     ///< each job takes StickSlot::kSlowJob
 };
 
-/// The content of the stick is a folder on this computer. Only what OPEN-R's programs notice of the stick itself is
-/// here.
+/// What OPEN-R's programs notice of the memory stick itself. Its content is a folder on this computer.
 class StickSlot {
  public:
-  /// Longer than anything on a real stick is known to take.
+  /// Longer than anything known of a real stick.
   static constexpr std::chrono::milliseconds kSlowJob{2000};
 
   void set(StickState state) {
@@ -31,7 +29,7 @@ class StickSlot {
     room_ = state == StickState::kFull ? 0 : std::numeric_limits<std::size_t>::max();
   }
 
-  /// What OPENR::GetMemoryStickStatus() tells.
+  /// For OPENR::GetMemoryStickStatus().
   OMemoryStickStatus status() const {
     if (state_ == StickState::kOut) {
       return omemorystickNOT_EXIST;
@@ -42,7 +40,7 @@ class StickSlot {
   /// Bytes that still fit (HostSettings::room).
   const std::size_t* room() const { return &room_; }
 
-  /// How long the stick keeps FileKeeper busy with each job, unless something else takes longer.
+  /// How long a job takes, unless something else takes longer.
   std::chrono::milliseconds jobTime() const {
     return state_ == StickState::kSlow ? kSlowJob : std::chrono::milliseconds(0);
   }

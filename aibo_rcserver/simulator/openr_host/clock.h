@@ -1,5 +1,5 @@
 /// @file clock.h
-/// The machine's time, in OPEN-R frames of 8 ms; frame 0 begins when the clock is created (report, section 2.1.1).
+/// The machine's time, in OPEN-R frames of 8 ms. Frame 0 begins when the clock is created (report, section 2.1.1).
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CLOCK_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CLOCK_H
 
@@ -17,22 +17,21 @@ class Clock {
  public:
   virtual ~Clock() = default;
 
-  /// Time since the clock was created.
+  /// Since the clock was created.
   virtual std::chrono::nanoseconds now() const = 0;
 
-  /// The steady clock's time when this clock reaches `since_begin`; empty for a SteppedClock, which cannot know.
+  /// When the steady clock reaches `since_begin`; empty for a SteppedClock, which cannot know.
   virtual std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const = 0;
 
-  /// The current frame.
   longword frame() const { return static_cast<longword>(now() / kFramePeriod); }
 
-  /// The beginning of a frame, like timeOf().
+  /// Empty like timeOf().
   std::optional<std::chrono::steady_clock::time_point> beginOf(longword frame) const {
     return timeOf(frame * std::chrono::nanoseconds(kFramePeriod));
   }
 };
 
-/// Follows the steady clock. The beginning of every frame is computed from frame 0, so nothing drifts.
+/// Follows the steady clock. Every frame begins a multiple of 8 ms after frame 0, so nothing drifts.
 class WallClock : public Clock {
  public:
   std::chrono::nanoseconds now() const override { return std::chrono::steady_clock::now() - begin_; }
@@ -44,7 +43,7 @@ class WallClock : public Clock {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Stops until stepped. For tests: step(), then Machine::runPending(), on the same thread.
+/// Stands still until it is stepped. In tests, call step(), then Machine::runPending(), on the same thread.
 class SteppedClock : public Clock {
  public:
   std::chrono::nanoseconds now() const override { return frame_ * std::chrono::nanoseconds(kFramePeriod); }
@@ -52,8 +51,8 @@ class SteppedClock : public Clock {
     return std::nullopt;
   }
 
-  /// Advances by this many frames at once, as a WallClock does when the host delays the process. To let the machine see
-  /// every frame, step one and run.
+  /// Advances by these frames at once, as a WallClock does after the process was delayed. To let the machine see every
+  /// frame, run it after each.
   void step(longword frames = 1) { frame_ += frames; }
 
  private:

@@ -92,7 +92,7 @@ void Console::obey(Listener& listener, const std::string& line) {
   }
 }
 
-/// The first line of a listener that is no command may be a web page's, and the next ones, too.
+/// If a listener's first line is not a command, it and later lines may come from a web page.
 void Console::refuse(Listener& listener, const std::string& why) {
   print(listener, "error: " + why + "\n");
   if (!listener.is_known) {
@@ -109,7 +109,7 @@ void Console::reportStranger() {
   stranger_reported_ = now_();
   const std::string more = strangers_ > 1 ? " (" + std::to_string(strangers_ - 1) + " more before it)" : "";
   strangers_ = 0;
-  print("The console drops a listener whose first line is no command, but perhaps a web page's" + more + "\n");
+  print("The console dropped a listener whose first line was not a command; a web page may have sent it" + more + "\n");
 }
 
 void Console::acceptListeners() {
@@ -126,9 +126,9 @@ void Console::acceptListeners() {
   }
 }
 
-/// Disconnects the listener that has been idle longest if there are too many. Its place in the list is still in use
-/// until the next addTo().
-/// @return false if none has been idle for long enough
+/// Among too many listeners, disconnects the one that was idle longest. Its place in the list stays in use until the
+/// next addTo().
+/// @return false if nobody was idle long enough
 bool Console::makeRoom() {
   std::size_t connected = 0;
   Listener* idlest = nullptr;

@@ -15,57 +15,57 @@
 
 namespace openr_host {
 
-/// The wireless console: text that objects print goes to a stream and to all telnet connections. Lines typed there are
-/// passed to a callback; objects never see them, as on the robot.
+/// The wireless console. What objects print goes to a stream and to all telnet connections. Typed lines go to a
+/// callback; objects never see them, as on the robot.
 ///
-/// A web page could make a browser send lines to this port. So a listener whose first line is none of the commands is
-/// disconnected, and nothing that it sent is obeyed. That is printed at most once a minute.
+/// A web page could make a browser send lines to this port. So a listener whose first line is not a command is
+/// disconnected and not obeyed. A message reports this at most once a minute.
 class Console {
  public:
-  /// A further listener takes the place of the one that has been idle longest, or gets a message and is disconnected if
-  /// none has been idle for kIdleTime.
+  /// A further listener replaces the one that was idle longest. If nobody was idle for kIdleTime, the new one gets a
+  /// message and is disconnected.
   static constexpr std::size_t kMostListeners = 8;
 
-  /// A listener that has typed nothing for this long may lose its place.
+  /// A listener that typed nothing for this long may lose its place.
   static constexpr std::chrono::seconds kIdleTime{60};
 
-  /// Bytes kept for a listener that does not read. It loses any text beyond that, and is told about it.
+  /// Bytes kept for a listener that does not read. It loses further text, and is told so.
   static constexpr std::size_t kMostUnread = 64 * 1024;
 
-  /// Most characters in a typed line. A longer line is answered by an error.
+  /// Most characters in a typed line. A longer one is answered by an error.
   static constexpr std::size_t kLongestLine = 256;
 
-  /// Receives a line that a listener typed, without its end. The result is printed to that listener only; none if the
-  /// line is no command.
+  /// Called with a typed line, without its end. The result is printed only to that listener; it is empty if there is no
+  /// such command.
   using OnLine = std::function<std::optional<std::string>(const std::string& line)>;
 
   using Time = std::chrono::steady_clock::time_point;
 
   /// @param output may be null
-  /// @param on_line may be empty: then typed lines are ignored
+  /// @param on_line may be empty; then typed lines are ignored
   /// @param now another clock, for tests
   Console(std::ostream* output, OnLine on_line, std::function<Time()> now = &std::chrono::steady_clock::now)
       : output_(output), on_line_(std::move(on_line)), now_(std::move(now)) {}
 
-  /// Takes a port of this computer for listeners.
-  /// @return the port taken
-  /// @throw like TcpListener
+  /// Opens a port of this computer for listeners.
+  /// @return the port
+  /// @throw the exceptions of TcpListener
   std::uint16_t takePort(const std::string& bind_address, std::uint16_t port);
 
-  /// Prints to the output and to all listeners. Never waits for a listener.
+  /// Prints to the output and all listeners, without waiting.
   void print(const std::string& text);
 
-  /// Adds the port and all listeners' sockets, with handlers that serve them.
+  /// Adds the port and all listeners' sockets, with handlers.
   void addTo(PollSet& poll_set);
 
  private:
   struct Listener {
     FileDescriptor socket;
     std::string unsent;
-    std::size_t lost = 0;   ///< number of prints that did not fit
+    std::size_t lost = 0;   ///< prints that did not fit
     std::string typed;      ///< the unfinished line; at most one character too long
-    bool is_known = false;  ///< a line of its was a command
-    Time last_typed;        ///< or connected
+    bool is_known = false;  ///< it has typed a command
+    Time last_typed;        ///< when it last typed, or connected
   };
 
   static void print(Listener& listener, const std::string& text);
@@ -83,8 +83,8 @@ class Console {
   const std::function<Time()> now_;
   std::optional<TcpListener> port_;
   std::list<Listener> listeners_;
-  std::size_t strangers_ = 0;              ///< dropped and not reported yet
-  std::optional<Time> stranger_reported_;  ///< when one was reported last
+  std::size_t strangers_ = 0;              ///< dropped since the last report
+  std::optional<Time> stranger_reported_;  ///< the time of the last report
 };
 
 }  // namespace openr_host

@@ -11,12 +11,13 @@
 
 #include "simulator/openr_host/configuration/memory_stick.h"
 #include "simulator/openr_host/objects/system.h"
+#include "simulator/openr_host/objects/virtual_robot_audio_comm.h"
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
 
 namespace openr_host {
 namespace {
 
-/// Rounds of messages before the sockets have a turn, even if objects always send each other more of them.
+/// Sockets have a turn after this many rounds, even if objects never stop sending each other messages.
 constexpr int kMostRounds = 16;
 
 std::ifstream openConfiguration(const std::string& path) {
@@ -78,7 +79,7 @@ void Machine::load() {
   system_->start();
 }
 
-/// What is typed acts on the robot as it is now: the frames that have passed unnoticed do so before.
+/// A typed line acts on the present robot, so the frames that have passed are handled first.
 std::function<std::optional<std::string>(const std::string& line)> Machine::consoleListener() {
   if (!options_.on_console_line) {
     return nullptr;
@@ -99,6 +100,7 @@ System& Machine::running() const {
 void Machine::createObjects() {
   robot_comm_ =
       static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_, options_.on_camera_image)));
+  audio_comm_ = static_cast<VirtualRobotAudioComm*>(&system_->create(VirtualRobotAudioComm::describe(robot_)));
 
   const std::string path = findOnMemoryStick(options_.memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG");
   std::ifstream file = openConfiguration(path);
@@ -185,17 +187,17 @@ bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseco
   return true;
 }
 
-/// One round: the frame, the messages, then the sockets. Waits for sockets until `latest` if there was nothing else.
-/// After messages it does not wait: they may be what the caller of runUntil() is waiting for.
-/// @return false if there was nothing at all
+/// Handles the frame, the messages, then the sockets. If there was nothing else, waits for sockets until `latest`. It
+/// does not wait after messages: the caller of runUntil() may be waiting for them.
+/// @return false if there was nothing to handle
 bool Machine::handle(const Deadline& latest) {
   const bool had_messages = handleMessages();
   const bool had_sockets = handleSockets(had_messages ? std::chrono::steady_clock::time_point() : latest);
   return had_messages || had_sockets;
 }
 
-/// The frame, and the messages that are queued now.
-/// @return false if there was nothing
+/// Handles the frame and the messages in the queue.
+/// @return false if there was nothing to handle
 bool Machine::handleMessages() {
   System& system = running();
   const bool began_frame = beginFrame();
@@ -203,8 +205,8 @@ bool Machine::handleMessages() {
   return began_frame || had_messages || system.hasMessages();
 }
 
-/// Waits for sockets until `latest`. Shuts down afterwards if an object has asked for that.
-/// @return false if none was ready
+/// Waits for sockets until `latest`, then shuts down if an object has asked for it.
+/// @return false if no socket was ready
 bool Machine::handleSockets(const Deadline& latest) {
   System& system = running();
   poll_set_.clear();
@@ -236,14 +238,16 @@ bool Machine::beginFrame() {
   }
   last_frame_ = frame;
   system_->runAs(*robot_comm_, [&] { robot_comm_->beginFrame(frame); });
+  system_->runAs(*audio_comm_, [&] { audio_comm_->beginFrame(frame); });
   system_->watchPower();
   return true;
 }
 
-/// The time of the next event that does not come from a socket. Frames in which nothing happens that an object could
-/// notice pass later, all at once: each time this thread wakes up costs more than a frame of the robot.
+/// The next event that comes from no socket. Frames without effect on objects pass later, all at once: waking this
+/// thread costs more than a frame of the robot.
 Machine::Deadline Machine::nextEvent() const {
-  const Deadline next_frame = clock_.beginOf(last_frame_ ? robot_comm_->nextEvent() : 0);
+  const longword next = last_frame_ && audio_comm_->isActive() ? *last_frame_ + 1 : robot_comm_->nextEvent();
+  const Deadline next_frame = clock_.beginOf(last_frame_ ? next : 0);
   const auto next_finish = system_->nextFinish();
   const Deadline end = next_finish ? clock_.timeOf(*next_finish) : next_frame;
   return end && next_frame ? std::min(end, next_frame) : next_frame;

@@ -1,5 +1,5 @@
 /// @file object_description.h
-/// Everything the machine needs to know to create an object. openr_stub_generator writes it from stub.cfg.
+/// What the machine needs to create an object. openr_stub_generator writes it from stub.cfg.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 
@@ -15,7 +15,7 @@
 
 namespace openr_host {
 
-/// A service that sends data. A function that is `null` in stub.cfg is empty here.
+/// A service that sends data. A `null` function of stub.cfg is empty here.
 struct SubjectDescription {
   std::string service;  ///< "Object.Name.Data.S"
   std::function<void(OObject&, const OControlEvent&)> control;
@@ -31,18 +31,18 @@ struct ObserverDescription {
 
 struct ObjectDescription {
   std::string name;
-  /// SCHED_PRIORITY from the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are its class: the
+  /// SCHED_PRIORITY in the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are the class: an
   /// object never runs while one of a higher class runs. Ordinary applications have 128.
   int priority = 128;
-  /// Its handlers wait for a device, such as the memory stick: other objects run meanwhile, whatever their class.
+  /// True if handlers wait for a device, such as the memory stick. Meanwhile other objects of any class run.
   bool waits = false;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
-  std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; empty: none
+  std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; may be empty
   std::function<std::unique_ptr<OObject>()> create;
 };
 
-/// The identity of the n-th object of a system, counted from 1. On the robot it is an address, here it is a number.
+/// The n-th object of a system, from 1. On the robot an OID is an address; here it is a number.
 inline OID oidOf(std::size_t number) {
   return OID(reinterpret_cast<void*>(number));
 }

@@ -1,11 +1,10 @@
 # openr_generate_stub(TARGET STUB_CFG [OBJECT_OCF])
 #
-# Generates sources from an OPEN-R object's stub.cfg and adds them to the target that holds the object's sources: def.h
-# and entry.h for the object's sources to include, and OBJECTNAME_stub.h with describeOBJECTNAME(), from which a machine
-# creates the object. Call it in the folder of the target. The object's class is OBJECTNAME, in OBJECTNAME.h.
+# Generates sources from an OPEN-R object's stub.cfg for the target with the object's sources: def.h and entry.h to
+# include, and OBJECTNAME_stub.h with describeOBJECTNAME(), from which a machine creates the object. Call it in the
+# target's folder. The object's class is OBJECTNAME, in OBJECTNAME.h.
 #
-# OBJECT_OCF is the file from which the object is built for the robot. Its line "object NAME STACK HEAP PRIORITY ..."
-# gives the object's priority; without the file it is 128.
+# OBJECT_OCF, used for the robot's build, gives the priority: "object NAME STACK HEAP PRIORITY ...". The default is 128.
 function(openr_generate_stub target stub_cfg)
   get_filename_component(stub_cfg ${stub_cfg} ABSOLUTE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${stub_cfg})
@@ -26,7 +25,7 @@ function(openr_generate_stub target stub_cfg)
     set(priority ${CMAKE_MATCH_1})
   endif()
 
-  # Each object has its own def.h and entry.h, so only its own sources may find them.
+  # Only the object's own sources may find its def.h and entry.h.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${object}_stub)
   set(public_folder ${folder}/public)
   file(MAKE_DIRECTORY ${public_folder})
@@ -37,8 +36,8 @@ function(openr_generate_stub target stub_cfg)
     DEPENDS openr_stub_generator ${stub_cfg}
     COMMENT "Generating the stub of ${object}"
     VERBATIM)
-  # The object itself may be C++98, but its description is not. It is not C++17 either: that has std::byte, which would
-  # collide with the SDK's byte in objects that are using namespace std.
+  # The object may be C++98, but its description is not. C++17 has std::byte, which would collide with the SDK's byte in
+  # objects that are using namespace std.
   set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-std=c++14")
   target_sources(${target} PRIVATE ${headers} ${source})
   target_include_directories(${target} PRIVATE ${folder} PUBLIC ${public_folder})

@@ -7,32 +7,31 @@
 
 namespace simulated_ers7 {
 
-/// Discharges at a constant rate, whatever the robot does, and warms up slowly. An empty battery has no effect, because
-/// the objects should shut the robot down before. Sony's battery holds 2200 mAh at 7.4 V; temperatures and times are
-/// our choice.
+/// Discharges at a constant rate and warms up slowly. An empty battery has no effect, because the objects should have
+/// shut the robot down before. Sony's battery holds 2200 mAh at 7.4 V. Temperatures and times are our choice.
 class Battery {
  public:
   static constexpr int kCapacity = 2200;           ///< mAh
   static constexpr double kFirstTemperature = 25;  ///< degree Celsius
   static constexpr double kLastTemperature = 38;   ///< reached in the end
-  static constexpr double kSecondsToWarmUp = 600;  ///< until two thirds of the difference
-  static constexpr double kLowCharge = 0.1;        ///< at and below this, the status reports a low battery
+  static constexpr double kSecondsToWarmUp = 600;  ///< two thirds of the difference are reached by then
+  static constexpr double kLowCharge = 0.1;        ///< the status reports a low battery from here on
 
-  /// A full battery.
+  /// Begins full.
   /// @param minutes until it is empty, above 0
   explicit Battery(double minutes) : minutes_(minutes) {}
 
-  /// 8 ms pass.
+  /// Call after 8 ms.
   void passFrame();
 
-  /// @param charge 0..1; it discharges from there
+  /// @param charge 0..1
   void setCharge(double charge) { charge_ = charge; }
   double charge() const { return charge_; }
 
-  /// In degree Celsius.
+  /// In degrees Celsius.
   double temperature() const { return temperature_; }
 
-  /// The battery's part of OPENR::GetPowerStatus(). The motors' bit is not set.
+  /// The battery's part of OPENR::GetPowerStatus(), without the motors' bit.
   OPowerStatus status() const;
 
  private:

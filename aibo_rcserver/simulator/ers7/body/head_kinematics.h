@@ -11,15 +11,14 @@ namespace simulated_ers7 {
 
 using robot_model::HeadAngles;
 
-/// Height of the body's origin, the centre of the joints of its four legs, over the floor, in metres (Webots' model of
-/// the ERS-7).
+/// Height of the body's origin, in metres. The origin is the centre of the four legs' joints (Webots' model of the
+/// ERS-7).
 constexpr double kStandingHeight = 0.143;
 
-/// Pose of the head in the body: origin where the axes of head_pan and head_tilt meet, x towards the nose, y left, z
-/// up. Metres.
+/// In metres. The origin is where the axes of head_pan and head_tilt meet. x points to the nose, y left, z up.
 Eigen::Isometry3d headInBody(const HeadAngles& angles);
 
-/// Pose of the camera in the body: origin in its pinhole, x along its optical axis, y left, z up. Metres.
+/// In metres. The origin is the pinhole. x points along the optical axis, y left, z up.
 Eigen::Isometry3d cameraInBody(const HeadAngles& angles);
 
 }  // namespace simulated_ers7

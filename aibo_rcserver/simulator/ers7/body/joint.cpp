@@ -8,15 +8,15 @@
 namespace simulated_ers7 {
 namespace {
 
-/// Duty, with the standard gain, at the distance that the joint moves in one frame at its highest speed.
+/// The duty with the standard gain, at the distance that the joint moves in a frame at its highest speed.
 constexpr double kStiffness = 1.0 / 3;
 
-/// Part of the difference to the duty's speed that the motor makes up in a frame. With kStiffness, this is the largest
-/// value without overshooting.
+/// The share of the difference to the duty's speed that the motor makes up in a frame. With kStiffness, a larger one
+/// would overshoot.
 constexpr double kResponse = 0.75;
 
-/// Below this, in microradian and microradian per frame, a joint is at rest. No sensor can measure less, and a joint
-/// that fully comes to rest keeps the camera's picture still.
+/// A joint rests below these values, in microradians and microradians per frame. No sensor measures less, and a joint
+/// at rest keeps the picture still.
 constexpr double kStandstill = 1;
 
 word encoderSteps(double position, const robot_model::Joint& model) {

@@ -69,7 +69,7 @@ void Joints::setPower(bool on) {
 }
 
 void Joints::passFrame() {
-  // Not std::uniform_int_distribution, because its numbers differ between libraries.
+  // Numbers from std::uniform_int_distribution differ between libraries.
   constexpr std::uint64_t kErrors = 2 * Joint::kEncoderStep + 1;
   for (Joint& joint : joints_) {
     joint.passFrame(static_cast<int>(random_() % kErrors) - Joint::kEncoderStep);
@@ -77,7 +77,6 @@ void Joints::passFrame() {
 }
 
 HeadAngles Joints::head() const {
-  // The table begins with the joints of the head.
   HeadAngles angles;
   angles.neck_tilt = joints_[0].position() / 1e6;
   angles.head_pan = joints_[1].position() / 1e6;
@@ -86,7 +85,7 @@ HeadAngles Joints::head() const {
 }
 
 std::array<LegAngles, kLegs> Joints::legs() const {
-  // The three joints of a leg follow each other in the table.
+  // In the table, a leg's three joints are neighbours.
   constexpr std::size_t kFirstJoints[kLegs] = {4, 7, 10, 13};
   std::array<LegAngles, kLegs> legs;
   for (std::size_t leg = 0; leg < kLegs; ++leg) {

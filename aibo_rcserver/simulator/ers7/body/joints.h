@@ -1,5 +1,5 @@
 /// @file joints.h
-/// All servos of the simulated robot, and the posture in which it is switched on.
+/// All servos of the simulated robot, and its first posture.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_JOINTS_H
 
@@ -16,40 +16,38 @@
 
 namespace simulated_ers7 {
 
-/// A joint's position in the resting posture, in microradian. The posture is our own: the robot stands on bent legs,
-/// the feet under shoulders and hips and kStandingHeight below them, and looks at the ball.
-/// @param joint name as in robot_model.h
-/// @throw std::out_of_range if the ERS-7 has no such joint
+/// In microradians. The posture is our own: the robot stands on bent legs, with its feet under shoulders and hips,
+/// kStandingHeight below them, and looks at the ball.
+/// @param joint its name in robot_model.h
+/// @throw std::out_of_range the ERS-7 has no such joint
 int restingPosition(const std::string& joint);
 
-/// The head in the resting posture. It looks at the ball and, behind it, the station.
+/// The head looks at the ball and, behind it, the station.
 HeadAngles restingHead();
 
-/// Starts in the resting posture, without power. Joints pass through each other; it is up to the objects to avoid that.
-/// Joints are in the order of the robot's table.
+/// All joints, in the order of the robot's table. They begin in the resting posture, without power. They can pass
+/// through each other; the objects have to avoid that.
 class Joints {
  public:
-  /// @param seed of the encoders' errors. The same seed and commands give the same readings.
+  /// @param seed of the encoders' errors; the same seed and commands give the same readings
   Joints(const robot_model::RobotModel& model, std::uint64_t seed);
 
   std::vector<Joint>& all() { return joints_; }
   const std::vector<Joint>& all() const { return joints_; }
 
-  /// @param name of the joint in robot_model.h
-  /// @throw std::invalid_argument if there is no such joint
+  /// @param name the joint's name in robot_model.h
+  /// @throw std::invalid_argument there is no such joint
   Joint& named(const std::string& name);
   const Joint& named(const std::string& name) const;
 
-  /// Switches the power of all motors.
   void setPower(bool on);
 
-  /// 8 ms pass.
+  /// Call after 8 ms.
   void passFrame();
 
-  /// The head's angles.
   HeadAngles head() const;
 
-  /// The legs' angles, indexed by Leg.
+  /// Indexed by Leg.
   std::array<LegAngles, kLegs> legs() const;
 
  private:

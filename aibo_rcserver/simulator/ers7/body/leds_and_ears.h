@@ -1,5 +1,4 @@
 /// @file leds_and_ears.h
-/// The simulated robot's LEDs and ears.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_LEDS_AND_EARS_H
 
@@ -8,15 +7,14 @@
 
 namespace simulated_ers7 {
 
-/// Keeps its last command. The command's period is ignored, because every frame brings a new command or none.
+/// Keeps its last command. Every frame brings a new command or none, so a command's period is ignored.
 struct Led {
-  int intensity = 0;  ///< 0..255; 0 or 255 for an LED that can only be on or off
+  int intensity = 0;  ///< 0..255; 0 or 255 for an LED without levels
   OLED3Mode mode = oled3_MODE_A;
 };
 
-/// A magnet draws the ear while it is energised, which must not be long (Model Information ERS-7). Sony gives no time.
-/// Here a magnet that was energised for a second without a pause becomes too hot: it lets go, and does nothing until it
-/// has cooled down for five seconds.
+/// A magnet draws the ear, but must not stay energised (Model Information ERS-7). Sony gives no time. Here, a magnet
+/// that is energised for a second without a pause gets too hot: it lets go, and does nothing for five seconds.
 class Ear {
  public:
   static constexpr longword kMostFramesEnergised = 125;
@@ -25,8 +23,8 @@ class Ear {
   /// Takes effect in the next frame, until the next command.
   void energise(bool on) { told_to_ = on; }
 
-  /// 8 ms pass.
-  /// @return true if the magnet has become too hot in this frame
+  /// Call after 8 ms.
+  /// @return true if the magnet got too hot in this frame
   bool passFrame() {
     if (frames_to_cool_ > 0) {
       --frames_to_cool_;
@@ -41,7 +39,6 @@ class Ear {
     return became_hot;
   }
 
-  /// True while the magnet draws the ear.
   bool isDrawn() const { return frames_energised_ > 0; }
 
   bool isHot() const { return frames_to_cool_ > 0; }

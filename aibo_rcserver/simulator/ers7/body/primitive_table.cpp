@@ -4,6 +4,8 @@ namespace simulated_ers7 {
 
 PrimitiveTable::PrimitiveTable(const robot_model::RobotModel& model) {
   add("PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1", kCameraPrimitive, {PrimitiveKind::kCamera, 0});
+  add("PRM:/s1-Speaker:S1", kSpeakerPrimitive, {PrimitiveKind::kSound, 0});
+  add("PRM:/r1/c1/c2/c3/m1-Mic:M1", kMicrophonePrimitive, {PrimitiveKind::kSound, 0});
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.number_of_joints); ++i) {
     add(model.joints[i].locator, jointPrimitive(i), {PrimitiveKind::kJoint, i});
   }
@@ -19,7 +21,7 @@ PrimitiveTable::PrimitiveTable(const robot_model::RobotModel& model) {
 }
 
 void PrimitiveTable::add(const char* locator, OPrimitiveID id, const Primitive& primitive) {
-  if (locator != nullptr) {  // the others are only in OPENR::GetPowerStatus()
+  if (locator != nullptr) {  // parts without a locator appear only in OPENR::GetPowerStatus()
     ids_[locator] = id;
     primitives_.emplace(id, primitive);
   }

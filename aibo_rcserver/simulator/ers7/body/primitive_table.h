@@ -14,15 +14,12 @@
 
 namespace simulated_ers7 {
 
-/// The camera's number.
 constexpr OPrimitiveID kCameraPrimitive = 1;
 
-/// The number of a joint, from its index in the robot's table.
 constexpr OPrimitiveID jointPrimitive(std::size_t joint) {
   return static_cast<OPrimitiveID>(kCameraPrimitive + 1 + joint);
 }
 
-/// The same for sensors, LEDs and ears.
 constexpr OPrimitiveID sensorPrimitive(std::size_t sensor) {
   return jointPrimitive(robot_model::MAX_JOINTS) + static_cast<OPrimitiveID>(sensor);
 }
@@ -33,39 +30,43 @@ constexpr OPrimitiveID earPrimitive(std::size_t ear) {
   return ledPrimitive(robot_model::MAX_LEDS) + static_cast<OPrimitiveID>(ear);
 }
 
-enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar };
+/// Those of speaker and microphones.
+constexpr OPrimitiveID kSpeakerPrimitive = earPrimitive(robot_model::MAX_EARS);
+constexpr OPrimitiveID kMicrophonePrimitive = kSpeakerPrimitive + 1;
 
-/// The part of the robot with a certain number.
+enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar, kSound };
+
+/// What a number stands for.
 struct Primitive {
   PrimitiveKind kind;
-  std::size_t index;  ///< in the robot's table of that kind; 0 for the camera
+  std::size_t index;  ///< index in the robot's table of this kind; 0 for the camera and sound
 };
 
-/// A primitive always has the same number. It stays open until it has been closed as often as it was opened.
+/// A primitive always has the same number. It stays open until it was closed as often as opened.
 class PrimitiveTable {
  public:
   explicit PrimitiveTable(const robot_model::RobotModel& model);
 
-  /// @param locator as in Sony's Model Information ERS-7, "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
+  /// @param locator as in Sony's Model Information ERS-7: "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
   /// @param[out] id unchanged unless oSUCCESS is returned
   /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
   OStatus open(const char* locator, OPrimitiveID* id);
 
-  /// @param id a number, or oprimitiveID_UNDEF to close all that are open
+  /// @param id oprimitiveID_UNDEF closes all that are open
   /// @return oINVALID_PRIMITIVE_ID if it is not open
   OStatus close(OPrimitiveID id);
 
   bool isOpen(OPrimitiveID id) const { return times_opened_.count(id) != 0; }
 
-  /// Empty if it is not open.
+  /// Empty if the primitive is not open.
   std::optional<Primitive> find(OPrimitiveID id) const;
 
  private:
   void add(const char* locator, OPrimitiveID id, const Primitive& primitive);
 
-  std::map<std::string, OPrimitiveID> ids_;  ///< by locator
+  std::map<std::string, OPrimitiveID> ids_;  ///< key: the locator
   std::map<OPrimitiveID, Primitive> primitives_;
-  std::map<OPrimitiveID, int> times_opened_;  ///< contains only open primitives
+  std::map<OPrimitiveID, int> times_opened_;  ///< only open primitives
 };
 
 }  // namespace simulated_ers7

@@ -12,7 +12,7 @@ OSensorFrameVectorData* vectorIn(RCRegion* region) {
   return static_cast<OSensorFrameVectorData*>(base);
 }
 
-/// Offset of the first frame's data from the beginning of the header.
+/// Counted from the beginning of the header.
 std::size_t dataOffset(std::size_t entries) {
   return offsetof(OSensorFrameVectorData, info) + entries * sizeof(OSensorFrameInfo);
 }

@@ -10,11 +10,10 @@ namespace simulated_ers7 {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-/// Position and timing of a distance sensor.
 struct RangeFinder {
-  bool in_head;     ///< else in the body
+  bool in_head;     ///< otherwise in the body
   Vector3d place;   ///< metres
-  double down;      ///< looks forward, tilted down by this angle in radian
+  double down;      ///< downward tilt from straight ahead, in radians
   longword period;  ///< frames
   longword phase;   ///< the first frame
 };
@@ -23,7 +22,7 @@ namespace {
 
 constexpr double kGravity = 9.80665;
 
-// From Tekkotsu's kinematic table of the ERS-7. The two sensors in the head have the camera's height.
+// Places are from Tekkotsu's kinematic table of the ERS-7. The two sensors in the head are as high as the camera.
 const std::map<std::string, RangeFinder> kRangeFinders = {
     {"range_near", {true, Vector3d(0.0769, 0.0028, -0.0146), 0, 6, 0}},
     {"range_far", {true, Vector3d(0.0769, -0.0080, -0.0146), 0, 6, 3}},
@@ -88,7 +87,7 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
     case robot_model::SENSOR_FORCE:
     case robot_model::SENSOR_TEMPERATURE:
     case robot_model::SENSOR_CHARGE:
-      break;  // no force sensors in the ERS-7; the others are in its battery
+      break;  // the ERS-7 has no force sensors; temperature and charge belong to its battery
   }
   return [](const Situation&) { return 0; };
 }
@@ -125,7 +124,7 @@ int Sensors::distance(std::size_t sensor, const RangeFinder& finder, const Situa
   }
   const double distance = 1e6 * scene_.castRay(rayOf(finder, situation)).distance;
   if (distance >= model.highest) {
-    return static_cast<int>(model.highest);  // no echo, so no error either
+    return static_cast<int>(model.highest);  // no echo, no error
   }
   const double measured = distance + errorUpTo(static_cast<int>(kDistanceError * distance));
   return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
@@ -140,7 +139,7 @@ int Sensors::acceleration(std::size_t sensor, const Vector3d& axis, const Situat
 }
 
 int Sensors::errorUpTo(int most) {
-  // Not std::uniform_int_distribution, because its numbers differ between libraries.
+  // Numbers from std::uniform_int_distribution differ between libraries.
   return static_cast<int>(random_() % (2 * static_cast<std::uint64_t>(most) + 1)) - most;
 }
 

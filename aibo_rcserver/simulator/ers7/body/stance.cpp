@@ -10,8 +10,8 @@ namespace {
 using Eigen::Vector3d;
 using robot_model::FOOT_RADIUS;
 
-/// How far outside its three supports the weight may be, in metres. Our choice: with less, a robot that lifts a paw
-/// would tip over onto it. A real robot prevents that by leaning away.
+/// How far the weight may be outside its three supports, in metres (our choice). With less, a robot that lifts a paw
+/// would tip onto that paw. A real robot leans away instead.
 constexpr double kBalance = 0.02;
 
 constexpr double kTolerance = 1e-6;
@@ -20,7 +20,7 @@ Vector3d toVector(const robot_model::Point& point) {
   return {point.x, point.y, point.z};
 }
 
-/// How far inside its supports the weight of a robot is that leans to stand on them, in metres. Our choice.
+/// A robot leans so that its weight is this far inside its supports, in metres (our choice).
 constexpr double kLeaning = 0.005;
 
 double above(const Floor& floor, const Vector3d& point) {
@@ -31,24 +31,24 @@ double cross(const Vector3d& a, const Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Three supports, with the left side of the line from each to the next inside.
+/// Three supports, counterclockwise.
 struct Triangle {
   Triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c)
       : corners{a, cross(b - a, c - a) > 0 ? b : c, cross(b - a, c - a) > 0 ? c : b} {}
 
   Vector3d normal() const { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); }
 
-  /// The supports are in line, or above each other.
+  /// True if the supports are in line or above each other.
   bool isSteep() const { return normal().z() < kTolerance; }
 
-  /// Distance of a point to the inside of one of the lines, seen from above.
+  /// The distance of a point from a side, seen from above; positive inside.
   double inside(std::size_t line, const Vector3d& point) const {
     const Vector3d& from = corners[line];
     const Vector3d along = corners[(line + 1) % 3] - from;
     return cross(along, point - from) / along.head<2>().norm();
   }
 
-  /// Whether the body's origin is over the triangle, or at most kBalance beside it.
+  /// True if the body's origin is over the triangle, or at most kBalance beside it.
   bool carries() const {
     return std::min({inside(0, Vector3d::Zero()), inside(1, Vector3d::Zero()), inside(2, Vector3d::Zero())}) >=
            -kBalance;
@@ -60,7 +60,7 @@ struct Triangle {
     return {slope, corners[0].z() - slope.dot(corners[0].head<2>())};
   }
 
-  /// The body's origin, or a point towards the middle that is inside by kLeaning.
+  /// The body's origin. If that is not inside by kLeaning, a point further towards the middle that is.
   Eigen::Vector2d weight() const {
     const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
     double share = 0;
@@ -76,7 +76,7 @@ struct Triangle {
   std::array<Vector3d, 3> corners;
 };
 
-/// The pose of a body with the centres of its lowest supports on this floor.
+/// The pose of a body on this floor. The floor goes through the centres of its lowest supports.
 Eigen::Isometry3d poseOver(const Floor& floor) {
   const Vector3d up = Vector3d(-floor.slope.x(), -floor.slope.y(), 1).normalized();
   const Vector3d ahead = (Vector3d::UnitX() - up.x() * up).normalized();
@@ -112,7 +112,7 @@ Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope) {
   return floor;
 }
 
-// With the belly's corners there always is such a plane.
+// There always is such a plane, because the belly has corners, too.
 Rest restOn(const Supports& supports) {
   std::optional<Rest> best;
   for (std::size_t i = 0; i < supports.size(); ++i) {

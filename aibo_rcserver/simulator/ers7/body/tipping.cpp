@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Finds the slope with the least cost: the height of the weight over the floor, plus the square of the change of slope
-/// in proportion to 1 / (2 * reach). This is one implicit step of tipping, so it neither overshoots nor trembles.
+/// Finds the slope with the least cost: the weight's height above the floor, plus the square of the change of slope
+/// divided by 2 * reach. This is an implicit step of tipping, so it neither overshoots nor trembles.
 ///
-/// The height is the greatest of one linear function of the slope for each support. So at the least cost one, two or
-/// three supports touch the floor, and for each choice of them the slope is known.
+/// The height is the greatest of several linear functions of the slope, one for each support. So at the least cost,
+/// one, two or three supports touch the floor, and each choice of them determines the slope.
 class LeastCost {
  public:
   LeastCost(const Supports& supports, const Vector2d& weight, const Vector2d& before, double reach)

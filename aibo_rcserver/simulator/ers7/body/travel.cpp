@@ -22,25 +22,25 @@ using robot_model::FOOT_RADIUS;
 
 constexpr double kGravity = 9.80665;
 
-/// How far from the vertical through its origin the body's mass is, for turning, in metres: that of a box as large as
-/// the body and the legs, 28 by 18 cm.
+/// The body's radius of gyration about the vertical, in metres: that of a box as large as body and legs, 28 by 18 cm.
 constexpr double kGyration = 0.096;
 
-/// Feet that are no faster than this on the floor, in m/s, are held by friction that grows with their speed.
+/// In m/s. Below this speed of a foot, friction grows with the speed.
 constexpr double kCreep = 0.0005;
 
 constexpr double kHoldSeconds = 0.5;
 constexpr double kLiftHeight = 0.25;
 constexpr double kAccelerometerSeconds = 0.02;
 
-/// Balls around the body, for obstacles. Our choice, from the look of the body; the head's keeps the camera clear of
-/// things.
+/// Balls around the body that feel obstacles (our choice, from the look of the body). The head's ball keeps things away
+/// from the camera.
 const Vector3d kChest(0.06, 0, 0);
 const Vector3d kRump(-0.06, 0, 0);
 const Vector3d kFace(0.03, 0, 0);  // in the head
 constexpr double kBumperRadii[] = {0.09, 0.09, 0.075};
 
-/// The corners of its back and head on which it may lie, raised like those of the belly. Our choice, from its look.
+/// Corners of back and head on which the robot may lie, raised like those of the belly (our choice, from the look of
+/// the body).
 const Vector3d kBack[] = {
     {0.085, 0.045, 0.045}, {0.085, -0.045, 0.045}, {-0.085, 0.045, 0.045}, {-0.085, -0.045, 0.045}};
 const Vector3d kHead[] = {{0.04, 0, 0.03}, {-0.03, 0, 0.03}, {0.09, 0, -0.02}, {0.04, 0.04, 0}, {0.04, -0.04, 0}};
@@ -68,7 +68,7 @@ Quaterniond attitudeOn(Side side) {
   return Quaterniond::Identity();
 }
 
-/// Moves a value towards another one.
+/// Moves a value towards another one, by at most `most`.
 double approach(double value, double end, double most) {
   return value + std::clamp(end - value, -most, most);
 }
@@ -79,18 +79,17 @@ Supports turned(const Isometry3d& pose, const Supports& supports) {
   return result;
 }
 
-/// The share of its full load that a support bears at this height over the floor.
+/// The share of its full load that a support bears at this height.
 double loadAt(double height) {
   return std::clamp(1 - height / kPawTravel, 0.0, 1.0);
 }
 
-/// A support on the floor.
 struct Contact {
-  Vector2d place;     ///< from the body's origin, level
-  Vector2d velocity;  ///< as seen from the body, level
+  Vector2d place;     ///< from the body's origin, horizontal
+  Vector2d velocity;  ///< relative to the body, horizontal
   double load;        ///< share of the weight
 
-  /// How the body's velocity (x, y, turn) moves this point over the floor.
+  /// Turns the body's velocity (x, y, turn) into this point's velocity on the floor.
   Eigen::Matrix<double, 2, 3> lever() const {
     Eigen::Matrix<double, 2, 3> lever;
     lever << 1, 0, -place.y(), 0, 1, place.x();
@@ -98,9 +97,9 @@ struct Contact {
   }
 };
 
-/// The body's velocity (x, y, turn) after a frame on these contacts, if it had `before`: the one with the least sum of
-/// kinetic energy relative to `before` and energy lost in friction. Friction is proportional to the load at any speed
-/// above kCreep. Solved by weighted least squares, over and over: a contact that slips faster counts less.
+/// The body's velocity (x, y, turn) after a frame on these contacts. It minimises the kinetic energy relative to
+/// `before` plus the energy lost in friction. Above kCreep, friction depends on the load but not on the speed. The
+/// solution repeats weighted least squares: a contact that slips faster gets less weight.
 Vector3d dragged(const std::vector<Contact>& contacts, const Vector3d& before) {
   constexpr int kMostRounds = 30;
   constexpr double kExact = 1e-9;
@@ -127,12 +126,12 @@ Vector3d dragged(const std::vector<Contact>& contacts, const Vector3d& before) {
   return velocity;
 }
 
-/// How much closer than a bumper's radius something is to it; negative.
+/// How far something is inside a bumper, as a negative number.
 double intrusion(const Scene& scene, const Vector3d& middle, double radius) {
   return std::min(0.0, scene.clearance(middle) - radius);
 }
 
-/// The level direction away from what is closest.
+/// The horizontal direction away from the closest thing.
 Vector2d wayOut(const Scene& scene, const Vector3d& point) {
   constexpr double kStep = 0.001;
   const auto slope = [&](const Vector3d& along) {
@@ -150,7 +149,7 @@ Travel::Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head)
       floor_(restOn(supports_).floor),
       stance_(stanceOver(floor_, supports_)) {}
 
-// Whatever moves in the scene, it does not push the robot, so a robot that stands still is left alone by it.
+// Things that move in the scene do not push the robot, so it stays where it stands.
 void Travel::passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene) {
   const bool joints_rest = std::equal(legs.begin(), legs.end(), legs_.begin(), isSameLeg) && isSameHead(head, head_);
   if (is_settled_ && joints_rest) {
@@ -182,7 +181,7 @@ void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& 
   feelAcceleration(place_before);
 }
 
-/// From one side to another it comes back to its feet first.
+/// Between two sides, the robot first returns to its feet.
 void Travel::passFrameOfHolding() {
   const bool wants_hold = is_lifted_ || wanted_side_ != Side::kFeet;
   if (held_ == 0) {
@@ -212,8 +211,8 @@ Isometry3d Travel::poseInPlace() const {
   return pose;
 }
 
-/// The step that friction makes of the last one.
-/// @param before,now the supports in a frame over the body's place and with its heading
+/// The step that follows from friction and the last step.
+/// @param before,now the supports in a frame above the body's place, with its heading
 Travel::Step Travel::push(const Supports& before, const Supports& now) const {
   std::vector<Contact> contacts;
   double loads = 0;
@@ -241,8 +240,8 @@ Travel::Bumpers Travel::bumpers() const {
   return {stance_.body * kChest, stance_.body * kRump, stance_.body * (headInBody(head_) * kFace)};
 }
 
-/// Takes back the part of the way that led further into something than it was before, for example because the ball
-/// rolled there.
+/// Takes back movement that led further into something. The body may already have been inside, for instance because the
+/// ball rolled there.
 void Travel::stopAtObstacles(const Bumpers& before, const Scene& scene) {
   constexpr int kRounds = 4;  // in a corner, several bumpers touch several things
   Vector2d taken_back = Vector2d::Zero();

@@ -12,48 +12,46 @@
 
 namespace simulated_ers7 {
 
-/// A place on the floor, in the room's frame (scene.h).
+/// In the room's frame (scene.h).
 struct Place {
   double x = 0;    ///< metres
   double y = 0;    ///< metres
-  double yaw = 0;  ///< radian to the left; grows beyond a full turn
+  double yaw = 0;  ///< radians to the left; not limited to a full turn
 };
 
-/// What the robot lies on.
+/// What the robot lies or stands on.
 enum class Side { kFeet, kLeft, kRight, kBack };
 
-/// Friction of feet and belly on the floor: no more than this part of the weight pushes the robot along. Our choice,
-/// for rubber on a carpet.
+/// Friction of feet and belly: at most this share of the weight pushes the robot along. Our choice, for rubber on a
+/// carpet.
 constexpr double kFriction = 0.6;
 
 /// The robot begins at rest over the room's origin and faces along x. The same movements always lead to the same place.
 ///
-/// Feet (and the belly) that touch the floor stay where they are, so the body moves as the legs push it. Friction
-/// limits how fast it speeds up, slows down and turns. Feet that pull against each other slip, and the strongest win:
-/// in each frame the robot moves in the way that wastes the least energy in friction. What it would bump into, walls
-/// and the bodies of the scene, stops it.
+/// Feet and belly stay where they touch the floor, so the legs push the body. Friction limits how fast it speeds up,
+/// slows down and turns. Feet that pull against each other slip, and the strongest win: in each frame the robot wastes
+/// as little energy as possible in friction. Walls and the scene's bodies stop it.
 ///
-/// Simplifications: The weight is in the body's origin and does not move with the legs. Feet share it equally; one that
-/// is up to kPawTravel over the floor bears less. Feet do not roll on their balls. Nothing bounces. The body tips as in
-/// tipping.h; it never falls over by itself. Obstacles are felt by the trunk and the head only: the legs pass through
-/// what is lower, and the ball is not pushed.
+/// Simplifications: The weight stays in the body's origin. The feet share it equally, but a foot up to kPawTravel above
+/// the floor bears less. Feet do not roll. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
+/// Only trunk and head feel obstacles. The legs pass through lower things, and nothing pushes the ball.
 class Travel {
  public:
   Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head);
 
-  /// 8 ms pass.
-  /// @param legs,head their angles now
-  /// @param scene what may stand in the way
+  /// Call after 8 ms.
+  /// @param legs,head their present angles
+  /// @param scene possible obstacles
   void passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
 
-  /// Somebody lifts the robot, which takes half a second, and holds it level, or sets it down in the same place.
+  /// Lifts the robot and holds it level, or sets it down in the same place. Each takes half a second.
   void lift(bool lifted) {
     is_lifted_ = lifted;
     is_settled_ = false;
   }
 
-  /// The robot falls on a side or its back, or is put back on its feet; each takes half a second. It does not travel
-  /// there, and its paws are not on the floor.
+  /// Drops the robot on a side or its back, or puts it back on its feet. Each takes half a second. A lying robot does
+  /// not travel, and its paws are not on the floor.
   void lie(Side side) {
     wanted_side_ = side;
     is_settled_ = false;
@@ -61,18 +59,17 @@ class Travel {
 
   const Place& place() const { return place_; }
 
-  /// The body in the room.
   const Stance& stance() const { return stance_; }
 
-  /// The acceleration of the body in the room in m/s^2, without gravity. It is smoothed like that of a sensor with a
-  /// bandwidth of 8 Hz, which is our choice: without that, each foot that touches the floor would be a blow.
+  /// The body's acceleration in the room, in m/s^2, without gravity. It is smoothed to a bandwidth of 8 Hz (our
+  /// choice); otherwise each foot that touches the floor would be a blow.
   const Eigen::Vector3d& acceleration() const { return acceleration_; }
 
  private:
-  /// How far the body moves in a frame, along x and y of its own, and how far it turns.
+  /// The body's movement in a frame: along its own x and y, and its turn.
   using Step = Eigen::Vector3d;
 
-  /// What is felt when it bumps into something: the middles of balls around chest, rump and head, in the room.
+  /// The centres of balls around chest, rump and head, in the room.
   using Bumpers = std::array<Eigen::Vector3d, 3>;
 
   bool isOnFeet() const { return held_ == 0 && raised_ == 0; }
@@ -91,16 +88,16 @@ class Travel {
   Floor floor_;
   Place place_;
   Stance stance_;
-  Step step_ = Step::Zero();  ///< of the last frame
+  Step step_ = Step::Zero();
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
-  bool is_settled_ = false;  ///< the last frame changed nothing, so neither does the next one if no joint moves
+  bool is_settled_ = false;  ///< the last frame changed nothing, and the next one does not either unless a joint moves
 
   bool is_lifted_ = false;
   Side wanted_side_ = Side::kFeet;
-  Eigen::Quaterniond hold_ = Eigen::Quaterniond::Identity();  ///< attitude in which it is held, or lies
-  Side side_ = Side::kFeet;                                   ///< of hold_
-  double held_ = 0;                                           ///< 0: stands freely, 1: is in the attitude hold_
+  Eigen::Quaterniond hold_ = Eigen::Quaterniond::Identity();  ///< the attitude of the held or lying robot
+  Side side_ = Side::kFeet;                                   ///< the side that hold_ is for
+  double held_ = 0;                                           ///< 0: stands freely, 1: has the attitude hold_
   double raised_ = 0;                                         ///< metres
 };
 

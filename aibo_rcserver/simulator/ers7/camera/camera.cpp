@@ -69,8 +69,8 @@ Camera::Image::Image(RCRegion* region_)
       largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
       others(otherBands(region), region->Size() - distance(region->Base(), otherBands(region))) {}
 
-/// With colour detection everything is drawn, because the tag of layer H tells what has been detected. A photograph
-/// that is there already needs only its new tag, which announceFbkImage() has written.
+/// With colour detection everything is drawn, because its result is in the tag of layer H. A photograph that is already
+/// there needs only a new tag, which announceFbkImage() has written.
 void Camera::drawLargestColors(Image& image) {
   if (image.exposure.colors.isOn()) {
     openr_host::FilledOnRead::read(otherBands(image.region));

@@ -1,5 +1,5 @@
 /// @file camera.h
-/// The ERS-7's camera: its settings, its timing, and its images in the layout of OPEN-R.
+/// The ERS-7's camera: settings, timing, and images in OPEN-R's layout.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_CAMERA_H
 
@@ -20,28 +20,28 @@
 
 namespace simulated_ers7 {
 
-/// White balance and shutter start as in Sony's Model Information ERS-7. Gain starts in the middle and both automatic
-/// modes are off at first, which is our choice, so that all settings have an effect.
+/// White balance and shutter begin as in Sony's Model Information ERS-7. Gain begins in the middle, and both automatic
+/// modes begin off, so that all settings have an effect (our choice).
 struct CameraSettings {
   longword white_balance = ocamparamWB_FL_MODE;
   longword gain = ocamparamGAIN_MID;
   longword shutter = ocamparamSHUTTER_MID;
-  bool auto_exposure = false;       ///< gain and shutter have no effect while it is on
-  bool auto_white_balance = false;  ///< white_balance has no effect while it is on
+  bool auto_exposure = false;       ///< while on, gain and shutter have no effect
+  bool auto_white_balance = false;  ///< while on, white_balance has no effect
 };
 
-/// The number of images that the camera has finished up to and including an OPEN-R frame, the first in frame 0.
+/// The number of images finished up to and including this OPEN-R frame. The first one is finished in frame 0.
 ///
-/// The camera runs on its own clock at 29.88 images per second and is read every 8 ms, so most images come 32 ms after
-/// the one before, some 40 ms. 60 images in 251 frames have the mean of 33.47 ms that was measured on an ERS-7
-/// (Tekkotsu, profilerun_ERS7_2.0).
+/// The camera's own clock gives 29.88 images per second, but it is read every 8 ms. So most images come 32 ms after the
+/// one before, and some 40 ms. 60 images in 251 frames make 33.47 ms on average, as measured on an ERS-7 (Tekkotsu,
+/// profilerun_ERS7_2.0).
 constexpr longword imagesUpTo(longword frame) {
   constexpr std::uint64_t kImages = 60;
   constexpr std::uint64_t kFrames = 251;
   return static_cast<longword>(frame * kImages / kFrames + 1);
 }
 
-/// The first frame after this one in which the camera finishes an image.
+/// The next frame in which the camera finishes an image.
 constexpr longword imageAfter(longword frame) {
   longword next = frame + 1;
   while (imagesUpTo(next) == imagesUpTo(frame)) {
@@ -53,65 +53,62 @@ constexpr longword imageAfter(longword frame) {
 /// Where the robot holds its camera.
 struct CameraPose {
   HeadAngles head = restingHead();
-  Eigen::Isometry3d body{Eigen::Translation3d(0, 0, kStandingHeight)};  ///< its pose in the scene (scene.h)
+  Eigen::Isometry3d body{Eigen::Translation3d(0, 0, kStandingHeight)};  ///< the body's pose in the scene (scene.h)
 };
 
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
 
-  /// Turns the head with the camera. Takes effect with the next picture.
+  /// Takes effect with the next picture.
   virtual void setHead(const HeadAngles& angles) = 0;
 
-  /// Moves the body. Takes effect with the next picture.
-  /// @param in_room its pose in the scene (scene.h)
+  /// Takes effect with the next picture.
+  /// @param in_room the body's pose in the scene (scene.h)
   virtual void setBody(const Eigen::Isometry3d& in_room) = 0;
 
-  /// The camera's picture.
   /// @param seconds since the robot was switched on
-  /// @param image_number selects the noise, which differs from image to image
-  /// @return valid until the next call
+  /// @param image_number selects the noise
+  /// @return the picture, valid until the next call
   virtual const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) = 0;
 
-  /// True if no picture ever changes: what is at its address is what was there before.
+  /// True if the same address always holds the same picture.
   virtual bool hasConstantPictures() const { return false; }
 };
 
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
 ///
-/// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an image that nobody looks at costs
-/// next to nothing. As long as only Y, Cr and Cb of layer H are read, only these are written. It always shows what
-/// there was to see when it was taken.
+/// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an unread image costs next to
+/// nothing. If only Y, Cr and Cb of layer H are read, only these are drawn. A picture always shows the moment when it
+/// was taken.
 class Camera {
  public:
-  /// @param source draws the pictures; must outlive the camera
-  /// @param id the camera's primitive, which its images contain
+  /// @param source must outlive the camera
+  /// @param id the camera's primitive
   Camera(PictureSource& source, OPrimitiveID id);
 
-  /// True once for each image, in its frame or in the next one with a call. Images without a call are counted, too.
-  /// @param frame not lower than in the previous call
+  /// True once for each image, in its frame or the next frame with a call. Images without a call are counted, too.
+  /// @param frame not before that of the previous call
   bool imageDue(longword frame);
 
-  /// Takes an image, with the colours that are detected in it, in a region to which only the camera refers
-  /// (region_pool.h). Its pixels must not be read after the camera's end.
+  /// Takes an image and detects its colours. Only the camera refers to the image's region (region_pool.h). Its pixels
+  /// must not be read after the camera is gone.
   RCRegion* capture(longword frame, const CameraPose& pose = CameraPose());
 
   /// Carries out OPENR::ControlPrimitive().
-  /// @param param, param_size an OPrimitiveControl_CameraParam for the SET requests; ignored for others
-  /// @return oSUCCESS; oINVALID_ARG, with nothing changed, for an unknown request, a parameter that is missing or of
-  ///         another size, or a value that the setting does not have
+  /// @param param, param_size an OPrimitiveControl_CameraParam for SET requests; otherwise ignored
+  /// @return oSUCCESS, or oINVALID_ARG if the request is unknown, the parameter is missing or has a wrong size, or the
+  ///   setting does not have the value; then nothing changes
   OStatus control(OPrimitiveRequest request, const void* param, size_t param_size);
 
   const CameraSettings& settings() const { return settings_; }
 
-  /// The colours that it detects.
   ColorDetection& colors() { return colors_; }
 
-  /// Everything as after switching on: settings, and no colours to detect.
+  /// Restores the first settings and clears the colours to detect.
   void reset();
 
  private:
-  /// What an image is taken of, and how.
   struct Exposure {
     longword frame = 0;
     CameraPose pose;
@@ -119,8 +116,8 @@ class Camera {
     ColorDetection colors;
   };
 
-  /// An image in one of the regions, with the parts that are drawn separately. Objects ask for a band by the address of
-  /// its beginning, so the part with Y, Cr and Cb of layer H contains only their beginnings.
+  /// An image in a region, with the parts that are drawn separately. Objects request a band by the address of its
+  /// beginning, so the part for Y, Cr and Cb of layer H covers only the beginnings.
   struct Image {
     explicit Image(RCRegion* region_);
 
@@ -128,7 +125,7 @@ class Camera {
     Exposure exposure;
     openr_host::FilledOnRead largest_colors;
     openr_host::FilledOnRead others;
-    const YCrCbImage* written = nullptr;  ///< the constant picture whose Y, Cr and Cb are in layer H
+    const YCrCbImage* written = nullptr;  ///< the constant picture in layer H
   };
 
   void drawLargestColors(Image& image);
@@ -141,9 +138,8 @@ class Camera {
   longword images_seen_ = 0;
   RegionPool regions_;
   std::map<const RCRegion*, Image> images_;
-  const Image* drawn_ =
-      nullptr;  ///< whose picture the source has drawn last; null if that image is not in use any more
-  const YCrCbImage* picture_ = nullptr;  ///< of `drawn_`
+  const Image* drawn_ = nullptr;  ///< the last image that the source has drawn; null if it is no longer in use
+  const YCrCbImage* picture_ = nullptr;
 };
 
 }  // namespace simulated_ers7

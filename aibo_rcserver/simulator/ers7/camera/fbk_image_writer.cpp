@@ -12,7 +12,6 @@ constexpr std::size_t kTagBytes = 16;
 constexpr std::size_t kWidth = kPictureWidth;
 constexpr std::size_t kHeight = kPictureHeight;
 
-/// The value that means no fine detail.
 constexpr byte kNoDetail = 128;
 constexpr byte kGrey = 128;
 
@@ -41,14 +40,12 @@ OFbkImageVectorData* vectorIn(RCRegion* region) {
   return static_cast<OFbkImageVectorData*>(base);
 }
 
-/// Copies a plane into one of a layer's bands.
 void writeBand(const YCrCbImage::Plane& plane, byte* first_row) {
   for (std::size_t y = 0; y < kHeight; ++y) {
     std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(y * kWidth), kWidth, first_row + y * kBands * kWidth);
   }
 }
 
-/// Fills Y, Cr and Cb of layer H.
 void writeColors(const YCrCbImage& picture, byte* high) {
   writeBand(picture.y, high);
   writeBand(picture.cr, high + kWidth);
@@ -59,7 +56,7 @@ byte toBand(float detail) {
   return toByte(detail + kNoDetail);
 }
 
-/// Fills the bands of fine detail of a layer from 2x2 pixels of the next larger layer's Y.
+/// Computes a layer's fine detail from the next larger layer's Y.
 void split(const byte* from, byte* to, std::size_t width, std::size_t height) {
   const std::size_t from_stride = kBands * 2 * width;
   for (std::size_t y = 0; y < height; ++y) {
@@ -75,7 +72,7 @@ void split(const byte* from, byte* to, std::size_t width, std::size_t height) {
   }
 }
 
-/// Fills Y, Cr and Cb of a layer with means of 2x2 pixels of the next larger layer.
+/// Averages 2x2 pixels of the next larger layer.
 void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
   const std::size_t from_stride = kBands * 2 * width;
   for (std::size_t y = 0; y < height; ++y) {
@@ -90,7 +87,6 @@ void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
   }
 }
 
-/// Detects colours in layer M.
 ColorCounts detect(const ColorDetection& colors, const byte* medium, byte* plane) {
   constexpr std::size_t kPlaneWidth = kWidth / 2;
   ColorCounts counts{};

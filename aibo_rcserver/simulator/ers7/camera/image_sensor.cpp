@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t kWidth = kPictureWidth;
 constexpr std::size_t kHeight = kPictureHeight;
 
-/// Part of the light that reaches the corners.
+/// The share of the light that reaches the corners.
 const Color kCornerLight(0.70, 0.74, 0.80);
 
-/// Part of its light that a pixel gives to each of its neighbours.
+/// The share of its light that a pixel gives to each neighbour.
 constexpr double kBlur = 0.20;
 
-/// Numbers of several pixels in a row, so that the processor calculates several at once.
+/// Several pixels of a row, which the processor calculates together.
 using Numbers = Eigen::Map<Eigen::ArrayXd>;
 using ConstNumbers = Eigen::Map<const Eigen::ArrayXd>;
 
@@ -54,12 +54,12 @@ constexpr double kBrightestLight = 2.0;
 /// A power of two, so that some bits of a random number select a value.
 constexpr std::uint64_t kRandomValues = 4096;
 
-/// Deviation of the noise, in 1/255, at medium gain. With it, pictures of the scene at JPEG quality 85 have 3 to 6 KB,
-/// as in the report (section 3.3.3).
+/// Deviation of the noise at medium gain, in 1/255. It gives pictures of the scene 3 to 6 KB at quality 85, as in the
+/// report (section 3.3.3).
 constexpr float kNoiseY = 1.5f;
 constexpr float kNoiseColor = 1.0f;
 
-/// Steele's splittable generator ("SplitMix64"), which is fast.
+/// Steele's splittable generator ("SplitMix64"): it is fast.
 class FastRandom {
  public:
   explicit FastRandom(std::uint64_t seed) : state_(seed) {}
@@ -75,7 +75,7 @@ class FastRandom {
   std::uint64_t state_;
 };
 
-/// The usual power law, but bright light is compressed instead of clipped.
+/// The usual power law, except that bright light is compressed instead of clipped.
 std::vector<float> makeToneCurve() {
   std::vector<float> curve;
   for (int step = 0; step < kToneSteps; ++step) {
@@ -94,8 +94,8 @@ std::vector<float> makeRandomValues() {
   return values;
 }
 
-/// Brightness; 1 is right for the room. The steps are those in Sony's Model Information ERS-7: gain -6, 0, +6 dB,
-/// shutter 1/50, 1/100, 1/200 s.
+/// A brightness of 1 suits the room. Sony's steps (Model Information ERS-7): gain -6, 0, +6 dB, shutter 1/50, 1/100,
+/// 1/200 s.
 double gainOf(const CameraSettings& settings) {
   return settings.auto_exposure ? 1 : std::pow(2.0, static_cast<double>(settings.gain) - ocamparamGAIN_MID);
 }
@@ -106,8 +106,8 @@ double exposureOf(const CameraSettings& settings) {
              : gainOf(settings) * std::pow(2.0, static_cast<double>(ocamparamSHUTTER_MID) - settings.shutter);
 }
 
-/// The room's light has 5000 K. If set for lamps (2856 K), the camera shows it bluish, if set for daylight (6500 K)
-/// warm.
+/// The room's light has 5000 K. It looks bluish with the setting for lamps (2856 K), and warm with that for daylight
+/// (6500 K).
 Color whiteBalanceOf(const CameraSettings& settings) {
   if (settings.auto_white_balance || settings.white_balance == ocamparamWB_FL_MODE) {
     return Color::Ones();
@@ -169,7 +169,7 @@ void ImageSensor::expose(const LightImage& light, const DetailImage& detail, con
   exposeDetail(light, detail, settings, image_number, picture);
 }
 
-// A band has as much noise as Y: both are made of the same four pixels of the sensor.
+// A band has as much noise as Y: both come from the same four pixels of the sensor.
 void ImageSensor::exposeDetail(const LightImage& light, const DetailImage& detail, const CameraSettings& settings,
                                longword image_number, YCrCbImage* picture) const {
   const Color scale = stepsOf(settings);

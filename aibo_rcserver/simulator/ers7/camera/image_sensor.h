@@ -1,5 +1,5 @@
 /// @file image_sensor.h
-/// From the light in front of the camera to its picture: lens, sensor and electronics.
+/// Turns the light in front of the camera into its picture: lens, sensor and electronics.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_IMAGE_SENSOR_H
 
@@ -12,8 +12,7 @@
 
 namespace simulated_ers7 {
 
-/// Blurs a little, like all small lenses, and darkens the corners, red more than blue, as observed with real robots.
-/// Not thread-safe.
+/// Blurs a little, as small lenses do, and darkens the corners, red more than blue, as on real robots. Not thread-safe.
 class Lens {
  public:
   Lens();
@@ -22,7 +21,7 @@ class Lens {
   const LightImage& project(const LightImage& light);
 
  private:
-  LightImage transmission_;  ///< part of the light that reaches each pixel
+  LightImage transmission_;  ///< the share that reaches each pixel
   LightImage blurred_across_;
   LightImage projected_;
 };
@@ -32,8 +31,8 @@ class ImageSensor {
  public:
   explicit ImageSensor(std::uint64_t seed);
 
-  /// @param detail of the light
-  /// @param image_number selects the noise of the picture
+  /// @param detail the light's fine detail
+  /// @param image_number selects the noise
   void expose(const LightImage& light, const DetailImage& detail, const CameraSettings& settings, longword image_number,
               YCrCbImage* picture) const;
 

@@ -21,21 +21,21 @@ using Bytes = std::vector<unsigned char>;
 constexpr double kMostPixels = 100e6;
 constexpr int kBytesPerPixel = 3;
 
-// libjpeg-turbo 2.0, in Ubuntu 20.04, cannot limit scans.
+// libjpeg-turbo 2.0 of Ubuntu 20.04 cannot limit scans.
 #ifdef TJFLAG_LIMITSCANS
 constexpr int kDecoderFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
 #else
 constexpr int kDecoderFlags = TJFLAG_STOPONWARNING;
 #endif
 
-/// Red, green, blue per pixel, row by row from the upper left.
+/// Red, green and blue for each pixel, row by row from the upper left.
 struct RgbImage {
   int width;
   int height;
   Bytes pixels;
 };
 
-/// A mistake in a file's content. readPhotograph() adds the name of the file.
+/// A mistake in a file. readPhotograph() adds the file's name.
 class BadContent : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -63,8 +63,8 @@ void checkSize(double width, double height) {
   }
 }
 
-/// The smallest scale of the decoder that makes a JPEG at least as large as the camera's sensor. This saves most of
-/// the work on large photographs.
+/// The decoder's smallest scale that is at least as large as the camera's sensor. It saves most of the work on large
+/// photographs.
 tjscalingfactor smallestSufficientScale(int width, int height) {
   int count = 0;
   const tjscalingfactor* factors = tjGetScalingFactors(&count);
@@ -100,7 +100,7 @@ RgbImage decodeJpeg(const Bytes& file) {
   return image;
 }
 
-/// Takes the next number from a PPM's header, after any white space and comments.
+/// Takes a number from a PPM's header, after white space and comments.
 int takeNumber(const Bytes& file, std::size_t* position) {
   constexpr int kLongestNumber = 9;
   while (*position < file.size() && (std::isspace(file[*position]) != 0 || file[*position] == '#')) {
@@ -145,14 +145,13 @@ RgbImage decodePpm(const Bytes& file) {
   return image;
 }
 
-/// The contribution of a photograph's pixel to a pixel of the camera, in one direction.
+/// How much a photograph's pixel contributes to a pixel of the camera, in one direction.
 struct Share {
   int source;
   float weight;
 };
 
-/// For each of `count` pixels the source's pixels that it covers, and how much of each. The weights of a pixel sum
-/// to 1.
+/// For each of `count` pixels, the source's pixels under it and their weights, which sum to 1.
 std::vector<std::vector<Share>> sharesOf(int count, double begin, double length, int source_size) {
   std::vector<std::vector<Share>> all(static_cast<std::size_t>(count));
   const double step = length / count;
@@ -168,7 +167,7 @@ std::vector<std::vector<Share>> sharesOf(int count, double begin, double length,
   return all;
 }
 
-/// The mean colour of the pixels that two shares select.
+/// The mean colour of the pixels in both shares.
 YCrCb meanOf(const RgbImage& image, const std::vector<Share>& row, const std::vector<Share>& column) {
   float sum[kBytesPerPixel] = {};
   for (const Share& down : row) {

@@ -17,9 +17,8 @@ size_t indexOf(int x, int y) {
   return static_cast<size_t>(y) * kPictureWidth + static_cast<size_t>(x);
 }
 
-/// The size of a pixel on the surface along each axis: its width across the ray, stretched where the surface is seen at
-/// a slant.
-/// @param pixel_size 1, or less for a part of a pixel
+/// A pixel's size on the surface along each axis: its width across the ray, stretched where the surface is slanted.
+/// @param pixel_size less than 1 for a part of a pixel
 Vector3d footprintOf(const SceneHit& hit, const Vector3d& direction, double pixel_size) {
   constexpr double kFlattestSlant = 0.02;
   const double width = hit.distance * pixel_size / focalLengthX();
@@ -36,18 +35,17 @@ bool isOfRoom(Surface surface) {
   return surface == Surface::kFloor || surface == Surface::kWall || surface == Surface::kCeiling;
 }
 
-/// The side of a block in pixels. The picture consists of whole blocks.
+/// In pixels. The picture consists of whole blocks.
 constexpr int kBlock = 4;
 
 static_assert(kPictureWidth % kBlock == 0 && kPictureHeight % kBlock == 0, "see above");
 
-/// A value for each pixel of a block.
 template <typename Value>
 using Block = std::array<Value, static_cast<size_t>(kBlock* kBlock)>;
 
 constexpr size_t kBlockCorners[] = {0, kBlock - 1, kBlock*(kBlock - 1), kBlock* kBlock - 1};
 
-/// Whether all show a single plane.
+/// True if all show one plane.
 template <std::size_t kSize>
 bool isFlat(const std::array<SceneHit, kSize>& hits) {
   return isOfRoom(hits[0].surface) && std::all_of(hits.begin(), hits.end(), [&](const SceneHit& hit) {
@@ -55,7 +53,7 @@ bool isFlat(const std::array<SceneHit, kSize>& hits) {
          });
 }
 
-/// The mean of the values at the corners of a block that holds for one of its pixels.
+/// The mean of the values at the block's corners, for one pixel.
 Illumination meanOfCorners(const Block<Illumination>& light, size_t pixel) {
   const auto mean = [](const Illumination& from, const Illumination& to, double share) {
     return Illumination{from.lamp + share * (to.lamp - from.lamp),
@@ -67,14 +65,14 @@ Illumination meanOfCorners(const Block<Illumination>& light, size_t pixel) {
               mean(light[kBlockCorners[2]], light[kBlockCorners[3]], across), down);
 }
 
-/// Whether nobody sees the difference.
+/// True if nobody could see the difference.
 bool lookTheSame(const Illumination& one, const Illumination& other) {
   constexpr double kVisible = 0.015;
   return std::abs(one.lamp - other.lamp) < kVisible && std::abs(one.openness - other.openness) < kVisible;
 }
 
-/// Calculates the light on the corners and in one place between them. If that is a mean of the corners, so are the
-/// other pixels; else they are calculated, too.
+/// Calculates the light at the corners and one place between them. If the light there is the mean of the corners, all
+/// other pixels are means, too. Otherwise they are calculated as well.
 /// @param is_flat the block shows a single plane
 template <typename Calculate>
 void illuminate(bool is_flat, const Calculate& calculate, Block<Illumination>* light) {
@@ -91,9 +89,8 @@ void illuminate(bool is_flat, const Calculate& calculate, Block<Illumination>* l
   }
 }
 
-/// From where to where in the picture a ball may be seen along one of the picture's axes: between the tangents from the
-/// camera, in pixels, but not beyond the picture.
-/// @param ahead,aside of the ball's centre; aside is positive in the direction of the axis
+/// In pixels: where a ball may appear along an axis of the picture, between the tangents from the camera.
+/// @param ahead,aside the ball's centre; aside is positive in the direction of the axis
 std::pair<double, double> extentOf(double ahead, double aside, double radius, double focal_length, double size) {
   const double distance = std::hypot(ahead, aside);
   if (distance <= radius) {
@@ -102,7 +99,7 @@ std::pair<double, double> extentOf(double ahead, double aside, double radius, do
   const double direction = std::atan2(aside, ahead);
   const double half = std::asin(radius / distance);
   const auto place = [=](double angle) {
-    constexpr double kBeside = 1.5;  // radian, far beyond the picture
+    constexpr double kBeside = 1.5;  // radians, far beyond the picture
     return std::clamp(size / 2 + focal_length * std::tan(std::clamp(angle, -kBeside, kBeside)), 0.0, size);
   };
   return {place(direction - half), place(direction + half)};
@@ -112,7 +109,7 @@ float luminanceOf(const Color& light) {
   return static_cast<float>(0.299 * light[0] + 0.587 * light[1] + 0.114 * light[2]);
 }
 
-/// @param parts as of Renderer::lightOfParts()
+/// @param parts see Renderer::lightOfParts()
 FineDetail relativeDetail(const std::array<Color, 4>& parts) {
   float luminance[4];
   std::transform(parts.begin(), parts.end(), luminance, luminanceOf);
@@ -123,7 +120,7 @@ FineDetail relativeDetail(const std::array<Color, 4>& parts) {
 
 }  // namespace
 
-/// A camera that is ready to cast rays.
+/// A camera that casts rays.
 class Renderer::Eye {
  public:
   explicit Eye(const Eigen::Isometry3d& camera)
@@ -132,7 +129,7 @@ class Renderer::Eye {
         left_(camera.linear().col(1) / focalLengthX()),
         up_(camera.linear().col(2) / focalLengthY()) {}
 
-  /// The ray through a place in the picture (camera_optics.h).
+  /// @param x,y a place in the picture (camera_optics.h)
   Ray rayThrough(double x, double y) const {
     const Vector3d direction = ahead_ + (kPictureWidth / 2.0 - x) * left_ + (kPictureHeight / 2.0 - y) * up_;
     return {place_, direction * (1 / direction.norm())};
@@ -141,7 +138,7 @@ class Renderer::Eye {
  private:
   Vector3d place_;
   Vector3d ahead_;
-  Vector3d left_;  // pixel by pixel
+  Vector3d left_;  // from a pixel to the next
   Vector3d up_;
 };
 
@@ -218,7 +215,7 @@ void Renderer::drawBlock(const Eye& eye, int left, int top) {
   std::array<SceneHit, std::size(kBlockCorners)> corners;
   std::transform(std::begin(kBlockCorners), std::end(kBlockCorners), corners.begin(),
                  [&](size_t corner) { return scene_.castRay(rays[corner], visible); });
-  // The faces of a room are convex: one that shows in all corners of a block shows in all of it.
+  // A room's faces are convex, so a face that shows in all corners of a block fills it.
   const bool is_flat = visible == 0 && isFlat(corners);
   for (size_t i = 0; i < rays.size(); ++i) {
     hits[i] = is_flat ? Scene::castRayAtPlane(rays[i], corners[0]) : scene_.castRay(rays[i], near_[pixelOf(i)].visible);
@@ -246,13 +243,14 @@ void Renderer::smoothEdges(const Eye& eye, const Window& window) {
   }
 }
 
-/// The four parts of a pixel: upper left, upper right, lower left, lower right. Parts that show the same face share its
+/// The parts of a pixel: upper left, upper right, lower left, lower right. Parts with the same face share its
 /// illumination.
 std::array<Color, 4> Renderer::lightOfParts(const Eye& eye, int x, int y) const {
   constexpr double kPart = 0.5;
   constexpr double kMiddles[] = {0.25, 0.75};
   const Near& near = near_[indexOf(x, y)];
-  Seen faces[] = {seen_[indexOf(x, y)], seen_[indexOf(x, y)]};  // its middle, and the last other one
+  // The face in the middle of the pixel, and the last other face.
+  Seen faces[] = {seen_[indexOf(x, y)], seen_[indexOf(x, y)]};
   std::array<Color, 4> parts;
   Color* part = parts.data();
   for (const double down : kMiddles) {
@@ -269,7 +267,7 @@ std::array<Color, 4> Renderer::lightOfParts(const Eye& eye, int x, int y) const 
   return parts;
 }
 
-/// Compares each pixel in the window with those around it, each two only once.
+/// Compares each pixel in the window with its neighbours, each pair once.
 void Renderer::findEdges(const Window& window) {
   std::fill(is_edge_.begin(), is_edge_.end(), false);
   const auto compare = [this](size_t one, size_t other) {
@@ -289,9 +287,9 @@ void Renderer::findEdges(const Window& window) {
   }
 }
 
-/// The pixels that may show a part of a ball, or of something inside it.
+/// The pixels that may show a ball, or something inside it.
 Renderer::Window Renderer::windowAround(const Eigen::Isometry3d& camera, const Vector3d& center, double radius) {
-  constexpr double kMargin = 2;  // pixels; smoothed edges reach a pixel beyond the object
+  constexpr double kMargin = 2;  // pixels; smooth edges reach one pixel beyond the object
   const Vector3d seen = camera.inverse() * center;
   const auto [left, right] = extentOf(seen.x(), -seen.y(), radius, focalLengthX(), kPictureWidth);
   const auto [top, bottom] = extentOf(seen.x(), -seen.z(), radius, focalLengthY(), kPictureHeight);

@@ -14,28 +14,28 @@
 
 namespace simulated_ers7 {
 
-/// Linear light per pixel of the H layer, row by row from the upper left.
+/// Linear, for each pixel of layer H, row by row from the upper left.
 using LightImage = std::vector<Color>;
 
-/// Fine detail of luminance in a pixel's light, relative to it: 0 where the pixel is even.
+/// The luminance's fine detail in each pixel, relative to its light: 0 for an even pixel.
 using DetailImage = std::vector<FineDetail>;
 
-/// Casts a ray through every pixel, and four rays at the edges of surfaces, to make them smooth. How much light falls
-/// on floor and walls is calculated for every fourth pixel of every fourth row where it hardly changes in between, and
-/// only the bodies close to a pixel are looked at.
+/// Casts a ray through every pixel, and four at the edges of surfaces to smooth them. Where light on floor and walls
+/// hardly changes, only every fourth pixel of every fourth row is calculated. Only the bodies near a pixel are
+/// considered.
 ///
-/// Keeps the last picture: while the camera rests, only the surroundings of moving bodies are drawn again, which gives
-/// the same picture in a fraction of the time. Not thread-safe.
+/// While the camera rests, only the surroundings of moving bodies are drawn again. This gives the same picture in a
+/// fraction of the time. Not thread-safe.
 class Renderer {
  public:
   /// @param scene must outlive the renderer
   explicit Renderer(const Scene& scene);
 
-  /// @param camera pose of the camera in the room, as in head_kinematics.h; inside the room
+  /// @param camera its pose in the room (head_kinematics.h), inside the room
   /// @return the picture, valid until the next call
   const LightImage& render(const Eigen::Isometry3d& camera);
 
-  /// The fine detail of the last picture: of the edges of surfaces, whose parts are drawn one by one.
+  /// The last picture's fine detail. It comes from the edges of surfaces.
   const DetailImage& detail() const { return detail_; }
 
  private:
@@ -45,14 +45,14 @@ class Renderer {
     Eigen::Vector3d normal;
     Illumination light;
 
-    /// Whether something else looks like the same face.
+    /// True if the other one looks like the same face.
     bool isAlso(Surface other_surface, const Eigen::Vector3d& other_normal) const {
       constexpr double kSameFace = 0.8;  // cosine between normals
       return surface == other_surface && normal.dot(other_normal) >= kSameFace;
     }
   };
 
-  /// Pixels left..right-1 in rows top..bottom-1.
+  /// Columns left..right-1, rows top..bottom-1.
   struct Window {
     int left;
     int top;
@@ -60,7 +60,6 @@ class Renderer {
     int bottom;
   };
 
-  /// The bodies that matter to a pixel.
   struct Near {
     BodySet visible;
     BodySet changing_light;
@@ -82,10 +81,10 @@ class Renderer {
   LightImage picture_;
   DetailImage detail_;
   std::vector<Seen> seen_;
-  std::vector<char> is_edge_;  ///< whether a pixel next to it shows another face
+  std::vector<char> is_edge_;  ///< a neighbouring pixel shows another face
   std::vector<Near> near_;
   std::optional<Eigen::Isometry3d> drawn_from_;   ///< the camera's pose in picture_
-  std::vector<Eigen::Vector3d> drawn_positions_;  ///< of the scene's bodies in picture_
+  std::vector<Eigen::Vector3d> drawn_positions_;  ///< the scene's bodies in picture_
 };
 
 }  // namespace simulated_ers7

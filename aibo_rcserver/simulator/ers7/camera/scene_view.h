@@ -16,16 +16,16 @@ namespace simulated_ers7 {
 
 class SceneView : public PictureSource {
  public:
-  /// @param scene is set to the time of each picture; must outlive the view
+  /// @param scene set to each picture's time; must outlive the view
   SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
-  /// Initially restingHead().
+  /// Begins with restingHead().
   void setHead(const HeadAngles& angles) override { head_ = angles; }
 
-  /// Initially level, kStandingHeight over the floor.
+  /// Begins level, kStandingHeight above the floor.
   void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
 
-  /// Pose of the camera in the room.
+  /// In the room.
   Eigen::Isometry3d camera() const { return body_ * cameraInBody(head_); }
 
   const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override {

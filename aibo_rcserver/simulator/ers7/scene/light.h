@@ -1,6 +1,6 @@
 /// @file light.h
-/// How the surfaces of the scene look, and the light that they send to a viewer. One large lamp gives soft shadows, and
-/// all walls throw light back.
+/// How surfaces look, and the light that they send to a viewer. A single large lamp gives soft shadows, and all walls
+/// reflect light.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHT_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_LIGHT_H
 
@@ -10,33 +10,30 @@
 
 namespace simulated_ers7 {
 
-/// Red, green and blue light; linear, 1 = white paper in full light.
+/// Red, green and blue, linear; 1 is white paper in full light.
 using Color = Eigen::Array3d;
 
-/// The appearance of a point on a surface.
 struct Appearance {
-  Color albedo;      ///< part of the light that is reflected, 0..1
-  double gloss = 0;  ///< strength of the highlight, 0 (cloth) .. 1 (varnish)
+  Color albedo;      ///< reflected share of the light, 0..1
+  double gloss = 0;  ///< strength of the highlight: 0 is cloth, 1 is varnish
 };
 
-/// The appearance where a ray hits, as the mean over the area of one pixel. The mean is calculated, not sampled, so
-/// lines stay clean at any distance.
+/// The mean over the area of a pixel. It is calculated, not sampled, so lines stay clean at any distance.
 /// @param footprint size of the pixel along x, y and z of the room, in metres
 Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 
-/// The distance from a body, in metres, up to which it changes the light on other surfaces; at least its reach().
+/// How far from it a body changes the light on other surfaces, in metres; at least its reach().
 double lightReach(const Body& body);
 
-/// How much light falls on a point of a surface.
 struct Illumination {
-  double lamp;      ///< part of the lamp's light, as if it came straight from above the surface
-  double openness;  ///< part of the light from all around
+  double lamp;      ///< share of the lamp's light, as if straight from above
+  double openness;  ///< share of the light from all around
 };
 
-/// @param near bodies that may change the light; others are further away than their lightReach()
+/// @param near the bodies that may change the light; others are beyond their lightReach()
 Illumination illuminationOf(const Scene& scene, const SceneHit& hit, BodySet near = kAllBodies);
 
-/// The light from a point on a surface towards a viewer.
+/// The light from a surface to a viewer.
 /// @param direction of the viewer's ray, of length 1
 Color lightFrom(const SceneHit& hit, const Appearance& appearance, const Illumination& illumination,
                 const Eigen::Vector3d& direction);

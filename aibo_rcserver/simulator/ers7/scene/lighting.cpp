@@ -10,17 +10,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Direction of the room's lamp from the centre of the carpet: above, to the left and behind the robot.
+// From the centre of the carpet. The lamp is above, to the left of and behind the robot.
 const Vector3d kToLamp = Vector3d(-0.42, 0.50, 0.76).normalized();
 const Color kLampLight(0.96, 0.91, 0.82);
 // Ambient light: cool from above, warm and weak from the floor.
 const Color kLightFromAbove(0.56, 0.58, 0.62);
 const Color kLightFromBelow(0.34, 0.35, 0.30);
 
-/// Tangent of half the lamp's visual angle, which determines how fast shadows become soft.
+/// Tangent of half the lamp's visual angle, which makes shadows soft.
 constexpr double kLampSize = 0.16;
 
-/// Part of the lamp's light that `body` lets reach `point`: the ray's closest approach to it in penumbra widths.
+/// The share of the lamp's light that passes `body`, from the ray's closest approach in penumbra widths.
 double lampBeside(const Body& body, const Vector3d& point) {
   constexpr double kShortestStep = 0.006;
   const Vector3d to_body = body.position() - point;
@@ -43,8 +43,8 @@ double lampBeside(const Body& body, const Vector3d& point) {
   return share * share * (3 - 2 * share);
 }
 
-/// Part of the ambient light that `body` lets reach `point`, which darkens the places where things touch. Samples
-/// points along the normal and compares their distance to the body with the distance to the surface.
+/// The share of ambient light that passes `body`; it darkens places where things touch. It samples points along the
+/// normal, and compares their distances to the body and the surface.
 double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& normal) {
   constexpr double kSteps[] = {0.010, 0.022, 0.045};
   constexpr double kFarthest = 2 * 0.045;
@@ -65,7 +65,7 @@ double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& n
   return 1 - 0.85 * hidden;
 }
 
-/// Part of the ambient light that floor and walls let through: corners of a room are darker.
+/// The share of ambient light that floor and walls let through. Corners are darker.
 double opennessOfRoom(const Vector3d& point, const Vector3d& normal) {
   constexpr double kDepth = 0.45;
   constexpr double kFalloff = 0.08;
@@ -90,7 +90,7 @@ double highlight(const Vector3d& normal, const Vector3d& direction) {
 }  // namespace
 
 double lightReach(const Body& body) {
-  constexpr double kLengthOfShadow = 2.6;  // in units of reach(); beyond it the shadow is too soft to see
+  constexpr double kLengthOfShadow = 2.6;  // a multiple of reach(); beyond it nobody sees the shadow
   return kLengthOfShadow * body.reach();
 }
 

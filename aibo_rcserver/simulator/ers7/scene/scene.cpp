@@ -50,11 +50,10 @@ Body makeBone() {
   return Body({0.64, -0.13, knob}, 1.0, std::move(parts));
 }
 
-/// Position and rotation of the charging station.
 const Vector3d kStation(1.42, 0.42, 0);
 constexpr double kStationYaw = 0.45;
 
-/// A plate to lie on, with the dock for the robot's belly.
+/// A plate to lie on, with a dock for the robot's belly.
 Body makeStation() {
   return Body(kStation, kStationYaw,
               {{Box{{0, 0, 0.012}, {0.15, 0.13, 0.012}}, Surface::kStation},
@@ -62,7 +61,7 @@ Body makeStation() {
                {Box{{0.12, 0, 0.060}, {0.028, 0.085, 0.036}}, Surface::kStation}});
 }
 
-/// The pole at the back of the station, which guides the robot home.
+/// The pole behind the station guides the robot home.
 Body makeStationPole() {
   const double half_length = 0.105;
   const double foot = 0.09;
@@ -76,7 +75,7 @@ Body makeCube(double x, double y, double yaw, double size, Surface surface) {
   return Body({x, y, size / 2}, yaw, {{Box{Vector3d::Zero(), Vector3d::Constant(size / 2)}, surface}});
 }
 
-/// The ball's index in bodies_.
+/// In bodies_.
 constexpr size_t kBall = 0;
 
 SceneHit castRayAtRoom(const Ray& ray) {
@@ -167,7 +166,7 @@ SceneHit Scene::castRay(const Ray& ray, BodySet among) const {
     const Vector3d to_body = body.position() - ray.origin;
     const double along = to_body.dot(ray.direction);
     if (to_body.squaredNorm() - along * along > body.reach() * body.reach()) {
-      continue;  // the ray misses it
+      continue;  // the ray misses the body
     }
     const Ray local{-body.turnToBody(to_body), body.turnToBody(ray.direction)};
     for (const Part& part : body.parts()) {

@@ -1,5 +1,5 @@
 /// @file scene.h
-/// The room around the simulated ERS-7, for its camera and its distance sensors.
+/// The room around the simulated ERS-7, for camera and distance sensors.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SCENE_H
 
@@ -11,12 +11,10 @@
 
 namespace simulated_ers7 {
 
-/// @name Where things are
-/// Metres and seconds, in the frame of Scene. Nothing here is measured, but ball and bone are about as large as those
-/// that came with the robot.
-/// @{
+/// Sizes and places in metres, times in seconds, in the frame of Scene. They are invented, but ball and bone are about
+/// as large as the originals.
 
-/// The two opposite corners of the room, between walls, floor and ceiling.
+/// Opposite corners of the room.
 constexpr double kLowestCorner[] = {-1.6, -1.9, 0};
 constexpr double kHighestCorner[] = {3.2, 2.1, 2.5};
 
@@ -35,9 +33,8 @@ constexpr double kBallRadius = 0.0425;
 constexpr double kBallX = kCarpetX;
 constexpr double kBallSwing = 0.16;
 constexpr double kBallPeriod = 6.0;
-/// @}
 
-/// The material of a part. light.h has its colours.
+/// A part's material. light.h has its colours.
 enum class Surface {
   kFloor,
   kWall,
@@ -51,7 +48,7 @@ enum class Surface {
   kYellowCube
 };
 
-/// One shape of a body, in the body's own frame.
+/// A shape of a body, in the body's frame.
 struct Part {
   Shape shape;
   Surface surface;
@@ -60,22 +57,22 @@ struct Part {
 /// A thing on the floor: shapes that move together.
 class Body {
  public:
-  /// @param position of the origin of its frame in the room
-  /// @param yaw rotation about the vertical to the left, in radian
+  /// @param position the origin of its frame, in the room
+  /// @param yaw about the vertical, to the left, in radians
   Body(const Eigen::Vector3d& position, double yaw, std::vector<Part> parts);
 
   const Eigen::Vector3d& position() const { return position_; }
   void setPosition(const Eigen::Vector3d& position) { position_ = position; }
 
-  /// Radius of the ball around position() that contains the whole body.
+  /// The radius of the smallest ball around position() that contains the body.
   double reach() const { return reach_; }
 
-  /// Height of its highest point in the room.
+  /// Height of the highest point in the room.
   double top() const { return position_.z() + top_; }
 
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// Conversions between the room's frame and the body's.
+  /// Between the room's frame and the body's.
   Eigen::Vector3d pointToBody(const Eigen::Vector3d& point) const { return turnToBody(point - position_); }
   Eigen::Vector3d turnToBody(const Eigen::Vector3d& vector) const {
     return {cos_yaw_ * vector.x() + sin_yaw_ * vector.y(), cos_yaw_ * vector.y() - sin_yaw_ * vector.x(), vector.z()};
@@ -84,11 +81,11 @@ class Body {
     return {cos_yaw_ * vector.x() - sin_yaw_ * vector.y(), cos_yaw_ * vector.y() + sin_yaw_ * vector.x(), vector.z()};
   }
 
-  /// Distance from a point to the body's surface, negative inside.
+  /// Distance to the body's surface, negative inside.
   /// @param point in the body's frame
   double distanceInBody(const Eigen::Vector3d& point) const;
 
-  /// The same from a point of the room.
+  /// The same for a point in the room.
   double signedDistance(const Eigen::Vector3d& point) const { return distanceInBody(pointToBody(point)); }
 
  private:
@@ -100,24 +97,23 @@ class Body {
   double top_;
 };
 
-/// A choice of bodies: bit i stands for bodies()[i]. It spares the renderer those that cannot matter.
+/// Bit i stands for bodies()[i]. The renderer skips bodies that do not matter.
 using BodySet = std::uint8_t;
 
 constexpr BodySet kAllBodies = 0xFF;
 
-/// The end of a ray.
 struct SceneHit {
   double distance;              ///< from the ray's origin
   Eigen::Vector3d point;        ///< in the room
-  Eigen::Vector3d normal;       ///< of length 1, in the room, on the side of the ray's origin
-  Eigen::Vector3d local_point;  ///< in the frame of the body that was hit
+  Eigen::Vector3d normal;       ///< has length 1, in the room, on the ray's side
+  Eigen::Vector3d local_point;  ///< in the frame of the body
   Surface surface;
 };
 
 /// A living room with a small soccer carpet, a ball, a bone, a charging station and two toy cubes.
 ///
-/// The frame: x in the direction in which the robot looks at first, y to its left, z up, metres. The floor is z = 0,
-/// and the robot's body is over the origin. The same time always gives the same scene. Not thread-safe.
+/// x is the direction in which the robot looks at first, y is to its left, z is up, in metres. The floor is z = 0, and
+/// the robot begins above the origin. The same time always gives the same scene. Not thread-safe.
 class Scene {
  public:
   Scene();
@@ -126,25 +122,24 @@ class Scene {
   /// @param seconds since the robot was switched on
   void setTime(double seconds);
 
-  /// The first thing that a ray from inside the room hits. The room is closed, so there always is one.
-  /// @param among bodies that it may hit; it passes through the others
+  /// What a ray from inside the room hits first. The room is closed, so there is always something.
+  /// @param among the ray passes through all other bodies
   SceneHit castRay(const Ray& ray, BodySet among = kAllBodies) const;
 
-  /// Everything in the room except the room itself, at most eight bodies.
+  /// At most eight bodies. The room itself is not one of them.
   const std::vector<Body>& bodies() const { return bodies_; }
 
-  /// Where a ray leaves the room through a plane, given where another ray does.
+  /// Where a ray hits the plane of the room that another ray hit.
   static SceneHit castRayAtPlane(const Ray& ray, const SceneHit& plane) {
     const double distance = (plane.point - ray.origin).dot(plane.normal) / ray.direction.dot(plane.normal);
     const Eigen::Vector3d point = ray.at(distance);
     return {distance, point, plane.normal, point, plane.surface};
   }
 
-  /// Distance from a point in the room to the nearest body or wall, in metres; negative inside of a body or beyond a
-  /// wall. Floor and ceiling do not count.
+  /// Distance to the nearest body or wall, in metres; negative inside a body or beyond a wall. Floor and ceiling do not
+  /// count.
   double clearance(const Eigen::Vector3d& point) const;
 
-  /// The current centre of the ball.
   const Eigen::Vector3d& ballCenter() const;
 
  private:

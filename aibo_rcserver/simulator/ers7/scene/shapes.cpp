@@ -31,7 +31,7 @@ std::optional<ShapeHit> intersectMantle(const Ray& ray, const Capsule& capsule) 
   const double axis_direction = axis.dot(ray.direction);
   const double axis_offset = axis.dot(offset);
   const double a = axis_axis - axis_direction * axis_direction;
-  if (a <= 0) {  // along the axis only the caps can be hit
+  if (a <= 0) {  // along the axis, a ray hits only the caps
     return std::nullopt;
   }
   const double half_b = axis_axis * offset.dot(ray.direction) - axis_offset * axis_direction;

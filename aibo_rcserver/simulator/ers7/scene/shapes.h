@@ -1,6 +1,5 @@
 /// @file shapes.h
-/// The solid shapes of things in the scene, with functions for a ray caster.
-/// Lengths in metres. All functions are pure.
+/// Solid shapes for a ray caster, in metres.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SCENE_SHAPES_H
 
@@ -10,22 +9,21 @@
 
 namespace simulated_ers7 {
 
-/// A half line.
 struct Ray {
   Eigen::Vector3d origin;
-  Eigen::Vector3d direction;  ///< of length 1
+  Eigen::Vector3d direction;  ///< has length 1
 
   Eigen::Vector3d at(double distance) const { return origin + distance * direction; }
 };
 
-/// All points within `radius` of the line from `start` to `end`. A sphere if both are the same point.
+/// All points within `radius` of the line from `start` to `end`; a sphere if these are the same.
 struct Capsule {
   Eigen::Vector3d start;
   Eigen::Vector3d end;
   double radius;
 };
 
-/// A box with faces parallel to the axes.
+/// Parallel to the axes.
 struct Box {
   Eigen::Vector3d center;
   Eigen::Vector3d half_size;
@@ -33,16 +31,15 @@ struct Box {
 
 using Shape = std::variant<Capsule, Box>;
 
-/// The point where a ray hits a shape.
 struct ShapeHit {
   double distance;         ///< from the ray's origin
   Eigen::Vector3d normal;  ///< outwards, of length 1
 };
 
-/// The point where `ray` enters `shape`; nothing if it misses it, or if its origin is inside or beyond the shape.
+/// Where `ray` enters `shape`; empty if it misses the shape or begins inside it or beyond it.
 std::optional<ShapeHit> intersect(const Ray& ray, const Shape& shape);
 
-/// Distance from `point` to the surface of `shape`, negative inside.
+/// Negative inside.
 double signedDistance(const Eigen::Vector3d& point, const Shape& shape);
 
 }  // namespace simulated_ers7

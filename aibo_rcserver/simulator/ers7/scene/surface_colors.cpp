@@ -34,7 +34,7 @@ Color mix(const Color& from, const Color& to, double share) {
   return from + share * (to - from);
 }
 
-/// The extent of a pixel along one axis.
+/// A pixel's extent along one axis.
 struct Span {
   double low;
   double high;
@@ -46,19 +46,19 @@ struct Span {
   double width() const { return high - low; }
 };
 
-/// The next lower whole number. std::floor() is a slow call on processors without SSE 4.1.
+/// std::floor() is slow on processors without SSE 4.1.
 int64_t wholeBelow(double value) {
   const auto whole = static_cast<int64_t>(value);
   return whole - (static_cast<double>(whole) > value ? 1 : 0);
 }
 
-/// Part of the span between two positions.
+/// The share of the span between two positions.
 double coverage(const Span& span, double low, double high) {
   const double overlap = std::min(span.high, high) - std::max(span.low, low);
   return overlap > 0 ? overlap * span.per_width : 0;
 }
 
-/// Part of the span in bands that begin every `period` and are `thickness` wide.
+/// The share of the span in bands of this period and thickness.
 double repeatedCoverage(const Span& span, double period, double thickness) {
   if (span.width() >= period) {
     return thickness / period;
@@ -67,8 +67,8 @@ double repeatedCoverage(const Span& span, double period, double thickness) {
   return coverage(span, band, band + thickness) + coverage(span, band + period, band + period + thickness);
 }
 
-/// A square of pseudo-random numbers in 0..1, row by row. Larger than the eye can follow, small enough for the
-/// processor's cache.
+/// A square of pseudo-random numbers in 0..1. It is too large for the eye to notice repetition, and small enough for
+/// the processor's cache.
 constexpr std::size_t kGridSize = 128;
 
 std::vector<float> makeGrid() {
@@ -83,12 +83,12 @@ std::vector<float> makeGrid() {
 
 const std::vector<float> kGrid = makeGrid();
 
-/// The number for a cell of the grid, which is repeated in all directions.
+/// The grid repeats in all directions.
 double cellValue(int64_t x, int64_t y) {
   return kGrid[static_cast<std::size_t>(y) % kGridSize * kGridSize + static_cast<std::size_t>(x) % kGridSize];
 }
 
-/// Smooth noise of mean 0 between -1 and 1, with bumps of size 1.
+/// Mean 0, between -1 and 1, with bumps of size 1.
 double smoothNoise(double x, double y) {
   const int64_t column = wholeBelow(x);
   const int64_t row = wholeBelow(y);
@@ -101,18 +101,18 @@ double smoothNoise(double x, double y) {
   return 2 * (upper * (1 - share_y) + lower * share_y) - 1;
 }
 
-/// How visible a texture with bumps of `size` is when a pixel covers `width`.
+/// Visibility of a texture with bumps of `size` in a pixel of `width`.
 double visibility(double size, double width) {
   return std::clamp(1.5 * size / width - 0.5, 0.0, 1.0);
 }
 
-/// Noise with this strength and size of bumps, as seen by a pixel that covers `width`.
+/// Noise of this strength and size of bumps in a pixel of `width`.
 double texture(double strength, double size, double width, double x, double y) {
   const double visible = visibility(size, width);
   return visible > 0 ? strength * visible * smoothNoise(x, y) : 0;
 }
 
-/// How much of the pixel a line around a rectangle covers.
+/// The share of the pixel under a rectangle's outline.
 double outline(const Span& x, const Span& y, double half_length, double half_width) {
   const double beyond_ends = std::abs(x.middle()) - half_length;
   const double beyond_sides = std::abs(y.middle()) - half_width;
@@ -127,7 +127,7 @@ double outline(const Span& x, const Span& y, double half_length, double half_wid
   return outer - inner;
 }
 
-/// How much of the pixel the line around the center circle covers.
+/// The share of the pixel under the centre circle's line.
 double circleLine(const Span& x, const Span& y) {
   const double radius = std::sqrt(x.middle() * x.middle() + y.middle() * y.middle());
   if (std::abs(radius - kCenterCircleRadius) > kLineHalfWidth + x.width() + y.width()) {
@@ -137,7 +137,7 @@ double circleLine(const Span& x, const Span& y) {
   return coverage({radius, width}, kCenterCircleRadius - kLineHalfWidth, kCenterCircleRadius + kLineHalfWidth);
 }
 
-/// How much of the pixel the white lines cover. x and y are measured from the middle of the carpet.
+/// The share of the pixel under white lines. x and y begin in the middle of the carpet.
 double fieldLines(const Span& x, const Span& y) {
   constexpr double kHalfLength = kCarpetHalfLength - kLineInset;
   constexpr double kHalfWidth = kCarpetHalfWidth - kLineInset;
@@ -185,10 +185,10 @@ Appearance floorAppearance(const SceneHit& hit, const Eigen::Vector3d& footprint
   return {mix(parquet(x, y), carpet(x, y), on_carpet)};
 }
 
-/// Something flat on a wall: a rectangle with a frame.
+/// A framed rectangle on a wall.
 struct Panel {
   Eigen::Vector3d wall_normal;
-  double left;  ///< lower and upper end along the wall, in the room's x or y
+  double left;  ///< along the wall, in the room's x or y
   double right;
   double bottom;
   double top;

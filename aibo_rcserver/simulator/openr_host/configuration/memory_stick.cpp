@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-/// A line without its comment and the space around it; never empty.
+/// Without comment and surrounding space; never empty.
 struct Line {
   std::string text;
   int number;
@@ -26,7 +26,7 @@ std::optional<std::string> parseModel(const std::string& content) {
   return withoutSpaceAround(content.substr(1, content.size() - 2));
 }
 
-/// All lines but those that name models.
+/// All lines for this design, without those that name models.
 std::vector<Line> readLines(std::istream& text, const std::string& design) {
   std::vector<Line> lines;
   bool is_for_design = true;
@@ -43,7 +43,7 @@ std::vector<Line> readLines(std::istream& text, const std::string& design) {
   return lines;
 }
 
-/// The name, in capitals, of an object's file. Names on the stick have at most eight characters before the dot.
+/// The file's name in capitals. On the stick, names have at most eight characters before the dot.
 std::optional<std::string> parseObject(std::string path) {
   const std::string folder = "/MS/OPEN-R/MW/OBJS/";
   const std::string ending = ".BIN";
@@ -61,7 +61,6 @@ std::optional<std::string> parseObject(std::string path) {
   return is_allowed ? std::make_optional(name) : std::nullopt;
 }
 
-/// A word of CONNECT.CFG.
 struct Word {
   std::string text;
   int line;
@@ -94,7 +93,7 @@ ServiceName parseService(const Word& word, const std::string& file, const std::v
   return *name;
 }
 
-/// Checks a connection against those before it.
+/// Compares a connection with earlier ones.
 void check(const ServiceConnection& added, const std::vector<ServiceConnection>& connections, const std::string& file,
            int observer_line) {
   const std::string subject = added.subject.text();

@@ -17,10 +17,10 @@
 
 namespace openr_host {
 
-/// The stack's copy of a message that an object has sent, with the receiver of the answer.
+/// The stack's copy of an object's message, with the receiver of the answer.
 class Envelope {
  public:
-  /// @param size bytes of the message
+  /// @param size of the message, in bytes
   Envelope(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry)
       : object_(object), entry_(entry), copy_(new std::max_align_t[size / sizeof(std::max_align_t) + 1]) {
     std::memcpy(copy_.get(), &message, size);
@@ -32,7 +32,7 @@ class Envelope {
   ANTENVMSG content() const { return copy_.get(); }
   antEnvMsg& message() const { return *antEnvMsg::Receive(content()); }
 
-  /// The message as the type that belongs to its operation.
+  /// The message as the type of its operation.
   template <typename Message>
   Message& as() const {
     return static_cast<Message&>(message());
@@ -44,17 +44,16 @@ class Envelope {
   std::shared_ptr<std::max_align_t[]> copy_;
 };
 
-/// Sends an answered message back to its object.
+/// Returns an answered message to its object.
 using Deliver = std::function<void(const Envelope&)>;
 
-/// Answers a message with an error.
 template <typename Message, typename Error>
 void answer(const Deliver& deliver, const Envelope& message, Error error) {
   message.as<Message>().error = error;
   deliver(message);
 }
 
-/// A request that an endpoint has not answered yet; there is at most one of each kind.
+/// An endpoint's unanswered request of one kind; there is at most one.
 template <typename Message>
 class PendingMessage {
  public:
@@ -66,7 +65,6 @@ class PendingMessage {
 
   void begin(const Envelope& message) { envelope_ = message; }
 
-  /// Answers the message. Does nothing if there is none.
   template <typename Error>
   void end(Error error) {
     if (envelope_) {
@@ -79,17 +77,16 @@ class PendingMessage {
   std::optional<Envelope> envelope_;
 };
 
-/// True for errors after which the call can be repeated when the socket is ready.
+/// True for errors after which a call can be repeated when the socket is ready.
 inline bool isTransient(int error) {
   return error == EAGAIN || error == EINTR;
 }
 
-/// A message's size, which must be 1 or more.
+/// Requires 1 or more.
 inline std::size_t sizeOf(int size) {
   return static_cast<std::size_t>(size);
 }
 
-/// An endpoint of the IPStack, of any kind.
 class Endpoint {
  public:
   Endpoint() = default;
@@ -97,13 +94,13 @@ class Endpoint {
   Endpoint(const Endpoint&) = delete;
   Endpoint& operator=(const Endpoint&) = delete;
 
-  /// True if it accepts no more requests, and has answered all.
+  /// True if all requests are answered and no more are accepted.
   virtual bool isClosed() const = 0;
 
-  /// Whether a request under way uses memory for which `is_concerned` returns true.
+  /// True if an unfinished request uses memory for which `is_concerned` returns true.
   virtual bool uses(const std::function<bool(const void*, std::size_t)>& is_concerned) const = 0;
 
-  /// Adds its socket, if it waits for it, with a handler that serves it.
+  /// Adds the socket, with a handler, if the endpoint waits for it.
   virtual void addTo(PollSet& poll_set) = 0;
 };
 

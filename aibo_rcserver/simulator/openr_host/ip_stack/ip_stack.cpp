@@ -30,8 +30,6 @@ std::size_t sizeOf(antOperation operation) {
       return sizeof(TCPEndpointCloseMsg);
     case antOperation_UDPBind:
       return sizeof(UDPEndpointBindMsg);
-    case antOperation_UDPConnect:
-      return sizeof(UDPEndpointConnectMsg);
     case antOperation_UDPSend:
       return sizeof(UDPEndpointSendMsg);
     case antOperation_UDPReceive:
@@ -121,11 +119,10 @@ antError IpStack::answerAtOnce(antEnvMsg& message) {
     case antOperation_TCPClose:
       return closeAtOnce(static_cast<TCPEndpointCloseMsg&>(message));
     case antOperation_UDPBind:
-    case antOperation_UDPConnect:
     case antOperation_UDPClose:
       return answerUdp(static_cast<UDPEndpointBaseMsg&>(message));
     default:
-      // The others wait for the other side, and would block the only thread.
+      // Other requests wait for the other side, and would block the only thread.
       return ANT_FAIL;
   }
 }
@@ -151,8 +148,6 @@ antError IpStack::answerUdp(UDPEndpointBaseMsg& message) {
     message.error = UDP_OPERATION_INVALID;
   } else if (message.operation == antOperation_UDPBind) {
     endpoint->bind(static_cast<UDPEndpointBindMsg&>(message), bind_address_);
-  } else if (message.operation == antOperation_UDPConnect) {
-    endpoint->connect(static_cast<UDPEndpointConnectMsg&>(message));
   } else {
     endpoint->close(static_cast<UDPEndpointCloseMsg&>(message));
   }
@@ -266,7 +261,7 @@ void IpStack::acceptOn(TcpPort& port) {
       port.waiting.pop_front();
       find<TcpEndpoint>(antModuleRef(endpoint))->accept(std::move(*connection));
     }
-    // Otherwise no endpoint listens, and the client's connection is closed.
+    // Otherwise no endpoint is listening, and the client's connection is closed.
   }
 }
 
@@ -279,7 +274,7 @@ void IpStack::addTo(PollSet& poll_set) {
       ++endpoint;
     }
   }
-  // Last, so that the end of a connection is handled before the next client.
+  // Ports come last, so that the end of a connection is handled before the next client.
   for (auto& port : ports_) {
     poll_set.add(port.second.listener.fd(), POLLIN, [this, &port] { acceptOn(port.second); });
   }

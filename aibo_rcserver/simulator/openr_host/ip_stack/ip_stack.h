@@ -21,32 +21,32 @@
 
 namespace openr_host {
 
-/// The system object IPStack: answers the messages of ant.h, TCPEndpointMsg.h and UDPEndpointMsg.h with this computer's
-/// sockets.
+/// The system object IPStack. It answers the messages of ant.h, TCPEndpointMsg.h and UDPEndpointMsg.h by means of this
+/// computer's sockets.
 class IpStack {
  public:
   using OnSend = std::function<void(const void* data, std::size_t size)>;
 
-  /// @param bind_address IPv4 address of this computer for all ports
-  /// @param deliver sends answered messages back to their objects
-  /// @param objects_are_busy whether messages are waiting for objects. While they are, a client for which no endpoint
-  /// listens is not turned away yet, because an object may be about to listen.
-  /// @param on_send called with bytes that are about to be sent, by TCP or UDP; may be empty
+  /// @param bind_address this computer's IPv4 address for all ports
+  /// @param deliver returns answered messages to their objects
+  /// @param objects_are_busy true while messages are waiting for objects; until then no client is turned away for lack
+  ///   of an endpoint, because an object may be about to listen
+  /// @param on_send called with bytes before they are sent; may be empty
   IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
 
-  /// Takes a port of this computer for a port of the robot.
-  /// @return the port taken
-  /// @throw like TcpListener
+  /// Opens a port of this computer for a port of the robot.
+  /// @return the computer's port
+  /// @throw the exceptions of TcpListener
   std::uint16_t takePort(std::uint16_t robot_port, std::uint16_t host_port);
 
-  /// antEnvMsg::Call()
+  /// For antEnvMsg::Call().
   antError call(antEnvMsg& message, std::size_t size);
 
-  /// antEnvMsg::Send()
-  /// @param object, entry receiver of the answer
+  /// For antEnvMsg::Send().
+  /// @param object, entry receive the answer
   antError send(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry);
 
-  /// Removes closed endpoints, and adds all sockets that wait for something, with handlers that serve them.
+  /// Removes closed endpoints, and adds all sockets that wait, with handlers.
   void addTo(PollSet& poll_set);
 
  private:

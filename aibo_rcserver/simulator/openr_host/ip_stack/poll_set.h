@@ -11,21 +11,21 @@
 
 namespace openr_host {
 
-/// The descriptors for one wait. It is filled again for every wait, because there are only a few sockets and their
-/// events change all the time.
+/// The descriptors for one wait. It is filled again for every wait: there are few sockets, and their events change all
+/// the time.
 class PollSet {
  public:
   using Handler = std::function<void()>;
 
-  /// Removes all descriptors. The memory stays for the next ones.
+  /// Keeps the memory for the next descriptors.
   void clear();
 
   /// @param events POLLIN, POLLOUT or both; errors are always included
-  /// @param handler called by wait() if an event has occurred. It may close its own descriptor, but no other.
+  /// @param handler called by wait() after an event; it may close its own descriptor, but no other
   void add(int fd, short events, Handler handler);
 
-  /// Waits until the deadline (forever without one) or until a descriptor is ready. Then calls the handlers of ready
-  /// descriptors, in the order in which they were added.
+  /// Waits for a descriptor, up to the deadline (forever without one). Then calls the handlers of ready descriptors, in
+  /// the order of add().
   /// @return false if none was ready
   /// @throw std::system_error
   bool wait(const std::optional<std::chrono::steady_clock::time_point>& deadline);

@@ -8,22 +8,22 @@
 
 namespace openr_host {
 
-/// The memory shared by objects and the IPStack.
+/// Memory shared by objects and the IPStack.
 class SharedBuffers {
  public:
-  /// @param size rounded up to whole pages of 4096 bytes (OPEN-R SDK Internet Protocol Version4)
-  /// @return null if size is 0 or if there is not enough memory
+  /// @param size rounded up to pages of 4096 bytes (OPEN-R SDK Internet Protocol Version4)
+  /// @return null if size is 0 or memory is lacking
   void* create(std::size_t size);
 
   bool contains(const void* address) const { return buffers_.count(address) != 0; }
-  /// Size in bytes of the buffer that begins at this address.
+  /// The size in bytes of the buffer at this address.
   std::size_t sizeOf(const void* address) const { return buffers_.at(address).size; }
   void destroy(const void* address) { buffers_.erase(address); }
 
-  /// Whether the range lies in one buffer.
+  /// True if the range lies in one buffer.
   bool containsRange(const void* begin, std::size_t size) const { return find(begin, size) != buffers_.end(); }
 
-  /// Whether the range lies in the buffer that begins at `address`.
+  /// True if the range lies in the buffer at `address`.
   bool containsRange(const void* address, const void* begin, std::size_t size) const;
 
  private:

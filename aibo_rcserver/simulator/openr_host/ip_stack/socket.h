@@ -1,5 +1,4 @@
 /// @file socket.h
-/// Sockets of this computer.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_SOCKET_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_IP_STACK_SOCKET_H
 
@@ -12,7 +11,6 @@
 
 namespace openr_host {
 
-/// Owns a file descriptor.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -39,7 +37,7 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-/// An address and a port in OPEN-R's types.
+/// In OPEN-R's types.
 struct SocketAddress {
   IPAddress address;
   Port port = 0;
@@ -49,14 +47,14 @@ struct SocketAddress {
   explicit SocketAddress(const sockaddr_in& system)
       : address(ntohl(system.sin_addr.s_addr)), port(ntohs(system.sin_port)) {}
 
-  /// For the kernel.
+  /// In the kernel's format.
   sockaddr_in system() const;
 
-  /// The address to which a socket is bound; all 0 if it is not.
+  /// The socket's own address; all 0 if it has none.
   static SocketAddress ofSocket(int socket);
 
   /// @param address "127.0.0.1", or "0.0.0.0" for all addresses of this computer
-  /// @throw std::invalid_argument if it is not an address
+  /// @throw std::invalid_argument the text is not an address
   static SocketAddress parse(const std::string& address, Port port);
 };
 

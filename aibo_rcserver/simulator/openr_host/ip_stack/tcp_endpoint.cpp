@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-/// The error of a connection that broke.
+/// For a connection that broke.
 TCPEndpointError errorOf(int error) {
   switch (error) {
     case EPIPE:
@@ -26,7 +26,7 @@ TCPEndpointError errorOf(int error) {
   }
 }
 
-/// The error of a connection that could not be established.
+/// For a connection that was not established.
 TCPEndpointError connectErrorOf(int error) {
   switch (error) {
     case ECONNREFUSED:
@@ -45,7 +45,7 @@ TCPEndpointError connectErrorOf(int error) {
 }
 
 /// Discards received bytes.
-/// @return 0 if the other side has closed, otherwise an error number
+/// @return 0 if the other side has closed the connection, otherwise an error number
 int drain(int socket) {
   char scrap[4096];
   ssize_t count = 0;
@@ -241,8 +241,8 @@ void TcpEndpoint::goOnClosing() {
     shutdown(socket_.get(), SHUT_WR);
     said_goodbye_ = true;
   }
-  // If the socket were closed before all bytes are read, the kernel would reset the connection, and the other side
-  // would lose what was sent last.
+  // If the socket were closed with unread bytes, the kernel would reset the connection, and the other side would lose
+  // what was sent last.
   if (!other_side_closed_) {
     const int error = drain(socket_.get());
     if (error != 0 && !isTransient(error)) {
@@ -270,7 +270,8 @@ void TcpEndpoint::addTo(PollSet& poll_set) {
   }
   const bool reads = receiving_ || (closing_ && !other_side_closed_);
   if (!sending_ && !reads) {
-    return;  // no request to answer, and a broken connection would wake the poll again and again
+    // No request is unanswered, and a broken connection would wake the poll again and again.
+    return;
   }
   const int events = (reads ? POLLIN : 0) | (sending_ ? POLLOUT : 0);
   poll_set.add(socket_.get(), static_cast<short>(events), [this] {

@@ -9,37 +9,35 @@
 
 namespace openr_host {
 
-/// A TCP endpoint. Its states are: new; listening or connecting; connected; broken or closing; closed (OPEN-R SDK
-/// Internet Protocol Version4, figure 4).
+/// The states are: new; listening or connecting; connected; broken or closing; closed (OPEN-R SDK Internet Protocol
+/// Version4, figure 4).
 class TcpEndpoint : public Endpoint {
  public:
   static constexpr TCPEndpointError kOperationInvalid = TCP_OPERATION_INVALID;
   static constexpr TCPEndpointError kBufferInvalid = TCP_BUFFER_INVALID;
 
-  /// @param pool_size bytes for the socket's send buffer
+  /// @param pool_size of the socket's send buffer, in bytes
   /// @param deliver must outlive this
   TcpEndpoint(int pool_size, const Deliver& deliver);
 
   bool isNew() const { return state_ == State::kNew; }
 
-  /// @name Requests, answered later or at once with an error
-  /// @{
+  /// These requests are answered later, or at once with an error.
   void listen(const Envelope& message);
   void connect(const Envelope& message);
   void send(const Envelope& message);
   void receive(const Envelope& message);
-  /// Closes the connection gracefully: a receive is answered with TCP_CONNECTION_CLOSED, a send under way continues,
-  /// and the answer waits until both sides have closed. With `abort` the answer comes at once.
+  /// Closes the connection gracefully. A receive is answered with TCP_CONNECTION_CLOSED; an unfinished send continues.
+  /// The answer comes when both sides have closed, or at once with `abort`.
   void close(const Envelope& message);
-  /// @}
 
-  /// Whether close() would be answered at once.
+  /// True if close() would be answered at once.
   bool closesAtOnce(bool abort) const;
 
-  /// Closes at once. Every request under way is answered with an error.
+  /// Answers every unfinished request with an error.
   void closeAtOnce(bool abort);
 
-  /// A client has connected to this listening endpoint.
+  /// Called when a client has connected to this endpoint.
   void accept(TcpConnection connection);
 
   bool isClosed() const override { return state_ == State::kClosed; }
@@ -74,7 +72,7 @@ class TcpEndpoint : public Endpoint {
   std::size_t received_ = 0;
   PendingMessage<TCPEndpointCloseMsg> closing_;
   bool said_goodbye_ = false;       ///< this side has closed the connection
-  bool other_side_closed_ = false;  ///< and the other side
+  bool other_side_closed_ = false;  ///< the other side has closed it
 };
 
 }  // namespace openr_host

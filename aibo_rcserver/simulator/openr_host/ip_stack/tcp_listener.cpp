@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-/// Wait before trying again, because the waiting client wakes the server at once. Shorter than a frame.
+/// Pause before another attempt; without it, the waiting client would wake the server at once. It is shorter than a
+/// frame.
 constexpr std::chrono::milliseconds kMemoryPause{5};
 
 FileDescriptor openSpare() {
@@ -26,7 +27,7 @@ FileDescriptor openSpare() {
 TcpListener::TcpListener(const std::string& address, std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)), spare_(openSpare()) {
   const sockaddr_in bound = SocketAddress::parse(address, port).system();
-  // Otherwise a restarted server would have to wait until the kernel forgets its last connections.
+  // Otherwise a restarted server would wait until the kernel forgets its last connections.
   const int reuse = 1;
   if (!socket_.isOpen() || setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &reuse, sizeof(reuse)) != 0 ||
       bind(socket_.get(), reinterpret_cast<const sockaddr*>(&bound), sizeof(bound)) != 0 ||
@@ -44,7 +45,7 @@ std::optional<TcpConnection> TcpListener::accept() {
         accept4(socket_.get(), reinterpret_cast<sockaddr*>(&client), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket.isOpen()) {
       if (!configureTcpConnection(socket.get())) {
-        continue;  // without these options a vanished client would not be noticed
+        continue;  // without these options nobody would notice a vanished client
       }
       return TcpConnection{std::move(socket), SocketAddress(client)};
     }

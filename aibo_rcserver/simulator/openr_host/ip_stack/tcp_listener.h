@@ -10,32 +10,31 @@
 
 namespace openr_host {
 
-/// A client that has just connected.
+/// A new client.
 struct TcpConnection {
-  FileDescriptor socket;  ///< non-blocking, sends at once, and notices within about 2 s that the client has vanished
+  FileDescriptor socket;  ///< non-blocking, sends at once, notices within about 2 s that the client has vanished
   SocketAddress client;
 };
 
-/// A listening socket of this computer.
 class TcpListener {
  public:
-  /// @param address IPv4 address of this computer, "0.0.0.0" for all
-  /// @param port 0 for any free one
-  /// @throw std::system_error if the port is in use or not allowed
-  /// @throw std::invalid_argument if it is not an address
+  /// @param address of this computer; "0.0.0.0" means all of them
+  /// @param port 0 means any free port
+  /// @throw std::system_error the port is in use or not allowed
+  /// @throw std::invalid_argument the text is not an address
   TcpListener(const std::string& address, std::uint16_t port);
 
   int fd() const { return socket_.get(); }
   std::uint16_t port() const { return port_; }
 
-  /// The next waiting client, if there is one. If the process has no descriptors left, the client is turned away.
+  /// The next waiting client, if any. Without free descriptors, the client is turned away.
   std::optional<TcpConnection> accept();
 
  private:
   void turnOneAway();
 
   FileDescriptor socket_;
-  FileDescriptor spare_;  ///< closed for a moment to turn a client away when there are no descriptors left
+  FileDescriptor spare_;  ///< closed for a moment to turn a client away without other descriptors
   std::uint16_t port_ = 0;
 };
 

@@ -57,17 +57,6 @@ void UdpEndpoint::bind(UDPEndpointBindMsg& message, const std::string& bind_addr
   message.error = UDP_SUCCESS;
 }
 
-void UdpEndpoint::connect(UDPEndpointConnectMsg& message) {
-  if (!socket_.isOpen()) {
-    message.error = UDP_OPERATION_INVALID;
-    return;
-  }
-  const sockaddr_in foreign = SocketAddress(message.address, message.port).system();
-  const bool connected = ::connect(socket_.get(), reinterpret_cast<const sockaddr*>(&foreign), sizeof(foreign)) == 0;
-  message.error = connected ? UDP_SUCCESS : udpErrorOf(errno);
-  is_connected_ = is_connected_ || connected;
-}
-
 void UdpEndpoint::close(UDPEndpointCloseMsg& message) {
   receiving_.end(UDP_CONNECTION_CLOSED);
   sending_.end(UDP_CONNECTION_CLOSED);
@@ -94,9 +83,8 @@ void UdpEndpoint::send(const Envelope& message) {
 
 void UdpEndpoint::goOnSending() {
   const sockaddr_in foreign = SocketAddress(sending_->address, sending_->port).system();
-  const auto* address = is_connected_ ? nullptr : reinterpret_cast<const sockaddr*>(&foreign);
   const ssize_t count = sendto(socket_.get(), sending_->buffer, sizeOf(sending_->size), MSG_NOSIGNAL | MSG_DONTWAIT,
-                               address, is_connected_ ? 0 : sizeof(foreign));
+                               reinterpret_cast<const sockaddr*>(&foreign), sizeof(foreign));
   if (count >= 0) {
     sending_.end(UDP_SUCCESS);
   } else if (!isTransient(errno)) {

@@ -11,30 +11,24 @@
 
 namespace openr_host {
 
-/// A UDP endpoint. Its states are: new; bound, perhaps connected; closed (OPEN-R SDK Internet Protocol Version4, figure
-/// 5).
+/// The states are: new; bound, perhaps connected; closed (OPEN-R SDK Internet Protocol Version4, figure 5).
 class UdpEndpoint : public Endpoint {
  public:
   static constexpr UDPEndpointError kOperationInvalid = UDP_OPERATION_INVALID;
   static constexpr UDPEndpointError kBufferInvalid = UDP_BUFFER_INVALID;
 
-  /// @param pool_size bytes for the socket's send buffer
+  /// @param pool_size of the socket's send buffer, in bytes
   /// @param deliver must outlive this
   UdpEndpoint(int pool_size, const Deliver& deliver);
 
-  /// @name Requests, answered at once
-  /// @{
-  /// @param bind_address of this computer
+  /// These requests are answered at once.
+  /// @param bind_address an address of this computer
   void bind(UDPEndpointBindMsg& message, const std::string& bind_address);
-  void connect(UDPEndpointConnectMsg& message);
   void close(UDPEndpointCloseMsg& message);
-  /// @}
 
-  /// @name Requests, answered later or at once with an error
-  /// @{
+  /// These requests are answered later, or at once with an error.
   void send(const Envelope& message);
   void receive(const Envelope& message);
-  /// @}
 
   bool isClosed() const override { return is_closed_; }
   bool uses(const std::function<bool(const void*, std::size_t)>& is_concerned) const override;
@@ -49,7 +43,6 @@ class UdpEndpoint : public Endpoint {
   const int pool_size_;
   const Deliver& deliver_;
   FileDescriptor socket_;  ///< from bind() to close()
-  bool is_connected_ = false;
   bool is_closed_ = false;
   PendingMessage<UDPEndpointSendMsg> sending_;
   PendingMessage<UDPEndpointReceiveMsg> receiving_;

@@ -57,7 +57,7 @@ void check(const OCommandInfo& info, const RCRegion& region, std::size_t entry, 
       name + ": dataOffset " + text(begin) + " is outside the data of its region of " + text(region.Size()) + " bytes");
 }
 
-// Only numFrames frames are processed (page 48), so an entry without frames is ignored, whatever else is in it.
+// Only numFrames frames are processed (page 48), so an entry without frames is ignored.
 std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot& robot) {
   const std::size_t count = readHeader(region).numData;
   std::vector<OCommandInfo> entries;
@@ -72,7 +72,7 @@ std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot
   return entries;
 }
 
-/// How many frames a value lasts. Values for LEDs and an ERS-7's ears contain this (page 50), all at the same offset.
+/// How many frames a value lasts. LEDs and an ERS-7's ears have this in their values (page 50), at the same offset.
 longword framesOf(const EffectorCommand& command) {
   static_assert(offsetof(OLEDCommandValue2, period) == 4 && offsetof(OLEDCommandValue3, period) == 4 &&
                     offsetof(OJointCommandValue4, period) == 4,

@@ -12,7 +12,7 @@ namespace {
 
 thread_local std::chrono::nanoseconds processor_time{0};
 
-/// All memory that is filled on read, of all robots in this process.
+/// All such memory, of all robots in this process.
 struct Registry {
   std::mutex mutex;
   std::map<const char*, FilledOnRead*, std::less<>> by_begin;

@@ -1,5 +1,4 @@
 /// @file filled_on_read.h
-/// Memory whose content is made only if somebody reads it.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_FILLED_ON_READ_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_FILLED_ON_READ_H
 
@@ -10,28 +9,27 @@
 
 namespace openr_host {
 
-/// Spares a robot the work for camera images that no object looks at: it hands them over as soon as they are due, and
-/// fills in the pixels when OFbkImage gives them to an object.
+/// Memory that is filled only if somebody reads it. It saves a robot the work for unread camera images: the robot hands
+/// over images when they are due, and fills in pixels when OFbkImage gives them to an object.
 ///
-/// An object reads in the thread of its machine, which is also the robot's. Robots in other threads may do the same at
-/// the same time.
+/// An object reads in its machine's thread, which is also the robot's. Other threads may do the same with other robots.
 class FilledOnRead {
  public:
-  /// @param memory, size where the content will be; must outlive this, and overlap no other one's
+  /// @param memory, size must outlive this, and not overlap another one's memory
   FilledOnRead(const void* memory, std::size_t size);
   ~FilledOnRead();
   FilledOnRead(const FilledOnRead&) = delete;
   FilledOnRead& operator=(const FilledOnRead&) = delete;
 
-  /// The next read fills the memory.
-  /// @param fill called at most once, by read() in its thread; replaces one that has not been called
+  /// Lets the next read() fill the memory.
+  /// @param fill called at most once, in the thread of read(); replaces an earlier one
   void fillBy(std::function<void()> fill) { fill_ = std::move(fill); }
 
-  /// Somebody is about to read at an address. Fills the memory that it belongs to, unless that has been done.
-  /// @param address any; does nothing if it belongs to no such memory
+  /// Call before reading at an address. Fills the memory that contains the address, unless it is filled already.
+  /// @param address any address, even outside all such memory
   static void read(const void* address);
 
-  /// The processor time that this thread has spent on filling.
+  /// Processor time that this thread has spent on filling.
   static std::chrono::nanoseconds processorTime();
 
  private:

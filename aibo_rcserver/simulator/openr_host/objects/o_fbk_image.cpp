@@ -4,7 +4,7 @@
 
 namespace {
 
-/// The number of bands in a layer, which are interleaved row by row.
+/// Bands of a layer are interleaved row by row.
 int numberOfBands(ODataType type) {
   switch (type) {
     case odataFBK_YCrCb:
@@ -18,12 +18,12 @@ int numberOfBands(ODataType type) {
   }
 }
 
-/// The index of a band among the interleaved rows; numberOfBands() or more if the layer does not have it.
+/// A band's index among interleaved rows; numberOfBands() or more if the layer lacks the band.
 int rowOf(OFbkImageBand band, ODataType type) {
   if (type == odataFBK_CDT) {
     return band == ofbkimageBAND_CDT ? 0 : 1;
   }
-  // The number of the colour detection band is in the middle of the other bands' numbers.
+  // The colour detection's number lies among the other bands' numbers.
   const int absent = 6;
   if (band == ofbkimageBAND_CDT || band > ofbkimageBAND_Y_HH) {
     return absent;

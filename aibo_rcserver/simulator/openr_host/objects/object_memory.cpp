@@ -40,6 +40,20 @@ OCommandVectorData* VectorMemory::createCommands(std::size_t entries) {
   return vector;
 }
 
+OSoundVectorData* VectorMemory::createSounds(std::size_t sounds, std::size_t bytes) {
+  if (sounds == 0 || bytes == 0 || sounds > kMostEntries || bytes > kMostSoundBytes / sounds) {
+    return nullptr;
+  }
+  const std::size_t data_offset = offsetof(OSoundVectorData, info) + sounds * sizeof(OSoundInfo);
+  auto* vector = create<OSoundVectorData>(odataSOUND_VECTOR, sounds, sizeof(OSoundInfo), data_offset + sounds * bytes);
+  for (std::size_t sound = 0; sound < sounds; ++sound) {
+    OSoundInfo* info = vector->GetInfo(static_cast<int>(sound));
+    info->dataOffset = static_cast<longword>(data_offset + sound * bytes);
+    info->maxDataSize = static_cast<longword>(bytes);
+  }
+  return vector;
+}
+
 OCdtVectorData* VectorMemory::createCdt() {
   return create<OCdtVectorData>(odataCDT_VECTOR, ocdtNUM_CHANNELS, sizeof(OCdtInfo), sizeof(OCdtVectorData));
 }

@@ -1,5 +1,4 @@
 /// @file object_memory.h
-/// The memory that objects get from OPENR:: calls.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_OBJECT_MEMORY_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_OBJECT_MEMORY_H
 
@@ -15,23 +14,30 @@
 
 namespace openr_host {
 
-/// The memory for objects' vectors: OPENR::NewCommandVectorData() and similar calls.
+/// Memory for objects' vectors: OPENR::NewCommandVectorData() and similar calls.
 class VectorMemory {
  public:
-  /// The ERS-7 has about 40 effectors, so more entries than this must be an error.
+  /// The ERS-7 has about 40 effectors, so a larger number must be a mistake.
   static constexpr std::size_t kMostEntries = 65536;
 
-  /// Creates a vector without entries, laid out for `entries` of them: header, infos, data.
-  /// @return null if `entries` is 0 or more than kMostEntries
+  /// Creates an empty vector with room for `entries`: header, infos, data.
+  /// @return null if `entries` is 0 or above kMostEntries
   OCommandVectorData* createCommands(std::size_t entries);
 
-  /// Creates memory for tables of the colour detection, without tables.
+  /// Creates an empty vector with room for `sounds` of so many bytes each.
+  /// @return null if that is nothing, or above kMostEntries or kMostSoundBytes
+  OSoundVectorData* createSounds(std::size_t sounds, std::size_t bytes);
+
+  /// A minute of sound; more must be a mistake.
+  static constexpr std::size_t kMostSoundBytes = 60 * 32000;
+
+  /// Creates memory without tables.
   OCdtVectorData* createCdt();
 
-  /// @return null if no memory for colour tables has this id
+  /// @return null if no colour tables have this id
   OCdtVectorData* findCdt(MemoryRegionID id) const;
 
-  /// @param type odataCOMMAND_VECTOR or odataCDT_VECTOR
+  /// @param type odataCOMMAND_VECTOR, odataSOUND_VECTOR or odataCDT_VECTOR
   /// @return false if no memory of this type has this id
   bool destroy(MemoryRegionID id, ODataType type);
 
@@ -48,17 +54,17 @@ class VectorMemory {
   MemoryRegionID last_id_ = 0;
 };
 
-/// The files of the memory stick that objects have loaded into memory: OPENR::FindDesignData().
+/// Files of the memory stick in objects' memory: OPENR::FindDesignData().
 class DesignData {
  public:
-  /// @param memory_stick folder with the content of the memory stick
+  /// @param memory_stick folder of the memory stick
   /// @param design the robot's model
   DesignData(std::string memory_stick, std::string design)
       : memory_stick_(std::move(memory_stick)), design_(std::move(design)) {}
 
-  /// Finds the file for a keyword in DESIGNDB.CFG and reads it.
-  /// @return like OPENR::FindDesignData()
-  /// @throw std::runtime_error if DESIGNDB.CFG cannot be read; the text says why
+  /// Reads the file for a keyword in DESIGNDB.CFG.
+  /// @return the result of OPENR::FindDesignData()
+  /// @throw std::runtime_error DESIGNDB.CFG cannot be read; the text says why
   OStatus find(const std::string& keyword, ODesignDataID* id, byte** data, size_t* size);
 
   /// @return false if no file has this id

@@ -1,4 +1,4 @@
-// The SDK's functions: OPENR::, the calls of the IPStack, and the console.
+// The SDK's functions: OPENR::, the IPStack's calls, and the console.
 #include <MCOOP.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
@@ -25,7 +25,7 @@ std::string format(const char* format, std::va_list arguments) {
   return size > 0 ? text : "";
 }
 
-/// An object's code can also print when a test calls it without a machine.
+/// An object can print even in a test without a machine.
 void print(const std::string& text) {
   if (auto* system = System::currentOrNull()) {
     system->console().print(text);
@@ -82,6 +82,21 @@ OStatus OPENR::DeleteCommandVectorData(MemoryRegionID memID) {
   return System::current().vectorMemory().destroy(memID, odataCOMMAND_VECTOR) ? oSUCCESS : oFAIL;
 }
 
+OStatus OPENR::NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,
+                                  OSoundVectorData** baseAddr) {
+  OSoundVectorData* created = System::current().vectorMemory().createSounds(numSounds, dataSize);
+  if (created == nullptr) {
+    return oNO_MEMORY;
+  }
+  *memID = created->vectorInfo.memRegionID;
+  *baseAddr = created;
+  return oSUCCESS;
+}
+
+OStatus OPENR::DeleteSoundVectorData(MemoryRegionID memID) {
+  return System::current().vectorMemory().destroy(memID, odataSOUND_VECTOR) ? oSUCCESS : oINVALID_ARG;
+}
+
 OStatus OPENR::NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** vector) {
   *vector = System::current().vectorMemory().createCdt();
   *memID = (*vector)->vectorInfo.memRegionID;
@@ -107,10 +122,6 @@ OStatus OPENR::SetCdtVectorData(MemoryRegionID memID) {
 OStatus OPENR::NewSyncKey(OVRSyncKey* key) {
   *key = ovrsynckeyUNDEF;
   return oNO_SYNC_KEY;
-}
-
-OStatus OPENR::CancelSyncKey(OVRSyncKey /*key*/) {
-  return oINVALID_SYNC_KEY;
 }
 
 OStatus OPENR::DivideSyncKey(OVRSyncKey /*key*/, OVRSyncKey* key1, OVRSyncKey* key2) {
@@ -175,6 +186,11 @@ OStatus OPENR::ObservePowerStatus(const OPowerStatus& notifyStatus, const OServi
 
 OStatus OPENR::UnobservePowerStatus(const OServiceEntry& entry) {
   return System::current().powerWatch().unobserve(entry) ? oSUCCESS : oINVALID_ARG;
+}
+
+OStatus OPENR::GetVolumeSwitch(OVolumeSwitch* volSW) {
+  *volSW = System::current().robot().volumeSwitch();
+  return oSUCCESS;
 }
 
 OStatus OPENR::GetMemoryStickStatus(OMemoryStickStatus* status) {

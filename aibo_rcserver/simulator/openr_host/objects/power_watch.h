@@ -9,12 +9,12 @@
 
 namespace openr_host {
 
-/// The observers of the power status: OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79).
+/// Observers of the power status: OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79).
 class PowerWatch {
  public:
-  /// @param wanted bits to watch in robotStatus and batteryStatus; the other members contain a value to watch for, or
-  /// one of the opso constants in OPower.h
-  /// @param present the status with which the next one is compared
+  /// @param wanted bits to watch in robotStatus and batteryStatus. Other members are not watched, because nobody asks
+  ///   for them
+  /// @param present the status to compare the next one with
   void observe(const OServiceEntry& entry, const OPowerStatus& wanted, const OPowerStatus& present);
 
   /// @return false if the entry observes nothing
@@ -22,8 +22,7 @@ class PowerWatch {
 
   bool isWatching() const { return !watchers_.empty(); }
 
-  /// Compares the status with the previous one.
-  /// @return the entries to notify
+  /// @return the entries to notify of changes since the previous status
   std::vector<OServiceEntry> look(const OPowerStatus& status);
 
  private:

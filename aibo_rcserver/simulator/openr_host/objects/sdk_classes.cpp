@@ -13,7 +13,7 @@
 
 namespace {
 
-/// A gate of an object, which must have been registered.
+/// The object must have registered the gate.
 template <typename Service>
 Service& registered(Service* service) {
   if (service == nullptr) {
@@ -67,11 +67,6 @@ OStatus OSubject::SetData(RCRegion* region) {
   return oSUCCESS;
 }
 
-OStatus OSubject::SetData(const ObserverID& observer, RCRegion* region) {
-  registered(service_).setData(observer, region);
-  return oSUCCESS;
-}
-
 OStatus OSubject::SetData(const void* data, size_t size) {
   auto* region = new RCRegion(size);
   std::memcpy(region->Base(), data, size);
@@ -85,54 +80,8 @@ OStatus OSubject::NotifyObservers() {
   return oSUCCESS;
 }
 
-OStatus OSubject::NotifyObserver(const ObserverID& observer) {
-  registered(service_).notify(observer);
-  return oSUCCESS;
-}
-
-int OSubject::IsReady(const ObserverID& observer) const {
-  return ReadyStatus(observer) > 0 ? 1 : 0;
-}
-
-int OSubject::IsAnyReady() const {
+int OSubject::IsReady() const {
   return registered(service_).isAnyReady() ? 1 : 0;
-}
-
-int OSubject::IsAllReady() const {
-  return registered(service_).isAllReady() ? 1 : 0;
-}
-
-int OSubject::ReadyStatus(const ObserverID& observer) const {
-  switch (registered(service_).readiness(observer)) {
-    case openr_host::Readiness::kAssertReady:
-      return 1;
-    case openr_host::Readiness::kDeassertReady:
-      return -1;
-    case openr_host::Readiness::kUnknown:
-      break;
-  }
-  return 0;
-}
-
-OStatus OSubject::SetBufferSize(size_t size) {
-  if (size == 0) {
-    return oINVALID_ARG;
-  }
-  registered(service_).setBufferSize(size);
-  return oSUCCESS;
-}
-
-size_t OSubject::GetBufferSize() const {
-  return registered(service_).bufferSize();
-}
-
-size_t OSubject::RemainBuffer(const ObserverID& observer) const {
-  return registered(service_).roomFor(observer);
-}
-
-OStatus OSubject::ClearBuffer() {
-  registered(service_).clear();
-  return oSUCCESS;
 }
 
 OObserver::OObserver() : service_(nullptr) {}
@@ -167,14 +116,6 @@ OStatus OObserver::DeassertReady() {
 OStatus OObserver::DeassertReady(const SubjectID& subject) {
   registered(service_).announceReady(subject, false);
   return oSUCCESS;
-}
-
-void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
-  registered(service_).setBufferControl({skip, min, max});
-}
-
-int OObserver::NumberOfSubjects() const {
-  return registered(service_).numberOfSubjects();
 }
 
 RCRegion::RCRegion(size_t size)

@@ -130,7 +130,7 @@ void System::connect(const std::string& subject_name, const std::string& observe
     subject_id = subject_index < 0 ? subject_id : SubjectID(oidOf(number), static_cast<Selector>(subject_index));
     observer_id = observer_index < 0 ? observer_id : ObserverID(oidOf(number), static_cast<Selector>(observer_index));
   }
-  subject(subject_id).connect(observer_id, observer(observer_id).bufferControl());
+  subject(subject_id).connect(observer_id);
   observer(observer_id).connect(subject_id);
 
   LoadedObject& sender = loaded(subject_id.oid);
@@ -279,12 +279,13 @@ bool System::handleMessages() {
   return has_handled;
 }
 
-// What this thread has computed for objects: without the pixels, which a camera makes by itself.
+// Time that this thread has spent on objects, without drawing the camera's pixels.
 std::chrono::nanoseconds System::ownProcessorTime() {
   return threadProcessorTime() - FilledOnRead::processorTime();
 }
 
-// The messages that the object posts leave it when it has finished. Until then it keeps the data that it received.
+// A message that an object posts leaves it when the object has finished. Until then the object keeps the data that it
+// received.
 void System::handle(Message message) {
   LoadedObject& receiver = loaded(message.receiver);
   const std::size_t first_posted = messages_.size();

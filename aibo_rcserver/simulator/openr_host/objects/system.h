@@ -1,5 +1,5 @@
 /// @file system.h
-/// The implementation behind the SDK's classes and calls: one robot's objects and the messages between them.
+/// Behind the SDK's classes and calls: a robot's objects and their messages.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_SYSTEM_H
 
@@ -29,19 +29,19 @@ enum class ShutdownRequest { kNone, kStayOff, kBootAgain };
 /// Internal to openr_host; Machine is the public interface.
 class System {
  public:
-  /// @param memory_stick as in DesignData
-  /// @param console_output, on_console_line as in Console
-  /// @param on_send as in IpStack
+  /// @param memory_stick see DesignData
+  /// @param console_output, on_console_line see Console
+  /// @param on_send see IpStack
   System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
          Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send);
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  /// The system whose object is running on this thread.
-  /// @throw std::logic_error if no object is running
+  /// The system of the object that is running on this thread.
+  /// @throw std::logic_error no object is running
   static System& current();
-  /// The same, but null if no object is running.
+  /// Null if no object is running.
   static System* currentOrNull();
 
   Console& console() { return console_; }
@@ -50,75 +50,63 @@ class System {
   VectorMemory& vectorMemory() { return vector_memory_; }
   DesignData& designData() { return design_data_; }
 
-  /// From now on, handling a message takes time.
-  /// @param now time since the creation of the machine's clock
+  /// Makes handling take time from now on.
+  /// @param now returns the time since the creation of the machine's clock
   void modelTime(HandlerTime handler_time, std::function<Processor::Time()> now);
 
   PowerWatch& powerWatch() { return power_watch_; }
 
-  /// Tells the objects that observe the power what has changed since the last call.
+  /// Tells observers what has changed in the power status since the last call.
   void watchPower();
 
-  /// Name of the running object.
   const std::string& runningObject() const;
 
-  /// @name Life of the objects
-  /// @{
-  /// Creates an object, after those created before.
+  /// Life of the objects.
   OObject& create(const ObjectDescription& description);
-  /// The names of all objects' services.
+  /// All objects' services.
   const std::vector<std::string>& serviceNames() const { return service_names_; }
   /// Calls DoInit() of all objects.
-  /// @throw std::runtime_error if an object fails; the text names it
+  /// @throw std::runtime_error an object fails; the text names it
   void initialize();
-  /// Connects two gates, and calls the functions for that in stub.cfg.
-  /// @param subject, observer names from serviceNames()
-  /// @throw std::runtime_error if an object has not registered its services
+  /// Connects two gates, and calls their functions in stub.cfg.
+  /// @param subject, observer from serviceNames()
+  /// @throw std::runtime_error an object has not registered its services
   void connect(const std::string& subject, const std::string& observer);
   /// Calls DoStart() of all objects.
-  /// @throw std::runtime_error like initialize()
+  /// @throw std::runtime_error an object fails; the text names it
   void start();
-  /// For OPENR::Shutdown(). Nothing happens until the machine reads shutdownRequest().
+  /// For OPENR::Shutdown(). Has no effect until the machine reads shutdownRequest().
   void requestShutdown(bool boot_again) {
     shutdown_requested_ = boot_again ? ShutdownRequest::kBootAgain : ShutdownRequest::kStayOff;
   }
   ShutdownRequest shutdownRequest() const { return shutdown_requested_; }
-  /// Stops the objects that were started, destroys those that were initialised, drops all messages, and switches the
-  /// robot off.
+  /// Stops the started objects, destroys the initialised ones, drops all messages, and switches the robot off.
   void shutdown() noexcept;
   /// Calls a function as if the object were running it.
   void runAs(OObject& object, const std::function<void()>& function);
-  /// @}
 
-  /// @name Messages
-  /// @{
-  /// Queues a message to a subject: an observer is ready, or no longer is.
+  /// Messages.
+  /// Queues the message that an observer is ready, or no longer ready.
   void postReady(const ObserverID& observer, const SubjectID& subject, bool ready);
-  /// Queues data for an observer.
   void postNotification(const SubjectID& subject, const ObserverID& observer, Regions data);
-  /// Queues an answer of the IPStack for the object that asked.
+  /// Queues the IPStack's answer for the object that asked.
   void postAnswer(const Envelope& answer);
-  /// Whether the object exists and has this `Extra` entry.
+  /// True if the object has this `Extra` entry.
   bool hasEntry(const OID& object, Selector entry) const;
-  /// True if a message can be handled now.
   bool hasMessages() const;
-  /// Handles the messages that are queued now, but not those that are added meanwhile, nor those of busy objects.
-  /// @return false if there was none to handle
+  /// Handles the messages in the queue. Later messages and those of busy objects wait.
+  /// @return false if there was no message to handle
   bool handleMessages();
-  /// The machine's time.
   Processor::Time now() const { return now_(); }
-  /// The time when the next busy object finishes.
+  /// When the next busy object finishes.
   std::optional<Processor::Time> nextFinish() const { return processor_.nextFinish(now_()); }
-  /// @}
 
-  /// @name For OSubject and OObserver
-  /// @{
-  /// Registers a gate until forget(), which its destructor calls.
+  /// For OSubject and OObserver.
+  /// Registers a gate until its destructor calls forget().
   void add(SubjectService& subject) { subjects_.push_back(&subject); }
   void add(ObserverService& observer) { observers_.push_back(&observer); }
   void forget(const SubjectService& subject);
   void forget(const ObserverService& observer);
-  /// @}
 
  private:
   static std::chrono::nanoseconds ownProcessorTime();
@@ -129,8 +117,7 @@ class System {
     bool started = false;
   };
 
-  /// @name The contents of messages
-  /// @{
+  /// The contents of messages.
   struct Readying {
     SubjectID subject;
     ObserverID observer;
@@ -145,20 +132,19 @@ class System {
     Selector entry;
     OPowerStatus status;
   };
-  /// @}
 
   struct Message {
     OID receiver;
     Entry entry;
     std::variant<Readying, Notification, Envelope, PowerChange> content;
-    OID held_by = {};  ///< the object that posted it and has not finished yet
+    OID held_by = {};  ///< the posting object, until it finishes
   };
 
-  /// Marks an object as running as long as it exists.
+  /// Marks an object as running while this exists.
   class Running;
 
   LoadedObject& loaded(const OID& oid);
-  /// True while the object that posted the message is busy.
+  /// True while the posting object is busy.
   bool isHeld(const Message& message, Processor::Time now) const;
   void handle(Message message);
   void deliver(const Readying& message, LoadedObject& receiver);
@@ -178,8 +164,8 @@ class System {
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;
   std::vector<Message> messages_;
-  std::vector<Message> spare_;       ///< empty: memory for messages_
-  std::vector<Message> unfinished_;  ///< messages that keep their objects busy
+  std::vector<Message> spare_;       ///< always empty; keeps memory for messages_
+  std::vector<Message> unfinished_;  ///< keep their objects busy
   PowerWatch power_watch_;
   Processor processor_;
   HandlerTime handler_time_;  ///< if empty, handlers take no time

@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-/// The processor time that this thread has used. It does not go on while the thread waits for a processor.
+/// Stands still while this thread waits for a processor.
 inline std::chrono::nanoseconds threadProcessorTime() {
   timespec time = {};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

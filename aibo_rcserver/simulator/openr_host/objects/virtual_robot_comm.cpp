@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-/// 32 ms (OPEN-R SDK Level2 Reference Guide). The vectors begin with the frames 0, 4, 8...
+/// 32 ms (OPEN-R SDK Level2 Reference Guide). Vectors begin with the frames 0, 4, 8...
 constexpr longword kFramesPerSensorVector = 4;
 
 }  // namespace
@@ -101,7 +101,7 @@ void VirtualRobotComm::passFrame(longword frame) {
   }
 }
 
-// For busy observers the newest vector is kept (Level2 Reference Guide, page 18).
+// Busy observers find the newest vector (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
   if (sensor_->isWanted()) {
     sensor_->setData(robot_.captureSensors(frame));
@@ -136,7 +136,7 @@ void VirtualRobotComm::takeCommands(const ONotifyEvent& event) {
       sender.commands.add(*event.RCData(i), robot_);
     }
   } catch (const std::invalid_argument& error) {
-    // READY follows only in the next frame, so that an object cannot send malformed vectors in an endless loop.
+    // READY follows in the next frame, so malformed vectors cannot make an endless loop.
     sender.was_refused = true;
     OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
   }

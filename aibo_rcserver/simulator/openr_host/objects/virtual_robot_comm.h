@@ -18,15 +18,14 @@
 
 namespace openr_host {
 
-/// The system object OVirtualRobotComm: the gates between the robot's body and the objects
-/// (Level2 Reference Guide, page 44).
+/// The system object OVirtualRobotComm: gates between the robot's body and the objects (Level2 Reference Guide, page
+/// 44).
 ///
-/// Any number of objects may command the body at the same time, each of them its own primitives. An object gets READY
-/// each time the output of one of its vectors is complete. So to avoid gaps, an object first sends two vectors, and
-/// then one more for each READY.
+/// Any number of objects may command the body at the same time, each its own primitives. An object gets READY whenever
+/// one of its vectors is complete. To avoid gaps, it first sends two vectors, and then one for each READY.
 class VirtualRobotComm : public OObject {
  public:
-  /// @param on_image called before an image is handed to the observers; may be empty
+  /// @param on_image called before observers get an image; may be empty
   static ObjectDescription describe(VirtualRobot& robot, const std::function<void()>& on_image);
 
   VirtualRobotComm(VirtualRobot& robot, std::function<void()> on_image)
@@ -37,11 +36,11 @@ class VirtualRobotComm : public OObject {
   OStatus DoStop(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
 
-  /// A frame of 8 ms has begun. Frames since the last call are made up.
+  /// Call when a frame of 8 ms has begun. Frames since the last call are made up.
   void beginFrame(longword frame);
 
-  /// The next frame in which objects may get something: sensors, an image, or READY for a command vector. Frames before
-  /// it may pass together with it. It is never more than 32 ms away, so that changes of the power are noticed.
+  /// The next frame with something for objects: sensors, an image, or READY for a command vector. Earlier frames may
+  /// pass together with it. It is at most 32 ms away, so that changes of the power are noticed.
   longword nextEvent() const;
 
  private:
@@ -49,7 +48,7 @@ class VirtualRobotComm : public OObject {
   struct Commander {
     SubjectID subject;
     CommandQueue commands;
-    bool was_refused = false;  ///< its last vector; it gets READY in the next frame
+    bool was_refused = false;  ///< it gets READY in the next frame
   };
 
   Commander& commander(const SubjectID& subject);

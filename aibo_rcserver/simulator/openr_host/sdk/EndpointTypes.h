@@ -1,5 +1,4 @@
 /// @file EndpointTypes.h
-/// The kinds of endpoint that antEnvCreateEndpointMsg can make.
 #ifndef OPENR_ENDPOINTTYPES_H
 #define OPENR_ENDPOINTTYPES_H
 

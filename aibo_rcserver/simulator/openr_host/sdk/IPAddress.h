@@ -1,11 +1,10 @@
 /// @file IPAddress.h
-/// Internet addresses and ports.
 #ifndef OPENR_IPADDRESS_H
 #define OPENR_IPADDRESS_H
 
 #include <antTypes.h>
 
-/// An address of version 4.
+/// Version 4.
 class IPAddress {
  public:
   IPAddress() : address_(0) {}
@@ -13,7 +12,7 @@ class IPAddress {
   /// @param address 127.0.0.1 is 0x7f000001
   IPAddress(uint32 address) : address_(address) {}
   IPAddress(int address) : address_(static_cast<uint32>(address)) {}
-  /// @param text "127.0.0.1"; anything else gives 0.0.0.0
+  /// @param text such as "127.0.0.1"; any other text gives 0.0.0.0
   IPAddress(const char* text);
   // NOLINTEND(google-explicit-constructor)
   /// 127.0.0.1 is IPAddress(127, 0, 0, 1).
@@ -23,8 +22,7 @@ class IPAddress {
   /// 127.0.0.1 is 0x7f000001.
   uint32 Address() const { return address_; }
 
-  /// Writes it as "127.0.0.1".
-  /// @param[out] text at least 16 characters
+  /// @param[out] text at least 16 characters: "127.0.0.1"
   /// @return text
   char* GetAsString(char* text) const;
 
@@ -42,7 +40,7 @@ typedef uint16 Port;
 const IPAddress IP_ADDR_ANY(0);
 const IPAddress IP_ADDR_BROADCAST(static_cast<uint32>(0xffffffffU));
 
-/// In a request for a port: any free one.
+/// A request for this port means any free one.
 #define IP_PORT_ANY 0
 
 #endif  // OPENR_IPADDRESS_H

@@ -9,7 +9,7 @@
 typedef slongword sError;
 const sError sSUCCESS = 0;
 
-/// A time that goes on while objects are held up, wherever it begins.
+/// A clock that runs on while objects are held up. It may begin anywhere.
 sError GetSystemTime(SystemTime* time);
 
 #endif  // OPENR_MCOOP_H

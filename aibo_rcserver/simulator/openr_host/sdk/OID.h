@@ -1,11 +1,10 @@
 /// @file OID.h
-/// The identity of an object.
 #ifndef OPENR_OID_H
 #define OPENR_OID_H
 
 #include <Types.h>
 
-/// The identity of an object in the system. Only the system creates valid ones; objects compare them and pass them on.
+/// The identity of an object. Only the system creates valid ones; objects compare them and pass them on.
 class OID {
  public:
   /// Identifies no object.

@@ -1,8 +1,6 @@
 /// @file TCPEndpointMsg.h
-/// Messages to a TCP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 2 and 7).
-///
-/// An endpoint listens or connects once, and then owns the resulting connection. One send and one receive may be under
-/// way at a time.
+/// Messages to a TCP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 2 and 7). An endpoint listens or
+/// connects once, and then owns the connection. It can have one unfinished send and one unfinished receive.
 #ifndef OPENR_TCPENDPOINTMSG_H
 #define OPENR_TCPENDPOINTMSG_H
 
@@ -11,14 +9,14 @@
 
 enum TCPEndpointError {
   TCP_SUCCESS = 0,
-  TCP_FAIL = 1,                ///< the host could not do it, or the message can only be sent, not called
-  TCP_CONNECTION_CLOSED = 2,   ///< the other side, or a TCPEndpointCloseMsg, has closed the connection
-  TCP_CONNECTION_RESET = 3,    ///< the other side has reset the connection
+  TCP_FAIL = 1,                ///< the host failed, or the message can only be sent, not called
+  TCP_CONNECTION_CLOSED = 2,   ///< by the other side or a TCPEndpointCloseMsg
+  TCP_CONNECTION_RESET = 3,    ///< by the other side
   TCP_CONNECTION_TIMEOUT = 4,  ///< the other side has vanished, or has not read for 2 s
-  TCP_CONNECTION_BUSY = 5,     ///< a send (for a send) or a receive (for a receive) is under way
+  TCP_CONNECTION_BUSY = 5,     ///< another send (for a send) or receive (for a receive) has not finished
   TCP_ADDRESSINUSE = 6,        ///< another program has the port
-  TCP_ADDRESSERROR = 7,        ///< not a possible address
-  TCP_PORT_UNREACHABLE = 8,    ///< nothing listens there
+  TCP_ADDRESSERROR = 7,        ///< this address is impossible
+  TCP_PORT_UNREACHABLE = 8,    ///< no program listens there
   TCP_PROTOCOL_UNREACHABLE = 9,
   TCP_HOST_UNREACHABLE = 10,
   TCP_NETWORK_UNREACHABLE = 11,
@@ -27,11 +25,10 @@ enum TCPEndpointError {
   TCP_TIME_EXCEEDED = 14,
   TCP_WOULDBLOCK = 15,
   TCP_BUFFER_INVALID = 16,     ///< the data is not in a shared buffer, or a size is out of range
-  TCP_OPERATION_INVALID = 17,  ///< no such endpoint, or not allowed in its state
+  TCP_OPERATION_INVALID = 17,  ///< there is no such endpoint, or its state does not allow it
   TCP_OPERATION_UNKNOWN = 18
 };
 
-/// Base of the messages to a TCP endpoint.
 class TCPEndpointBaseMsg : public antEnvMsg {
  public:
   antModuleRef module;
@@ -42,7 +39,7 @@ class TCPEndpointBaseMsg : public antEnvMsg {
       : antEnvMsg(asked), module(endpoint), error(TCP_FAIL) {}
 };
 
-/// Base of the messages that establish a connection. `l` is the local side, `f` the foreign one.
+/// The base of messages that establish a connection. `l` is the local side, `f` the foreign one.
 class TCPEndpointAddressesMsg : public TCPEndpointBaseMsg {
  public:
   IPAddress lAddress;
@@ -60,29 +57,29 @@ class TCPEndpointAddressesMsg : public TCPEndpointBaseMsg {
         fPort(foreign_port) {}
 };
 
-/// Waits for one client. The answer contains its address and port (fAddress, fPort), and the local address.
+/// Waits for a client. The answer has the client's address and port (fAddress, fPort) and the local ones.
 class TCPEndpointListenMsg : public TCPEndpointAddressesMsg {
  public:
-  /// @param address IP_ADDR_ANY; on Linux the machine's bind address decides
+  /// @param address IP_ADDR_ANY; on Linux the machine's bind address counts
   explicit TCPEndpointListenMsg(const antModuleRef& endpoint, const IPAddress& address = IP_ADDR_ANY, Port port = 0,
                                 const IPAddress& foreign = IP_ADDR_ANY, Port foreign_port = 0)
       : TCPEndpointAddressesMsg(antOperation_TCPListen, endpoint, address, port, foreign, foreign_port) {}
 };
 
-/// Connects to a server. The answer also contains the local address and port.
+/// Connects to a server. The answer also has the local address and port.
 class TCPEndpointConnectMsg : public TCPEndpointAddressesMsg {
  public:
-  /// @param address, port IP_ADDR_ANY and IP_PORT_ANY
+  /// @param address, port must be IP_ADDR_ANY and IP_PORT_ANY
   /// @param foreign, foreign_port the server's
   TCPEndpointConnectMsg(const antModuleRef& endpoint, const IPAddress& address, Port port, const IPAddress& foreign,
                         Port foreign_port)
       : TCPEndpointAddressesMsg(antOperation_TCPConnect, endpoint, address, port, foreign, foreign_port) {}
 };
 
-/// Sends. Answered when all bytes are in the stack's own memory, or with an error.
+/// The answer comes when all bytes are in the stack's memory, or with an error.
 class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer; must not change until the answer comes
+  /// @param data in a shared buffer; must not change until the answer
   /// @param bytes at least 1
   TCPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : TCPEndpointBaseMsg(antOperation_TCPSend, endpoint), buffer(data), size(bytes) {}
@@ -91,7 +88,7 @@ class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
   int size;
 };
 
-/// Receives. Answered as soon as sizeMin bytes have arrived, or with an error.
+/// The answer comes when sizeMin bytes have arrived, or with an error.
 class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
  public:
   /// @param data in a shared buffer with room for `max` bytes
@@ -100,25 +97,25 @@ class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
       : TCPEndpointBaseMsg(antOperation_TCPReceive, endpoint), buffer(data), sizeMin(min), sizeMax(max) {}
 
   byte* buffer;
-  int sizeMin;  ///< answer: number of bytes received, with an error those before it
-  int sizeMax;  ///< answer: the same
+  int sizeMin;  ///< in the answer: the bytes received, even before an error
+  int sizeMax;  ///< in the answer: likewise
 };
 
-/// Closes the endpoint, whatever it is doing; a listen, connect, send or receive under way is first answered with
-/// TCP_CONNECTION_CLOSED. After the answer the endpoint no longer exists.
+/// Closes the endpoint, whatever it is doing. An unfinished request is first answered with TCP_CONNECTION_CLOSED. After
+/// the answer the endpoint no longer exists.
 ///
-/// The answer comes when the connection is fully closed: at once if the other side has closed already, or with `abort`;
-/// otherwise when the other side closes, which may be never. An object that cannot wait that long aborts: a second
-/// TCPEndpointCloseMsg with `abort` ends the waiting, and both are answered.
+/// The answer comes when the connection is fully closed: at once with `abort` or if the other side has closed already;
+/// otherwise when the other side closes, which may be never. An object that cannot wait sends a second
+/// TCPEndpointCloseMsg with `abort`, which ends the waiting. Both are then answered.
 class TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
  public:
   explicit TCPEndpointCloseMsg(const antModuleRef& endpoint, bool lingers = false, int linger_time = 0,
                                bool aborts = false)
       : TCPEndpointBaseMsg(antOperation_TCPClose, endpoint), abort(aborts), linger(lingers), lingerTime(linger_time) {}
 
-  bool abort;      ///< true: the other side sees a reset; false: it receives everything that was sent, then the end
-  bool linger;     ///< without effect on Linux; the SDK does not document it
-  int lingerTime;  ///< the same
+  bool abort;      ///< true: the other side sees a reset; false: it gets everything that was sent, then the end
+  bool linger;     ///< no effect on Linux; the SDK does not document it
+  int lingerTime;  ///< no effect either
 };
 
 #endif  // OPENR_TCPENDPOINTMSG_H

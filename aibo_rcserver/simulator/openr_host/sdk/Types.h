@@ -1,5 +1,4 @@
 /// @file Types.h
-/// The elementary types of the robot's operating system.
 #ifndef OPENR_TYPES_H
 #define OPENR_TYPES_H
 
@@ -9,13 +8,13 @@ typedef unsigned char byte;
 typedef signed char sbyte;
 typedef unsigned short word;
 typedef signed short sword;
-/// 32 bits in every data layout. On the robot it is an unsigned long, but that has 64 bits on most Linux computers, so
-/// here it is an unsigned int. Print it with a cast.
+/// 32 bits in every data layout. On the robot it is an unsigned long, which usually has 64 bits on Linux, so here it is
+/// an unsigned int. Print it with a cast.
 typedef unsigned int longword;
 typedef signed int slongword;
 
-typedef longword Selector;            ///< number of an entry point of an object
-typedef unsigned int MemoryRegionID;  ///< number of a piece of memory shared with the system
+typedef longword Selector;            ///< an entry point of an object
+typedef unsigned int MemoryRegionID;  ///< a piece of memory shared with the system
 
 const Selector UNDEF = 0xffffffffU;
 

@@ -1,7 +1,6 @@
 /// @file UDPEndpointMsg.h
-/// Messages to a UDP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 3 and 8).
-///
-/// An endpoint must be bound first. One send and one receive may be under way at a time.
+/// Messages to a UDP endpoint (OPEN-R SDK Internet Protocol Version4, chapters 3 and 8). An endpoint must be bound
+/// first. It can have one unfinished send and one unfinished receive.
 #ifndef OPENR_UDPENDPOINTMSG_H
 #define OPENR_UDPENDPOINTMSG_H
 
@@ -11,24 +10,23 @@
 enum UDPEndpointError {
   UDP_SUCCESS = 0,
   UDP_FAIL = 1,
-  UDP_CONNECTION_CLOSED = 2,  ///< a UDPEndpointCloseMsg has closed the endpoint
-  UDP_CONNECTION_BUSY = 3,    ///< a send (for a send) or a receive (for a receive) is under way
+  UDP_CONNECTION_CLOSED = 2,  ///< by a UDPEndpointCloseMsg
+  UDP_CONNECTION_BUSY = 3,    ///< another send (for a send) or receive (for a receive) has not finished
   UDP_ADDRESSINUSE = 4,       ///< another program has the port
-  UDP_ADDRESSERROR = 5,       ///< not a possible address
+  UDP_ADDRESSERROR = 5,       ///< this address is impossible
   UDP_PORT_UNREACHABLE = 6,   ///< nothing received an earlier packet
   UDP_PROTOCOL_UNREACHABLE = 7,
   UDP_HOST_UNREACHABLE = 8,
   UDP_NETWORK_UNREACHABLE = 9,
-  UDP_MESSAGE_TOO_LONG = 10,  ///< larger than a packet can be
+  UDP_MESSAGE_TOO_LONG = 10,  ///< too large for a packet
   UDP_TTL_EXCEEDED = 11,
   UDP_TIME_EXCEEDED = 12,
   UDP_BUFFER_INVALID = 13,     ///< the data is not in a shared buffer, or a size is out of range
-  UDP_OPERATION_INVALID = 14,  ///< no such endpoint, or not allowed in its state
+  UDP_OPERATION_INVALID = 14,  ///< there is no such endpoint, or its state does not allow it
   UDP_OPERATION_UNKNOWN = 15,
   UDP_WOULDBLOCK = 16
 };
 
-/// Base of the messages to a UDP endpoint.
 class UDPEndpointBaseMsg : public antEnvMsg {
  public:
   antModuleRef module;
@@ -39,10 +37,10 @@ class UDPEndpointBaseMsg : public antEnvMsg {
       : antEnvMsg(asked), module(endpoint), error(UDP_FAIL) {}
 };
 
-/// Takes a port. The answer contains the address and port that were taken.
+/// Takes a port. The answer has the address and port.
 class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
  public:
-  /// @param local IP_ADDR_ANY; on Linux the machine's bind address decides
+  /// @param local IP_ADDR_ANY; on Linux the machine's bind address counts
   /// @param local_port IP_PORT_ANY means any free one from 1024 up; on Linux it is the same port of this computer
   UDPEndpointBindMsg(const antModuleRef& endpoint, const IPAddress& local, Port local_port)
       : UDPEndpointBaseMsg(antOperation_UDPBind, endpoint), address(local), port(local_port) {}
@@ -51,26 +49,11 @@ class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
   Port port;
 };
 
-/// Sets the destination of all packets from now on.
-class UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
- public:
-  UDPEndpointConnectMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port)
-      : UDPEndpointBaseMsg(antOperation_UDPConnect, endpoint), address(foreign), port(foreign_port) {}
-
-  IPAddress address;
-  Port port;
-};
-
-/// Sends one packet. Answered when it is in the stack's own memory, or with an error.
+/// Sends a packet. The answer comes when the packet is in the stack's memory, or with an error.
 class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
  public:
-  /// Sends to the address that the endpoint is connected to.
-  /// @param data in a shared buffer; must not change until the answer comes
+  /// @param data in a shared buffer; must not change until the answer
   /// @param bytes at least 1
-  UDPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
-      : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint), port(0), buffer(data), size(bytes) {}
-
-  /// @param foreign, foreign_port destination; ignored if the endpoint is connected
   UDPEndpointSendMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint),
         address(foreign),
@@ -84,21 +67,20 @@ class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   int size;
 };
 
-/// Receives one packet. Bytes that do not fit into the buffer are lost.
+/// Receives a packet. Bytes that do not fit into the buffer are lost.
 class UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer with room for `bytes`
-  /// @param bytes at least 1
+  /// @param data in a shared buffer with room for `bytes`, at least 1
   UDPEndpointReceiveMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPReceive, endpoint), port(0), buffer(data), size(bytes) {}
 
-  IPAddress address;  ///< answer: the sender's
-  Port port;          ///< answer: the sender's
+  IPAddress address;  ///< in the answer: the sender's
+  Port port;          ///< in the answer: the sender's
   byte* buffer;
-  int size;  ///< answer: bytes received
+  int size;  ///< in the answer: the bytes received
 };
 
-/// Closes the endpoint. A send or receive under way is first answered with UDP_CONNECTION_CLOSED. After the answer the
+/// Closes the endpoint. An unfinished request is first answered with UDP_CONNECTION_CLOSED. After the answer the
 /// endpoint no longer exists.
 class UDPEndpointCloseMsg : public UDPEndpointBaseMsg {
  public:

@@ -1,5 +1,4 @@
 /// @file antTypes.h
-/// The elementary types of the network stack.
 #ifndef OPENR_ANTTYPES_H
 #define OPENR_ANTTYPES_H
 
@@ -13,7 +12,8 @@ typedef int boolean;
 
 enum antError {
   ANT_SUCCESS = 0,
-  ANT_FAIL = 1  ///< no such stack, object, entry or buffer, a buffer in use, or a message that cannot be used this way
+  /// The stack, object, entry or buffer does not exist, the buffer is in use, or the message cannot be used like this.
+  ANT_FAIL = 1
 };
 
 #endif  // OPENR_ANTTYPES_H

@@ -1,4 +1,4 @@
-// Generates sources from an object's stub.cfg. Called by openr_generate_stub.cmake.
+// Generates sources from an object's stub.cfg, for openr_generate_stub.cmake.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

@@ -1,5 +1,5 @@
 /// @file stub.h
-/// An object's stub.cfg, and the sources that are generated from it.
+/// An object's stub.cfg, and the sources generated from it.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_STUB_GENERATOR_STUB_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_STUB_GENERATOR_STUB_H
 
@@ -11,14 +11,13 @@
 
 namespace openr_host {
 
-/// A line that begins with Service.
 struct StubService {
   ServiceName name;
-  std::string connection_function;  ///< called when the service is connected; empty for null
-  std::string data_function;        ///< called for a message or a ready event; empty for null
+  std::string connection_function;  ///< called on connection; empty for a null in stub.cfg
+  std::string data_function;        ///< called for data or a ready event; empty for a null in stub.cfg
 };
 
-/// The names of an object's gates and entry points.
+/// An object's gates and entry points.
 struct StubConfiguration {
   std::string object_name;
   std::vector<StubService> subjects;
@@ -26,23 +25,23 @@ struct StubConfiguration {
   std::vector<std::string> extra_functions;
 };
 
-/// Reads a stub.cfg (OPEN-R SDK Programmer's Guide, 2.3), one setting per line. Other lines, such as comments, are
-/// skipped. A service's first word is usually the object's name, but need not be.
-/// @param file its name, for errors
-/// @throw ConfigurationError if a setting is malformed, if NumOfOSubject or NumOfOObserver is 0 or does not match the
-/// number of services, or if two services or extra functions have the same name
+/// Reads a stub.cfg (OPEN-R SDK Programmer's Guide, 2.3) with one setting per line. Other lines are comments. The first
+/// word of a service is usually the object's name, but need not be.
+/// @param file the file's name, for errors
+/// @throw ConfigurationError a setting is malformed, NumOfOSubject or NumOfOObserver is 0 or the wrong number, or two
+///   services or extra functions have the same name
 StubConfiguration readStub(std::istream& text, const std::string& file);
 
-/// def.h: numOfSubject, numOfObserver, and the indexes sbjNAME and obsNAME. The SDK's stubgen2 makes the same.
+/// def.h: numOfSubject, numOfObserver, and the indices sbjNAME and obsNAME, like the SDK's stubgen2.
 std::string writeDef(const StubConfiguration& stub);
 
-/// entry.h: the indexes entryNAME into Extra_Entry. The SDK's stubgen2 makes the same.
+/// entry.h: the indices entryNAME into Extra_Entry, like the SDK's stubgen2.
 std::string writeEntry(const StubConfiguration& stub);
 
-/// OBJECTNAME_stub.h: declares describeOBJECTNAME(), for MachineOptions::catalog.
+/// OBJECTNAME_stub.h, which declares describeOBJECTNAME() for MachineOptions::catalog.
 std::string writeDescriptionHeader(const StubConfiguration& stub);
 
-/// OBJECTNAME_stub.cc: defines describeOBJECTNAME(). Expects the class OBJECTNAME in OBJECTNAME.h.
+/// OBJECTNAME_stub.cc, which defines describeOBJECTNAME(). It needs the class OBJECTNAME in OBJECTNAME.h.
 /// @param priority from the object's .ocf, 0..255
 std::string writeDescription(const StubConfiguration& stub, int priority);
 

@@ -52,7 +52,7 @@ class Reader {
     int line;
   };
 
-  /// Lines with other keywords are comments.
+  /// Other keywords begin comments.
   void readSetting(const std::string& keyword, const std::string& value) {
     if (keyword == "ObjectName") {
       readObjectName(firstWord(value));
@@ -63,7 +63,7 @@ class Reader {
     } else if (keyword == "Service") {
       readService(splitAt(',', value));
     } else if (keyword == "Extra") {
-      // Like the robot's own generator, which reads up to the first space: "Name ()" is an error there.
+      // The robot's own generator stops at the first space, too. "Name ()" is an error there.
       readExtra(firstWord(value));
     }
   }
@@ -150,7 +150,7 @@ class Reader {
   [[noreturn]] void fail(const std::string& what) const { throw ConfigurationError(file_, line_, what); }
 
   const std::string file_;
-  int line_ = 0;  ///< that errors name
+  int line_ = 0;  ///< for errors
   StubConfiguration stub_;
   std::optional<Count> number_of_subjects_;
   std::optional<Count> number_of_observers_;

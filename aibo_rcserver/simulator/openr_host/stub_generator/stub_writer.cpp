@@ -7,7 +7,7 @@ namespace {
 
 const char kOrigin[] = "// Written by openr_stub_generator from stub.cfg: change that instead.\n";
 
-/// The source of a lambda that calls a function of the object, or "nullptr".
+/// The source of a lambda that calls the object's function, or "nullptr".
 std::string callOf(const StubConfiguration& stub, const std::string& function, const std::string& argument) {
   if (function.empty()) {
     return "nullptr";

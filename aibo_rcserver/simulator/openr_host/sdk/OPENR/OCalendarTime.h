@@ -1,11 +1,10 @@
 /// @file OCalendarTime.h
-/// A time of the robot's clock as date and time of day.
 #ifndef OPENR_OCALENDARTIME_H
 #define OPENR_OCALENDARTIME_H
 
 #include <OPENR/OTime.h>
 
-/// The local time of an OTime.
+/// An OTime's local date and time of day.
 class OCalendarTime {
  public:
   OCalendarTime() { SetTime(OTime()); }

@@ -1,11 +1,11 @@
 /// @file ODataArchive.h
-/// Kinds of files in an archive of motions, lights and sounds. The calls that read such archives are not provided.
+/// Kinds of files in an archive of motions, lights and sounds. No calls read such archives.
 #ifndef OPENR_ODATAARCHIVE_H
 #define OPENR_ODATAARCHIVE_H
 
 #include <Types.h>
 
-/// The first four characters of the file, the first one in the lowest byte.
+/// A file's first four characters, the first one in the lowest byte.
 typedef longword ODataArchiveMagic;
 const ODataArchiveMagic odamagicUNDEF = 0xffffffffU;
 const ODataArchiveMagic odamagicODAR = 0x5241444fU;  ///< "ODAR", an archive

@@ -1,13 +1,13 @@
 /// @file ODataFormats.h
-/// Layouts of the data to and from the system's own objects. All of them are vectors: a header, then one info for each
-/// entry, then the data. An info contains the offset of its data from the beginning of the header.
+/// Layouts of the data to and from system objects. All are vectors: a header, then an info for each entry, then the
+/// data. An info has its data's offset from the beginning of the header.
 #ifndef OPENR_ODATAFORMATS_H
 #define OPENR_ODATAFORMATS_H
 
 #include <OPENR/OPENR.h>
 #include <OPENR/OUnits.h>
 
-typedef longword ODataType;  ///< kind of data in a vector, and its unit
+typedef longword ODataType;
 
 const ODataType odataUNDEF = 0;
 const ODataType odataNO_DIMENSION = 1;
@@ -27,11 +27,11 @@ const ODataType odataSWITCH = 14;            ///< oswitchON or oswitchOFF
 const ODataType odataLED = 15;               ///< oledON or oledOFF
 const ODataType odataSOUND = 16;
 const ODataType odataIMAGE = 17;
-const ODataType odataJOINT_VALUE = 18;    ///< a joint's reading, in millionths of a radian
-const ODataType odataFBK_YCrCb = 19;      ///< a picture of the three bands Y, Cr, Cb
+const ODataType odataJOINT_VALUE = 18;    ///< a joint's reading, in microradians
+const ODataType odataFBK_YCrCb = 19;      ///< bands Y, Cr and Cb
 const ODataType odataFBK_CDT = 20;        ///< the result of the colour detection
 const ODataType odataCDT = 21;            ///< a table for the colour detection
-const ODataType odataFBK_YCrCb_HPF = 24;  ///< the three bands and three of fine detail in Y; ERS-7
+const ODataType odataFBK_YCrCb_HPF = 24;  ///< Y, Cr, Cb and three bands of fine detail; ERS-7
 const ODataType odataJOINT_COMMAND = 256;
 const ODataType odataLED_COMMAND = 258;
 const ODataType odataJOINT_COMMAND2 = 259;
@@ -59,13 +59,13 @@ const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 const OLED3Mode oled3_MODE_A = 0;
 const OLED3Mode oled3_MODE_B = 1;
 
-/// The two states of an ERS-210's ear: let go, and drawn by its magnet.
+/// An ERS-210's ear: let go, or drawn by its magnet.
 typedef longword OJointValue3;
 const OJointValue3 ojoint3_STATE_UNDEF = 0xffffffffU;
 const OJointValue3 ojoint3_STATE0 = 0;
 const OJointValue3 ojoint3_STATE1 = 1;
 
-/// The same for an ERS-7's ear.
+/// An ERS-7's ear.
 typedef longword OJointValue4;
 const OJointValue4 ojoint4_STATE_UNDEF = 0xffffffffU;
 const OJointValue4 ojoint4_STATE0 = 0;
@@ -73,41 +73,41 @@ const OJointValue4 ojoint4_STATE1 = 1;
 
 const size_t odataOPTIONAL_MAX = 128;
 
-/// The header of every vector (OPEN-R SDK Level2 Reference Guide, page 45). Sizes and offsets are size_t on the robot,
-/// which has 32 bits there.
+/// The header of every vector (OPEN-R SDK Level2 Reference Guide, page 45). Sizes and offsets are the robot's size_t,
+/// of 32 bits.
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;
-  longword physAddr;   ///< address of the memory for the robot's devices; 0 on Linux
-  longword offset;     ///< of this header in its memory region
-  longword totalSize;  ///< bytes, from the beginning of this header to the end of the data
+  longword physAddr;   ///< address for the robot's devices; 0 on Linux
+  longword offset;     ///< this header's offset in its memory region
+  longword totalSize;  ///< bytes, from this header to the end of the data
   ODataType type;
-  longword infoOffset;  ///< of the first info from this header
+  longword infoOffset;  ///< the first info's offset from this header
   longword infoSize;    ///< bytes of one info
   longword maxNumData;  ///< capacity in entries
   longword numData;     ///< number of entries
   OVRSyncKey syncKey;   ///< command vectors with the same key start together
   longword wait;        ///< delay of a command or sound vector in frames of 8 ms
-  longword optOffset;   ///< beginning of the part of `optional` that is passed on
+  longword optOffset;   ///< where the part of `optional` begins that is passed on
   longword optSize;     ///< bytes of that part
   longword padding[3];
-  byte optional[odataOPTIONAL_MAX];  ///< is copied into the sensor vectors
+  byte optional[odataOPTIONAL_MAX];  ///< copied into the sensor vectors
 };
 
 // ---------------------------------------------------------------------------------------------------------- commands
 
-const size_t ocommandMAX_FRAMES = 16;  ///< of 8 ms each
+const size_t ocommandMAX_FRAMES = 16;  ///< frames of 8 ms
 
 struct OCommandInfo {
   ODataType type;
   OPrimitiveID primitiveID;
   longword frameNumber;
   longword numFrames;  ///< 1..ocommandMAX_FRAMES
-  longword frameSize;  ///< bytes of one value, 8; set by NewCommandVectorData(), as are the next two
+  longword frameSize;  ///< 8, in bytes; NewCommandVectorData() sets this and the next two members
   longword dataOffset;
   longword dataSize;  ///< 128
   longword padding[1];
 
-  /// Sets the members that objects choose. The others are set by NewCommandVectorData().
+  /// Sets what objects choose. NewCommandVectorData() sets the rest.
   void Set(ODataType dataType, OPrimitiveID id, size_t frames) {
     type = dataType;
     primitiveID = id;
@@ -115,13 +115,13 @@ struct OCommandInfo {
   }
 };
 
-/// One frame of a command. Holds one of the value types below.
+/// One frame of a command: one of the value types below.
 struct OCommandValue {
   slongword value[2];
 };
 
 struct OJointCommandValue2 {
-  slongword value;  ///< micro-radian
+  slongword value;  ///< microradians
   longword padding;
 };
 
@@ -133,13 +133,13 @@ struct OJointCommandValue3 {
 
 struct OJointCommandValue4 {
   OJointValue4 value;
-  word period;  ///< in frames of 8 ms
+  word period;  ///< frames of 8 ms
   word reserved;
 };
 
 struct OLEDCommandValue2 {
   OLEDValue led;
-  word period;  ///< in frames of 8 ms
+  word period;  ///< frames of 8 ms
   word reserved;
 };
 
@@ -169,14 +169,14 @@ struct OCommandVectorData {
 // ----------------------------------------------------------------------------------------------------------- sensors
 
 const word osensorframeINVALID_SIGNAL = 0xffff;
-const slongword opsdINVALID_VALUE = 0;  ///< reported by a range finder that sees nothing
+const slongword opsdINVALID_VALUE = 0;  ///< a range finder that sees nothing reports this
 
-const size_t osensorframeMAX_FRAMES = 16;  ///< room in an entry; one message carries 4 frames, 32 ms
+const size_t osensorframeMAX_FRAMES = 16;  ///< capacity of an entry; a message carries 4 frames, 32 ms
 
 struct OSensorFrameInfo {
   ODataType type;
   OPrimitiveID primitiveID;
-  longword frameNumber;  ///< of the first frame
+  longword frameNumber;  ///< the first frame's
   longword numFrames;
   longword frameSize;
   longword dataOffset;
@@ -191,34 +191,32 @@ struct OSensorFrameInfo {
 };
 
 struct OSensorValue {
-  slongword value;  ///< in the unit of its info's type; for a touch sensor 0..80 on the ERS-7, without a unit
+  slongword value;  ///< in the unit of its info's type; a touch sensor's is 0..80 on the ERS-7
   word signal;
   word padding[5];
 };
 
-/// @name Views of an OSensorValue, by the measured quantity
-/// @{
+/// Views of an OSensorValue.
 typedef OSensorValue OAcceleration;
 typedef OSensorValue OAngularVelocity;
 typedef OSensorValue OTemperature;
 typedef OSensorValue OForce;
 typedef OSensorValue OPressure;
 typedef OSensorValue OLength;
-/// @}
 
-/// A switch's reading. Has the layout of an OSensorValue.
+/// Has the layout of an OSensorValue.
 struct OSwitchStatus {
   OSwitchValue value;
   word signal;
   word padding[5];
 };
 
-/// A joint's reading. Has the layout of an OSensorValue.
+/// Has the layout of an OSensorValue.
 struct OJointValue {
-  slongword value;  ///< micro-radian
+  slongword value;  ///< microradians
   word signal;
   sword pwmDuty;
-  slongword refValue;  ///< micro-radian
+  slongword refValue;  ///< microradians
   word refSignal;
   word padding[1];
 };
@@ -243,23 +241,22 @@ struct OSensorFrameVectorData {
 
 typedef int OFbkImageLayer;
 const OFbkImageLayer ofbkimageLAYER_H = 0;  ///< high resolution: 208x160 on the ERS-7
-const OFbkImageLayer ofbkimageLAYER_M = 1;  ///< half of its width and height
-const OFbkImageLayer ofbkimageLAYER_L = 2;  ///< a quarter of its width and height
+const OFbkImageLayer ofbkimageLAYER_M = 1;  ///< half of this width and height
+const OFbkImageLayer ofbkimageLAYER_L = 2;  ///< a quarter of it
 const OFbkImageLayer ofbkimageLAYER_C = 3;  ///< colour detection
 
-/// The info of one layer.
 struct OFbkImageInfo {
   ODataType type;
   OPrimitiveID primitiveID;
   longword frameNumber;
   longword dataOffset;
   longword dataSize;
-  longword width;   ///< pixels
+  longword width;
   longword height;  ///< pixels
   longword padding[1];
 };
 
-/// One camera image in all layers. OFbkImage reads it.
+/// One camera image in all layers, for OFbkImage.
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
   OFbkImageInfo info[1];  ///< the first of vectorInfo.maxNumData, one for each layer
@@ -295,7 +292,7 @@ const longword ocdtCr_MIN_MASK = 0x000000ffU;
 const longword ocdtCb_MAX_MASK = 0xff000000U;
 const longword ocdtCb_MIN_MASK = 0x00ff0000U;
 
-/// The colours that one channel detects: for each of 32 steps of brightness a rectangle of Cr and Cb.
+/// The colours of one channel: a rectangle of Cr and Cb for each of 32 steps of brightness.
 struct OCdtInfo {
   ODataType type;
   OPrimitiveID primitiveID;  ///< the camera
@@ -303,7 +300,7 @@ struct OCdtInfo {
   longword table[ocdtMAX_Y_SEGMENT];
   longword padding;
 
-  /// Clears the table: it detects no colour.
+  /// An empty table detects no colour.
   void Init(OPrimitiveID id, OCdtChannel cdt_channel) {
     type = odataCDT;
     primitiveID = id;
@@ -360,6 +357,11 @@ struct OSoundInfo {
     primitiveID = id;
     dataSize = static_cast<longword>(bytes);
   }
+};
+
+struct OSoundSampleStereo16 {
+  sword L;
+  sword R;
 };
 
 struct OSoundVectorData {

@@ -1,5 +1,5 @@
 /// @file ODebug.h
-/// Output of debug builds, which are compiled with OPENR_DEBUG.
+/// Output of builds with OPENR_DEBUG.
 #ifndef OPENR_ODEBUG_H
 #define OPENR_ODEBUG_H
 
@@ -9,7 +9,7 @@
 #undef OPENR_DEBUG
 #endif
 
-/// PRINTF(("format", ...)): note the double parentheses.
+/// PRINTF(("format", ...)) needs double parentheses.
 #define PRINTF(arguments) printf arguments
 
 #ifdef OPENR_DEBUG

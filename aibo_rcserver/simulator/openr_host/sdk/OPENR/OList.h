@@ -1,23 +1,22 @@
 /// @file OList.h
-/// A list with room for a fixed number of items.
 #ifndef OPENR_OLIST_H
 #define OPENR_OLIST_H
 
 #include <MCOOP.h>  // objects may rely on this include
 #include <OPENR/ODebug.h>
 
-/// The result of a change to a list.
 typedef int OTLStatus;
 const OTLStatus otlSUCCESS = 0;
 const OTLStatus otlFAIL = 3;
 const OTLStatus otlOVERFLOW = 1;   ///< the list is full
 const OTLStatus otlUNDERFLOW = 2;  ///< the list is empty
 
-/// @tparam MaxSize capacity in items, at least 1
+/// A list with room for a fixed number of items.
+/// @tparam MaxSize at least 1
 template <class T, int MaxSize>
 class OList {
  public:
-  OList() : first_(0), size_(0) {}
+  OList() : size_(0) {}
 
   /// @return otlOVERFLOW if the list is full
   OTLStatus PushBack(const T& item) {
@@ -25,16 +24,6 @@ class OList {
       return otlOVERFLOW;
     }
     At(size_++) = item;
-    return otlSUCCESS;
-  }
-  /// @return otlOVERFLOW if the list is full
-  OTLStatus PushFront(const T& item) {
-    if (size_ == MaxSize) {
-      return otlOVERFLOW;
-    }
-    first_ = (first_ + MaxSize - 1) % MaxSize;
-    ++size_;
-    Front() = item;
     return otlSUCCESS;
   }
   /// @return otlUNDERFLOW if the list is empty
@@ -45,25 +34,15 @@ class OList {
     --size_;
     return otlSUCCESS;
   }
-  /// @return otlUNDERFLOW if the list is empty
-  OTLStatus PopFront() {
-    if (size_ == 0) {
-      return otlUNDERFLOW;
-    }
-    first_ = (first_ + 1) % MaxSize;
-    --size_;
-    return otlSUCCESS;
-  }
 
-  /// Neither function may be called on an empty list.
+  /// Not for an empty list.
   T& Front() { return At(0); }
   T& Back() { return At(size_ - 1); }
 
   void Clear() { size_ = 0; }
   int GetSize() const { return size_; }
-  int GetMaxSize() const { return MaxSize; }
 
-  /// Iterates from the first item to the last. Any change to the list invalidates it.
+  /// Any change to the list invalidates the iterator.
   class Iterator {
    public:
     Iterator() : list_(0), index_(0) {}
@@ -90,10 +69,9 @@ class OList {
   Iterator End() { return Iterator(this, size_); }
 
  private:
-  T& At(int index) { return items_[(first_ + index) % MaxSize]; }
+  T& At(int index) { return items_[index]; }
 
   T items_[MaxSize];
-  int first_;
   int size_;
 };
 

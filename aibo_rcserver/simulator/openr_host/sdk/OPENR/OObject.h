@@ -1,5 +1,4 @@
 /// @file OObject.h
-/// The base class of all OPEN-R objects.
 #ifndef OPENR_OOBJECT_H
 #define OPENR_OOBJECT_H
 
@@ -10,7 +9,7 @@ namespace openr_host {
 class System;
 }
 
-/// Base of every object. The derived class has the members `OSubject* subject[numOfSubject]` and
+/// The base class of all OPEN-R objects. The derived class has the members `OSubject* subject[numOfSubject]` and
 /// `OObserver* observer[numOfObserver]` (def.h) and the functions named in stub.cfg, all public.
 ///
 /// The machine calls one function at a time and waits until it returns, so objects need no locks and must not block.
@@ -21,10 +20,10 @@ class OObject {
 
   /// All objects are initialised before any is connected or started. Anything but oSUCCESS ends the boot.
   virtual OStatus DoInit(const OSystemEvent& event);
-  /// All objects are connected by now.
+  /// Called when all objects are connected.
   virtual OStatus DoStart(const OSystemEvent& event);
   virtual OStatus DoStop(const OSystemEvent& event);
-  /// All objects are stopped by now.
+  /// Called when all objects are stopped.
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
  protected:

@@ -1,9 +1,9 @@
 /// @file OPENR.h
-/// The elementary types and limits of OPEN-R.
+/// OPEN-R's elementary types and limits.
 ///
-/// This folder holds headers with the names and data layouts of Sony's OPEN-R SDK 1.1.5, written from its
-/// documentation, so that one source compiles for the robot with the SDK and for Linux with these. They keep to C++98.
-/// Everything declared here belongs to the one thread that runs the machine (simulator/openr_host/machine.h).
+/// This folder has headers with the names and data layouts of Sony's OPEN-R SDK 1.1.5, written from its documentation.
+/// So one source compiles for the robot with the SDK, and for Linux with these. They are C++98. Everything here belongs
+/// to the one thread that runs the machine (simulator/openr_host/machine.h).
 #ifndef OPENR_OPENR_H
 #define OPENR_OPENR_H
 
@@ -17,14 +17,14 @@
 #include <OPENR/OStatus.h>
 #include <Types.h>
 
-typedef longword OPrimitiveID;        ///< number of an opened joint, sensor, LED, camera...
-typedef longword ODesignDataID;       ///< number of a file of the design database in memory
-typedef longword OVRSyncKey;          ///< number of a key that makes effectors start together
-typedef longword OPrimitiveRequest;   ///< a request to a primitive (OPrimitiveControl.h)
-typedef longword OMemoryStickStatus;  ///< state of the memory stick in the robot
-typedef byte OVolumeSwitch;           ///< position of the volume switch
+typedef longword OPrimitiveID;       ///< an open joint, sensor, LED, camera...
+typedef longword ODesignDataID;      ///< a design database file in memory
+typedef longword OVRSyncKey;         ///< a key that makes effectors start together
+typedef longword OPrimitiveRequest;  ///< to a primitive (OPrimitiveControl.h)
+typedef longword OMemoryStickStatus;
+typedef byte OVolumeSwitch;
 
-const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< in calls that accept it: all opened primitives
+const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< all open primitives, in calls that accept it
 const ODesignDataID odesigndataID_UNDEF = 0xffffffffU;
 
 const OMemoryStickStatus omemorystickUNDEF = 0xffffffffU;
@@ -32,7 +32,7 @@ const OMemoryStickStatus omemorystickNOT_EXIST = 0;
 const OMemoryStickStatus omemorystickWRITE_PROTECTED = 1;
 const OMemoryStickStatus omemorystickWRITABLE = 2;
 
-const longword oframeMAX_NUMBER = 0x0ffffff0U;  ///< the last frame number; 0 follows
+const longword oframeMAX_NUMBER = 0x0ffffff0U;  ///< 0 follows it
 const longword oframeINVALID_NUMBER = 0xffffffffU;
 
 const OVRSyncKey ovrsynckeyUNDEF = 0xffffffffU;
@@ -44,17 +44,17 @@ const OVolumeSwitch ovolumeSW1 = 1;
 const OVolumeSwitch ovolumeSW2 = 2;
 const OVolumeSwitch ovolumeSW3 = 3;
 
-const int orobotdesignNAME_MAX = 31;     ///< characters of a robot design's name, without the closing 0
-const int odesignkeywordNAME_MAX = 127;  ///< the same of a key in the design database
-const int oserviceNAME_MAX = 127;        ///< the same of a service
-const int ovrPATH_MAX = 127;             ///< the same of a primitive's locator
+const int orobotdesignNAME_MAX = 31;     ///< characters of a robot design's name, without the final 0
+const int odesignkeywordNAME_MAX = 127;  ///< characters of a design database key, without the final 0
+const int oserviceNAME_MAX = 127;        ///< characters of a service's name, without the final 0
+const int ovrPATH_MAX = 127;             ///< characters of a primitive's locator, without the final 0
 
 /// An entry point of an object.
 struct OServiceEntry {
   OID oid;
   Selector selector;
 
-  /// No entry.
+  /// Identifies no entry.
   OServiceEntry() : selector(UNDEF) {}
   OServiceEntry(const OID& object, Selector entry) : oid(object), selector(entry) {}
 

@@ -1,5 +1,4 @@
 /// @file OPENRMessages.h
-/// Messages from the system to an `Extra` entry of an object.
 #ifndef OPENR_OPENRMESSAGES_H
 #define OPENR_OPENRMESSAGES_H
 
@@ -9,8 +8,8 @@
 typedef longword OMessageType;
 const OMessageType omsgPOWER_STATUS = 1030;
 
-/// The power status has changed in a way that the entry observes (OPENR::ObservePowerStatus()). The entry is called
-/// with a pointer to one of these, which is valid until the entry returns.
+/// Tells an `Extra` entry of a change in the power status (OPENR::ObservePowerStatus()). The message is valid until the
+/// entry returns.
 struct OPowerStatusMessage {
   OMessageType msgType;
   OPowerStatus powerStatus;

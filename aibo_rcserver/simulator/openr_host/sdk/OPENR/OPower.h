@@ -1,5 +1,4 @@
 /// @file OPower.h
-/// Motor power, battery, shutting down and booting again.
 #ifndef OPENR_OPOWER_H
 #define OPENR_OPOWER_H
 
@@ -10,9 +9,8 @@ typedef bool OPower;
 const OPower opowerON = true;
 const OPower opowerOFF = false;
 
-/// @name Bits of OPowerStatus::robotStatus (Level2 Reference Guide, page 76)
-/// @{
-const longword orsbPAUSE = 0x00000001;  ///< the pause button has been pressed
+/// Bits of OPowerStatus::robotStatus (Level2 Reference Guide, page 76).
+const longword orsbPAUSE = 0x00000001;  ///< the pause button was pressed
 const longword orsbMOTOR_POWER = 0x00000002;
 const longword orsbVIBRATION_DETECT = 0x00000004;
 const longword orsbEX_PORT_CONNECTED = 0x00000008;  ///< to a station or a charger
@@ -31,7 +29,7 @@ const longword orsbOPEN_R_POWER_GOOD = 0x00008000;
 const longword orsbERROR_OF_FAN = 0x00010000;
 const longword orsbDATA_STREAM_FROM_STATION = 0x00020000;
 const longword orsbREGISTER_UPDATED_BY_STATION = 0x00040000;
-const longword orsbRTC_ERROR = 0x00080000;  ///< of the clock
+const longword orsbRTC_ERROR = 0x00080000;  ///< the clock's
 const longword orsbRTC_OVERFLOW = 0x00100000;
 const longword orsbRTC_RESET = 0x00200000;
 const longword orsbRTC_SET = 0x00400000;
@@ -42,10 +40,8 @@ const longword orsbPLUNGER = 0x04000000;  ///< the battery is locked
 const longword orsbSUSPENDED = 0x08000000;
 const longword orsbSPECIAL_DATA_READ_REQ = 0x10000000;
 const longword orsbALL = 0x1FFFFFFF;
-/// @}
 
-/// @name Bits of OPowerStatus::batteryStatus (Level2 Reference Guide, page 78)
-/// @{
+/// Bits of OPowerStatus::batteryStatus (Level2 Reference Guide, page 78).
 const word obsbERROR_CODE_MASK = 0x000F;
 const word obsbFULLY_DISCHARGED = 0x0010;
 const word obsbFULLY_CHARGED = 0x0020;
@@ -58,33 +54,25 @@ const word obsbOVER_TEMP_ALARM = 0x1000;
 const word obsbTERMINATED_CHARGING_ALARM = 0x4000;
 const word obsbOVER_CHARGED_ALARM = 0x8000;
 const word obsbALL = 0xFFFF;
-/// @}
 
-/// @name Special values for OPENR::ObservePowerStatus()
-/// For timeDif, the guide (page 79) gives 0xFF and 0xFE, but the SDK's header 0x7F and 0x7E. Objects are compiled with
-/// the header, so its values count.
-/// @{
-const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xFFFF;
+/// Special values for OPENR::ObservePowerStatus(). For timeDif, the guide (page 79) gives 0xFE and the SDK's header
+/// 0x7E. Objects are compiled with the header, so its value counts.
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xFFFE;
-const word opsoTEMPERATURE_NOTIFY_EVERY_CHANGE = 0xFFFF;
 const word opsoTEMPERATURE_NOT_NOTIFY = 0xFFFE;
-const sbyte opsoTIME_DIF_NOTIFY_EVERY_CHANGE = 0x7F;
 const sbyte opsoTIME_DIF_NOT_NOTIFY = 0x7E;
-const byte opsoVOLUME_NOTIFY_EVERY_CHANGE = 0xFF;
 const byte opsoVOLUME_NOT_NOTIFY = 0xFE;
-/// @}
 
-/// The result of OPENR::GetPowerStatus(), and the argument of OPENR::ObservePowerStatus().
+/// For OPENR::GetPowerStatus() and OPENR::ObservePowerStatus().
 struct OPowerStatus {
   longword robotStatus;
   word batteryStatus;
   word remainingCapacity;     ///< per cent
-  word temperature;           ///< of the battery, in tenths of a kelvin
+  word temperature;           ///< the battery's, in tenths of a kelvin
   word fullyChargedCapacity;  ///< mAh
   word voltage;               ///< mV
   sword current;              ///< mA; negative while discharging
-  sbyte timeDif;              ///< of the robot's time zone
-  byte volume;                ///< of the speaker
+  sbyte timeDif;              ///< time zone
+  byte volume;
 
   OPowerStatus()
       : robotStatus(0),
@@ -97,7 +85,7 @@ struct OPowerStatus {
         timeDif(0),
         volume(0) {}
 
-  /// For OPENR::ObservePowerStatus(), which ignores the other members.
+  /// For OPENR::ObservePowerStatus(), which ignores all other members.
   void Set(longword robot_bits, word battery_bits, word capacity, word kelvin, sbyte time_zone, byte loudness) {
     robotStatus = robot_bits;
     batteryStatus = battery_bits;
@@ -108,23 +96,19 @@ struct OPowerStatus {
   }
 };
 
-/// @name Bits of OBootCondition::bitmap: events that boot the robot again
-/// @{
-const word obcbBOOT_TIMER = 0x0001;  ///< OBootCondition::bootTime is reached
+/// Bits of OBootCondition::bitmap: events that boot the robot again.
+const word obcbBOOT_TIMER = 0x0001;  ///< at OBootCondition::bootTime
 const word obcbVIBRATION_DETECTED = 0x0002;
 const word obcbPAUSE_SW = 0x0004;
 const word obcbSTATION_CONNECTED = 0x0008;
 const word obcbSTATION_DISCONNECTED = 0x0010;
 const word obcbBATTERY_CAPACITY_FULL = 0x0020;
-/// @}
 
-/// @name Kinds of OBootCondition::bootTime
-/// @{
+/// Kinds of OBootCondition::bootTime.
 const longword obcbttRELATIVE = 0x00000000;  ///< seconds from now; 0 boots at once
 const longword obcbttABSOLUTE = 0x80000000U;
-/// @}
 
-/// The argument of OPENR::Shutdown(): when to boot again.
+/// For OPENR::Shutdown(): when to boot again.
 struct OBootCondition {
   word bitmap;
   time_t bootTime;

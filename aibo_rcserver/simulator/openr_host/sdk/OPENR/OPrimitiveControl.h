@@ -1,5 +1,5 @@
 /// @file OPrimitiveControl.h
-/// Requests of OPENR::ControlPrimitive(). Numbers from the OPEN-R SDK Level2 Reference Guide.
+/// Requests for OPENR::ControlPrimitive(), with the numbers of the OPEN-R SDK Level2 Reference Guide.
 #ifndef OPENR_OPRIMITIVECONTROL_H
 #define OPENR_OPRIMITIVECONTROL_H
 
@@ -10,7 +10,7 @@ const OPrimitiveRequest oprmreqCAM_BASE = 384;
 const OPrimitiveRequest oprmreqCAM_SET_WHITE_BALANCE = 384;
 const OPrimitiveRequest oprmreqCAM_SET_GAIN = 385;
 const OPrimitiveRequest oprmreqCAM_SET_SHUTTER_SPEED = 386;
-const OPrimitiveRequest oprmreqCAM_AE_ON = 388;  ///< automatic exposure; ERS-7 only, as are the next three
+const OPrimitiveRequest oprmreqCAM_AE_ON = 388;  ///< automatic exposure; this and the next three are only for the ERS-7
 const OPrimitiveRequest oprmreqCAM_AE_OFF = 389;
 const OPrimitiveRequest oprmreqCAM_AWB_ON = 390;  ///< automatic white balance
 const OPrimitiveRequest oprmreqCAM_AWB_OFF = 391;
@@ -33,8 +33,7 @@ struct OPrimitiveControl_CameraParam {
   explicit OPrimitiveControl_CameraParam(longword param) : camparam(param) {}
 };
 
-/// @name The speaker. The simulated robot has none.
-/// @{
+/// The speaker (Model Information ERS-7, 3.1.2). It begins with 8 kHz and 8 bits.
 const OPrimitiveRequest oprmreqSPEAKER_MUTE_ON = 128;
 const OPrimitiveRequest oprmreqSPEAKER_MUTE_OFF = 129;
 const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME = 130;
@@ -60,14 +59,11 @@ struct OPrimitiveControl_SpeakerSoundType {
   OSpeakerSoundType type;
   explicit OPrimitiveControl_SpeakerSoundType(OSpeakerSoundType sound) : type(sound) {}
 };
-/// @}
 
-/// @name The microphone. The simulated robot has none.
-/// @{
+/// The microphone. An ERS-7's takes none of these (Model Information ERS-7, 3.2.2).
 const OPrimitiveRequest oprmreqMIC_UNI = 256;
 const OPrimitiveRequest oprmreqMIC_OMNI = 257;
 const OPrimitiveRequest oprmreqMIC_ALC_ON = 258;
 const OPrimitiveRequest oprmreqMIC_ALC_OFF = 259;
-/// @}
 
 #endif  // OPENR_OPRIMITIVECONTROL_H

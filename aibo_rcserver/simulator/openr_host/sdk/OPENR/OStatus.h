@@ -1,5 +1,4 @@
 /// @file OStatus.h
-/// Results of calls.
 #ifndef OPENR_OSTATUS_H
 #define OPENR_OSTATUS_H
 
@@ -29,7 +28,7 @@ const OStatus oINVALID_PRIMITIVE_ID = 4096;
 const OStatus oINVALID_DATA_TYPE = 4098;
 const OStatus oNO_SYNC_KEY = 4106;
 const OStatus oINVALID_SYNC_KEY = 4107;
-const OStatus oGAIN_DISABLED = 4108;  ///< the joint's gain is not effective: EnableJointGain() first
+const OStatus oGAIN_DISABLED = 4108;  ///< call EnableJointGain() first
 const OStatus oDESIGNDATA_SIZE_ZERO = 4110;
 
 const OStatus oALERT_JOINT_UNCONTROLLABLE = 8192;  ///< the joint cannot follow its commands

@@ -1,11 +1,11 @@
 /// @file OSyslog.h
-/// Text for the console: standard output, and every telnet connection to the wireless console (port 59000).
+/// Text for the console: standard output and every telnet connection to the wireless console (port 59000).
 #ifndef OPENR_OSYSLOG_H
 #define OPENR_OSYSLOG_H
 
 #include <OPENR/OPENR.h>
 
-/// Characters of one print, including the closing 0; longer texts are cut off (OPEN-R SDK Programmer's Guide, 5.1).
+/// Characters in a print, including the final 0. Longer texts are cut off (OPEN-R SDK Programmer's Guide, 5.1).
 const size_t osyslogMAX_SIZE = 243;
 
 typedef longword OSyslogPriority;
@@ -13,20 +13,19 @@ const OSyslogPriority osyslogERROR = 1;
 const OSyslogPriority osyslogWARNING = 2;
 const OSyslogPriority osyslogINFO = 3;
 
-/// The function behind OSYSPRINT. Formats like printf; never waits for a slow reader.
+/// Formats like printf, and never waits for a slow reader.
 OStatus osysprint(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/// The function behind OSYSLOG1. Prints one line that begins with the priority and the object's name.
+/// Prints one line that begins with the priority and the object's name.
 OStatus osyslog(OSyslogPriority priority, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
-/// OSYSPRINT(("format", ...)): note the double parentheses.
+/// OSYSPRINT(("format", ...)) needs double parentheses.
 #define OSYSPRINT(arguments) (osysprint arguments)
 
-/// OSYSLOG1((osyslogERROR, "format", ...)): note the double parentheses.
+/// OSYSLOG1((osyslogERROR, "format", ...)) needs double parentheses.
 #define OSYSLOG1(arguments) (osyslog arguments)
 
-/// @name Less important logs, which the SDK omits unless OSYSLOG_SHOW is 2 or more
-/// @{
+/// Less important logs, which the SDK omits unless OSYSLOG_SHOW is 2 or more.
 #if defined(OSYSLOG_SHOW) && OSYSLOG_SHOW > 1
 #define OSYSLOG2(arguments) (osyslog arguments)
 #else
@@ -42,9 +41,8 @@ OStatus osyslog(OSyslogPriority priority, const char* format, ...) __attribute__
 #else
 #define OSYSLOG4(arguments)
 #endif
-/// @}
 
-/// OSYSDEBUG(("format", ...)): like OSYSPRINT if OPENR_DEBUG is defined, otherwise nothing.
+/// OSYSDEBUG(("format", ...)) is OSYSPRINT with OPENR_DEBUG, and otherwise does nothing.
 #ifdef OPENR_DEBUG
 #define OSYSDEBUG(arguments) (osysprint arguments)
 #else

@@ -1,5 +1,4 @@
 /// @file OTime.h
-/// A time of the robot's clock.
 #ifndef OPENR_OTIME_H
 #define OPENR_OTIME_H
 
@@ -10,12 +9,12 @@
 const sbyte otimeTIME_DIF_UNDEF = 0x7F;
 const int otimeSTART_YEAR = 2000;
 
-/// Universal time, and the offset of the robot's time zone.
+/// The robot's time: universal time, and the offset of its time zone.
 class OTime {
  public:
   OTime() : clock_(0), timeDif_(0) {}
   /// @param clock universal time
-  /// @param timeDif hours that local time is ahead of it, -12..12
+  /// @param timeDif local time minus universal time in hours, -12..12
   OTime(time_t clock, sbyte timeDif) : clock_(clock), timeDif_(timeDif) {}
 
   time_t GetClock() const { return clock_; }
@@ -26,7 +25,7 @@ class OTime {
     clock_ = clock;
     return oSUCCESS;
   }
-  /// @return oINVALID_ARG, with nothing changed, outside -12..12
+  /// @return oINVALID_ARG, with nothing changed, if it is outside -12..12
   OStatus SetTimeDif(sbyte timeDif) {
     if (timeDif < -12 || timeDif > 12) {
       return oINVALID_ARG;

@@ -19,25 +19,20 @@ const slongword oradiansPI = 3141592;
 const slongword oradiansPI_2 = 1570796;
 const slongword oradiansPI_4 = 785398;
 
-/// @return `value` in millionths, truncated towards 0
+/// In millionths, truncated towards 0.
 inline slongword micro(double value) {
   return static_cast<slongword>(value * 1e6);
 }
 
-/// @param deg degrees
-/// @return radians
 inline double radians(double deg) {
   return deg * (3.14159265358979323846 / 180.0);
 }
 
-/// @param rad radians
-/// @return degrees
 inline double degrees(double rad) {
   return rad * (180.0 / 3.14159265358979323846);
 }
 
-/// @param deg degrees
-/// @return microradians, as joints take them
+/// From degrees to microradians, the unit of joints.
 inline slongword oradians(double deg) {
   return micro(radians(deg));
 }

@@ -1,5 +1,4 @@
 /// @file ObjcommEvent.h
-/// Arguments of an object's entry points.
 #ifndef OPENR_OBJCOMMEVENT_H
 #define OPENR_OBJCOMMEVENT_H
 
@@ -8,7 +7,7 @@
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 
-/// Data has come to an observer. The data is valid until the entry point returns; to keep it longer, add a reference.
+/// Tells an observer that data has come. The data is valid until the entry point returns, unless you add a reference.
 class ONotifyEvent {
  public:
   ONotifyEvent(int obs_index, const SubjectID& sender, RCRegion* const* regions, int number_of_data)
@@ -29,7 +28,7 @@ class ONotifyEvent {
   int number_of_data_;
 };
 
-/// An observer has become ready for data, or is no longer ready.
+/// Tells a subject that an observer has become ready, or is no longer ready.
 class OReadyEvent {
  public:
   OReadyEvent(int sbj_index, const ObserverID& sender, bool is_assert)
@@ -46,7 +45,7 @@ class OReadyEvent {
   bool is_assert_;
 };
 
-/// A subject has been connected to an observer. Sent to the subject's object.
+/// Tells an object that one of its subjects was connected.
 class OControlEvent {
  public:
   OControlEvent(int sbj_index, const ObserverID& sender) : sbj_index_(sbj_index), sender_(sender) {}
@@ -59,7 +58,7 @@ class OControlEvent {
   ObserverID sender_;
 };
 
-/// An observer has been connected to a subject. Sent to the observer's object.
+/// Tells an object that one of its observers was connected.
 class OConnectEvent {
  public:
   OConnectEvent(int obs_index, const SubjectID& sender) : obs_index_(obs_index), sender_(sender) {}

@@ -1,5 +1,4 @@
 /// @file ObjcommMessages.h
-/// Limits of the messages between objects.
 #ifndef OPENR_OBJCOMMMESSAGES_H
 #define OPENR_OBJCOMMMESSAGES_H
 
@@ -13,7 +12,7 @@
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 
-/// Most pieces of data in one notification.
+/// Pieces of data in a notification.
 #define MAX_NUM_DATA 13
 
 /// Bytes in a message between objects.

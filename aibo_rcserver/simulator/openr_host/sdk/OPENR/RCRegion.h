@@ -1,27 +1,25 @@
 /// @file RCRegion.h
-/// Reference-counted memory, which several objects can read without copying.
 #ifndef OPENR_RCREGION_H
 #define OPENR_RCREGION_H
 
 #include <OPENR/OPENR.h>
 
-/// A reference-counted piece of memory. It starts with one reference, its creator's, and is deleted with the last one.
-///
-/// A creator that keeps its reference may fill the region again as soon as NumberOfReference() is 1: then all observers
-/// are done with it.
+/// Memory that counts its references, so that several objects can read it without copying. It begins with its creator's
+/// reference, and is deleted with the last one. When NumberOfReference() is 1, all observers are done, and the creator
+/// may fill it again.
 class RCRegion {
  public:
-  /// Allocates `size` bytes, all zero, aligned for any type.
+  /// All zero, aligned for any type.
   explicit RCRegion(size_t size);
 
-  /// Refers to memory that is owned elsewhere and must outlive the region.
+  /// Refers to memory that must outlive the region.
   /// @param memID, offset the system's name for the memory; only stored for the caller
   RCRegion(MemoryRegionID memID, size_t offset, void* base, size_t size);
 
-  /// Call this to keep a region longer than the event that delivered it...
+  /// Call this to keep a region longer than the event that delivered it.
   void AddReference();
 
-  /// ...and this when done with it. Deletes the region with the last reference.
+  /// The last one deletes the region.
   void RemoveReference();
 
   int NumberOfReference() const { return references_; }

@@ -1,6 +1,6 @@
 /// @file core_macro.h
-/// The standard steps of the four life cycle functions for an object's subjects and observers. For use in the member
-/// functions of a class that has the members `subject` and `observer` and includes its def.h.
+/// Standard steps of the life cycle functions for subjects and observers. Use them in a class with the members
+/// `subject` and `observer` that includes its def.h.
 #ifndef OPENR_CORE_MACRO_H
 #define OPENR_CORE_MACRO_H
 
@@ -14,32 +14,33 @@
     }                                      \
   } while (false)
 
-/// DoInit, first.
+/// The first step of DoInit.
 #define NEW_ALL_SUBJECT_AND_OBSERVER                         \
   OPENR_FOR_ALL(numOfSubject, subject[i_] = new OSubject()); \
   OPENR_FOR_ALL(numOfObserver, observer[i_] = new OObserver())
 
-/// DoInit, second.
+/// The second step of DoInit.
 #define REGISTER_ALL_ENTRY                                        \
   OPENR_FOR_ALL(numOfSubject, subject[i_]->Register(myOID_, i_)); \
   OPENR_FOR_ALL(numOfObserver, observer[i_]->Register(myOID_, i_))
 
-/// DoInit, third. Does nothing on Linux, where the machine knows the entry functions from the object's description.
+/// The third step of DoInit. It does nothing on Linux, where the machine knows the entry functions from the object's
+/// description.
 #define SET_ALL_READY_AND_NOTIFY_ENTRY static_cast<void>(0)
 
-/// DoStart, first.
+/// The first step of DoStart.
 #define ENABLE_ALL_SUBJECT OPENR_FOR_ALL(numOfSubject, subject[i_]->Enable(true))
 
-/// DoStart, second.
+/// The second step of DoStart.
 #define ASSERT_READY_TO_ALL_OBSERVER OPENR_FOR_ALL(numOfObserver, observer[i_]->AssertReady())
 
-/// DoStop, first.
+/// The first step of DoStop.
 #define DISABLE_ALL_SUBJECT OPENR_FOR_ALL(numOfSubject, subject[i_]->Enable(false))
 
-/// DoStop, second.
+/// The second step of DoStop.
 #define DEASSERT_READY_TO_ALL_OBSERVER OPENR_FOR_ALL(numOfObserver, observer[i_]->DeassertReady())
 
-/// DoDestroy.
+/// The step of DoDestroy.
 #define DELETE_ALL_SUBJECT_AND_OBSERVER            \
   OPENR_FOR_ALL(numOfSubject, delete subject[i_]); \
   OPENR_FOR_ALL(numOfObserver, delete observer[i_])

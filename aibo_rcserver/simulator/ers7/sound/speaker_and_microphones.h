@@ -1,0 +1,58 @@
+/// @file speaker_and_microphones.h
+/// What the simulated robot plays and hears.
+#ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SOUND_SPEAKER_AND_MICROPHONES_H
+#define AIBO_RCSERVER_SIMULATOR_ERS7_SOUND_SPEAKER_AND_MICROPHONES_H
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OPENR.h>
+#include <OPENR/OPrimitiveControl.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulator/ers7/sound/wav_file.h"
+#include "simulator/openr_host/virtual_robot.h"
+
+namespace simulated_ers7 {
+
+/// The speaker and both microphones (Model Information ERS-7, 3.1.2 and 3.2.2). The loudest volume plays samples as
+/// they are, the others as much softer as Sony says.
+class SpeakerAndMicrophones {
+ public:
+  /// @param speaker_file WAV file that gets what the speaker plays, without the pauses between sounds; empty: none
+  /// @param hears_itself how much of what the speaker plays comes to the microphones, 0..1
+  /// @throw SoundError the file cannot be written
+  SpeakerAndMicrophones(const std::string& speaker_file, double hears_itself);
+
+  OSpeakerSoundType soundType() const { return type_; }
+
+  /// Requests of OPENR::ControlPrimitive() to the speaker.
+  OStatus control(OPrimitiveRequest request, void* param, std::size_t param_size);
+
+  /// Plays and hears for 8 ms.
+  openr_host::MicrophoneFrame passFrame(longword frame, const openr_host::SpeakerFrame* played);
+
+  /// From the next frame on, the microphones hear this, once; then silence.
+  void hear(std::vector<OSoundSampleStereo16> samples);
+
+  /// As when the robot boots.
+  void reset();
+
+ private:
+  double gain() const;
+
+  std::unique_ptr<WavWriter> writer_;
+  double hears_itself_;
+  OSpeakerSoundType type_ = ospksndMONO8K8B;
+  OSpeakerVolume volume_ = ospkvol10dB;
+  bool is_mute_ = false;
+  std::vector<OSoundSampleStereo16> heard_;
+  std::optional<longword> heard_since_;  ///< empty until somebody listens
+};
+
+}  // namespace simulated_ers7
+
+#endif  // AIBO_RCSERVER_SIMULATOR_ERS7_SOUND_SPEAKER_AND_MICROPHONES_H

@@ -1,0 +1,103 @@
+#include "simulator/ers7/sound/wav_file.h"
+
+#include <cstring>
+#include <iterator>
+
+namespace simulated_ers7 {
+namespace {
+
+constexpr std::uint32_t kRate = 16000;
+constexpr std::size_t kHeaderSize = 44;
+
+/// What a chunk "fmt " begins with.
+struct Format {
+  std::uint16_t encoding;
+  std::uint16_t channels;
+  std::uint32_t rate;
+  std::uint32_t bytes_per_second;
+  std::uint16_t block_size;
+  std::uint16_t bits;
+};
+constexpr std::uint16_t kPcm = 1;
+constexpr std::uint16_t kExtensible = 0xfffe;  ///< some programs write PCM so
+
+Format formatOf(std::uint16_t channels) {
+  const auto block = static_cast<std::uint16_t>(2 * channels);
+  return {kPcm, channels, kRate, kRate * block, block, 16};
+}
+
+template <typename Value>
+Value valueAt(const std::string& bytes, std::size_t offset) {
+  Value value{};
+  std::memcpy(&value, bytes.data() + offset, sizeof(value));
+  return value;
+}
+
+/// The content of a chunk, as much as there is of it; empty if there is none.
+std::string chunk(const std::string& bytes, const std::string& name) {
+  for (std::size_t offset = 12; offset + 8 <= bytes.size();) {
+    const std::size_t size = valueAt<std::uint32_t>(bytes, offset + 4);
+    if (bytes.compare(offset, 4, name) == 0) {
+      return bytes.substr(offset + 8, size);
+    }
+    offset += 8 + size + size % 2;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<OSoundSampleStereo16> readWav(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw SoundError(path + ": cannot be read");
+  }
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const std::string format_chunk = chunk(bytes, "fmt ");
+  if (bytes.compare(0, 4, "RIFF") != 0 || format_chunk.size() < sizeof(Format)) {
+    throw SoundError(path + ": is not a WAV file");
+  }
+  const auto format = valueAt<Format>(format_chunk, 0);
+  const bool is_pcm = format.encoding == kPcm || format.encoding == kExtensible;
+  if (!is_pcm || format.bits != 16 || format.rate != kRate || format.channels < 1 || format.channels > 2) {
+    throw SoundError(path + ": has another format than 16 kHz, 16 bits, one or two channels; convert it: sox " + path +
+                     " -r 16000 -b 16 -c 1 OTHER.wav");
+  }
+  const std::string data = chunk(bytes, "data");
+  std::vector<OSoundSampleStereo16> samples(data.size() / (2U * format.channels));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t left = 2 * i * format.channels;
+    samples[i] = {valueAt<sword>(data, left), valueAt<sword>(data, left + 2U * (format.channels - 1U))};
+  }
+  return samples;
+}
+
+WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary) {
+  writeHeader();
+  if (!file_.flush()) {
+    throw SoundError(path + ": cannot be written");
+  }
+}
+
+WavWriter::~WavWriter() {
+  file_.seekp(0);
+  writeHeader();
+}
+
+void WavWriter::write(const openr_host::SpeakerFrame& samples) {
+  file_.write(reinterpret_cast<const char*>(samples.data()), sizeof(samples));
+  size_ += static_cast<std::uint32_t>(sizeof(samples));
+}
+
+void WavWriter::writeHeader() {
+  const auto put = [this](const auto& value) { file_.write(reinterpret_cast<const char*>(&value), sizeof(value)); };
+  file_.write("RIFF", 4);
+  put(static_cast<std::uint32_t>(size_ + kHeaderSize - 8));
+  file_.write("WAVEfmt ", 8);
+  put(static_cast<std::uint32_t>(sizeof(Format)));
+  put(formatOf(1));
+  file_.write("data", 4);
+  put(size_);
+}
+
+}  // namespace simulated_ers7
