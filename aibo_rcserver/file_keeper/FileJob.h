@@ -10,31 +10,29 @@
 #include "protocol/stick_pictures.h"
 #include "protocol/text.h"
 
-/// The folder on the memory stick with the motions and the pictures. Sony's sample ImageCapture saves its pictures
-/// there, too, so it is known that programs may write to it.
+/// The folder with the motions and pictures. Programs may write to it: Sony's sample ImageCapture does.
 const char DATA_FOLDER[] = "OPEN-R/MW/DATA/P";
 
-/// Most bytes of a motion or a picture.
+/// The largest motion or picture, in bytes.
 const size_t FILE_CAPACITY = protocol::version2::MAX_STICK_PICTURE_SIZE;
 
-/// Bytes that pictures leave free on the memory stick: for a motion, RCSERVER.CFG and the log of a crash (EMON.LOG).
+/// Bytes that pictures leave free: for a motion, RCSERVER.CFG and the log of a crash (EMON.LOG).
 const size_t PICTURE_RESERVE = 64 * 1024;
 
 enum FileKind { MOTION_FILE, PICTURE_FILE };
 
-/// Most bytes of a file of this kind.
 inline size_t largestFile(FileKind kind) {
   return kind == MOTION_FILE ? static_cast<size_t>(mtn::MAX_FILE_SIZE) : FILE_CAPACITY;
 }
 
-/// RCServer.FileJob: a job with a file on the memory stick.
+/// RCServer.FileJob: a job on the memory stick.
 struct FileJob {
   enum Operation { READ, STORE, DELETE, LIST };
 
-  unsigned ticket;  ///< comes back with the result; not 0
+  unsigned ticket;  ///< returned with the result; not 0
   Operation operation;
   FileKind kind;
-  protocol::FileName name;  ///< empty for LIST, and for a picture to STORE, whose name FileKeeper chooses
+  protocol::FileName name;  ///< empty for LIST, and for STORE of a picture, because FileKeeper chooses its name
   size_t size;              ///< bytes of the content for STORE, otherwise 0
   unsigned char content[FILE_CAPACITY];
 };
@@ -43,22 +41,22 @@ struct FileJob {
 struct FileResult {
   enum Outcome {
     DONE,
-    MISSING,    ///< READ, DELETE: there is no such file
-    TOO_LARGE,  ///< READ: the file has more than largestFile() bytes
-    NO_STICK,   ///< there is no memory stick in the robot
+    MISSING,    ///< READ, DELETE: the file does not exist
+    TOO_LARGE,  ///< READ: the file is larger than largestFile()
+    NO_STICK,   ///< the robot has no memory stick
     LOCKED,     ///< STORE, DELETE: the memory stick is write-protected
-    FULL,       ///< STORE of a picture: less than its size and PICTURE_RESERVE is free
-    TOO_MANY,   ///< STORE of a picture: the memory stick has as many as can be listed
-    NO_NUMBER,  ///< STORE of a picture: the highest number has been given to one that is still there
-    FAILED      ///< the memory stick failed; after STORE, nothing of the content is left on it
+    FULL,       ///< STORE of a picture: less than its size plus PICTURE_RESERVE is free
+    TOO_MANY,   ///< STORE of a picture: the memory stick already has as many as a list can hold
+    NO_NUMBER,  ///< STORE of a picture: a picture already has the highest number
+    FAILED      ///< the memory stick failed; nothing of a STORE is left
   };
 
-  unsigned ticket;  ///< of the job
+  unsigned ticket;  ///< the job's ticket
   Outcome outcome;
-  protocol::FileName name;               ///< after STORE of a picture
+  protocol::FileName name;               ///< set after STORE of a picture
   size_t size;                           ///< bytes of the content after READ, otherwise 0
-  unsigned char content[FILE_CAPACITY];  ///< after READ
-  protocol::version2::FileList list;     ///< after LIST
+  unsigned char content[FILE_CAPACITY];  ///< set after READ
+  protocol::version2::FileList list;     ///< set after LIST
 };
 
 #endif  // AIBO_RCSERVER_FILE_KEEPER_FILE_JOB_H

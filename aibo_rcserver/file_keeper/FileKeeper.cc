@@ -55,7 +55,7 @@ void FileKeeper::NotifyJob(const ONotifyEvent& event) {
   results_.Send();
 }
 
-// A stick that is missing or write-protected is named as the reason. If OPEN-R does not tell, the job is tried.
+// Reports a stick that is missing or write-protected. If OPEN-R does not tell, the job is tried anyway.
 FileResult::Outcome FileKeeper::CheckStick(FileJob::Operation operation) {
   OMemoryStickStatus status = omemorystickUNDEF;
   if (OPENR::GetMemoryStickStatus(&status) != oSUCCESS) {

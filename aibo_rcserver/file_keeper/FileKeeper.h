@@ -14,10 +14,10 @@
 
 /// Does one job at a time.
 ///
-/// This is a separate object because the memory stick makes its caller wait, and an object handles one message at a
-/// time. Its scheduling class is below RCServer's (FileKeeper.ocf), so RCServer interrupts it.
+/// It is a separate object because the memory stick makes its caller wait, and an object handles one message at a time.
+/// RCServer has a higher scheduling class and interrupts it (FileKeeper.ocf).
 ///
-/// It asks for a job only when RCServer is ready for the result, so there is always room for the result.
+/// It asks for a job only when RCServer can take the result.
 class FileKeeper : public OObject {
  public:
   FileKeeper();
@@ -31,10 +31,10 @@ class FileKeeper : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// RCServer is ready for a result (gate Result).
+  /// Called when RCServer can take a result (gate Result).
   void ReadyResult(const OReadyEvent& event);
 
-  /// RCServer has sent a job (gate Job).
+  /// Called when RCServer has sent a job (gate Job).
   void NotifyJob(const ONotifyEvent& event);
 
  private:

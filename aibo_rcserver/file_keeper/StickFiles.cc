@@ -15,15 +15,15 @@ const int StickFiles::HIGHEST_NUMBER;
 
 namespace {
 
-// A new file is written to this one, whose name is neither a motion's nor a picture's.
+// A new file gets this name until it is complete. It is neither a motion's nor a picture's.
 const char TEMPORARY_FILE[] = "UPLOAD.TMP";
 
-// The free space that is left to others is measured with this one.
+// This file measures the free space.
 const char RESERVE_FILE[] = "RESERVE.TMP";
 
 const char NUMBERED_NAME[] = "AIBO%04d.JPG";
 
-// Goes through the names of the files of a kind on the memory stick.
+// Reads the names of files of one kind on the memory stick.
 class FolderReader {
  public:
   FolderReader(const HostSettings& host, FileKind kind)
@@ -41,7 +41,7 @@ class FolderReader {
 
   bool IsOpen() const { return folder_ != NULL; }
 
-  // The next file's name, in capitals. Returns it as it is spelled, or NULL at the end.
+  // Sets the next file's name, in capitals. Returns the name as it is spelled, or NULL at the end.
   const char* Next(FileName& name) {
     const dirent* entry = NULL;
     while (folder_ != NULL && (entry = readdir(folder_)) != NULL) {
@@ -66,7 +66,7 @@ bool PathInFolder(const HostSettings& host, const char* file, char (&path)[MAX_P
   return pathOnMemoryStick(host, name, path);
 }
 
-// The number in the name of a picture; 0 if it has another kind of name.
+// The number in a picture's name; 0 if the name is of another kind.
 int NumberIn(const PictureName& name) {
   int number = 0;
   PictureName again;
@@ -77,7 +77,7 @@ int NumberIn(const PictureName& name) {
   return strcmp(again, name) == 0 ? number : 0;
 }
 
-// Some file systems cannot rename a file to a name that exists.
+// Some file systems cannot rename a file to a name that already exists.
 bool Rename(const char* from, const char* to) {
   if (rename(from, to) == 0) {
     return true;
@@ -86,7 +86,6 @@ bool Rename(const char* from, const char* to) {
   return rename(from, to) == 0;
 }
 
-// For qsort().
 int CompareNames(const void* a, const void* b) {
   return strcmp(static_cast<const char*>(a), static_cast<const char*>(b));
 }
@@ -148,7 +147,7 @@ FileResult::Outcome StickFiles::StoreMotion(const MotionName& name, const unsign
   return FileResult::FAILED;
 }
 
-// While the picture has its temporary name, the reserve is written beside it. The name is new, so nothing is replaced.
+// The reserve is written while the picture has its temporary name. The final name is new, so nothing is replaced.
 FileResult::Outcome StickFiles::StorePicture(const unsigned char* bytes, size_t size, PictureName& name) const {
   char path[MAX_PATH_SIZE];
   char temporary_path[MAX_PATH_SIZE];
@@ -195,8 +194,8 @@ bool StickFiles::Find(FileKind kind, const FileName& name, char (&path)[MAX_PATH
   return false;
 }
 
-// readdir() sees at most 682 files in a folder (Programmer's Guide, A.1), so a picture beyond that might have any
-// number. There are fewer: MAX_LISTED_FILES pictures, and few motions.
+// readdir() sees at most 682 files in a folder (Programmer's Guide, A.1). There are fewer: MAX_LISTED_FILES pictures
+// and a few motions.
 FileResult::Outcome StickFiles::ChooseName(PictureName& name) const {
   FolderReader folder(host_, PICTURE_FILE);
   if (!folder.IsOpen()) {
@@ -230,7 +229,7 @@ bool StickFiles::HasReserve() const {
   return is_free;
 }
 
-// Replaces the file. On a computer it could be a link to another one, which must not be written.
+// Removes the old file first. On a computer it could be a link to another file, which must not be overwritten.
 bool StickFiles::Write(const char* path, const unsigned char* bytes, size_t size) const {
   remove(path);
   if (host_.room != NULL && size > *host_.room) {

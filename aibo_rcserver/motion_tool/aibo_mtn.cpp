@@ -1,4 +1,4 @@
-// Makes motion files from their text form, and prints motion files in it (docs/motions.md).
+// Makes motion files from text, and prints motion files as text (docs/motions.md).
 #include <algorithm>
 #include <exception>
 #include <fstream>
@@ -46,7 +46,7 @@ void read(const std::string& bytes, const std::string& file, mtn::Motion& motion
   }
 }
 
-// The table of the motion's robot; null, with a warning, if it is not known.
+// The robot that the motion is for; null, with a warning, if it is unknown.
 const robot_model::RobotModel* robotOf(const mtn::Motion& motion) {
   const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
   if (robot == nullptr) {
@@ -62,7 +62,7 @@ void warn(const std::string& remark) {
   }
 }
 
-// The text with `prefix` before each line, as it may go to a terminal.
+// Puts `prefix` before each line, and makes the text safe for a terminal.
 std::string eachLineAfter(const std::string& prefix, const std::string& text) {
   std::string result;
   std::istringstream lines(text);
@@ -86,8 +86,7 @@ void make(const std::string& source, const std::string& target) {
   mtn::Motion motion;
   read(bytes, target, motion);
   if (const robot_model::RobotModel* robot = robotOf(motion)) {
-    // The author needs every place that the robot cannot do exactly. They may be intended, so they do not stop
-    // anything.
+    // These may be intended, so they do not stop anything.
     for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
       warn(obstacle);
     }
@@ -131,7 +130,7 @@ void print(const std::string& source) {
   }
 }
 
-// Takes an option off the arguments, wherever it is.
+// Removes an option from the arguments, wherever it is.
 bool takeOption(const std::string& option, std::vector<std::string>& arguments) {
   const auto end = std::remove(arguments.begin(), arguments.end(), option);
   const bool is_there = end != arguments.end();

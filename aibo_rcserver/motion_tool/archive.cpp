@@ -19,7 +19,6 @@ constexpr std::size_t kHeaderSize = 64;
 constexpr std::size_t kCountOffset = 8;
 constexpr std::size_t kEntrySizeOffset = 12;
 
-// An entry.
 constexpr std::size_t kEntrySize = 144;
 constexpr std::size_t kTypeSize = 4;
 constexpr std::size_t kNameSize = 128;
@@ -47,7 +46,7 @@ ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
   return {name.substr(0, name.find('\0')), bytes.substr(entry, kTypeSize), bytes.substr(offset, size)};
 }
 
-// Makes a new file, so that nothing is written through a link.
+// Makes a new file instead of writing through a link.
 void write(const fs::path& path, const std::string& content) {
   fs::remove(path);
   std::FILE* const file = std::fopen(path.c_str(), "wbx");
@@ -85,7 +84,7 @@ std::vector<ArchivedFile> readArchive(const std::string& bytes) {
   for (std::size_t i = 0; i < count; ++i) {
     files.push_back(readEntry(bytes, i));
     size += files.back().content.size();
-    if (size > bytes.size()) {  // unpacked, it could fill any disk
+    if (size > bytes.size()) {  // when unpacked, it could fill any disk
       throw std::runtime_error("the files of the archive overlap: together they are larger than the archive");
     }
   }
@@ -97,7 +96,7 @@ std::string fileNameOf(const ArchivedFile& file) {
   std::replace_if(
       name.begin(), name.end(),
       [](unsigned char c) { return c > '~' || (std::isalnum(c) == 0 && c != '-' && c != '_'); }, '_');
-  if (name.front() == '-') {  // an option, for most programs
+  if (name.front() == '-') {  // most programs would take it for an option
     name.front() = '_';
   }
   if (file.type == "OMTN") {
@@ -115,7 +114,7 @@ void unpack(const std::vector<ArchivedFile>& files, const std::string& folder, b
     }
     if (!overwrite && fs::exists(fs::symlink_status(fs::path(folder) / name))) {
       throw std::runtime_error("nothing was written: " + (fs::path(folder) / name).string() +
-                               " is there already; --force overwrites it");
+                               " already exists; --force overwrites it");
     }
   }
   fs::create_directories(folder);

@@ -105,7 +105,7 @@ class Check {
 
   const mtn::Motion& motion_;
   const RobotModel& robot_;
-  std::vector<int> joints_;  ///< index in the robot's table for each joint of the motion, or NO_JOINT
+  std::vector<int> joints_;  ///< the robot's joint for each joint of the motion, or NO_JOINT
   std::string when_;
   std::vector<std::string> obstacles_;
 };

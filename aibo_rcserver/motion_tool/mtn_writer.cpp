@@ -76,7 +76,6 @@ std::string locatorSection(const KeyFrameMotion& motion) {
   return section(2, content);
 }
 
-// The number of frames between two key frames, which precedes the second one.
 std::size_t interpolatedFrames(const KeyFrameMotion& motion, int milliseconds) {
   if (milliseconds <= 0 || milliseconds % motion.frame_milliseconds != 0) {
     throw std::runtime_error("a key frame comes " + std::to_string(milliseconds) +

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
 
-// The robots, and their names in Sony's motion files.
+// Each robot and its name in Sony's motion files.
 const std::pair<const char*, const char*> kRobots[] = {{"ERS-7", "DRX-1000"}, {"ERS-210", "DRX-910"}};
 
-// "DRX-1000" for "ERS-7"; an unknown name is returned unchanged.
+// Returns an unknown name unchanged.
 std::string designOf(const std::string& robot) {
   for (const auto& [name, design] : kRobots) {
     if (robot == name) {
@@ -26,7 +26,7 @@ std::string designOf(const std::string& robot) {
   return robot;
 }
 
-// "ERS-7" for "DRX-1000"; an unknown design is returned unchanged.
+// Returns an unknown design unchanged.
 std::string robotOf(const std::string& design) {
   for (const auto& [name, known_design] : kRobots) {
     if (design == known_design) {
@@ -58,7 +58,7 @@ std::string restOf(std::istream& line) {
   return text;
 }
 
-// Goes on after a mistake, so that one run names them all.
+// Continues after a mistake, so that one run reports all of them.
 class Parser {
  public:
   KeyFrameMotion parse(std::istream& text) {
@@ -76,7 +76,7 @@ class Parser {
   }
 
  private:
-  // Records a mistake that the function throws.
+  // Calls the function and records the mistake that it throws.
   template <typename Function>
   void report(const Function& function) {
     try {
@@ -210,7 +210,7 @@ class Parser {
   std::string problems_;
 };
 
-// Enough digits to give the same microradians again, without trailing zeros.
+// Prints enough digits to restore the same microradians, without trailing zeros.
 std::string degreesOf(int microradians) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.5f", microradians / kMicroradiansPerDegree);
@@ -222,7 +222,7 @@ std::string degreesOf(int microradians) {
   return digits == "-0" ? "0" : digits;
 }
 
-// A text in the text form, where a '#' would begin a comment.
+// A '#' would begin a comment.
 std::string quoted(const std::string& text) {
   std::string result = forTerminal(text);
   std::replace(result.begin(), result.end(), '#', '?');

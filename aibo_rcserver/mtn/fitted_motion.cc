@@ -18,9 +18,9 @@ using robot_model::RobotModel;
 
 namespace {
 
-const double DEGREE = 3.14159265358979323846e6 / 180;  // in microradian
+const double DEGREE = 3.14159265358979323846e6 / 180;  // in microradians
 
-// A number in text, rounded. The robot's sprintf() is not asked to do that.
+// A rounded number as text. The robot's sprintf() may not round correctly.
 struct Decimal {
   Decimal(double value, int digits) {
     const int unit = digits == 1 ? 10 : 100;
@@ -84,7 +84,7 @@ bool FittedMotion::moves(int joint) const {
 }
 
 void FittedMotion::posture(int key_frame, int* positions) const {
-  int place[robot_model::MAX_JOINTS];  // of each of the robot's joints in `positions`
+  int place[robot_model::MAX_JOINTS];  // for each of the robot's joints, its index in `positions`
   std::fill(place, place + robot_model::MAX_JOINTS, static_cast<int>(NO_JOINT));
   for (int i = 0; i < number_of_joints_; ++i) {
     const Joint& limits = robot_->joints[joints_[i]];
@@ -147,7 +147,7 @@ void FittedMotion::clear() {
   changes_ = none;
 }
 
-// Finds the robot's joints and ears by their locators. No two joints of a motion have the same one.
+// Finds the robot's joints and ears by their locators, which are unique within a motion.
 bool FittedMotion::findParts(bool leave_out) {
   bool has_ears = false;
   for (int i = 0; i < motion_->numberOfJoints(); ++i) {
@@ -207,7 +207,7 @@ void FittedMotion::countClipped(int key_frame, const int* posture) {
   }
 }
 
-// The part of describe() about steps that take longer. Returns how many there are.
+// Describes the steps that take longer, and returns their number.
 int FittedMotion::describeSteps(const int* speed_limits, char* text) const {
   int count = 0;
   double all = 0;

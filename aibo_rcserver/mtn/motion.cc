@@ -36,7 +36,7 @@ bool isPlain(const char* text) {
 
 const size_t Motion::MAX_PROBLEM_SIZE;
 
-/// The part of a section that has not been read yet.
+/// The unread part of a section.
 struct Motion::Section {
   unsigned number;
   const unsigned char* bytes;
@@ -109,14 +109,14 @@ bool Motion::readAll(const unsigned char* bytes, size_t size) {
   return size == 0 || fail("%lu bytes follow the last section", static_cast<unsigned long>(size));
 }
 
-// Checks the header of the first section in the bytes, and removes the section from them.
+// Checks the header of the first section, and removes this section from the bytes.
 bool Motion::openSection(unsigned number, const unsigned char** bytes, size_t* size, Section* section) {
   if (*size < SECTION_HEADER_SIZE) {
     return fail("it ends before section %u", number);
   }
   const unsigned found = decode32(*bytes);
   if (found != number) {
-    return fail("section %u is expected, but number %u is there", number, found);
+    return fail("section %u is expected, but the file has section %u", number, found);
   }
   const size_t section_size = decode32(*bytes + 4);
   if (section_size < SECTION_HEADER_SIZE) {
@@ -239,7 +239,7 @@ bool Motion::checkKeyFrame(int key_frame) {
   return true;
 }
 
-// Some programs write a zero byte at the end of a text, and some do not; it is not part of the text.
+// Some programs end a text with a zero byte. It is not part of the text.
 bool Motion::takeText(Section* section, const char* what, size_t max_size, char* text) {
   if (!section->has(1)) {
     return fail("section %u ends before %s", section->number, what);
@@ -257,7 +257,6 @@ bool Motion::takeText(Section* section, const char* what, size_t max_size, char*
   return true;
 }
 
-// Sets problem_; returns false.
 bool Motion::fail(const char* format, ...) {
   va_list values;
   va_start(values, format);
@@ -266,7 +265,7 @@ bool Motion::fail(const char* format, ...) {
   return false;
 }
 
-// Includes the number of interpolated frames, which the first key frame lacks.
+// The size includes the number of interpolated frames, which the first key frame lacks.
 size_t Motion::keyFrameSize() const {
   return (static_cast<size_t>(VALUES_OF_BODY + number_of_joints_) + 1) * VALUE_SIZE;
 }

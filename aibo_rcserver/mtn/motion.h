@@ -9,50 +9,41 @@
 
 namespace mtn {
 
-/// The content of a motion file. No I/O, and memory of a fixed size: the key frames stay in the caller's memory.
+/// The content of a motion file. It has a fixed size; the key frames stay in the caller's memory. Not thread-safe.
 ///
-/// read() checks the whole file: the magic, every section's number and size, versions, counts, every text, every
-/// locator, every time and every position. It ignores roll, pitch and yaw of the body, and anything after the texts of
-/// sections 1 and 2. It does not check whether a robot has these joints and can reach these positions.
-///
-/// Not thread-safe.
+/// read() checks everything but three things: roll, pitch and yaw of the body; bytes after the texts of sections 1 and
+/// 2; and whether a robot has these joints and reaches these positions.
 class Motion {
  public:
-  /// Room for problem().
   static const size_t MAX_PROBLEM_SIZE = 160;
 
-  /// A motion without joints and key frames.
   Motion();
 
-  /// Reads a file.
-  /// @param bytes must outlive this, or the next read()
-  /// @return false if it is not a motion file: problem() says why, and the motion is empty
+  /// @param bytes must outlive this object, or stay until the next read()
+  /// @return false if it is not a motion file; then problem() says why, and the motion is empty
   bool read(const unsigned char* bytes, size_t size);
 
-  /// What was wrong with the last file in a few words, such as "section 2 is cut off"; empty if it was accepted.
+  /// Why the last file was refused, in a few words: "section 2 is cut off". Empty if it was accepted.
   const char* problem() const { return problem_; }
 
-  /// @name Texts in the file
-  /// In an unknown character set; may be empty.
-  /// @{
+  /// The file's texts. Their character set is unknown. A text may be empty.
   const char* name() const { return name_; }
   const char* creator() const { return creator_; }
   const char* design() const { return design_; }  ///< "DRX-1000" is an ERS-7, "DRX-910" an ERS-210
-  /// @}
 
   int frameMilliseconds() const { return frame_milliseconds_; }
   int numberOfJoints() const { return number_of_joints_; }
   int numberOfKeyFrames() const { return number_of_key_frames_; }
 
   /// @param joint 0..numberOfJoints() - 1
-  /// @return the locator for OPENR::OpenPrimitive(); no two joints have the same one
+  /// @return the locator for OPENR::OpenPrimitive(), unique in the motion
   const char* locator(int joint) const { return locators_[joint]; }
 
   /// @param key_frame 0..numberOfKeyFrames() - 1
-  /// @return the joint's position in that key frame, in microradian, within +-MAX_POSITION
+  /// @return the position in microradians, within +-MAX_POSITION
   int position(int key_frame, int joint) const;
 
-  /// Time from the previous key frame to this one, in milliseconds, 8..MAX_STEP_MILLISECONDS; 0 for the first.
+  /// The time since the previous key frame, in milliseconds, 8..MAX_STEP_MILLISECONDS; 0 for the first one.
   int milliseconds(int key_frame) const;
 
  private:
@@ -83,7 +74,7 @@ class Motion {
   int number_of_joints_;
   int number_of_key_frames_;
   char locators_[MAX_JOINTS][MAX_LOCATOR_SIZE + 1];
-  const unsigned char* key_frames_;  ///< the first one
+  const unsigned char* key_frames_;
 };
 
 }  // namespace mtn

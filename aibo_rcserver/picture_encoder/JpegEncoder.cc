@@ -11,15 +11,16 @@ namespace {
 const size_t MACROBLOCK = 16;  // pixels, in both directions, at 4:2:0
 const int NO_QUALITY = -1;
 
-// Up to this quality, libjpeg's fast transform (JDCT_IFAST) makes pictures that are less than 0.1 dB worse than those
-// of its accurate one, for a sixth fewer instructions. Its errors grow with the quality: 0.2 dB at 95, 0.6 dB at 100.
+// Up to this quality, libjpeg's fast transform (JDCT_IFAST) costs less than 0.1 dB against its accurate one, and saves
+// a sixth of the instructions. The cost grows with the quality: 0.2 dB at 95, 0.6 dB at 100.
 const int MAX_QUALITY_OF_FAST_DCT = 85;
 
 size_t RoundUp(size_t size) {
   return (size + MACROBLOCK - 1) / MACROBLOCK * MACROBLOCK;
 }
 
-// Each sample of the half row is the mean of four. With the robot's old compiler, pointers are faster than indices.
+// Each sample of the half row is the mean of four. The robot's old compiler makes faster code for pointers than for
+// indices.
 void HalveRows(const unsigned char* upper, const unsigned char* lower, size_t half_width, unsigned char* half) {
   unsigned char* const end = half + half_width;
   for (; half != end; ++half) {
@@ -33,7 +34,7 @@ unsigned char Clip(int value) {
   return static_cast<unsigned char>(value < 0 ? 0 : value > 255 ? 255 : value);
 }
 
-// Makes two rows of a picture of double resolution from one row of each band, `at` bytes behind the bands' beginnings.
+// Makes two rows of double resolution from one row of each band. `at` is the row's offset in the bands.
 void DoubleRow(const unsigned char* y, const DetailBands& detail, size_t at, size_t width, unsigned char* upper,
                unsigned char* lower) {
   const unsigned char* ll = y + at;
@@ -109,7 +110,7 @@ size_t JpegEncoder::EncodeWith(const CameraImage& image, const DetailBands* deta
   }
   destination_.buffer = jpeg;
   destination_.capacity = capacity;
-  // There must be no object with a destructor below: Fail() would skip the destructor.
+  // Fail() skips destructors, so no object with a destructor may be below this line.
   if (setjmp(errors_.escape) != 0) {
     jpeg_abort_compress(&compress_);
     return 0;
@@ -128,7 +129,7 @@ void JpegEncoder::Configure(size_t width, size_t height, int quality) {
     compress_.image_height = static_cast<JDIMENSION>(height);
     compress_.input_components = 3;
     compress_.in_color_space = JCS_YCbCr;
-    jpeg_set_defaults(&compress_);  // baseline; Y at full resolution, Cb and Cr at half of it
+    jpeg_set_defaults(&compress_);  // baseline; Y at full resolution, Cb and Cr at half
     compress_.raw_data_in = TRUE;
   }
   if (quality_ != quality) {
@@ -166,7 +167,7 @@ void JpegEncoder::FillStrip(const CameraImage& image, size_t top, JSAMPROW y_row
   Halve(chroma_rows, image.width, cr_);
 }
 
-// The last row's tag is replaced by the row above in all bands: nothing says which of them it is in.
+// In all bands, the row above replaces the last row's tag: nothing tells which band has the tag.
 void JpegEncoder::FillDoubleStrip(const CameraImage& image, const DetailBands& detail, size_t top,
                                   JSAMPROW y_rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;
@@ -189,9 +190,9 @@ void JpegEncoder::FillDoubleStrip(const CameraImage& image, const DetailBands& d
   }
 }
 
-// Points to 16 rows of a plane, in the camera image where they can be read there. The last row is copied because of the
-// tag, and all rows if the width is not a multiple of `unit` pixels; a copy fills the last macroblock. Below the image,
-// the last row is repeated.
+// Points to 16 rows of a plane, in the camera image where possible. The last row is copied because of its tag. All rows
+// are copied if the width is not a multiple of `unit`, so that the copy fills the last macroblock. Below the image, the
+// last row repeats.
 void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane, size_t top, size_t unit, Strip copies,
                            JSAMPROW rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;
@@ -200,7 +201,7 @@ void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane,
     const size_t source_row = top + row < last ? top + row : last;
     const unsigned char* source = plane + source_row * image.stride;
     if (source_row < last && has_whole_units) {
-      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg lacks const, but does not write there
+      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg's API lacks const, but it does not write there
     } else {
       CopyRow(source, source_row == last ? source - image.stride : source, image.width, RoundUp(image.width),
               copies[row]);
@@ -209,7 +210,7 @@ void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane,
   }
 }
 
-// Copies a row, takes the pixels in place of the tag from another one, and fills the macroblock.
+// Copies a row, takes the tag's pixels from another row, and fills the macroblock.
 void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* source_of_tag, size_t width,
                           size_t padded_width, JSAMPROW copy) {
   memcpy(copy, source, width);
@@ -217,7 +218,7 @@ void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* sour
   Pad(copy, width, padded_width);
 }
 
-// Halves 16 rows, and fills the last macroblock. An odd width has one more pixel, the last one repeated.
+// Halves 16 rows and fills the last macroblock. In an odd width, the last pixel counts twice.
 void JpegEncoder::Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, HalfStrip half) {
   const size_t half_width = (width + 1) / 2;
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {

@@ -1,5 +1,4 @@
 /// @file JpegEncoder.h
-/// Encodes a camera image as a JPEG file in memory.
 #ifndef AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H
 #define AIBO_RCSERVER_PICTURE_ENCODER_JPEG_ENCODER_H
 
@@ -7,55 +6,54 @@
 #include <stddef.h>
 #include <stdio.h>
 
-// libjpeg 6b does not say extern "C" itself.
+// libjpeg 6b's header lacks extern "C".
 extern "C" {
 #include <jpeglib.h>
 }
 
 #include "picture_encoder/CameraImage.h"
 
-/// Encodes camera images as baseline JPEG, YCbCr 4:2:0, with the calls that libjpeg 6b and libjpeg-turbo share.
+/// Encodes camera images as baseline JPEG, YCbCr 4:2:0. It uses only calls that libjpeg 6b and libjpeg-turbo share.
 ///
-/// The planes go into libjpeg as they are: without a conversion to RGB, and without a copy if 16 divides the width. The
-/// camera's tag bytes are replaced by the row above, in a copy of the row. libjpeg allocates its working memory for
-/// each picture and frees it. An error in libjpeg makes Encode() fail and does not end the process. Not thread-safe.
+/// The planes go into libjpeg without conversion to RGB, and without a copy if 16 divides the width. In a copy of the
+/// last row, the row above replaces the camera's tag. libjpeg allocates and frees its memory for each picture. An error
+/// in libjpeg makes Encode() fail and does not end the process. Not thread-safe.
 class JpegEncoder {
  public:
-  /// Largest width and height, in pixels: twice the camera's, for pictures of double resolution.
+  /// In pixels: twice the camera's, for double resolution.
   static const size_t MAX_WIDTH = 416;
   static const size_t MAX_HEIGHT = 320;
 
   JpegEncoder();
   ~JpegEncoder();
 
-  /// Bytes that hold any picture of this size at any quality: three bytes per pixel, with width and height rounded up
-  /// to 16, and 2048 for the headers. This is libjpeg-turbo's own bound (tjBufSize) for 4:2:0. The report's 64 KB
-  /// (section 3.3.3) are not enough: noise at quality 100 takes up to 77 KB.
+  /// Bytes that hold any picture of this size at any quality: three per pixel, with both sides rounded up to 16, and
+  /// 2048 for headers. This is libjpeg-turbo's bound (tjBufSize) for 4:2:0. The report's 64 KB (section 3.3.3) are too
+  /// few: noise at quality 100 takes up to 77 KB.
   static size_t WorstCaseSize(size_t width, size_t height);
 
-  /// Encodes one image.
   /// @param quality 0..100
   /// @param[out] jpeg the JPEG file
   /// @param capacity bytes that fit into `jpeg`
   /// @return bytes of the JPEG file; 0 on failure: the image is empty or larger than MAX_WIDTH x MAX_HEIGHT, the buffer
-  ///   is too small, or there is no memory. LastError() says which
+  ///   is too small, or memory is lacking. LastError() says which
   size_t Encode(const CameraImage& image, int quality, unsigned char* jpeg, size_t capacity) {
     return EncodeWith(image, NULL, quality, jpeg, capacity);
   }
 
-  /// Encodes an image in double resolution: twice its width and height. Its chroma is taken as it is, because a JPEG of
-  /// 4:2:0 halves that of the picture.
+  /// Encodes an image at double resolution: twice its width and height. The chroma is used as it is, because JPEG 4:2:0
+  /// stores it at half resolution.
   size_t EncodeDouble(const CameraImage& image, const DetailBands& detail, int quality, unsigned char* jpeg,
                       size_t capacity) {
     return EncodeWith(image, &detail, quality, jpeg, capacity);
   }
 
-  /// Why Encode() last failed, in words.
+  /// Why the last encoding failed, in words.
   const char* LastError() const { return errors_.message; }
 
  private:
-  // libjpeg reports errors to this. The first member is libjpeg's own struct, so a pointer to one is a pointer to the
-  // other; the same holds for Destination.
+  // Receives libjpeg's errors. The first member is libjpeg's own struct, so pointers to both are interchangeable; the
+  // same holds for Destination.
   struct Errors {
     jpeg_error_mgr manager;
     jmp_buf escape;
@@ -76,7 +74,7 @@ class JpegEncoder {
   JpegEncoder(const JpegEncoder&);
   JpegEncoder& operator=(const JpegEncoder&);
 
-  // One row of macroblocks, which libjpeg takes at once.
+  // One row of macroblocks: libjpeg takes 16 rows at once.
   static const size_t STRIP_HEIGHT = 16;
   typedef unsigned char Strip[STRIP_HEIGHT][MAX_WIDTH];
   typedef unsigned char HalfStrip[STRIP_HEIGHT / 2][MAX_WIDTH / 2];
@@ -99,7 +97,7 @@ class JpegEncoder {
   bool created_;
   int quality_;
   Strip y_copies_;
-  Strip chroma_copies_;  // Cb, then Cr, before it is halved
+  Strip chroma_copies_;  // Cb, then Cr, before they are halved
   HalfStrip cb_;
   HalfStrip cr_;
 };

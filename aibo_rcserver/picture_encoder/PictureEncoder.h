@@ -1,5 +1,4 @@
 /// @file PictureEncoder.h
-/// The OPEN-R object that makes JPEG files of camera images for RCServer.
 #ifndef AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_ENCODER_H
 #define AIBO_RCSERVER_PICTURE_ENCODER_PICTURE_ENCODER_H
 
@@ -12,12 +11,12 @@
 #include "picture_encoder/JpegEncoder.h"
 #include "picture_encoder/PictureJob.h"
 
-/// Encodes one picture at a time.
+/// The OPEN-R object that makes JPEG files for RCServer, one at a time.
 ///
-/// This is a separate object because encoding takes longer than a frame of the joints, and an object handles one
-/// message at a time. Its scheduling class is below RCServer's (PictureEncoder.ocf), so RCServer interrupts it.
+/// It is a separate object because encoding takes longer than a frame of the joints, and an object handles one message
+/// at a time. RCServer has a higher scheduling class and interrupts it (PictureEncoder.ocf).
 ///
-/// It asks for a job only when RCServer is ready for the picture, so there is always room for the picture.
+/// It asks for a job only when RCServer can take the picture.
 class PictureEncoder : public OObject {
  public:
   PictureEncoder() {}
@@ -31,10 +30,10 @@ class PictureEncoder : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// RCServer is ready for a picture (gate Picture).
+  /// Called when RCServer can take a picture (gate Picture).
   void ReadyPicture(const OReadyEvent& event);
 
-  /// RCServer has sent a job (gate Job).
+  /// Called when RCServer has sent a job (gate Job).
   void NotifyJob(const ONotifyEvent& event);
 
  private:

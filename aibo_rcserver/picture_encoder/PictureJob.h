@@ -9,21 +9,21 @@
 const size_t MAX_IMAGE_WIDTH = 208;
 const size_t MAX_IMAGE_HEIGHT = 160;
 
-/// Bytes that hold any picture of that size (JpegEncoder::WorstCaseSize() says 101888), and any of double resolution
-/// that a camera makes. Noise in double resolution does not fit at high qualities; it is made again at CAREFUL_QUALITY,
-/// at which it does. More would fit into a frame, but shared memory of the IPStack is not known to be plentiful.
+/// Holds any picture of that size (JpegEncoder::WorstCaseSize() says 101888), and any real picture at double
+/// resolution. Noise at double resolution does not fit at high qualities; it is encoded again at CAREFUL_QUALITY, which
+/// fits. The IPStack's shared memory may be scarce, so there is no more.
 const size_t ENCODED_PICTURE_CAPACITY = 128 * 1024;
 const int CAREFUL_QUALITY = 25;
 
-/// RCServer.EncodeJob: make a picture of this image.
+/// RCServer.EncodeJob: an image to encode.
 struct PictureJob {
-  unsigned ticket;  ///< comes back with the picture; not 0
+  unsigned ticket;  ///< returned with the picture; not 0
   int quality;      ///< JPEG quality, 0..100
-  size_t width;     ///< pixels of the image, 1..MAX_IMAGE_WIDTH
-  size_t height;    ///< pixels of the image, 1..MAX_IMAGE_HEIGHT
-  bool is_double;   ///< the picture has twice its width and height
-  /// Rows of Y, Cr and Cb in turn, `width` bytes each, as in the camera image, with the camera's tag; if is_double,
-  /// each followed by the same rows of Y_LH, Y_HL and Y_HH.
+  size_t width;     ///< 1..MAX_IMAGE_WIDTH
+  size_t height;    ///< 1..MAX_IMAGE_HEIGHT
+  bool is_double;   ///< the picture has twice the image's width and height
+  /// Rows of Y, Cr and Cb in turn, `width` bytes each, with the camera's tag. If is_double, the same rows of Y_LH, Y_HL
+  /// and Y_HH follow each.
   unsigned char pixels[6 * MAX_IMAGE_WIDTH * MAX_IMAGE_HEIGHT];
 };
 
@@ -31,10 +31,10 @@ struct PictureJob {
 struct EncodedPicture {
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  unsigned ticket;                 ///< of the job
-  int quality;                     ///< at which it was made: the job's, or CAREFUL_QUALITY
-  size_t size;                     ///< bytes of the JPEG file; 0: there is none
-  char problem[MAX_PROBLEM_SIZE];  ///< why there is none, in words; empty if there is one
+  unsigned ticket;                 ///< the job's ticket
+  int quality;                     ///< the quality used: the job's, or CAREFUL_QUALITY
+  size_t size;                     ///< bytes of the JPEG file; 0 if there is none
+  char problem[MAX_PROBLEM_SIZE];  ///< why there is no picture, in words; empty if there is one
   unsigned char jpeg[ENCODED_PICTURE_CAPACITY];
 };
 

@@ -37,7 +37,7 @@ const Joint JOINTS[] = {
     {"tail_tilt", 52, "PRM:/r6/c1-Joint2:61", RANGE(5, 60), RANGE(0, 65), 15162548, GAINS(0x0A, 0x04, 0x04)},
 };
 
-// Rotator and elevator: section 2.1.2.
+// Section 2.1.2 has the coupled limits of rotator and elevator.
 const CouplingRow FRONT_LEG[] = {
     ROW(-115, -76, -1), ROW(-75, -54, -2), ROW(-55, -46, -3), ROW(-45, -36, -4), ROW(-35, -31, -5), ROW(-30, -26, -6),
     ROW(-25, -21, -7),  ROW(-20, -16, -8), ROW(-15, -11, -9), ROW(-10, 20, -10), ROW(21, 25, -9),   ROW(26, 30, -8),
@@ -51,14 +51,15 @@ const CouplingRow HIND_LEG[] = {
     ROW(51, 60, -2),   ROW(61, 70, -1),   ROW(71, 115, 0),
 };
 
-// Neck and head, while the mouth is not open further than -30 degrees. The next table covers that.
+// Neck and head while the mouth is open no further than -30 degrees. The next table covers a mouth that is open
+// further.
 const CouplingRow NECK[] = {
     ROW(-75, -39, 5),
     ROW(-40, 0, -5),
 };
 
 // Mouth and head. Sony gives no limits for a mouth that is open further than -30 degrees. The jaw then comes closer to
-// the neck, so the head is held at the highest of Sony's limits.
+// the neck, so the head keeps to Sony's highest limit.
 const CouplingRow MOUTH[] = {
     ROW(-55, -31, 5),
     ROW(-30, -3, -5),

@@ -10,10 +10,11 @@ namespace robot_model {
 
 namespace {
 
-// An angle from which a place counts as being in the middle of the picture: a tenth of a pixel.
+// Below this angle, a tenth of a pixel, a place counts as being in the middle of the picture.
 const double MIDDLE = 0.0005;
 
-// The neck is tried in steps of this size, and then around the best one in ever smaller ones.
+// The search for the neck's angle begins with steps of this size, and continues with smaller ones around the best
+// angle.
 const double FIRST_STEP = 0.005;
 const double LAST_STEP = 0.00001;
 
@@ -28,7 +29,6 @@ double radian(int microradian) {
   return microradian * 1e-6;
 }
 
-// The joints of the head with their limits.
 class Head {
  public:
   Head()
@@ -44,7 +44,7 @@ class Head {
   Limits Neck() const { return LimitsOf(neck_); }
   Limits Pan() const { return LimitsOf(pan_); }
 
-  // It has to keep out of the neck's way.
+  // The head keeps out of the neck's way, so its limits depend on the neck.
   Limits Tilt(double neck_tilt) {
     posture_[neck_] = static_cast<int>(floor(neck_tilt * 1e6 + 0.5));
     const Limits limits = {radian(lowestPosition(model_, tilt_, posture_)), radian(model_.joints[tilt_].highest)};
@@ -64,7 +64,7 @@ class Head {
   int posture_[MAX_JOINTS];
 };
 
-// Where a place is from the point in which the axes of the head meet: x and z in the plane of the neck, z along it.
+// A place relative to the point where the head's axes meet. x and z are in the plane of the neck, z along the neck.
 Point fromHead(const Point& place, double neck_tilt) {
   const double forward = place.x - NECK_FORWARD;
   const double up = place.z - NECK_UP;

@@ -8,15 +8,15 @@ namespace robot_model {
 
 namespace {
 
-// Tekkotsu's kinematic table of the ERS-7. These are the lengths of the left front leg; the others are mirrored, except
-// for the shanks of the hind legs.
+// The left front leg, from Tekkotsu's kinematic table of the ERS-7. The other legs are mirrored, except for the hind
+// shanks.
 const Point SHOULDER = {0.065, 0.0625, 0};
 const Point KNEE = {0.009, 0, -0.0695};  // from the shoulder
 const Point FRONT_FOOT = {-0.00503, 0.0047, -0.06524};
-const Point HIND_FOOT = {-0.013529, 0.0047, -0.06628};  // as of a front leg
+const Point HIND_FOOT = {-0.013529, 0.0047, -0.06628};  // as if it were a front leg
 const Point BELLY = {0.085, 0.035, -0.032};
 
-const double TOLERANCE = 1e-6;  // of rounding
+const double TOLERANCE = 1e-6;  // for rounding errors
 
 double sideOf(Leg leg) {
   return isLeft(leg) ? 1 : -1;
@@ -26,7 +26,7 @@ double endOf(Leg leg) {
   return isFront(leg) ? 1 : -1;
 }
 
-// Turns a place of the left front leg into that of another leg, and back.
+// Converts a place of the left front leg to another leg, and back.
 Point mirrored(Leg leg, const Point& point) {
   const Point result = {endOf(leg) * point.x, sideOf(leg) * point.y, point.z};
   return result;
@@ -36,7 +36,7 @@ const Point& shankOf(Leg leg) {
   return isFront(leg) ? FRONT_FOOT : HIND_FOOT;
 }
 
-// Angle of a place in the plane of the leg: 0 straight down, positive forward.
+// The angle of a place in the plane of the leg: 0 is straight down, positive is forward.
 double angleOf(const Point& point) {
   return atan2(point.x, -point.z);
 }
@@ -45,8 +45,8 @@ double lengthOf(const Point& point) {
   return sqrt(point.x * point.x + point.z * point.z);
 }
 
-// Where a place of the leg is in the body once elevator and rotator have turned it.
-// @param point from the shoulder, as of the left front leg, with the leg straight down
+// Where elevator and rotator turn a place of the leg to, in the body.
+// @param point relative to the shoulder, for the left front leg, straight down
 Point turnedAboutShoulder(Leg leg, const Point& point, const LegAngles& angles) {
   const double rotator = endOf(leg) * angles.rotator;
   const double outward = point.y * cos(angles.elevator) - point.z * sin(angles.elevator);
@@ -56,15 +56,15 @@ Point turnedAboutShoulder(Leg leg, const Point& point, const LegAngles& angles) 
   return mirrored(leg, turned);
 }
 
-// Finds rotator and elevator for a knee that puts the foot as far from the shoulder as it has to be.
-// @param way from the shoulder to the foot, as of the left front leg
-// @return false if the elevator cannot get it as far sideways as it has to be
+// Finds rotator and elevator for a given knee, which puts the foot at the right distance from the shoulder.
+// @param way from the shoulder to the foot, for the left front leg
+// @return false if the elevator cannot move the foot far enough sideways
 bool turnLeg(Leg leg, const Point& way, double knee, LegAngles* angles) {
   const Point& shank = shankOf(leg);
   const double forward = KNEE.x + shank.x * cos(knee) - shank.z * sin(knee);
   const double up = KNEE.z + shank.x * sin(knee) + shank.z * cos(knee);
 
-  // The rotator does not move the foot sideways, and the elevator not forward.
+  // The rotator does not move the foot sideways, and the elevator does not move it forward.
   const double sine = way.y / sqrt(shank.y * shank.y + up * up);
   const double elevator = asin(std::min(std::max(sine, -1.0), 1.0)) - atan2(shank.y, -up);
   const double lifted = shank.y * sin(elevator) + up * cos(elevator);
@@ -102,7 +102,7 @@ bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {
   way.y -= SHOULDER.y;
   way.z -= SHOULDER.z;
 
-  // The distance in the plane of the leg is the knee's doing alone.
+  // Only the knee changes the foot's distance in the plane of the leg.
   const Point& shank = shankOf(leg);
   const double square = way.x * way.x + way.y * way.y + way.z * way.z - shank.y * shank.y;
   const double upper = lengthOf(KNEE);

@@ -1,26 +1,25 @@
 /// @file tables.h
-/// The tables of the robots, and macros to write them with.
+/// The robots' tables, and macros to write them.
 #ifndef AIBO_RCSERVER_ROBOT_MODEL_TABLES_H
 #define AIBO_RCSERVER_ROBOT_MODEL_TABLES_H
 
 #include "robot_model/robot_model.h"
 
-/// Converts Sony's degrees to OPEN-R's whole microradians. Only a macro makes the tables compile-time constants in
-/// C++98.
+/// Converts Sony's degrees. In C++98, only a macro makes the tables compile-time constants.
 #define MICRORADIANS(degrees) static_cast<int>((degrees)*17453.2925 + ((degrees) < 0 ? -0.5 : 0.5))
 
-/// A row of a coupling, in degrees.
+/// In degrees.
 #define ROW(from, to, lowest) \
   { MICRORADIANS(from), MICRORADIANS(to), MICRORADIANS(lowest) }
 
-/// The two ends of a range, in degrees.
+/// In degrees.
 #define RANGE(lowest, highest) MICRORADIANS(lowest), MICRORADIANS(highest)
 
-/// Gains with the shifts that are the same for all joints of these robots.
+/// All joints of these robots have the same shifts.
 #define GAINS(proportional, integral, derivative) \
   { proportional, integral, derivative, 0x0E, 0x02, 0x0F }
 
-/// Rows for each kind of sensor. Distances in millimetre.
+/// Rows for each kind of sensor, with distances in millimetres.
 #define DISTANCE(name, identifier, locator, nearest, farthest) \
   { name, identifier, locator, SENSOR_DISTANCE, (nearest)*1000, (farthest)*1000, 0, 0 }
 #define ACCELERATION(name, identifier, locator) \
@@ -36,7 +35,6 @@
 #define SWITCH(name, identifier, locator) \
   { name, identifier, locator, SENSOR_SWITCH, 0, 1, 1, 1 }
 
-/// The number of rows in a table.
 #define NUMBER_OF(table) (static_cast<int>(sizeof(table) / sizeof((table)[0])))
 
 namespace robot_model {

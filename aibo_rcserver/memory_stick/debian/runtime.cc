@@ -1,6 +1,6 @@
 /// @file runtime.cc
-/// What OPEN-R's libraries ask of the C++ library of GCC 3.3: memory, cout, and the ends of programs. The names are
-/// those of the C++ ABI (https://itanium-cxx-abi.github.io/cxx-abi/abi.html) and of the standard of 1998.
+/// What OPEN-R's libraries need from the C++ library of GCC 3.3: memory, cout and program ends. The names come from the
+/// C++ ABI (https://itanium-cxx-abi.github.io/cxx-abi/abi.html) and the standard of 1998.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -40,7 +40,7 @@ void operator delete[](void* memory) throw() {
 
 namespace std {
 
-/// The allocator of the containers of GCC 3.3. The template's arguments are part of the symbols.
+/// The allocator of GCC 3.3's containers. The template arguments are part of the symbols.
 template <bool threads, int instance>
 struct __default_alloc_template {
   static void* allocate(size_t size) { return ::allocate(size); }
@@ -97,7 +97,7 @@ void __cxa_pure_virtual() {
   end("a pure virtual function was called");
 }
 
-// The libraries were built with exceptions, but nothing of this program throws one or looks for types at run time.
+// The libraries were built with exceptions, but nothing in these programs throws one.
 void _Unwind_Resume(void*) {
   end("an exception was thrown");
 }

@@ -1,7 +1,6 @@
 /// @file sizes.cc
-/// Stops the build if a class that programs share with OPEN-R's libraries has another size than there. The libraries
-/// were built with GCC 3.3. A comparison of the classes of both compilers found the same sizes, those of OSubject and
-/// OObserver only with this project's std::list.
+/// Stops the build if a class shared with OPEN-R's libraries, which GCC 3.3 built, has another size. The sizes were
+/// compared for both compilers; those of OSubject and OObserver depend on this project's std::list.
 #include <EndpointTypes.h>
 #include <IPAddress.h>
 #include <OPENR/ODataFormats.h>

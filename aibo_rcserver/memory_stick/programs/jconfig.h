@@ -1,10 +1,10 @@
 /// @file jconfig.h
-/// Tells libjpeg 6b what the robot's compiler and C library support: GCC 3.3.6 with newlib. libjpeg's configure script
-/// cannot write this file, because it has to link programs, which the SDK's compiler cannot do by itself.
+/// Describes the robot's compiler and C library to libjpeg 6b: GCC 3.3.6 with newlib. libjpeg's configure script cannot
+/// write this file, because the SDK's compiler alone cannot link the script's test programs.
 #ifndef AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 #define AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 
-// ISO C: prototypes, types and headers. A macro that is not defined here means no.
+// ISO C. A macro that is not defined here means no.
 #define HAVE_PROTOTYPES
 #define HAVE_UNSIGNED_CHAR
 #define HAVE_UNSIGNED_SHORT
