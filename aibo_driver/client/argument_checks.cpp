@@ -3,17 +3,17 @@
 #include <cmath>
 #include <set>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "protocol/file_list.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 constexpr double kFullTurn = 2 * 3.14159265358979323846;  // rad
 constexpr double kGreatestSpeed = 100;                    // rad/s
-constexpr double kGreatestWalkVelocity = 32.767;          // m/s or rad/s: the most that version 2 can say
+constexpr double kGreatestWalkVelocity = 32.767;          // m/s or rad/s; version 2 cannot express more
 
 int idOf(int id) {
   return id;
@@ -25,7 +25,7 @@ int idOf(const Part& part) {
 }
 
 /// @param parts identifiers, or structs that have one
-/// @param kind of part: "joint" or "LED"
+/// @param kind the kind of part: "joint" or "LED"
 template <typename Part>
 void checkIds(const std::vector<Part>& parts, std::size_t fewest, std::size_t most, const std::string& kind) {
   checkRange("the number of " + kind + "s", static_cast<long long>(parts.size()), static_cast<long long>(fewest),
@@ -151,4 +151,4 @@ std::string checkedNewMotionName(const std::string& name) {
   return read;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

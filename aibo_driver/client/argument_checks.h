@@ -1,6 +1,6 @@
 /// @file argument_checks.h
-/// Checks what RcServerClient is given. Every function throws InvalidArgumentException if a value is not allowed; the
-/// message names the value and its range.
+/// Checks the arguments of RcServerClient. Every function throws InvalidArgumentException if a value is not allowed.
+/// The message names the value and its range.
 #ifndef AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
 #define AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
 
@@ -9,9 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/colors.h"
+#include "aibo_client/joints.h"
+#include "aibo_client/leds.h"
+#include "aibo_client/options.h"
+#include "aibo_client/walk.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit = "");
 
@@ -25,15 +29,15 @@ void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkColorTable(const ColorTable& table);
 void checkMotionContent(const std::vector<std::uint8_t>& content);
 
-/// @return the name as it is sent: in capitals
+/// @return the name in capitals, as it is sent
 std::string checkedMotionName(const std::string& name);
 
-/// @return the name as it is sent: in capitals
+/// @return the name in capitals, as it is sent
 std::string checkedPictureName(const std::string& name);
 
-/// Like checkedMotionName(), for a file that is stored; see protocol::problemOfNewMotionName().
+/// Checks the name of a file that will be stored, like checkedMotionName(). See protocol::problemOfNewMotionName().
 std::string checkedNewMotionName(const std::string& name);
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H

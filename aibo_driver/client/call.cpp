@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/motion_requests.h"
-#include "protocol/stick_pictures.h"
-#include "protocol/walk_requests.h"
-
-namespace aibo_driver {
+namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
@@ -21,96 +17,64 @@ std::string allowedBy(const std::string& setting) {
          "=yes; it is read when the robot starts";
 }
 
-/// @param name of a file, or empty
-void copyName(const std::string& name, protocol::FileName& out) {
-  name.copy(out, protocol::MAX_FILE_NAME_SIZE);
-  out[name.size()] = '\0';
+std::string explain(const Call& call, int code) {
+  if (code == protocol::ERROR_FILE_MISSING) {
+    return "there is no such file in OPEN-R/MW/DATA/P on its memory stick, or it cannot be read";
+  }
+  if (code == protocol::ERROR_NOT_A_MOTION) {
+    return "it does not accept this as the name of a motion";
+  }
+  if (call.request.setting != nullptr) {
+    return allowedBy(call.request.setting);
+  }
+  return call.request.letter == version2::REQUEST_PLAY ? "are its motors on, and is the file a motion for this robot?"
+                                                       : "";
 }
 
-Call::Bytes encodeFileRequest(const Call& call) {
+/// The request of version 1 about a file.
+Call::Bytes fileRequest(char letter, const std::string& name, int number = 0, const Call::Bytes& content = {}) {
   protocol::FileRequest file = {};
-  copyName(call.name, file.name);
-  file.a = static_cast<unsigned short>(call.number);
-  if (!call.content.empty()) {
-    protocol::announceContent(call.content.size(), &file);
+  name.copy(file.name, protocol::MAX_FILE_NAME_SIZE);
+  file.a = static_cast<unsigned short>(number);
+  if (!content.empty()) {
+    protocol::announceContent(content.size(), &file);
   }
   Call::Bytes bytes(protocol::FILE_REQUEST_SIZE);
-  bytes[0] = static_cast<std::uint8_t>(call.letter);
+  bytes[0] = static_cast<std::uint8_t>(letter);
   protocol::encodeFileRequest(file, bytes.data() + protocol::BASIC_COMMAND_SIZE);
-  bytes.insert(bytes.end(), call.content.begin(), call.content.end());
+  bytes.insert(bytes.end(), content.begin(), content.end());
   return bytes;
 }
 
-std::size_t encodeUpload(const Call& call, unsigned char* out) {
-  version2::MotionUpload upload = {};
-  copyName(call.name, upload.name);
-  upload.content = call.content.data();
-  upload.content_size = call.content.size();
-  return version2::encodeMotionUpload(upload, out);
+/// A call whose payload begins or ends with the name that it is for.
+template <typename Payload>
+Call makeNamedCall(const version2::Request& request, Payload payload, const std::string& name) {
+  name.copy(payload.name, protocol::MAX_FILE_NAME_SIZE);
+  Call call = makeCall(request, name);
+  call.payload = encoded(payload);
+  return call;
 }
 
-std::size_t encodeJoints(const Call& call, unsigned char* out) {
-  version2::JointIds joints = {};
-  for (const int id : call.joints) {
-    joints.ids[joints.count++] = static_cast<unsigned char>(id);
-  }
-  return version2::encodeJointIds(joints, out);
+Call makeStickCall(const version2::Request& request, version2::StickPictureRequest id, const std::string& name) {
+  Call call = makeNamedCall(request, version2::StickPicture{}, name);
+  call.id = id;
+  return call;
 }
 
-std::size_t encodeName(const Call& call, unsigned char* out) {
-  protocol::MotionName name;
-  copyName(call.name, name);
-  return version2::encodeMotionName(name, out);
+Call callToGoOff(const version2::Request& request) {
+  Call call = makeCall(request);
+  call.version1 = {static_cast<std::uint8_t>(request.letter), 0, 0, 0};
+  return call;
 }
 
-std::size_t encodeOrder(const Call& call, unsigned char* out) {
-  version2::MotionOrder order = {};
-  copyName(call.name, order.name);
-  order.repetitions = static_cast<unsigned short>(call.number);
-  return version2::encodeMotionOrder(order, out);
-}
-
-// Without a name for a list.
-std::size_t encodePicture(const Call& call, unsigned char* out) {
-  protocol::PictureName name;
-  copyName(call.name, name);
-  return version2::encodePictureName(name, out);
-}
-
-std::string describeStickPictures(const Call& call) {
-  switch (call.id) {
-    case version2::LIST_PICTURES:
-      return "list the pictures on its memory stick";
-    case version2::FETCH_PICTURE:
-      return "send the picture " + call.name;
-    default:
-      return "delete the picture " + call.name;
-  }
-}
-
-std::string explain(const Call& call, int code) {
-  switch (code) {
-    case protocol::ERROR_FILE_MISSING:
-      return "there is no such file in OPEN-R/MW/DATA/P on its memory stick, or it cannot be read";
-    case protocol::ERROR_NOT_A_MOTION:
-      return "it does not accept this as the name of a motion";
-    default:
-      break;
-  }
-  switch (call.letter) {
-    case version2::REQUEST_UPLOAD:
-      return allowedBy("ALLOW_UPLOAD");
-    case version2::REQUEST_DELETE:
-      return allowedBy("ALLOW_DELETE");
-    case version2::REQUEST_PLAY:
-      return "are its motors on, and is the file a motion for this robot?";
-    case version2::REQUEST_SHUT_DOWN:
-      return allowedBy("ALLOW_SHUT_DOWN");
-    case version2::REQUEST_REBOOT:
-      return allowedBy("ALLOW_REBOOT");
-    default:
-      return "";
-  }
+/// @param read decides which names are accepted
+Call::ReadAnswer readNames(version2::ReadFileName read) {
+  return [read](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::FileList list;
+    const char* const problem = version2::decodeFileList(read, payload, size, &list);
+    answer->names.assign(list.names, list.names + (problem == nullptr ? list.count : 0));
+    return problem;
+  };
 }
 
 }  // namespace
@@ -123,90 +87,27 @@ Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fa
   return answer;
 }
 
-bool Call::isForPicture() const {
-  return letter == version2::REQUEST_PICTURE;
-}
-
-bool Call::stopsRobot() const {
-  return letter == version2::REQUEST_HOLD || (letter == version2::REQUEST_MOTORS && number == 0);
-}
-
-bool Call::stopsMotions() const {
-  return letter == version2::REQUEST_PLAY && number == 0;
-}
-
 bool Call::cancels(const Call& other) const {
-  if (other.letter == version2::REQUEST_POSTURE) {
-    return stopsRobot();
-  }
-  return other.letter == version2::REQUEST_PLAY && other.number > 0 &&
-         (stopsRobot() || (stopsMotions() && (name.empty() || name == other.name)));
-}
-
-bool Call::needsMemoryStick() const {
-  return letter == version2::REQUEST_UPLOAD || letter == version2::REQUEST_DELETE || letter == version2::REQUEST_LIST ||
-         letter == version2::REQUEST_SAVE_PICTURE || letter == version2::REQUEST_PICTURES ||
-         (letter == version2::REQUEST_PLAY && number > 0);
-}
-
-std::size_t Call::largestAnswer() const {
-  const bool fetches = letter == version2::REQUEST_PICTURES && id == version2::FETCH_PICTURE;
-  return fetches ? version2::MAX_STICK_PICTURE_SIZE : 0;
-}
-
-bool Call::takesOverJoints() const {
-  return letter == version2::REQUEST_MOTORS || letter == version2::REQUEST_POSTURE ||
-         (letter == version2::REQUEST_PLAY && number > 0);
-}
-
-bool Call::endsWalk() const {
-  if (letter == version2::REQUEST_HOLD) {
-    return joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg);
-  }
-  return letter == version2::REQUEST_POSTURE || stopsRobot();
+  const bool stops_it = has(version2::STOPS_MOTIONS) && other.request.letter == version2::REQUEST_PLAY &&
+                        (object.empty() || object == other.object);
+  return other.has(version2::STARTS_MOVEMENT) && (has(version2::STOPS_ROBOT) || stops_it);
 }
 
 void Call::dropFrom(CommandOutbox* commands, bool is_sent) const {
-  if (is_sent != needsMemoryStick()) {
+  if (is_sent != has(version2::NEEDS_MEMORY_STICK)) {
     return;
   }
   const std::string reason = "the robot was told to " + describe(*this) + " before it was sent";
-  if (stopsRobot() || takesOverJoints()) {
+  if (has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS)) {
     commands->stopJoints(joints, reason);
   }
-  if (endsWalk()) {
+  if (has(version2::ENDS_WALK) && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
     commands->stopWalk(reason);
   }
 }
 
 std::string describe(const Call& call) {
-  switch (call.letter) {
-    case version2::REQUEST_PICTURE:
-      return !call.resolution || *call.resolution == Resolution::kHigh ? "take a picture"
-                                                                       : "take a picture of this resolution";
-    case version2::REQUEST_MOTORS:
-      return call.number != 0 ? "switch the motors on" : "switch the motors off";
-    case version2::REQUEST_HOLD:
-      return "hold its joints";
-    case version2::REQUEST_POSTURE:
-      return std::string("take the posture ") + version2::postureName(static_cast<version2::Posture>(call.id));
-    case version2::REQUEST_UPLOAD:
-      return "store the motion " + call.name;
-    case version2::REQUEST_DELETE:
-      return "delete the motion " + call.name;
-    case version2::REQUEST_PLAY:
-      return (call.number != 0 ? "play " : "stop ") + (call.name.empty() ? "all motions" : "the motion " + call.name);
-    case version2::REQUEST_LIST:
-      return "list its motions";
-    case version2::REQUEST_SAVE_PICTURE:
-      return "take a picture onto its memory stick";
-    case version2::REQUEST_PICTURES:
-      return describeStickPictures(call);
-    case version2::REQUEST_SHUT_DOWN:
-      return "shut down";
-    default:
-      return "reboot";
-  }
+  return call.object.empty() ? call.request.words : call.request.words + (" " + call.object);
 }
 
 std::string explainRefusal(const Call& call, int code) {
@@ -216,52 +117,162 @@ std::string explainRefusal(const Call& call, int code) {
 }
 
 bool isKnownToVersion1(const Call& call) {
-  if (call.resolution && *call.resolution != Resolution::kHigh) {
-    return false;
-  }
-  return call.letter != version2::REQUEST_MOTORS && call.letter != version2::REQUEST_HOLD &&
-         call.letter != version2::REQUEST_LIST && call.letter != version2::REQUEST_POSTURE &&
-         call.letter != version2::REQUEST_SAVE_PICTURE && call.letter != version2::REQUEST_PICTURES;
+  return !call.version1.empty() ||
+         (call.isForPicture() && call.resolution.value_or(Resolution::kHigh) == Resolution::kHigh);
 }
 
-Call::Bytes encodeForVersion1(const Call& call) {
-  const bool about_motion = call.letter != protocol::REQUEST_SHUT_DOWN && call.letter != protocol::REQUEST_REBOOT;
-  if (about_motion) {
-    return encodeFileRequest(call);
-  }
-  return {static_cast<std::uint8_t>(call.letter), 0, 0, 0};
+Call makeCall(const version2::Request& request, const std::string& object) {
+  Call call;
+  call.request = request;
+  call.object = object;
+  return call;
 }
 
-std::size_t largestPayload(const Call& call) {
-  // No other request of these is longer than one about a file.
-  return call.letter == version2::REQUEST_HOLD ? version2::MAX_JOINT_IDS_SIZE
-                                               : protocol::FILE_REQUEST_SIZE + call.content.size();
+Call callForPicture(int quality, std::optional<Resolution> resolution) {
+  const bool is_usual = resolution.value_or(Resolution::kHigh) == Resolution::kHigh;
+  Call call = makeCall(version2::TAKE_PICTURE, is_usual ? "" : "of this resolution");
+  call.quality = quality;
+  call.resolution = resolution;
+  return call;
 }
 
-int idForVersion2(const Call& call) {
-  if (call.letter == version2::REQUEST_SAVE_PICTURE) {
-    return call.number;
-  }
-  return call.letter == version2::REQUEST_HOLD && !call.joints.empty() ? version2::HOLD_JOINTS : call.id;
+Call callForMotors(bool on) {
+  Call call = makeCall(on ? version2::SWITCH_MOTORS_ON : version2::SWITCH_MOTORS_OFF);
+  call.payload = encoded(version2::MotorState{on});
+  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::MotorState state;
+    const char* const problem = version2::decode(payload, size, &state);
+    answer->motors_on = state.on;
+    return problem;
+  };
+  return call;
 }
 
-std::size_t encodeForVersion2(const Call& call, unsigned char* out) {
-  switch (call.letter) {
-    case version2::REQUEST_MOTORS:
-      return version2::encodeMotorState(call.number != 0, out);
-    case version2::REQUEST_HOLD:
-      return encodeJoints(call, out);
-    case version2::REQUEST_UPLOAD:
-      return encodeUpload(call, out);
-    case version2::REQUEST_DELETE:
-      return encodeName(call, out);
-    case version2::REQUEST_PLAY:
-      return encodeOrder(call, out);
-    case version2::REQUEST_PICTURES:
-      return encodePicture(call, out);
-    default:
-      return 0;
+Call callToHold(const std::vector<int>& joints) {
+  Call call = makeCall(version2::HOLD);
+  call.joints = joints;
+  call.id = joints.empty() ? version2::HOLD_EVERYTHING : version2::HOLD_JOINTS;
+  call.payload.assign(joints.begin(), joints.end());
+  return call;
+}
+
+Call callForPosture(version2::Posture posture) {
+  Call call = makeCall(version2::TAKE_POSTURE, version2::postureName(posture));
+  call.id = posture;
+  return call;
+}
+
+Call callToPlay(const std::string& name, int repetitions, int bits) {
+  Call call =
+      makeNamedCall(version2::PLAY_MOTION, version2::MotionOrder{static_cast<unsigned short>(repetitions), ""}, name);
+  call.id = bits;
+  call.version1 = fileRequest(version2::REQUEST_PLAY, name, repetitions);
+  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::MotionChanges changes;
+    const char* const problem = version2::decode(payload, size, &changes);
+    answer->changes.assign(changes.text, problem == nullptr ? changes.text_size : 0);
+    return problem;
+  };
+  return call;
+}
+
+Call callToStop(const std::string& name) {
+  Call call =
+      makeNamedCall(name.empty() ? version2::STOP_ALL_MOTIONS : version2::STOP_MOTION, version2::MotionOrder{}, name);
+  call.version1 = fileRequest(version2::REQUEST_PLAY, name);
+  return call;
+}
+
+Call callToStore(const std::string& name, const Call::Bytes& content, int bits) {
+  Call call = makeNamedCall(version2::STORE_MOTION, version2::MotionUpload{"", content.data(), content.size()}, name);
+  call.id = bits;
+  call.version1 = fileRequest(version2::REQUEST_UPLOAD, name, 0, content);
+  return call;
+}
+
+Call callToDelete(const std::string& name) {
+  Call call = makeNamedCall(version2::DELETE_MOTION, version2::MotionToDelete{}, name);
+  call.version1 = fileRequest(version2::REQUEST_DELETE, name);
+  return call;
+}
+
+Call callForMotions() {
+  Call call = makeCall(version2::LIST_MOTIONS);
+  call.read_answer = readNames(protocol::readMotionName);
+  return call;
+}
+
+Call callToSavePicture(int quality) {
+  Call call = makeCall(version2::SAVE_PICTURE);
+  call.id = quality;
+  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::StickPicture picture;
+    const char* const problem = version2::decode(payload, size, &picture);
+    answer->names.emplace_back(picture.name);
+    return problem;
+  };
+  return call;
+}
+
+Call callForStickPictures() {
+  Call call = makeStickCall(version2::LIST_STICK_PICTURES, version2::LIST_PICTURES, "");
+  call.read_answer = readNames(protocol::readPictureName);
+  return call;
+}
+
+Call callToFetchPicture(const std::string& name) {
+  Call call = makeStickCall(version2::FETCH_STICK_PICTURE, version2::FETCH_PICTURE, name);
+  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::FetchedPicture picture;
+    const char* const problem = version2::decode(payload, size, &picture);
+    answer->file.assign(picture.content, picture.content + (problem == nullptr ? picture.size : 0));
+    return problem;
+  };
+  return call;
+}
+
+Call callToDeletePicture(const std::string& name) {
+  return makeStickCall(version2::DELETE_STICK_PICTURE, version2::DELETE_PICTURE, name);
+}
+
+Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples) {
+  Call::Bytes bytes(samples.size() * version2::BYTES_PER_SAMPLE);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    protocol::encodeBigEndian16(static_cast<unsigned short>(samples[i]), &bytes[i * version2::BYTES_PER_SAMPLE]);
   }
+  Call call = makeCall(version2::PLAY_SOUND);
+  call.id = version2::SOUND_SPEAKER;
+  call.payload = encoded(version2::PlayedSound{part.position, part.is_last, bytes.data(), bytes.size()});
+  call.sound_part = part;
+  call.read_answer = [sound = part.sound](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::SpeakerRoom room;
+    const char* const problem = version2::decode(payload, size, &room);
+    answer->sound = {sound, std::min(room.samples, version2::SPEAKER_CAPACITY)};
+    return problem;
+  };
+  return call;
+}
+
+Call callForVolume(int volume) {
+  Call call = makeCall(version2::SET_VOLUME);
+  call.id = version2::SOUND_VOLUME;
+  call.payload = encoded(version2::Volume{static_cast<unsigned char>(volume)});
+  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
+    version2::Volume in_force;
+    const char* const problem = version2::decode(payload, size, &in_force);
+    answer->volume = in_force.step;
+    return problem != nullptr || in_force.step <= version2::MAX_VOLUME ? problem
+                                                                       : "it does not say the volume in force";
+  };
+  return call;
+}
+
+Call callToShutDown() {
+  return callToGoOff(version2::SHUT_DOWN);
+}
+
+Call callToReboot() {
+  return callToGoOff(version2::REBOOT);
 }
 
 template <typename Condition>
@@ -276,15 +287,16 @@ Call* PendingCalls::nextForPicture() {
 }
 
 Call* PendingCalls::nextStop() {
-  return nextUnsent([](const Call& call) { return call.stopsRobot(); });
+  return nextUnsent([](const Call& call) { return call.has(version2::STOPS_ROBOT); });
 }
 
 Call* PendingCalls::nextForRobot() {
   const bool is_at_work = std::any_of(calls_.begin(), calls_.end(), [](const Call& call) {
-    return call.request_number != 0 && !call.is_late && call.needsMemoryStick();
+    return call.request_number != 0 && !call.is_late && call.has(version2::NEEDS_MEMORY_STICK);
   });
-  return nextUnsent(
-      [is_at_work](const Call& call) { return !call.isForPicture() && !(is_at_work && call.needsMemoryStick()); });
+  return nextUnsent([is_at_work](const Call& call) {
+    return !call.isForPicture() && !(is_at_work && call.has(version2::NEEDS_MEMORY_STICK));
+  });
 }
 
 Call* PendingCalls::find(int request_number) {
@@ -399,4 +411,4 @@ void PendingCalls::transferBegins(std::size_t size, TimePoint now) {
   transfer_end_ = std::max(transfer_end_, now) + std::chrono::milliseconds(size * 1000 / kSlowestTransfer);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

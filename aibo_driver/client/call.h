@@ -1,8 +1,5 @@
 /// @file call.h
-/// Calls of RcServerClient that wait for the robot's answer. The letters are those of the requests: `F` take a picture,
-/// `O` switch the motors, `I` hold joints, `E` take a posture, `P` play a motion, `U` upload, `D` delete and `N` list
-/// motions, `M` take a picture onto the memory stick, `Y` list, fetch or delete those that are there, `Q` shut down,
-/// `R` reboot.
+/// Calls of RcServerClient that wait for the robot's answer.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
@@ -10,6 +7,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <list>
 #include <optional>
@@ -17,12 +15,17 @@
 #include <utility>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
-#include "aibo_driver/orders.h"
-#include "aibo_driver/picture.h"
+#include "aibo_client/exceptions.h"
+#include "aibo_client/orders.h"
+#include "aibo_client/picture.h"
 #include "client/command_outbox.h"
+#include "client/sound_intake.h"
+#include "protocol/motion_requests.h"
+#include "protocol/sound_requests.h"
+#include "protocol/stick_pictures.h"
+#include "protocol/walk_requests.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 /// How a call has ended. A failure is a value until it has reached the caller's thread, and is thrown there.
 enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
@@ -34,12 +37,14 @@ struct Answer {
   bool was_sent = false;               ///< the request had been sent when the call ended
   FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call failed
 
-  PicturePtr picture;              ///< answers `F`
-  int stream_quality = 0;          ///< answers `F`: of the running stream that the picture is from; 0 = from none
-  bool motors_on = false;          ///< answers `O`
-  std::vector<std::string> names;  ///< answers `N`, `M` and `Y`: of motions or pictures
-  std::vector<std::uint8_t> file;  ///< answers `Y`: the picture that was fetched
-  std::string changes;             ///< answers `P`: what the robot plays differently than the file says
+  PicturePtr picture;
+  int stream_quality = 0;  ///< of the running stream that the picture is from; 0 = from none
+  bool motors_on = false;
+  std::vector<std::string> names;  ///< of motions or pictures
+  std::vector<std::uint8_t> file;  ///< a picture that was fetched
+  std::string changes;             ///< what the robot plays differently than the file says
+  SoundProgress sound;
+  int volume = 0;
 };
 
 /// The answer of a call that has failed.
@@ -49,14 +54,21 @@ Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fa
 struct Call {
   using Bytes = std::vector<std::uint8_t>;
   using TimePoint = std::chrono::steady_clock::time_point;
+  /// Reads the payload of an answer.
+  /// @return nullptr, or what is wrong
+  using ReadAnswer = std::function<const char*(const unsigned char* payload, std::size_t size, Answer* answer)>;
 
-  char letter = 0;  ///< of the request; the same in both versions of the protocol
-  int id = 0;      ///< in version 2: `P` and `U`: bits of motion_requests.h; `E`: the posture; `Y`: StickPictureRequest
-  int number = 0;  ///< `F`: quality, 0 = the stream's; `M`: quality; `O`: 1 = on, 0 = off; `P`: repetitions, 0 = stop
-  std::optional<Resolution> resolution;  ///< `F`: none = the stream's
-  std::string name;                      ///< of a motion or picture; `P` alone may go without
-  Bytes content;                         ///< of the motion to upload
-  std::vector<int> joints;               ///< `I`: identifiers; none = everything that moves
+  protocol::version2::Request request = {};
+  std::string object;      ///< what the request is for, as the words of the request go on; may be empty
+  int id = 0;              ///< of the frame of version 2
+  Bytes payload;           ///< of the frame of version 2
+  Bytes version1;          ///< the whole request of version 1; empty: it has none
+  ReadAnswer read_answer;  ///< of version 2; empty: it says nothing more
+
+  int quality = 0;                       ///< of a picture; 0 = the stream's
+  std::optional<Resolution> resolution;  ///< of a picture; none = the stream's
+  std::optional<SoundPart> sound_part;   ///< that it sends
+  std::vector<int> joints;               ///< to hold: identifiers; none = everything that moves
 
   std::chrono::milliseconds timeout{0};    ///< what the caller allowed, for messages
   TimePoint deadline;                      ///< when the caller stops waiting
@@ -67,29 +79,11 @@ struct Call {
   int request_number = 0;                  ///< of the request once it was sent; 0 = not sent
   std::promise<Answer> promise;
 
-  bool isForPicture() const;
-
-  /// True if it stops the robot: holds joints, or switches the motors off. Such a call goes before everything else.
-  bool stopsRobot() const;
-
-  /// True if it stops a motion, or all.
-  bool stopsMotions() const;
+  bool isForPicture() const { return request.letter == protocol::version2::REQUEST_PICTURE; }
+  bool has(protocol::version2::Trait trait) const { return request.has(trait); }
 
   /// True if `other`, which came before it and has not been sent, must not be sent any more.
   bool cancels(const Call& other) const;
-
-  /// True if the robot needs its memory stick for the answer.
-  bool needsMemoryStick() const;
-
-  /// Bytes that the answer may have, if it can take long.
-  std::size_t largestAnswer() const;
-
-  /// True if from then on it decides the positions of joints, as a motion, a posture and the motors' switch do.
-  /// Commands that the joints were given before it are dropped.
-  bool takesOverJoints() const;
-
-  /// True if a walk that was asked for before it must not begin any more.
-  bool endsWalk() const;
 
   /// Drops the commands that came before it and must not be sent any more. To be called when the call is made, and when
   /// its request is sent: a motion may have to wait, and what is commanded meanwhile goes first.
@@ -105,18 +99,41 @@ std::string explainRefusal(const Call& call, int code);
 /// True if version 1 of the protocol has this request.
 bool isKnownToVersion1(const Call& call);
 
-/// The whole request of version 1. Not for pictures.
-Call::Bytes encodeForVersion1(const Call& call);
+/// A payload of version 2, encoded.
+template <typename Payload>
+Call::Bytes encoded(const Payload& payload) {
+  Call::Bytes bytes(protocol::version2::encodedSize(payload));
+  protocol::version2::encode(payload, bytes.data());
+  return bytes;
+}
 
-/// Bytes that encodeForVersion2() writes at most.
-std::size_t largestPayload(const Call& call);
+/// A call with this request. Its payload is empty, and so is the answer's.
+Call makeCall(const protocol::version2::Request& request, const std::string& object = "");
 
-/// The id in the header of the request of version 2. Not for pictures.
-int idForVersion2(const Call& call);
-
-/// The payload of the request of version 2. Not for pictures.
-/// @return the bytes written
-std::size_t encodeForVersion2(const Call& call, unsigned char* out);
+/// @name What RcServerClient asks for. Names and numbers are valid
+/// @{
+Call callForPicture(int quality, std::optional<Resolution> resolution);
+Call callForMotors(bool on);
+/// @param joints none = everything that moves
+Call callToHold(const std::vector<int>& joints);
+Call callForPosture(protocol::version2::Posture posture);
+/// @param bits of motion_requests.h
+Call callToPlay(const std::string& name, int repetitions, int bits);
+/// @param name empty: all motions
+Call callToStop(const std::string& name);
+Call callToStore(const std::string& name, const Call::Bytes& content, int bits);
+Call callToDelete(const std::string& name);
+Call callForMotions();
+Call callToSavePicture(int quality);
+Call callForStickPictures();
+Call callToFetchPicture(const std::string& name);
+Call callToDeletePicture(const std::string& name);
+/// @param samples none: the sound is stopped
+Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
+Call callForVolume(int volume);
+Call callToShutDown();
+Call callToReboot();
+/// @}
 
 /// The calls of one connection, in the order in which they were made.
 class PendingCalls {
@@ -191,6 +208,6 @@ class PendingCalls {
   TimePoint transfer_end_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_CALL_H

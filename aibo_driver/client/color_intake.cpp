@@ -8,13 +8,13 @@
 #include "client/possible_values.h"
 #include "protocol/color_requests.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
 namespace {
 
-constexpr std::chrono::milliseconds kShortestImageInterval{32};  // of a camera
+constexpr std::chrono::milliseconds kShortestImageInterval{32};  // of any camera
 
 DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& name) {
   constexpr double kScale = version2::COLOR_CENTROID_SCALE;
@@ -38,9 +38,7 @@ void ColorIntake::askedFor(const ColorDetection& detection) {
 void ColorIntake::receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
                           std::chrono::steady_clock::time_point arrival) {
   version2::ColorRegions regions;
-  const unsigned char* plane = nullptr;
-  std::size_t plane_size = 0;
-  expectGood(version2::decodeColorRegions(payload, size, &regions, &plane, &plane_size));
+  expectGood(version2::decode(payload, size, &regions));
   if (!detection_.on) {
     return;  // it was on its way when the detection was switched off
   }
@@ -61,7 +59,7 @@ void ColorIntake::receive(const unsigned char* payload, std::size_t size, const 
   }
   if (regions.has_plane) {
     colors.mask.resize(static_cast<std::size_t>(colors.width) * static_cast<std::size_t>(colors.height));
-    expectGood(version2::unpackColorPlane(plane, plane_size, colors.mask.size(), colors.mask.data()));
+    expectGood(version2::unpackColorPlane(regions.plane, regions.plane_size, colors.mask.size(), colors.mask.data()));
   }
   dropImpossible(&colors);
   newest_ = std::move(colors);
@@ -104,4 +102,4 @@ void ColorIntake::complain(const std::string& problem) {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -8,36 +8,36 @@
 #include <optional>
 #include <string>
 
-#include "aibo_driver/colors.h"
+#include "aibo_client/colors.h"
 #include "client/rate_limit.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 struct ConnectionContext;
 
-/// The tables of the colour detection, by channel; null: the channel has none.
+/// The tables of the colour detection, by channel. A channel without a table is null.
 using ColorTables = std::array<ColorTablePtr, kMostColorChannels>;
 
-/// What was detected over one connection. It gives the client's user what is possible, and no more of it than was asked
-/// for: the robot is not believed. What is dropped is counted, and logged once.
+/// The colours that were detected over one connection. It does not trust the robot: it gives the client's user only
+/// what is possible, and no more than was asked for. Whatever it drops is counted, and logged once.
 class ColorIntake {
  public:
   /// @param context must outlive the object
   explicit ColorIntake(const ConnectionContext& context) : context_(context) {}
 
-  /// What the robot was asked for last. In the long run, at most twice as much is delivered.
+  /// Call this with each request to the robot. In the long run, at most twice as much is delivered.
   void askedFor(const ColorDetection& detection);
   const ColorDetection& detection() const { return detection_; }
 
-  /// Takes apart a push of the robot.
+  /// Parses a message that the robot sent without a request.
   /// @param payload, size of the frame
-  /// @param tables that the robot has: regions get their names, and those of other channels are left out
+  /// @param tables the robot's tables: regions get their names, and regions of other channels are left out
   /// @param arrival when the first byte was read
-  /// @throw ProtocolException no server of this version sends that
+  /// @throw ProtocolException no server of this version sends this
   void receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
                std::chrono::steady_clock::time_point arrival);
 
-  /// Delivers what was received last, unless it has been delivered: of several that came together, the newest counts.
+  /// Delivers the newest message if it has not been delivered. Older ones that came with it do not count.
   void deliver();
 
  private:
@@ -52,6 +52,6 @@ class ColorIntake {
   bool impossible_is_logged_ = false;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_COLOR_INTAKE_H

@@ -7,7 +7,7 @@
 
 #include "robot_model/legs.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 using TimePoint = JointCommands::TimePoint;
@@ -21,8 +21,8 @@ bool shareAJoint(const JointCommand& a, const JointCommand& b) {
                      [&b](const JointTarget& target) { return names(b.targets, target.id); });
 }
 
-/// Takes targets from a command.
-/// @return the command with those that were taken
+/// Removes targets from a command.
+/// @return the command with the targets that were removed
 template <typename Condition>
 JointCommand takeTargets(JointCommand* command, const Condition& condition) {
   JointCommand taken = {command->duration, {}, command->terms};
@@ -159,7 +159,7 @@ void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause
   }
 }
 
-// A velocity of 0 is no loss: whatever takes the legs ends the walk, too.
+// Losing a velocity of 0 does no harm: whatever takes the legs ends the walk, too.
 void CommandOutbox::dropSteering(RefusalCause cause, const std::string& reason) {
   const std::optional<SteeringCommand> gone = std::exchange(steering, std::nullopt);
   if (gone && !gone->velocity.isZero()) {
@@ -167,4 +167,4 @@ void CommandOutbox::dropSteering(RefusalCause cause, const std::string& reason) 
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -1,6 +1,6 @@
 /// @file command_outbox.h
 /// Commands to the body that have not been sent yet. If they come faster than the robot answers, each part of the body
-/// gets only the latest one, so the outbox stays small, and nothing waits for ever.
+/// gets only the latest command. So the outbox stays small, and no command waits for ever.
 #ifndef AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H
 #define AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H
 
@@ -13,40 +13,41 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/joints.h"
-#include "aibo_driver/leds.h"
-#include "aibo_driver/orders.h"
-#include "aibo_driver/walk.h"
+#include "aibo_client/joints.h"
+#include "aibo_client/leds.h"
+#include "aibo_client/orders.h"
+#include "aibo_client/walk.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Targets of joints that go together.
+/// Targets of several joints that belong together.
 struct JointCommand {
   std::chrono::milliseconds duration{0};
   std::vector<JointTarget> targets;
   OrderTerms terms{};
 };
 
-/// True if this is a joint of a leg. A walk takes them all.
+/// True if this is a joint of a leg. A walk takes all joints of the legs.
 bool isOfLeg(int joint);
 
-/// What an ear is to do.
+/// A command to an ear.
 struct EarCommand {
   static constexpr int kLeft = 1;   ///< RCServer identifier
   static constexpr int kRight = 2;  ///< RCServer identifier
 
   int id = 0;
-  bool drawn = false;  ///< else let go
+  bool drawn = false;  ///< true: draw the ear; false: let it go
 };
 
-/// Commands to parts of the body: one for each part, the latest, in the place of the first one that waited.
+/// Commands to parts of the body. Only the latest command to each part is kept, in the place of the first one that
+/// waited.
 /// @tparam Item has an `id`
 template <typename Item>
 class LatestById {
  public:
   bool empty() const { return items_.empty(); }
 
-  /// From the oldest on.
+  /// The items, the oldest first.
   const std::vector<Item>& items() const { return items_; }
 
   void add(const std::vector<Item>& newer) {
@@ -61,7 +62,7 @@ class LatestById {
     }
   }
 
-  /// Takes the oldest items, at most `most` of them.
+  /// Removes and returns the oldest items, at most `most` of them.
   std::vector<Item> take(std::size_t most) {
     const auto end = items_.begin() + static_cast<std::ptrdiff_t>(std::min(most, items_.size()));
     std::vector<Item> taken(items_.begin(), end);
@@ -73,34 +74,34 @@ class LatestById {
   std::vector<Item> items_;
 };
 
-/// The same for joints. Joints that were commanded together stay together.
+/// Commands to joints. Targets that were commanded together stay together.
 class JointCommands {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   void add(JointCommand command);
 
-  /// Takes the commands whose time has passed.
+  /// Removes and returns the commands whose time has passed.
   std::vector<JointCommand> takeTooOld(TimePoint now);
 
-  /// When the next command's time passes; TimePoint::max() if there is none.
+  /// @return when the first command becomes too old; TimePoint::max() if no command waits
   TimePoint nextTooOld() const;
 
-  /// Takes what the joints were commanded that the condition holds for.
+  /// Removes and returns the targets of those joints for which the condition is true.
   std::vector<JointCommand> takeJoints(const std::function<bool(int id)>& condition);
 
   bool empty() const { return commands_.empty(); }
 
-  /// Takes the oldest command. There has to be one.
+  /// Removes and returns the oldest command. There must be one.
   JointCommand takeCommand();
 
-  /// Takes a command with one of its targets: that of the joint with the next higher id, or else with the lowest. There
-  /// has to be one. What remains of the command may wait for kLongestOrderWait from now on, so that it is carried out
-  /// as a whole.
+  /// Removes one target from a command and returns it as a command. The target is that of the joint with the next
+  /// higher id, or else with the lowest. There must be a target. The rest of the command may wait for kLongestOrderWait
+  /// from now on, so that the command is carried out as a whole.
   JointCommand takeTargetAfter(int id, TimePoint now);
 
  private:
-  std::deque<JointCommand> commands_;  // none without targets
+  std::deque<JointCommand> commands_;  // each has a target
 };
 
 /// The newest velocity to walk with.
@@ -116,7 +117,7 @@ struct CommandOutbox {
   std::optional<SteeringCommand> steering;
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
-  std::vector<Refusal> dropped;  ///< that nobody has been told of yet
+  std::vector<Refusal> dropped;  ///< refusals that nobody has been told about yet
 
   bool empty() const { return speed_limits.empty() && joints.empty() && !steering && leds.empty() && ears.empty(); }
 
@@ -129,19 +130,19 @@ struct CommandOutbox {
   /// Adds a velocity. Unless it is 0, commands to the legs that wait are dropped.
   void steer(const SteeringCommand& newer);
 
-  /// Drops what these joints were commanded.
-  /// @param ids none = all joints
-  /// @param reason in words, without a full stop
+  /// Drops the commands to these joints.
+  /// @param ids empty means all joints
+  /// @param reason the reason in words, without a full stop
   void stopJoints(const std::vector<int>& ids, const std::string& reason);
 
   /// Drops the velocity to walk with.
   void stopWalk(const std::string& reason) { dropSteering(RefusalCause::kStopped, reason); }
 
-  /// Drops what has waited for too long.
-  /// @param address of the robot, for the reason
+  /// Drops all commands that have waited for too long.
+  /// @param address the robot's address, for the reason
   void dropTooOld(JointCommands::TimePoint now, const std::string& address);
 
-  /// When dropTooOld() has something to drop next; TimePoint::max() if nothing waits.
+  /// When dropTooOld() will next have something to drop. It is TimePoint::max() if nothing waits.
   JointCommands::TimePoint nextTooOld() const;
 
  private:
@@ -149,6 +150,6 @@ struct CommandOutbox {
   void dropSteering(RefusalCause cause, const std::string& reason);
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_COMMAND_OUTBOX_H

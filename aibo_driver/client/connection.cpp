@@ -3,10 +3,13 @@
 #include <string>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
+
+namespace version2 = protocol::version2;
+
 namespace {
 
-// However short the time allowed for pictures is, an answer may have to wait behind one.
+// However short the time allowed for pictures is, an answer may have to wait behind a picture.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
 }  // namespace
@@ -45,7 +48,7 @@ void Connection::reportDropped() {
 void Connection::add(Call call) {
   call.dropFrom(&commands, false);
   reportDropped();
-  if (call.stopsRobot() || call.stopsMotions()) {
+  if (call.has(version2::STOPS_ROBOT) || call.has(version2::STOPS_MOTIONS)) {
     calls.failCancelledBy(call, context.address);
   }
   calls.add(std::move(call));
@@ -60,7 +63,10 @@ void Connection::answer(int request_number, Answer answer) {
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   call.dropFrom(&commands, true);
   reportDropped();
-  calls.transferBegins(size + call.largestAnswer(), now);
+  if (call.sound_part) {
+    return;  // it is short, and an upload may be under way
+  }
+  calls.transferBegins(size + (call.has(version2::FETCHES_FILE) ? version2::MAX_STICK_PICTURE_SIZE : 0), now);
 }
 
 void Connection::refuse(const Call& call, const std::string& why, TimePoint now) {
@@ -80,6 +86,12 @@ std::string Connection::lackOfRequest() const {
 void Connection::warnOfMissingColors(bool wanted) {
   if (!std::exchange(warned_of_colors_, wanted) && wanted) {
     context.warn(lackOfRequest() + " to detect colours: nothing is detected");
+  }
+}
+
+void Connection::warnOfMissingMicrophone(bool wanted) {
+  if (!std::exchange(warned_of_microphone_, wanted) && wanted) {
+    context.warn(lackOfRequest() + " for its microphones: nothing is heard");
   }
 }
 
@@ -107,4 +119,4 @@ std::chrono::milliseconds Connection::answerLimit() const {
   return std::max(context.read_timeout, kShortestAnswerLimit);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

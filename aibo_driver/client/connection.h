@@ -1,5 +1,5 @@
 /// @file connection.h
-/// What one connection to a server is made of, whichever version of the protocol the server speaks.
+/// The parts of one connection to a server. They are the same for every version of the protocol.
 #ifndef AIBO_DRIVER_CLIENT_CONNECTION_H
 #define AIBO_DRIVER_CLIENT_CONNECTION_H
 
@@ -9,33 +9,34 @@
 #include <map>
 #include <string>
 
-#include "aibo_driver/motors_and_posture.h"
-#include "aibo_driver/robot_info.h"
+#include "aibo_client/motors_and_posture.h"
+#include "aibo_client/robot_info.h"
 #include "client/call.h"
 #include "client/color_intake.h"
 #include "client/command_outbox.h"
 #include "client/counters.h"
 #include "client/notifier.h"
 #include "client/picture_intake.h"
+#include "client/sound_intake.h"
 #include "client/telemetry_intake.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Tells of requests that the robot refused although no call waits for them: the client's user, or the log, once for
-/// each problem.
+/// Reports requests that the robot refused although no call waits for them. It tells the client's user or the log, once
+/// for each problem.
 class RefusalLog {
  public:
   explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
 
-  /// @param letter of the request
+  /// @param letter the letter of the request
   /// @param problem what was refused and why, in words that follow "refused "
   void refused(char letter, const std::string& problem);
 
-  /// The same for an order, whose user can be told.
-  /// @param problem as above, without the reason, which follows
+  /// Reports the refusal of an order. The order's user can be told.
+  /// @param problem what was refused, in words that follow "refused "; the reason follows them
   void refused(char letter, const std::string& problem, const Refusal& refusal);
 
-  /// The robot accepted such a request: its next refusal is logged again.
+  /// Call this when the robot has accepted such a request. Its next refusal is then logged again.
   void accepted(char letter) { last_problems_.erase(letter); }
 
  private:
@@ -43,9 +44,9 @@ class RefusalLog {
   std::map<char, std::string> last_problems_;  // by the request's letter
 };
 
-/// The state of one connection, from its beginning to its end. It belongs to the client's thread: the loop puts calls
-/// and commands in, and the session, which speaks one version of the protocol, takes them out. It does no I/O and reads
-/// no clock.
+/// The state of one connection, from its beginning to its end. It belongs to the client's thread. The loop puts calls
+/// and commands in. The session, which speaks one version of the protocol, takes them out. It does no I/O and reads no
+/// clock.
 struct Connection {
   using TimePoint = std::chrono::steady_clock::time_point;
 
@@ -55,70 +56,75 @@ struct Connection {
         pictures(context, established),
         measurements(context),
         colors(context),
+        sound(context),
         refusals(context) {}
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Drops orders that have waited for too long. To be called before one is sent, and at nextTooOld() at the latest.
+  /// Drops orders that have waited for too long. Call this before an order is sent, and no later than nextTooOld().
   void dropTooOld(TimePoint now);
 
-  /// When an order becomes too old.
+  /// When the next order becomes too old.
   TimePoint nextTooOld() const { return std::min(commands.nextTooOld(), calls.nextTooOld()); }
 
-  /// Tells of the orders that were dropped.
+  /// Reports the orders that were dropped.
   void reportDropped();
 
-  /// True if this call has to wait until the speed limits have been sent: they hold for the motion that it begins.
+  /// True if this call has to wait until the speed limits have been sent. They must hold for the motion that it begins.
   bool mustWaitForSpeedLimits(const Call& call) const {
-    return call.takesOverJoints() && !commands.speed_limits.empty();
+    return call.has(protocol::version2::TAKES_OVER_JOINTS) && !commands.speed_limits.empty();
   }
 
-  /// Adds a call. What came before it and has not been sent must not move the robot after it, if it stops the robot or
-  /// takes over joints.
+  /// Adds a call. If it stops the robot or takes over joints, older orders that have not been sent must not move the
+  /// robot after it. They are dropped.
   void add(Call call);
 
-  /// Ends the call whose request was sent with this number, if there is one.
+  /// Ends the call whose request had this number, if there is one.
   void answer(int request_number, Answer answer);
 
-  /// To be called when a call's request, of this many bytes, is sent.
+  /// Call this when a call's request, which has this many bytes, is sent.
   void callSent(const Call& call, std::size_t size, TimePoint now);
 
-  /// The robot refused a call.
-  /// @param why in words, without a full stop
+  /// Ends a call that the robot refused.
+  /// @param why the reason in words, without a full stop
   void refuse(const Call& call, const std::string& why, TimePoint now);
 
-  /// When a picture that is due now is overdue.
+  /// When a picture that is due now will be overdue.
   TimePoint pictureDeadline() const;
 
-  /// Says that this server cannot do what is wanted, each time that this changes.
-  /// @param format, camera: another resolution or rate than every image at 208x160 is wanted; other camera settings
-  ///   than those at the start are
+  /// Logs that this server cannot do what is wanted, each time that this changes.
+  /// @param format true if the user wants another resolution or rate than every image at 208x160
+  /// @param camera true if the user wants other camera settings than those at the start
   void warnOfMissingSettings(bool format, bool camera);
-  /// The same for colours that are to be detected.
+  /// Logs the same about colours that should be detected.
   void warnOfMissingColors(bool wanted);
 
-  /// Says, once, that the pictures come by TCP although UDP is wanted.
-  /// @param why in words that follow a colon
+  /// Logs the same about sound that should be heard.
+  void warnOfMissingMicrophone(bool wanted);
+
+  /// Logs once that the pictures come by TCP although UDP is wanted.
+  /// @param why the reason in words that follow a colon
   void giveUpDatagrams(const std::string& why);
 
   /// How long the answer to a request may take.
   std::chrono::milliseconds answerLimit() const;
-  /// When the answer to a request that is sent now is overdue.
+  /// When the answer to a request that is sent now will be overdue.
   TimePoint answerDeadline(TimePoint now) const { return std::max(now, calls.transferEnd()) + answerLimit(); }
 
   const ConnectionContext context;
   PictureIntake pictures;
   TelemetryIntake measurements;
   ColorIntake colors;
+  SoundIntake sound;
   PendingCalls calls;
   CommandOutbox commands;
   RefusalLog refusals;
-  RobotInfo robot;                      ///< as the server has introduced itself
-  std::string robot_message;            ///< what the robot last reported without being asked and still holds
-  MotorsAndPosture motors_and_posture;  ///< as the robot last said
-  PictureTransport transport = PictureTransport::kTcp;  ///< of the stream's pictures
-  std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be
-  bool lets_no_datagram_through = false;                ///< that is the problem
+  RobotInfo robot;                      ///< the server's introduction of itself
+  std::string robot_message;            ///< the robot's last report without a request, if it still holds
+  MotorsAndPosture motors_and_posture;  ///< the last report of the robot
+  PictureTransport transport = PictureTransport::kTcp;  ///< the transport of the stream's pictures
+  std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be tried
+  bool lets_no_datagram_through = false;                ///< true if that is the problem
 
  private:
   std::string lackOfRequest() const;
@@ -126,8 +132,9 @@ struct Connection {
   bool warned_of_format_ = false;
   bool warned_of_camera_ = false;
   bool warned_of_colors_ = false;
+  bool warned_of_microphone_ = false;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_CONNECTION_H

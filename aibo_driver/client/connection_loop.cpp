@@ -4,24 +4,25 @@
 #include <random>
 #include <utility>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "client/version2_session.h"
 #include "protocol/version2.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 namespace {
 
-// A connection that is closed this soon, before a single byte, was turned away.
+// If a connection is closed this soon, before a single byte has come, the client was turned away.
 constexpr milliseconds kTurnedAwayTime{1000};
 
-// A flood of datagrams must not keep the thread from everything else.
+// A flood of datagrams must not keep the thread from its other work.
 constexpr int kMostDatagramsAtOnce = 512;
 
-// `fault` changes only together with `reason`, and `robot` only together with `state`.
+// `fault` and `robot` need no comparison: `fault` changes only together with `reason`, and `robot` only together with
+// `state`.
 bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
   return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason &&
          a.advice == b.advice && a.robot_message == b.robot_message && a.transport == b.transport &&
@@ -30,7 +31,7 @@ bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
 
 }  // namespace
 
-ConnectionLoop::ConnectionLoop(const ClientOptions& options, RcServerClient::Callbacks callbacks,
+ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks,
                                std::unique_ptr<TcpTransport> transport)
     : options_(options),
       address_(options.host + ":" + std::to_string(options.port)),
@@ -53,9 +54,18 @@ void ConnectionLoop::start() {
   }
 }
 
+void ConnectionLoop::waitForConnection(milliseconds timeout) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  requireOtherThread(shared_, "waitForConnection()");
+  connected_or_stopped_.wait_for(
+      lock, timeout, [this] { return shared_.stopped || shared_.status.state == ConnectionState::kConnected; });
+  requireConnection(shared_);
+}
+
 void ConnectionLoop::stop() noexcept {
   const std::lock_guard<std::mutex> lifecycle_lock(lifecycle_mutex_);
   change([](Shared& shared) { shared.stopped = true; });
+  connected_or_stopped_.notify_all();
   transport_->abort();
   if (thread_.joinable()) {
     thread_.join();
@@ -72,6 +82,12 @@ void ConnectionLoop::requireConnection(const Shared& shared) const {
                                ? "not connected to " + address_ + " yet; try again in a moment"
                                : "no connection to the robot: " + status.reason + ". " + status.advice,
                            status.fault);
+  }
+}
+
+void ConnectionLoop::requireOtherThread(const Shared& shared, const std::string& caller) {
+  if (std::this_thread::get_id() == shared.thread) {
+    throw Exception(caller + " cannot be called from a callback: it would wait for itself");
   }
 }
 
@@ -101,7 +117,7 @@ void ConnectionLoop::run() {
   endConnection(CallOutcome::kStopped, "the client was stopped", "", FaultKind::kNone);
 }
 
-// Ends only by an exception.
+// This function ends only by an exception.
 void ConnectionLoop::connectAndServe() {
   pauseUntil(next_attempt_);
   attempt_began_ = steady_clock::now();
@@ -181,7 +197,7 @@ void ConnectionLoop::talk() {
   }
 }
 
-/// Takes over what is wanted, and new calls and commands.
+/// Takes over the user's wishes, new calls and new commands.
 void ConnectionLoop::takeNews(TimePoint now) {
   std::vector<Call> calls;
   CommandOutbox commands;
@@ -199,7 +215,7 @@ void ConnectionLoop::takeNews(TimePoint now) {
   connection_->reportDropped();
 }
 
-/// The port for pictures by UDP; 0 if they are to come by TCP.
+/// The port for pictures by UDP. It is 0 if they should come by TCP.
 int ConnectionLoop::datagramPort(const Wish& wish) {
   Connection& connection = *connection_;
   if (wish.transport_changes != std::exchange(transport_changes_, wish.transport_changes)) {
@@ -242,7 +258,7 @@ void ConnectionLoop::listen() {
   reportSession();
 }
 
-/// @return true if none is left
+/// @return true if no datagram is left
 bool ConnectionLoop::takeDatagrams(TimePoint now) {
   for (int i = 0; i < kMostDatagramsAtOnce; ++i) {
     std::size_t size = 0;
@@ -270,7 +286,8 @@ void ConnectionLoop::reportSession() {
            shared.status.transport_problem == connection_->transport_problem;
   });
   if (is_known) {
-    return;  // as with nearly every picture: a status is not copied for each
+    // This happens with nearly every picture, so the status is not copied for each of them.
+    return;
   }
   updateStatus([this](ConnectionStatus& status) {
     status.robot_message = connection_->robot_message;
@@ -279,7 +296,7 @@ void ConnectionLoop::reportSession() {
   });
 }
 
-// The connection works: what was wrong before is over.
+// The connection works, so earlier faults are over.
 void ConnectionLoop::onReady() {
   backoff_.reset();
   logged_faults_.clear();
@@ -300,9 +317,9 @@ void ConnectionLoop::onFault(const Fault& cause) {
   counters_.stalls += silent ? 1 : 0;
   counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;
   counters_.failed_attempts += established() ? 0 : 1;
-  // An attempt that took its time needs no pause after it.
+  // An attempt that took long needs no pause after it.
   next_attempt_ = (established() ? steady_clock::now() : attempt_began_) + backoff_.next();
-  // Each kind is logged once: while a robot is off, the reasons alternate from attempt to attempt.
+  // Each kind of fault is logged once, because the reasons alternate from attempt to attempt while a robot is off.
   if (logged_faults_.insert(fault.kind()).second) {
     notifier_.log(LogLevel::kWarn, std::string("No connection to the robot: ") + fault.what() + ". " + fault.advice() +
                                        " Trying again until it works.");
@@ -333,8 +350,10 @@ void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reaso
     status.reason = reason;
     status.advice = advice;
   });
+  change([](Shared& shared) { shared.sound = SoundPart(); });
   if (session_) {
     takeNews(steady_clock::now());
+    connection_->sound.connectionLost();
     connection_->calls.failAll(makeFailure(outcome, advice.empty() ? reason : reason + ". " + advice, kind));
   }
   session_.reset();
@@ -353,6 +372,7 @@ void ConnectionLoop::updateStatus(const Change& change) {
     }
     status = shared_.status;
   }
+  connected_or_stopped_.notify_all();
   notifier_.status(status);
 }
 
@@ -376,4 +396,4 @@ void ConnectionLoop::updateMotorsAndPosture(const MotorsAndPosture& state) {
   notifier_.motorsAndPosture(state);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,7 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/callbacks.h"
+#include "aibo_client/options.h"
 #include "client/connection.h"
 #include "client/fault.h"
 #include "client/reconnect_backoff.h"
@@ -24,41 +26,44 @@
 #include "client/version1_session.h"
 #include "client/version_negotiation.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// The client's thread: it connects, serves the connection until it ends, and connects again; and what this thread
-/// shares with those that call the functions of RcServerClient.
+/// The client's thread. It connects, serves the connection until it ends, and connects again. This class also holds the
+/// data that this thread shares with the threads that call RcServerClient.
 class ConnectionLoop {
  public:
-  /// Used by any thread, through read() and change() only.
+  /// Any thread may use this, but only through read() and change().
   struct Shared {
     bool stopped = false;
     bool streaming = false;  ///< a stream has been requested over the present connection
     Wish wish;
     ConnectionStatus status;
     MotorsAndPosture motors_and_posture;
-    std::vector<Call> calls;  ///< that the client's thread has not taken over yet
-    CommandOutbox commands;   ///< the same
-    std::thread::id thread;   ///< the client's
+    std::vector<Call> calls;   ///< calls that the client's thread has not taken over yet
+    SoundPart sound;           ///< the next part of the newest sound; is_last: it has no next part
+    std::uint64_t sounds = 0;  ///< begun so far
+    CommandOutbox commands;    ///< commands that the client's thread has not taken over yet
+    std::thread::id thread;    ///< the client's thread
   };
 
-  ConnectionLoop(const ClientOptions& options, RcServerClient::Callbacks callbacks,
-                 std::unique_ptr<TcpTransport> transport);
+  ConnectionLoop(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
-  // The functions of RcServerClient:
+  // These do the work of the functions of RcServerClient:
   void start();
+  void waitForConnection(std::chrono::milliseconds timeout) const;
   void stop() noexcept;
 
   ClientStatistics statistics() const { return counters_.snapshot(); }
 
-  /// @return what `read` returns, which is given the shared state
+  /// Calls `read` with the shared state.
+  /// @return what `read` returns
   template <typename Read>
   auto read(const Read& read) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return read(shared_);
   }
 
-  /// Lets `change` change the shared state, and has the client's thread look at it.
+  /// Lets `change` change the shared state, and makes the client's thread look at it.
   template <typename Change>
   void change(const Change& change) {
     {
@@ -69,15 +74,19 @@ class ConnectionLoop {
     transport_->wakeUp();
   }
 
-  /// To be called within change() or read().
+  /// Call this only within change() or read().
   /// @throw NetworkException there is no connection
   /// @throw StoppedException stop() was called
   void requireConnection(const Shared& shared) const;
 
+  /// @param caller the name of a function that waits for the client's thread
+  /// @throw Exception it was called from a callback, on that thread
+  static void requireOtherThread(const Shared& shared, const std::string& caller);
+
   const std::string& address() const { return address_; }
 
  private:
-  // All that follows runs on the client's thread.
+  // Everything below runs on the client's thread.
 
   void run();
   void connectAndServe();
@@ -114,25 +123,26 @@ class ConnectionLoop {
   std::thread thread_;          // guarded by lifecycle_mutex_
 
   mutable std::mutex mutex_;
-  Shared shared_;                     // guarded by mutex_
+  Shared shared_;  // guarded by mutex_
+  mutable std::condition_variable connected_or_stopped_;
   std::atomic<bool> has_news_{true};  // shared_ may hold something that the client's thread has not seen yet
 
-  // Used by the client's thread alone.
-  Wish wish_;  // as last seen
+  // Only the client's thread uses these members.
+  Wish wish_;  // the wish as last seen
   std::optional<Connection> connection_;
-  std::unique_ptr<Session> session_;  // there once the version of the protocol is clear
+  std::unique_ptr<Session> session_;  // null until the version of the protocol is known
   ServerHabits habits_;
-  unsigned transport_changes_ = 0;          // of the user's that have been obeyed
-  std::string datagrams_blocked_;           // why no datagram has ever come; empty if any has, or none was due
-  TimePoint connected_ = TimePoint::max();  // since when; max if not
+  unsigned transport_changes_ = 0;          // how many of the user's changes have been carried out
+  std::string datagrams_blocked_;           // why no datagram has ever come; empty if one has come or none was due
+  TimePoint connected_ = TimePoint::max();  // when the connection was made; max without one
   bool heard_ = false;                      // the server has sent something
-  TimePoint attempt_began_;                 // the present or last attempt to connect
+  TimePoint attempt_began_;                 // when the present or last attempt to connect began
   TimePoint next_attempt_;
   ReconnectBackoff backoff_;
-  std::set<FaultKind> logged_faults_;  // since the last connection that worked
+  std::set<FaultKind> logged_faults_;  // faults since the last connection that worked
   std::array<std::uint8_t, 64 * 1024> buffer_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_CONNECTION_LOOP_H

@@ -5,11 +5,11 @@
 #include <atomic>
 #include <cstdint>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/status.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// ClientStatistics that one thread counts while others read them.
+/// ClientStatistics that one thread counts while other threads read them.
 struct Counters {
   std::atomic<std::uint64_t> connections{0};
   std::atomic<std::uint64_t> failed_attempts{0};
@@ -24,6 +24,9 @@ struct Counters {
   std::atomic<std::uint64_t> dropped_telemetry{0};
   std::atomic<std::uint64_t> thinned_telemetry{0};
   std::atomic<std::uint64_t> thinned_colors{0};
+  std::atomic<std::uint64_t> sounds{0};
+  std::atomic<std::uint64_t> sound_gaps{0};
+  std::atomic<std::uint64_t> thinned_sounds{0};
   std::atomic<std::uint64_t> impossible_values{0};
   std::atomic<std::uint64_t> refusals{0};
   std::atomic<std::uint64_t> datagrams{0};
@@ -50,6 +53,9 @@ struct Counters {
     result.dropped_telemetry = dropped_telemetry;
     result.thinned_telemetry = thinned_telemetry;
     result.thinned_colors = thinned_colors;
+    result.sounds = sounds;
+    result.sound_gaps = sound_gaps;
+    result.thinned_sounds = thinned_sounds;
     result.impossible_values = impossible_values;
     result.refusals = refusals;
     result.datagrams = datagrams;
@@ -64,6 +70,6 @@ struct Counters {
   }
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_COUNTERS_H

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace aibo_driver {
+namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
@@ -82,7 +82,7 @@ void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
   }
 }
 
-/// @param[out] whole the picture, if this completes it
+/// @param[out] whole the picture, if this datagram completes it
 void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
                              std::optional<PictureAssembly::Whole>* whole) {
   const std::uint64_t lost = assembly_.lost();
@@ -95,9 +95,9 @@ void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const st
   context_.counters.repaired_datagrams += assembly_.repaired() - repaired;
 }
 
-// When the last part has come, or, if that is lost, its parity or a part of the next picture. Where datagrams are lost,
-// so are acknowledgements: a part of the next picture repeats that of a picture with parities. Two lost ones in a row
-// would let the robot wait.
+// A picture is acknowledged when its last part has come. If that part is lost, its parity or a part of the next picture
+// counts instead. Where datagrams are lost, acknowledgements are lost, too. So a part of the next picture repeats the
+// acknowledgement of a picture with parities. If two in a row were lost, the robot would have to wait.
 void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
   const std::int64_t before = newest_;
   newest_ = std::max<std::int64_t>(newest_, datagram.picture);
@@ -156,4 +156,4 @@ std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds ext
          "not let UDP through";
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

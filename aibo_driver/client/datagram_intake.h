@@ -13,59 +13,60 @@
 #include "client/picture_intake.h"
 #include "client/sequence_window.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// The pictures that one connection gets by UDP, and whether it would better get them by TCP. It does no I/O and reads
-/// no clock.
+/// The pictures that one connection gets by UDP. It also decides whether they should come by TCP instead. It does no
+/// I/O and reads no clock.
 class DatagramIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// If no datagram has come for this long although TCP works, something on the way swallows them. If no good picture
-  /// has come, although there was time for kMostGivenUp, most datagrams get lost, or somebody forges them.
+  /// has come in spite of time for kMostGivenUp, most datagrams get lost, or somebody forges them.
   static constexpr std::chrono::milliseconds kSilence{1000};
-  /// While the radio is out, TCP is silent, too. So TCP has to have worked when datagrams were missing for this long
-  /// ...
+  /// While the radio is out, TCP is silent, too. So the silence counts only if TCP has worked after datagrams were
+  /// missing for this long.
   static constexpr std::chrono::milliseconds kMissing{500};
-  /// ... and the next datagram gets this much time: after an outage, an answer by TCP may come first.
+  /// After an outage, an answer by TCP may come first. Then the next datagram gets this much time.
   static constexpr std::chrono::milliseconds kGrace{200};
-  /// After this many incomplete pictures in a row, the client goes back to TCP. With 4 datagrams for each picture and a
-  /// tenth of them lost, that many follow each other by chance once in three years.
+  /// After this many incomplete pictures in a row, the client goes back to TCP. If each picture has 4 datagrams and a
+  /// tenth of them is lost, this happens by chance once in three years.
   static constexpr int kMostGivenUp = 20;
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(context) {}
 
-  /// The robot has begun to send the stream's pictures as datagrams, or has ended it.
+  /// Call this when the robot begins or ends to send the stream's pictures as datagrams.
   void begin(TimePoint now);
   void end() { on_ = false; }
   bool on() const { return on_; }
 
-  /// A datagram is due from now on: the stream was switched on, or changed.
+  /// A datagram is due from now on, because the stream was switched on or changed.
   void expectFrom(TimePoint now);
 
-  /// Something has come by TCP.
+  /// Call this when something has come by TCP.
   void heardByTcp(TimePoint now);
 
-  /// A datagram has come from the robot's address.
-  /// @return the picture that it completes; goodPicture() is to be called if its JPEG is good
+  /// Call this when a datagram has come from the robot's address.
+  /// @return the picture that it completes; call goodPicture() if its JPEG is good
   std::optional<PictureAssembly::Whole> arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
-  /// The JPEG of this whole picture is good.
+  /// Call this when the JPEG of this whole picture is good.
   void goodPicture(std::int64_t number, TimePoint now);
 
-  /// The picture to acknowledge, once: the robot waits for it before it sends more. None if there is nothing new.
+  /// The picture to acknowledge, once. The robot waits for the acknowledgement before it sends more. It is empty if
+  /// there is nothing new.
   std::optional<std::uint32_t> takeAcknowledgement() { return std::exchange(to_acknowledge_, std::nullopt); }
 
-  /// The picture that has shown a loss, to be reported, so that the robot protects the next ones. None if there is
+  /// A picture with a loss, to be reported so that the robot protects the next pictures. It is empty if there is
   /// nothing new.
   std::optional<std::uint32_t> takeLossReport() { return std::exchange(loss_to_report_, std::nullopt); }
 
-  /// When to look at problem() again at the latest.
-  /// @param extra_interval how much longer than with every image of the camera the next picture may take
+  /// The latest time to look at problem() again.
+  /// @param extra_interval see PictureIntake::extraInterval()
   TimePoint deadline(std::chrono::milliseconds extra_interval) const;
 
-  /// Why the pictures had better come by TCP, in words that follow "pictures come by TCP: "; empty if all is well, or
-  /// if they do already. Only while the stream is on.
+  /// Why the pictures should come by TCP, in words that follow "pictures come by TCP: ". It is empty if all is well, or
+  /// if they come by TCP already. Only call it while the stream is on.
   std::string problem(TimePoint now, std::chrono::milliseconds extra_interval) const;
 
   /// True if begin() was ever called.
@@ -75,9 +76,9 @@ class DatagramIntake {
   bool nothingCame() const { return !something_came_; }
 
  private:
-  /// Something that has to come now and then.
+  /// Something that must come now and then.
   struct Expectation {
-    TimePoint last;                       // or since when it is due
+    TimePoint last;                       // when it last came, or since when it is due
     std::optional<TimePoint> tcp_worked;  // when something first came by TCP after kMissing
 
     void heardByTcp(TimePoint now);
@@ -102,13 +103,13 @@ class DatagramIntake {
   Expectation good_picture_;
   std::optional<std::uint32_t> to_acknowledge_;
   std::optional<std::uint32_t> loss_to_report_;
-  std::int64_t newest_ = -1;        // of which a part has come
-  std::int64_t acknowledged_ = -1;  // the newest one
-  bool is_protected_ = false;       // the newest one has parities
+  std::int64_t newest_ = -1;        // the newest picture of which a part has come
+  std::int64_t acknowledged_ = -1;  // the newest picture that was acknowledged
+  bool is_protected_ = false;       // the newest picture has parities
   SequenceWindow window_;
   PictureAssembly assembly_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_DATAGRAM_INTAKE_H

@@ -3,17 +3,17 @@
 #include <cstring>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
-// Room for the largest picture twice; the kernel gives what it allows.
+// There is room for the largest picture twice. The kernel gives as much as it allows.
 constexpr int kDatagramBufferSize = 512 * 1024;
 
 sockaddr* asAddress(sockaddr_storage* storage) {
   return reinterpret_cast<sockaddr*>(storage);
 }
 
-/// IPv4 or IPv6.
+/// The port in an IPv4 or IPv6 address.
 in_port_t& portIn(sockaddr_storage* address) {
   return address->ss_family == AF_INET6 ? reinterpret_cast<sockaddr_in6*>(address)->sin6_port
                                         : reinterpret_cast<sockaddr_in*>(address)->sin_port;
@@ -64,7 +64,7 @@ void DatagramSocket::reply(const std::uint8_t* data, std::size_t size) const {
   ::sendto(socket_.get(), data, size, MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&sender_), sender_size_);
 }
 
-// The port is the robot's choice.
+// The sender's port does not matter, because the robot chooses it.
 bool DatagramSocket::isPeer(const sockaddr_storage& sender) const {
   if (sender.ss_family != peer_.ss_family) {
     return false;
@@ -77,4 +77,4 @@ bool DatagramSocket::isPeer(const sockaddr_storage& sender) const {
          reinterpret_cast<const sockaddr_in&>(peer_).sin_addr.s_addr;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -11,14 +11,14 @@
 
 #include "client/file_descriptor.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 /// Receives datagrams from the other end of a TCP connection.
 class DatagramSocket {
  public:
   enum class Origin { kPeer, kForeign };
 
-  /// Takes a free port, at the address of this computer that the connection uses.
+  /// Takes a free port at this computer's address in the connection.
   /// @param connection a connected socket
   /// @return false if the kernel refuses
   bool open(int connection);
@@ -26,18 +26,18 @@ class DatagramSocket {
   void close() noexcept { socket_.close(); }
   bool isOpen() const { return socket_.valid(); }
 
-  /// -1 if it is not open.
+  /// The descriptor. It is -1 if the socket is not open.
   int descriptor() const { return socket_.get(); }
 
-  /// The port that was taken; 0 if it is not open.
+  /// The port that was taken. It is 0 if the socket is not open.
   int port() const;
 
   /// Takes the next datagram, without waiting.
-  /// @param[out] size bytes written to buffer; those that do not fit are lost
-  /// @return who sent it, the connection's peer or somebody else; nothing if no datagram has come
+  /// @param[out] size how many bytes were written to buffer; bytes that do not fit are lost
+  /// @return who sent it: the connection's peer or somebody else; empty if no datagram has come
   std::optional<Origin> receive(std::uint8_t* buffer, std::size_t capacity, std::size_t* size);
 
-  /// Sends a datagram to the sender of the last one received. It may be lost.
+  /// Sends a datagram to the sender of the last one that was received. It may be lost.
   void reply(const std::uint8_t* data, std::size_t size) const;
 
  private:
@@ -49,6 +49,6 @@ class DatagramSocket {
   socklen_t sender_size_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_DATAGRAM_SOCKET_H

@@ -9,9 +9,9 @@
 
 #include "client/file_descriptor.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// One thread raises it; another waits for it with poll(), among its sockets.
+/// One thread raises the event. Another thread waits for it with poll(), together with its sockets.
 class Event {
  public:
   /// @throw std::system_error if the process has no file descriptor left
@@ -23,7 +23,7 @@ class Event {
 
   // Neither call below can fail in a way that matters: a full counter is readable, and an empty one is clear.
 
-  /// Makes descriptor() readable. Any thread.
+  /// Makes descriptor() readable. Any thread may call it.
   void raise() noexcept { static_cast<void>(::eventfd_write(descriptor_.get(), 1)); }
 
   /// Makes descriptor() unreadable again.
@@ -32,13 +32,13 @@ class Event {
     static_cast<void>(::eventfd_read(descriptor_.get(), &ignored));
   }
 
-  /// Readable from raise() until clear().
+  /// The descriptor. It is readable from raise() until clear().
   int descriptor() const { return descriptor_.get(); }
 
  private:
   FileDescriptor descriptor_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_EVENT_H

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 
 Fault::Fault(FaultKind kind, const std::string& reason, std::string advice)
     : NetworkException(reason, kind), advice_(std::move(advice)) {}
@@ -72,4 +72,4 @@ Fault Fault::internal(const std::string& detail) {
                "Check its memory and its limit of open files.");
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -1,16 +1,16 @@
 /// @file fault.h
-/// The reasons that end a connection or an attempt to make one, in words that a user can act on.
+/// The reasons that end a connection or an attempt to connect, in words that help a user to act.
 #ifndef AIBO_DRIVER_CLIENT_FAULT_H
 #define AIBO_DRIVER_CLIENT_FAULT_H
 
 #include <chrono>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Ends a connection or the attempt to make one; what() says why.
+/// Ends a connection or the attempt to make one. what() says why.
 class Fault : public NetworkException {
  public:
   Fault(FaultKind kind, const std::string& reason, std::string advice);
@@ -36,12 +36,12 @@ class Fault : public NetworkException {
   std::string advice_;
 };
 
-/// The peer sent something that no RCServer sends. The connection loop turns it into a Fault::protocol().
+/// Thrown if the peer sent something that no RCServer sends. The connection loop turns it into a Fault::protocol().
 class ProtocolException : public Exception {
  public:
   using Exception::Exception;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_FAULT_H

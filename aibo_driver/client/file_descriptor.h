@@ -6,9 +6,9 @@
 
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Owns a file descriptor, or none, and closes it.
+/// Owns at most one file descriptor and closes it.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -23,7 +23,7 @@ class FileDescriptor {
   FileDescriptor& operator=(const FileDescriptor&) = delete;
   ~FileDescriptor() { close(); }
 
-  /// The descriptor's number; -1 if there is none.
+  /// @return the number that the system knows it by; -1 if nothing is open
   int get() const { return number_; }
   bool valid() const { return number_ >= 0; }
 
@@ -37,6 +37,6 @@ class FileDescriptor {
   int number_ = -1;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_FILE_DESCRIPTOR_H

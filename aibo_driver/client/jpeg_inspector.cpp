@@ -1,13 +1,13 @@
-#include "aibo_driver/jpeg_inspector.h"
+#include "aibo_client/jpeg_inspector.h"
 
 #include <array>
 #include <cstring>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
-// Markers of ITU T.81, table B.1.
+// These are markers of ITU T.81, table B.1.
 constexpr std::uint8_t kSof0 = 0xC0;
 constexpr std::uint8_t kDht = 0xC4;
 constexpr std::uint8_t kRst0 = 0xD0;
@@ -118,7 +118,7 @@ class MarkerWalk {
     }
   }
 
-  // Adobe's segment gives the meaning of the components: 0 = RGB, 1 = YCbCr.
+  // Adobe's segment gives the meaning of the components: 0 is RGB, 1 is YCbCr.
   bool checkAdobe(const std::uint8_t* segment, std::size_t size) {
     const bool adobe = size >= 12 && std::memcmp(segment, "Adobe", 5) == 0;
     return !adobe || segment[11] == 1 || fail("its colours are not YCbCr");
@@ -186,7 +186,7 @@ class MarkerWalk {
     return true;
   }
 
-  // In compressed data 0xFF is followed by 0 or is a restart marker; the first other marker has to be the EOI.
+  // In compressed data, 0xFF is followed by 0 or begins a restart marker. The first other marker has to be EOI.
   bool checkScanData() {
     while (remaining() >= 2) {
       const void* const found = std::memchr(position_, 0xFF, remaining() - 1);
@@ -208,7 +208,7 @@ class MarkerWalk {
 
   const std::uint8_t* position_;
   const std::uint8_t* const end_;
-  const std::uint8_t* frame_ = nullptr;  // the frame header's content, once it was found good
+  const std::uint8_t* frame_ = nullptr;  // the content of a good frame header; null before
   bool has_quantization_ = false;
   bool has_huffman_ = false;
   bool in_scan_ = false;
@@ -221,4 +221,4 @@ JpegInspection inspectJpeg(const std::uint8_t* data, std::size_t size) {
   return MarkerWalk(data, size).run();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

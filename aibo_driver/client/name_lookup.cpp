@@ -10,7 +10,7 @@
 
 #include "client/event.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 NameLookupResult resolve(const std::string& host, int port, int flags) {
@@ -86,4 +86,4 @@ NameLookupResult NameLookup::take() {
   return std::move(lookup->result);
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

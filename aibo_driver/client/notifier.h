@@ -8,21 +8,20 @@
 #include <utility>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/callbacks.h"
 #include "client/rate_limit.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Calls the callbacks of the client's user, as far as they are set. An exception from a callback is logged. Nearly
-/// everything that is logged can be caused by what the robot sends, so there is a limit for all of it: a robot cannot
-/// fill the disk.
+/// Calls the callbacks of the client's user if they are set. It logs exceptions that callbacks throw. The robot can
+/// cause nearly everything that is logged, so all of it is limited. Otherwise a robot could fill the disk.
 class Notifier {
  public:
-  /// So many lines may be logged at once, in the long run one per kLogPeriod.
+  /// At most this many lines may be logged at once. In the long run it is one per kLogPeriod.
   static constexpr int kLogBurst = 20;
   static constexpr std::chrono::seconds kLogPeriod{1};
 
-  explicit Notifier(RcServerClient::Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
+  explicit Notifier(Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
 
   void picture(const PicturePtr& picture) const noexcept { call(callbacks_.on_picture, "on_picture", picture); }
   void status(const ConnectionStatus& status) const noexcept { call(callbacks_.on_status, "on_status", status); }
@@ -38,11 +37,13 @@ class Notifier {
     call(callbacks_.on_leds_accepted, "on_leds_accepted", leds);
   }
 
-  void steered(const WalkVelocity& in_force) const noexcept { call(callbacks_.on_steered, "on_steered", in_force); }
+  void steered(const WalkVelocity& in_force, std::uint64_t order) const noexcept {
+    call(callbacks_.on_steered, "on_steered", in_force, order);
+  }
 
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
 
-  /// @return false if nobody wants to know
+  /// @return false if there is no callback for refusals
   bool refused(const Refusal& refusal) const noexcept {
     call(callbacks_.on_refused, "on_refused", refusal);
     return callbacks_.on_refused != nullptr;
@@ -58,6 +59,10 @@ class Notifier {
 
   void colors(const DetectedColors& colors) const noexcept { call(callbacks_.on_colors, "on_colors", colors); }
 
+  void heard(const HeardSound& sound) const noexcept { call(callbacks_.on_heard, "on_heard", sound); }
+
+  void soundEnded(const SoundEnd& end) const noexcept { call(callbacks_.on_sound_ended, "on_sound_ended", end); }
+
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
       const RateLimit::Admission admission = log_limit_.admit(RateLimit::TimePoint::clock::now(), kLogPeriod);
@@ -70,26 +75,26 @@ class Notifier {
       } else if (admission.is_admitted) {
         callbacks_.log(level, admission.left_out == 0 ? message : message + " (" + left_out + " before it left out)");
       }
-    } catch (...) {  // there is nothing left to report it to
+    } catch (...) {  // there is nobody left to report it to
     }
   }
 
  private:
-  template <typename Callback, typename Argument>
-  void call(const Callback& callback, const char* name, const Argument& argument) const noexcept {
+  template <typename Callback, typename... Arguments>
+  void call(const Callback& callback, const char* name, const Arguments&... arguments) const noexcept {
     try {
       if (callback) {
-        callback(argument);
+        callback(arguments...);
       }
     } catch (const std::exception& error) {
       log(LogLevel::kError, std::string("The callback ") + name + " threw an exception: " + error.what());
     }
   }
 
-  RcServerClient::Callbacks callbacks_;
+  Callbacks callbacks_;
   mutable RateLimit log_limit_{kLogBurst};
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_NOTIFIER_H

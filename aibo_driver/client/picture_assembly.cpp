@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
@@ -34,7 +34,7 @@ void PictureAssembly::settle(std::int64_t number) {
   given_up_in_a_row_ = 0;
 }
 
-/// @return false if the picture has this part or parity already
+/// @return false if the picture already has this part or parity
 bool PictureAssembly::take(const version2::PictureDatagram& datagram, const unsigned char* bytes, Incomplete& picture) {
   const std::size_t part = datagram.part;
   const std::size_t size = version2::sizeOfPart(datagram.jpeg_size, part);
@@ -55,7 +55,7 @@ bool PictureAssembly::take(const version2::PictureDatagram& datagram, const unsi
   return true;
 }
 
-/// Makes the only part that a group lacks from the others and their parity.
+/// If a group lacks only one part, makes it from the others and their parity.
 void PictureAssembly::repair(Incomplete& picture, std::size_t group) {
   const std::size_t begin = group * version2::PARTS_PER_PARITY;
   const std::size_t end = std::min(begin + version2::PARTS_PER_PARITY, picture.has_part.size());
@@ -80,7 +80,7 @@ void PictureAssembly::repair(Incomplete& picture, std::size_t group) {
   ++repaired_;
 }
 
-/// @return null if a good picture has made it too late
+/// @return null if the picture is too late, because a newer good one has come
 PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagram& datagram, TimePoint now) {
   const std::int64_t number = datagram.picture;
   if (number <= last_settled_) {
@@ -105,11 +105,11 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
   return &place[number];
 }
 
-// The one that has waited longest. It does not make those before it too late: its number may be forged.
+// Gives up the picture that has waited longest. Pictures before it stay, because its number may be forged.
 void PictureAssembly::giveUpOldest() {
   const auto began_earlier = [](const auto& a, const auto& b) { return a.second.began < b.second.began; };
   incomplete_.erase(std::min_element(incomplete_.begin(), incomplete_.end(), began_earlier));
   ++given_up_in_a_row_;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

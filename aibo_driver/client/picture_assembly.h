@@ -11,23 +11,23 @@
 
 #include "protocol/picture_datagram.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Puts the parts of pictures together. Few pictures are incomplete at a time, so that what a robot sends cannot fill
-/// the memory: a newer picture takes the place of the oldest, and a good one of all that are older. A part that is
-/// lost is made from the parity of its group, if that has come.
+/// Puts the parts of pictures together. Only a few pictures may be incomplete at a time, so that the robot cannot fill
+/// the memory. A newer picture takes the place of the oldest one, and a good picture replaces all older ones. A lost
+/// part is made from the parity of its group, if that has come.
 ///
-/// Datagrams can be forged. So only a good picture makes those before it too late, and one whose number is far ahead
+/// Datagrams can be forged. So only a good picture makes earlier ones too late, and a picture whose number is far ahead
 /// has a place of its own until it is good.
 class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// Parts of two pictures can be on their way at the same time if a network changes their order.
+  /// If a network changes the order of parts, parts of two pictures can be on their way at the same time.
   static constexpr std::size_t kMostIncomplete = 2;
 
-  /// A picture is far ahead if it is more than this after the last one that was settled: 2 s. Few are sent while
-  /// nothing comes back.
+  /// A picture is far ahead if its number is more than this, which is 2 s, above the last settled picture. Without
+  /// acknowledgements, the robot sends few pictures.
   static constexpr std::int64_t kFarAhead = 64;
 
   /// A whole picture.
@@ -40,25 +40,25 @@ class PictureAssembly {
 
   enum class Result {
     kTaken,
-    kUseless,       ///< this part is there already, or a good picture has made its picture too late
-    kContradiction  ///< the picture cannot have this part: other parts describe it differently
+    kUseless,       ///< the picture already has this part, or a newer good picture has made it too late
+    kContradiction  ///< the picture cannot have this part, because other parts describe it differently
   };
 
   /// Adds a part, or a parity.
-  /// @param bytes of the part or the parity, as many as the datagram says
-  /// @param[out] whole the picture, if this completes it; it is newer than all before it
+  /// @param bytes the bytes of the part or parity, as many as the datagram says
+  /// @param[out] whole the picture, if this part completes it; it is newer than all before it
   Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now,
              std::optional<Whole>* whole);
 
-  /// A whole picture is good: it and those before it are settled.
+  /// Call this when a whole picture is good. It settles this picture and all before it.
   void settle(std::int64_t number);
 
   bool isFarAhead(std::int64_t number) const { return number > last_settled_ + kFarAhead; }
 
-  /// Pictures before the last good one that have not become good, also those of which nothing came.
+  /// How many pictures before the last good one were not good. This includes pictures of which nothing came.
   std::uint64_t lost() const { return lost_; }
 
-  /// Parts that were made from parities.
+  /// How many parts were made from parities.
   std::uint64_t repaired() const { return repaired_; }
 
   /// How many pictures in a row were begun and given up since the last good one.
@@ -69,7 +69,7 @@ class PictureAssembly {
     protocol::version2::ImageHeader header;
     std::vector<std::uint8_t> jpeg;
     std::vector<bool> has_part;
-    std::vector<std::vector<std::uint8_t>> parities;  // of each group; empty until it has come
+    std::vector<std::vector<std::uint8_t>> parities;  // one for each group; empty until it has come
     std::size_t missing;
     TimePoint began;
   };
@@ -80,14 +80,14 @@ class PictureAssembly {
   Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
   void giveUpOldest();
 
-  std::map<std::int64_t, Incomplete> incomplete_;  // by the picture's number
+  std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
   std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
-  std::int64_t last_settled_ = -1;                 // the newest good picture
+  std::int64_t last_settled_ = -1;                 // the number of the newest good picture
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_PICTURE_ASSEMBLY_H

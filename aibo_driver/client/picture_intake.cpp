@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "aibo_driver/jpeg_inspector.h"
+#include "aibo_client/jpeg_inspector.h"
 #include "client/fault.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connected)
     : context_(context),
@@ -18,7 +18,7 @@ PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connect
 void PictureIntake::streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format) {
   quality_ = quality;
   if (format != std::exchange(format_, format)) {
-    signOfPicture(now);  // the time until the next picture is another one
+    signOfPicture(now);  // the time until the next picture starts again
   }
   if (on == std::exchange(streaming_, on)) {
     return;
@@ -84,4 +84,4 @@ std::string PictureIntake::damageRemark() const {
   return last_damage_.empty() ? "." : "; the last one was damaged: " + last_damage_ + ".";
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -8,67 +8,67 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/picture.h"
+#include "aibo_client/picture.h"
 #include "client/counters.h"
 #include "client/notifier.h"
 #include "client/stall_detector.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// What the parts of a connection need to know of the client that they belong to.
+/// What the parts of a connection need to know about their client.
 struct ConnectionContext {
-  std::string address;                     ///< of the server, for messages
-  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture and is silent for longer is given up
+  std::string address;                     ///< the server's address, for messages
+  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture may be silent for this long
   const Notifier& notifier;
   Counters& counters;
-  std::uint64_t number = 0;  ///< of the connection: 1 for the client's first
+  std::uint64_t number = 0;  ///< the number of the connection; the client's first one is 1
 
-  /// Logs what the server did, as in "ADDRESS sent something strange.".
+  /// Logs what the server did, for example "ADDRESS sent something strange.".
   void warn(const std::string& what) const { notifier.log(LogLevel::kWarn, address + " " + what + "."); }
 };
 
-/// The pictures of one connection: whether a stream is on, and which pictures are good and fresh.
+/// The pictures of one connection. It knows whether a stream is on, and which pictures are good and fresh.
 ///
-/// For a version 1 server the number of toggles sent is all that is known of the stream: the same request starts and
-/// stops it, and is never acknowledged. A new connection begins without a stream.
+/// With a version 1 server, only the number of toggles that were sent is known about the stream. The same request
+/// starts and stops it, and the server never acknowledges it. A new connection begins without a stream.
 class PictureIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// Pictures of a stopped stream may still arrive until this long after the last one.
+  /// After a stream was stopped, its pictures may still arrive. They have ended when none has come for this long.
   static constexpr std::chrono::milliseconds kDrainTime{200};
-  /// A stopped stream that still delivers after this time has not been stopped.
+  /// If pictures of a stopped stream still arrive after this time, the stream has not been stopped.
   static constexpr std::chrono::milliseconds kStopTime{1000};
 
-  /// From one image of a camera to the next: 25 a second on an ERS-210, some of them a frame of 8 ms late.
+  /// The longest time between two images of a camera. An ERS-210 takes 25 a second, some of them a frame of 8 ms late.
   static constexpr std::chrono::milliseconds kLongestImageInterval{48};
 
   PictureIntake(const ConnectionContext& context, TimePoint connected);
 
   bool streaming() const { return streaming_; }
-  /// Of the stream's pictures, 1..100; 0 = there has been no stream.
+  /// The quality of the stream's pictures, 1..100. It is 0 if there has been no stream.
   int streamQuality() const { return quality_; }
   const StreamFormat& streamFormat() const { return format_; }
 
-  /// To be called when the stream is switched on or off, or gets another quality or format.
+  /// Call this when the stream is switched on or off, or gets another quality or format.
   void streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format = {});
 
-  /// Bytes of any kind were read.
+  /// Call this when bytes of any kind were read.
   void bytesArrived(TimePoint now);
-  /// Nothing was left to read.
+  /// Call this when nothing was left to read.
   void foundEmpty(TimePoint now) { stall_detector_.foundEmpty(now); }
-  /// When to look at the socket again at the latest, so that stale pictures can be told from fresh ones.
+  /// The latest time to look at the socket again, so that stale pictures can be told from fresh ones.
   TimePoint nextLook() const { return streaming_ ? stall_detector_.nextLook() : TimePoint::max(); }
 
-  /// A picture is arriving, or was asked for just now.
+  /// Call this when a picture is arriving or has just been requested.
   void signOfPicture(TimePoint now) { last_sign_ = now; }
   TimePoint lastSign() const { return last_sign_; }
-  /// How much longer than with every image of the camera the next picture may take.
+  /// How much longer the next picture may take than it would if the stream had every image.
   std::chrono::milliseconds extraInterval() const { return (format_.every_nth_image - 1) * kLongestImageInterval; }
 
-  /// Bytes of a picture have come although the stream is off and none was asked for.
+  /// Call this when bytes of a picture have come although the stream is off and no picture was requested.
   void lateBytes(TimePoint now) { quiet_since_ = now; }
-  /// From when on a picture can only be the answer to a request for one, if no more late bytes come.
+  /// If no more late bytes come, a picture that comes after this time can only be the answer to a request.
   TimePoint drainedAt() const;
 
   /// Turns the robot's bytes into a picture.
@@ -78,12 +78,13 @@ class PictureIntake {
   /// Gives a picture to the client's user.
   void deliver(const PicturePtr& picture);
 
-  /// The same with a picture of the stream, unless the stream is off or the picture has waited unread for too long.
-  /// @return false if it was dropped, which is counted
+  /// Gives a picture of the stream to the client's user, unless the stream is off or the picture has waited unread for
+  /// too long.
+  /// @return false if the picture was dropped, which is counted
   /// @throw ProtocolException the stream should have ended long ago
   bool deliverFromStream(const PicturePtr& picture, TimePoint now);
 
-  /// What was wrong with the last damaged picture, as the end of a sentence; "." if there was none.
+  /// Describes the last damaged picture as the end of a sentence. It is "." if there was none.
   std::string damageRemark() const;
 
  private:
@@ -92,13 +93,13 @@ class PictureIntake {
   bool streaming_ = false;
   int quality_ = 0;
   StreamFormat format_;
-  TimePoint off_since_;    // of the stream
-  TimePoint quiet_since_;  // of the last late bytes; TimePoint::min() if there were none
+  TimePoint off_since_;    // when the stream was switched off
+  TimePoint quiet_since_;  // when the last late bytes came; TimePoint::min() if there were none
   TimePoint last_sign_;
   TimePoint last_first_byte_;
   std::string last_damage_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_PICTURE_INTAKE_H

@@ -8,7 +8,7 @@
 #include "client/units.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -16,12 +16,9 @@ constexpr ValueRange kNothing = {kInfinity, -kInfinity};
 constexpr ValueRange kEverything = {-kInfinity, kInfinity};
 
 constexpr double kPositionMargin = 0.2;   // rad
-constexpr double kMoveMargin = 0.05;      // rad
-constexpr double kSpeedFactor = 3;        // of the highest speed
 constexpr double kTwoTurns = 4 * 3.1416;  // rad
-constexpr double kAnySpeed = 100;         // rad/s, of a joint that is not in the tables
 
-/// At most one from each design. Without memory of its own: it is made for each measured value.
+/// Holds at most one part of each design. It allocates no memory, because it is made for each measured value.
 template <typename Part>
 class Parts {
  public:
@@ -99,14 +96,6 @@ ValueRange possiblePositions(const std::string& design, int id) {
   return range.lowest <= range.highest ? range : ValueRange{-kTwoTurns, kTwoTurns};
 }
 
-double longestMove(const std::string& design, int id, double seconds) {
-  double speed = 0;
-  for (const robot_model::Joint* const joint : jointsFor(design, id)) {
-    speed = std::max(speed, kSpeedFactor * fromMicro(joint->highest_speed));
-  }
-  return kMoveMargin + (speed > 0 ? speed : kAnySpeed) * seconds;
-}
-
 ValueRange possibleReadings(const std::string& design, int id) {
   ValueRange range = kNothing;
   for (const robot_model::Sensor* const sensor : sensorsFor(design, id)) {
@@ -132,14 +121,4 @@ bool isPossible(const DetectedRegion& region, int width, int height) {
          is_in(region.x, region.left, region.width) && is_in(region.y, region.top, region.height);
 }
 
-std::string nameOfJoint(const std::string& design, int id) {
-  const auto joints = jointsFor(design, id);
-  return joints.empty() ? "joint " + std::to_string(id) : joints.front().name;
-}
-
-std::string nameOfSensor(const std::string& design, int id) {
-  const auto sensors = sensorsFor(design, id);
-  return sensors.empty() ? "sensor " + std::to_string(id) : sensors.front().name;
-}
-
-}  // namespace aibo_driver
+}  // namespace aibo_client

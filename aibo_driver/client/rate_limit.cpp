@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 
 RateLimit::Admission RateLimit::admit(TimePoint now, Duration period) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -18,4 +18,4 @@ RateLimit::Admission RateLimit::admit(TimePoint now, Duration period) {
   return {true, std::exchange(left_out_, 0)};
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

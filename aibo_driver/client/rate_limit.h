@@ -6,26 +6,26 @@
 #include <cstddef>
 #include <mutex>
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Decides what is let through of something that a robot can send without end. A burst may come at once, in the long
-/// run one per period. May be called from any thread.
+/// Limits something that a robot can send endlessly. A burst may come at once; in the long run, one per period is let
+/// through. Any thread may call it.
 class RateLimit {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   using Duration = TimePoint::duration;
 
   struct Admission {
-    bool is_admitted;      ///< false: left out
-    std::size_t left_out;  ///< since the last one that was admitted, this one included
+    bool is_admitted;      ///< false means left out
+    std::size_t left_out;  ///< how many were left out since the last one that was admitted, including this one
   };
 
   /// @param burst how many may come at once, at least 1
   explicit RateLimit(int burst) : burst_(burst), allowed_(burst) {}
 
-  /// @param now not before the last call's
-  /// @param period from one to the next in the long run; may differ from call to call. 0: none is allowed again, until
-  ///   a call has another period
+  /// @param now not earlier than in the last call
+  /// @param period the time between two in the long run; it may differ from call to call. 0 means that none is allowed
+  ///   until a call has another period
   Admission admit(TimePoint now, Duration period);
 
  private:
@@ -36,6 +36,6 @@ class RateLimit {
   std::size_t left_out_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_RATE_LIMIT_H

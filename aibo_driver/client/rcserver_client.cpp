@@ -1,18 +1,14 @@
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 
 #include <future>
 #include <utility>
 
-#include "aibo_driver/exceptions.h"
-#include "aibo_driver/jpeg_inspector.h"
+#include "aibo_client/exceptions.h"
+#include "aibo_client/jpeg_inspector.h"
 #include "client/argument_checks.h"
 #include "client/connection_loop.h"
-#include "protocol/motion_requests.h"
-#include "protocol/stick_pictures.h"
-#include "protocol/version2.h"
-#include "protocol/walk_requests.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
@@ -24,7 +20,7 @@ namespace {
 
 constexpr milliseconds kLongestTimeout{3600 * 1000};
 
-/// Throws what a call has failed with, if it has.
+/// If a call has failed, throws its exception.
 void throwUnlessDone(const Answer& answer) {
   switch (answer.outcome) {
     case CallOutcome::kDone:
@@ -41,17 +37,19 @@ void throwUnlessDone(const Answer& answer) {
 }
 
 /// Hands a call to the client's thread, and waits for its answer.
-/// @param caller name of the function, for messages
-Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::string& caller) {
+/// @param caller the name of the function, for messages
+/// @param make makes the call; it sees the shared state
+template <typename MakeCall>
+Answer askWith(ConnectionLoop* loop, const MakeCall& make, milliseconds timeout, const std::string& caller) {
   checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
-  call.timeout = timeout;
-  call.deadline = steady_clock::now() + timeout;
-  std::future<Answer> pending = call.promise.get_future();
+  std::future<Answer> pending;
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
-    if (std::this_thread::get_id() == shared.thread) {
-      throw Exception(caller + " cannot be called from a callback: it would wait for itself");
-    }
+    ConnectionLoop::requireOtherThread(shared, caller);
+    Call call = make(shared);
+    call.timeout = timeout;
+    call.deadline = steady_clock::now() + timeout;
+    pending = call.promise.get_future();
     if (shared.status.protocol_version > 1 || isKnownToVersion1(call)) {
       call.dropFrom(&shared.commands, false);  // later commands wait until the robot has been told
     }
@@ -62,12 +60,9 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
   return answer;
 }
 
-Call makeCall(char letter, int number = 0, const std::string& name = "") {
-  Call call;
-  call.letter = letter;
-  call.number = number;
-  call.name = name;
-  return call;
+Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::string& caller) {
+  return askWith(
+      loop, [&call](const Shared&) { return std::move(call); }, timeout, caller);
 }
 
 /// The call is an order to move.
@@ -77,16 +72,9 @@ Call withTerms(Call call, const OrderTerms& terms) {
   return call;
 }
 
-/// @param name of a picture on the memory stick; empty for a list
-Call makeStickCall(version2::StickPictureRequest request, const std::string& name) {
-  Call call = makeCall(version2::REQUEST_PICTURES, 0, name);
-  call.id = request;
-  return call;
-}
-
 /// Hands a command to the client's thread.
-/// @param parts of the body that it is for
-/// @param add is given the outbox
+/// @param parts the parts of the body that it is for
+/// @param add called with the outbox
 template <typename Add>
 void command(ConnectionLoop* loop, char letter, const std::string& parts, const Add& add) {
   loop->change([&](Shared& shared) {
@@ -102,9 +90,10 @@ void command(ConnectionLoop* loop, char letter, const std::string& parts, const 
 
 constexpr char kToHold[] = "to hold joints; send the joints to where they were commanded instead";
 constexpr char kToWalk[] = "to walk; it takes an ERS-7 with a newer RCServer";
+constexpr char kToPlaySounds[] = "to play sounds; it takes a newer RCServer";
 constexpr char kToTakePostures[] = "to take postures; it takes an ERS-7 with a newer RCServer";
 
-/// @param purpose of the request, and what to do without it
+/// @param purpose what the request is for, and what to do without it
 /// @throw CommandException this server does not know the request
 void requireRequest(const std::string& address, const ConnectionStatus& status, char letter, const char* purpose) {
   if (!status.robot.hasCapability(std::string(1, letter))) {
@@ -112,6 +101,20 @@ void requireRequest(const std::string& address, const ConnectionStatus& status, 
                                                             : "(" + status.robot.server + ") has no request ";
     throw CommandException(address + " " + server + purpose);
   }
+}
+
+/// The place of these samples in their sound, and in `shared` that of the next ones.
+SoundPart placeOf(std::size_t size, std::uint64_t sound, bool is_last, Shared* shared) {
+  SoundPart& next = shared->sound;
+  if (sound == 0) {
+    next = {++shared->sounds, 0, 0, false};
+  } else if (sound != next.sound || next.is_last) {
+    throw CommandException("the sound has ended, or another one has begun");
+  }
+  const SoundPart part = {next.sound, next.position, static_cast<std::uint32_t>(size), is_last};
+  next.position += part.size;
+  next.is_last = is_last;
+  return part;
 }
 
 version2::Posture toProtocol(Posture posture) {
@@ -139,11 +142,16 @@ RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks
 }
 
 RcServerClient::~RcServerClient() {
-  RcServerClient::stop();
+  stop();
 }
 
 void RcServerClient::start() {
   loop_->start();
+}
+
+void RcServerClient::waitForConnection(milliseconds timeout) {
+  checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
+  loop_->waitForConnection(timeout);
 }
 
 void RcServerClient::stop() noexcept {
@@ -201,6 +209,15 @@ void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
   });
 }
 
+void RcServerClient::setMicrophone(const MicrophoneSettings& settings) {
+  checkRange("channels", settings.channels, 1, 2);
+  if (settings.samples_per_second != 8000 && settings.samples_per_second != 16000) {
+    throw InvalidArgumentException("samples per second is " + std::to_string(settings.samples_per_second) +
+                                   "; it must be 8000 or 16000");
+  }
+  loop_->change([&settings](Shared& shared) { shared.wish.microphone = settings; });
+}
+
 bool RcServerClient::streaming() const {
   return loop_->read([](const Shared& shared) { return shared.streaming; });
 }
@@ -208,9 +225,7 @@ bool RcServerClient::streaming() const {
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* stream_quality,
                                        std::optional<Resolution> resolution) {
   checkRange("quality", quality, 0, 100);
-  Call call = makeCall(version2::REQUEST_PICTURE, quality);
-  call.resolution = resolution;
-  const Answer answer = ask(loop_.get(), std::move(call), timeout, "takePicture()");
+  const Answer answer = ask(loop_.get(), callForPicture(quality, resolution), timeout, "takePicture()");
   if (stream_quality != nullptr) {
     *stream_quality = answer.stream_quality;
   }
@@ -232,7 +247,7 @@ void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& lim
 }
 
 bool RcServerClient::setMotors(bool on, milliseconds timeout) {
-  return ask(loop_.get(), makeCall(version2::REQUEST_MOTORS, on ? 1 : 0), timeout, "setMotors()").motors_on;
+  return ask(loop_.get(), callForMotors(on), timeout, "setMotors()").motors_on;
 }
 
 void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
@@ -241,9 +256,7 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) 
     loop_->requireConnection(shared);
     requireRequest(loop_->address(), shared.status, version2::REQUEST_HOLD, kToHold);
   });
-  Call call = makeCall(version2::REQUEST_HOLD);
-  call.joints = joints;
-  ask(loop_.get(), std::move(call), timeout, "hold()");
+  ask(loop_.get(), callToHold(joints), timeout, "hold()");
 }
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
@@ -260,9 +273,7 @@ void RcServerClient::takePosture(Posture posture, milliseconds timeout, const Or
     loop_->requireConnection(shared);
     requireRequest(loop_->address(), shared.status, version2::REQUEST_POSTURE, kToTakePostures);
   });
-  Call call = withTerms(makeCall(version2::REQUEST_POSTURE), terms);
-  call.id = toProtocol(posture);
-  ask(loop_.get(), std::move(call), timeout, "takePosture()");
+  ask(loop_.get(), withTerms(callForPosture(toProtocol(posture)), terms), timeout, "takePosture()");
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
@@ -279,46 +290,39 @@ void RcServerClient::commandEars(bool left, bool right) {
 std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout,
                                        const OrderTerms& terms) {
   checkRange("repetitions", repetitions, 1, 65535);
-  Call call = withTerms(makeCall(version2::REQUEST_PLAY, repetitions, checkedMotionName(name)), terms);
-  call.id = version2::TELL_CHANGES | motion_bits_;
+  Call call = withTerms(callToPlay(checkedMotionName(name), repetitions, version2::TELL_CHANGES | motion_bits_), terms);
   return ask(loop_.get(), std::move(call), timeout, "playMotion()").changes;
 }
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
-  const std::string checked_name = name.empty() ? name : checkedMotionName(name);
-  ask(loop_.get(), makeCall(version2::REQUEST_PLAY, 0, checked_name), timeout, "stopMotion()");
+  ask(loop_.get(), callToStop(name.empty() ? name : checkedMotionName(name)), timeout, "stopMotion()");
 }
 
 void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                                   milliseconds timeout) {
   checkMotionContent(content);
-  Call call = makeCall(version2::REQUEST_UPLOAD, 0, checkedNewMotionName(name));
-  call.id = motion_bits_;
-  call.content = content;
-  ask(loop_.get(), std::move(call), timeout, "uploadMotion()");
+  ask(loop_.get(), callToStore(checkedNewMotionName(name), content, motion_bits_), timeout, "uploadMotion()");
 }
 
 void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {
-  ask(loop_.get(), makeCall(version2::REQUEST_DELETE, 0, checkedMotionName(name)), timeout, "deleteMotion()");
+  ask(loop_.get(), callToDelete(checkedMotionName(name)), timeout, "deleteMotion()");
 }
 
 std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
-  return ask(loop_.get(), makeCall(version2::REQUEST_LIST), timeout, "listMotions()").names;
+  return ask(loop_.get(), callForMotions(), timeout, "listMotions()").names;
 }
 
 std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout) {
   checkRange("quality", quality, 1, 100);
-  return ask(loop_.get(), makeCall(version2::REQUEST_SAVE_PICTURE, quality), timeout, "takePictureOnRobot()")
-      .names.at(0);
+  return ask(loop_.get(), callToSavePicture(quality), timeout, "takePictureOnRobot()").names.at(0);
 }
 
 std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
-  return ask(loop_.get(), makeStickCall(version2::LIST_PICTURES, ""), timeout, "listPictures()").names;
+  return ask(loop_.get(), callForStickPictures(), timeout, "listPictures()").names;
 }
 
 std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {
-  Answer answer =
-      ask(loop_.get(), makeStickCall(version2::FETCH_PICTURE, checkedPictureName(name)), timeout, "fetchPicture()");
+  Answer answer = ask(loop_.get(), callToFetchPicture(checkedPictureName(name)), timeout, "fetchPicture()");
   const JpegInspection found = inspectJpeg(answer.file.data(), answer.file.size());
   if (!found.good()) {
     throw CommandException(loop_->address() + " has sent " + name +
@@ -328,15 +332,45 @@ std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, 
 }
 
 void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
-  ask(loop_.get(), makeStickCall(version2::DELETE_PICTURE, checkedPictureName(name)), timeout, "deletePicture()");
+  ask(loop_.get(), callToDeletePicture(checkedPictureName(name)), timeout, "deletePicture()");
 }
 
 void RcServerClient::shutDownRobot(milliseconds timeout) {
-  ask(loop_.get(), makeCall(version2::REQUEST_SHUT_DOWN), timeout, "shutDownRobot()");
+  ask(loop_.get(), callToShutDown(), timeout, "shutDownRobot()");
 }
 
 void RcServerClient::rebootRobot(milliseconds timeout) {
-  ask(loop_.get(), makeCall(version2::REQUEST_REBOOT), timeout, "rebootRobot()");
+  ask(loop_.get(), callToReboot(), timeout, "rebootRobot()");
+}
+
+SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
+                                          milliseconds timeout) {
+  checkRange("samples", static_cast<long long>(samples.size()), 1, kMostSamplesAtOnce);
+  const auto make_call = [&](Shared& shared) {
+    requireRequest(loop_->address(), shared.status, version2::REQUEST_SOUND, kToPlaySounds);
+    return callToPlaySamples(placeOf(samples.size(), sound, is_last, &shared), samples);
+  };
+  return askWith(loop_.get(), make_call, timeout, "playSamples()").sound;
+}
+
+void RcServerClient::stopSound(milliseconds timeout) {
+  const auto make_call = [this](Shared& shared) {
+    requireRequest(loop_->address(), shared.status, version2::REQUEST_SOUND, kToPlaySounds);
+    shared.sound = SoundPart();
+    return callToPlaySamples({0, 0, 0, true}, {});
+  };
+  askWith(loop_.get(), make_call, timeout, "stopSound()");
+}
+
+int RcServerClient::setVolume(int volume, milliseconds timeout) {
+  if (volume != kVolumeOfRobot) {
+    checkRange("volume", volume, 0, kLoudestVolume);
+  }
+  const auto make_call = [&](const Shared& shared) {
+    requireRequest(loop_->address(), shared.status, version2::REQUEST_SOUND, kToPlaySounds);
+    return callForVolume(volume);
+  };
+  return askWith(loop_.get(), make_call, timeout, "setVolume()").volume;
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {
@@ -356,4 +390,4 @@ ClientStatistics RcServerClient::statistics() const {
   return loop_->statistics();
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

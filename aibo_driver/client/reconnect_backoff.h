@@ -6,10 +6,10 @@
 #include <chrono>
 #include <random>
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// How long to wait before the next attempt to connect. The wait doubles with each failure, up to a limit, and is
-/// shortened by a random part of at most half, so that clients that lost the same robot do not all return at once.
+/// How long to wait before the next attempt to connect. The wait doubles with each failure, up to a limit. A random
+/// part of at most half is subtracted, so that clients that lost the same robot do not all return at once.
 class ReconnectBackoff {
  public:
   using milliseconds = std::chrono::milliseconds;
@@ -17,7 +17,7 @@ class ReconnectBackoff {
   ReconnectBackoff(milliseconds shortest, milliseconds longest, unsigned seed)
       : shortest_(shortest), longest_(longest), current_(shortest), random_(seed) {}
 
-  /// The wait before the next attempt: at least half, at most all of a time that begins at `shortest`, doubles with
+  /// The wait before the next attempt. It is between half and all of a time that begins at `shortest`, doubles with
   /// each call, and never exceeds `longest`.
   milliseconds next() {
     const milliseconds whole = current_;
@@ -26,7 +26,7 @@ class ReconnectBackoff {
     return milliseconds(part(random_));
   }
 
-  /// A connection has worked: the next wait begins at `shortest` again.
+  /// Call this when a connection has worked. The next wait begins at `shortest` again.
   void reset() { current_ = shortest_; }
 
  private:
@@ -36,6 +36,6 @@ class ReconnectBackoff {
   std::minstd_rand random_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_RECONNECT_BACKOFF_H

@@ -5,7 +5,7 @@
 
 #include "client/fault.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 std::size_t headerSizeOf(std::uint8_t letter) {
@@ -61,4 +61,4 @@ ReplyParser::Result ReplyParser::appendJpeg(const std::uint8_t* data, std::size_
   return Result::kPicture;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -6,23 +6,23 @@
 #include <cstdint>
 #include <utility>
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Tells from the numbers of datagrams which are lost, late or there twice. A datagram counts as lost when kSize later
-/// ones could have come and it has not.
+/// Tells from the numbers of datagrams which of them were lost, late or sent twice. A datagram counts as lost if it has
+/// not come when kSize later ones could have come.
 class SequenceWindow {
  public:
   static constexpr std::int64_t kSize = 64;
-  /// A number further ahead than this is impossible. At 31 pictures a second of 4 datagrams each, it would be nine
-  /// minutes ahead.
+  /// A number that is further ahead than this is impossible. At 31 pictures a second with 4 datagrams each, it would be
+  /// nine minutes ahead.
   static constexpr std::int64_t kFarthest = 65536;
 
-  /// A jump by more than kSize is believed when a second datagram, not far behind the first, says the same: anybody who
-  /// can send in the robot's name could make all that follow look late otherwise.
+  /// A jump by more than kSize is believed only when a second datagram, not far behind the first, confirms it.
+  /// Otherwise anybody who can send in the robot's name could make all later datagrams look late.
   enum class Verdict { kNext, kReordered, kDuplicate, kUnbelieved, kImpossible };
 
-  /// A datagram has come.
-  /// @param sequence its number; the first one that was sent has 0
+  /// Call this when a datagram has come.
+  /// @param sequence the datagram's number; the first one that was sent has 0
   Verdict add(std::uint32_t sequence) {
     const std::int64_t ahead = sequence - highest_;
     if (ahead > kFarthest) {
@@ -36,7 +36,7 @@ class SequenceWindow {
       return Verdict::kNext;
     }
     if (-ahead >= kSize) {
-      return Verdict::kReordered;  // it counts as lost already
+      return Verdict::kReordered;  // it already counts as lost
     }
     const auto bit = static_cast<std::size_t>(-ahead);
     if (seen_[bit]) {
@@ -46,14 +46,14 @@ class SequenceWindow {
     return Verdict::kReordered;
   }
 
-  /// The number of the next datagram, if none is lost.
+  /// The number of the next datagram if none is lost.
   std::int64_t next() const { return highest_ + 1; }
 
-  /// How many have been lost.
+  /// How many datagrams have been lost.
   std::uint64_t lost() const { return lost_; }
 
  private:
-  // The first one of a jump counts as come.
+  // The first datagram of a jump counts as received.
   bool isConfirmed(std::int64_t sequence) {
     const std::int64_t first = std::exchange(jump_, sequence);
     if (first <= highest_ || sequence <= first || sequence > first + kSize) {
@@ -63,7 +63,7 @@ class SequenceWindow {
     return true;
   }
 
-  // Those that leave the window without having been seen are lost.
+  // Datagrams that leave the window without having been seen are lost.
   void moveOn(std::int64_t ahead) {
     if (ahead >= kSize) {
       lost_ += static_cast<std::uint64_t>(kSize) - seen_.count() + static_cast<std::uint64_t>(ahead - kSize);
@@ -78,11 +78,12 @@ class SequenceWindow {
   }
 
   std::int64_t highest_ = -1;
-  std::int64_t jump_ = -1;                                // the last one that was not believed
-  std::bitset<kSize> seen_ = std::bitset<kSize>().set();  // bit i: highest_ - i; those before the first are not missed
+  std::int64_t jump_ = -1;  // the last number that was not believed
+  // Bit i is the datagram highest_ - i. Datagrams before the first one count as seen.
+  std::bitset<kSize> seen_ = std::bitset<kSize>().set();
   std::uint64_t lost_ = 0;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_SEQUENCE_WINDOW_H

@@ -1,6 +1,6 @@
 #include "client/stall_detector.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 void StallDetector::restart(TimePoint now) {
   catching_up_ = false;
@@ -33,4 +33,4 @@ StallDetector::TimePoint StallDetector::nextLook() const {
   return catching_up_ ? last_bytes_ + kQuietTime : last_empty_ + kStallLimit / 2;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -4,14 +4,15 @@
 
 #include <chrono>
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Notices that the client's own thread has not kept up with a stream, and which pictures are stale because of it.
+/// Notices that the client's own thread has not kept up with a stream, and which pictures are stale because of that.
 ///
-/// While the thread keeps up, it finds the socket empty many times a second. If it has not done so for kStallLimit,
-/// pictures of unknown age have piled up in the kernels of both computers (measured: up to 5 s old after a pause of
-/// 5 s). All of them are stale until the socket has stayed empty for kQuietTime. That is longer than the robot takes to
-/// refill a freed window, and shorter than the pause between two camera images (32 ms less the transfer of a picture).
+/// While the thread keeps up, it finds the socket empty many times a second. If it has not found it empty for
+/// kStallLimit, pictures of unknown age have piled up in the kernels of both computers (measured: up to 5 s old after a
+/// pause of 5 s). All of them are stale until the socket has stayed empty for kQuietTime. That is longer than the robot
+/// takes to refill a freed window, and shorter than the pause between two camera images (32 ms less the transfer of a
+/// picture).
 class StallDetector {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -23,20 +24,20 @@ class StallDetector {
 
   explicit StallDetector(TimePoint now) { restart(now); }
 
-  /// The stream begins: the socket is empty.
+  /// The stream begins, and the socket is empty.
   void restart(TimePoint now);
 
-  /// Bytes were read at this time.
+  /// Call this when bytes were read.
   void bytesArrived(TimePoint now);
 
-  /// Nothing was left to read at this time.
+  /// Call this when nothing was left to read.
   void foundEmpty(TimePoint now);
 
-  /// When to look at the socket again at the latest.
+  /// The latest time to look at the socket again.
   TimePoint nextLook() const;
 
   /// True for a picture of the stream that may have waited for a long time.
-  /// @param first_byte_time when its first byte was read
+  /// @param first_byte_time when the picture's first byte was read
   bool isStale(TimePoint first_byte_time) const { return catching_up_ || first_byte_time < fresh_since_; }
 
  private:
@@ -47,6 +48,6 @@ class StallDetector {
   TimePoint last_bytes_;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_STALL_DETECTOR_H

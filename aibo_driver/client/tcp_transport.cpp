@@ -15,24 +15,24 @@
 
 #include "client/fault.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Small, so that few pictures can grow stale in the kernel while this process does not read.
+// The buffer is small, so that few pictures can grow stale in the kernel while this process does not read.
 constexpr int kReceiveBufferSize = 16 * 1024;
-// A peer that vanishes while nothing is due is noticed after 4 s: 1 s of silence, then 3 unanswered probes.
+// If a peer vanishes while nothing is due, this is noticed after 4 s: 1 s of silence, then 3 unanswered probes.
 constexpr int kKeepAliveIdle = 1;      // s
 constexpr int kKeepAliveInterval = 1;  // s
 constexpr int kKeepAliveCount = 3;
-// A request that has not been acknowledged by then never will be.
+// If a request has not been acknowledged within this time, it never will be.
 constexpr int kUserTimeout = 2000;  // ms
-// While a robot does not answer, a further attempt begins this often, beside those under way.
+// While a robot does not answer, a further attempt begins this often, in addition to those in progress.
 constexpr milliseconds kAttemptInterval{250};
 constexpr std::size_t kMostAttempts = 8;
-// The largest request is the upload of a motion, 64 KiB; all others are a few bytes. This much is unsent only if the
+// The largest request is the upload of a motion, 64 KiB. All others are a few bytes. So if this much is unsent, the
 // peer stopped reading long ago.
 constexpr std::size_t kMostUnsent = 1024 * 1024;
 
@@ -130,9 +130,9 @@ std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int por
   return result.addresses;
 }
 
-/// Begins one attempt after the other, and takes the first that succeeds. The kernel repeats a lost packet only after
-/// 1 s, and then after 2 s more, which is too slow for a radio link that comes back at once.
-/// @return no descriptor if there was no answer until the deadline
+/// Begins one attempt after the other, and takes the first that succeeds. The kernel repeats a lost packet only after 1
+/// s, and then after 2 s more. This is too slow for a radio link that comes back at once.
+/// @return an empty descriptor if there was no answer until the deadline
 FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
   const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));
   if (!any_attempt.valid()) {
@@ -171,7 +171,7 @@ void TcpTransport::checkConnected(int socket) const {
   socklen_t size = sizeof error;
   ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
   if (error == ECONNRESET) {
-    throw Fault::turnedAway(address_);  // accepted, and reset before this thread looked
+    throw Fault::turnedAway(address_);  // the peer accepted the connection, and reset it before this thread looked
   }
   if (error != 0) {
     throwFault(error);
@@ -238,7 +238,7 @@ void TcpTransport::abort() noexcept {
   wake_up_.raise();
 }
 
-/// Waits for the event or the deadline, whether wakeUp() is called or not.
+/// Waits for the event or the deadline. It does not return early if wakeUp() is called.
 bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
   while (pollOnce(descriptor, events, deadline) == 0) {
     if (steady_clock::now() >= deadline) {
@@ -248,14 +248,15 @@ bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
   return true;
 }
 
-/// @param other also ends the wait when it is readable
-/// @return which of the events the descriptor has, or that it has an error; 0 at the deadline, or earlier
+/// @param other the wait also ends when this descriptor is readable
+/// @return which of the events the descriptor has, or that it has an error; 0 at the deadline or if the wait ended
+///   early
 short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, int other) {
   // poll() skips a descriptor of -1.
   pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}, {other, POLLIN, 0}};
   const int count = ::poll(polled, 3, pollTimeout(deadline));
   if (count < 0 && errno != EINTR) {
-    std::this_thread::sleep_for(milliseconds(10));  // the kernel is short of memory: no reason to spin
+    std::this_thread::sleep_for(milliseconds(10));  // the kernel is short of memory, so do not try again at once
   }
   if (count > 0 && polled[0].revents != 0) {
     wake_up_.clear();
@@ -278,4 +279,4 @@ void TcpTransport::throwFault(int error) const {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -14,46 +14,48 @@
 #include "client/file_descriptor.h"
 #include "client/name_lookup.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 using TimePoint = std::chrono::steady_clock::time_point;
 
-/// A connection over TCP (IPv4 or IPv6) that can be made again and again, a socket for datagrams beside it, and the one
-/// place where the client's thread waits. abort() and wakeUp() may be called from any thread, everything else from the
-/// client's thread only.
+/// A connection over TCP (IPv4 or IPv6) that can be made again and again, and a socket for datagrams beside it. It is
+/// the only place where the client's thread waits. Any thread may call abort() and wakeUp(). Only the client's thread
+/// may call the other functions.
 class TcpTransport {
  public:
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
 
-  /// Connects, or leaves nothing behind.
+  /// Connects. If it fails, it leaves nothing behind.
   /// @throw Fault there is no connection at the deadline, or it is clear earlier that there will be none
   /// @throw StoppedException abort() was called
   void connect(const std::string& host, int port, TimePoint deadline);
 
   /// Waits until receive() has bytes or a fault to report, wakeUp() is called, or the deadline passes. Without a
-  /// connection it waits for the other two. Meanwhile it sends what send() has left, and may return early when it has.
+  /// connection it only waits for the last two. Meanwhile it sends what send() has left, and it may return early after
+  /// that.
   /// @return true if receive() has something to report
   /// @throw Fault the connection is over
   /// @throw StoppedException abort() was called
   bool wait(TimePoint deadline);
 
-  /// Takes what has arrived, without waiting.
-  /// @return bytes written to buffer; below capacity if nothing more is there now
+  /// Reads what has arrived, without waiting.
+  /// @return the number of bytes written to buffer; if it is below capacity, nothing more is there now
   /// @throw Fault the connection is over
   std::size_t receive(std::uint8_t* buffer, std::size_t capacity);
 
-  /// Sends a request, without waiting: what the network does not take at once is kept, and sent by wait().
+  /// Sends a request without waiting. What the network does not take at once is kept, and wait() sends it.
   /// @throw Fault the connection is over, or the peer has long stopped reading
   void send(const std::uint8_t* data, std::size_t size);
 
-  /// True if the network has not taken all that send() was given.
+  /// True if the network has not taken everything that was given to send().
   bool hasUnsent() const { return !unsent_.empty(); }
 
-  /// Takes a port for datagrams from the connection's peer. From then on, wait() returns early when one is there.
+  /// Takes a port for datagrams from the connection's peer. From then on, wait() returns early when a datagram is
+  /// there.
   /// @return false if the kernel refuses
   bool openDatagrams() { return datagrams_.open(socket_.get()); }
 
-  /// Closed until openDatagrams(), and at the end of the connection.
+  /// The socket for datagrams. It is closed before openDatagrams() and after the end of the connection.
   DatagramSocket& datagrams() { return datagrams_; }
 
   /// Ends the connection, if there is one.
@@ -81,9 +83,9 @@ class TcpTransport {
   std::string address_;  // "host:port", for messages
   FileDescriptor socket_;
   DatagramSocket datagrams_;
-  std::vector<std::uint8_t> unsent_;  // the part of what send() was given that the network has not taken
+  std::vector<std::uint8_t> unsent_;  // the bytes given to send() that the network has not taken yet
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_TCP_TRANSPORT_H

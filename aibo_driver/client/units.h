@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "aibo_driver/telemetry.h"
+#include "aibo_client/telemetry.h"
 #include "protocol/units.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// Version 2 counts in millionths: microradian, microradian/s.
+/// Version 2 counts in millionths: microradians and microradians/s.
 inline int toMicro(double value) {
   return static_cast<int>(std::lround(value * 1e6));
 }
@@ -21,33 +21,26 @@ inline double fromMicro(int value) {
   return value * 1e-6;
 }
 
-/// Version 2 counts the walk in mm/s and mrad/s.
-inline short toMilli(double value) {
-  return static_cast<short>(std::lround(value * 1e3));
-}
-
-inline double fromMilli(short value) {
-  return value * 1e-3;
-}
-
-/// @param design of the robot. A sensor that this design is not known to have is taken for one with a unit.
+/// Version 2 counts velocities of a walk in mm/s and mrad/s.
+/// @param design the robot's design. If this design is not known to have the sensor, the sensor counts as one with a
+///   unit
 inline robot_model::SensorKind sensorKind(const std::string& design, int id) {
   const robot_model::RobotModel* model = robot_model::findRobotModel(design.c_str());
   const int index = model == nullptr ? robot_model::NO_SENSOR : robot_model::findSensorByIdentifier(*model, id);
   return index == robot_model::NO_SENSOR ? robot_model::SENSOR_DISTANCE : model->sensors[index].kind;
 }
 
-/// A sensor's value from a version 1 server. Such a server does not say which robot it runs on: an ERS-7 is assumed.
+/// A sensor's value from a version 1 server. Such a server does not say which robot it runs on, so we assume an ERS-7.
 inline SensorReading makeVersion1Reading(int id, short value) {
   return {id, protocol::sensorValueFromVersion1(sensorKind("ERS-7", id), value)};
 }
 
 /// A sensor's value from a version 2 server.
-/// @param design of the robot
+/// @param design the robot's design
 inline SensorReading makeVersion2Reading(const std::string& design, int id, int value) {
   return {id, protocol::sensorValueFromVersion2(sensorKind(design, id), value)};
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_UNITS_H

@@ -6,7 +6,7 @@
 #include "protocol/version1.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 template <typename Part>
@@ -52,4 +52,4 @@ ValuePoll::Group& ValuePoll::groupOf(char request) {
   return groups_[request == protocol::REQUEST_JOINT ? 0 : 1];
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

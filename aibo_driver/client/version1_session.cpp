@@ -9,7 +9,7 @@
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 Session::Bytes makeCommand(char letter, int identifier) {
@@ -130,6 +130,7 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
   connection_.warnOfMissingSettings(wish.format != StreamFormat(), wish.camera != CameraSettings());
   connection_.warnOfMissingColors(wish.colors.on);
+  connection_.warnOfMissingMicrophone(wish.microphone.on);
   connection_.dropTooOld(now);
   if (isAnswerOwed()) {
     return {};
@@ -168,12 +169,12 @@ bool Version1Session::mayPoll() const {
 Session::Bytes Version1Session::requestPicture(const Wish& wish, Call* call, TimePoint now) {
   call->request_number = kOwed;
   connection_.pictures.signOfPicture(now);
-  return makeCommand(protocol::REQUEST_PICTURE, call->number == 0 ? wish.jpeg_quality : call->number);
+  return makeCommand(protocol::REQUEST_PICTURE, call->quality == 0 ? wish.jpeg_quality : call->quality);
 }
 
 Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
   call->request_number = kOwed;
-  Bytes bytes = encodeForVersion1(*call);
+  Bytes bytes = call->version1;
   connection_.callSent(*call, bytes.size(), now);
   return bytes;
 }
@@ -335,7 +336,7 @@ void Version1Session::onValueRefused(int code) {
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {
   const auto answers = [&reply](char letter) { return reply.letter == protocol::version2::replyKind(letter); };
-  if (owedCall() != nullptr && answers(owedCall()->letter)) {
+  if (owedCall() != nullptr && answers(owedCall()->request.letter)) {
     onCallAnswered();
   } else if (value_owed_ && answers(value_owed_->letter) && reply.identifier == value_owed_->id) {
     onValue(reply);
@@ -452,10 +453,10 @@ Session::TimePoint Version1Session::nextDeadline() const {
   if (!pictures.streaming() && connection_.calls.nextForPicture() != nullptr && free && parser_.betweenReplies()) {
     next = std::min(next, pictures.drainedAt());
   }
-  if (mayPoll() && free) {
+  if (ready_ && mayPoll() && free) {
     next = std::min(next, poll_.dueAt());
   }
   return next;
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

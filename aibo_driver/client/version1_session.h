@@ -7,14 +7,14 @@
 #include <set>
 #include <string>
 
-#include "aibo_driver/leds.h"
+#include "aibo_client/leds.h"
 #include "client/connection.h"
 #include "client/reply_parser.h"
 #include "client/session.h"
 #include "client/value_poll.h"
 #include "protocol/version1.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 /// What is remembered of a version 1 server from one connection to the next.
 struct ServerHabits {
@@ -107,6 +107,6 @@ class Version1Session final : public Session {
   bool is_trial_owed_ = false;  // the picture of requestTrial()
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_VERSION1_SESSION_H

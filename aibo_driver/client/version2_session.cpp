@@ -10,14 +10,12 @@
 #include "client/units.h"
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
-#include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
-#include "protocol/stick_pictures.h"
+#include "protocol/sound_requests.h"
 #include "protocol/text.h"
-#include "protocol/walk_requests.h"
 #include "robot_model/robot_model.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
@@ -81,10 +79,19 @@ bool hasWord(const std::string& text, const std::string& word) {
 }
 
 /// @throw ProtocolException if a decoder has found a problem
-void expectGood(const char* problem, const char* what) {
+void expectGood(const char* problem, const std::string& what) {
   if (problem != nullptr) {
-    throw ProtocolException(std::string("bad ") + what + ": " + problem);
+    throw ProtocolException("bad " + what + ": " + problem);
   }
+}
+
+/// @param name of the payload, for the message
+/// @throw ProtocolException it is not as it should be
+template <typename Content, typename Payload>
+Content decoded(const Payload& payload, const char* name) {
+  Content content;
+  expectGood(version2::decode(payload.data, payload.size, &content), name);
+  return content;
 }
 
 RobotInfo makeRobotInfo(const version2::Hello& hello) {
@@ -99,8 +106,7 @@ RobotInfo makeRobotInfo(const version2::Hello& hello) {
     const version2::JointLimits& joint = hello.joints[i];
     robot.joint_limits.push_back({joint.id, fromMicro(joint.lower), fromMicro(joint.upper), fromMicro(joint.speed)});
   }
-  robot.walk_limits = {fromMilli(hello.walk.forward), fromMilli(hello.walk.back), fromMilli(hello.walk.left),
-                       fromMilli(hello.walk.turn)};
+  robot.walk_limits = {hello.walk.forward, hello.walk.back, hello.walk.left, hello.walk.turn};
   return robot;
 }
 
@@ -159,44 +165,17 @@ void setWalk(int id, int value, std::optional<WalkReading>* walk) {
   }
 }
 
-std::string describeError(const unsigned char* payload, std::size_t size) {
-  version2::ErrorMessage message;
-  expectGood(version2::decodeErrorMessage(payload, size, &message), "error message");
-  const std::string code = "error code " + std::to_string(message.code);
+std::string describe(const version2::ErrorMessage& message) {
   const std::string text = beginningOf(message.text, message.text_size);
-  return text.empty() ? code : text + " (" + code + ")";
+  return text.empty() ? "error code " + std::to_string(message.code) : text;
 }
 
 EndedKind endedKind(unsigned what) {
-  switch (what) {
-    case version2::ENDED_MOTION:
-      return EndedKind::kMotion;
-    case version2::ENDED_WALK:
-      return EndedKind::kWalk;
-    case version2::ENDED_POSTURE:
-      return EndedKind::kPosture;
-    case version2::ENDED_JAM:
-      return EndedKind::kJam;
-    default:
-      return EndedKind::kUnknown;
-  }
+  return what <= version2::ENDED_JAM ? static_cast<EndedKind>(what) : EndedKind::kUnknown;
 }
 
 EndedHow endedHow(unsigned how) {
-  switch (how) {
-    case version2::END_DONE:
-      return EndedHow::kDone;
-    case version2::END_REPLACED:
-      return EndedHow::kReplaced;
-    case version2::END_STOPPED:
-      return EndedHow::kStopped;
-    case version2::END_REFUSED:
-      return EndedHow::kRefused;
-    case version2::END_FELL:
-      return EndedHow::kFell;
-    default:
-      return EndedHow::kUnknown;
-  }
+  return how <= version2::END_FELL ? static_cast<EndedHow>(how) : EndedHow::kUnknown;
 }
 
 }  // namespace
@@ -262,17 +241,20 @@ Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
   if (Bytes frame = requestColors(wish, now); !frame.empty()) {
     return frame;
   }
+  if (Bytes frame = requestMicrophone(wish, now); !frame.empty()) {
+    return frame;
+  }
   return nextCommand(now);
 }
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
   last_hello_ = now;
-  return request(version2::REQUEST_HELLO, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
+  return request(version2::SAY_HELLO, 0, {}, now, &Version2Session::onHello);
 }
 
 // From then on, the robot tells of its motors and its posture. The reply has no more than the first push.
 Session::Bytes Version2Session::requestMotorState(TimePoint now) {
-  return request(version2::REQUEST_MOTORS, 0, now, 0, [](unsigned char*) { return std::size_t{0}; });
+  return request(version2::TELL_OF_MOTORS, 0, {}, now);
 }
 
 StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
@@ -296,9 +278,8 @@ Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint
   }
   *different.second = *different.first;
   const auto id = static_cast<int>(different.first - wanted.begin()) + 1;
-  return request(version2::REQUEST_CAMERA, id, now, version2::CAMERA_VALUE_SIZE, [&](unsigned char* out) {
-    return version2::encodeCameraValue(static_cast<unsigned char>(*different.first), out);
-  });
+  const version2::CameraValue value = {static_cast<unsigned char>(id), static_cast<unsigned char>(*different.first)};
+  return request(version2::SET_CAMERA, id, encoded(value), now, &Version2Session::onCameraSetting);
 }
 
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
@@ -307,8 +288,7 @@ Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   datagrams_.expectFrom(now);
   const version2::StreamSettings settings = {wish.streaming, layerOf(format.resolution),
                                              static_cast<unsigned short>(format.every_nth_image)};
-  return request(version2::REQUEST_STREAM, wish.jpeg_quality, now, version2::STREAM_SETTINGS_SIZE,
-                 [&](unsigned char* out) { return version2::encodeStreamSettings(settings, out); });
+  return request(version2::STREAM_PICTURES, wish.jpeg_quality, encoded(settings), now);
 }
 
 // Datagrams may come before the reply.
@@ -321,16 +301,14 @@ Session::Bytes Version2Session::requestDatagrams(const Wish& wish, TimePoint now
     connection_.transport = PictureTransport::kTcp;
     connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
   }
-  return request(version2::REQUEST_DATAGRAMS, 0, now, version2::DATAGRAM_PORT_SIZE, [this](unsigned char* out) {
-    return version2::encodeDatagramPort(static_cast<unsigned short>(datagram_port_), out);
-  });
+  const version2::DatagramPort port = {static_cast<unsigned short>(datagram_port_)};
+  return request(version2::SEND_DATAGRAMS, 0, encoded(port), now, &Version2Session::onDatagramPort);
 }
 
 Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
-  const int quality = call->number == 0 ? wish.jpeg_quality : call->number;
+  const int quality = call->quality == 0 ? wish.jpeg_quality : call->quality;
   const Resolution resolution = call->resolution.value_or(possibleFormat(wish).resolution);
-  Bytes frame = makeFrame(version2::REQUEST_PICTURE, quality, version2::PICTURE_REQUEST_SIZE,
-                          [&](unsigned char* out) { return version2::encodePictureRequest(layerOf(resolution), out); });
+  Bytes frame = makeFrame(call->request.letter, quality, encoded(version2::PictureRequest{layerOf(resolution)}));
   call->request_number = last_number_;
   return frame;
 }
@@ -338,11 +316,10 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
   telemetry_period_ = wish.telemetry_period;
   connection_.measurements.askedFor(telemetry_period_);
-  const auto frames = static_cast<unsigned short>(wish.telemetry_period);
+  const version2::TelemetryPeriod period = {static_cast<unsigned short>(wish.telemetry_period)};
   const bool can_walk = serves(version2::REQUEST_STEER);
   const int content = version2::TELEMETRY_WITH_DUTY | (can_walk ? version2::TELEMETRY_WITH_WALK : 0);
-  return request(version2::REQUEST_TELEMETRY, content, now, version2::TELEMETRY_PERIOD_SIZE,
-                 [&](unsigned char* out) { return version2::encodeTelemetryPeriod(frames, out); });
+  return request(version2::SEND_TELEMETRY, content, encoded(period), now);
 }
 
 // Tables go first, so that the first push has all of them.
@@ -362,9 +339,25 @@ Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
   connection_.colors.askedFor(wish.colors);
   const version2::ColorSettings settings = {static_cast<unsigned short>(wish.colors.every_nth_image),
                                             wish.colors.with_mask};
-  return request(version2::REQUEST_COLORS, wish.colors.on ? version2::COLORS_ON : version2::COLORS_OFF, now,
-                 version2::COLOR_SETTINGS_SIZE,
-                 [&](unsigned char* out) { return wish.colors.on ? version2::encodeColorSettings(settings, out) : 0; });
+  return wish.colors.on ? request(version2::DETECT_COLORS, version2::COLORS_ON, encoded(settings), now)
+                        : request(version2::DETECT_COLORS, version2::COLORS_OFF, {}, now);
+}
+
+// A server starts with its microphones off.
+Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint now) {
+  const MicrophoneSettings& wanted = wish.microphone;
+  if (!serves(version2::REQUEST_SOUND)) {
+    connection_.warnOfMissingMicrophone(wanted.on);
+    return {};
+  }
+  if (wanted == connection_.sound.asked() || (!wanted.on && !connection_.sound.asked().on)) {
+    return {};
+  }
+  connection_.sound.askedFor(wanted);
+  const version2::MicrophoneSettings settings = {wanted.on, static_cast<unsigned char>(wanted.channels),
+                                                 static_cast<unsigned short>(wanted.samples_per_second)};
+  return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone,
+                 {RefusedRequest::kMicrophone, {}, 0});
 }
 
 Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
@@ -377,13 +370,11 @@ Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
                                                        byte(range->cb_max)}
                               : version2::EMPTY_COLOR_SEGMENT;
   }
-  return request(version2::REQUEST_COLORS, version2::COLORS_TABLE, now, version2::COLOR_TABLE_SIZE,
-                 [&](unsigned char* out) { return version2::encodeColorTable(table, out); });
+  return request(version2::DETECT_COLORS, version2::COLORS_TABLE, encoded(table), now);
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
-  Bytes frame = makeFrame(call->letter, idForVersion2(*call), largestPayload(*call),
-                          [&](unsigned char* out) { return encodeForVersion2(*call, out); });
+  Bytes frame = makeFrame(call->request.letter, call->id, call->payload);
   call->request_number = last_number_;
   connection_.callSent(*call, frame.size(), now);
   return frame;
@@ -391,7 +382,7 @@ Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
 
 long Version2Session::outstanding(char kind) const {
   return std::count_if(exchanges_.begin(), exchanges_.end(),
-                       [kind](const auto& each) { return each.second.kind == kind; });
+                       [kind](const auto& each) { return each.second.request.letter == kind; });
 }
 
 bool Version2Session::mayCommandJoints() const {
@@ -427,9 +418,8 @@ Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
   for (const JointSpeedLimit& limit : wanted) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
-  return request(
-      version2::REQUEST_SPEED_LIMITS, 0, now, version2::MAX_SPEED_LIMITS_SIZE,
-      [&](unsigned char* out) { return version2::encodeSpeedLimits(limits, out); }, idsOf(wanted));
+  return request(version2::LIMIT_SPEEDS, 0, encoded(limits), now, nullptr,
+                 {RefusedRequest::kSpeedLimits, idsOf(wanted), 0});
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
@@ -439,19 +429,16 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
   for (const JointTarget& target : command.targets) {
     targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
   }
-  return request(
-      version2::REQUEST_JOINTS, 0, now, version2::MAX_JOINT_TARGETS_SIZE,
-      [&](unsigned char* out) { return version2::encodeJointTargets(targets, out); }, idsOf(command.targets),
-      command.terms.number);
+  return request(version2::MOVE_JOINTS, 0, encoded(targets), now, &Version2Session::onJointsAccepted,
+                 {RefusedRequest::kJoints, idsOf(command.targets), command.terms.number});
 }
 
 Session::Bytes Version2Session::requestSteering(TimePoint now) {
   const SteeringCommand command = *std::exchange(connection_.commands.steering, std::nullopt);
   const WalkVelocity& wanted = command.velocity;
-  const version2::Velocity velocity = {toMilli(wanted.forward), toMilli(wanted.left), toMilli(wanted.turn)};
-  return request(
-      version2::REQUEST_STEER, 0, now, version2::VELOCITY_SIZE,
-      [&](unsigned char* out) { return version2::encodeVelocity(velocity, out); }, {}, command.terms.number);
+  const version2::Velocity velocity = {wanted.forward, wanted.left, wanted.turn};
+  return request(version2::STEER, 0, encoded(velocity), now, &Version2Session::onSteered,
+                 {RefusedRequest::kWalk, {}, command.terms.number});
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
@@ -461,9 +448,8 @@ Session::Bytes Version2Session::requestLeds(TimePoint now) {
     values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
                                    led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
   }
-  return request(
-      version2::REQUEST_LEDS, 0, now, version2::MAX_LED_VALUES_SIZE,
-      [&](unsigned char* out) { return version2::encodeLedValues(values, out); }, idsOf(wanted));
+  return request(version2::SET_LEDS, 0, encoded(values), now, &Version2Session::onLedsAccepted,
+                 {RefusedRequest::kLeds, idsOf(wanted), 0});
 }
 
 // Both ears are always commanded together.
@@ -473,31 +459,24 @@ Session::Bytes Version2Session::requestEars(TimePoint now) {
   for (const EarCommand& ear : wanted) {
     (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
-  return request(
-      version2::REQUEST_EARS, 0, now, version2::EAR_POSITIONS_SIZE,
-      [&](unsigned char* out) { return version2::encodeEarPositions(positions, out); }, idsOf(wanted));
+  return request(version2::MOVE_EARS, 0, encoded(positions), now, nullptr, {RefusedRequest::kEars, idsOf(wanted), 0});
 }
 
 /// A request whose answer is due soon.
-template <typename Encode>
-Session::Bytes Version2Session::request(char kind, int id, TimePoint now, std::size_t largest_payload,
-                                        const Encode& encode, std::vector<int> ids, std::uint64_t order) {
-  Bytes frame = makeFrame(kind, id, largest_payload, encode);
-  exchanges_[last_number_] = {kind, now, connection_.answerDeadline(now), std::move(ids), order};
+Session::Bytes Version2Session::request(const version2::Request& request, int id, const Bytes& payload, TimePoint now,
+                                        OnAnswer on_answer, const Order& order) {
+  Bytes frame = makeFrame(request.letter, id, payload);
+  exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, order};
   return frame;
 }
 
-/// @param encode writes the payload and returns its size
-template <typename Encode>
-Session::Bytes Version2Session::makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode) {
-  Bytes frame(version2::FRAME_HEADER_SIZE + largest_payload);
-  version2::FrameHeader header = {};
-  header.kind = kind;
-  header.id = static_cast<unsigned char>(id);
-  header.request_number = static_cast<unsigned short>(last_number_ = nextNumber());
-  header.payload_size = static_cast<unsigned>(encode(frame.data() + version2::FRAME_HEADER_SIZE));
-  version2::encodeFrameHeader(header, frame.data());
-  frame.resize(version2::FRAME_HEADER_SIZE + header.payload_size);
+Session::Bytes Version2Session::makeFrame(char kind, int id, const Bytes& payload) {
+  last_number_ = nextNumber();
+  const version2::FrameHeader header = {kind, static_cast<unsigned char>(id), static_cast<unsigned short>(last_number_),
+                                        static_cast<unsigned>(payload.size())};
+  Bytes frame(version2::FRAME_HEADER_SIZE + payload.size());
+  version2::encode(header, frame.data());
+  std::copy(payload.begin(), payload.end(), frame.begin() + version2::FRAME_HEADER_SIZE);
   return frame;
 }
 
@@ -513,10 +492,10 @@ int Version2Session::nextNumber() {
 std::optional<char> Version2Session::kindOf(int number) const {
   const auto exchange = exchanges_.find(number);
   if (exchange != exchanges_.end()) {
-    return exchange->second.kind;
+    return exchange->second.request.letter;
   }
   const Call* const call = connection_.calls.find(number);
-  return call != nullptr ? std::optional<char>(call->letter) : std::nullopt;
+  return call != nullptr ? std::optional<char>(call->request.letter) : std::nullopt;
 }
 
 void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
@@ -564,10 +543,10 @@ std::vector<Session::Bytes> Version2Session::datagramArrived(const std::uint8_t*
   }
   std::vector<Bytes> replies;
   if (const auto picture = datagrams_.takeAcknowledgement()) {
-    version2::encodeAcknowledgement(*picture, replies.emplace_back(version2::ACKNOWLEDGEMENT_SIZE).data());
+    replies.push_back(encoded(version2::Acknowledgement{*picture}));
   }
   if (const auto picture = datagrams_.takeLossReport()) {
-    version2::encodeLossReport(*picture, replies.emplace_back(version2::LOSS_REPORT_SIZE).data());
+    replies.push_back(encoded(version2::LossReport{*picture}));
   }
   return replies;
 }
@@ -594,6 +573,8 @@ void Version2Session::onPush(char kind, const Payload& payload) {
       return onTelemetry(payload);
     case version2::COLORS_PUSH:
       return connection_.colors.receive(payload.data, payload.size, color_tables_, frame_began_);
+    case version2::SOUND_PUSH:
+      return onSound(payload);
     case version2::END_PUSH:
       return onEnded(payload);
     case version2::ERROR_MESSAGE:
@@ -610,41 +591,21 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   if (!request_kind) {
     return;  // the caller has stopped waiting
   }
+  const Call* const call = connection_.calls.find(number);
   if (version2::isError(kind, payload.size)) {
-    const std::string problem = describeError(payload.data, payload.size);
-    const Call* const call = connection_.calls.find(number);
+    const std::string problem = describe(decoded<version2::ErrorMessage>(payload, "error message"));
     call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(exchanges_.at(number), problem);
-  } else if (kind == version2::replyKind(*request_kind)) {
-    onAnswer(*request_kind, number, payload);
-  } else {
+  } else if (kind != version2::replyKind(*request_kind)) {
     throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + *request_kind + "'");
+  } else {
+    connection_.refusals.accepted(*request_kind);
+    if (call != nullptr) {
+      call->isForPicture() ? onRequestedPicture(number, payload) : onCallAnswered(*call, payload);
+    } else if (const OnAnswer on_answer = exchanges_.at(number).on_answer) {
+      (this->*on_answer)(payload);
+    }
   }
   exchanges_.erase(number);
-}
-
-void Version2Session::onAnswer(char request_kind, int number, const Payload& payload) {
-  connection_.refusals.accepted(request_kind);
-  switch (request_kind) {
-    case version2::REQUEST_HELLO:
-      return onHello(payload);
-    case version2::REQUEST_PICTURE:
-      return onRequestedPicture(number, payload);
-    case version2::REQUEST_JOINTS:
-      return onJointsAccepted(payload);
-    case version2::REQUEST_LEDS:
-      return onLedsAccepted(payload);
-    case version2::REQUEST_STEER:
-      return onSteered(payload);
-    case version2::REQUEST_CAMERA:
-      return onCameraSetting(payload);
-    case version2::REQUEST_DATAGRAMS:
-      return onDatagramPort(payload);
-    default:
-      // The answers for stream, speed limits, telemetry, colours and ears only confirm what was requested.
-      if (const Call* const call = connection_.calls.find(number)) {
-        onCallAnswered(*call, payload);
-      }
-  }
 }
 
 void Version2Session::onHello(const Payload& payload) {
@@ -666,11 +627,8 @@ void Version2Session::onHello(const Payload& payload) {
 
 std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload) {
   connection_.pictures.signOfPicture(now_);
-  version2::ImageHeader header;
-  std::size_t size = 0;
-  expectGood(version2::decodePicture(payload.data, payload.size, &header, &size), "picture");
-  const unsigned char* jpeg = payload.data + version2::IMAGE_HEADER_SIZE;
-  return inspect(Bytes(jpeg, jpeg + size), header, frame_began_);
+  const auto picture = decoded<version2::PicturePayload>(payload, "picture");
+  return inspect(Bytes(picture.jpeg, picture.jpeg + picture.jpeg_size), picture.header, frame_began_);
 }
 
 /// @return null if it is damaged
@@ -737,8 +695,7 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {
-  version2::Telemetry measured;
-  expectGood(version2::decodeTelemetry(payload.data, payload.size, &measured), "telemetry");
+  const auto measured = decoded<version2::Telemetry>(payload, "telemetry");
   if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
     // They can only have waited because this process was held up for long. The newest are worth more than all of them.
     telemetry_.pop_front();
@@ -764,8 +721,7 @@ void Version2Session::onTelemetry(const Payload& payload) {
 }
 
 void Version2Session::onJointsAccepted(const Payload& payload) {
-  version2::JointTargets accepted;
-  expectGood(version2::decodeJointTargets(payload.data, payload.size, &accepted), "reply to joint targets");
+  const auto accepted = decoded<version2::JointTargets>(payload, "reply to joint targets");
   std::vector<JointTarget> targets;
   for (std::size_t i = 0; i < accepted.count; ++i) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
@@ -774,8 +730,7 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
 }
 
 void Version2Session::onLedsAccepted(const Payload& payload) {
-  version2::LedValues accepted;
-  expectGood(version2::decodeLedValues(payload.data, payload.size, &accepted), "reply to LEDs");
+  const auto accepted = decoded<version2::LedValues>(payload, "reply to LEDs");
   std::vector<LedCommand> leds;
   for (std::size_t i = 0; i < accepted.count; ++i) {
     const version2::LedValue& led = accepted.leds[i];
@@ -785,29 +740,42 @@ void Version2Session::onLedsAccepted(const Payload& payload) {
 }
 
 void Version2Session::onSteered(const Payload& payload) {
-  version2::Velocity velocity;
-  expectGood(version2::decodeVelocity(payload.data, payload.size, &velocity), "reply to steering");
+  const auto velocity = decoded<version2::Velocity>(payload, "reply to steering");
   bodyMovesAgain();
-  connection_.context.notifier.steered(
-      {fromMilli(velocity.forward), fromMilli(velocity.left), fromMilli(velocity.turn)});
+  connection_.context.notifier.steered({velocity.forward, velocity.left, velocity.turn},
+                                       exchanges_.at(reader_.header().request_number).order.number);
 }
 
 // The robot may set something else than was asked for.
 void Version2Session::onCameraSetting(const Payload& payload) {
   const int id = reader_.header().id;
-  unsigned char value = 0;
-  expectGood(version2::decodeCameraValue(id, payload.data, payload.size, &value), "camera setting");
+  version2::CameraValue set = {reader_.header().id, 0};
+  expectGood(version2::decode(payload.data, payload.size, &set), "camera setting");
   const bool is_newest = outstanding(version2::REQUEST_CAMERA) == 1;
   const int requested = camera_.at(static_cast<std::size_t>(id) - 1);
-  if (is_newest && value != requested) {
-    connection_.context.warn("has set camera setting " + std::to_string(id) + " to " + std::to_string(value) +
+  if (is_newest && set.value != requested) {
+    connection_.context.warn("has set camera setting " + std::to_string(id) + " to " + std::to_string(set.value) +
                              " instead of " + std::to_string(requested));
   }
 }
 
+void Version2Session::onSound(const Payload& payload) {
+  if (reader_.header().id == version2::SOUND_MICROPHONE) {
+    connection_.sound.heard(payload.data, payload.size, frame_began_);
+  } else if (reader_.header().id == version2::SOUND_SPEAKER) {
+    connection_.sound.ended(payload.data, payload.size);
+  }
+}
+
+void Version2Session::onMicrophone(const Payload& payload) {
+  const auto settings = decoded<version2::MicrophoneSettings>(payload, "reply to a request to listen");
+  if (outstanding(version2::REQUEST_SOUND) == 1) {  // it is the newest
+    connection_.sound.inForce({settings.on, settings.channels, settings.samples_per_second});
+  }
+}
+
 void Version2Session::onDatagramPort(const Payload& payload) {
-  unsigned short port = 0;
-  expectGood(version2::decodeDatagramPort(payload.data, payload.size, &port), "reply to a port for datagrams");
+  const unsigned short port = decoded<version2::DatagramPort>(payload, "reply to a port for datagrams").port;
   if (port != 0 && port == datagram_port_) {
     connection_.transport = PictureTransport::kUdp;
     datagrams_.expectFrom(now_);
@@ -823,82 +791,49 @@ void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
 
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   Answer answer;
-  if (call.letter == version2::REQUEST_MOTORS) {
-    expectGood(version2::decodeMotorState(payload.data, payload.size, &answer.motors_on), "motor state");
-  } else if (call.letter == version2::REQUEST_LIST) {
-    version2::FileList list;
-    expectGood(version2::decodeMotionList(payload.data, payload.size, &list), "list of motions");
-    answer.names.assign(list.names, list.names + list.count);
-  } else if (call.letter == version2::REQUEST_PLAY) {
-    version2::MotionChanges changes;
-    expectGood(version2::decodeMotionChanges(payload.data, payload.size, &changes), "reply to a motion");
-    answer.changes.assign(changes.text, changes.text_size);
-  } else if (call.letter == version2::REQUEST_POSTURE) {
-    bodyMovesAgain();
-  } else if (call.letter == version2::REQUEST_SAVE_PICTURE) {
-    protocol::PictureName name;
-    expectGood(version2::decodePictureName(payload.data, payload.size, name), "name of a picture");
-    answer.names.emplace_back(name);
-  } else if (call.letter == version2::REQUEST_PICTURES) {
-    onStickPictures(call.id, payload, &answer);
+  if (call.read_answer) {
+    expectGood(call.read_answer(payload.data, payload.size, &answer), "answer to the request to " + describe(call));
   }
-  connection_.calls.transferEnds(now_);
+  if (call.has(version2::MOVES_BODY)) {
+    bodyMovesAgain();
+  }
+  if (call.sound_part) {
+    connection_.sound.accepted(*call.sound_part);
+  } else {
+    connection_.calls.transferEnds(now_);
+  }
   connection_.answer(call.request_number, std::move(answer));
 }
 
-void Version2Session::onStickPictures(int request, const Payload& payload, Answer* answer) {
-  if (request == version2::LIST_PICTURES) {
-    version2::FileList list;
-    expectGood(version2::decodePictureList(payload.data, payload.size, &list), "list of pictures");
-    answer->names.assign(list.names, list.names + list.count);
-  } else if (request == version2::FETCH_PICTURE) {
-    expectGood(version2::checkFetchedPicture(payload.size), "picture from the memory stick");
-    answer->file.assign(payload.data, payload.data + payload.size);
-  }
-}
-
-void Version2Session::onRefusal(const Exchange& request, const std::string& problem) {
+void Version2Session::onRefusal(const Exchange& exchange, const std::string& problem) {
   RefusalLog& refusals = connection_.refusals;
-  const auto refused = [&](const char* what, RefusedRequest kind) {
-    refusals.refused(request.kind, what, {kind, RefusalCause::kRobot, request.ids, problem, request.order});
-  };
-  switch (request.kind) {
-    case version2::REQUEST_HELLO:
-      throw ProtocolException("it refused to say hello: " + problem);
-    case version2::REQUEST_STREAM:
-      if (connection_.pictures.streamFormat().resolution == Resolution::kDouble && !lacks_double_resolution_) {
-        lacks_double_resolution_ = true;  // the stream is requested again, without it
-        return connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " +
-                                        problem);
-      }
-      throw ProtocolException("it refused to stream pictures: " + problem);
-    case version2::REQUEST_JOINTS:
-      return refused("to move joints", RefusedRequest::kJoints);
-    case version2::REQUEST_SPEED_LIMITS:
-      return refused("to limit the speed of joints", RefusedRequest::kSpeedLimits);
-    case version2::REQUEST_STEER:
-      return refused("to walk", RefusedRequest::kWalk);
-    case version2::REQUEST_TELEMETRY:
-      return refusals.refused(request.kind, "to send telemetry: " + problem);
-    case version2::REQUEST_LEDS:
-      return refused("to set LEDs", RefusedRequest::kLeds);
-    case version2::REQUEST_CAMERA:
-      return refusals.refused(request.kind, "to set its camera: " + problem);
-    case version2::REQUEST_DATAGRAMS:
-      ++connection_.context.counters.refusals;
-      return giveUpDatagrams("it refused to: " + problem, now_);
-    case version2::REQUEST_COLORS:
-      return refusals.refused(request.kind, "to detect colours: " + problem);
-    case version2::REQUEST_MOTORS:
-      return refusals.refused(request.kind, "to tell of its motors: " + problem);
-    default:
-      return refused("to move the ears", RefusedRequest::kEars);
+  const char letter = exchange.request.letter;
+  const std::string what = std::string("to ") + exchange.request.words;
+  if (letter == version2::REQUEST_HELLO) {
+    throw ProtocolException("it refused " + what + ": " + problem);
+  }
+  if (letter == version2::REQUEST_STREAM) {
+    if (connection_.pictures.streamFormat().resolution == Resolution::kDouble && !lacks_double_resolution_) {
+      lacks_double_resolution_ = true;  // the stream is requested again, without it
+      return connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " +
+                                      problem);
+    }
+    throw ProtocolException("it refused " + what + ": " + problem);
+  }
+  if (letter == version2::REQUEST_DATAGRAMS) {
+    ++connection_.context.counters.refusals;
+    return giveUpDatagrams("it refused to: " + problem, now_);
+  }
+  const Order& order = exchange.order;
+  if (order.kind) {
+    refusals.refused(letter, what, {*order.kind, RefusalCause::kRobot, order.ids, problem, order.number});
+  } else {
+    refusals.refused(letter, what + ": " + problem);
   }
 }
 
 void Version2Session::onEnded(const Payload& payload) {
-  version2::EndMessage message;
-  expectGood(version2::decodeEndMessage(payload.data, payload.size, &message), "report of an end");
+  const auto message = decoded<version2::EndMessage>(payload, "report of an end");
   MotionEnd end;
   end.kind = endedKind(message.what);
   end.how = endedHow(message.how);
@@ -911,9 +846,8 @@ void Version2Session::onEnded(const Payload& payload) {
 }
 
 void Version2Session::onReport(const Payload& payload) {
-  version2::ErrorMessage message;
-  expectGood(version2::decodeErrorMessage(payload.data, payload.size, &message), "error message");
-  const Report report = {describeError(payload.data, payload.size), message.code == version2::CODE_JOINT_FAULT,
+  const auto message = decoded<version2::ErrorMessage>(payload, "error message");
+  const Report report = {describe(message), message.code == version2::CODE_JOINT_FAULT,
                          message.code == version2::CODE_REFUSED};
   if (report.joint_fault) {
     onJointFault(beginningOf(message.text, message.text_size));
@@ -940,9 +874,8 @@ void Version2Session::onJointFault(const std::string& text) {
 }
 
 void Version2Session::onMotorsAndPosture(const Payload& payload) {
-  version2::MotorsAndPosture state;
-  expectGood(version2::decodeMotorsAndPosture(payload.data, payload.size, &state), "state of motors and posture");
-  const bool is_known = state.posture <= version2::POSTURE_NOW_CARRIED;
+  const auto state = decoded<version2::MotorsAndPosture>(payload, "state of motors and posture");
+  const bool is_known = state.posture <= version2::POSTURE_CARRIED;
   connection_.motors_and_posture = {state.motors_on ? MotorState::kOn : MotorState::kOff,
                                     is_known ? static_cast<PostureNow>(state.posture) : PostureNow::kUnknown};
 }
@@ -980,7 +913,7 @@ void Version2Session::checkDeadlines(TimePoint now) {
   for (const auto& exchange : exchanges_) {
     const Exchange& request = exchange.second;
     if (now >= request.deadline) {
-      throw Fault::unanswered(context.address, std::string("the request '") + request.kind + "'",
+      throw Fault::unanswered(context.address, std::string("the request '") + request.request.letter + "'",
                               std::chrono::round<std::chrono::milliseconds>(request.deadline - request.sent));
     }
   }
@@ -1001,4 +934,4 @@ Session::TimePoint Version2Session::nextDeadline() const {
                    pictures.nextLook()});
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -19,7 +19,7 @@
 #include "protocol/frame_reader.h"
 #include "protocol/version2.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 /// A session with a version 2 server. It begins with a hello; requests are numbered, so several may be under way.
 class Version2Session final : public Session {
@@ -44,13 +44,29 @@ class Version2Session final : public Session {
   TimePoint nextDeadline() const override;
 
  private:
+  /// The payload of the frame that has arrived.
+  struct Payload {
+    const unsigned char* data;
+    std::size_t size;
+  };
+
+  /// Takes an answer. Null: it only confirms what was requested.
+  using OnAnswer = void (Version2Session::*)(const Payload& payload);
+
+  /// What the user is told of if the robot refuses it.
+  struct Order {
+    std::optional<RefusedRequest> kind;  ///< none: it is only logged
+    std::vector<int> ids;                ///< of the joints, LEDs or ears that it is for
+    std::uint64_t number;                ///< OrderTerms::number
+  };
+
   /// A request that has to be answered soon. (A call may take as long as its caller allows.)
   struct Exchange {
-    char kind;
+    protocol::version2::Request request;
     TimePoint sent;
     TimePoint deadline;
-    std::vector<int> ids = {};  ///< of the joints, LEDs or ears that it is for
-    std::uint64_t order = 0;    ///< OrderTerms::number
+    OnAnswer on_answer;
+    Order order;
   };
 
   /// What the robot said without being asked.
@@ -58,12 +74,6 @@ class Version2Session final : public Session {
     std::string text;
     bool joint_fault;
     bool about_body;  ///< it lies on its side, for instance: over when the robot walks or takes a posture again
-  };
-
-  /// The payload of the frame that has arrived.
-  struct Payload {
-    const unsigned char* data;
-    std::size_t size;
   };
 
   Bytes chooseRequest(const Wish& wish, TimePoint now);
@@ -76,6 +86,7 @@ class Version2Session final : public Session {
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
   Bytes requestColors(const Wish& wish, TimePoint now);
+  Bytes requestMicrophone(const Wish& wish, TimePoint now);
   Bytes requestColorTable(int channel, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
@@ -84,28 +95,26 @@ class Version2Session final : public Session {
   Bytes requestSteering(TimePoint now);
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
-  template <typename Encode>
-  Bytes request(char kind, int id, TimePoint now, std::size_t largest_payload, const Encode& encode,
-                std::vector<int> ids = {}, std::uint64_t order = 0);
-  template <typename Encode>
-  Bytes makeFrame(char kind, int id, std::size_t largest_payload, const Encode& encode);
+  Bytes request(const protocol::version2::Request& request, int id, const Bytes& payload, TimePoint now,
+                OnAnswer on_answer = nullptr, const Order& order = {});
+  Bytes makeFrame(char kind, int id, const Bytes& payload);
   int nextNumber();
   bool serves(char request) const { return served_.test(static_cast<unsigned char>(request)); }
 
   void onFrame();
   void onPush(char kind, const Payload& payload);
   void onReply(char kind, int number, const Payload& payload);
-  void onAnswer(char request_kind, int number, const Payload& payload);
   void onHello(const Payload& payload);
   void onStreamPicture(const Payload& payload);
   void onRequestedPicture(int number, const Payload& payload);
   void onTelemetry(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
   void onLedsAccepted(const Payload& payload);
+  void onSound(const Payload& payload);
+  void onMicrophone(const Payload& payload);
   void onSteered(const Payload& payload);
   void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
-  static void onStickPictures(int request, const Payload& payload, Answer* answer);
   void onRefusal(const Exchange& request, const std::string& problem);
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
@@ -155,6 +164,6 @@ class Version2Session final : public Session {
   std::deque<Telemetry> telemetry_;            // arrived with the bytes that are being taken apart, in this order
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
 #endif  // AIBO_DRIVER_CLIENT_VERSION2_SESSION_H

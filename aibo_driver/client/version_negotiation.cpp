@@ -2,7 +2,7 @@
 
 #include "protocol/version2.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 
 VersionNegotiation::Bytes VersionNegotiation::request() {
   Bytes bytes(protocol::BASIC_COMMAND_SIZE);
@@ -20,7 +20,8 @@ void VersionNegotiation::bytesArrived(const std::uint8_t* data, std::size_t size
 void VersionNegotiation::judge() {
   const char letter = static_cast<char>(bytes_.front());
   if (letter != protocol::version2::versionReply().letter && letter != protocol::REPLY_ERROR) {
-    result_ = Result::kVersion1Unanswered;  // these bytes are not an answer to `X`: the session takes them apart
+    // These bytes are no answer to `X`, so the session parses them.
+    result_ = Result::kVersion1Unanswered;
     return;
   }
   if (bytes_.size() < protocol::VALUE_REPLY_SIZE) {
@@ -37,4 +38,4 @@ void VersionNegotiation::checkDeadline(TimePoint now) {
   }
 }
 
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -33,8 +33,8 @@ void DelayFloor::fit() {
   }
 }
 
-// The slope of the lower convex hull's edge over the middle: among all lines below the points, the one along this edge
-// has the least sum of distances to them. A single point has no slope: then the drift stays as it is.
+// The slope of the lower convex hull's edge over the middle. Of all lines below the points, the line along this edge
+// has the least sum of distances to them. A single point has no slope, so the drift then stays as it is.
 double DelayFloor::driftThrough(double middle) const {
   std::vector<Point> hull;
   const auto slope = [](const Point& from, const Point& to) {

@@ -9,27 +9,27 @@ namespace aibo_driver::robot_time {
 
 /// Estimates offset and drift between two clocks from messages that travel from one to the other.
 ///
-/// A message can be late, but never early. So among all straight lines below the measured latenesses, the closest one
-/// shows how far the clocks are apart and how fast they drift, whatever the delays above it, as long as a message meets
-/// no delay once in a while (Moon, Skelly and Towsley, "Estimation and removal of clock skew from network delay
-/// measurements", 1999). The shortest delay, which all messages have in common, cannot be distinguished from an offset
-/// of the clocks: it stays in the line.
+/// A message can be late, but never early. So we look for the straight line below the measured latenesses that is
+/// closest to them. It shows how far the clocks are apart and how fast they drift, whatever the delays above it are.
+/// This works as long as a message meets no delay once in a while (Moon, Skelly and Towsley, "Estimation and removal of
+/// clock skew from network delay measurements", 1999). All messages have the shortest delay in common. It cannot be
+/// told from an offset of the clocks, so the line contains it.
 ///
 /// All times are in seconds, from any origin.
 class DelayFloor {
  public:
-  /// In seconds by the sender's clock: older messages are forgotten, so a shortest delay that grows for good is noticed
-  /// after this time.
+  /// In seconds by the sender's clock. Older messages are forgotten, so a lasting increase of the shortest delay is
+  /// noticed after this time.
   static constexpr double kWindow = 30;
 
-  /// Each quartz clock is within 100 ppm of the truth.
+  /// Each quartz clock is within 100 ppm of the true time.
   static constexpr double kHighestDrift = 250e-6;
 
-  /// @param sent by the sender's clock
-  /// @param lateness arrival by the receiver's clock, less `sent`
+  /// @param sent when it was sent, by the sender's clock
+  /// @param lateness the arrival by the receiver's clock, less `sent`
   void add(double sent, double lateness);
 
-  /// The lateness of a message that is sent then and meets no delay. 0 before the first add().
+  /// The lateness of a message that is sent at this time and meets no delay. It is 0 before the first add().
   double at(double sent) const { return origin_ + drift_ * (sent - origin_sent_); }
 
   /// How much the lateness grows in a second.

@@ -8,17 +8,18 @@ namespace {
 
 constexpr double kFramePeriod = 0.008;  // s
 
-// The greater part of a correction takes this time, so that a correction of 10 ms changes the interval of two pictures
-// by less than 0.2 ms. It must exceed kImplausible, the greatest correction.
+// Most of a correction takes this time, so that a correction of 10 ms changes the interval of two pictures by less than
+// 0.2 ms. It must exceed kImplausible, the greatest correction.
 constexpr double kSmoothing = 2.0;  // s
 
-// A message that is further off is not just delayed: a robot that streams sends nothing that old.
+// A message that is further off is not just delayed, because a robot that streams sends nothing that old.
 constexpr double kImplausible = 1.0;  // s
 
-// Messages of one connection come in the order in which they were sent, but a picture is older: encoding takes time.
+// Messages of one connection come in the order in which they were sent. But a picture is older, because encoding takes
+// time.
 constexpr std::int32_t kFramesOfDisorder = 125;
 
-// The radio may hold messages up this long. A robot's frame numbers never stop; those of a simulation may.
+// The radio may hold messages up this long. A robot's frame numbers never stop; those of a simulation may stop.
 constexpr std::chrono::seconds kPatience{5};
 
 double seconds(std::chrono::steady_clock::duration duration) {

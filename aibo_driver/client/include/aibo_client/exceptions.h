@@ -1,12 +1,12 @@
 /// @file exceptions.h
-/// What the client library throws. Every message says what was wrong, where, and what to check.
-#ifndef AIBO_DRIVER_EXCEPTIONS_H
-#define AIBO_DRIVER_EXCEPTIONS_H
+/// The exceptions of the client library. Every message says what was wrong, where, and what to check.
+#ifndef AIBO_CLIENT_EXCEPTIONS_H
+#define AIBO_CLIENT_EXCEPTIONS_H
 
 #include <stdexcept>
 #include <string>
 
-namespace aibo_driver {
+namespace aibo_client {
 
 /// Why there is no connection to the robot, or why it broke. New kinds may be added at the end.
 enum class FaultKind {
@@ -22,30 +22,42 @@ enum class FaultKind {
   kInternal       ///< this computer failed, for example for lack of memory or file descriptors
 };
 
-/// Base of everything the client library throws.
+/// The base class of all exceptions that the client library throws.
+///
+/// @code
+/// try {
+///   robot.playMotion("NOD.MTN", 1, 2s);
+/// } catch (const aibo_client::NetworkException& error) {
+///   std::cerr << error.what() << (error.wasSent() ? " It may nod all the same.\n" : "\n");
+/// } catch (const aibo_client::Exception& error) {
+///   std::cerr << error.what() << '\n';  // for example, the robot has no such motion
+/// }
+/// @endcode
 class Exception : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An option or argument is outside its allowed range, which the message names.
+/// Thrown if an option or argument is outside its allowed range. The message names the range.
 class InvalidArgumentException : public Exception {
  public:
   using Exception::Exception;
 };
 
-/// The robot cannot be reached, or the connection broke.
+/// Thrown if the robot cannot be reached or the connection broke.
 class NetworkException : public Exception {
  public:
+  /// @param message the text of what()
+  /// @param kind see kind()
   /// @param was_sent see wasSent()
   explicit NetworkException(const std::string& message, FaultKind kind = FaultKind::kNone, bool was_sent = false)
       : Exception(message), kind_(kind), was_sent_(was_sent) {}
 
-  /// Why there is no connection: the same reason that the message gives in words.
+  /// @return the kind of reason that the message gives in words
   FaultKind kind() const noexcept { return kind_; }
 
-  /// True if the request had been sent when the call ended: the robot may or may not carry it out. False: it has not
-  /// been sent and never will be.
+  /// True if the request had been sent when the call ended, so that the robot may or may not carry it out. If it is
+  /// false, the request has not been sent and never will be.
   bool wasSent() const noexcept { return was_sent_; }
 
  private:
@@ -53,26 +65,26 @@ class NetworkException : public Exception {
   bool was_sent_;
 };
 
-/// There was no answer in the time allowed. kind() is FaultKind::kNone if the time of this call has passed, and
+/// Thrown if no answer came in the time allowed. kind() is FaultKind::kNone if the time of this call has passed. It is
 /// FaultKind::kSilent if the whole connection was given up for its silence while the call waited.
 class TimeoutException : public NetworkException {
  public:
   using NetworkException::NetworkException;
 };
 
-/// The robot answered, and refused; or the client did not send the request, because it had become too old or a stop
-/// came before it. In any case, the robot does not carry it out.
+/// Thrown if the robot refused. It is also thrown if the client did not send the request, because it had become too old
+/// or a stop came before it. In any case, the robot does not carry out the request.
 class CommandException : public Exception {
  public:
   using Exception::Exception;
 };
 
-/// The client was told to stop while the call was waiting.
+/// Thrown if the client was told to stop while the call was waiting.
 class StoppedException : public Exception {
  public:
   using Exception::Exception;
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
-#endif  // AIBO_DRIVER_EXCEPTIONS_H
+#endif  // AIBO_CLIENT_EXCEPTIONS_H

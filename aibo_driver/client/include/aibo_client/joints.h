@@ -1,12 +1,12 @@
 /// @file joints.h
-/// Targets and limits of joints. A joint is given by its RCServer identifier (docs/protocol.md lists them); angles are
-/// in radian, and positive in the direction that Sony's Model Information calls positive.
-#ifndef AIBO_DRIVER_JOINTS_H
-#define AIBO_DRIVER_JOINTS_H
+/// Targets and limits of joints. A joint is named by its RCServer identifier (names.h). Angles are in radians. They are
+/// positive in the direction that Sony's Model Information calls positive.
+#ifndef AIBO_CLIENT_JOINTS_H
+#define AIBO_CLIENT_JOINTS_H
 
-namespace aibo_driver {
+namespace aibo_client {
 
-/// The position that a joint is sent to, or that the robot accepted for it.
+/// The position to which a joint is sent, or that the robot accepted for it.
 struct JointTarget {
   int id = 0;           ///< 1..255
   double position = 0;  ///< rad, -2 pi..2 pi
@@ -26,6 +26,6 @@ struct JointLimits {
   double speed = 0;  ///< rad/s
 };
 
-}  // namespace aibo_driver
+}  // namespace aibo_client
 
-#endif  // AIBO_DRIVER_JOINTS_H
+#endif  // AIBO_CLIENT_JOINTS_H

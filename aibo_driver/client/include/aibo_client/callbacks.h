@@ -1,0 +1,91 @@
+/// @file callbacks.h
+#ifndef AIBO_CLIENT_CALLBACKS_H
+#define AIBO_CLIENT_CALLBACKS_H
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "aibo_client/colors.h"
+#include "aibo_client/joints.h"
+#include "aibo_client/leds.h"
+#include "aibo_client/log.h"
+#include "aibo_client/motion_end.h"
+#include "aibo_client/motors_and_posture.h"
+#include "aibo_client/orders.h"
+#include "aibo_client/picture.h"
+#include "aibo_client/sound.h"
+#include "aibo_client/status.h"
+#include "aibo_client/telemetry.h"
+#include "aibo_client/walk.h"
+
+namespace aibo_client {
+
+/// The functions that the client calls. Any of them may be empty.
+///
+/// The client's thread calls them, one at a time. They must not block, and must not call stop() or a function that
+/// waits for the robot (those with a timeout): while one runs, nothing is read from the robot. An exception that one
+/// throws is logged. The rules of `log` are those of LogSink.
+///
+/// @code
+/// aibo_client::Callbacks callbacks;
+/// callbacks.on_telemetry = [battery = aibo_client::idOfSensor("battery")](const aibo_client::Telemetry& telemetry) {
+///   for (const aibo_client::SensorReading& sensor : telemetry.sensors) {
+///     if (sensor.id == battery) {
+///       std::cout << 100 * sensor.value << " %\n";
+///     }
+///   }
+/// };
+/// aibo_client::RcServerClient robot(options, callbacks);
+/// robot.setTelemetryPeriod(125);  // once a second
+/// robot.start();
+/// @endcode
+struct Callbacks {
+  /// A good picture, either of the stream or taken by takePicture(). The exception is a picture of takePicture() that
+  /// has another resolution than the running stream.
+  std::function<void(const PicturePtr& picture)> on_picture;
+  /// status() has changed.
+  std::function<void(const ConnectionStatus& status)> on_status;
+  /// streaming() has changed.
+  std::function<void(bool streaming)> on_streaming;
+  /// Measurements of the robot, in order. If several have arrived together, for example after the radio was held up,
+  /// this is called for each of them, but only for the newest 64. Telemetry that comes more than twice as often as
+  /// requested is dropped. Values that no joint or sensor of this robot can have are dropped, too.
+  std::function<void(const Telemetry& telemetry)> on_telemetry;
+  /// The targets that the robot has accepted for joints, clamped to their limits.
+  std::function<void(const std::vector<JointTarget>& targets)> on_joints_accepted;
+  /// The LEDs that the robot has accepted, each of them once. An LED that is only on or off has intensity 0 or 255 if
+  /// the server says so; version 1 servers do not always say so. Version 1 sets modes for all LEDs at once. Until it
+  /// has done so, mode A is assumed.
+  std::function<void(const std::vector<LedCommand>& leds)> on_leds_accepted;
+  /// The velocity that the robot has accepted for walking, within its limits, and the OrderTerms::number of the order
+  /// that asked for it.
+  std::function<void(const WalkVelocity& in_force, std::uint64_t order)> on_steered;
+  /// A version 2 server reports that something it did has ended, such as a motion. A motion, walk or posture that has
+  /// not ended when the connection breaks is stopped by the robot, without a report.
+  std::function<void(const MotionEnd& end)> on_ended;
+  /// A request that no call waits for was refused or dropped, or a joint does not follow its commands. If this callback
+  /// is not set, the client logs the refusal. It is not called if a newer request of the same kind replaces one that
+  /// was not sent, or if the connection ends before a request is sent.
+  std::function<void(const Refusal& refusal)> on_refused;
+  /// The robot has answered a call with an OrderTerms::number other than 0, after that call has ended with a
+  /// TimeoutException. This is not called if the connection ends first. In version 1, such a call always ends the
+  /// connection.
+  std::function<void(const LateAnswer& answer)> on_late_answer;
+  /// A version 2 server says that the motors or the posture have changed. This is also called soon after the connection
+  /// is made and, with everything unknown, when a connection ends.
+  std::function<void(const MotorsAndPosture& state)> on_motors_and_posture;
+  /// The colours that the robot's camera has detected in an image. If several have arrived together, only the newest
+  /// counts. Colours that come more than twice as often as requested are dropped, and so are regions that contradict
+  /// themselves.
+  std::function<void(const DetectedColors& colors)> on_colors;
+  /// What the robot has heard, in order. More than twice as much as requested is dropped.
+  std::function<void(const HeardSound& sound)> on_heard;
+  /// A sound that the robot had begun to play has ended. This is called once for each of them.
+  std::function<void(const SoundEnd& end)> on_sound_ended;
+  LogSink log;
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_CLIENT_CALLBACKS_H

@@ -1,0 +1,43 @@
+/// @file names.h
+/// The names of the joints, sensors and LEDs of the robots, such as "head_pan", "battery" and "face_1". Requests and
+/// telemetry have their RCServer identifiers instead; docs/protocol.md lists both.
+///
+/// Every function takes the design of the robot (RobotInfo::design), because some identifiers mean different parts on
+/// different robots. If the design is empty, as for a version 1 server, the ERS-7 is searched first, then the ERS-210.
+///
+/// @code
+/// const int pan = aibo_client::idOfJoint("head_pan");
+/// robot.commandJoints({{pan, 0.5}}, 1s);
+/// robot.commandLeds({{aibo_client::idOfLed("face_1"), 255}});
+/// @endcode
+#ifndef AIBO_CLIENT_NAMES_H
+#define AIBO_CLIENT_NAMES_H
+
+#include <string>
+
+namespace aibo_client {
+
+/// The identifier of a joint.
+/// @throw InvalidArgumentException there is no such joint; the message lists those that there are
+int idOfJoint(const std::string& name, const std::string& design = "");
+
+/// The identifier of a sensor.
+/// @throw InvalidArgumentException there is no such sensor; the message lists those that there are
+int idOfSensor(const std::string& name, const std::string& design = "");
+
+/// The identifier of an LED.
+/// @throw InvalidArgumentException there is no such LED; the message lists those that there are
+int idOfLed(const std::string& name, const std::string& design = "");
+
+/// The name of a joint, or "joint 99" if no joint has this identifier.
+std::string nameOfJoint(int id, const std::string& design = "");
+
+/// The name of a sensor, or "sensor 99" if no sensor has this identifier.
+std::string nameOfSensor(int id, const std::string& design = "");
+
+/// The name of an LED, or "LED 99" if no LED has this identifier.
+std::string nameOfLed(int id, const std::string& design = "");
+
+}  // namespace aibo_client
+
+#endif  // AIBO_CLIENT_NAMES_H

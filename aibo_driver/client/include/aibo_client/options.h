@@ -1,0 +1,30 @@
+/// @file options.h
+#ifndef AIBO_CLIENT_OPTIONS_H
+#define AIBO_CLIENT_OPTIONS_H
+
+#include <chrono>
+#include <string>
+
+#include "aibo_client/camera.h"
+
+namespace aibo_client {
+
+/// How to reach the robot, and how long to wait for it. The constructor of RcServerClient checks every option.
+struct ClientOptions {
+  std::string host = "127.0.0.1";  ///< name or address of the robot; not empty
+  int port = 54321;                ///< 1..65535; the RCServer's port (report, section 2.2)
+  int jpeg_quality = 85;           ///< 1..100, for the stream (report, section 3.3.3, gives 85 as the standard)
+  int protocol_version = 0;        ///< 0: the newest version that the server speaks; 1: version 1, without asking
+  PictureTransport picture_transport = PictureTransport::kTcp;  ///< see setPictureTransport()
+  std::chrono::milliseconds connect_timeout{2000};              ///< 50 ms..60 s, including the name lookup
+  std::chrono::milliseconds read_timeout{500};         ///< 50 ms..60 s; a stream that is silent for longer is dead
+  std::chrono::milliseconds reconnect_wait_min{100};   ///< 10 ms..reconnect_wait_max; the wait doubles at each failure
+  std::chrono::milliseconds reconnect_wait_max{2000};  ///< 10 ms..60 s; the longest wait between two attempts
+  /// If true, the robot also plays and stores motions for other robots, without the joints that it does not have. If
+  /// false, it refuses them. Version 1 servers always refuse them.
+  bool leave_out_missing_joints = false;
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_CLIENT_OPTIONS_H

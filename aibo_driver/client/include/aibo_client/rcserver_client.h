@@ -1,0 +1,433 @@
+/// @file rcserver_client.h
+/// The client of the robot's RCServer. It does not depend on ROS.
+#ifndef AIBO_CLIENT_RCSERVER_CLIENT_H
+#define AIBO_CLIENT_RCSERVER_CLIENT_H
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aibo_client/callbacks.h"
+#include "aibo_client/exceptions.h"
+#include "aibo_client/names.h"
+#include "aibo_client/options.h"
+#include "aibo_client/sound.h"
+
+namespace aibo_client {
+
+class ConnectionLoop;
+class TcpTransport;
+
+/// Keeps one connection to an RCServer. It gets pictures and telemetry over it, moves the joints, and gives the robot
+/// every other order that its server knows.
+///
+/// A thread of its own connects, splits the byte stream into pictures and replies, and reconnects after every fault,
+/// with growing, jittered waits. It asks each server for version 2 of the protocol. It falls back to version 1 if the
+/// server refuses or does not answer within 500 ms. In the latter case it asks the server for a picture, unless the
+/// stream is wanted, and drops that picture. The client counts as connected only once the server has answered.
+///
+/// After a reconnect, the stream and telemetry are requested again if they are still wanted. A single picture is not
+/// requested again, and no command is ever repeated: the robot carries it out once or not at all. All waiting uses the
+/// steady clock and ends at once when stop() is called.
+///
+/// Any thread may call every member function, unless its comment says otherwise.
+///
+/// @code
+/// aibo_client::ClientOptions options;
+/// options.host = "192.168.1.20";
+/// aibo_client::RcServerClient robot(options, {});
+/// robot.start();
+/// robot.waitForConnection(5s);
+/// const aibo_client::PicturePtr picture = robot.takePicture(85, 2s);
+/// robot.takePosture(aibo_client::Posture::kStand, 2s);
+/// @endcode
+class RcServerClient {
+ public:
+  /// Only constructs the client. start() connects it.
+  /// @throw InvalidArgumentException an option is out of its range; the message names both
+  RcServerClient(const ClientOptions& options, Callbacks callbacks);
+
+  /// Calls stop().
+  ~RcServerClient();
+
+  RcServerClient(const RcServerClient&) = delete;
+  RcServerClient& operator=(const RcServerClient&) = delete;
+
+  /// Begins to connect. Further calls do nothing.
+  /// @throw Exception stop() was called before; a client that was stopped stays stopped
+  void start();
+
+  /// Waits until the robot has answered. Meanwhile the client tries again after every fault.
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw InvalidArgumentException timeout is out of range
+  /// @throw NetworkException there is still no connection; the message says why and what to check, and kind() names the
+  ///   reason
+  /// @throw StoppedException stop() was called
+  /// @throw Exception the function was called from a callback
+  void waitForConnection(std::chrono::milliseconds timeout);
+
+  /// Ends the connection and the thread, in every state within a second. Calls in progress end with StoppedException.
+  /// No callback runs after it has returned. Further calls do nothing.
+  void stop() noexcept;
+
+  /// Switches the stream of pictures on or off. It takes effect at once if connected, otherwise as soon as there is a
+  /// connection, and again after each reconnect. It sends nothing if the stream is already as wanted.
+  void setStreaming(bool on);
+
+  /// Sets the quality of the stream's pictures. A version 2 server changes a running stream at once; a version 1 server
+  /// uses the new quality when the stream is next started.
+  /// @param quality 1..100
+  /// @throw InvalidArgumentException quality is out of range
+  void setJpegQuality(int quality);
+
+  /// The last quality that setJpegQuality() set, 1..100. At first it is ClientOptions::jpeg_quality.
+  int jpegQuality() const;
+
+  /// Sets the resolution and the rate of the stream. A version 2 server changes a running stream at once. A version 1
+  /// server can only send every image in Resolution::kHigh, and a camera may lack the bands for Resolution::kDouble.
+  /// Then the stream has Resolution::kHigh, and the log says so.
+  /// @throw InvalidArgumentException every_nth_image is out of range
+  void setStreamFormat(const StreamFormat& format);
+
+  /// The last format that setStreamFormat() set.
+  StreamFormat streamFormat() const;
+
+  /// Sets how the pictures of the stream come. It takes effect as setStreaming() does. If the server speaks version 1
+  /// or lacks the capability `B`, the pictures come by TCP, and the log says so.
+  ///
+  /// A datagram is accepted only from the robot's address. A picture is delivered when all its datagrams have come, but
+  /// never after a newer picture. The pictures come by TCP if nothing comes by UDP for 1 s although TCP works, or if 20
+  /// pictures in a row have lost a datagram: see ConnectionStatus::transport_problem. The next connection tries UDP
+  /// again, unless no datagram has ever come. UDP is also tried again when this is set to TCP and then to UDP.
+  void setPictureTransport(PictureTransport transport);
+
+  /// Sets the camera. It takes effect as setStreaming() does. The robot resets the camera when the connection ends.
+  /// Picture::settings tells which settings a picture was taken with. A server that speaks version 1 or lacks the
+  /// capability `G` cannot set its camera, and a robot may refuse a setting. The log then says so.
+  /// @throw InvalidArgumentException a setting is out of range
+  void setCameraSettings(const CameraSettings& settings);
+
+  /// Switches the detection of colours on or off. It takes effect as setStreaming() does, and does not need the stream.
+  /// A server that speaks version 1 or lacks the capability `Z` detects nothing. The log then says so once.
+  /// @throw InvalidArgumentException every_nth_image is out of range
+  void setColorDetection(const ColorDetection& detection);
+
+  /// Sets the colours that a channel detects. They replace its old ones. The table is sent while the detection is on,
+  /// and again after each reconnect. If the robot refuses it, for example because its camera does not have this
+  /// channel, the log says so.
+  /// @param channel 0..7
+  /// @param table null means that the channel detects nothing any more
+  /// @throw InvalidArgumentException channel is out of range, or a range of the table is out of 0..255 or has a minimum
+  ///   above its maximum
+  void setColorTable(int channel, ColorTablePtr table);
+
+  /// Switches the robot's microphones on or off. It takes effect as setStreaming() does, and does not need the stream.
+  /// Two channels at 16000 samples/s take 520 kbit/s. The robot refuses unless its RCSERVER.CFG allows it
+  /// (ALLOW_MICROPHONE); on_refused tells. A server that speaks version 1 or lacks the capability `A` hears nothing.
+  /// The log then says so once.
+  /// @throw InvalidArgumentException there is no such number of channels, or no such rate
+  void setMicrophone(const MicrophoneSettings& settings);
+
+  /// True if a stream has been requested over the present connection and has not been stopped since.
+  bool streaming() const;
+
+  /// Waits for a picture that was taken after this call.
+  ///
+  /// The robot takes one picture of the given quality for this call alone. The exception is a running stream of a
+  /// version 1 server. Such a server must not be sent `F` while it streams, so the call gets the stream's next picture,
+  /// at the stream's quality.
+  ///
+  /// A damaged picture is requested again as long as time is left. If the time passes while a version 1 server owes a
+  /// picture, the client reconnects. Otherwise it could not know which request the server's next picture answers.
+  ///
+  /// @param quality 0..100; 0 means the stream's quality
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param[out] stream_quality may be null; if the picture is from a running stream, this is the quality of that
+  ///   stream, 1..100; it is 0 if the picture was taken for this call alone
+  /// @param resolution empty means the stream's resolution
+  /// @return the picture, never null
+  /// @throw InvalidArgumentException quality or timeout is out of range
+  /// @throw NetworkException there is no connection, or it broke while waiting; the message says why and what to check,
+  ///   and kind() names the reason
+  /// @throw TimeoutException the robot is connected, but no picture came in time
+  /// @throw CommandException the robot refused because it has no such resolution; or its server speaks version 1 and
+  ///   the resolution is not Resolution::kHigh
+  /// @throw StoppedException stop() was called
+  /// @throw Exception the function was called from a callback
+  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr,
+                         std::optional<Resolution> resolution = std::nullopt);
+
+  /// Sends joints to positions, all in one request. It returns without waiting for the answer. The answer goes to
+  /// on_joints_accepted, or to on_refused if the robot refuses.
+  ///
+  /// A command is carried out once or not at all. Without a connection it is refused. Commands that have not been sent
+  /// when a connection breaks are dropped. If commands come faster than the robot answers, each joint goes to its
+  /// latest target, and older commands that have not been sent are dropped. on_refused tells if a command was dropped
+  /// for one of two reasons: it had to wait for longer than its terms allow, because the robot was busy or the link
+  /// stood still; or it was a command to the legs, and steer() was called after it.
+  ///
+  /// A version 1 server gets one joint at a time, each after the answer to the previous one. Such a server does not
+  /// know durations, so the joints move as fast as their speed limits allow. The terms say until when the first target
+  /// may be sent. Each further one may wait for kLongestOrderWait.
+  ///
+  /// @param targets 1..32 joints; each joint appears once
+  /// @param duration 0..65535 ms until all joints arrive; 0 means that each moves as fast as its limits allow
+  /// @param terms until when the command may be sent, and its number
+  /// @throw InvalidArgumentException an id, a position, the number of joints or the duration is out of range
+  /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
+  ///   reason
+  /// @throw CommandException the server has no joints to command
+  /// @throw StoppedException stop() was called
+  void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration,
+                     const OrderTerms& terms = {});
+
+  /// Sets how fast joints may move. The limits are sent before later commands to the joints, under the same rules.
+  /// After a reconnect they are not sent again.
+  /// @param limits 1..32 joints; each joint appears once
+  /// @throw Exception the exceptions of commandJoints()
+  void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
+
+  /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
+  /// switch them off is sent before everything that waits. It drops commands to the joints and motions that have not
+  /// been sent.
+  /// @param on true: on; false: off
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @return true if the robot says that its motors are now on
+  /// @throw InvalidArgumentException timeout is out of range
+  /// @throw NetworkException there is no connection, or it broke while waiting
+  /// @throw TimeoutException the robot is connected, but no answer came in time
+  /// @throw CommandException the robot refused, or its server speaks version 1, which has no such request
+  /// @throw StoppedException stop() was called
+  /// @throw Exception the function was called from a callback
+  bool setMotors(bool on, std::chrono::milliseconds timeout);
+
+  /// Stops joints. Each of them brakes within its limits and stays where it comes to rest. Motions that move one of
+  /// them end. This request is sent before everything that waits. Commands to these joints that have not been sent are
+  /// dropped. Motions that have not been sent are dropped, too: their callers get a CommandException. It returns when
+  /// the robot has answered.
+  /// @param joints 0..32 identifiers of joints; each appears once. If it is empty, everything that moves stops
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw InvalidArgumentException an argument is out of range
+  /// @throw NetworkException there is no connection, or it broke while waiting; then the robot may or may not have
+  ///   obeyed
+  /// @throw TimeoutException the robot is connected, but no answer came in time
+  /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `I`; nothing was
+  ///   sent or dropped then, and the message says what to do instead
+  /// @throw StoppedException stop() was called
+  /// @throw Exception the function was called from a callback
+  void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
+
+  /// Makes the robot walk with a velocity. It returns without waiting for the answer. The answer goes to on_steered, or
+  /// to on_refused if the robot refuses.
+  ///
+  /// The robot stops walking and stands 500 ms after the last call, so call this again and again. A velocity of 0 stops
+  /// it at once, in an orderly way. A robot that does not stand yet first stands up.
+  ///
+  /// Only the newest velocity counts. An older one that has not been sent is dropped. on_refused tells if a velocity
+  /// was dropped for one of two reasons: it had to wait for longer than its terms allow; or hold(), takePosture(),
+  /// motors off or a command to the legs came before it was sent. Without a connection a velocity is refused, and
+  /// nothing is repeated after a reconnect.
+  ///
+  /// @param velocity at most 32.767 m/s and rad/s; the robot keeps its limits (RobotInfo::walk_limits)
+  /// @param terms until when the velocity may be sent, and its number
+  /// @throw InvalidArgumentException the velocity is out of range or not a number
+  /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
+  ///   reason
+  /// @throw CommandException the server speaks version 1 or lacks the capability `S`
+  /// @throw StoppedException stop() was called
+  void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
+
+  /// Makes the robot take a posture. This ends a walk and the motions that move legs. It returns when the robot has
+  /// begun. A MotionEnd with the posture's name says when and how it has ended: "stand", "sit" or "rest". If a call has
+  /// not been sent when hold() is called or its terms end, it ends with a CommandException.
+  /// @param posture the posture
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param terms until when the request may be sent, and its number
+  /// @throw InvalidArgumentException timeout is out of range
+  /// @throw NetworkException there is no connection, or it broke while waiting; wasSent() says whether the robot may
+  ///   have obeyed
+  /// @throw TimeoutException the robot is connected, but no answer came in time. If wasSent(), the robot may still
+  ///   obey; on_late_answer tells if it does
+  /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `E`
+  /// @throw StoppedException stop() was called
+  /// @throw Exception the function was called from a callback
+  void takePosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+
+  /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the
+  /// robot answers, each LED gets its latest command. The answer goes to on_leds_accepted, or to on_refused if the
+  /// robot refuses.
+  ///
+  /// A version 1 server gets one LED after the other, and only the intensity, because its only request with a mode sets
+  /// all LEDs at once. That request is sent if a command gives all 26 LEDs of an ERS-7 the same intensity and mode.
+  ///
+  /// @param leds 1..32 LEDs; each LED appears once
+  /// @throw InvalidArgumentException an id, an intensity or the number of LEDs is out of range
+  /// @throw NetworkException the robot is not connected; the message says why and what to check
+  /// @throw CommandException the server has no LEDs to command
+  /// @throw StoppedException stop() was called
+  void commandLeds(const std::vector<LedCommand>& leds);
+
+  /// Flicks the ears. The robot lets go of a drawn ear after 128 ms, because the ear's magnet must not stay energised.
+  /// It returns without waiting, like commandLeds().
+  /// @param left true: draw the left ear; false: let it go at once
+  /// @param right true: draw the right ear; false: let it go at once
+  /// @throw Exception the exceptions of commandLeds()
+  void commandEars(bool left, bool right);
+
+  /// Plays a motion from the robot's memory stick (a file in Sony's format MTN). It returns when the robot has begun.
+  /// Motions that move different joints play at the same time. The robot stops them when this client disconnects.
+  ///
+  /// This function and those down to rebootRobot() send one request and wait for its answer. If a version 1 server does
+  /// not answer in time, the client reconnects. Otherwise it could not know which request the server's next answer
+  /// belongs to.
+  /// @throw InvalidArgumentException an argument is out of range, or `name` is not the name of a motion
+  /// @throw NetworkException there is no connection, or it broke while waiting; wasSent() says whether the robot may
+  ///   have obeyed
+  /// @throw TimeoutException the robot is connected, but no answer came in time. If wasSent(), the robot may still obey
+  /// @throw CommandException the robot refused, or its server has no such request; the message says why, and what to do
+  /// @throw StoppedException stop() was called
+  /// @throw Exception the function was called from a callback
+  ///
+  /// @param name the name of the file, such as NOD.MTN: at most 8 characters, then .MTN, in upper or lower case
+  /// @param repetitions 1..65535
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param terms if the request could not be sent in time, for example because the memory stick was busy with another
+  ///   request, the call ends with a CommandException
+  /// @return what the robot plays differently from the file, in one line: positions that it clips, by how much the
+  ///   motion is longer because it is too fast for the joints' speed limits, and joints that it leaves out. It is empty
+  ///   if there is nothing to say, or if the server does not tell (version 1, or an older server)
+  std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
+                         const OrderTerms& terms = {});
+
+  /// Stops a motion. Its joints hold their positions. With a version 2 server, calls that have not been sent and would
+  /// play this motion end with a CommandException.
+  /// @param name the name of the motion; empty means all that are playing
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// Writes a motion to the robot's memory stick. It replaces a motion of the same name. The robot's RCSERVER.CFG has
+  /// to allow it (ALLOW_UPLOAD). Pictures go on meanwhile. A version 1 server gets no other request until the upload is
+  /// done.
+  /// @param name the name of the file, as for playMotion()
+  /// @param content the file's bytes, 1..65523: a request of version 2 has no room for more beside a name. This
+  ///   project's RCServer accepts motions of up to 64000 bytes
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
+                    std::chrono::milliseconds timeout);
+
+  /// Deletes a motion from the robot's memory stick. RCSERVER.CFG has to allow it (ALLOW_DELETE).
+  /// @param name the name of the file, as for playMotion()
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void deleteMotion(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// The names of the motions on the robot's memory stick. Version 1 of the protocol has no such request.
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
+
+  /// Takes a picture of 208x160 and stores it on the robot's memory stick. It stays there even if the connection ends.
+  /// RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES). Version 1 of the protocol does not
+  /// have them. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
+  /// @param quality 1..100
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @return the name of the new file, such as AIBO0001.JPG; it has not replaced another file
+  /// @throw Exception the exceptions of playMotion()
+  std::string takePictureOnRobot(int quality, std::chrono::milliseconds timeout);
+
+  /// The names of the pictures on the robot's memory stick.
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  std::vector<std::string> listPictures(std::chrono::milliseconds timeout);
+
+  /// Gets a picture from the robot's memory stick and leaves it there. While the picture is on its way, nothing else
+  /// comes from the robot. A picture of 6 KB takes as long as one of the stream. The largest picture, 128 KiB, takes
+  /// half a second at 2 Mbit/s.
+  /// @param name the name of the file: at most 8 characters, then .JPG, in upper or lower case
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @return the file's bytes: a whole picture of a size that the camera has (jpeg_inspector.h). Any other file is
+  ///   refused with a CommandException
+  /// @throw Exception the exceptions of playMotion()
+  std::vector<std::uint8_t> fetchPicture(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// Deletes a picture from the robot's memory stick. RCSERVER.CFG has to allow ALLOW_DELETE as well as ALLOW_PICTURES.
+  /// @param name the name of the file, as for fetchPicture()
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void deletePicture(const std::string& name, std::chrono::milliseconds timeout);
+
+  /// Switches off the motors, so that the robot sinks down, and then the robot. RCSERVER.CFG has to allow it
+  /// (ALLOW_SHUT_DOWN). The connection ends after the answer. This client keeps trying to reconnect.
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void shutDownRobot(std::chrono::milliseconds timeout);
+
+  /// Does the same as shutDownRobot(), but the robot then starts again (ALLOW_REBOOT).
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void rebootRobot(std::chrono::milliseconds timeout);
+
+  /// Sends the next samples of a sound, and waits for the robot's answer. Whatever else waits goes before them or waits
+  /// for one such request only, so sound does not hold up hold(). At first, send kMostSamplesAtOnce. Then keep ahead of
+  /// the robot: it plays silence in place of samples that come too late. After 2 s without samples it ends the sound.
+  ///
+  /// A sound belongs to one connection: a reconnect ends it. If this call throws, the sound cannot go on. The robot's
+  /// RCSERVER.CFG can forbid sounds (ALLOW_SOUND).
+  /// @param sound 0 begins a sound, which replaces one that plays; then the number that this call has returned
+  /// @param samples mono, kSoundRate a second; 1..kMostSamplesAtOnce, and no more than the last answer had room for and
+  ///   the robot has played since
+  /// @param is_last true: the sound ends with these samples
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion(); CommandException also if the sound has ended, or another one has
+  /// begun
+  SoundProgress playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
+                            std::chrono::milliseconds timeout);
+
+  /// Stops the sound that plays, if there is one. Up to 64 ms of it are still heard.
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @throw Exception the exceptions of playMotion()
+  void stopSound(std::chrono::milliseconds timeout);
+
+  /// Sets the volume. It holds until this client disconnects.
+  /// @param volume 0 (silent)..kLoudestVolume, or kVolumeOfRobot
+  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @return the volume in force, 0..kLoudestVolume
+  /// @throw Exception the exceptions of playMotion()
+  int setVolume(int volume, std::chrono::milliseconds timeout);
+
+  /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
+  ///
+  /// A version 1 server sends none by itself. While telemetry is wanted, the client asks it for joints and sensors in
+  /// turn, 20 of each a second whatever the period, so that the answers hardly slow the stream of pictures down. Such a
+  /// server does not say which robot it runs on, so the client assumes an ERS-7.
+  ///
+  /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
+  /// @throw InvalidArgumentException frames is out of range
+  void setTelemetryPeriod(int frames);
+
+  /// The robot's last report about its motors and its posture. It is unknown without a connection.
+  MotorsAndPosture motorsAndPosture() const;
+
+  /// A snapshot of the connection's state.
+  ConnectionStatus status() const;
+
+  /// A snapshot of the counters.
+  ClientStatistics statistics() const;
+
+ protected:
+  /// Constructs a client with a transport of its own.
+  RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
+
+ private:
+  const int motion_bits_;  // bits of the id in requests about motions (protocol/motion_requests.h)
+  std::unique_ptr<ConnectionLoop> loop_;
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_CLIENT_RCSERVER_CLIENT_H

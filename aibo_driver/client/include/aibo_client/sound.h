@@ -1,0 +1,75 @@
+/// @file sound.h
+/// What the robot hears, and what it plays. A server has neither if it speaks version 1 of the protocol or lacks the
+/// capability `A`.
+#ifndef AIBO_CLIENT_SOUND_H
+#define AIBO_CLIENT_SOUND_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "aibo_client/motion_end.h"
+
+namespace aibo_client {
+
+/// The robot plays so many samples a second.
+constexpr int kSoundRate = 16000;
+
+/// RcServerClient::playSamples() takes so many samples at once, 128 ms. They delay a request to stop by 33 ms on a link
+/// of 1 Mbit/s.
+constexpr std::size_t kMostSamplesAtOnce = 2048;
+
+/// Volumes go from 0, which is silent, to this.
+constexpr int kLoudestVolume = 3;
+/// The volume that the robot's own switch says.
+constexpr int kVolumeOfRobot = 255;
+
+/// Selects what the robot should send of what it hears.
+struct MicrophoneSettings {
+  bool on = false;
+  int channels = 2;                ///< 2: left and right; 1: the mean of both
+  int samples_per_second = 16000;  ///< 8000 or 16000
+
+  bool operator==(const MicrophoneSettings& other) const {
+    return on == other.on && channels == other.channels && samples_per_second == other.samples_per_second;
+  }
+  bool operator!=(const MicrophoneSettings& other) const { return !(*this == other); }
+};
+
+/// What the robot has heard, usually for 16 ms.
+struct HeardSound {
+  std::uint32_t frame_number = 0;                 ///< the OPEN-R frame (8 ms) in which the first sample was heard
+  std::chrono::steady_clock::time_point arrival;  ///< when the first byte was read
+  std::uint64_t connection_number = 0;            ///< as in Telemetry
+  int channels = 0;
+  int samples_per_second = 0;
+  /// So many samples of each channel are missing before this sound, because the connection was too slow. It is 0 for
+  /// the first sound after a pause.
+  std::uint32_t missing = 0;
+  std::vector<std::int16_t> samples;  ///< left and right in turn
+};
+
+/// A sound that the robot plays, after some of its samples were sent.
+struct SoundProgress {
+  std::uint64_t sound = 0;  ///< the sound's number
+  std::size_t room = 0;  ///< so many more samples may follow now. As the sound plays, kSoundRate more may each second
+};
+
+/// How a sound has ended.
+struct SoundEnd {
+  std::uint64_t sound = 0;  ///< SoundProgress::sound
+  /// kDone: it was played to its end. kReplaced, kStopped: by a later call. kRefused: the robot ended it, because no
+  /// samples came for 2 s. kLost: the connection broke.
+  EndedHow how = EndedHow::kUnknown;
+  /// @name What the robot says if it ended the sound by itself; otherwise 0
+  /// @{
+  std::uint32_t samples = 0;  ///< samples that were played, with the silence in the gaps
+  std::uint32_t gaps = 0;     ///< how often samples came too late
+  std::uint32_t missing = 0;  ///< samples of silence in these gaps
+  /// @}
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_CLIENT_SOUND_H

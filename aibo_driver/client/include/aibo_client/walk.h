@@ -1,0 +1,49 @@
+/// @file walk.h
+/// How a robot walks, and the postures that it takes. Velocities are relative to the floor, in the robot's own
+/// directions, with the signs of REP 103.
+#ifndef AIBO_CLIENT_WALK_H
+#define AIBO_CLIENT_WALK_H
+
+namespace aibo_client {
+
+struct WalkVelocity {
+  double forward = 0;  ///< m/s, negative means backward
+  double left = 0;     ///< m/s, negative means to the right
+  double turn = 0;     ///< rad/s, positive means to the left, that is, counterclockwise seen from above
+
+  bool isZero() const { return forward == 0 && left == 0 && turn == 0; }
+};
+
+/// The robot's highest walking speeds, as its server reports them. All are 0 if it cannot walk.
+struct WalkLimits {
+  double forward = 0;  ///< m/s
+  double back = 0;     ///< m/s, positive
+  double left = 0;     ///< m/s, to either side
+  double turn = 0;     ///< rad/s, in either direction
+};
+
+enum class Posture {
+  kStand,
+  kSit,
+  kRest  ///< the robot lies down, then switches its motors off
+};
+
+enum class WalkState {
+  kNone,       ///< it does not walk
+  kGetsReady,  ///< it stands up before it walks
+  kWalks,
+  kUnknown  ///< something that only a newer server knows
+};
+
+/// How the robot walked when telemetry was measured.
+struct WalkReading {
+  /// The average velocity of the feet since the telemetry before, as commanded, after all limits. If no foot slips, its
+  /// sum over time is the way.
+  WalkVelocity velocity;
+  double phase = 0;  ///< the phase of the step, 0..1
+  WalkState state = WalkState::kNone;
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_CLIENT_WALK_H

@@ -1,0 +1,114 @@
+#include "client/sound_intake.h"
+
+#include <string>
+#include <utility>
+
+#include "client/fault.h"
+#include "client/picture_intake.h"
+#include "protocol/sound_requests.h"
+#include "protocol/version2.h"
+
+namespace aibo_client {
+
+namespace version2 = protocol::version2;
+
+namespace {
+
+template <typename Content>
+Content decoded(const unsigned char* payload, std::size_t size) {
+  Content content;
+  if (const char* const problem = version2::decode(payload, size, &content)) {
+    throw ProtocolException(std::string("bad sound: ") + problem);
+  }
+  return content;
+}
+
+}  // namespace
+
+void SoundIntake::askedFor(const MicrophoneSettings& settings) {
+  asked_ = settings;
+  in_force_.reset();
+  next_frame_.reset();
+}
+
+void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chrono::steady_clock::time_point arrival) {
+  const auto pushed = decoded<version2::HeardSound>(payload, size);
+  if (!in_force_ || !in_force_->on || pushed.channels != in_force_->channels) {
+    return;  // it was on its way when the settings were changed
+  }
+  const std::chrono::nanoseconds lasts =
+      std::chrono::nanoseconds(std::chrono::seconds(pushed.count)) / in_force_->samples_per_second;
+  if (pushed.count > kMostSamplesOfPush || !limit_.admit(arrival, lasts / 2).is_admitted) {
+    ++context_.counters.thinned_sounds;
+    if (!std::exchange(excess_is_logged_, true)) {
+      context_.warn("sends more than twice as much sound as it was asked to; the rest is dropped and counted");
+    }
+    return;
+  }
+  HeardSound sound;
+  sound.frame_number = pushed.frame_number;
+  sound.arrival = arrival;
+  sound.connection_number = context_.number;
+  sound.channels = in_force_->channels;
+  sound.samples_per_second = in_force_->samples_per_second;
+  sound.missing = missingBefore(pushed.frame_number, pushed.count);
+  sound.samples.reserve(pushed.samples_size / version2::BYTES_PER_SAMPLE);
+  for (std::size_t i = 0; i < pushed.samples_size; i += version2::BYTES_PER_SAMPLE) {
+    sound.samples.push_back(protocol::decodeBigEndianSigned16(pushed.samples + i));
+  }
+  ++context_.counters.sounds;
+  context_.counters.sound_gaps += sound.missing > 0 ? 1 : 0;
+  context_.notifier.heard(sound);
+}
+
+/// Samples of each channel that should have come before this frame. A frame number that goes back means nothing.
+std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned count) {
+  const unsigned frame_size =
+      version2::SAMPLES_PER_FRAME * static_cast<unsigned>(in_force_->samples_per_second) / 16000;
+  const auto skipped = next_frame_ ? static_cast<std::int32_t>(frame_number - *next_frame_) : 0;
+  beyond_frame_ = skipped == 0 ? beyond_frame_ : 0;
+  const unsigned heard = beyond_frame_ + count;
+  next_frame_ = frame_number + heard / frame_size;
+  beyond_frame_ = heard % frame_size;
+  return skipped > 0 ? static_cast<std::uint32_t>(skipped) * frame_size : 0;
+}
+
+// The robot may tell of the end of a sound after it has accepted the next one. So what this client has done itself is
+// reported at once, and the robot need not tell.
+void SoundIntake::accepted(const SoundPart& part) {
+  if (part.size == 0) {
+    return end(EndedHow::kStopped);
+  }
+  if (part.position == 0) {
+    end(EndedHow::kReplaced);
+  }
+  playing_ = part;
+}
+
+void SoundIntake::ended(const unsigned char* payload, std::size_t size) {
+  const auto pushed = decoded<version2::SoundEnd>(payload, size);
+  const bool is_known_already = pushed.how == version2::END_REPLACED || pushed.how == version2::END_STOPPED;
+  if (!playing_ || is_known_already) {
+    return;
+  }
+  // If the last samples come too late, the robot has already played silence in their place, and more of it.
+  const std::uint32_t whole = playing_->position + playing_->size;
+  const bool is_whole = pushed.samples == whole || (pushed.samples > whole && pushed.gaps > 0);
+  if (pushed.how == version2::END_DONE && !(playing_->is_last && is_whole)) {
+    return;  // it is that of the sound before
+  }
+  const EndedHow how = pushed.how == version2::END_DONE      ? EndedHow::kDone
+                       : pushed.how == version2::END_REFUSED ? EndedHow::kRefused
+                                                             : EndedHow::kUnknown;
+  const SoundEnd end = {playing_->sound, how, pushed.samples, pushed.gaps, pushed.missing};
+  playing_.reset();
+  context_.notifier.soundEnded(end);
+}
+
+void SoundIntake::end(EndedHow how) {
+  if (const std::optional<SoundPart> gone = std::exchange(playing_, std::nullopt)) {
+    context_.notifier.soundEnded({gone->sound, how, 0, 0, 0});
+  }
+}
+
+}  // namespace aibo_client

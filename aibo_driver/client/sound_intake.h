@@ -1,0 +1,73 @@
+/// @file sound_intake.h
+#ifndef AIBO_DRIVER_CLIENT_SOUND_INTAKE_H
+#define AIBO_DRIVER_CLIENT_SOUND_INTAKE_H
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "aibo_client/sound.h"
+#include "client/rate_limit.h"
+
+namespace aibo_client {
+
+struct ConnectionContext;
+
+/// Samples of a sound that were sent to the robot. No samples: the sound was stopped.
+struct SoundPart {
+  std::uint64_t sound = 0;  ///< SoundProgress::sound
+  std::uint32_t position = 0;
+  std::uint32_t size = 0;
+  bool is_last = false;
+};
+
+/// The sound of one connection, in both directions. It does not trust the robot: it gives the client's user no more
+/// than was asked for, and tells of each sound's end once. It belongs to the client's thread.
+class SoundIntake {
+ public:
+  /// A push with more is dropped, 1 s.
+  static constexpr unsigned kMostSamplesOfPush = 16000;
+
+  /// @param context must outlive the object
+  explicit SoundIntake(const ConnectionContext& context) : context_(context) {}
+
+  /// Call this with each request to the robot. Nothing counts until its answer.
+  void askedFor(const MicrophoneSettings& settings);
+  const MicrophoneSettings& asked() const { return asked_; }
+
+  /// Call this with the answer to the newest request.
+  void inForce(const MicrophoneSettings& settings) { in_force_ = settings; }
+
+  /// Delivers what the robot has heard.
+  /// @param arrival when the first byte was read
+  /// @throw ProtocolException no server of this version sends this
+  void heard(const unsigned char* payload, std::size_t size, std::chrono::steady_clock::time_point arrival);
+
+  /// Call this when the robot has accepted samples, or has stopped the sound.
+  void accepted(const SoundPart& part);
+
+  /// Reports how the robot says that a sound has ended.
+  /// @throw ProtocolException no server of this version sends this
+  void ended(const unsigned char* payload, std::size_t size);
+
+  /// Call this when the connection ends.
+  void connectionLost() { end(EndedHow::kLost); }
+
+ private:
+  void end(EndedHow how);
+  std::uint32_t missingBefore(std::uint32_t frame_number, unsigned count);
+
+  const ConnectionContext& context_;
+  MicrophoneSettings asked_;
+  std::optional<MicrophoneSettings> in_force_;
+  std::optional<std::uint32_t> next_frame_;  ///< in which the next sound begins if none is missing
+  unsigned beyond_frame_ = 0;                ///< samples of it that have been heard
+  RateLimit limit_{64};
+  bool excess_is_logged_ = false;
+  std::optional<SoundPart> playing_;  ///< the newest part of the sound that plays
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_DRIVER_CLIENT_SOUND_INTAKE_H
